@@ -1,0 +1,14 @@
+//! Symbolic exterior calculus, from text to proofs and kernels.
+//!
+//! ```text
+//! text or tokens ─ syntax ─ resolve ─▶ expression (structured, shared)
+//!                                          │  calculus
+//!                     ┌────────────────────┴───────────┐
+//!                     ▼                                ▼
+//!              normal ─ decide                       kernel
+//!       Proved | Refuted | Unknown             Rust · interpreter
+//! ```
+
+pub mod diagnostic;
+pub mod polynomial;
+pub mod syntax;

@@ -1,0 +1,178 @@
+//! The syntax tree: what was written, with the place of every part.
+
+use crate::diagnostic::Span;
+use num_rational::BigRational;
+
+/// A whole `.forms` file or macro body.
+#[derive(Clone, Debug, Default)]
+pub struct File {
+    /// Its statements in order; those that could not be parsed are left out and reported.
+    pub items: Vec<Item>,
+}
+
+/// One statement, up to its `;`.
+#[derive(Clone, Debug)]
+pub struct Item {
+    /// The lines of its `///` comment.
+    pub docs: Vec<String>,
+    /// Whether `pub` stands before it (kernels only).
+    pub public: bool,
+    /// From its first word to its `;`.
+    pub span: Span,
+    /// What it declares or claims.
+    pub kind: ItemKind,
+}
+
+/// A name where it stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Name {
+    /// Its characters.
+    pub text: String,
+    /// Its place.
+    pub span: Span,
+}
+
+/// A declared variable with the unit it may carry: `x`, `x: m`.
+#[derive(Clone, Debug)]
+pub struct Declared {
+    /// The name.
+    pub name: Name,
+    /// The unit, as written.
+    pub unit: Option<Expr>,
+}
+
+/// What an item declares or claims.
+#[derive(Clone, Debug)]
+pub enum ItemKind {
+    /// `chart R3(x, y, z) where …;`
+    Chart { name: Name, coordinates: Vec<Declared>, conditions: Vec<Condition> },
+    /// `chart Ray = R3 * S2 where …;`
+    ProductChart { name: Name, factors: Vec<Name>, conditions: Vec<Condition> },
+    /// `param n, sigma: 1/m where …;`
+    Param { names: Vec<Declared>, conditions: Vec<Condition> },
+    /// `fn L(x, y): W/m**2 where …;`
+    Function { name: Name, arguments: Vec<Name>, unit: Option<Expr>, conditions: Vec<Condition> },
+    /// `let r = …;`
+    Let { name: Name, value: Expr },
+    /// `form beta: 2 on R3 = …;`
+    Form { name: Name, degree: Option<(u32, Span)>, chart: Option<Name>, value: Expr },
+    /// `field X on R3 = …;`
+    Field { name: Name, chart: Option<Name>, value: Expr },
+    /// `map patch: UV -> R3 = (…);`
+    Map { name: Name, source: Name, target: Name, components: Vec<Expr> },
+    /// `metric g on R3 = …;`
+    Metric { name: Name, chart: Option<Name>, value: Expr },
+    /// `prove name: … == … where …;` or `refute …`
+    Statement { claim: Claim, name: Name, left: Expr, right: Expr, conditions: Vec<Condition> },
+    /// `kernel f(u, v) = … where … effects { … };`
+    Kernel {
+        name: Name,
+        arguments: Vec<Declared>,
+        /// One expression, or several for `(a, b, …)`.
+        outputs: Vec<Expr>,
+        conditions: Vec<Condition>,
+        effects: Vec<Effect>,
+    },
+}
+
+/// What a statement claims of its equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Claim {
+    /// It holds.
+    Prove,
+    /// It does not.
+    Refute,
+}
+
+/// `absorption: sigma_a = 0` of a kernel's `effects { … }`.
+#[derive(Clone, Debug)]
+pub struct Effect {
+    /// The effect's name.
+    pub name: Name,
+    /// The variable that switches it off …
+    pub variable: Name,
+    /// … when it has this value.
+    pub value: Expr,
+}
+
+/// One condition of a `where`, perhaps a chain: `0 < theta < pi`.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    /// The leftmost side.
+    pub first: Expr,
+    /// Each relation with the side to its right; at least one.
+    pub rest: Vec<(Relation, Expr)>,
+    /// The whole chain.
+    pub span: Span,
+}
+
+/// A relation between two scalars.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Relation {
+    /// `<`
+    Less,
+    /// `<=`
+    LessEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterEqual,
+    /// `!=`
+    NotEqual,
+}
+
+/// An expression where it stands.
+#[derive(Clone, Debug)]
+pub struct Expr {
+    /// What it is.
+    pub kind: Box<ExprKind>,
+    /// From its first character to its last, brackets included.
+    pub span: Span,
+}
+
+/// An operator between two expressions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Binary {
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`
+    Divide,
+    /// `^`, the wedge product
+    Wedge,
+    /// `**`
+    Power,
+}
+
+/// What an expression is.
+#[derive(Clone, Debug)]
+pub enum ExprKind {
+    /// An exact number.
+    Number(BigRational),
+    /// A name: scalar, form, differential `dx`, chart, …
+    Name(String),
+    /// `@x`, the coordinate vector field.
+    Basis(Name),
+    /// `-a`
+    Negate(Expr),
+    /// `a + b` and its like, with the operator's own place.
+    Binary(Binary, Span, Expr, Expr),
+    /// `f(a, b)`, `d[R3](w)`, `integral(w, u = 0..1)`.
+    Call { function: Name, index: Option<Expr>, arguments: Vec<Argument> },
+    /// `w[dx^dy]`, `X[x]`, `volume[g]`.
+    Index { base: Expr, index: Expr },
+    /// `if u > 0 { u } else { 0 }`; `jump` allows the two to differ at the seam.
+    Select { condition: Condition, then: Expr, otherwise: Expr, jump: bool },
+}
+
+/// One argument of a call.
+#[derive(Clone, Debug)]
+pub enum Argument {
+    /// A plain expression.
+    Value(Expr),
+    /// `u = 0..1`
+    Range { variable: Name, from: Expr, to: Expr },
+}

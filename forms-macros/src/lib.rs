@@ -1,0 +1,1 @@
+//! The macros of Forms: tokens in, core, tokens out.

@@ -1,0 +1,1 @@
+//! Radiometry on proved kernels.
