@@ -10,5 +10,6 @@
 //! ```
 
 pub mod diagnostic;
+pub mod expression;
 pub mod polynomial;
 pub mod syntax;

@@ -1,0 +1,102 @@
+//! Partial derivatives of structured expressions: the chain rule along the graph, each node once.
+
+use super::node::{Expr, Node, Pool, Symbol};
+use num_rational::Ratio;
+
+impl Pool {
+    /// ∂e/∂x. Derivatives are remembered, so a shared subexpression is differentiated once.
+    pub fn derivative(&mut self, expression: Expr, by: Symbol) -> Expr {
+        if let Some(&known) = self.derivatives.get(&(expression, by)) {
+            return known;
+        }
+        for node in self.reachable(&[expression]) {
+            if !self.derivatives.contains_key(&(node, by)) {
+                let value = self.derivative_of_node(node, by);
+                self.derivatives.insert((node, by), value);
+            }
+        }
+        self.derivatives[&(expression, by)]
+    }
+
+    /// The derivative of one node whose operands' derivatives are known.
+    fn derivative_of_node(&mut self, expression: Expr, by: Symbol) -> Expr {
+        let node = self.node(expression).clone();
+        let of = |pool: &Pool, operand: Expr| pool.derivatives[&(operand, by)];
+        match node {
+            Node::Number(_) | Node::Pi => self.integer(0),
+            Node::Symbol(symbol) => self.integer(i64::from(symbol == by)),
+            Node::Add(a, b) => {
+                let (da, db) = (of(self, a), of(self, b));
+                self.add(da, db)
+            }
+            Node::Negate(a) => {
+                let da = of(self, a);
+                self.negate(da)
+            }
+            Node::Multiply(a, b) => {
+                let (da, db) = (of(self, a), of(self, b));
+                let (left, right) = (self.multiply(da, b), self.multiply(a, db));
+                self.add(left, right)
+            }
+            Node::Divide(a, b) => {
+                let (da, db) = (of(self, a), of(self, b));
+                self.derivative_of_quotient(expression, (da, b), db)
+            }
+            Node::Power(a, exponent) => {
+                let da = of(self, a);
+                self.derivative_of_power(a, exponent, da)
+            }
+            Node::Apply(operation, arguments) => {
+                let inner: Vec<Expr> = arguments.iter().map(|&a| of(self, a)).collect();
+                if inner.iter().all(|&d| self.is_zero(d)) {
+                    return self.integer(0);
+                }
+                let partials = (operation.row().partials)(self, &arguments);
+                self.chain(&partials, &inner)
+            }
+            Node::Jet { function, orders, arguments } => {
+                let inner: Vec<Expr> = arguments.iter().map(|&a| of(self, a)).collect();
+                let partials: Vec<Expr> = (0..orders.len())
+                    .map(|i| {
+                        let mut raised = orders.clone();
+                        raised[i] += 1;
+                        self.jet(function, &raised, &arguments)
+                    })
+                    .collect();
+                self.chain(&partials, &inner)
+            }
+            Node::Select { left, relation, right, then, otherwise } => {
+                let (a, b) = (of(self, then), of(self, otherwise));
+                self.select((left, relation, right), a, b)
+            }
+        }
+    }
+
+    /// (a/b)′ = (a′ − (a/b) b′)/b, which keeps the quotient shared.
+    fn derivative_of_quotient(&mut self, quotient: Expr, (da, b): (Expr, Expr), db: Expr) -> Expr {
+        let correction = self.multiply(quotient, db);
+        let numerator = self.subtract(da, correction);
+        self.divide(numerator, b)
+    }
+
+    /// (aʳ)′ = r aʳ⁻¹ a′
+    fn derivative_of_power(&mut self, a: Expr, exponent: Ratio<i64>, da: Expr) -> Expr {
+        if self.is_zero(da) {
+            return da;
+        }
+        let lowered = self.power(a, exponent - Ratio::from_integer(1));
+        let factor = self.ratio(*exponent.numer(), *exponent.denom());
+        let outer = self.multiply(factor, lowered);
+        self.multiply(outer, da)
+    }
+
+    /// Σ ∂f/∂qᵢ · qᵢ′
+    fn chain(&mut self, partials: &[Expr], inner: &[Expr]) -> Expr {
+        let mut sum = self.integer(0);
+        for (&partial, &derivative) in partials.iter().zip(inner) {
+            let term = self.multiply(partial, derivative);
+            sum = self.add(sum, term);
+        }
+        sum
+    }
+}

@@ -1,0 +1,22 @@
+//! Structured scalar expressions: a hash-consed graph that keeps the structure its author gave it.
+//!
+//! ```text
+//! syntax ── resolve ──▶ Pool of nodes ──▶ normal form (equality)
+//!                        │  derivative        kernel (lowering)
+//!                        └─ substitution      text, LaTeX
+//! ```
+//! Equal nodes are one node, so a subexpression written once or arrived at twice is computed once. Building
+//! folds constants and drops neutral elements and nothing else: simplification belongs to the normal form,
+//! and a kernel is lowered from what was written. A node's operands always come before it in the pool, so
+//! every walk is a loop over ascending indices and no depth of nesting can exhaust the stack.
+
+mod build;
+mod derivative;
+mod node;
+mod operation;
+mod substitution;
+mod text;
+
+pub use node::{Expr, FunctionId, Node, Pool, Rational, Symbol, SymbolKind, Unknown};
+pub use operation::{Meaning, Operation, Row, TABLE};
+pub use substitution::Substitution;

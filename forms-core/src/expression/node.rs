@@ -1,0 +1,197 @@
+//! Nodes, the pool that owns them, and the symbols and unknown functions they speak of.
+
+use super::operation::Operation;
+use crate::syntax::ast::Relation;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// An exact rational number of any size.
+pub type Rational = num_rational::BigRational;
+
+/// A scalar expression: the index of its node in a [`Pool`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Expr(pub(crate) u32);
+
+/// A real variable: a coordinate, a parameter or an argument of a kernel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Symbol(pub(crate) u32);
+
+/// An unknown smooth function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct FunctionId(pub(crate) u32);
+
+/// What a real variable stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SymbolKind {
+    /// A coordinate of one or more charts.
+    Coordinate,
+    /// A real constant of the statement.
+    Parameter,
+    /// A variable local to a kernel or an integral.
+    Local,
+}
+
+/// What an unknown function is called and what it depends on.
+#[derive(Clone, Debug)]
+pub struct Unknown {
+    /// Its name.
+    pub name: String,
+    /// The variables it is declared over.
+    pub arguments: Vec<Symbol>,
+}
+
+/// One operation on earlier expressions.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// An exact number.
+    Number(Rational),
+    /// π
+    Pi,
+    /// A variable.
+    Symbol(Symbol),
+    /// a + b
+    Add(Expr, Expr),
+    /// −a
+    Negate(Expr),
+    /// a b
+    Multiply(Expr, Expr),
+    /// a / b
+    Divide(Expr, Expr),
+    /// aʳ with r rational; the real, non-negative branch where r is a fraction
+    Power(Expr, num_rational::Ratio<i64>),
+    /// A function of the op table.
+    Apply(Operation, Box<[Expr]>),
+    /// A partial derivative of an unknown function, or with no order above zero its value.
+    Jet {
+        /// The function.
+        function: FunctionId,
+        /// How often it is differentiated by each of its arguments.
+        orders: Box<[u32]>,
+        /// Where it is taken.
+        arguments: Box<[Expr]>,
+    },
+    /// One of two values, chosen by a relation.
+    Select {
+        /// The relation's left side.
+        left: Expr,
+        /// The relation.
+        relation: Relation,
+        /// The relation's right side.
+        right: Expr,
+        /// The value where it holds.
+        then: Expr,
+        /// The value where it does not.
+        otherwise: Expr,
+    },
+}
+
+impl Node {
+    /// The expressions it is computed from.
+    pub fn operands(&self) -> Vec<Expr> {
+        match self {
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => vec![],
+            Node::Negate(a) | Node::Power(a, _) => vec![*a],
+            Node::Add(a, b) | Node::Multiply(a, b) | Node::Divide(a, b) => vec![*a, *b],
+            Node::Apply(_, arguments) | Node::Jet { arguments, .. } => arguments.to_vec(),
+            Node::Select { left, right, then, otherwise, .. } => vec![*left, *right, *then, *otherwise],
+        }
+    }
+}
+
+/// The owner of all nodes, symbols and unknown functions of one file or macro body.
+#[derive(Clone, Debug, Default)]
+pub struct Pool {
+    nodes: Vec<Node>,
+    index: FxHashMap<Node, Expr>,
+    symbols: Vec<(String, SymbolKind)>,
+    functions: Vec<Unknown>,
+    pub(super) derivatives: FxHashMap<(Expr, Symbol), Expr>,
+}
+
+impl Pool {
+    /// An empty pool.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// How many nodes there are.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether there is no node yet.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// The node of an expression.
+    pub fn node(&self, expression: Expr) -> &Node {
+        &self.nodes[expression.0 as usize]
+    }
+
+    pub(super) fn intern(&mut self, node: Node) -> Expr {
+        if let Some(&known) = self.index.get(&node) {
+            return known;
+        }
+        let fresh = Expr(u32::try_from(self.nodes.len()).expect("a pool holds fewer than 2³² nodes"));
+        self.nodes.push(node.clone());
+        self.index.insert(node, fresh);
+        fresh
+    }
+
+    /// A new variable; the same name twice gives two variables.
+    pub fn declare_symbol(&mut self, name: impl Into<String>, kind: SymbolKind) -> Symbol {
+        self.symbols.push((name.into(), kind));
+        Symbol(self.symbols.len() as u32 - 1)
+    }
+
+    /// The name a variable was declared with.
+    pub fn symbol_name(&self, symbol: Symbol) -> &str {
+        &self.symbols[symbol.0 as usize].0
+    }
+
+    /// What a variable stands for.
+    pub fn symbol_kind(&self, symbol: Symbol) -> SymbolKind {
+        self.symbols[symbol.0 as usize].1
+    }
+
+    /// A new unknown function of these variables.
+    pub fn declare_function(&mut self, name: impl Into<String>, arguments: Vec<Symbol>) -> FunctionId {
+        self.functions.push(Unknown { name: name.into(), arguments });
+        FunctionId(self.functions.len() as u32 - 1)
+    }
+
+    /// The name and the declared arguments of an unknown function.
+    pub fn function(&self, function: FunctionId) -> &Unknown {
+        &self.functions[function.0 as usize]
+    }
+
+    /// Every node these expressions are computed from, themselves included, operands before results.
+    pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
+        let mut seen: FxHashSet<Expr> = roots.iter().copied().collect();
+        let mut pending: Vec<Expr> = seen.iter().copied().collect();
+        while let Some(expression) = pending.pop() {
+            for operand in self.node(expression).operands() {
+                if seen.insert(operand) {
+                    pending.push(operand);
+                }
+            }
+        }
+        let mut order: Vec<Expr> = seen.into_iter().collect();
+        order.sort_unstable();
+        order
+    }
+
+    /// The variables these expressions contain, in the order of their declaration.
+    pub fn symbols_in(&self, roots: &[Expr]) -> Vec<Symbol> {
+        let mut found: Vec<Symbol> = self
+            .reachable(roots)
+            .into_iter()
+            .filter_map(|expression| match self.node(expression) {
+                Node::Symbol(symbol) => Some(*symbol),
+                _ => None,
+            })
+            .collect();
+        found.sort_unstable();
+        found
+    }
+}

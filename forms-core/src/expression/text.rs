@@ -1,0 +1,160 @@
+//! Expressions written back in the language they came from.
+
+use super::node::{Expr, FunctionId, Node, Pool, Rational};
+use crate::syntax::ast::Relation;
+use num_rational::Ratio;
+use num_traits::{One, Signed};
+use rustc_hash::FxHashMap;
+
+/// Written out, an expression may grow exponentially over its shared form; past this many nodes it is cut.
+const LONGEST: u64 = 20_000;
+
+/// How tightly the outermost operator of a text binds.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binding {
+    Sum,
+    Product,
+    Negation,
+    Power,
+    Atom,
+}
+
+struct Written {
+    text: String,
+    binding: Binding,
+}
+
+impl Written {
+    /// The text, in brackets if it binds less tightly than its place needs.
+    fn within(&self, needed: Binding) -> String {
+        if self.binding >= needed { self.text.clone() } else { format!("({})", self.text) }
+    }
+}
+
+impl Relation {
+    /// How it is written.
+    pub fn text(self) -> &'static str {
+        match self {
+            Relation::Less => "<",
+            Relation::LessEqual => "<=",
+            Relation::Greater => ">",
+            Relation::GreaterEqual => ">=",
+            Relation::NotEqual => "!=",
+        }
+    }
+}
+
+impl Pool {
+    /// The expression in the language's own notation; one too long to read is cut to its size.
+    pub fn text(&self, expression: Expr) -> String {
+        self.texts(&[expression]).remove(0)
+    }
+
+    /// Several expressions at once.
+    pub fn texts(&self, expressions: &[Expr]) -> Vec<String> {
+        let mut sizes: FxHashMap<Expr, u64> = FxHashMap::default();
+        let mut written: FxHashMap<Expr, Written> = FxHashMap::default();
+        for expression in self.reachable(expressions) {
+            let operands = self.node(expression).operands();
+            let size = operands.iter().fold(1u64, |sum, operand| sum.saturating_add(sizes[operand]));
+            sizes.insert(expression, size);
+            let text = if size > LONGEST {
+                Written { text: format!("<{size} terms and operators>"), binding: Binding::Atom }
+            } else {
+                self.write(expression, &written)
+            };
+            written.insert(expression, text);
+        }
+        expressions.iter().map(|expression| written[expression].text.clone()).collect()
+    }
+
+    fn write(&self, expression: Expr, written: &FxHashMap<Expr, Written>) -> Written {
+        let of = |operand: &Expr, needed: Binding| written[operand].within(needed);
+        let (text, binding) = match self.node(expression) {
+            Node::Number(value) => return write_number(value),
+            Node::Pi => ("pi".to_string(), Binding::Atom),
+            Node::Symbol(symbol) => (self.symbol_name(*symbol).to_string(), Binding::Atom),
+            Node::Add(a, b) => match self.node(*b) {
+                Node::Negate(c) => {
+                    (format!("{} - {}", of(a, Binding::Sum), of(c, Binding::Product)), Binding::Sum)
+                }
+                Node::Number(c) if c.is_negative() => {
+                    (format!("{} - {}", of(a, Binding::Sum), write_number(&-c).text), Binding::Sum)
+                }
+                _ => (format!("{} + {}", of(a, Binding::Sum), of(b, Binding::Product)), Binding::Sum),
+            },
+            Node::Negate(a) => (format!("-{}", of(a, Binding::Product)), Binding::Product),
+            Node::Multiply(a, b) => {
+                (format!("{}*{}", of(a, Binding::Product), of(b, Binding::Power)), Binding::Product)
+            }
+            Node::Divide(a, b) => {
+                (format!("{}/{}", of(a, Binding::Product), of(b, Binding::Power)), Binding::Product)
+            }
+            Node::Power(a, exponent) => write_power(&written[a], *exponent),
+            Node::Apply(operation, arguments) => {
+                let list: Vec<String> = arguments.iter().map(|a| of(a, Binding::Sum)).collect();
+                (format!("{}({})", operation.row().name, list.join(", ")), Binding::Atom)
+            }
+            Node::Jet { function, orders, arguments } => {
+                let list: Vec<String> = arguments.iter().map(|a| of(a, Binding::Sum)).collect();
+                (self.write_jet(*function, orders, arguments, &list), Binding::Atom)
+            }
+            Node::Select { left, relation, right, then, otherwise } => {
+                let [left, right, then, otherwise] =
+                    [left, right, then, otherwise].map(|operand| of(operand, Binding::Sum));
+                let relation = relation.text();
+                (format!("(if {left} {relation} {right} {{ {then} }} else {{ {otherwise} }})"), Binding::Atom)
+            }
+        };
+        Written { text, binding }
+    }
+
+    /// `f`, `f(a, b)`, `diff(f, x)`, `diff(f, x)(a, b)`
+    fn write_jet(
+        &self,
+        function: FunctionId,
+        orders: &[u32],
+        arguments: &[Expr],
+        written: &[String],
+    ) -> String {
+        let unknown = self.function(function);
+        let mut head = unknown.name.clone();
+        if orders.iter().any(|&order| order > 0) {
+            let by: Vec<&str> = unknown
+                .arguments
+                .iter()
+                .zip(orders)
+                .flat_map(|(&symbol, &order)| std::iter::repeat_n(self.symbol_name(symbol), order as usize))
+                .collect();
+            head = format!("diff({head}, {})", by.join(", "));
+        }
+        let own = unknown
+            .arguments
+            .iter()
+            .zip(arguments)
+            .all(|(symbol, argument)| *self.node(*argument) == Node::Symbol(*symbol));
+        if own { head } else { format!("{head}({})", written.join(", ")) }
+    }
+}
+
+fn write_number(value: &Rational) -> Written {
+    let binding = match (value.is_negative(), value.denom().is_one()) {
+        (true, _) => Binding::Negation,
+        (false, true) => Binding::Atom,
+        (false, false) => Binding::Product,
+    };
+    Written { text: value.to_string(), binding }
+}
+
+/// `sqrt(q)`, `q**3`, `q**(3/2)`, `1/q**2` is left to the division it came from
+fn write_power(base: &Written, exponent: Ratio<i64>) -> (String, Binding) {
+    if exponent == Ratio::new(1, 2) {
+        return (format!("sqrt({})", base.text), Binding::Atom);
+    }
+    let base = base.within(Binding::Atom);
+    if exponent.is_integer() {
+        (format!("{base}**{exponent}"), Binding::Power)
+    } else {
+        (format!("{base}**({exponent})"), Binding::Power)
+    }
+}
