@@ -9,6 +9,7 @@
 //!       Proved | Refuted | Unknown             Rust · interpreter
 //! ```
 
+pub mod calculus;
 pub mod diagnostic;
 pub mod expression;
 pub mod polynomial;
