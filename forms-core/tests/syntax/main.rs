@@ -1,0 +1,3 @@
+//! The front end, through its public door: what parses, what does not and what is said about it.
+
+mod files;
