@@ -188,19 +188,33 @@ impl<'a> Lexer<'a> {
         self.reject(length, message, Some("write `//` before each line".to_owned()));
     }
 
-    /// Takes a run of characters that begin nothing.
+    /// Takes a run of characters that begin nothing; a quoted text is one mistake.
     fn unknown(&mut self) {
         let rest = self.rest();
-        let is_unknown = |(at, c): &(usize, char)| !begins_something(*c, &rest[*at..]);
-        let length = rest.char_indices().take_while(is_unknown).map(|(_, c)| c.len_utf8()).sum();
         let first = rest.chars().next().expect("the lexer stops at the end of the text");
+        let is_unknown = |(at, c): &(usize, char)| !begins_something(*c, &rest[*at..]);
+        let run = rest.char_indices().take_while(is_unknown).map(|(_, c)| c.len_utf8()).sum();
+        let length = quotation(rest, first).unwrap_or(run);
         let shown = if first.is_control() || first.is_whitespace() || is_invisible(first) {
             format!("U+{:04X}", u32::from(first))
         } else {
             format!("`{first}`")
         };
-        self.reject(length, format!("unexpected character {shown}"), replacement(&rest[..length], first));
+        self.reject(length, format!("unexpected character {shown}"), replacement(&rest[..run], first));
     }
+}
+
+/// The length of a quoted text, closing mark included, if one begins here and ends on the same line.
+fn quotation(text: &str, open: char) -> Option<usize> {
+    let close = match open {
+        '"' | '\'' | '`' => open,
+        '“' | '„' => '”',
+        '‘' => '’',
+        '«' => '»',
+        _ => return None,
+    };
+    let inside = text.lines().next()?.strip_prefix(open)?;
+    Some(open.len_utf8() + inside.find(close)? + close.len_utf8())
 }
 
 fn starts_number(text: &str) -> bool {

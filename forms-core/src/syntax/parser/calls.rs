@@ -74,8 +74,8 @@ impl Parser<'_> {
     }
 
     fn close_arguments(&mut self, open: Span) -> Parsed<Span> {
-        if self.at(Symbol::Range) {
-            return Err(self.unexpected("`,` or `)`", Some("a range names its variable: `x = 0..1`")));
+        if self.at(Symbol::Range) || self.at(Symbol::Equal) {
+            return Err(self.unexpected("an operator, `,` or `)`", Some("a range is written `x = 0..1`")));
         }
         self.close(open, Symbol::CloseParen, "an operator, `,` or `)`")
     }

@@ -100,7 +100,8 @@ impl<'a> Parser<'a> {
         if let Some(span) = self.eat(close) {
             return Ok(span);
         }
-        let help = self.looks_like_factor().then_some("write `*` between factors");
+        let is_product = expected.starts_with("an operator") && self.looks_like_factor();
+        let help = is_product.then_some("write `*` between factors");
         let before = self.diagnostics.len();
         let reported = self.unexpected(expected, help);
         if let Some(diagnostic) = self.diagnostics.get_mut(before) {
@@ -165,7 +166,7 @@ impl<'a> Parser<'a> {
     /// The next token as a message names it.
     fn found(&self) -> String {
         match self.peek() {
-            None => "the end".to_owned(),
+            None => "the end of the text".to_owned(),
             Some(TokenKind::Name(text) | TokenKind::Number(text)) if text.chars().count() > 30 => {
                 format!("`{}…`", text.chars().take(30).collect::<String>())
             }

@@ -154,21 +154,21 @@ impl Parser<'_> {
 
     /// `x^2` is almost always meant as a power.
     fn warn_of_power(&mut self, place: Span, left: &Expr, right: &Expr) {
-        let before = &self.tokens[self.position - 1].kind;
-        let is_literal = match (&*right.kind, before) {
-            (ExprKind::Number(_), TokenKind::Number(_)) => true,
-            (ExprKind::Negate(inner), TokenKind::Number(_)) => matches!(*inner.kind, ExprKind::Number(_)),
-            _ => false,
+        let TokenKind::Number(digits) = &self.tokens[self.position - 1].kind else {
+            return;
         };
-        if is_literal {
-            let base = match &*left.kind {
-                ExprKind::Name(name) => name,
-                _ => "x",
-            };
-            let message = "`^` is the wedge product, and a number stands to its right";
-            let help = format!("use `**` for powers: `{base}**2`");
-            self.report(Diagnostic::new(place, message).with_help(help));
-        }
+        let sign = match &*right.kind {
+            ExprKind::Number(_) => "",
+            ExprKind::Negate(inner) if matches!(*inner.kind, ExprKind::Number(_)) => "-",
+            _ => return,
+        };
+        let base = match &*left.kind {
+            ExprKind::Name(name) => name,
+            _ => "…",
+        };
+        let message = "`^` is the wedge product, and a number stands to its right";
+        let help = format!("use `**` for powers: `{base}**{sign}{digits}`");
+        self.report(Diagnostic::new(place, message).with_help(help));
     }
 
     fn binary(&mut self, operation: Binary, place: Span, left: Tree, right: Tree) -> Parsed<Tree> {

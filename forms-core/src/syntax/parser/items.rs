@@ -241,10 +241,15 @@ impl Parser<'_> {
         if self.eat(Symbol::Assign).is_some() {
             return Ok(());
         }
-        let colon = self.at(Symbol::Colon) && self.peek_at(1) == Some(&TokenKind::Symbol(Symbol::Assign));
-        if self.at(Symbol::Equal) || colon {
+        if self.at(Symbol::Equal) {
             self.unexpected("`=`", Some("a definition is written with `=`"));
-            self.position += if colon { 2 } else { 1 };
+            self.position += 1;
+            return Ok(());
+        }
+        if self.at(Symbol::Colon) && self.peek_at(1) == Some(&TokenKind::Symbol(Symbol::Assign)) {
+            let diagnostic = Diagnostic::new(self.span(), "expected `=`, found `:=`");
+            self.report(diagnostic.with_help("a definition is written with `=`"));
+            self.position += 2;
             return Ok(());
         }
         Err(self.unexpected("`=`", None))

@@ -58,14 +58,15 @@ impl Parser<'_> {
             return false;
         }
         let mut depth = 0_usize;
-        for token in &self.tokens[self.position..] {
+        for (at, token) in self.tokens.iter().enumerate().skip(self.position) {
             match token.kind {
+                TokenKind::Symbol(Symbol::Semicolon) => return false,
+                TokenKind::Name(_) if self.starts_item(at) => return false,
                 TokenKind::Symbol(Symbol::OpenParen | Symbol::OpenBracket | Symbol::OpenBrace) => depth += 1,
                 TokenKind::Symbol(Symbol::CloseParen | Symbol::CloseBracket | Symbol::CloseBrace) => {
-                    depth -= 1
+                    depth -= 1;
                 }
                 TokenKind::Symbol(Symbol::Comma) if depth == 1 => return true,
-                TokenKind::Symbol(Symbol::Semicolon) => return false,
                 _ => {}
             }
             if depth == 0 {
@@ -78,18 +79,20 @@ impl Parser<'_> {
     /// `{ absorption: sigma_a = 0; … }`
     fn effects(&mut self, effects: &mut Vec<Effect>) -> Parsed<()> {
         let open = self.expect(Symbol::OpenBrace)?;
-        while !self.at(Symbol::CloseBrace) {
-            let name = self.label("the effect's name or `}`")?;
+        let mut expected = "the effect's name or `}`";
+        while matches!(self.peek(), Some(TokenKind::Name(_))) && !self.starts_item(self.position) {
+            let name = self.label("the effect's name")?;
             self.expect(Symbol::Colon)?;
             let variable = self.name("the variable that switches the effect off")?;
             self.assign()?;
             let value = self.expression()?;
             effects.push(Effect { name, variable, value });
             if self.eat(Symbol::Semicolon).is_none() {
+                expected = "an operator, `;` or `}`";
                 break;
             }
         }
-        self.close(open, Symbol::CloseBrace, "`;` or `}` after the effect")?;
+        self.close(open, Symbol::CloseBrace, expected)?;
         Ok(())
     }
 }

@@ -26,8 +26,9 @@ use cursor::{Parsed, Parser};
 pub const MAXIMUM_DEPTH: usize = 2_000;
 
 /// How deep expressions may be nested by brackets, signs, powers and `else if`, which the parser itself follows
-/// by recursion.
-pub const MAXIMUM_NESTING: usize = 200;
+/// by recursion. The greediest nesting, `f(f(f(…)))`, takes 5.3 KiB of stack a level without optimisation, so the
+/// deepest takes two thirds of a thread's usual 2 MiB.
+pub const MAXIMUM_NESTING: usize = 256;
 
 /// The most tokens one source may have.
 pub const MAXIMUM_TOKENS: usize = 1_000_000;

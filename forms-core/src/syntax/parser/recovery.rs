@@ -18,7 +18,7 @@ impl Parser<'_> {
     /// Makes sure that all tokens are used, but for one last `;`.
     pub(super) fn expect_end(&mut self) -> Parsed<()> {
         self.eat(Symbol::Semicolon);
-        if self.at_end() { Ok(()) } else { Err(self.unexpected("the end", self.help_at_end())) }
+        if self.at_end() { Ok(()) } else { Err(self.unexpected("the end of the text", self.help_at_end())) }
     }
 
     /// What the token that stands where nothing should may have been meant as.
@@ -29,6 +29,10 @@ impl Parser<'_> {
                 Some("no bracket is open here")
             }
             TokenKind::Symbol(Symbol::Comma) => Some("several values are written in brackets: `(a, b)`"),
+            TokenKind::Symbol(Symbol::Equal) => Some("an equation is claimed: `prove name: left == right;`"),
+            TokenKind::Name(word) if word == "where" => {
+                Some("separate conditions with `,`, behind one `where`")
+            }
             _ if self.looks_like_factor() => Some("write `*` between factors"),
             _ => None,
         }
