@@ -1,0 +1,5 @@
+//! The front end, through its public door: what parses, what does not and what is said about it.
+
+mod diagnostics;
+mod files;
+mod limits;
