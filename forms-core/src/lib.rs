@@ -12,5 +12,6 @@
 pub mod calculus;
 pub mod diagnostic;
 pub mod expression;
+pub mod normal;
 pub mod polynomial;
 pub mod syntax;
