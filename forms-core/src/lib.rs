@@ -11,6 +11,7 @@
 
 pub mod calculus;
 pub mod diagnostic;
+pub mod enclosure;
 pub mod expression;
 pub mod normal;
 pub mod polynomial;
