@@ -13,6 +13,8 @@ pub mod calculus;
 pub mod diagnostic;
 pub mod enclosure;
 pub mod expression;
+pub mod integral;
 pub mod normal;
 pub mod polynomial;
+pub mod resolve;
 pub mod syntax;
