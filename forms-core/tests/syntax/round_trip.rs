@@ -5,6 +5,7 @@ use crate::print::Brackets;
 use forms_core::diagnostic::Span;
 use forms_core::syntax::ast::*;
 use forms_core::syntax::{end_of, lex, parse_equation, parse_expression, read};
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use proptest::prelude::*;
 
@@ -54,10 +55,13 @@ fn numbers_are_exact() {
         ("0.10", (1, 10)),
         ("0e9999", (0, 1)),
         ("007", (7, 1)),
+        ("62.5e-1", (25, 4)),
+        ("1024e-10", (1, 9_765_625)),
     ];
     for (text, (numerator, denominator)) in cases {
         let ExprKind::Number(value) = *parsed(text).kind else { panic!("{text} is no number") };
-        assert_eq!(value, BigRational::new(numerator.into(), denominator.into()), "{text}");
+        let expected = (BigInt::from(numerator), BigInt::from(denominator));
+        assert_eq!((value.numer(), value.denom()), (&expected.0, &expected.1), "{text}");
     }
 }
 
