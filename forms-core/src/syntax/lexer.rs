@@ -204,6 +204,9 @@ impl<'a> Lexer<'a> {
     }
 }
 
+/// How many characters are searched for a closing quotation mark.
+const LONGEST_QUOTATION: usize = 100;
+
 /// The length of a quoted text, closing mark included, if one begins here and ends on the same line.
 fn quotation(text: &str, open: char) -> Option<usize> {
     let close = match open {
@@ -213,8 +216,8 @@ fn quotation(text: &str, open: char) -> Option<usize> {
         '«' => '»',
         _ => return None,
     };
-    let inside = text.lines().next()?.strip_prefix(open)?;
-    Some(open.len_utf8() + inside.find(close)? + close.len_utf8())
+    let mut inside = text.char_indices().skip(1).take(LONGEST_QUOTATION).take_while(|&(_, c)| c != '\n');
+    inside.find(|&(_, c)| c == close).map(|(at, _)| at + close.len_utf8())
 }
 
 fn starts_number(text: &str) -> bool {

@@ -5,6 +5,7 @@
 //! ```
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::Zero;
 
@@ -13,6 +14,9 @@ const MAXIMUM_DIGITS: usize = 10_000;
 
 /// The largest magnitude of a power of ten behind `e`.
 const MAXIMUM_EXPONENT: i64 = 10_000;
+
+/// The most characters of a mistaken number that a message repeats.
+const LONGEST_QUOTED: usize = 40;
 
 /// Why a text is not a number, and what to write instead.
 #[derive(Debug, PartialEq, Eq)]
@@ -72,14 +76,19 @@ fn decimal(text: &str) -> Result<(Parts<'_>, i64), Malformed> {
     }
 }
 
-/// `mantissa · 10^power`
+/// `mantissa · 10^power` in lowest terms. One division comes before the common divisor,
+/// `gcd(m, 10^k) = gcd(m, 10^k mod m)`, since the two may differ in length by thousands of digits.
 fn scaled(mantissa: BigInt, power: i64) -> BigRational {
     if mantissa.is_zero() {
         return BigRational::zero();
     }
     let size = u32::try_from(power.unsigned_abs()).expect("exponent and fraction are within their limits");
     let scale = BigInt::from(10).pow(size);
-    if power < 0 { BigRational::new(mantissa, scale) } else { BigRational::from_integer(mantissa * scale) }
+    if power >= 0 {
+        return BigRational::from_integer(mantissa * scale);
+    }
+    let divisor = mantissa.gcd(&(&scale % &mantissa));
+    BigRational::new_raw(mantissa / &divisor, scale / divisor)
 }
 
 /// The three runs of digits of a number.
@@ -111,6 +120,10 @@ impl<'a> Parts<'a> {
 
 /// What is wrong with a text that is not a number.
 fn malformed(text: &str) -> Malformed {
+    if text.len() > LONGEST_QUOTED {
+        let message = format!("`{}…` is not a number", text.chars().take(LONGEST_QUOTED).collect::<String>());
+        return Malformed { message, help: None };
+    }
     let message = format!("`{text}` is not a number");
     let mark = text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
     let (digits, rest) = text.split_at(mark);

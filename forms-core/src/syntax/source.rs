@@ -76,13 +76,12 @@ impl Source {
         let end = self.boundary(span.end).clamp(start, line_end);
         let column = self.text[line_start..start].chars().count();
         let width = self.text[start..end].trim_end_matches('\r').chars().count().max(1);
-        let shown: Vec<char> = line.chars().map(printable).collect();
-        let window = window(shown.len(), column, width);
-        let cut_before = window.start > 0;
-        let cut_after = window.end < shown.len();
+        let length = line.chars().count();
+        let window = window(length, column, width);
+        let (cut_before, cut_after) = (window.start > 0, window.end < length);
         let marked = width.min(window.end.saturating_sub(column)).max(1);
         let indent = column - window.start + usize::from(cut_before);
-        let mut quote: String = shown[window].iter().collect();
+        let mut quote: String = line.chars().skip(window.start).take(window.len()).map(printable).collect();
         if cut_before {
             quote.insert(0, '…');
         }

@@ -2,7 +2,7 @@
 //!
 //! Each file under `diagnostics` is a table of blocks: a text, then all that is said about it.
 
-use forms_core::syntax::{Source, read};
+use forms_core::syntax::{Source, read, words};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -82,4 +82,25 @@ fn an_invisible_character_is_named_by_its_number() {
 #[test]
 fn a_mark_at_the_start_of_a_file_is_no_character() {
     assert_eq!(said_about("\u{feff}let a = 1;\r\nlet b = a;\r\n"), "");
+}
+
+#[test]
+fn no_word_of_either_language_is_a_name() {
+    let keywords = ["gen", "type", "Self", "async", "try", "_", "where", "jump", "effects", "warp"];
+    for word in words::ITEMS.iter().chain(words::FUNCTIONS).chain(&keywords) {
+        let said = said_about(&format!("let {word} = 1;"));
+        let reason = format!("1:5 `{word}` is ");
+        assert!(said.starts_with(&reason) && said.contains(" and cannot be a name\n"), "{said}");
+        assert_eq!(said.lines().count(), 2, "{said}");
+    }
+}
+
+#[test]
+fn a_statement_may_be_named_like_a_function_and_like_nothing_else_reserved() {
+    for word in words::FUNCTIONS {
+        assert_eq!(said_about(&format!("prove {word}: x == x;")), "");
+    }
+    for word in words::ITEMS {
+        assert_eq!(said_about(&format!("prove {word}: x == x;")).lines().count(), 2);
+    }
 }

@@ -74,6 +74,8 @@ fn the_digits_and_the_exponent_of_a_number_are_limited() {
     let digits = |count: usize| format!("let a = {};", "7".repeat(count));
     assert_eq!(messages(&digits(10_000)), [""; 0]);
     assert_eq!(messages(&digits(10_001)), ["a number has at most 10000 digits"]);
+    let quoted = format!("`{}…` is not a number", "7".repeat(40));
+    assert_eq!(messages(&format!("let a = {}x;", "7".repeat(10_001))), [quoted]);
     let expected = "the power of ten of a number is at most 10000 in magnitude";
     for exponent in ["10001", "-10001", "999999", "99999999999999999999999999"] {
         assert_eq!(messages(&format!("let a = 1e{exponent};")), [expected], "{exponent}");

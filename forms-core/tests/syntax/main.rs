@@ -3,3 +3,7 @@
 mod diagnostics;
 mod files;
 mod limits;
+mod mutations;
+mod print;
+mod round_trip;
+mod source;
