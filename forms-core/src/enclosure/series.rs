@@ -52,3 +52,16 @@ impl Enclosure {
         Enclosure::from_range(image.rescaled(precision))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every term is exact here, so the enclosure of 2 hangs on the remainder alone.
+    #[test]
+    fn the_remainder_of_the_geometric_series_is_enclosed_to_the_last_unit() {
+        let half = Range::integer(1, 20).halved(1);
+        let sum = series(Range::integer(1, 20), &half, |_| Divisors { step: 1, term: 1 });
+        assert_eq!(sum.upper, Range::integer(2, 20).upper);
+    }
+}

@@ -152,3 +152,13 @@ fn sine_of_a_wide_interval_holds_the_extrema_inside_and_no_more() {
     let all = interval((-4, 1), (4, 1)).cos();
     assert_eq!((all.lower(), all.upper()), (exact(-1, 1), exact(1, 1)));
 }
+
+#[test]
+fn arcs_stay_sharp_beside_the_ends_of_their_domain() {
+    let beside_one = Enclosure::exact(&(exact(1, 1) - super::unit(120)), Precision(128));
+    for x in [beside_one.clone(), beside_one.neg()] {
+        assert!(x.asin().unwrap().width() <= super::unit(127));
+        assert!(x.acos().unwrap().width() <= super::unit(127));
+    }
+    assert!(beside_one.acos().unwrap().is_positive());
+}
