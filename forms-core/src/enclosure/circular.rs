@@ -55,33 +55,41 @@ impl Enclosure {
         Ok(Enclosure::from_range(image.rescaled(precision)))
     }
 
-    /// {sin(x + turns·π/2)}: the hull of the values at both ends and of the extrema between them.
+    /// {sin(x + turns·π/2)}
     fn wave(&self, turns: u32) -> Enclosure {
         let (precision, working) = (self.precision().0, self.precision().0 + GUARD);
-        let everything = || Range::integer(1, precision).hull(Range::integer(-1, precision));
-        if self.magnitude_bits() > LARGEST_ANGLE_BITS {
-            return Enclosure::from_range(everything());
-        }
         let image = match &self.0 {
+            _ if self.magnitude_bits() > LARGEST_ANGLE_BITS => whole_wave(working),
             Value::Exact(value, _) => sine(&Range::rational(value, working), turns),
-            Value::Range(range) => {
-                let range = range.rescaled(working);
-                let Some(between) = quarter_turns(&range) else {
-                    return Enclosure::from_range(everything());
-                };
-                let mut image = sine(&range.lower_end(), turns).hull(sine(&range.upper_end(), turns));
-                for turn in between {
-                    match (turn + turns) % 4 {
-                        1 => image = image.hull(Range::integer(1, working)),
-                        3 => image = image.hull(Range::integer(-1, working)),
-                        _ => {}
-                    }
-                }
-                image
-            }
+            Value::Range(range) => sine_of_range(&range.rescaled(working), turns),
         };
         Enclosure::from_range(image.within_unit().rescaled(precision))
     }
+}
+
+/// [−1, 1]
+fn whole_wave(precision: u32) -> Range {
+    Range::integer(-1, precision).hull(Range::integer(1, precision))
+}
+
+/// {sin(x + turns·π/2)}: about the midpoint m of a narrow range by |sin x − sin m| ≤ |x − m|, else the hull
+/// of the values at both ends and of the extrema between them.
+fn sine_of_range(range: &Range, turns: u32) -> Range {
+    if let Some((middle, radius)) = range.narrow_ball() {
+        return sine(&middle, turns).widened(&radius);
+    }
+    let Some(between) = quarter_turns(range) else {
+        return whole_wave(range.precision);
+    };
+    let mut image = sine(&range.lower_end(), turns).hull(sine(&range.upper_end(), turns));
+    for turn in between {
+        match (turn + turns) % 4 {
+            1 => image = image.hull(Range::integer(1, range.precision)),
+            3 => image = image.hull(Range::integer(-1, range.precision)),
+            _ => {}
+        }
+    }
+    image
 }
 
 /// The multiples j·π/2 that may lie in the range, as j mod 4; none stands for all of them.

@@ -6,7 +6,7 @@ use num_bigint::BigInt;
 use std::sync::OnceLock;
 
 /// The precision up to which the constants are computed once for all.
-const KEPT: u32 = 1024;
+const KEPT: u32 = 1280;
 
 /// Places that absorb the rounding of a few thousand terms.
 const GUARD: u32 = 24;

@@ -81,6 +81,8 @@ impl Enclosure {
         let unit = BigInt::one() << precision;
         let image = match &self.0 {
             Value::Exact(value, _) => power_of_quotient(value.numer(), value.denom(), short, precision),
+            Value::Range(range) if exponent == Ratio::from_integer(2) => Some(range.square()),
+            Value::Range(range) if exponent == Ratio::new(1, 2) => Some(range.sqrt()),
             Value::Range(range) => power_of_quotient(&range.lower, &unit, short, precision)
                 .and_then(|a| power_of_quotient(&range.upper, &unit, short, precision).map(|b| a.hull(b))),
         };

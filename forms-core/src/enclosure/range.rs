@@ -76,6 +76,14 @@ impl Range {
         Range::new(self.lower.max(-&one), self.upper.min(one), self.precision)
     }
 
+    /// Midpoint and radius, if the radius is below half the places and so of no weight beside the midpoint.
+    pub(super) fn narrow_ball(&self) -> Option<(Range, BigInt)> {
+        let middle: BigInt = (&self.lower + &self.upper) >> 1;
+        let radius = &self.upper - &middle;
+        let narrow = radius.bits() < u64::from(self.precision / 2);
+        narrow.then(|| (Range::new(middle.clone(), middle, self.precision), radius))
+    }
+
     pub(super) fn contains_zero(&self) -> bool {
         !self.lower.is_positive() && !self.upper.is_negative()
     }
@@ -85,13 +93,18 @@ impl Range {
         self.lower.abs().max(self.upper.abs())
     }
 
+    /// Whether |x| ≤ 2⁻ᵖ throughout.
+    pub(super) fn is_within_one_unit(&self) -> bool {
+        self.lower.bits() <= 1 && self.upper.bits() <= 1
+    }
+
     /// n with |x| < 2ⁿ throughout.
     pub(super) fn magnitude_bits(&self) -> u64 {
         self.lower.bits().max(self.upper.bits()).saturating_sub(u64::from(self.precision))
     }
 
     /// Both ends moved outward by some units of 2⁻ᵖ.
-    pub(super) fn widened(self, units: u32) -> Self {
+    pub(super) fn widened(self, units: &BigInt) -> Self {
         Range::new(self.lower - units, self.upper + units, self.precision)
     }
 
@@ -99,6 +112,13 @@ impl Range {
     pub(super) fn add(&self, other: &Range) -> Self {
         debug_assert_eq!(self.precision, other.precision);
         Range::new(&self.lower + &other.lower, &self.upper + &other.upper, self.precision)
+    }
+
+    /// Adds to this range in place.
+    pub(super) fn accumulate(&mut self, other: &Range) {
+        debug_assert_eq!(self.precision, other.precision);
+        self.lower += &other.lower;
+        self.upper += &other.upper;
     }
 
     /// [a, b] − [c, d] = [a − d, b − c]

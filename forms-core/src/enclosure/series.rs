@@ -2,7 +2,6 @@
 
 use super::bounds::{Enclosure, Value};
 use super::range::Range;
-use num_traits::One;
 
 /// What the next power and the current term of a series are divided by.
 pub(super) struct Divisors {
@@ -20,13 +19,17 @@ pub(super) fn series(first: Range, ratio: &Range, divisors: impl Fn(u64) -> Divi
     let mut sum = Range::integer(0, first.precision);
     let mut power = first;
     let mut k = 0;
-    while power.magnitude() > One::one() {
+    while !power.is_within_one_unit() {
         let Divisors { step, term } = divisors(k);
-        sum = sum.add(&power.divided_by_count(term));
+        if term == 1 {
+            sum.accumulate(&power);
+        } else {
+            sum.accumulate(&power.divided_by_count(term));
+        }
         power = power.multiply(ratio).divided_by_count(step);
         k += 1;
     }
-    sum.widened(2)
+    sum.widened(&2.into())
 }
 
 /// Σ ratioᵏ·first/(2k+1), which is artanh z for ratio = z² and arctan z for ratio = −z², with first = z
@@ -47,5 +50,18 @@ impl Enclosure {
             }
         };
         Enclosure::from_range(image.rescaled(precision))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every term is exact here, so the enclosure of 2 hangs on the remainder alone.
+    #[test]
+    fn the_remainder_of_the_geometric_series_is_enclosed_to_the_last_unit() {
+        let half = Range::integer(1, 20).halved(1);
+        let sum = series(Range::integer(1, 20), &half, |_| Divisors { step: 1, term: 1 });
+        assert_eq!(sum.upper, Range::integer(2, 20).upper);
     }
 }
