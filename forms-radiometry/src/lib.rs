@@ -1,1 +1,4 @@
 //! Radiometry on proved kernels.
+
+pub mod geometry;
+pub mod kernels;
