@@ -1,6 +1,9 @@
-//! Prints the direct irradiance of the Cornell box at its named points.
+//! The Cornell box by direct light: the irradiance at its named points is printed, and its picture is written to the
+//! file that is named, or to `cornell_box.png`.
 
-use forms_radiometry::{CORNELL_BOX, scene, simulate_direct};
+use forms_radiometry::scene::{self, Receiver};
+use forms_radiometry::{CORNELL_BOX, picture, simulate_direct};
+use std::time::Instant;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = scene::read(CORNELL_BOX, "cornell_box.toml")
@@ -8,7 +11,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for result in simulate_direct(&scene) {
         let total: f64 = result.irradiance.iter().sum();
         let unoccluded: f64 = result.unoccluded.iter().sum();
-        println!("{:18} {total:20.14} W/m²  of {unoccluded:20.14}", result.receiver);
+        println!("{:18} {total:12.8} W/m² of {unoccluded:12.8} W/m² without occlusion", result.receiver);
+    }
+    let path = std::env::args().nth(1).unwrap_or_else(|| "cornell_box.png".to_owned());
+    for receiver in &scene.receivers {
+        let Receiver::Camera(camera) = receiver else { continue };
+        let start = Instant::now();
+        let picture = picture(&scene, camera);
+        println!("{path}: direct light only, {:.3} s", start.elapsed().as_secs_f64());
+        std::fs::write(&path, picture.png()?)?;
     }
     Ok(())
 }

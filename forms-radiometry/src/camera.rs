@@ -3,7 +3,7 @@
 use crate::geometry::Vector;
 
 /// The largest width or height of a picture, in pixels.
-pub(crate) const MAXIMAL_RESOLUTION: usize = 16_384;
+pub(crate) const MAXIMAL_RESOLUTION: usize = 8192;
 
 /// A pinhole camera.
 #[derive(Clone, Debug, PartialEq)]

@@ -13,7 +13,7 @@ const KEYS_NOT_SIMULATED: &[&str] = &["time"];
 const FIELD_OF_VIEW: Domain =
     Domain { expected: "an angle in degrees, above 0 and below 180", contains: |x| x > 0.0 && x < 180.0 };
 const PIXELS: Domain = Domain {
-    expected: "a whole number of pixels from 1 to 16384",
+    expected: "a whole number of pixels from 1 to 8192",
     contains: |x| x.fract() == 0.0 && (1.0..=MAXIMAL_RESOLUTION as f64).contains(&x),
 };
 
