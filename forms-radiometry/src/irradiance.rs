@@ -19,9 +19,9 @@ pub struct DirectLight<'s> {
 pub struct ReceiverResult {
     /// The receiver's name.
     pub receiver: String,
-    /// Irradiance [W/m²], per band.
+    /// Irradiance in W/m², per band.
     pub irradiance: Vec<f64>,
-    /// What the irradiance would be if no surface hid a lamp [W/m²], per band.
+    /// What the irradiance would be if no surface hid a lamp, in W/m², per band.
     pub unoccluded: Vec<f64>,
 }
 
@@ -56,7 +56,7 @@ impl<'s> DirectLight<'s> {
         Self { scene, luminaires }
     }
 
-    /// The irradiance [W/m²] at a point, per band, on the side to which `normal` points. The normal need not be a
+    /// The irradiance at a point in W/m², per band, on the side to which `normal` points. The normal need not be a
     /// unit vector; if it is zero, the irradiance is not a number.
     pub fn irradiance(&self, position: Vector, normal: Vector) -> Vec<f64> {
         let Some(normal) = normal.unit() else { return vec![f64::NAN; self.scene.band_count()] };

@@ -80,7 +80,7 @@ mod tests {
     #[test]
     fn the_transfer_function_is_that_of_srgb() {
         for (linear, expected) in
-            [(0.0, 0), (0.0031308, 10), (0.214041, 128), (0.5, 188), (1.0, 255), (7.0, 255)]
+            [(0.0, 0), (0.0031308, 10), (0.21586, 128), (0.5, 188), (1.0, 255), (7.0, 255)]
         {
             assert_eq!(encode(linear), expected, "{linear}");
         }

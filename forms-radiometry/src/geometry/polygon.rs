@@ -7,6 +7,10 @@ use std::fmt;
 /// How far a vertex may lie off the polygon's plane, as a fraction of the polygon's extent.
 const PLANARITY: f64 = 1e-6;
 
+/// The largest coordinate, and the inverse of the least extent, of a polygon: form factors are made of fourth powers of
+/// lengths, which must neither overflow nor underflow.
+const LARGEST: f64 = 1e70;
+
 /// A simple planar polygon, counter-clockwise seen from its front.
 #[derive(Clone, Debug)]
 pub struct Polygon {
@@ -99,7 +103,7 @@ impl Polygon {
 fn checked_normal(vertices: &[Vector]) -> Result<Vector, PolygonError> {
     let origin = vertices[0];
     let extent = vertices.iter().fold(0.0, |m: f64, &v| m.max((v - origin).largest()));
-    if !vertices.iter().all(|v| v.largest() < 1e100) || extent < 1e-100 {
+    if !vertices.iter().all(|v| v.largest() <= LARGEST) || extent < 1.0 / LARGEST {
         return Err(PolygonError::OutOfRange);
     }
     let scaled: Vec<Vector> = vertices.iter().map(|&v| (1.0 / extent) * (v - origin)).collect();

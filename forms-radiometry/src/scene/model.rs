@@ -42,9 +42,9 @@ pub enum LengthUnit {
 /// A band of wavelengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Band {
-    /// Lower end [nm].
+    /// Lower end, in nm.
     pub low: f64,
-    /// Upper end [nm].
+    /// Upper end, in nm.
     pub high: f64,
 }
 
@@ -66,7 +66,7 @@ pub struct Surface {
     pub material: usize,
     /// Its shape.
     pub polygon: Polygon,
-    /// Emitted radiance [W/(m² sr)], per band; the same in all directions.
+    /// Emitted radiance in W/(m² sr), per band; the same in all directions.
     pub radiance: Vec<f64>,
     /// Whether the back reflects and emits as the front does. A one-sided surface is black from behind; it hides
     /// what is behind it from either side.

@@ -16,8 +16,8 @@ pub(super) struct Domain {
     pub(super) contains: fn(f64) -> bool,
 }
 
-/// Any finite number.
-pub(super) const FINITE: Domain = Domain { expected: "a finite number", contains: |_| true };
+/// Coordinates whose fourth powers, which form factors are made of, do not overflow.
+const COORDINATE: Domain = Domain { expected: "a number from -1e70 to 1e70", contains: |x| x.abs() <= 1e70 };
 
 fn wrong_kind(report: &mut Report, value: &Value, what: &str, expected: &str) {
     let found = value.get_ref().type_str();
@@ -91,11 +91,12 @@ pub(super) fn array<'a, 't>(
     Some(array)
 }
 
-/// Three finite coordinates.
+/// Three coordinates.
 pub(super) fn vector(report: &mut Report, value: &Value, what: &str) -> Option<Vector> {
     let coordinates = array(report, value, what, 3, "three coordinates [x, y, z]")?;
-    let mut numbers =
-        coordinates.iter().map(|value| number(report, value, &format!("a coordinate of {what}"), &FINITE));
+    let mut numbers = coordinates
+        .iter()
+        .map(|value| number(report, value, &format!("a coordinate of {what}"), &COORDINATE));
     let (x, y, z) = (numbers.next()?, numbers.next()?, numbers.next()?);
     Some(Vector::new(x?, y?, z?))
 }
