@@ -22,6 +22,10 @@ struct Integration<'s> {
     triangles: &'s [[Vector; 3]],
     position: Vector,
     normal: Vector,
+    /// Squares are quartered this often before their probes are believed.
+    least_depth: u32,
+    /// Squares that are quartered this often are not quartered further.
+    depth: u32,
 }
 
 /// An integral over the lamp and a bound on its error.
@@ -66,11 +70,11 @@ impl Integration<'_> {
     fn occluded(&self, u: f64, v: f64, side: f64, depth: u32) -> Estimate {
         let probes = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (0.5, 0.5)];
         let seen = probes.iter().filter(|(s, t)| self.visible(u + side * s, v + side * t)).count();
-        if depth >= 5 && (seen == 0 || seen == probes.len()) {
+        if depth >= self.least_depth && (seen == 0 || seen == probes.len()) {
             let value = if seen == 0 { 0.0 } else { self.gauss(u, v, side) };
             return Estimate { value, error: 0.0 };
         }
-        if depth == 12 {
+        if depth == self.depth {
             let half = 0.5 * self.gauss(u, v, side);
             return Estimate { value: half, error: half };
         }
@@ -147,8 +151,16 @@ fn for_every_point(mut check: impl FnMut(&str, f64, f64, &Integration)) {
     assert_eq!(results.len(), 30);
     for (point, result) in points.zip(&results) {
         let (position, normal) = (point.position, point.normal);
-        let integration =
-            Integration { corner: *a, u: *b - *a, v: *d - *a, triangles: &triangles, position, normal };
+        let integration = Integration {
+            corner: *a,
+            u: *b - *a,
+            v: *d - *a,
+            triangles: &triangles,
+            position,
+            normal,
+            least_depth: 5,
+            depth: 12,
+        };
         let per_radiance = |irradiance: &[f64]| irradiance[5] / lamp.radiance[5];
         check(&point.name, per_radiance(&result.irradiance), per_radiance(&result.unoccluded), &integration);
     }
@@ -244,4 +256,63 @@ fn lamps_add_up_and_the_back_of_a_one_sided_lamp_is_dark() {
     let other = scene(&lamp("b", beside, false));
     let both = scene(&(lamp("a", down, false) + &lamp("b", beside, false)));
     assert!(other > 0.01 && (both - one - other).abs() < 1e-15, "two lamps");
+}
+
+/// A text with a lamp [−1, 1]² at height 1 that faces down, a receiver at the origin with a random normal, and random
+/// triangles around both: before the lamp and through its plane, below the horizon, and in each other's way.
+fn random_scene(random: &mut impl FnMut() -> f64) -> String {
+    let mut text = "[[material]]\nname = \"m\"\nkind = \"diffuse\"\nreflectance = 0\n".to_owned();
+    let mut surface = |name: &str, radiance: f64, vertices: &[Vector]| {
+        let vertices: Vec<[f64; 3]> = vertices.iter().map(|v| [v.x, v.y, v.z]).collect();
+        text += &format!(
+            "[[surface]]\nname = \"{name}\"\nmaterial = \"m\"\nradiance = {radiance}\npolygon = {vertices:?}\n"
+        );
+    };
+    let lamp = [(-1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (1.0, -1.0)].map(|(x, y)| Vector::new(x, y, 1.0));
+    surface("lamp", 1.0, &lamp);
+    for i in 0..5 {
+        let centre = Vector::new(random(), random(), 0.5 + random());
+        let vertices = [0, 1, 2].map(|_| centre + Vector::new(random(), random(), random()));
+        surface(&format!("triangle {i}"), 0.0, &vertices);
+    }
+    text + &format!(
+        "[[receiver]]\nname = \"here\"\nkind = \"point\"\nposition = [0, 0, 0]\nnormal = [{}, {}, 1]\n",
+        random(),
+        random()
+    )
+}
+
+#[test]
+fn behind_random_triangles_the_irradiance_is_the_integral_over_what_is_visible() {
+    let mut state = 88_172_645_463_325_252_u64;
+    let mut random = move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    };
+    let mut partly = 0;
+    for i in 0..40 {
+        let scene = scene::read(&random_scene(&mut random), "random.toml").unwrap();
+        let [Receiver::Point(point)] = &scene.receivers[..] else { panic!("there is one point") };
+        let [a, b, _, d] = scene.surfaces[0].polygon.vertices() else { panic!("the lamp has four corners") };
+        let (position, normal, triangles) = (point.position, point.normal, triangles(&scene));
+        let (u, v) = (*b - *a, *d - *a);
+        let integration = Integration {
+            corner: *a,
+            u,
+            v,
+            triangles: &triangles,
+            position,
+            normal,
+            least_depth: 6,
+            depth: 10,
+        };
+        let Estimate { value, error } = integration.occluded(0.0, 0.0, 1.0, 0);
+        let result = &simulate_direct(&scene)[0];
+        let (found, whole) = (result.irradiance[0], result.unoccluded[0]);
+        assert!((found - value).abs() <= error + 2e-3 * whole, "scene {i}: {found} and {value} ± {error}");
+        partly += usize::from(found > 0.01 * whole && found < 0.99 * whole);
+    }
+    assert!(partly >= 20, "only {partly} lamps are partly hidden");
 }

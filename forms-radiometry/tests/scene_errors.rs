@@ -57,7 +57,7 @@ fn an_exitance_is_pi_times_the_radiance() {
 #[test]
 fn an_error_names_the_file_and_the_place_quotes_the_line_and_says_what_was_expected() {
     let found = errors(&SCENE.replace("reflectance = 0.75", "reflectance = [0.75, 1.5] # α"));
-    let shown = "box.toml:8:22: `reflectance` is out of range: found 1.5
+    let shown = "box.toml:8:22: `reflectance` is out of range
   |
 8 | reflectance = [0.75, 1.5] # α
   |                      ^^^
@@ -75,14 +75,14 @@ fn each_error_is_reported_in_its_line_with_its_own_message() {
         ("unit = \"m\"", "unit = 3", "`unit` is of the wrong kind: found a value of type integer"),
         ("[500, 600]", "[600, 500]", "the band ends before it begins"),
         ("[500, 600]", "[500]", "a band has 1 values"),
-        ("[500, 600]", "[0, 600]", "the end of a band is out of range: found 0"),
+        ("[500, 600]", "[0, 600]", "the end of a band is out of range"),
         ("\"diffuse\"", "\"mirror\"", "a material of kind `mirror` is not supported yet"),
         ("\"diffuse\"", "\"matt\"", "the kind of material `matt` is unknown"),
-        ("reflectance = 0.75", "reflectance = -0.1", "`reflectance` is out of range: found -0.1"),
+        ("reflectance = 0.75", "reflectance = -0.1", "`reflectance` is out of range"),
         ("reflectance = 0.75", "reflectance = nan", "`reflectance` is not finite"),
         ("reflectance = 0.75", "reflectance = [1, 1, 1]", "`reflectance` has 3 values"),
         ("material = \"white\"", "material = \"wite\"", "no material is named `wite`"),
-        ("radiance = [0.5, 1]", "radiance = -1", "`radiance` is out of range: found -1"),
+        ("radiance = [0.5, 1]", "radiance = -1", "`radiance` is out of range"),
         ("radiance = [0.5, 1]", "radiance = [1, inf]", "`radiance` is not finite"),
         ("radiance = [0.5, 1]", "radiance = [1e999, 1]", "`radiance` is not finite"),
         (
@@ -100,10 +100,10 @@ fn each_error_is_reported_in_its_line_with_its_own_message() {
         ),
         ("[1, 1, 0]", "[1, 0, 0]", "vertex 2 and the one after it coincide"),
         ("[1, 1, 0]", "[1, 1]", "a vertex has 2 values"),
-        ("[1, 1, 0]", "[1, 1e71, 0]", "a coordinate of a vertex is out of range: found 1e71"),
+        ("[1, 1, 0]", "[1, 1e71, 0]", "a coordinate of a vertex is out of range"),
         ("[1, 1, 0]", "[1, nan, 0]", "a coordinate of a vertex is not finite"),
-        ("[1, 1, 0], [0, 1, 0]", "[0, 1, 0], [1, 1, 0]", "the edges from vertex 2 and from vertex 4 cross"),
-        ("[1, 1, 0], [0, 1, 0]", "[2, 0, 0]", "the polygon's vertices lie on one line"),
+        ("[1, 1, 0], [0, 1, 0]", "[0, 1, 0], [1, 2, 0]", "the edges from vertex 2 and from vertex 4 cross"),
+        ("[1, 1, 0], [0, 1, 0]", "[2, 0, 0]", "the polygon encloses no area"),
         ("normal = [0, 0, -2]", "normal = [0, 0, 0]", "`normal` has length zero"),
         ("kind = \"point\"", "kind = \"ray\"", "a receiver of kind `ray` is not supported yet"),
         ("kind = \"point\"", "kind = \"dot\"", "the kind of receiver `dot` is unknown"),
@@ -113,10 +113,10 @@ fn each_error_is_reported_in_its_line_with_its_own_message() {
             "the receiver `here` has the name of an earlier one, in line 16",
         ),
         ("up = [0, 1, 0]", "up = [0, 0, 1]", "the camera has no direction or no upright"),
-        ("fov = 40", "fov = 180", "`fov` is out of range: found 180"),
-        ("[8, 6]", "[8, 0.5]", "`resolution` is out of range: found 0.5"),
+        ("fov = 40", "fov = 180", "`fov` is out of range"),
+        ("[8, 6]", "[8, 0.5]", "`resolution` is out of range"),
         ("[8, 6]", "[8, 6]\ntime = { start = 0 }", "`time` of a receiver is not supported yet"),
-        ("tolerance = 1e-3", "tolerance = 0", "`tolerance` is out of range: found 0"),
+        ("tolerance = 1e-3", "tolerance = 0", "`tolerance` is out of range"),
         ("\"off\"", "2", "the effect `interreflection` is not supported yet"),
         ("\"on\"", "\"off\"", "leaving out the effect `occlusion` is not supported yet"),
         ("\"on\"", "\"maybe\"", "the effect `occlusion` cannot be `maybe`"),

@@ -28,7 +28,7 @@ pub enum PolygonError {
     OutOfRange,
     /// This vertex and the one after it are the same point.
     RepeatedVertex(usize),
-    /// All vertices lie on one line.
+    /// All vertices lie on one line, or what the edges enclose cancels.
     NoArea,
     /// This vertex lies off the plane of the others.
     NotPlanar {
@@ -49,7 +49,7 @@ impl fmt::Display for PolygonError {
             Self::TooFewVertices(count) => write!(f, "a polygon needs three vertices or more, found {count}"),
             Self::OutOfRange => write!(f, "the polygon's coordinates are too large or too small"),
             Self::RepeatedVertex(vertex) => write!(f, "vertex {vertex} and the one after it coincide"),
-            Self::NoArea => write!(f, "the polygon's vertices lie on one line"),
+            Self::NoArea => write!(f, "the polygon encloses no area"),
             Self::NotPlanar { vertex, distance, accepted } => {
                 write!(f, "the polygon is not planar: vertex {vertex} lies {distance:.3e} off its plane ")?;
                 write!(f, "(accepted: {accepted:.1e})")

@@ -55,7 +55,7 @@ pub(super) fn number(report: &mut Report, value: &Value, what: &str, domain: &Do
         return None;
     }
     if !(domain.contains)(found) {
-        report.error(value.span(), format!("{what} is out of range: found {found}"), domain.expected);
+        report.error(value.span(), format!("{what} is out of range"), domain.expected);
         return None;
     }
     Some(found)
