@@ -102,7 +102,7 @@ fn each_error_is_reported_in_its_line_with_its_own_message() {
         ("[1, 1, 0]", "[1, 1]", "a vertex has 2 values"),
         ("[1, 1, 0]", "[1, 1e71, 0]", "a coordinate of a vertex is out of range"),
         ("[1, 1, 0]", "[1, nan, 0]", "a coordinate of a vertex is not finite"),
-        ("[1, 1, 0], [0, 1, 0]", "[0, 1, 0], [1, 2, 0]", "the edges from vertex 2 and from vertex 4 cross"),
+        ("[1, 1, 0], [0, 1, 0]", "[0, 1, 0], [2, 3, 0]", "the edges from vertex 2 and from vertex 4 cross"),
         ("[1, 1, 0], [0, 1, 0]", "[2, 0, 0]", "the polygon encloses no area"),
         ("normal = [0, 0, -2]", "normal = [0, 0, 0]", "`normal` has length zero"),
         ("kind = \"point\"", "kind = \"ray\"", "a receiver of kind `ray` is not supported yet"),
