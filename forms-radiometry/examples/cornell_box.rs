@@ -1,5 +1,5 @@
-//! The Cornell box by direct light: the irradiance at its named points is printed, and its picture is written to the
-//! file that is named, or to `cornell_box.png`.
+//! The Cornell box by direct light: the irradiance at its named points is printed, and its picture is written
+//! to the file that is named, or to `cornell_box.png`.
 
 use forms_radiometry::scene::{self, Receiver};
 use forms_radiometry::{CORNELL_BOX, picture, simulate_direct};

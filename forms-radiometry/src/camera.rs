@@ -16,16 +16,17 @@ pub struct Camera {
     pub resolution: [usize; 2],
     /// Unit vector along the line of sight.
     forward: Vector,
-    /// From the middle of the picture to the middle of its right border, at unit distance along the line of sight.
+    /// From the middle of the picture to the middle of its right border, at unit distance along the line of
+    /// sight.
     right: Vector,
     /// The same to its upper border.
     up: Vector,
 }
 
 impl Camera {
-    /// The camera at `origin` that looks at `target`, with `up` upright in the picture and a vertical field of view
-    /// of `fov` degrees. None if target and origin coincide, if `up` lies along the line of sight, or if the field
-    /// of view is not between 0 and 180 degrees.
+    /// The camera at `origin` that looks at `target`, with `up` upright in the picture and a vertical field
+    /// of view of `fov` degrees. None if target and origin coincide, if `up` lies along the line of sight, or
+    /// if the field of view is not between 0 and 180 degrees.
     pub fn new(
         name: String,
         origin: Vector,
@@ -46,8 +47,9 @@ impl Camera {
         Some(Self { name, origin, resolution, forward, right: half_width * right, up })
     }
 
-    /// The direction, not of unit length, in which the film point (x, y) looks; x runs from 0 at the left border to
-    /// the width at the right border, y from 0 at the upper border to the height at the lower border.
+    /// The direction, not of unit length, in which the film point (x, y) looks; x runs from 0 at the left
+    /// border to the width at the right border, y from 0 at the upper border to the height at the lower
+    /// border.
     pub fn direction(&self, x: f64, y: f64) -> Vector {
         let [width, height] = self.resolution.map(|side| side as f64);
         self.forward + (2.0 * x / width - 1.0) * self.right + (1.0 - 2.0 * y / height) * self.up

@@ -1,5 +1,5 @@
-//! Geometry of light: vertices become polygons, polygons seen from a point become cones of directions, and what is
-//! left of one cone after others have been cut out of it is what the point sees.
+//! Geometry of light: vertices become polygons, polygons seen from a point become cones of directions, and
+//! what is left of one cone after others have been cut out of it is what the point sees.
 
 mod clip;
 mod cone;

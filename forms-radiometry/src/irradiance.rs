@@ -1,6 +1,8 @@
-//! Direct irradiance: a scene becomes a list of luminaires; a point and a normal become the light that falls there.
+//! Direct irradiance: a scene becomes a list of luminaires; a point and a normal become the light that falls
+//! there.
 //!
-//! The only error is rounding: form factors are Lambert's closed form, and what hides a lamp is cut out of it.
+//! The only error is rounding: form factors are Lambert's closed form, and what hides a lamp is cut out of
+//! it.
 
 use crate::geometry::{Luminaire, Vector, Workspace, resolution};
 use crate::kernels::irradiance;
@@ -25,8 +27,8 @@ pub struct ReceiverResult {
     pub unoccluded: Vec<f64>,
 }
 
-/// The direct irradiance of every point receiver of a scene, in the order of the file. Light that surfaces pass on
-/// to each other is not part of it. A camera's answer is a picture.
+/// The direct irradiance of every point receiver of a scene, in the order of the file. Light that surfaces
+/// pass on to each other is not part of it. A camera's answer is a picture.
 pub fn simulate_direct(scene: &Scene) -> Vec<ReceiverResult> {
     let light = DirectLight::new(scene);
     let mut work = Workspace::default();
@@ -56,8 +58,8 @@ impl<'s> DirectLight<'s> {
         Self { scene, luminaires }
     }
 
-    /// The irradiance at a point in W/m², per band, on the side to which `normal` points. The normal need not be a
-    /// unit vector; if it is zero, the irradiance is not a number.
+    /// The irradiance at a point in W/m², per band, on the side to which `normal` points. The normal need not
+    /// be a unit vector; if it is zero, the irradiance is not a number.
     pub fn irradiance(&self, position: Vector, normal: Vector) -> Vec<f64> {
         let Some(normal) = normal.unit() else { return vec![f64::NAN; self.scene.band_count()] };
         let mut sum = vec![0.0; self.scene.band_count()];

@@ -8,10 +8,11 @@
 /// f(a, b) = γ/(2π) · n·(a × b)/|a × b|,   γ = atan2(|a × b|, a·b)
 /// ```
 ///
-/// `a` and `b` are the edge's end points relative to the receiver, `n` is the receiver's unit normal, and γ is the
-/// angle that the edge subtends. An edge in line with the receiver (a × b = 0) contributes nothing. The sum over
-/// the edges of a polygon above the horizon is its form factor, positive when the edges run counter-clockwise about
-/// `n`; see [`crate::geometry::form_factor`] for the order in which a lamp's edges are taken.
+/// `a` and `b` are the edge's end points relative to the receiver, `n` is the receiver's unit normal, and γ
+/// is the angle that the edge subtends. An edge in line with the receiver (a × b = 0) contributes nothing.
+/// The sum over the edges of a polygon above the horizon is its form factor, positive when the edges run
+/// counter-clockwise about `n`; see [`crate::geometry::form_factor`] for the order in which a lamp's edges
+/// are taken.
 #[expect(
     clippy::too_many_arguments,
     reason = "a kernel takes its scalars one by one, as generated code does"

@@ -1,7 +1,8 @@
-//! Radiometry of scenes: the text of a scene file becomes a [`Scene`](scene::Scene), its lamps and what stands before
-//! them become form factors, and these become the irradiance of receivers or a picture.
+//! Radiometry of scenes: the text of a scene file becomes a [`Scene`](scene::Scene), its lamps and what
+//! stands before them become form factors, and these become the irradiance of receivers or a picture.
 //!
-//! What is computed is direct light from Lambertian polygons, with occlusion, exactly: the only error is rounding.
+//! What is computed is direct light from Lambertian polygons, with occlusion, exactly: the only error is
+//! rounding.
 //!
 //! ```
 //! let scene = forms_radiometry::scene::read(forms_radiometry::CORNELL_BOX, "cornell_box.toml").unwrap();

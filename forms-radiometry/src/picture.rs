@@ -1,9 +1,9 @@
 //! Pictures: a scene and a camera become the pixels of a screen.
 //!
-//! Rays are first sent through the corners of the pixels, which neighbours share. A pixel whose corners agree is their
-//! mean; one whose corners see different surfaces, or visibly different light, is sampled again at the points of
-//! a Hammersley set, the same in every pixel. Nothing is random, and no pixel depends on another one's samples:
-//! the picture is the same, to the last bit, for any number of threads.
+//! Rays are first sent through the corners of the pixels, which neighbours share. A pixel whose corners agree
+//! is their mean; one whose corners see different surfaces, or visibly different light, is sampled again at
+//! the points of a Hammersley set, the same in every pixel. Nothing is random, and no pixel depends on
+//! another one's samples: the picture is the same, to the last bit, for any number of threads.
 
 use crate::camera::Camera;
 use crate::scene::Scene;
@@ -23,10 +23,11 @@ pub struct Picture {
     pixels: Vec<u8>,
 }
 
-/// What a camera sees of a scene by direct light only: lamps, and surfaces that lamps shine on. The rest is black.
+/// What a camera sees of a scene by direct light only: lamps, and surfaces that lamps shine on. The rest is
+/// black.
 ///
-/// The exposure comes from the picture: the 99th percentile of the luminance of what reflects light is shown at
-/// 0.8 of the screen's white. The light of the lamps counts as white.
+/// The exposure comes from the picture: the 99th percentile of the luminance of what reflects light is shown
+/// at 0.8 of the screen's white. The light of the lamps counts as white.
 pub fn picture(scene: &Scene, camera: &Camera) -> Picture {
     let [width, height] = camera.resolution;
     let sight = Sight::new(scene, camera);
@@ -56,8 +57,9 @@ fn exposure(sight: &Sight, samples: &[Sample]) -> Exposure {
     Exposure::of(samples.iter().filter(reflects).map(|sample| luminance(sample.colour)).collect())
 }
 
-/// The mean colour of a pixel on the screen. Samples are compressed to the range of the screen before the mean is
-/// taken: else one sample in thirty-two of a bright lamp would saturate the pixel, and the lamp's edge be jagged.
+/// The mean colour of a pixel on the screen. Samples are compressed to the range of the screen before the
+/// mean is taken: else one sample in thirty-two of a bright lamp would saturate the pixel, and the lamp's
+/// edge be jagged.
 fn pixel_colour(
     sight: &Sight,
     exposure: Exposure,
@@ -85,7 +87,8 @@ fn mean(colours: impl Iterator<Item = Colour>, count: u32) -> Colour {
     sum
 }
 
-/// The i-th point of the Hammersley set in the unit square: every column and every row of width 1/32 holds one.
+/// The i-th point of the Hammersley set in the unit square: every column and every row of width 1/32 holds
+/// one.
 fn hammersley(i: u32) -> (f64, f64) {
     let count = f64::from(EDGE_SAMPLES);
     let reversed = i.reverse_bits() >> (32 - EDGE_SAMPLES.trailing_zeros());

@@ -1,5 +1,5 @@
-//! Scenes: the text of a scene file is read, checked as a whole, and becomes a model, or the list of all that is
-//! wrong with it.
+//! Scenes: the text of a scene file is read, checked as a whole, and becomes a model, or the list of all that
+//! is wrong with it.
 
 mod element;
 mod error;

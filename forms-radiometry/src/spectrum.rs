@@ -27,8 +27,9 @@ pub(crate) fn luminance(colour: Colour) -> f64 {
     0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2]
 }
 
-/// What each band adds to a colour, per unit of radiance in the band. The light of all lamps together is white, as
-/// it is to an eye adapted to it: a picture by a reddish lamp is not reddish. Without bands colour is grey.
+/// What each band adds to a colour, per unit of radiance in the band. The light of all lamps together is
+/// white, as it is to an eye adapted to it: a picture by a reddish lamp is not reddish. Without bands colour
+/// is grey.
 pub(crate) fn band_colours(scene: &Scene) -> Vec<Colour> {
     if scene.bands.is_empty() {
         return vec![[1.0; 3]];
@@ -50,7 +51,8 @@ pub(crate) fn add_scaled(sum: &mut Colour, factor: f64, colour: Colour) {
     }
 }
 
-/// XYZ under a white, adapted to D65: cone responses are scaled by the ratio of those of the two whites (von Kries).
+/// XYZ under a white, adapted to D65: cone responses are scaled by the ratio of those of the two whites (von
+/// Kries).
 fn adapted(xyz: [f64; 3], white: [f64; 3]) -> [f64; 3] {
     if white.iter().any(|&component| component <= 0.0) {
         return xyz;
@@ -77,8 +79,9 @@ fn mean_response(band: &Band) -> [f64; 3] {
     sum
 }
 
-/// The CIE 1931 2° colour matching functions x̄, ȳ, z̄ at a wavelength in nm, by the multi-lobe fit of Wyman, Sloan
-/// and Shirley, "Simple analytic approximations to the CIE XYZ color matching functions", JCGT 2(2), 2013.
+/// The CIE 1931 2° colour matching functions x̄, ȳ, z̄ at a wavelength in nm, by the multi-lobe fit of Wyman,
+/// Sloan and Shirley, "Simple analytic approximations to the CIE XYZ color matching functions", JCGT 2(2),
+/// 2013.
 fn colour_matching(wavelength: f64) -> [f64; 3] {
     let lobe = |height: f64, peak: f64, left: f64, right: f64| {
         let t = (wavelength - peak) / if wavelength < peak { left } else { right };

@@ -14,7 +14,8 @@ const SHOULDER: f64 = 0.7;
 pub(crate) struct Exposure(f64);
 
 impl Exposure {
-    /// The exposure that shows the 99th percentile of these luminances at 0.8; one for a picture without light.
+    /// The exposure that shows the 99th percentile of these luminances at 0.8; one for a picture without
+    /// light.
     pub(crate) fn of(mut luminances: Vec<f64>) -> Self {
         if luminances.is_empty() {
             return Self(1.0);
@@ -28,8 +29,8 @@ impl Exposure {
 
     /// The linear colour of the screen, each component from 0 to 1.
     ///
-    /// The largest component m is compressed to s + (1 − s)(1 − e^(−(m − s)/(1 − s))) where it exceeds s = 0.7, which
-    /// is smooth there, and the others in proportion, which keeps the hue.
+    /// The largest component m is compressed to s + (1 − s)(1 − e^(−(m − s)/(1 − s))) where it exceeds s =
+    /// 0.7, which is smooth there, and the others in proportion, which keeps the hue.
     pub(crate) fn screen(self, colour: Colour) -> Colour {
         let exposed = colour.map(|component| (self.0 * component).max(0.0));
         let largest = exposed.into_iter().fold(0.0, f64::max);
@@ -42,7 +43,8 @@ impl Exposure {
     }
 }
 
-/// Whether two colours of the screen differ visibly across a pixel: by 2% of white, or by a tenth of the brighter one.
+/// Whether two colours of the screen differ visibly across a pixel: by 2% of white, or by a tenth of the
+/// brighter one.
 pub(crate) fn differ(a: Colour, b: Colour) -> bool {
     let (a, b) = (luminance(a), luminance(b));
     (a - b).abs() > (0.1 * a.max(b)).clamp(0.002, 0.02)

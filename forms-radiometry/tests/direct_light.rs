@@ -1,5 +1,5 @@
-//! The exact direct irradiance against an integration that shares nothing with it: the integrand
-//! L cos θ cos θ′/r² V over the lamp's area, with visibility V by rays against triangles (Möller and Trumbore 1997).
+//! The exact direct irradiance against an integration that shares nothing with it: the integrand L cos θ cos
+//! θ′/r² V over the lamp's area, with visibility V by rays against triangles (Möller and Trumbore 1997).
 
 use forms_radiometry::geometry::{Polygon, Vector};
 use forms_radiometry::scene::{self, PointReceiver, Receiver, Scene};
@@ -65,8 +65,8 @@ impl Integration<'_> {
         cells.map(|(u, v)| self.gauss(u, v, 0.125)).sum()
     }
 
-    /// The integral with visibility: squares are quartered until their corners and middle agree; what is undecided
-    /// at the end counts one half, and one half is the error.
+    /// The integral with visibility: squares are quartered until their corners and middle agree; what is
+    /// undecided at the end counts one half, and one half is the error.
     fn occluded(&self, u: f64, v: f64, side: f64, depth: u32) -> Estimate {
         let probes = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (0.5, 0.5)];
         let seen = probes.iter().filter(|(s, t)| self.visible(u + side * s, v + side * t)).count();
@@ -111,8 +111,8 @@ fn triangles(scene: &Scene) -> Vec<[Vector; 3]> {
     scene.surfaces.iter().flat_map(|surface| fan(surface.polygon.vertices())).collect()
 }
 
-/// The Cornell box with more point receivers: a grid on the floor, some on the green wall, and the middle of every
-/// face of the blocks.
+/// The Cornell box with more point receivers: a grid on the floor, some on the green wall, and the middle of
+/// every face of the blocks.
 fn box_with_more_points() -> Scene {
     let mut scene = scene::read(CORNELL_BOX, "cornell_box.toml").unwrap();
     let mut points = Vec::new();
@@ -136,8 +136,8 @@ fn box_with_more_points() -> Scene {
     scene
 }
 
-/// Calls `check` with every point receiver's name, its irradiance and unoccluded irradiance in the sixth band, both
-/// divided by the lamp's radiance there, and the integration for it.
+/// Calls `check` with every point receiver's name, its irradiance and unoccluded irradiance in the sixth
+/// band, both divided by the lamp's radiance there, and the integration for it.
 fn for_every_point(mut check: impl FnMut(&str, f64, f64, &Integration)) {
     let scene = box_with_more_points();
     let lamp = &scene.surfaces[0];
@@ -258,8 +258,9 @@ fn lamps_add_up_and_the_back_of_a_one_sided_lamp_is_dark() {
     assert!(other > 0.01 && (both - one - other).abs() < 1e-15, "two lamps");
 }
 
-/// A text with a lamp [−1, 1]² at height 1 that faces down, a receiver at the origin with a random normal, and random
-/// triangles around both: before the lamp and through its plane, below the horizon, and in each other's way.
+/// A text with a lamp [−1, 1]² at height 1 that faces down, a receiver at the origin with a random normal,
+/// and random triangles around both: before the lamp and through its plane, below the horizon, and in each
+/// other's way.
 fn random_scene(random: &mut impl FnMut() -> f64) -> String {
     let mut text = "[[material]]\nname = \"m\"\nkind = \"diffuse\"\nreflectance = 0\n".to_owned();
     let mut surface = |name: &str, radiance: f64, vertices: &[Vector]| {

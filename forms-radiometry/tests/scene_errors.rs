@@ -1,4 +1,5 @@
-//! What is wrong with a scene file is said, all of it, with its place; and no text whatever makes the reader panic.
+//! What is wrong with a scene file is said, all of it, with its place; and no text whatever makes the reader
+//! panic.
 
 use forms_radiometry::scene::{SceneError, read};
 use forms_radiometry::{CORNELL_BOX, simulate_direct};
@@ -66,65 +67,58 @@ fn an_error_names_the_file_and_the_place_quotes_the_line_and_says_what_was_expec
     assert_eq!(found[0].to_string(), shown);
 }
 
+/// What is replaced in the scene, by what, and the message that follows.
+const CASES: &[(&str, &str, &str)] = &[
+    ("unit = \"m\"", "unit = \"km\"", "the unit `km` is unknown"),
+    ("unit = \"m\"", "unti = \"m\"", "unknown key `unti` in a scene"),
+    ("unit = \"m\"", "unit = 3", "`unit` is of the wrong kind: found a value of type integer"),
+    ("[500, 600]", "[600, 500]", "the band ends before it begins"),
+    ("[500, 600]", "[500]", "a band has 1 values"),
+    ("[500, 600]", "[0, 600]", "the end of a band is out of range"),
+    ("\"diffuse\"", "\"mirror\"", "a material of kind `mirror` is not supported yet"),
+    ("\"diffuse\"", "\"matt\"", "the kind of material `matt` is unknown"),
+    ("reflectance = 0.75", "reflectance = -0.1", "`reflectance` is out of range"),
+    ("reflectance = 0.75", "reflectance = nan", "`reflectance` is not finite"),
+    ("reflectance = 0.75", "reflectance = [1, 1, 1]", "`reflectance` has 3 values"),
+    ("material = \"white\"", "material = \"wite\"", "no material is named `wite`"),
+    ("radiance = [0.5, 1]", "radiance = -1", "`radiance` is out of range"),
+    ("radiance = [0.5, 1]", "radiance = [1, inf]", "`radiance` is not finite"),
+    ("radiance = [0.5, 1]", "radiance = [1e999, 1]", "`radiance` is not finite"),
+    ("two_sided = false", "two_sided = 0", "`two_sided` is of the wrong kind: found a value of type integer"),
+    ("two_sided = false", "exitance = 1", "the surface has both a radiance and an exitance"),
+    ("two_sided = false", "mesh = \"part.obj\"", "`mesh` of a surface is not supported yet"),
+    (", [1, 1, 0], [0, 1, 0]]", "]", "a polygon needs three vertices or more, found 2"),
+    (
+        "[1, 1, 0]",
+        "[1, 1, 0], [0.5, 1, 0.1]",
+        "the polygon is not planar: vertex 4 lies 5.993e-2 off its plane (accepted: 1.0e-6)",
+    ),
+    ("[1, 1, 0]", "[1, 0, 0]", "vertex 2 and the one after it coincide"),
+    ("[1, 1, 0]", "[1, 1]", "a vertex has 2 values"),
+    ("[1, 1, 0]", "[1, 1e71, 0]", "a coordinate of a vertex is out of range"),
+    ("[1, 1, 0]", "[1, nan, 0]", "a coordinate of a vertex is not finite"),
+    ("[1, 1, 0], [0, 1, 0]", "[0, 1, 0], [2, 3, 0]", "the edges from vertex 2 and from vertex 4 cross"),
+    ("[1, 1, 0], [0, 1, 0]", "[2, 0, 0]", "the polygon encloses no area"),
+    ("normal = [0, 0, -2]", "normal = [0, 0, 0]", "`normal` has length zero"),
+    ("kind = \"point\"", "kind = \"ray\"", "a receiver of kind `ray` is not supported yet"),
+    ("kind = \"point\"", "kind = \"dot\"", "the kind of receiver `dot` is unknown"),
+    ("name = \"eye\"", "name = \"here\"", "the receiver `here` has the name of an earlier one, in line 16"),
+    ("up = [0, 1, 0]", "up = [0, 0, 1]", "the camera has no direction or no upright"),
+    ("fov = 40", "fov = 180", "`fov` is out of range"),
+    ("[8, 6]", "[8, 0.5]", "`resolution` is out of range"),
+    ("[8, 6]", "[8, 6]\ntime = { start = 0 }", "`time` of a receiver is not supported yet"),
+    ("tolerance = 1e-3", "tolerance = 0", "`tolerance` is out of range"),
+    ("\"off\"", "2", "the effect `interreflection` is not supported yet"),
+    ("\"on\"", "\"off\"", "leaving out the effect `occlusion` is not supported yet"),
+    ("\"on\"", "\"maybe\"", "the effect `occlusion` cannot be `maybe`"),
+    ("[solve]", "[ambient]\nradiance = 1\n[solve]", "`ambient` of a scene is not supported yet"),
+    ("[solve]", "[[light]]\nkind = \"point\"\n[solve]", "`light` of a scene is not supported yet"),
+    ("[solve]", "[[medium]]\nname = \"haze\"\n[solve]", "`medium` of a scene is not supported yet"),
+];
+
 #[test]
 fn each_error_is_reported_in_its_line_with_its_own_message() {
-    // What is replaced, by what, and the message; the error is expected in the line of the replacement.
-    let cases = [
-        ("unit = \"m\"", "unit = \"km\"", "the unit `km` is unknown"),
-        ("unit = \"m\"", "unti = \"m\"", "unknown key `unti` in a scene"),
-        ("unit = \"m\"", "unit = 3", "`unit` is of the wrong kind: found a value of type integer"),
-        ("[500, 600]", "[600, 500]", "the band ends before it begins"),
-        ("[500, 600]", "[500]", "a band has 1 values"),
-        ("[500, 600]", "[0, 600]", "the end of a band is out of range"),
-        ("\"diffuse\"", "\"mirror\"", "a material of kind `mirror` is not supported yet"),
-        ("\"diffuse\"", "\"matt\"", "the kind of material `matt` is unknown"),
-        ("reflectance = 0.75", "reflectance = -0.1", "`reflectance` is out of range"),
-        ("reflectance = 0.75", "reflectance = nan", "`reflectance` is not finite"),
-        ("reflectance = 0.75", "reflectance = [1, 1, 1]", "`reflectance` has 3 values"),
-        ("material = \"white\"", "material = \"wite\"", "no material is named `wite`"),
-        ("radiance = [0.5, 1]", "radiance = -1", "`radiance` is out of range"),
-        ("radiance = [0.5, 1]", "radiance = [1, inf]", "`radiance` is not finite"),
-        ("radiance = [0.5, 1]", "radiance = [1e999, 1]", "`radiance` is not finite"),
-        (
-            "two_sided = false",
-            "two_sided = 0",
-            "`two_sided` is of the wrong kind: found a value of type integer",
-        ),
-        ("two_sided = false", "exitance = 1", "the surface has both a radiance and an exitance"),
-        ("two_sided = false", "mesh = \"part.obj\"", "`mesh` of a surface is not supported yet"),
-        (", [1, 1, 0], [0, 1, 0]]", "]", "a polygon needs three vertices or more, found 2"),
-        (
-            "[1, 1, 0]",
-            "[1, 1, 0], [0.5, 1, 0.1]",
-            "the polygon is not planar: vertex 4 lies 5.993e-2 off its plane (accepted: 1.0e-6)",
-        ),
-        ("[1, 1, 0]", "[1, 0, 0]", "vertex 2 and the one after it coincide"),
-        ("[1, 1, 0]", "[1, 1]", "a vertex has 2 values"),
-        ("[1, 1, 0]", "[1, 1e71, 0]", "a coordinate of a vertex is out of range"),
-        ("[1, 1, 0]", "[1, nan, 0]", "a coordinate of a vertex is not finite"),
-        ("[1, 1, 0], [0, 1, 0]", "[0, 1, 0], [2, 3, 0]", "the edges from vertex 2 and from vertex 4 cross"),
-        ("[1, 1, 0], [0, 1, 0]", "[2, 0, 0]", "the polygon encloses no area"),
-        ("normal = [0, 0, -2]", "normal = [0, 0, 0]", "`normal` has length zero"),
-        ("kind = \"point\"", "kind = \"ray\"", "a receiver of kind `ray` is not supported yet"),
-        ("kind = \"point\"", "kind = \"dot\"", "the kind of receiver `dot` is unknown"),
-        (
-            "name = \"eye\"",
-            "name = \"here\"",
-            "the receiver `here` has the name of an earlier one, in line 16",
-        ),
-        ("up = [0, 1, 0]", "up = [0, 0, 1]", "the camera has no direction or no upright"),
-        ("fov = 40", "fov = 180", "`fov` is out of range"),
-        ("[8, 6]", "[8, 0.5]", "`resolution` is out of range"),
-        ("[8, 6]", "[8, 6]\ntime = { start = 0 }", "`time` of a receiver is not supported yet"),
-        ("tolerance = 1e-3", "tolerance = 0", "`tolerance` is out of range"),
-        ("\"off\"", "2", "the effect `interreflection` is not supported yet"),
-        ("\"on\"", "\"off\"", "leaving out the effect `occlusion` is not supported yet"),
-        ("\"on\"", "\"maybe\"", "the effect `occlusion` cannot be `maybe`"),
-        ("[solve]", "[ambient]\nradiance = 1\n[solve]", "`ambient` of a scene is not supported yet"),
-        ("[solve]", "[[light]]\nkind = \"point\"\n[solve]", "`light` of a scene is not supported yet"),
-        ("[solve]", "[[medium]]\nname = \"haze\"\n[solve]", "`medium` of a scene is not supported yet"),
-    ];
-    for (from, to, message) in cases {
+    for &(from, to, message) in CASES {
         let text = SCENE.replacen(from, to, 1);
         let found = errors(&text);
         let messages: Vec<&str> = found.iter().map(|error| error.message.as_str()).collect();
@@ -184,34 +178,36 @@ impl Sequence {
     }
 }
 
+/// What a number or a bracket may be replaced by.
+const FRAGMENTS: [&str; 24] = [
+    "nan",
+    "-inf",
+    "1e999",
+    "-0.0",
+    "1e-320",
+    "1e308",
+    "9223372036854775808",
+    "0xffffffffffffffffff",
+    "[",
+    "]",
+    "[[",
+    "{",
+    "\"",
+    "\"\"\"",
+    "=",
+    ".",
+    ",",
+    "\n",
+    "\r\n",
+    "ä𝄞",
+    "\u{0}",
+    "true",
+    "1979-05-27",
+    "[[surface]]\n",
+];
+
 /// The text with a few characters, lines or numbers removed, doubled or replaced.
 fn mutate(text: &str, sequence: &mut Sequence) -> String {
-    const FRAGMENTS: [&str; 24] = [
-        "nan",
-        "-inf",
-        "1e999",
-        "-0.0",
-        "1e-320",
-        "1e308",
-        "9223372036854775808",
-        "0xffffffffffffffffff",
-        "[",
-        "]",
-        "[[",
-        "{",
-        "\"",
-        "\"\"\"",
-        "=",
-        ".",
-        ",",
-        "\n",
-        "\r\n",
-        "ä𝄞",
-        "\u{0}",
-        "true",
-        "1979-05-27",
-        "[[surface]]\n",
-    ];
     let mut characters: Vec<char> = text.chars().collect();
     for _ in 0..=sequence.below(3) {
         let start = sequence.below(characters.len());

@@ -2,8 +2,8 @@
 
 use super::Vector;
 
-/// Distances below this fraction of the polygon's largest distance from the plane count as none, so that an edge
-/// that already lies in the plane is not cut into slivers.
+/// Distances below this fraction of the polygon's largest distance from the plane count as none, so that an
+/// edge that already lies in the plane is not cut into slivers.
 const ROUNDING: f64 = 1e-14;
 
 /// Parts a convex polygon by the sign of `side`, an affine function: the part where it is positive goes to

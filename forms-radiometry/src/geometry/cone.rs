@@ -5,10 +5,11 @@ use super::clip::{Pieces, split};
 
 /// The directions from an apex that meet a convex polygon.
 ///
-/// The plane through the apex and the edge from a to b (both relative to the apex) has the normal a × b. A convex
-/// polygon whose plane does not pass through the apex is met by exactly those x with ±(a × b)·x ≥ 0 for every edge,
-/// with the upper sign where the apex lies behind the polygon. Two polygons with a common edge share its plane to
-/// the last bit, because the cross product is antisymmetric in floating point too: no direction slips between them.
+/// The plane through the apex and the edge from a to b (both relative to the apex) has the normal a × b. A
+/// convex polygon whose plane does not pass through the apex is met by exactly those x with ±(a × b)·x ≥ 0
+/// for every edge, with the upper sign where the apex lies behind the polygon. Two polygons with a common
+/// edge share its plane to the last bit, because the cross product is antisymmetric in floating point too: no
+/// direction slips between them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Cone {
     sides: Vec<Vector>,
@@ -38,7 +39,8 @@ impl Cone {
         self.sides.iter().all(|side| side.dot(direction) >= 0.0)
     }
 
-    /// Whether some side of the cone has all points beyond it or on it: then the cone does not meet their hull.
+    /// Whether some side of the cone has all points beyond it or on it: then the cone does not meet their
+    /// hull.
     pub(super) fn misses(&self, points: &[Vector]) -> bool {
         self.sides.iter().any(|side| points.iter().all(|&point| side.dot(point) <= 0.0))
     }

@@ -4,17 +4,18 @@ use super::clip::split;
 use super::{Polygon, Vector};
 use crate::kernels::edge_form_factor;
 
-/// The form factor from a receiver to the front of a polygon, were nothing in between; E = π F L for a polygon that
-/// emits the uniform radiance L.
+/// The form factor from a receiver to the front of a polygon, were nothing in between; E = π F L for a
+/// polygon that emits the uniform radiance L.
 ///
 /// ```text
 /// F = (1/π) ∫ cos θ dω = (1/2π) Σ γᵢ n·(bᵢ × aᵢ)/|aᵢ × bᵢ|     (Lambert 1760)
 /// ```
 ///
-/// over the directions ω in which the polygon is seen above the horizon n·ω = 0. The polygon is counter-clockwise
-/// about its own normal, hence clockwise as a receiver in front of it looks up: its edges are taken backwards, from
-/// b to a. This is the one place where the sign is settled: F > 0 for a polygon that faces the receiver, and F = 0
-/// for a receiver behind it or in its plane. `normal` need not be a unit vector.
+/// over the directions ω in which the polygon is seen above the horizon n·ω = 0. The polygon is
+/// counter-clockwise about its own normal, hence clockwise as a receiver in front of it looks up: its edges
+/// are taken backwards, from b to a. This is the one place where the sign is settled: F > 0 for a polygon
+/// that faces the receiver, and F = 0 for a receiver behind it or in its plane. `normal` need not be a unit
+/// vector.
 pub fn form_factor(position: Vector, normal: Vector, polygon: &Polygon) -> f64 {
     let Some(normal) = normal.unit() else { return f64::NAN };
     if polygon.normal().dot(position - polygon.vertices()[0]) <= 0.0 {

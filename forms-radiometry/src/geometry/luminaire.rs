@@ -1,12 +1,13 @@
-//! Luminaires: from a receiver, a luminaire and what stands in front of it come the parts of the luminaire that the
-//! receiver sees, exactly, and their form factor.
+//! Luminaires: from a receiver, a luminaire and what stands in front of it come the parts of the luminaire
+//! that the receiver sees, exactly, and their form factor.
 
 use super::clip::{Pieces, split};
 use super::cone::{Cone, Scratch};
 use super::form_factor::edge_sum;
 use super::{Polygon, Vector};
 
-/// One side of a convex piece of an emitting polygon, with the surfaces that can come between it and a receiver.
+/// One side of a convex piece of an emitting polygon, with the surfaces that can come between it and a
+/// receiver.
 #[derive(Clone, Debug)]
 pub(crate) struct Luminaire {
     vertices: Vec<Vector>,
@@ -42,8 +43,8 @@ impl Plane {
     }
 }
 
-/// The distance from a plane below which a point counts as lying in it: 10⁻⁹ of the extent of the scene, or the
-/// rounding of its coordinates where they are far from the origin.
+/// The distance from a plane below which a point counts as lying in it: 10⁻⁹ of the extent of the scene, or
+/// the rounding of its coordinates where they are far from the origin.
 pub(crate) fn resolution<'a>(polygons: impl Iterator<Item = &'a Polygon>) -> f64 {
     let mut largest: f64 = 0.0;
     let mut corners: Option<(Vector, Vector)> = None;
@@ -97,9 +98,9 @@ impl Luminaire {
 
     /// The form factor from a receiver (unit normal) to what it sees of this luminaire.
     ///
-    /// The luminaire, clipped at the receiver's horizon, is a convex polygon; each occluder is a cone of directions
-    /// that is cut out of it, and leaves convex pieces. An occluder in whose plane the receiver lies is seen edge-on
-    /// and hides nothing: so a surface does not hide the lamp from its own points.
+    /// The luminaire, clipped at the receiver's horizon, is a convex polygon; each occluder is a cone of
+    /// directions that is cut out of it, and leaves convex pieces. An occluder in whose plane the receiver
+    /// lies is seen edge-on and hides nothing: so a surface does not hide the lamp from its own points.
     pub(crate) fn visible_form_factor(&self, position: Vector, normal: Vector, work: &mut Workspace) -> f64 {
         self.clip_at_horizon(position, normal, work);
         if work.visible.is_empty() {
@@ -116,8 +117,8 @@ impl Luminaire {
         work.visible.iter().fold(0.0, |sum, piece| sum + edge_sum(piece, normal))
     }
 
-    /// Leaves in the workspace what of the luminaire is above the horizon of a receiver in front of it, relative to
-    /// the receiver.
+    /// Leaves in the workspace what of the luminaire is above the horizon of a receiver in front of it,
+    /// relative to the receiver.
     fn clip_at_horizon(&self, position: Vector, normal: Vector, work: &mut Workspace) {
         work.visible.clear();
         if self.plane.distance(position) <= self.resolution {
@@ -135,8 +136,8 @@ impl Luminaire {
 }
 
 impl Occluder {
-    /// The part of a convex polygon in front of the luminaire's plane, if it can hide the luminaire from any point.
-    /// A surface in the luminaire's own plane, such as the ceiling around a lamp, cannot.
+    /// The part of a convex polygon in front of the luminaire's plane, if it can hide the luminaire from any
+    /// point. A surface in the luminaire's own plane, such as the ceiling around a lamp, cannot.
     fn new(
         polygon: &[Vector],
         normal: Vector,

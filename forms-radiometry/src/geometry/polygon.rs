@@ -7,8 +7,8 @@ use std::fmt;
 /// How far a vertex may lie off the polygon's plane, as a fraction of the polygon's extent.
 const PLANARITY: f64 = 1e-6;
 
-/// The largest coordinate, and the inverse of the least extent, of a polygon: form factors are made of fourth powers of
-/// lengths, which must neither overflow nor underflow.
+/// The largest coordinate, and the inverse of the least extent, of a polygon: form factors are made of fourth
+/// powers of lengths, which must neither overflow nor underflow.
 const LARGEST: f64 = 1e70;
 
 /// A simple planar polygon, counter-clockwise seen from its front.

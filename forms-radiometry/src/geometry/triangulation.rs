@@ -2,15 +2,16 @@
 
 use super::Vector;
 
-/// Twice the area of the triangle abc as seen against the normal n: n·((b − a) × (c − a)), positive for a left turn.
+/// Twice the area of the triangle abc as seen against the normal n: n·((b − a) × (c − a)), positive for a
+/// left turn.
 pub(super) fn turn(a: Vector, b: Vector, c: Vector, normal: Vector) -> f64 {
     normal.dot((b - a).cross(c - a))
 }
 
 /// Triangles that cover a simple polygon, counter-clockwise as it is.
 ///
-/// An ear is a convex corner whose triangle contains no other vertex; every simple polygon has one (Meisters 1975).
-/// Should rounding hide it, the widest corner is cut, so that the loop always ends.
+/// An ear is a convex corner whose triangle contains no other vertex; every simple polygon has one (Meisters
+/// 1975). Should rounding hide it, the widest corner is cut, so that the loop always ends.
 pub(super) fn triangulate(vertices: &[Vector], normal: Vector) -> Vec<Vec<Vector>> {
     let mut rest = vertices.to_vec();
     let mut triangles = Vec::with_capacity(rest.len());

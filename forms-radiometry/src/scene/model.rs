@@ -3,8 +3,8 @@
 use crate::camera::Camera;
 use crate::geometry::{Polygon, Vector};
 
-/// A scene whose parts refer to each other rightly: every material index exists, every optical list has one number a
-/// band, and every normal is a unit vector.
+/// A scene whose parts refer to each other rightly: every material index exists, every optical list has one
+/// number a band, and every normal is a unit vector.
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// The scene's name.
@@ -68,8 +68,8 @@ pub struct Surface {
     pub polygon: Polygon,
     /// Emitted radiance in W/(m² sr), per band; the same in all directions.
     pub radiance: Vec<f64>,
-    /// Whether the back reflects and emits as the front does. A one-sided surface is black from behind; it hides
-    /// what is behind it from either side.
+    /// Whether the back reflects and emits as the front does. A one-sided surface is black from behind; it
+    /// hides what is behind it from either side.
     pub two_sided: bool,
 }
 

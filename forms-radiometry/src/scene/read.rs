@@ -13,8 +13,9 @@ const KEYS_NOT_SIMULATED: &[&str] = &["medium", "light", "ambient"];
 const WAVELENGTH: Domain = Domain { expected: "a wavelength in nm, above 0", contains: |x| x > 0.0 };
 const FRACTION: Domain = Domain { expected: "a number from 0 to 1", contains: |x| (0.0..=1.0).contains(&x) };
 
-/// Reads a scene. `file_name` appears in the errors; nothing is opened. A scene that asks for something the format
-/// knows but this crate does not simulate is refused, so that an answer is never silently that of another scene.
+/// Reads a scene. `file_name` appears in the errors; nothing is opened. A scene that asks for something the
+/// format knows but this crate does not simulate is refused, so that an answer is never silently that of
+/// another scene.
 pub fn read(text: &str, file_name: &str) -> Result<Scene, Vec<SceneError>> {
     let mut report = Report::new(file_name, text);
     let (root, syntax_errors) = DeTable::parse_recoverable(text);
@@ -71,8 +72,8 @@ fn band(report: &mut Report, value: &Value) -> Option<Band> {
     Some(Band { low, high })
 }
 
-/// The indices of the materials by name. A material with an error in it keeps its name, so that the error is not
-/// repeated wherever the material is used.
+/// The indices of the materials by name. A material with an error in it keeps its name, so that the error is
+/// not repeated wherever the material is used.
 pub(super) type MaterialNames = HashMap<String, usize>;
 
 fn materials(report: &mut Report, root: &DeTable, bands: Option<usize>) -> (Vec<Material>, MaterialNames) {

@@ -110,8 +110,8 @@ pub(super) fn direction(report: &mut Report, value: &Value, what: &str) -> Optio
     unit
 }
 
-/// One number for all bands, or one a band. Where the bands themselves are in error, their number is not known, and
-/// the list is checked number by number only.
+/// One number for all bands, or one a band. Where the bands themselves are in error, their number is not
+/// known, and the list is checked number by number only.
 pub(super) fn spectrum(
     report: &mut Report,
     value: &Value,
