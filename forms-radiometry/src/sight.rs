@@ -120,3 +120,94 @@ impl Paint {
         Self { emitted, reflected: reflected.collect() }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Receiver, read};
+
+    /// A floor, a lamp above its left half, and a two-sided screen beside it that hangs lower, without bands.
+    const SCENE: &str = r#"
+        [[material]]
+        name = "grey"
+        kind = "diffuse"
+        reflectance = 0.5
+        [[surface]]
+        name = "floor"
+        material = "grey"
+        polygon = [[-4, -4, 0], [4, -4, 0], [4, 4, 0], [-4, 4, 0]]
+        [[surface]]
+        name = "lamp"
+        material = "grey"
+        polygon = [[-3, -1, 2], [-3, 1, 2], [-1, 1, 2], [-1, -1, 2]]
+        radiance = 3
+        [[surface]]
+        name = "screen"
+        material = "grey"
+        polygon = [[1, -1, 1], [3, -1, 1], [3, 1, 1], [1, 1, 1]]
+        two_sided = true
+        [[receiver]]
+        name = "above"
+        kind = "camera"
+        origin = [0, 0, 8]
+        target = [0, 0, 0]
+        up = [0, 1, 0]
+        fov = 90
+        resolution = [16, 16]
+        [[receiver]]
+        name = "below"
+        kind = "camera"
+        origin = [0, 0, 0.25]
+        target = [0, 0, 1]
+        up = [0, 1, 0]
+        fov = 150
+        resolution = [100, 100]
+    "#;
+
+    /// The brightness that the camera of this name sees in the direction of a point, and the index of the surface.
+    fn seen(camera: &str, x: f64, y: f64) -> (Option<usize>, f64) {
+        let scene = read(SCENE, "sight.toml").unwrap();
+        let Some(Receiver::Camera(camera)) = scene.receivers.iter().find(|r| r.name() == camera) else {
+            panic!("{camera} is a camera")
+        };
+        let sample = Sight::new(&scene, camera).sample(x, y, &mut Tracing::default());
+        (sample.surface, sample.colour[0])
+    }
+
+    fn irradiance(position: Vector, normal: Vector) -> f64 {
+        let scene = read(SCENE, "sight.toml").unwrap();
+        DirectLight::new(&scene).irradiance(position, normal)[0]
+    }
+
+    #[test]
+    fn a_diffuse_surface_brings_its_reflectance_times_irradiance_over_pi() {
+        let expected = 0.5 / PI * irradiance(Vector::default(), Vector::new(0.0, 0.0, 1.0));
+        let (surface, radiance) = seen("above", 8.0, 8.0);
+        assert_eq!(surface, Some(0));
+        assert!(expected > 0.05 && (radiance - expected).abs() < 1e-15, "{radiance} and {expected}");
+    }
+
+    #[test]
+    fn a_lamp_brings_its_radiance_from_the_front_and_nothing_from_the_back() {
+        assert_eq!(seen("above", 6.0, 8.0), (Some(1), 0.0));
+        let right_of_the_middle = 50.0 + 50.0 * (2.0 / 1.75) / 75_f64.to_radians().tan();
+        assert_eq!(seen("below", right_of_the_middle, 50.0).0, Some(1));
+        assert_eq!(seen("below", right_of_the_middle, 50.0).1, 3.0);
+    }
+
+    #[test]
+    fn a_two_sided_surface_reflects_on_the_side_that_is_seen() {
+        let at = Vector::new(2.0, 0.0, 1.0);
+        let expected = 0.5 / PI * irradiance(at, Vector::new(0.0, 0.0, 1.0));
+        let (surface, radiance) = seen("above", 8.0 + 8.0 * (2.0 / 7.0), 8.0);
+        assert_eq!(surface, Some(2));
+        assert!(expected > 0.005 && (radiance - expected).abs() < 1e-14, "{radiance} and {expected}");
+        let left_of_the_middle = 50.0 - 50.0 * (2.0 / 0.75) / 75_f64.to_radians().tan();
+        assert_eq!(seen("below", left_of_the_middle, 50.0), (Some(2), 0.0));
+    }
+
+    #[test]
+    fn outside_the_scene_there_is_nothing_to_see() {
+        assert_eq!(seen("above", 0.5, 0.5), (None, 0.0));
+    }
+}
