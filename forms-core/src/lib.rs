@@ -11,5 +11,9 @@
 
 pub mod diagnostic;
 pub mod expression;
+pub mod kernel;
 pub mod polynomial;
 pub mod syntax;
+
+#[cfg(test)]
+extern crate self as forms_core;

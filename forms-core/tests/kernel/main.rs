@@ -1,0 +1,4 @@
+//! Kernels: what they cost, and that every way of computing them gives the same value.
+
+mod emitted;
+mod formula;
