@@ -9,16 +9,25 @@
 //! never simplifies: what is printed is the program as it stands. Raising closes the circle, so that an optimised
 //! kernel can be proved equal to the formula it came from.
 
+mod chain;
 mod constant;
 mod count;
 mod evaluate;
+mod expand;
+mod factor;
+mod graph;
 mod interpret;
+mod linearise;
 mod lower;
 mod numbering;
 mod optimise;
+mod products;
 mod program;
+mod quotients;
 mod raise;
 mod rust;
+mod signs;
+mod sums;
 
 pub use constant::Constant;
 pub use count::OperationCount;

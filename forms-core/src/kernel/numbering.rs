@@ -44,7 +44,7 @@ fn evaluation_order(program: &Program) -> Vec<usize> {
 }
 
 /// The program without the instructions that no root needs.
-fn without_unused(program: &Program) -> Program {
+pub(super) fn without_unused(program: &Program) -> Program {
     let order = evaluation_order(program);
     let mut places = vec![Value(0); program.instructions.len()];
     let mut instructions = Vec::with_capacity(order.len());

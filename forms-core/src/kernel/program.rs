@@ -184,19 +184,25 @@ impl Program {
         instructions: Vec<Instruction>,
         of: impl Fn(Value) -> Value,
     ) -> Program {
+        let roots: Vec<Value> = self.roots().map(of).collect();
+        self.with_roots(instructions, &roots)
+    }
+
+    /// The same kernel computed by other instructions, with these roots in the order of [`Program::roots`].
+    pub(crate) fn with_roots(&self, instructions: Vec<Instruction>, roots: &[Value]) -> Program {
+        let (sides, outputs) = roots.split_at(2 * self.domain.len());
+        let conditions = self.domain.iter().zip(sides.chunks_exact(2));
         Program {
             name: self.name.clone(),
             public: self.public,
             arguments: self.arguments.clone(),
             instructions,
-            outputs: self.outputs.iter().map(|&output| of(output)).collect(),
-            domain: self
-                .domain
-                .iter()
-                .map(|condition| Comparison {
-                    left: of(condition.left),
+            outputs: outputs.to_vec(),
+            domain: conditions
+                .map(|(condition, side)| Comparison {
+                    left: side[0],
                     relation: condition.relation,
-                    right: of(condition.right),
+                    right: side[1],
                 })
                 .collect(),
         }
