@@ -39,3 +39,5 @@ pub use rust::{RustDocs, emit_rust};
 #[cfg(test)]
 #[path = "../../tests/kernel/formula.rs"]
 mod formula;
+#[cfg(test)]
+mod laws;

@@ -79,24 +79,25 @@ fn with_pair(factors: &[Factor], pair: [Factor; 2], node: Node) -> Option<Vec<Fa
 
 /// Π nᵢᵉ = (Π nᵢ)ᵉ for whole e, where no other product needs one of these powers.
 fn group_equal_exponents(graph: &mut Graph, products: &mut [(Node, Vec<Factor>)]) {
-    let mut bases: FxHashMap<Node, usize> = FxHashMap::default();
+    let mut counts: FxHashMap<Node, usize> = FxHashMap::default();
     for &(base, _) in products.iter().flat_map(|(_, factors)| factors) {
-        *bases.entry(base).or_insert(0) += 1;
+        *counts.entry(base).or_insert(0) += 1;
     }
     for (node, factors) in products {
-        let exponents: Vec<Exponent> = factors.iter().map(|&(_, e)| e).collect();
+        let mut exponents: Vec<Exponent> = factors.iter().map(|&(_, e)| e).collect();
+        exponents.retain(|exponent| exponent.integer().is_some_and(|whole| whole.abs() > 1));
+        exponents.dedup();
         for exponent in exponents {
-            let is_grouped = |&(base, e): &Factor| e == exponent && bases[&base] == 1;
-            let is_power = exponent.integer().is_some_and(|whole| whole.abs() > 1);
-            if !is_power || factors.iter().filter(|factor| is_grouped(factor)).count() < 2 {
-                continue;
+            let is_grouped = |&(base, e): &Factor| {
+                e == exponent && counts.get(&base) == Some(&1) && !matches!(graph.form(base), Form::Number(_))
+            };
+            let (group, mut rest): (Vec<Factor>, Vec<Factor>) = factors.iter().copied().partition(is_grouped);
+            if group.len() > 1 {
+                let bases = group.iter().map(|&(base, _)| (base, Exponent::ONE)).collect();
+                rest.push((graph.product_of(bases), exponent));
+                *factors = rest;
+                graph.replace(*node, Form::Product(factors.clone().into()));
             }
-            let (group, mut rest): (Vec<Factor>, Vec<Factor>) =
-                factors.iter().partition(|&factor| is_grouped(factor));
-            let bases = group.iter().map(|&(base, _)| (base, Exponent::ONE)).collect();
-            rest.push((graph.product_of(bases), exponent));
-            *factors = rest;
-            graph.replace(*node, Form::Product(factors.clone().into()));
         }
     }
 }

@@ -3,3 +3,4 @@
 mod counts;
 mod emitted;
 mod formula;
+mod timing;
