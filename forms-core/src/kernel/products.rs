@@ -22,14 +22,20 @@ pub(super) fn share_products(graph: &Graph) -> Graph {
         }
     }
     group_equal_exponents(&mut graph, &mut products);
-    while let Some(pair) = best_pair(&graph, &products) {
+    let mut counts = Counts::default();
+    products.iter().for_each(|(_, factors)| counts.count(&graph, factors, 1));
+    while let Some(pair) = counts.best() {
         let node = graph.product_of(pair.to_vec());
         for (product, factors) in products.iter_mut().filter(|(product, _)| *product != node) {
             if let Some(shorter) = with_pair(factors, pair, node) {
+                counts.count(&graph, factors, -1);
+                counts.count(&graph, &shorter, 1);
                 *factors = shorter;
                 graph.replace(*product, Form::Product(factors.clone().into()));
             }
         }
+        // what is left of the pair is the product that computes it
+        counts.of.remove(&pair);
         if !products.iter().any(|(product, _)| *product == node) {
             products.push((node, pair.to_vec()));
         }
@@ -37,11 +43,16 @@ pub(super) fn share_products(graph: &Graph) -> Graph {
     graph.reordered()
 }
 
-/// The pair that most products contain, if more than one does. Numbers go with the coefficients.
-fn best_pair(graph: &Graph, products: &[(Node, Vec<Factor>)]) -> Option<[Factor; 2]> {
-    let is_number = |node: Node| matches!(graph.form(node), Form::Number(_));
-    let mut counts: FxHashMap<[Factor; 2], usize> = FxHashMap::default();
-    for (_, factors) in products {
+/// How many products contain each pair of factors, above or below the line.
+#[derive(Default)]
+struct Counts {
+    of: FxHashMap<[Factor; 2], i32>,
+}
+
+impl Counts {
+    /// Counts the pairs of a product in (+1) or out (−1). Numbers go with the coefficients.
+    fn count(&mut self, graph: &Graph, factors: &[Factor], sign: i32) {
+        let is_number = |node: Node| matches!(graph.form(node), Form::Number(_));
         for (place, &(left, e)) in factors.iter().enumerate() {
             for &(right, f) in &factors[place + 1..] {
                 if e.is_negative() != f.is_negative() || is_number(left) || is_number(right) {
@@ -53,12 +64,16 @@ fn best_pair(graph: &Graph, products: &[(Node, Vec<Factor>)]) -> Option<[Factor;
                     [(left, e), (right, f)]
                 };
                 pair.sort();
-                *counts.entry(pair).or_insert(0) += 1;
+                *self.of.entry(pair).or_insert(0) += sign;
             }
         }
     }
-    let shared = counts.into_iter().filter(|(_, count)| *count > 1);
-    shared.max_by_key(|(pair, count)| (*count, Reverse(*pair))).map(|(pair, _)| pair)
+
+    /// The pair that most products contain, if more than one does.
+    fn best(&self) -> Option<[Factor; 2]> {
+        let shared = self.of.iter().filter(|(_, count)| **count > 1);
+        shared.max_by_key(|(pair, count)| (**count, Reverse(**pair))).map(|(pair, _)| *pair)
+    }
 }
 
 /// The factors with a pair, or its reciprocal, replaced by its node, if they contain it.
