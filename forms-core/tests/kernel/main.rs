@@ -4,3 +4,4 @@ mod counts;
 mod emitted;
 mod formula;
 mod timing;
+mod values;

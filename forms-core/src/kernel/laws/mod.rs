@@ -26,6 +26,12 @@ const POINTS: usize = 4;
 /// How many points are tried to find as many at which the kernel is defined.
 const TRIED: u64 = 200;
 
+/// A pass over programs.
+type Pass = Box<dyn Fn(&Program) -> Program>;
+
+/// A change to one instruction, if it applies.
+type Fault = fn(&Instruction) -> Option<Instruction>;
+
 /// Whether the pass keeps the value of the kernel wherever the kernel has one.
 fn keeps_the_value(pass: &dyn Fn(&Program) -> Program, program: &Program) -> bool {
     let changed = pass(program);
@@ -46,12 +52,12 @@ fn scattered(seed: u64) -> u64 {
 }
 
 /// A pass over sums and products, as a pass over programs.
-fn on_graph(pass: impl Fn(&Graph) -> Graph + 'static) -> Box<dyn Fn(&Program) -> Program> {
+fn on_graph(pass: impl Fn(&Graph) -> Graph + 'static) -> Pass {
     Box::new(move |program| linearise(&pass(&collect(program)), program))
 }
 
 /// Every pass by itself and all of them together.
-fn passes() -> Vec<(&'static str, Box<dyn Fn(&Program) -> Program>)> {
+fn passes() -> Vec<(&'static str, Pass)> {
     let limits = Limits { product: 12, sum: 40, shared: 40 };
     vec![
         ("number_values", Box::new(number_values)),
@@ -105,7 +111,7 @@ fn every_written_kernel_has_a_value_to_keep() {
 }
 
 /// The program with the first instruction that `change` applies to changed.
-fn mutated(program: &Program, change: fn(&Instruction) -> Option<Instruction>) -> Program {
+fn mutated(program: &Program, change: Fault) -> Program {
     let mut mutant = program.optimise();
     if let Some((place, changed)) =
         mutant.instructions.iter().enumerate().find_map(|(place, i)| Some((place, change(i)?)))
@@ -118,7 +124,7 @@ fn mutated(program: &Program, change: fn(&Instruction) -> Option<Instruction>) -
 #[test]
 fn a_wrong_pass_breaks_the_law() {
     use Instruction::{Add, Divide, Multiply, Sqrt, Subtract};
-    let wrong: [(&str, fn(&Instruction) -> Option<Instruction>); 6] = [
+    let wrong: [(&str, Fault); 6] = [
         ("drops a sign", |i| if let Subtract(a, b) = i { Some(Add(*a, *b)) } else { None }),
         ("swaps a difference", |i| if let Subtract(a, b) = i { Some(Subtract(*b, *a)) } else { None }),
         ("swaps a quotient", |i| if let Divide(a, b) = i { Some(Divide(*b, *a)) } else { None }),
