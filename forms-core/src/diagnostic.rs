@@ -3,7 +3,8 @@
 //! A [`Span`] is a range of places in the source a token stream was made from: byte offsets for a text file,
 //! token numbers for a macro. Whoever made the tokens turns places back into something to point at.
 
-/// A half-open range of places in one source.
+/// A half-open range of places in one source. An empty range stands just behind the place before it: that is
+/// where something is missing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Span {
     /// The first place that belongs to the range.
@@ -33,18 +34,27 @@ pub struct Diagnostic {
     pub message: String,
     /// What to write instead, where that is known.
     pub help: Option<String>,
+    /// Another place it depends on, named: the bracket that is not closed, the first of two declarations.
+    pub related: Option<(Span, String)>,
 }
 
 impl Diagnostic {
     /// A diagnostic without a hint.
     pub fn new(span: Span, message: impl Into<String>) -> Self {
-        Diagnostic { span, message: message.into(), help: None }
+        Diagnostic { span, message: message.into(), help: None, related: None }
     }
 
     /// The same with a hint.
     #[must_use]
     pub fn with_help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
+        self
+    }
+
+    /// The same with another place that it depends on.
+    #[must_use]
+    pub fn with_related(mut self, place: Span, name: impl Into<String>) -> Self {
+        self.related = Some((place, name.into()));
         self
     }
 }

@@ -9,10 +9,16 @@
 //!       Proved | Refuted | Unknown             Rust · interpreter
 //! ```
 
+pub mod calculus;
+pub mod decide;
 pub mod diagnostic;
+pub mod enclosure;
 pub mod expression;
+pub mod integral;
 pub mod kernel;
+pub mod normal;
 pub mod polynomial;
+pub mod resolve;
 pub mod syntax;
 
 #[cfg(test)]

@@ -11,12 +11,14 @@
 //! every walk is a loop over ascending indices and no depth of nesting can exhaust the stack.
 
 mod build;
+mod condition;
 mod derivative;
 mod node;
 mod operation;
 mod substitution;
 mod text;
 
+pub use condition::Condition;
 pub use node::{Expr, FunctionId, Node, Pool, Rational, Symbol, SymbolKind, Unknown};
 pub use operation::{Meaning, Operation, Row, TABLE};
 pub use substitution::Substitution;

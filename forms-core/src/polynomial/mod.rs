@@ -1,1 +1,205 @@
-//! Polynomials with integer coefficients.
+//! Polynomials with integer coefficients in many variables: the engine under the normal form.
+//!
+//! ```text
+//! terms ─ pack ─▶ sorted monomials (words) + coefficients (i64 → i128 → BigInt)
+//!                    │  add · multiply · divide · gcd · square-free parts · coprime basis
+//!                    ▼
+//!                 sorted monomials + coefficients, on the narrowest layout and the lowest rung
+//! ```
+//! Layout and rung are functions of the value, so equality and hashing compare what is stored. Variables are
+//! numbers from 0; terms are ordered lexicographically with variable 0 the greatest, the leading term first.
+//! Exponents reach 2³¹ − 1; callers that fear more, or more terms than fit in memory, ask
+//! [`Polynomial::product_size_bound`] and [`Polynomial::total_degree`] before they multiply.
+
+mod arithmetic;
+mod basis;
+mod coefficient;
+mod division;
+mod evaluation;
+mod gcd;
+pub mod modular;
+mod monomial;
+mod product;
+mod square_free;
+mod term;
+mod view;
+
+pub use basis::coprime_basis;
+
+use coefficient::Coefficients;
+use monomial::Layout;
+use num_bigint::BigInt;
+use num_traits::{One, Zero};
+use std::fmt;
+
+/// A polynomial over ℤ.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Polynomial {
+    layout: Layout,
+    /// `layout.words` words a term, in decreasing order.
+    monomials: Vec<u64>,
+    coefficients: Coefficients,
+}
+
+impl Polynomial {
+    /// 0
+    pub fn zero() -> Self {
+        Polynomial {
+            layout: Layout::CONSTANT,
+            monomials: Vec::new(),
+            coefficients: Coefficients::Small(Vec::new()),
+        }
+    }
+
+    /// 1
+    pub fn one() -> Self {
+        Self::integer(1)
+    }
+
+    /// An integer.
+    pub fn integer(number: i64) -> Self {
+        if number == 0 {
+            return Self::zero();
+        }
+        let coefficients = Coefficients::Small(vec![number]);
+        Polynomial { layout: Layout::CONSTANT, monomials: Vec::new(), coefficients }
+    }
+
+    /// An integer of any size.
+    pub fn constant(number: BigInt) -> Self {
+        Self::from_terms([(Vec::new(), number)])
+    }
+
+    /// The variable with this number.
+    pub fn variable(index: u32) -> Self {
+        let layout = Layout::fitting(u64::from(index) + 1, 1);
+        let mut monomials = Vec::with_capacity(layout.words);
+        layout.pack(&[(index, 1)], &mut monomials);
+        Polynomial { layout, monomials, coefficients: Coefficients::Small(vec![1]) }
+    }
+
+    /// Whether it is 0.
+    pub fn is_zero(&self) -> bool {
+        self.term_count() == 0
+    }
+
+    /// Whether it is 1.
+    pub fn is_one(&self) -> bool {
+        self.layout.words == 0
+            && matches!(&self.coefficients, Coefficients::Small(numbers) if numbers[..] == [1])
+    }
+
+    /// Whether no variable occurs.
+    pub fn is_constant(&self) -> bool {
+        self.layout.words == 0
+    }
+
+    /// The value of a constant.
+    pub fn as_constant(&self) -> Option<BigInt> {
+        self.is_constant().then(|| self.leading_coefficient())
+    }
+
+    /// The number of terms.
+    pub fn term_count(&self) -> usize {
+        self.coefficients.len()
+    }
+
+    /// The coefficient of the leading term; 0 for 0.
+    pub fn leading_coefficient(&self) -> BigInt {
+        if self.is_zero() { BigInt::zero() } else { self.coefficients.get(0) }
+    }
+
+    /// Whether the leading coefficient is negative.
+    pub fn is_negative(&self) -> bool {
+        !self.is_zero() && self.coefficients.is_negative(0)
+    }
+
+    /// The greatest exponent of a variable; 0 for 0.
+    pub fn degree(&self, variable: u32) -> u32 {
+        let Some((word, shift)) = self.layout.field(variable) else { return 0 };
+        let mask = self.layout.mask();
+        let exponents = (0..self.term_count()).map(|term| self.monomial(term)[word] >> shift & mask);
+        exponents.max().unwrap_or(0) as u32
+    }
+
+    /// The greatest sum of a term's exponents; 0 for 0, `u32::MAX` where it is beyond.
+    pub fn total_degree(&self) -> u32 {
+        let degrees = (0..self.term_count()).map(|term| {
+            let exponents = self.layout.unpack(self.monomial(term));
+            exponents.iter().map(|&(_, exponent)| u64::from(exponent)).sum::<u64>()
+        });
+        u32::try_from(degrees.max().unwrap_or(0)).unwrap_or(u32::MAX)
+    }
+
+    /// The variables that occur, in increasing order.
+    pub fn variables(&self) -> Vec<u32> {
+        let mut union = vec![0; self.layout.words];
+        for term in 0..self.term_count() {
+            for (all, word) in union.iter_mut().zip(self.monomial(term)) {
+                *all |= word;
+            }
+        }
+        self.layout.unpack(&union).into_iter().map(|(variable, _)| variable).collect()
+    }
+
+    /// Whether a variable occurs.
+    pub fn contains(&self, variable: u32) -> bool {
+        self.degree(variable) != 0
+    }
+
+    /// The packed monomial of a term.
+    #[inline(always)]
+    fn monomial(&self, term: usize) -> &[u64] {
+        &self.monomials[term * self.layout.words..(term + 1) * self.layout.words]
+    }
+
+    /// The greatest exponent of each field of the layout.
+    fn degrees(&self) -> Vec<u32> {
+        let mut degrees = vec![0; self.layout.fields()];
+        for term in 0..self.term_count() {
+            for (variable, exponent) in self.layout.unpack(self.monomial(term)) {
+                let degree: &mut u32 = &mut degrees[variable as usize];
+                *degree = (*degree).max(exponent);
+            }
+        }
+        degrees
+    }
+}
+
+/// Writes `3*x0^2*x1 - x2 + 1`.
+impl fmt::Display for Polynomial {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.is_zero() {
+            return formatter.write_str("0");
+        }
+        for (index, (monomial, coefficient)) in self.terms().enumerate() {
+            let negative = coefficient < BigInt::zero();
+            formatter.write_str(match (index, negative) {
+                (0, false) => "",
+                (0, true) => "-",
+                (_, false) => " + ",
+                (_, true) => " - ",
+            })?;
+            let size = coefficient.magnitude();
+            let mut separator = "";
+            if monomial.is_empty() || !size.is_one() {
+                write!(formatter, "{size}")?;
+                separator = "*";
+            }
+            for (variable, exponent) in monomial {
+                write!(formatter, "{separator}x{variable}")?;
+                if exponent > 1 {
+                    write!(formatter, "^{exponent}")?;
+                }
+                separator = "*";
+            }
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Debug for Polynomial {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, formatter)
+    }
+}

@@ -43,6 +43,7 @@ pub struct Declared {
 
 /// What an item declares or claims.
 #[derive(Clone, Debug)]
+#[expect(missing_docs, reason = "each variant shows how its fields are written")]
 pub enum ItemKind {
     /// `chart R3(x, y, z) where …;`
     Chart { name: Name, coordinates: Vec<Declared>, conditions: Vec<Condition> },
@@ -82,6 +83,17 @@ pub enum Claim {
     Prove,
     /// It does not.
     Refute,
+}
+
+/// What stands behind a statement's name: `left == right where …`.
+#[derive(Clone, Debug)]
+pub struct Equation {
+    /// The left side.
+    pub left: Expr,
+    /// The right side.
+    pub right: Expr,
+    /// The statement's own conditions.
+    pub conditions: Vec<Condition>,
 }
 
 /// `absorption: sigma_a = 0` of a kernel's `effects { … }`.
@@ -149,6 +161,7 @@ pub enum Binary {
 
 /// What an expression is.
 #[derive(Clone, Debug)]
+#[expect(missing_docs, reason = "each variant shows how its fields are written")]
 pub enum ExprKind {
     /// An exact number.
     Number(BigRational),
@@ -170,6 +183,7 @@ pub enum ExprKind {
 
 /// One argument of a call.
 #[derive(Clone, Debug)]
+#[expect(missing_docs, reason = "each variant shows how its fields are written")]
 pub enum Argument {
     /// A plain expression.
     Value(Expr),

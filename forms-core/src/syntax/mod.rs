@@ -8,4 +8,30 @@
 //! The parser knows tokens only, so a `.forms` file and a macro body mean the same.
 
 pub mod ast;
+mod lexer;
+mod number;
+mod parser;
+pub mod source;
 pub mod token;
+pub mod words;
+
+pub use lexer::lex;
+pub use parser::{MAXIMUM_DEPTH, MAXIMUM_NESTING, MAXIMUM_TOKENS, parse, parse_equation, parse_expression};
+pub use source::Source;
+
+use crate::diagnostic::{Diagnostic, Span};
+
+/// Reads a whole text: its items, and everything that is wrong with it in the order of the text.
+pub fn read(text: &str) -> (ast::File, Vec<Diagnostic>) {
+    let (tokens, mut diagnostics) = lex(text);
+    let (file, found) = parse(&tokens, end_of(text));
+    diagnostics.extend(found);
+    diagnostics.sort_by_key(|diagnostic| diagnostic.span);
+    (file, diagnostics)
+}
+
+/// The place just behind a text's last character.
+pub fn end_of(text: &str) -> Span {
+    let end = u32::try_from(text.len()).unwrap_or(u32::MAX);
+    Span::new(end, end)
+}

@@ -22,6 +22,8 @@ pub enum TokenKind {
     Doc(String),
     /// Punctuation.
     Symbol(Symbol),
+    /// Something that is not of the language; whoever made the token has reported it, so the parser is silent.
+    Unknown,
 }
 
 macro_rules! symbols {

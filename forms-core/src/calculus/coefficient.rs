@@ -1,0 +1,89 @@
+//! What the calculus asks of its coefficients: a commutative ring with commuting partial derivatives.
+
+use super::blade::Coordinate;
+use crate::expression::{Expr, Pool, Symbol};
+
+/// A commutative ring with one derivation for each coordinate.
+///
+/// Zero may be hidden (a structured expression need not know that it vanishes); [`Coefficients::is_zero`]
+/// answers yes only where it is certain, and the calculus uses it only to leave terms out.
+pub trait Coefficients {
+    /// An element.
+    type Scalar: Clone;
+
+    /// 0
+    fn zero(&mut self) -> Self::Scalar;
+    /// 1
+    fn one(&mut self) -> Self::Scalar;
+    /// Whether the element is certainly 0.
+    fn is_zero(&self, a: &Self::Scalar) -> bool;
+    /// a + b
+    fn add(&mut self, a: &Self::Scalar, b: &Self::Scalar) -> Self::Scalar;
+    /// −a
+    fn negate(&mut self, a: &Self::Scalar) -> Self::Scalar;
+    /// a b
+    fn multiply(&mut self, a: &Self::Scalar, b: &Self::Scalar) -> Self::Scalar;
+    /// ∂a/∂x
+    fn derivative(&mut self, a: &Self::Scalar, by: Coordinate) -> Self::Scalar;
+
+    /// Σ ±a b, where a ring that can is faster than by single products.
+    fn sum_of_products(&mut self, terms: &[(i8, &Self::Scalar, &Self::Scalar)]) -> Self::Scalar {
+        let mut sum = self.zero();
+        for &(sign, a, b) in terms {
+            let product = self.multiply(a, b);
+            let signed = if sign < 0 { self.negate(&product) } else { product };
+            sum = self.add(&sum, &signed);
+        }
+        sum
+    }
+
+    /// Σ ±a
+    fn sum(&mut self, terms: &[(i8, Self::Scalar)]) -> Self::Scalar {
+        let mut sum = self.zero();
+        for (sign, a) in terms {
+            let signed = if *sign < 0 { self.negate(a) } else { a.clone() };
+            sum = self.add(&sum, &signed);
+        }
+        sum
+    }
+}
+
+/// Structured expressions as coefficients; `coordinates` gives each coordinate's variable.
+pub struct Structured<'a> {
+    /// The pool the expressions live in.
+    pub pool: &'a mut Pool,
+    /// The variable of each coordinate, by its number.
+    pub coordinates: &'a [Symbol],
+}
+
+impl Coefficients for Structured<'_> {
+    type Scalar = Expr;
+
+    fn zero(&mut self) -> Expr {
+        self.pool.integer(0)
+    }
+
+    fn one(&mut self) -> Expr {
+        self.pool.integer(1)
+    }
+
+    fn is_zero(&self, a: &Expr) -> bool {
+        self.pool.is_zero(*a)
+    }
+
+    fn add(&mut self, a: &Expr, b: &Expr) -> Expr {
+        self.pool.add(*a, *b)
+    }
+
+    fn negate(&mut self, a: &Expr) -> Expr {
+        self.pool.negate(*a)
+    }
+
+    fn multiply(&mut self, a: &Expr, b: &Expr) -> Expr {
+        self.pool.multiply(*a, *b)
+    }
+
+    fn derivative(&mut self, a: &Expr, by: Coordinate) -> Expr {
+        self.pool.derivative(*a, self.coordinates[by.0 as usize])
+    }
+}

@@ -1,0 +1,33 @@
+//! The exterior derivative: dw = Σᵢ ∂ᵢw_I dxᵢ∧dx_I.
+
+use super::blade::{Blade, Coordinate};
+use super::coefficient::Coefficients;
+use super::form::Form;
+use std::collections::BTreeMap;
+
+/// The exterior derivative along the given coordinates: all of them for d, one chart's for `d[chart]`.
+pub fn exterior_derivative<R: Coefficients>(
+    ring: &mut R,
+    w: &Form<R::Scalar>,
+    along: &[Coordinate],
+) -> Form<R::Scalar> {
+    let mut contributions: BTreeMap<Blade, Vec<(i8, R::Scalar)>> = BTreeMap::new();
+    for (blade, value) in w.terms() {
+        for &coordinate in along {
+            if let Some((raised, sign)) = Blade::of(coordinate).wedge(*blade) {
+                let partial = ring.derivative(value, coordinate);
+                if !ring.is_zero(&partial) {
+                    contributions.entry(raised).or_default().push((sign, partial));
+                }
+            }
+        }
+    }
+    let mut terms = Vec::with_capacity(contributions.len());
+    for (blade, group) in contributions {
+        let value = ring.sum(&group);
+        if !ring.is_zero(&value) {
+            terms.push((blade, value));
+        }
+    }
+    Form::from_terms(w.degree() + 1, terms)
+}

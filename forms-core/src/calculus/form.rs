@@ -1,0 +1,107 @@
+//! Differential forms of one degree: coefficients by basis form.
+
+use super::blade::{Blade, Coordinate};
+use super::coefficient::Coefficients;
+use std::collections::BTreeMap;
+
+/// A k-form Σ w_I dx_I, its blades in ascending order. The zero form keeps its degree.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Form<S> {
+    degree: u32,
+    terms: Vec<(Blade, S)>,
+}
+
+impl<S: Clone> Form<S> {
+    /// The zero form of that degree.
+    pub fn zero(degree: u32) -> Self {
+        Form { degree, terms: Vec::new() }
+    }
+
+    /// A scalar as a 0-form.
+    pub fn scalar(ring: &impl Coefficients<Scalar = S>, value: S) -> Self {
+        Self::monomial(ring, Blade::SCALAR, value)
+    }
+
+    /// One coefficient times one basis form.
+    pub fn monomial(ring: &impl Coefficients<Scalar = S>, blade: Blade, value: S) -> Self {
+        let terms = if ring.is_zero(&value) { vec![] } else { vec![(blade, value)] };
+        Form { degree: blade.degree(), terms }
+    }
+
+    /// dx
+    pub fn differential(ring: &mut impl Coefficients<Scalar = S>, coordinate: Coordinate) -> Self {
+        let one = ring.one();
+        Form { degree: 1, terms: vec![(Blade::of(coordinate), one)] }
+    }
+
+    /// A form from its coefficients; blades of another degree do not belong here.
+    pub fn from_terms(degree: u32, terms: impl IntoIterator<Item = (Blade, S)>) -> Self {
+        let ordered: BTreeMap<Blade, S> = terms.into_iter().collect();
+        debug_assert!(ordered.keys().all(|blade| blade.degree() == degree));
+        Form { degree, terms: ordered.into_iter().collect() }
+    }
+
+    /// k of a k-form.
+    pub fn degree(&self) -> u32 {
+        self.degree
+    }
+
+    /// The coefficients that are not known to vanish.
+    pub fn terms(&self) -> &[(Blade, S)] {
+        &self.terms
+    }
+
+    /// The coefficient of one basis form, if any.
+    pub fn coefficient(&self, blade: Blade) -> Option<&S> {
+        self.terms.binary_search_by_key(&blade, |term| term.0).ok().map(|place| &self.terms[place].1)
+    }
+
+    /// Whether no coefficient is left.
+    pub fn is_zero(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// The form with every coefficient replaced; those that vanish go.
+    pub fn map<T: Clone, R: Coefficients<Scalar = T>>(
+        &self,
+        ring: &mut R,
+        mut change: impl FnMut(&mut R, &S) -> T,
+    ) -> Form<T> {
+        let mut terms = Vec::with_capacity(self.terms.len());
+        for (blade, value) in &self.terms {
+            let changed = change(ring, value);
+            if !ring.is_zero(&changed) {
+                terms.push((*blade, changed));
+            }
+        }
+        Form { degree: self.degree, terms }
+    }
+
+    /// The sum of two forms of one degree.
+    pub fn add(&self, ring: &mut impl Coefficients<Scalar = S>, other: &Form<S>) -> Form<S> {
+        debug_assert_eq!(self.degree, other.degree);
+        let mut sums: BTreeMap<Blade, S> = self.terms.iter().cloned().collect();
+        for (blade, value) in &other.terms {
+            let sum = match sums.get(blade) {
+                Some(present) => ring.add(present, value),
+                None => value.clone(),
+            };
+            if ring.is_zero(&sum) {
+                sums.remove(blade);
+            } else {
+                sums.insert(*blade, sum);
+            }
+        }
+        Form { degree: self.degree, terms: sums.into_iter().collect() }
+    }
+
+    /// −w
+    pub fn negate(&self, ring: &mut impl Coefficients<Scalar = S>) -> Form<S> {
+        self.map(ring, |ring, value| ring.negate(value))
+    }
+
+    /// f w
+    pub fn scale(&self, ring: &mut impl Coefficients<Scalar = S>, factor: &S) -> Form<S> {
+        self.map(ring, |ring, value| ring.multiply(factor, value))
+    }
+}

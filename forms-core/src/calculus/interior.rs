@@ -1,0 +1,44 @@
+//! The interior product, into the first slot, and the value of a form on fields.
+
+use super::blade::Blade;
+use super::coefficient::Coefficients;
+use super::field::Field;
+use super::form::Form;
+use std::collections::BTreeMap;
+
+/// i_X w: i_X(dx₁∧…∧dxₖ) = Σⱼ (−1)^(j−1) Xʲ dx₁∧…(without dxⱼ)…∧dxₖ; of a function it is 0.
+pub fn interior<R: Coefficients>(ring: &mut R, x: &Field<R::Scalar>, w: &Form<R::Scalar>) -> Form<R::Scalar> {
+    let mut products: BTreeMap<Blade, Vec<(i8, &R::Scalar, &R::Scalar)>> = BTreeMap::new();
+    for (blade, value) in w.terms() {
+        for (coordinate, component) in x.components() {
+            if let Some((rest, sign)) = blade.without(coordinate) {
+                products.entry(rest).or_default().push((sign, component, value));
+            }
+        }
+    }
+    let mut terms = Vec::with_capacity(products.len());
+    for (blade, group) in products {
+        let value = ring.sum_of_products(&group);
+        if !ring.is_zero(&value) {
+            terms.push((blade, value));
+        }
+    }
+    Form::from_terms(w.degree().saturating_sub(1), terms)
+}
+
+/// w(X₁, …, Xₖ) = i_Xₖ … i_X₁ w, for as many fields as the form has degrees.
+pub fn pairing<R: Coefficients>(
+    ring: &mut R,
+    w: &Form<R::Scalar>,
+    fields: &[&Field<R::Scalar>],
+) -> R::Scalar {
+    debug_assert_eq!(fields.len(), w.degree() as usize);
+    let mut rest = w.clone();
+    for field in fields {
+        rest = interior(ring, field, &rest);
+    }
+    match rest.coefficient(Blade::SCALAR) {
+        Some(value) => value.clone(),
+        None => ring.zero(),
+    }
+}

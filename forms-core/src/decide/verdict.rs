@@ -1,0 +1,78 @@
+//! The three answers, and the error of a statement that speaks of no point.
+
+use crate::syntax::ast::Claim;
+use std::fmt;
+
+/// What is known of an equation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// It holds at every point it speaks of.
+    Proved(Theorem),
+    /// It fails at an exact point that meets every condition.
+    Refuted(Witness),
+    /// Neither was shown.
+    Unknown {
+        /// What stood in the way.
+        reason: String,
+    },
+    /// It speaks of no point, so it is no statement.
+    Empty {
+        /// Why there is none.
+        reason: String,
+    },
+}
+
+/// A proved equation with what it assumed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Theorem {
+    /// The conditions, in the language's notation.
+    pub conditions: Vec<String>,
+}
+
+/// A point at which two sides differ.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Witness {
+    /// The conditions the point meets.
+    pub conditions: Vec<String>,
+    /// Names and exact values: variables, then unknown functions and their derivatives.
+    pub point: Vec<(String, String)>,
+    /// The component that differs, such as `dx^dy`; empty for scalars.
+    pub component: String,
+    /// The value of the left side there, to the digits that are certain.
+    pub left: String,
+    /// The value of the right side there.
+    pub right: String,
+    /// What is left of left − right, simplified, in the language's notation.
+    pub difference: String,
+}
+
+impl Verdict {
+    /// `proved`, `refuted`, `unknown` or `empty`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Verdict::Proved(_) => "proved",
+            Verdict::Refuted(_) => "refuted",
+            Verdict::Unknown { .. } => "unknown",
+            Verdict::Empty { .. } => "empty",
+        }
+    }
+
+    /// Whether it is as the statement claims.
+    pub fn bears_out(&self, claim: Claim) -> bool {
+        matches!((claim, self), (Claim::Prove, Verdict::Proved(_)) | (Claim::Refute, Verdict::Refuted(_)))
+    }
+}
+
+impl fmt::Display for Witness {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let point: Vec<String> = self.point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        let point =
+            if point.is_empty() { "everywhere".to_string() } else { format!("at {}", point.join(", ")) };
+        let component = if self.component.is_empty() {
+            String::new()
+        } else {
+            format!("the coefficient of {}: ", self.component)
+        };
+        write!(f, "{point}, {component}left = {}, right = {}", self.left, self.right)
+    }
+}

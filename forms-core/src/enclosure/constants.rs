@@ -1,0 +1,45 @@
+//! π and log 2, from series of reciprocals of integers.
+
+use super::range::Range;
+use super::series::odd_reciprocals;
+use num_bigint::BigInt;
+use std::sync::OnceLock;
+
+/// The precision up to which the constants are computed once for all.
+const KEPT: u32 = 1280;
+
+/// Places that absorb the rounding of a few thousand terms.
+const GUARD: u32 = 24;
+
+/// Machin: π = 16 arctan(1/5) − 4 arctan(1/239)
+pub(super) fn pi(precision: u32) -> Range {
+    static KEPT_PI: OnceLock<Range> = OnceLock::new();
+    constant(precision, &KEPT_PI, |p| {
+        combination(&[(16, 5), (-4, 239)], p, |reciprocal| reciprocal.square().negate())
+    })
+}
+
+/// log 2 = 18 artanh(1/26) − 2 artanh(1/4801) + 8 artanh(1/8749)
+pub(super) fn log_two(precision: u32) -> Range {
+    static KEPT_LOG_TWO: OnceLock<Range> = OnceLock::new();
+    constant(precision, &KEPT_LOG_TWO, |p| combination(&[(18, 26), (-2, 4801), (8, 8749)], p, Range::square))
+}
+
+fn constant(precision: u32, kept: &OnceLock<Range>, compute: impl Fn(u32) -> Range) -> Range {
+    if precision + GUARD <= KEPT {
+        return kept.get_or_init(|| compute(KEPT)).rescaled(precision);
+    }
+    compute(precision + GUARD).rescaled(precision)
+}
+
+/// Σ c Σₖ ratioᵏ/((2k+1) n) over the pairs (c, n), with the ratio ±1/n²
+fn combination(terms: &[(i64, i64)], precision: u32, ratio: impl Fn(&Range) -> Range) -> Range {
+    let mut sum = Range::integer(0, precision);
+    for &(factor, n) in terms {
+        let reciprocal = Range::quotient(&BigInt::from(1), &BigInt::from(n), precision);
+        let ratio = ratio(&reciprocal);
+        let term = odd_reciprocals(reciprocal, &ratio);
+        sum = sum.add(&term.scaled(&BigInt::from(factor).into()));
+    }
+    sum
+}

@@ -1,0 +1,109 @@
+//! Enclosures of expressions: the shared graph evaluated once, operands before results.
+
+use super::bounds::{Enclosure, Precision, Undecided};
+use crate::expression::{Expr, FunctionId, Node, Operation, Pool, Symbol};
+use num_rational::Ratio;
+use rustc_hash::FxHashMap;
+
+/// Numbers beyond 2^(this) are not carried further: repeated squaring would not end.
+const LARGEST_BITS: u64 = 1 << 18;
+
+type Decided = Result<Enclosure, Undecided>;
+
+impl Enclosure {
+    /// A function of the op table at its arguments; unknown if their number is wrong.
+    pub fn apply(operation: Operation, arguments: &[Enclosure]) -> Result<Enclosure, Undecided> {
+        match (operation, arguments) {
+            (Operation::Sin, [a]) => Ok(a.sin()),
+            (Operation::Cos, [a]) => Ok(a.cos()),
+            (Operation::Tan, [a]) => a.tan(),
+            (Operation::Asin, [a]) => a.asin(),
+            (Operation::Acos, [a]) => a.acos(),
+            (Operation::Atan, [a]) => Ok(a.atan()),
+            (Operation::Atan2, [y, x]) => Enclosure::atan2(y, x),
+            (Operation::Exp, [a]) => a.exp(),
+            (Operation::Log, [a]) => a.log(),
+            (Operation::Sinh, [a]) => a.sinh(),
+            (Operation::Cosh, [a]) => a.cosh(),
+            (Operation::Tanh, [a]) => Ok(a.tanh()),
+            (Operation::Abs, [a]) => Ok(a.abs()),
+            _ => Err(Undecided::Unknown),
+        }
+    }
+}
+
+/// The values of expressions where the variables have these values and the unknown functions these jets.
+///
+/// `jets` gives a partial derivative of an unknown function by its orders and the values of its arguments. A
+/// value that is not given is unknown; what is computed from something undefined is undefined. Where a
+/// condition is not decided, the result encloses both branches.
+pub fn enclose(
+    pool: &Pool,
+    expressions: &[Expr],
+    values: &impl Fn(Symbol) -> Option<Enclosure>,
+    jets: &mut impl FnMut(FunctionId, &[u32], &[Enclosure]) -> Option<Enclosure>,
+    precision: Precision,
+) -> Vec<Result<Enclosure, Undecided>> {
+    let mut known: FxHashMap<Expr, Decided> = FxHashMap::default();
+    for expression in pool.reachable(expressions) {
+        let value = match pool.node(expression) {
+            Node::Symbol(symbol) => values(*symbol).ok_or(Undecided::Unknown),
+            Node::Jet { function, orders, arguments } => all(arguments, &known)
+                .and_then(|arguments| jets(*function, orders, &arguments).ok_or(Undecided::Unknown)),
+            node => evaluate(node, &known, precision),
+        };
+        known.insert(expression, value.and_then(bounded));
+    }
+    expressions.iter().map(|expression| known[expression].clone()).collect()
+}
+
+/// Refuses what has become too large to compute with.
+fn bounded(value: Enclosure) -> Decided {
+    if value.magnitude_bits() > LARGEST_BITS { Err(Undecided::Unknown) } else { Ok(value) }
+}
+
+/// The values of several operands, undefined if one is, else unknown if one is.
+fn all(operands: &[Expr], known: &FxHashMap<Expr, Decided>) -> Result<Vec<Enclosure>, Undecided> {
+    if operands.iter().any(|operand| known[operand] == Err(Undecided::Undefined)) {
+        return Err(Undecided::Undefined);
+    }
+    operands.iter().map(|operand| known[operand].clone()).collect()
+}
+
+fn evaluate(node: &Node, known: &FxHashMap<Expr, Decided>, precision: Precision) -> Decided {
+    let both = |a: &Expr, b: &Expr| match (&known[a], &known[b]) {
+        (Ok(a), Ok(b)) => Ok((a, b)),
+        (Err(Undecided::Undefined), _) | (_, Err(Undecided::Undefined)) => Err(Undecided::Undefined),
+        _ => Err(Undecided::Unknown),
+    };
+    let one = |a: &Expr| known[a].as_ref().map_err(|&why| why);
+    match node {
+        Node::Number(value) => Ok(Enclosure::exact(value, precision)),
+        Node::Pi => Ok(Enclosure::pi(precision)),
+        Node::Add(a, b) => both(a, b).map(|(a, b)| a.add(b)),
+        Node::Negate(a) => one(a).map(Enclosure::neg),
+        Node::Multiply(a, b) if a == b => one(a)?.power(Ratio::from_integer(2)),
+        Node::Multiply(a, b) => both(a, b).map(|(a, b)| a.mul(b)),
+        Node::Divide(a, b) => both(a, b).and_then(|(a, b)| a.div(b)),
+        Node::Power(a, exponent) => one(a)?.power(*exponent),
+        Node::Apply(operation, arguments) => Enclosure::apply(*operation, &all(arguments, known)?),
+        Node::Select { left, relation, right, then, otherwise } => {
+            let (left, right) = both(left, right)?;
+            match left.decide(*relation, right) {
+                Some(true) => known[then].clone(),
+                Some(false) => known[otherwise].clone(),
+                None => either(&known[then], &known[otherwise]),
+            }
+        }
+        Node::Symbol(_) | Node::Jet { .. } => Err(Undecided::Unknown),
+    }
+}
+
+/// One of two values, it is not known which.
+fn either(a: &Decided, b: &Decided) -> Decided {
+    match (a, b) {
+        (Ok(a), Ok(b)) => Ok(a.hull(b)),
+        (Err(Undecided::Undefined), Err(Undecided::Undefined)) => Err(Undecided::Undefined),
+        _ => Err(Undecided::Unknown),
+    }
+}

@@ -1,0 +1,27 @@
+//! Rigorous enclosures of real numbers, by which signs are decided and witnesses checked.
+//!
+//! ```text
+//! a pool's expressions ─┐
+//! a value per variable ─┴─ graph ──▶ Enclosure ──▶ sign, zero excluded, certain digits
+//!                                     ├ an exact rational, while it stays short
+//!                                     └ [lower, upper]·2⁻ᵖ, every operation rounded outward
+//! ```
+//! The true value always lies in the enclosure; a higher precision p makes the enclosure narrower. Nothing
+//! here is computed in floating point; `f64` appears only where a result leaves the module.
+
+mod arithmetic;
+mod bounds;
+mod circular;
+mod constants;
+mod decimal;
+mod exponential;
+mod graph;
+mod inverse;
+mod power;
+mod range;
+mod series;
+#[cfg(test)]
+mod tests;
+
+pub use bounds::{Enclosure, Precision, Undecided};
+pub use graph::enclose;

@@ -1,0 +1,30 @@
+//! Relations between expressions: what a `where` says, and where an expression is defined.
+
+use super::node::{Expr, Pool};
+use super::substitution::Substitution;
+use crate::syntax::ast::Relation;
+
+/// A relation between two expressions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Condition {
+    /// The left side.
+    pub left: Expr,
+    /// The relation.
+    pub relation: Relation,
+    /// The right side.
+    pub right: Expr,
+}
+
+impl Condition {
+    /// The condition in the language's own notation.
+    pub fn text(&self, pool: &Pool) -> String {
+        format!("{} {} {}", pool.text(self.left), self.relation.text(), pool.text(self.right))
+    }
+
+    /// The condition with every variable replaced at once.
+    #[must_use]
+    pub fn substitute(&self, pool: &mut Pool, values: &Substitution) -> Self {
+        let sides = pool.substitute_all(&[self.left, self.right], values);
+        Condition { left: sides[0], relation: self.relation, right: sides[1] }
+    }
+}

@@ -1,0 +1,152 @@
+//! Sines, cosines and exponentials of rational combinations of quantities.
+//!
+//! An argument Σ qₖ mₖ with rational qₖ is written in units uₖ = mₖ/dₖ, so that every sine and cosine in one
+//! comparison is a polynomial in the functions of integer multiples of the same units.
+
+use super::fraction::Fraction;
+use super::generator::{Generator, Quantity, Unit};
+use super::tower::{Obstacle, Tower, Trigonometry};
+use crate::expression::Rational;
+use crate::polynomial::Polynomial;
+use num_integer::Integer;
+use num_traits::ToPrimitive;
+
+/// The largest multiple of one unit, and the finest unit, that are expanded.
+const LARGEST_MULTIPLE: u32 = 48;
+
+/// cos and sin of one angle.
+type Point = (Fraction, Fraction);
+
+impl Tower {
+    /// The quantities an element is a rational combination of.
+    pub(super) fn linear_parts(&self, argument: &Fraction) -> Vec<(Quantity, Rational)> {
+        argument
+            .numerator
+            .terms()
+            .map(|(monomial, coefficient)| {
+                let quantity = Quantity { monomial, factors: argument.factors.clone() };
+                (quantity, Rational::new(coefficient, argument.divisor.clone()))
+            })
+            .collect()
+    }
+
+    /// The multiple of a unit that q · quantity is; a finer unit starts the walk again.
+    fn multiple(&mut self, quantity: &Quantity, coefficient: &Rational) -> Result<(Unit, i64), Obstacle> {
+        let outside =
+            || Obstacle::Outside(format!("an angle or exponent with the coefficient {coefficient}"));
+        let needed = coefficient.denom().to_u32().filter(|d| *d <= LARGEST_MULTIPLE).ok_or_else(outside)?;
+        let divisor = *self.divisors.entry(quantity.clone()).or_insert(needed);
+        if divisor % needed != 0 {
+            let finer = divisor.lcm(&needed);
+            if finer > LARGEST_MULTIPLE {
+                return Err(outside());
+            }
+            self.divisors.insert(quantity.clone(), finer);
+            return Err(Obstacle::Refine);
+        }
+        let multiple = coefficient * Rational::from_integer(divisor.into());
+        let multiple = multiple.to_integer().to_i64().ok_or_else(outside)?;
+        if multiple.unsigned_abs() > u64::from(LARGEST_MULTIPLE) {
+            return Err(outside());
+        }
+        Ok((Unit { quantity: quantity.clone(), divisor }, multiple))
+    }
+
+    /// (cos q, sin q)
+    pub(super) fn circular(&mut self, argument: &Fraction) -> Result<Point, Obstacle> {
+        let mut point = (Fraction::one(), Fraction::zero());
+        for (quantity, coefficient) in self.linear_parts(argument) {
+            let next = match self.turn(&quantity, &coefficient) {
+                Some(quarter) => quarter,
+                None => {
+                    let (unit, multiple) = self.multiple(&quantity, &coefficient)?;
+                    self.multiple_angle(unit, multiple)?
+                }
+            };
+            point = self.angle_sum(&point, &next)?;
+        }
+        Ok(point)
+    }
+
+    /// cos(a + b) = cos a cos b − sin a sin b, sin(a + b) = sin a cos b + cos a sin b
+    fn angle_sum(&mut self, a: &Point, b: &Point) -> Result<Point, Obstacle> {
+        let (cc, ss) = (self.multiply(&a.0, &b.0)?, self.multiply(&a.1, &b.1)?);
+        let (sc, cs) = (self.multiply(&a.1, &b.0)?, self.multiply(&a.0, &b.1)?);
+        Ok((self.subtract(&cc, &ss)?, self.add(&sc, &cs)?))
+    }
+
+    /// Multiples of π/2 are points with coordinates 0 and ±1.
+    fn turn(&self, quantity: &Quantity, coefficient: &Rational) -> Option<Point> {
+        let [(variable, 1)] = quantity.monomial.as_slice() else { return None };
+        if !quantity.factors.is_empty() || *self.generator(*variable) != Generator::Pi {
+            return None;
+        }
+        let quarters = coefficient * Rational::from_integer(2.into());
+        if !quarters.is_integer() {
+            return None;
+        }
+        let quarter = quarters.to_integer().mod_floor(&4.into()).to_usize()?;
+        let coordinate = |value: i64| Fraction::from(Polynomial::integer(value));
+        let cosines = [1, 0, -1, 0];
+        let sines = [0, 1, 0, -1];
+        Some((coordinate(cosines[quarter]), coordinate(sines[quarter])))
+    }
+
+    /// e^(imu) as a polynomial in c, s or as (1 + it)²ᵐ/(1 + t²)ᵐ.
+    fn multiple_angle(&mut self, unit: Unit, multiple: i64) -> Result<Point, Obstacle> {
+        let times = multiple.unsigned_abs() as u32;
+        let (cosine, sine) = match self.trigonometry {
+            Trigonometry::Circle => self.circle_multiple(unit, times),
+            Trigonometry::HalfAngle => self.half_angle_multiple(unit, times)?,
+        };
+        let sine = if multiple < 0 { self.negate(&sine) } else { sine };
+        Ok((cosine, sine))
+    }
+
+    fn circle_multiple(&mut self, unit: Unit, times: u32) -> Point {
+        let c = self.variable_of(Generator::Cosine(unit.clone()));
+        let s = self.variable_of(Generator::Sine(unit));
+        let c_squared = Polynomial::variable(c).square();
+        self.bind(s, 2, Polynomial::one().sub(&c_squared));
+        let (re, im) = complex_power(&Polynomial::variable(c), &Polynomial::variable(s), times);
+        (self.reduce(re).into(), self.reduce(im).into())
+    }
+
+    fn half_angle_multiple(&mut self, unit: Unit, times: u32) -> Result<Point, Obstacle> {
+        let t = Polynomial::variable(self.variable_of(Generator::HalfTangent(unit)));
+        let (re, im) = complex_power(&Polynomial::one(), &t, 2 * times);
+        let norm = self.factor(Polynomial::one().add(&t.square()));
+        let over = |numerator: Polynomial| self.cancel(numerator, 1.into(), vec![(norm, times)]);
+        Ok((over(re), over(im)))
+    }
+
+    /// exp q as a product of integer powers of generators.
+    pub(super) fn exponential(&mut self, argument: &Fraction) -> Result<Fraction, Obstacle> {
+        let mut product = Fraction::one();
+        for (quantity, coefficient) in self.linear_parts(argument) {
+            let (unit, multiple) = self.multiple(&quantity, &coefficient)?;
+            let generator = self.element(Generator::Exponential(unit));
+            let power = self.integer_power(&generator, multiple)?;
+            product = self.multiply(&product, &power)?;
+        }
+        Ok(product)
+    }
+
+    /// sinh, cosh: (e^q ∓ e^−q)/2
+    pub(super) fn hyperbolic(&mut self, argument: &Fraction) -> Result<Point, Obstacle> {
+        let up = self.exponential(argument)?;
+        let down = self.inverse(&up)?;
+        let half = Fraction::number(&Rational::new(1.into(), 2.into()));
+        let (sum, difference) = (self.add(&up, &down)?, self.subtract(&up, &down)?);
+        Ok((self.multiply(&half, &sum)?, self.multiply(&half, &difference)?))
+    }
+}
+
+/// Real and imaginary part of (x + iy)ⁿ.
+fn complex_power(x: &Polynomial, y: &Polynomial, n: u32) -> (Polynomial, Polynomial) {
+    let (mut re, mut im) = (Polynomial::one(), Polynomial::zero());
+    for _ in 0..n {
+        (re, im) = (re.mul(x).sub(&im.mul(y)), re.mul(y).add(&im.mul(x)));
+    }
+    (re, im)
+}

@@ -1,0 +1,258 @@
+//! The tower as a ring of coefficients: partial derivatives of fractions.
+//!
+//! D(N ∏ Fᵉ⁻) = (DN ∏F − N Σ eⱼ DFⱼ ∏_{i≠j} Fᵢ) / ∏ Fᵉ⁺¹, with Dρ = Df ρ/(n f) for ρⁿ = f, Dcos u = −sin u Du,
+//! Dsin u = cos u Du, Dtan(u/2) = (1 + tan²(u/2)) Du/2, Dexp u = exp u Du, and the chain rule for jets.
+
+use super::fraction::Fraction;
+use super::generator::{Generator, Quantity, Unit};
+use super::tower::{Obstacle, Tower};
+use crate::calculus::{Coefficients, Coordinate};
+use crate::expression::{Operation, Rational, Symbol};
+use crate::polynomial::Polynomial;
+use num_traits::One;
+
+impl Tower {
+    /// ∂a/∂x
+    ///
+    /// # Errors
+    /// Where the derivative grows beyond the limit, or an opaque function without a rule occurs.
+    pub fn derivative(&mut self, a: &Fraction, by: Symbol) -> Result<Fraction, Obstacle> {
+        let numerator = self.derivative_of_polynomial(&a.numerator, by)?;
+        if a.factors.is_empty() {
+            return Ok(self.divide_by_integer(numerator, &a.divisor.clone()));
+        }
+        let over =
+            Fraction { numerator: Polynomial::one(), divisor: a.divisor.clone(), factors: a.factors.clone() };
+        let mut sum = self.multiply(&numerator, &over)?;
+        for &(factor, exponent) in &a.factors {
+            let polynomial = self.factor_polynomial(factor).clone();
+            let inner = self.derivative_of_polynomial(&polynomial, by)?;
+            if inner.is_zero() {
+                continue;
+            }
+            let scale = Polynomial::integer(-i64::from(exponent));
+            let scaled = self.multiply(&inner, &scale.into())?;
+            let once =
+                Fraction { numerator: Polynomial::one(), divisor: One::one(), factors: vec![(factor, 1)] };
+            let lowered = self.multiply(&scaled, &once)?;
+            let term = self.multiply(a, &lowered)?;
+            sum = self.add(&sum, &term)?;
+        }
+        Ok(sum)
+    }
+
+    fn divide_by_integer(&mut self, a: Fraction, divisor: &num_bigint::BigInt) -> Fraction {
+        if divisor.is_one() {
+            return a;
+        }
+        self.cancel(a.numerator, a.divisor * divisor, a.factors)
+    }
+
+    /// Σ ∂N/∂γ Dγ over the generators.
+    fn derivative_of_polynomial(
+        &mut self,
+        polynomial: &Polynomial,
+        by: Symbol,
+    ) -> Result<Fraction, Obstacle> {
+        let mut sum = Fraction::zero();
+        for variable in polynomial.variables() {
+            let inner = self.derivative_of_generator(variable, by)?;
+            if inner.is_zero() {
+                continue;
+            }
+            let partial = self.reduce(polynomial.derivative(variable));
+            let term = self.multiply(&partial.into(), &inner)?;
+            sum = self.add(&sum, &term)?;
+        }
+        Ok(sum)
+    }
+
+    fn derivative_of_generator(&mut self, variable: u32, by: Symbol) -> Result<Fraction, Obstacle> {
+        match self.generator(variable).clone() {
+            Generator::Variable(symbol) => Ok(if symbol == by { Fraction::one() } else { Fraction::zero() }),
+            Generator::Pi => Ok(Fraction::zero()),
+            Generator::Jet { function, orders, arguments } => {
+                let mut sum = Fraction::zero();
+                for (place, argument) in arguments.iter().enumerate() {
+                    let inner = self.derivative(argument, by)?;
+                    if inner.is_zero() {
+                        continue;
+                    }
+                    let mut raised = orders.clone();
+                    raised[place] += 1;
+                    let jet = self.element(Generator::Jet {
+                        function,
+                        orders: raised,
+                        arguments: arguments.clone(),
+                    });
+                    let term = self.multiply(&jet, &inner)?;
+                    sum = self.add(&sum, &term)?;
+                }
+                Ok(sum)
+            }
+            Generator::Cosine(unit) => {
+                let sine = self.element(Generator::Sine(unit.clone()));
+                let negated = self.negate(&sine);
+                self.times_derivative_of_unit(&negated, &unit, by)
+            }
+            Generator::Sine(unit) => {
+                let cosine = self.element(Generator::Cosine(unit.clone()));
+                self.times_derivative_of_unit(&cosine, &unit, by)
+            }
+            Generator::HalfTangent(unit) => {
+                let norm = Polynomial::one().add(&Polynomial::variable(variable).square());
+                let half = Fraction { numerator: norm, divisor: 2.into(), factors: vec![] };
+                self.times_derivative_of_unit(&half, &unit, by)
+            }
+            Generator::Exponential(unit) => {
+                let itself = Polynomial::variable(variable).into();
+                self.times_derivative_of_unit(&itself, &unit, by)
+            }
+            Generator::Root { .. } => self.derivative_of_root(variable, by),
+            Generator::Opaque { operation, arguments } => {
+                self.derivative_of_opaque(operation, &arguments, by)
+            }
+        }
+    }
+
+    fn times_derivative_of_unit(
+        &mut self,
+        outer: &Fraction,
+        unit: &Unit,
+        by: Symbol,
+    ) -> Result<Fraction, Obstacle> {
+        let quantity = self.quantity(&unit.quantity);
+        let inner = self.derivative(&quantity, by)?;
+        let part = Fraction::number(&Rational::new(1.into(), unit.divisor.into()));
+        let inner = self.multiply(&inner, &part)?;
+        self.multiply(outer, &inner)
+    }
+
+    /// A quantity as a fraction.
+    pub(super) fn quantity(&self, quantity: &Quantity) -> Fraction {
+        Fraction {
+            numerator: Polynomial::one().multiply_by_monomial(&quantity.monomial),
+            divisor: One::one(),
+            factors: quantity.factors.clone(),
+        }
+    }
+
+    /// Dρ = ρ Df/(n f) = Df/(n ρⁿ⁻¹)
+    fn derivative_of_root(&mut self, variable: u32, by: Symbol) -> Result<Fraction, Obstacle> {
+        let Some(relation) = self.relation_of(variable).cloned() else { return Ok(Fraction::zero()) };
+        let inner = self.derivative_of_polynomial(&relation.value, by)?;
+        let root = self.factor(Polynomial::variable(variable));
+        let outer = Fraction {
+            numerator: Polynomial::one(),
+            divisor: relation.order.into(),
+            factors: vec![(root, relation.order - 1)],
+        };
+        self.multiply(&inner, &outer)
+    }
+
+    fn derivative_of_opaque(
+        &mut self,
+        operation: Operation,
+        arguments: &[Fraction],
+        by: Symbol,
+    ) -> Result<Fraction, Obstacle> {
+        let mut inner = Vec::with_capacity(arguments.len());
+        for argument in arguments {
+            inner.push(self.derivative(argument, by)?);
+        }
+        if inner.iter().all(Fraction::is_zero) {
+            return Ok(Fraction::zero());
+        }
+        match operation {
+            Operation::Log => {
+                let outer = self.inverse(&arguments[0])?;
+                self.multiply(&outer, &inner[0])
+            }
+            Operation::Atan => {
+                let square = self.multiply(&arguments[0], &arguments[0])?;
+                let norm = self.add(&Fraction::one(), &square)?;
+                let outer = self.inverse(&norm)?;
+                self.multiply(&outer, &inner[0])
+            }
+            _ => Err(Obstacle::Outside(format!("a derivative of {}", operation.row().name))),
+        }
+    }
+}
+
+/// Fractions as coefficients of forms. The first obstacle is kept and every later result is zero, so whoever
+/// uses forms over this ring asks [`Normal::obstacle`] before believing one.
+pub struct Normal<'a> {
+    tower: &'a mut Tower,
+    coordinates: &'a [Symbol],
+    obstacle: Option<Obstacle>,
+}
+
+impl<'a> Normal<'a> {
+    /// The ring over a tower; `coordinates` gives each coordinate's variable.
+    pub fn new(tower: &'a mut Tower, coordinates: &'a [Symbol]) -> Self {
+        Normal { tower, coordinates, obstacle: None }
+    }
+
+    /// What stopped a computation, if anything did.
+    pub fn obstacle(&self) -> Option<&Obstacle> {
+        self.obstacle.as_ref()
+    }
+
+    fn keep(&mut self, result: Result<Fraction, Obstacle>) -> Fraction {
+        result.unwrap_or_else(|obstacle| {
+            self.obstacle.get_or_insert(obstacle);
+            Fraction::zero()
+        })
+    }
+}
+
+impl Coefficients for Normal<'_> {
+    type Scalar = Fraction;
+
+    fn zero(&mut self) -> Fraction {
+        Fraction::zero()
+    }
+
+    fn one(&mut self) -> Fraction {
+        Fraction::one()
+    }
+
+    fn is_zero(&self, a: &Fraction) -> bool {
+        a.is_zero()
+    }
+
+    fn add(&mut self, a: &Fraction, b: &Fraction) -> Fraction {
+        let sum = self.tower.add(a, b);
+        self.keep(sum)
+    }
+
+    fn negate(&mut self, a: &Fraction) -> Fraction {
+        self.tower.negate(a)
+    }
+
+    fn multiply(&mut self, a: &Fraction, b: &Fraction) -> Fraction {
+        let product = self.tower.multiply(a, b);
+        self.keep(product)
+    }
+
+    fn derivative(&mut self, a: &Fraction, by: Coordinate) -> Fraction {
+        let derivative = self.tower.derivative(a, self.coordinates[by.0 as usize]);
+        self.keep(derivative)
+    }
+
+    fn sum_of_products(&mut self, terms: &[(i8, &Fraction, &Fraction)]) -> Fraction {
+        let plain = terms.iter().all(|(_, a, b)| a.is_polynomial() && b.is_polynomial());
+        if plain && self.tower.relations.is_empty() {
+            let products: Vec<(i64, &Polynomial, &Polynomial)> =
+                terms.iter().map(|(sign, a, b)| (i64::from(*sign), &a.numerator, &b.numerator)).collect();
+            return Polynomial::sum_of_products(&products).into();
+        }
+        let mut sum = Fraction::zero();
+        for &(sign, a, b) in terms {
+            let product = self.multiply(a, b);
+            let signed = if sign < 0 { self.tower.negate(&product) } else { product };
+            sum = self.add(&sum, &signed);
+        }
+        sum
+    }
+}

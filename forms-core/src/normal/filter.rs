@@ -1,0 +1,132 @@
+//! The first tier: expressions evaluated modulo p = 2⁶¹ − 1 at random points of the tower.
+//!
+//! Evaluation is a homomorphism where no denominator vanishes, so an image other than zero shows that the
+//! normal form is not zero, in a few operations a node. An image of zero shows nothing; the exact walk decides.
+
+use super::fraction::Fraction;
+use super::generator::Generator;
+use super::normalise::Normalised;
+use super::tower::Tower;
+use crate::expression::{Expr, Node, Pool, Rational};
+use crate::polynomial::modular;
+use rustc_hash::FxHashMap;
+
+/// How many points are looked at for one at which every radicand is a square.
+const TRIES: u64 = 32;
+
+impl Normalised {
+    /// Which of the expressions certainly have a normal form other than zero. All `false` if no usable point
+    /// was found: the filter may only fail to help.
+    pub fn certainly_not_zero(&self, tower: &Tower, pool: &Pool) -> Vec<bool> {
+        let mut found = vec![false; self.roots().len()];
+        let mut random = Random(0x9e37_79b9_7f4a_7c15);
+        let images = (0..TRIES).filter_map(|_| self.images_at_a_point(tower, pool, &mut random)).take(2);
+        for image in images {
+            for (known, value) in found.iter_mut().zip(image) {
+                *known |= value != 0;
+            }
+        }
+        found
+    }
+
+    fn images_at_a_point(&self, tower: &Tower, pool: &Pool, random: &mut Random) -> Option<Vec<u64>> {
+        let point = point(tower, random)?;
+        let mut images: FxHashMap<Expr, u64> = FxHashMap::default();
+        for &expression in self.order() {
+            let image = match self.atoms.get(&expression) {
+                Some(atom) => image_of_fraction(tower, atom, &point)?,
+                None => image_of_node(pool.node(expression), &images)?,
+            };
+            images.insert(expression, image);
+        }
+        Some(self.roots().iter().map(|root| images[root]).collect())
+    }
+}
+
+/// Values of the generators that satisfy every relation, or nothing if a radicand is not a square there.
+fn point(tower: &Tower, random: &mut Random) -> Option<Vec<u64>> {
+    let mut values = vec![0; tower.generators.len()];
+    for number in 0..values.len() {
+        let variable = number as u32;
+        values[number] = match (tower.generator(variable), tower.relation_of(variable)) {
+            (Generator::Root { .. }, Some(relation)) => {
+                root(relation.value.evaluate_modular(&values), relation.order)?
+            }
+            (Generator::Sine(_), _) => values[number],
+            (Generator::Cosine(unit), _) => {
+                let t = random.next();
+                let (cosine, sine) = on_the_circle(t)?;
+                let partner = Generator::Sine(unit.clone());
+                if let Some(place) = tower.generators.iter().position(|g| *g == partner) {
+                    values[place] = sine;
+                }
+                cosine
+            }
+            _ => random.next(),
+        };
+    }
+    Some(values)
+}
+
+/// (1 − t²)/(1 + t²), 2t/(1 + t²)
+fn on_the_circle(t: u64) -> Option<(u64, u64)> {
+    let square = modular::mul(t, t);
+    let inverse = modular::inverse(modular::add(1, square))?;
+    Some((modular::mul(modular::sub(1, square), inverse), modular::mul(modular::add(t, t), inverse)))
+}
+
+/// A root of order 2ᵏ, taken one square root after the other.
+fn root(value: u64, order: u32) -> Option<u64> {
+    if !order.is_power_of_two() {
+        return None;
+    }
+    let mut root = value;
+    for _ in 0..order.trailing_zeros() {
+        let half = modular::sqrt(root)?;
+        root = if modular::sqrt(half).is_some() { half } else { modular::neg(half) };
+    }
+    Some(root)
+}
+
+fn image_of_fraction(tower: &Tower, fraction: &Fraction, point: &[u64]) -> Option<u64> {
+    let mut denominator = modular::from_integer(&fraction.divisor);
+    for &(factor, exponent) in &fraction.factors {
+        let value = tower.factor_polynomial(factor).evaluate_modular(point);
+        denominator = modular::mul(denominator, modular::pow(value, u64::from(exponent)));
+    }
+    let numerator = fraction.numerator.evaluate_modular(point);
+    Some(modular::mul(numerator, modular::inverse(denominator)?))
+}
+
+fn image_of_node(node: &Node, images: &FxHashMap<Expr, u64>) -> Option<u64> {
+    match node {
+        Node::Number(value) => image_of_number(value),
+        Node::Add(a, b) => Some(modular::add(images[a], images[b])),
+        Node::Negate(a) => Some(modular::neg(images[a])),
+        Node::Multiply(a, b) => Some(modular::mul(images[a], images[b])),
+        Node::Divide(a, b) => Some(modular::mul(images[a], modular::inverse(images[b])?)),
+        Node::Power(a, exponent) if exponent.is_integer() => {
+            let power = modular::pow(images[a], exponent.numer().unsigned_abs());
+            if *exponent.numer() < 0 { modular::inverse(power) } else { Some(power) }
+        }
+        _ => None,
+    }
+}
+
+fn image_of_number(value: &Rational) -> Option<u64> {
+    let denominator = modular::inverse(modular::from_integer(value.denom()))?;
+    Some(modular::mul(modular::from_integer(value.numer()), denominator))
+}
+
+/// A fixed sequence of well-mixed numbers (SplitMix64), so that the same input takes the same path.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        modular::reduce(z ^ (z >> 31))
+    }
+}

@@ -1,0 +1,29 @@
+//! Normal forms: scalar expressions as fractions over a tower of generators, which decide equality.
+//!
+//! ```text
+//! structured expressions ── normalise ──▶ Fraction = polynomial / known factors
+//!                              │  tower of generators: variables, jets, roots, circle or half-angle
+//!                              │  functions, exponentials, opaque atoms
+//!                              └─ filter: the same walk modulo a prime, at random points
+//! ```
+//! A generator is either free or bound by one relation ρⁿ = f with f in earlier generators. An expression is
+//! zero if its reduced numerator is the zero polynomial; every relation used is an identity of real functions,
+//! so a zero found here is a proof. Denominators are products of known factors and stay factored: a test for
+//! zero needs no greatest common divisor.
+
+mod angle;
+mod derivation;
+mod filter;
+mod fraction;
+mod generator;
+mod normalise;
+mod raise;
+mod root;
+mod tower;
+
+pub use derivation::Normal;
+pub use fraction::Fraction;
+pub use generator::{Generator, Unit};
+pub use normalise::{Normalised, normalise};
+pub use root::{Base, Sign, SignConstraint};
+pub use tower::{Obstacle, Tower, Trigonometry};

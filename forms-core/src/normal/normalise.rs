@@ -1,0 +1,216 @@
+//! The walk from structured expressions to fractions.
+//!
+//! First the atoms (variables, jets, roots, functions) with everything their arguments consist of, exactly:
+//! this fixes the generators. Then the rest, either exactly or, as a filter, modulo a prime.
+
+use super::fraction::Fraction;
+use super::generator::Generator;
+use super::root::SignConstraint;
+use super::tower::{Obstacle, Tower};
+use crate::expression::{Expr, FunctionId, Node, Operation, Pool, Rational};
+use num_rational::Ratio;
+use num_traits::{One, Signed};
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// How often generators may be refined before the walk is given up; each refinement splits a factor or a unit.
+const MOST_REFINEMENTS: usize = 64;
+
+/// The normal forms of some expressions over one tower, atoms first.
+#[derive(Clone, Debug)]
+pub struct Normalised {
+    order: Vec<Expr>,
+    roots: Vec<Expr>,
+    pub(super) atoms: FxHashMap<Expr, Fraction>,
+    /// What has to be non-negative for the radicands met to be so.
+    pub constraints: Vec<SignConstraint>,
+}
+
+/// Fixes the generators of some expressions.
+///
+/// # Errors
+/// An [`Obstacle`] other than [`Obstacle::Refine`] where an atom lies outside the class that is decided.
+pub fn normalise(tower: &mut Tower, pool: &Pool, roots: &[Expr]) -> Result<Normalised, Obstacle> {
+    let order = pool.reachable(roots);
+    let within_atoms = arguments_of_atoms(pool, &order);
+    for _ in 0..MOST_REFINEMENTS {
+        let mut walk = Walk { tower, pool, elements: FxHashMap::default(), constraints: Vec::new() };
+        match walk.run(&order, |expression| within_atoms.contains(&expression) || is_atom(pool, expression)) {
+            Err(Obstacle::Refine) => {}
+            Err(obstacle) => return Err(obstacle),
+            Ok(()) => {
+                let Walk { elements, constraints, .. } = walk;
+                return Ok(Normalised { order, roots: roots.to_vec(), atoms: elements, constraints });
+            }
+        }
+    }
+    Err(Obstacle::TooLarge(format!("its radicands and angles were refined {MOST_REFINEMENTS} times")))
+}
+
+impl Normalised {
+    /// The fractions of the expressions, in their order.
+    ///
+    /// # Errors
+    /// Where one divides by zero everywhere or grows beyond the limit.
+    pub fn exact(&self, tower: &mut Tower, pool: &Pool) -> Result<Vec<Fraction>, Obstacle> {
+        let mut walk = Walk { tower, pool, elements: self.atoms.clone(), constraints: Vec::new() };
+        walk.run(&self.order, |_| true)?;
+        Ok(self.roots.iter().map(|root| walk.elements[root].clone()).collect())
+    }
+
+    pub(super) fn order(&self) -> &[Expr] {
+        &self.order
+    }
+
+    pub(super) fn roots(&self) -> &[Expr] {
+        &self.roots
+    }
+}
+
+/// Whether a node is a generator or a function of one, not an operation of the field.
+fn is_atom(pool: &Pool, expression: Expr) -> bool {
+    match pool.node(expression) {
+        Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Apply(..) | Node::Jet { .. } => true,
+        Node::Power(_, exponent) => !exponent.is_integer(),
+        _ => false,
+    }
+}
+
+fn arguments_of_atoms(pool: &Pool, order: &[Expr]) -> FxHashSet<Expr> {
+    let arguments: Vec<Expr> = order
+        .iter()
+        .filter(|&&expression| is_atom(pool, expression))
+        .flat_map(|&expression| pool.node(expression).operands())
+        .collect();
+    pool.reachable(&arguments).into_iter().collect()
+}
+
+struct Walk<'a> {
+    tower: &'a mut Tower,
+    pool: &'a Pool,
+    elements: FxHashMap<Expr, Fraction>,
+    constraints: Vec<SignConstraint>,
+}
+
+impl Walk<'_> {
+    fn run(&mut self, order: &[Expr], wanted: impl Fn(Expr) -> bool) -> Result<(), Obstacle> {
+        for &expression in order {
+            if !self.elements.contains_key(&expression) && wanted(expression) {
+                let element = self.element(expression)?;
+                self.elements.insert(expression, element);
+            }
+        }
+        Ok(())
+    }
+
+    fn of(&self, operand: Expr) -> Fraction {
+        self.elements[&operand].clone()
+    }
+
+    fn element(&mut self, expression: Expr) -> Result<Fraction, Obstacle> {
+        match self.pool.node(expression) {
+            Node::Number(value) => Ok(Fraction::number(value)),
+            Node::Pi => Ok(self.tower.element(Generator::Pi)),
+            Node::Symbol(symbol) => Ok(self.tower.element(Generator::Variable(*symbol))),
+            Node::Add(a, b) => self.tower.add(&self.elements[a], &self.elements[b]),
+            Node::Negate(a) => Ok(self.tower.negate(&self.elements[a])),
+            Node::Multiply(a, b) => self.tower.multiply(&self.elements[a], &self.elements[b]),
+            Node::Divide(a, b) => {
+                let inverse = self.tower.inverse(&self.elements[b])?;
+                self.tower.multiply(&self.elements[a], &inverse)
+            }
+            Node::Power(a, exponent) => self.power(*a, *exponent),
+            Node::Apply(operation, arguments) => self.function(*operation, arguments),
+            Node::Jet { function, orders, arguments } => self.jet(*function, orders, arguments),
+            Node::Select { .. } => Err(Obstacle::Outside("an expression with `if`".into())),
+        }
+    }
+
+    fn power(&mut self, base: Expr, exponent: Ratio<i64>) -> Result<Fraction, Obstacle> {
+        let base = self.of(base);
+        if exponent.is_integer() {
+            return self.tower.integer_power(&base, *exponent.numer());
+        }
+        if base.is_zero() {
+            return if exponent.is_positive() { Ok(base) } else { Err(Obstacle::DivisionByZero) };
+        }
+        let (power, constraint) = self.tower.magnitude_power(&base, exponent)?;
+        self.constraints.push(constraint);
+        Ok(power)
+    }
+
+    fn function(&mut self, operation: Operation, arguments: &[Expr]) -> Result<Fraction, Obstacle> {
+        let argument = self.of(arguments[0]);
+        match operation {
+            Operation::Sin => Ok(self.tower.circular(&argument)?.1),
+            Operation::Cos => Ok(self.tower.circular(&argument)?.0),
+            Operation::Tan => {
+                let (cosine, sine) = self.tower.circular(&argument)?;
+                self.quotient(&sine, &cosine)
+            }
+            Operation::Exp => self.tower.exponential(&argument),
+            Operation::Sinh => Ok(self.tower.hyperbolic(&argument)?.1),
+            Operation::Cosh => Ok(self.tower.hyperbolic(&argument)?.0),
+            Operation::Tanh => {
+                let (cosh, sinh) = self.tower.hyperbolic(&argument)?;
+                self.quotient(&sinh, &cosh)
+            }
+            Operation::Abs if argument.is_zero() => Ok(argument),
+            Operation::Abs => Ok(self.tower.magnitude_power(&argument, Ratio::one())?.0),
+            Operation::Asin | Operation::Atan if argument.is_zero() => Ok(argument),
+            Operation::Log if argument.as_number().is_some_and(|value| value == Rational::one()) => {
+                Ok(Fraction::zero())
+            }
+            Operation::Asin | Operation::Acos | Operation::Atan | Operation::Atan2 | Operation::Log => {
+                self.opaque(operation, arguments)
+            }
+        }
+    }
+
+    fn quotient(&mut self, a: &Fraction, b: &Fraction) -> Result<Fraction, Obstacle> {
+        let inverse = self.tower.inverse(b)?;
+        self.tower.multiply(a, &inverse)
+    }
+
+    /// A function as a generator of its own; the same arguments give the same generator.
+    fn opaque(&mut self, operation: Operation, arguments: &[Expr]) -> Result<Fraction, Obstacle> {
+        let arguments: Vec<Fraction> = arguments.iter().map(|&a| self.of(a)).collect();
+        let fresh = Generator::Opaque { operation, arguments: arguments.clone() };
+        let generator = self.same_arguments(&arguments, fresh, |generator| match generator {
+            Generator::Opaque { operation: other, arguments } if *other == operation => Some(arguments),
+            _ => None,
+        })?;
+        Ok(self.tower.element(generator))
+    }
+
+    fn jet(&mut self, function: FunctionId, orders: &[u32], at: &[Expr]) -> Result<Fraction, Obstacle> {
+        let arguments: Vec<Fraction> = at.iter().map(|&a| self.of(a)).collect();
+        let fresh = Generator::Jet { function, orders: orders.to_vec(), arguments: arguments.clone() };
+        let generator = self.same_arguments(&arguments, fresh, |generator| match generator {
+            Generator::Jet { function: f, orders: o, arguments } if *f == function && o == orders => {
+                Some(arguments)
+            }
+            _ => None,
+        })?;
+        Ok(self.tower.element(generator))
+    }
+
+    /// A known generator of the same kind whose arguments differ by zero, or the fresh one.
+    fn same_arguments(
+        &mut self,
+        arguments: &[Fraction],
+        fresh: Generator,
+        alike: impl Fn(&Generator) -> Option<&Vec<Fraction>>,
+    ) -> Result<Generator, Obstacle> {
+        for number in 0..self.tower.generators.len() {
+            let Some(known) = alike(&self.tower.generators[number]).cloned() else { continue };
+            let mut equal = true;
+            for (a, b) in arguments.iter().zip(&known) {
+                equal = equal && self.tower.subtract(a, b)?.is_zero();
+            }
+            if equal {
+                return Ok(self.tower.generators[number].clone());
+            }
+        }
+        Ok(fresh)
+    }
+}

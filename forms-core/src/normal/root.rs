@@ -1,0 +1,313 @@
+//! Roots: radicands are written over a basis of coprime factors, with one root generator a factor.
+//!
+//! For a radicand c ∏ gᵢ^eᵢ (basis factors gᵢ, signs σᵢ with σᵢ gᵢ ≥ 0 in the region considered)
+//! |c ∏ gᵢ^eᵢ|^r = |c|^r ∏ (σᵢ gᵢ)^(r eᵢ), and (σᵢ gᵢ)^(1/n) is a generator. A factor whose sign matters and
+//! is not known is reported; whoever decides goes through the cases.
+
+use super::fraction::Fraction;
+use super::generator::Generator;
+use super::tower::{Obstacle, Tower, Trigonometry};
+use crate::polynomial::Polynomial;
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::Ratio;
+use num_traits::{One, Signed, Zero};
+
+/// The largest order of a root that is made a generator.
+const LARGEST_ORDER: u32 = 64;
+
+/// Primes up to this bound are found in the radicand of a number.
+const PRIME_BOUND: u32 = 4096;
+
+/// A factor of radicands: primitive, coprime to the others, not a constant unless a prime.
+#[derive(Clone, Debug)]
+pub struct Base {
+    /// The factor.
+    pub polynomial: Polynomial,
+    /// The order of its root: the least common multiple of those asked for.
+    pub(super) order: u32,
+    /// Whether it is replaced by finer factors.
+    pub(super) retired: bool,
+    /// The sign it has in the region considered, once that is known or assumed.
+    pub sign: Option<Sign>,
+    /// Whether its sign was needed.
+    pub sign_needed: bool,
+}
+
+/// The sign of a factor in a region, zero allowed: σ with σ g ≥ 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// g ≥ 0
+    Positive,
+    /// g ≤ 0
+    Negative,
+}
+
+/// A product of a number and basis factors: its sign and the factors that occur to an odd power.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SignConstraint {
+    /// Whether the number in front is negative.
+    pub negative: bool,
+    /// The bases to an odd power.
+    pub odd: Vec<usize>,
+    /// The bases to any other power: they only matter where they vanish.
+    pub other: Vec<usize>,
+}
+
+/// c ∏ gᵢ^eᵢ with rational eᵢ.
+struct Factored {
+    constant: BigInt,
+    powers: Vec<(usize, Ratio<i64>)>,
+}
+
+impl Factored {
+    fn raise(&mut self, base: usize, exponent: Ratio<i64>) {
+        match self.powers.iter_mut().find(|power| power.0 == base) {
+            Some(power) => power.1 += exponent,
+            None => self.powers.push((base, exponent)),
+        }
+    }
+
+    fn constraint(&self) -> SignConstraint {
+        let is_odd = |power: &Ratio<i64>| power.is_integer() && power.numer().is_odd();
+        let (odd, other): (Vec<_>, Vec<_>) = self.powers.iter().partition(|power| is_odd(&power.1));
+        let numbers = |powers: Vec<(usize, Ratio<i64>)>| powers.into_iter().map(|power| power.0).collect();
+        SignConstraint { negative: self.constant.is_negative(), odd: numbers(odd), other: numbers(other) }
+    }
+}
+
+impl Tower {
+    /// |q|^r for q ≠ 0, with the sign constraint of q itself.
+    pub(super) fn magnitude_power(
+        &mut self,
+        q: &Fraction,
+        r: Ratio<i64>,
+    ) -> Result<(Fraction, SignConstraint), Obstacle> {
+        let mut factored = self.factor_radicand(q)?;
+        let constraint = factored.constraint();
+        self.factor_constant(&mut factored, &q.divisor);
+        let mut result = Fraction::one();
+        for (base, exponent) in factored.powers {
+            let power = self.base_power(base, exponent * r)?;
+            result = self.multiply(&result, &power)?;
+        }
+        Ok((result, constraint))
+    }
+
+    /// The sign constraint of an element over the bases known so far.
+    pub fn sign_constraint(&mut self, q: &Fraction) -> Result<SignConstraint, Obstacle> {
+        Ok(self.factor_radicand(q)?.constraint())
+    }
+
+    /// (σ g)^e by the root of g, or by g itself where e is an integer.
+    fn base_power(&mut self, base: usize, exponent: Ratio<i64>) -> Result<Fraction, Obstacle> {
+        let order = u32::try_from(*exponent.denom()).ok().filter(|n| *n <= LARGEST_ORDER);
+        let order =
+            order.ok_or_else(|| Obstacle::Outside(format!("a root of order {}", exponent.denom())))?;
+        if !self.bases[base].order.is_multiple_of(order) {
+            self.bases[base].order = self.bases[base].order.lcm(&order);
+            return Err(Obstacle::Refine);
+        }
+        let negative = self.base_is_negative(base, exponent);
+        let order = self.bases[base].order;
+        if exponent.is_integer() {
+            let polynomial = &self.bases[base].polynomial;
+            let signed = if negative { polynomial.neg() } else { polynomial.clone() };
+            return self.integer_power(&signed.into(), *exponent.numer());
+        }
+        let root = self.root(base, order, negative);
+        let times = (exponent * Ratio::from_integer(i64::from(order))).to_integer();
+        self.integer_power(&root, times)
+    }
+
+    /// Whether −g is the positive one; asks for the sign unless an even power makes it irrelevant.
+    fn base_is_negative(&mut self, base: usize, exponent: Ratio<i64>) -> bool {
+        if self.bases[base].polynomial.as_constant().is_some() {
+            return false;
+        }
+        if exponent.is_integer() && exponent.numer().is_even() {
+            return false;
+        }
+        self.bases[base].sign_needed = true;
+        self.bases[base].sign == Some(Sign::Negative)
+    }
+
+    fn root(&mut self, base: usize, order: u32, negated: bool) -> Fraction {
+        let polynomial = &self.bases[base].polynomial;
+        let value = if negated { polynomial.neg() } else { polynomial.clone() };
+        let variable = self.variable_of(Generator::Root { base, order, negated });
+        self.bind(variable, order, value);
+        Polynomial::variable(variable).into()
+    }
+
+    /// Numerator and denominator over the basis of radicands; new factors join it.
+    fn factor_radicand(&mut self, q: &Fraction) -> Result<Factored, Obstacle> {
+        let mut factored = Factored { constant: BigInt::one(), powers: Vec::new() };
+        self.factor_polynomial_into(&q.numerator, Ratio::one(), &mut factored)?;
+        for &(factor, exponent) in &q.factors {
+            let polynomial = self.factor_polynomial(factor).clone();
+            self.factor_polynomial_into(
+                &polynomial,
+                -Ratio::from_integer(i64::from(exponent)),
+                &mut factored,
+            )?;
+        }
+        factored.powers.retain(|power| !power.1.is_zero());
+        Ok(factored)
+    }
+
+    fn factor_polynomial_into(
+        &mut self,
+        polynomial: &Polynomial,
+        exponent: Ratio<i64>,
+        factored: &mut Factored,
+    ) -> Result<(), Obstacle> {
+        let variables = polynomial.variables();
+        if self.trigonometry == Trigonometry::Circle && variables.iter().any(|&v| self.is_trigonometric(v)) {
+            self.trigonometry = Trigonometry::HalfAngle;
+            return Err(Obstacle::Refine);
+        }
+        let bound: Vec<u32> = variables.iter().copied().filter(|&v| self.relation_of(v).is_some()).collect();
+        let monomial = polynomial.monomial_content();
+        let primitive = polynomial.primitive_part();
+        let rest = primitive.divide_by_monomial(&monomial).unwrap_or(primitive);
+        let (content, parts) = if bound.iter().any(|&v| rest.contains(v)) {
+            (BigInt::one(), vec![(rest, 1)])
+        } else {
+            rest.square_free()
+        };
+        let sign = if polynomial.leading_coefficient().is_negative() { -1 } else { 1 };
+        let constant = polynomial.content() * sign * content.abs();
+        self.multiply_constant(factored, &constant, exponent);
+        for (variable, power) in monomial {
+            let power = exponent * Ratio::from_integer(i64::from(power));
+            self.raise_variable(variable, power, factored)?;
+        }
+        for (part, power) in parts {
+            if part.as_constant().is_none() {
+                let power = exponent * Ratio::from_integer(i64::from(power));
+                self.raise_part(&part, power, factored)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The constant of a denominator goes to the numerator with the same sign and the same root.
+    fn multiply_constant(&mut self, factored: &mut Factored, constant: &BigInt, exponent: Ratio<i64>) {
+        if constant.is_negative() && exponent.numer().is_odd() {
+            factored.constant = -&factored.constant;
+        }
+        if exponent.is_integer() && exponent.is_positive() {
+            factored.constant *= num_traits::pow(constant.abs(), *exponent.numer() as usize);
+        } else if !constant.abs().is_one() {
+            self.raise_number(&constant.abs(), exponent, factored);
+        }
+    }
+
+    /// A generator in a radicand: ρ^k is g^(k/n) for a root, any other is a factor of its own.
+    fn raise_variable(
+        &mut self,
+        variable: u32,
+        exponent: Ratio<i64>,
+        factored: &mut Factored,
+    ) -> Result<(), Obstacle> {
+        if let Generator::Root { base, order, .. } = *self.generator(variable) {
+            factored.raise(base, exponent / Ratio::from_integer(i64::from(order)));
+            return Ok(());
+        }
+        self.raise_part(&Polynomial::variable(variable), exponent, factored)
+    }
+
+    /// A squarefree factor: equal to a base, coprime to all, or a reason to split one.
+    fn raise_part(
+        &mut self,
+        part: &Polynomial,
+        exponent: Ratio<i64>,
+        factored: &mut Factored,
+    ) -> Result<(), Obstacle> {
+        let mut rest = part.clone();
+        for base in 0..self.bases.len() {
+            if self.bases[base].retired || rest.as_constant().is_some() {
+                continue;
+            }
+            let common = self.bases[base].polynomial.gcd(&rest);
+            if common.as_constant().is_some() {
+                continue;
+            }
+            if common != self.bases[base].polynomial {
+                self.split_base(base, &common);
+                return Err(Obstacle::Refine);
+            }
+            rest = rest.divide_exact(&common).unwrap_or(rest);
+            factored.raise(base, exponent);
+        }
+        if rest.as_constant().is_none() {
+            let base = self.add_base(rest);
+            factored.raise(base, exponent);
+        } else if rest.leading_coefficient().is_negative() && exponent.numer().is_odd() {
+            factored.constant = -&factored.constant;
+        }
+        Ok(())
+    }
+
+    fn split_base(&mut self, base: usize, common: &Polynomial) {
+        self.bases[base].retired = true;
+        let cofactor = self.bases[base].polynomial.divide_exact(common);
+        self.add_base(common.clone());
+        if let Some(cofactor) = cofactor {
+            self.add_base(cofactor.primitive_part());
+        }
+    }
+
+    fn add_base(&mut self, polynomial: Polynomial) -> usize {
+        let known = self.bases.iter().position(|base| !base.retired && base.polynomial == polynomial);
+        known.unwrap_or_else(|| {
+            self.bases.push(Base { polynomial, order: 1, retired: false, sign: None, sign_needed: false });
+            self.bases.len() - 1
+        })
+    }
+
+    /// The numbers in front, numerator over divisor, as powers of primes.
+    fn factor_constant(&mut self, factored: &mut Factored, divisor: &BigInt) {
+        let constant = factored.constant.abs();
+        self.raise_number(&constant, Ratio::one(), factored);
+        self.raise_number(divisor, -Ratio::one(), factored);
+        factored.powers.retain(|power| !power.1.is_zero());
+    }
+
+    fn raise_number(&mut self, number: &BigInt, exponent: Ratio<i64>, factored: &mut Factored) {
+        for (prime, power) in prime_powers(number) {
+            let base = self.add_base(Polynomial::constant(prime));
+            factored.raise(base, exponent * Ratio::from_integer(i64::from(power)));
+        }
+    }
+}
+
+/// A positive number as a product of small primes and a rest that is reduced to its root if it is a power.
+fn prime_powers(number: &BigInt) -> Vec<(BigInt, u32)> {
+    let mut rest = number.clone();
+    let mut powers = Vec::new();
+    for prime in 2..PRIME_BOUND {
+        if rest.is_one() {
+            break;
+        }
+        let prime = BigInt::from(prime);
+        let mut power = 0;
+        while rest.is_multiple_of(&prime) {
+            rest /= &prime;
+            power += 1;
+        }
+        if power > 0 {
+            powers.push((prime, power));
+        }
+    }
+    if !rest.is_one() {
+        let square = rest.sqrt();
+        if &square * &square == rest {
+            powers.push((square, 2));
+        } else {
+            powers.push((rest, 1));
+        }
+    }
+    powers
+}

@@ -1,0 +1,210 @@
+//! The tower: the generators in use, the relations that bind some of them, and the known factors.
+
+use super::fraction::Fraction;
+use super::generator::{FactorId, Generator, Quantity};
+use super::root::{Base, Sign};
+use crate::polynomial::Polynomial;
+use num_traits::Signed;
+use rustc_hash::FxHashMap;
+
+/// Term products one statement may cost before its normal form is given up, about ten seconds of work.
+const WORK_LIMIT: u64 = 400_000_000;
+
+/// Why an expression has no normal form here.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Obstacle {
+    /// A generator has to be chosen finer (a half angle, a factor of a radicand); the walk starts again.
+    Refine,
+    /// It divides by something that is zero everywhere.
+    DivisionByZero,
+    /// A part lies outside the class that is decided; the text says which.
+    Outside(String),
+    /// The normal form is too large; the text names the limit.
+    TooLarge(String),
+}
+
+/// How sines and cosines are represented.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trigonometry {
+    /// By c and s with s² = 1 − c²: small and readable, but not a ring with unique factorisation.
+    Circle,
+    /// By t = tan(u/2), in which radicands can be factored.
+    HalfAngle,
+}
+
+/// ρⁿ = value
+#[derive(Clone, Debug)]
+pub(super) struct Relation {
+    pub(super) variable: u32,
+    pub(super) order: u32,
+    pub(super) value: Polynomial,
+}
+
+/// The generators, relations and factors that the fractions of one comparison refer to.
+#[derive(Clone, Debug)]
+pub struct Tower {
+    pub(super) generators: Vec<Generator>,
+    numbers: FxHashMap<Generator, u32>,
+    pub(super) factors: Vec<Polynomial>,
+    factor_numbers: FxHashMap<Polynomial, FactorId>,
+    pub(super) relations: Vec<Relation>,
+    pub(super) bases: Vec<Base>,
+    pub(super) divisors: FxHashMap<Quantity, u32>,
+    pub(super) trigonometry: Trigonometry,
+    work: u64,
+}
+
+impl Tower {
+    /// A tower without generators.
+    pub fn new(trigonometry: Trigonometry) -> Self {
+        Tower {
+            generators: Vec::new(),
+            numbers: FxHashMap::default(),
+            factors: Vec::new(),
+            factor_numbers: FxHashMap::default(),
+            relations: Vec::new(),
+            bases: Vec::new(),
+            divisors: FxHashMap::default(),
+            trigonometry,
+            work: 0,
+        }
+    }
+
+    /// How many generators there are.
+    pub fn generator_count(&self) -> u32 {
+        self.generators.len() as u32
+    }
+
+    /// The bases of radicands in use, by their numbers.
+    pub fn bases(&self) -> impl Iterator<Item = (usize, &Base)> {
+        self.bases.iter().enumerate().filter(|(_, base)| !base.retired)
+    }
+
+    /// How sines and cosines are represented so far.
+    pub fn trigonometry(&self) -> Trigonometry {
+        self.trigonometry
+    }
+
+    /// Whether a sine, cosine or half-angle tangent occurs in a fraction.
+    pub fn mentions_trigonometry(&self, fraction: &Fraction) -> bool {
+        let factors = fraction.factors.iter().map(|(factor, _)| self.factor_polynomial(*factor));
+        std::iter::once(&fraction.numerator)
+            .chain(factors)
+            .any(|polynomial| polynomial.variables().into_iter().any(|v| self.is_trigonometric(v)))
+    }
+
+    /// Forgets which signs were needed, so that the next walk tells.
+    pub fn forget_needs(&mut self) {
+        self.bases.iter_mut().for_each(|base| base.sign_needed = false);
+    }
+
+    /// Sets the sign that a base of radicands has in the region considered.
+    pub fn assume_sign(&mut self, base: usize, sign: Sign) {
+        self.bases[base].sign = Some(sign);
+    }
+
+    /// What a polynomial variable stands for.
+    pub fn generator(&self, variable: u32) -> &Generator {
+        &self.generators[variable as usize]
+    }
+
+    /// The polynomial variable of a generator, new if it has none yet.
+    pub(super) fn variable_of(&mut self, generator: Generator) -> u32 {
+        if let Some(&known) = self.numbers.get(&generator) {
+            return known;
+        }
+        let fresh = self.generators.len() as u32;
+        self.generators.push(generator.clone());
+        self.numbers.insert(generator, fresh);
+        fresh
+    }
+
+    /// A generator as a fraction.
+    pub fn element(&mut self, generator: Generator) -> Fraction {
+        let variable = self.variable_of(generator);
+        Fraction::from(Polynomial::variable(variable))
+    }
+
+    /// Binds a generator by ρⁿ = value, once.
+    pub(super) fn bind(&mut self, variable: u32, order: u32, value: Polynomial) {
+        if self.relation_of(variable).is_none() {
+            self.relations.push(Relation { variable, order, value });
+        }
+    }
+
+    pub(super) fn relation_of(&self, variable: u32) -> Option<&Relation> {
+        self.relations.iter().find(|relation| relation.variable == variable)
+    }
+
+    /// Whether a generator is one of sine, cosine and half-angle tangent.
+    pub(super) fn is_trigonometric(&self, variable: u32) -> bool {
+        matches!(
+            self.generator(variable),
+            Generator::Cosine(_) | Generator::Sine(_) | Generator::HalfTangent(_)
+        )
+    }
+
+    /// The number of a primitive factor with positive leading coefficient.
+    pub(super) fn factor(&mut self, polynomial: Polynomial) -> FactorId {
+        debug_assert!(polynomial.leading_coefficient().is_positive());
+        if let Some(&known) = self.factor_numbers.get(&polynomial) {
+            return known;
+        }
+        let fresh = FactorId(self.factors.len() as u32);
+        self.factors.push(polynomial.clone());
+        self.factor_numbers.insert(polynomial, fresh);
+        fresh
+    }
+
+    pub(super) fn factor_polynomial(&self, factor: FactorId) -> &Polynomial {
+        &self.factors[factor.0 as usize]
+    }
+
+    /// The variable a factor consists of, if it is a single one.
+    pub(super) fn factor_variable(&self, factor: FactorId) -> Option<u32> {
+        let polynomial = self.factor_polynomial(factor);
+        if polynomial.term_count() != 1 {
+            return None;
+        }
+        match polynomial.monomial_content().as_slice() {
+            [(variable, 1)] => Some(*variable),
+            _ => None,
+        }
+    }
+
+    /// Writes a polynomial in reduced form: every bound generator below the order of its relation.
+    pub(super) fn reduce(&self, polynomial: Polynomial) -> Polynomial {
+        let mut reduced = polynomial;
+        while let Some(relation) =
+            self.relations.iter().rev().find(|relation| reduced.degree(relation.variable) >= relation.order)
+        {
+            reduced = reduce_by(&reduced, relation);
+        }
+        reduced
+    }
+
+    /// Counts the work of a product before it is done.
+    pub(super) fn charge(&mut self, a: &Polynomial, b: &Polynomial) -> Result<(), Obstacle> {
+        self.work += (a.term_count() as u64).saturating_mul(b.term_count() as u64);
+        if self.work > WORK_LIMIT {
+            return Err(Obstacle::TooLarge(format!("it takes more than {WORK_LIMIT} products of terms")));
+        }
+        Ok(())
+    }
+}
+
+/// Σ A_k ρᵏ with k = q n + r becomes Σ A_k f^q ρʳ.
+fn reduce_by(polynomial: &Polynomial, relation: &Relation) -> Polynomial {
+    let mut powers: Vec<Polynomial> = vec![Polynomial::one()];
+    let mut sum = Polynomial::zero();
+    for (exponent, coefficient) in polynomial.coefficients_in(relation.variable) {
+        let (quotient, rest) = ((exponent / relation.order) as usize, exponent % relation.order);
+        while powers.len() <= quotient {
+            powers.push(powers[powers.len() - 1].mul(&relation.value));
+        }
+        let term = coefficient.mul(&powers[quotient]);
+        let term = if rest > 0 { term.multiply_by_monomial(&[(relation.variable, rest)]) } else { term };
+        sum = sum.add(&term);
+    }
+    sum
+}

@@ -1,0 +1,194 @@
+//! Sums, differences and integer multiples: merges of sorted terms.
+
+use super::Polynomial;
+use super::coefficient::{Coefficient, Coefficients, Rung, on_rung};
+use super::monomial::{Layout, compare};
+use num_bigint::BigInt;
+use num_traits::{One, ToPrimitive, Zero};
+use std::cmp::Ordering;
+
+impl Polynomial {
+    /// f + g
+    pub fn add(&self, other: &Self) -> Self {
+        if self.is_zero() {
+            return other.clone();
+        }
+        self.combine(other, false)
+    }
+
+    /// f − g
+    pub fn sub(&self, other: &Self) -> Self {
+        if self.is_zero() {
+            return other.neg();
+        }
+        self.combine(other, true)
+    }
+
+    /// −f
+    pub fn neg(&self) -> Self {
+        // −(−2⁶³) leaves its rung and 2⁶³ enters another one by its sign: scaling settles that.
+        self.scale_small(-1)
+    }
+
+    /// c·f
+    pub fn scale(&self, factor: &BigInt) -> Self {
+        match factor.to_i64() {
+            Some(factor) => self.scale_small(factor),
+            None => self.scale_on_rung::<BigInt>(factor),
+        }
+    }
+
+    fn scale_small(&self, factor: i64) -> Self {
+        if factor == 0 {
+            return Self::zero();
+        }
+        if factor == 1 {
+            return self.clone();
+        }
+        let largest = self.coefficients.norms().largest;
+        let bound = largest.and_then(|largest| largest.checked_mul(u128::from(factor.unsigned_abs())));
+        on_rung!(Rung::for_bound(bound), C => self.scale_on_rung::<C>(&C::from(factor)))
+    }
+
+    fn scale_on_rung<C: Coefficient>(&self, factor: &C) -> Self {
+        let numbers = C::view(&self.coefficients);
+        let mut scaled = Vec::with_capacity(numbers.len());
+        for number in numbers.iter() {
+            scaled.push(number.times(factor));
+        }
+        Polynomial { layout: self.layout, monomials: self.monomials.clone(), coefficients: C::settle(scaled) }
+    }
+
+    fn combine(&self, other: &Self, subtract: bool) -> Self {
+        if other.is_zero() {
+            return self.clone();
+        }
+        let layout = self.layout.join(other.layout);
+        let left = self.coefficients.norms().largest;
+        let right = other.coefficients.norms().largest;
+        let bound = left.zip(right).and_then(|(left, right)| left.checked_add(right));
+        let monomials = (self.monomials_on(layout), other.monomials_on(layout));
+        on_rung!(Rung::for_bound(bound), C => {
+            let left = (&*monomials.0, &*C::view(&self.coefficients));
+            let right = (&*monomials.1, &*C::view(&other.coefficients));
+            merge(layout, left, right, subtract)
+        })
+    }
+}
+
+/// The sum or difference of packed terms in decreasing order.
+fn merge<C: Coefficient>(
+    layout: Layout,
+    left: (&[u64], &[C]),
+    right: (&[u64], &[C]),
+    subtract: bool,
+) -> Polynomial {
+    let words = layout.words;
+    let (left_count, right_count) = (left.1.len(), right.1.len());
+    let mut monomials = Vec::with_capacity((left_count + right_count) * words);
+    let mut coefficients: Vec<C> = Vec::with_capacity(left_count + right_count);
+    let signed = |number: &C| if subtract { number.negated() } else { number.clone() };
+    let (mut i, mut j) = (0, 0);
+    while i < left_count && j < right_count {
+        let a = &left.0[i * words..(i + 1) * words];
+        let b = &right.0[j * words..(j + 1) * words];
+        match compare(a, b) {
+            Ordering::Greater => {
+                monomials.extend_from_slice(a);
+                coefficients.push(left.1[i].clone());
+                i += 1;
+            }
+            Ordering::Less => {
+                monomials.extend_from_slice(b);
+                coefficients.push(signed(&right.1[j]));
+                j += 1;
+            }
+            Ordering::Equal => {
+                let sum = if subtract { left.1[i].minus(&right.1[j]) } else { left.1[i].plus(&right.1[j]) };
+                if !sum.is_zero() {
+                    monomials.extend_from_slice(a);
+                    coefficients.push(sum);
+                }
+                i += 1;
+                j += 1;
+            }
+        }
+    }
+    monomials.extend_from_slice(&left.0[i * words..]);
+    coefficients.extend_from_slice(&left.1[i..]);
+    monomials.extend_from_slice(&right.0[j * words..]);
+    while j < right_count {
+        coefficients.push(signed(&right.1[j]));
+        j += 1;
+    }
+    Polynomial::settle(layout, monomials, coefficients)
+}
+
+macro_rules! operator {
+    ($trait:ident, $method:ident) => {
+        impl std::ops::$trait<&Polynomial> for &Polynomial {
+            type Output = Polynomial;
+            fn $method(self, other: &Polynomial) -> Polynomial {
+                Polynomial::$method(self, other)
+            }
+        }
+        impl std::ops::$trait for Polynomial {
+            type Output = Polynomial;
+            fn $method(self, other: Polynomial) -> Polynomial {
+                Polynomial::$method(&self, &other)
+            }
+        }
+    };
+}
+
+operator!(Add, add);
+operator!(Sub, sub);
+operator!(Mul, mul);
+
+impl std::ops::Neg for &Polynomial {
+    type Output = Polynomial;
+    fn neg(self) -> Polynomial {
+        Polynomial::neg(self)
+    }
+}
+
+impl std::ops::Neg for Polynomial {
+    type Output = Polynomial;
+    fn neg(self) -> Polynomial {
+        Polynomial::neg(&self)
+    }
+}
+
+impl Zero for Polynomial {
+    fn zero() -> Self {
+        Polynomial::zero()
+    }
+    fn is_zero(&self) -> bool {
+        Polynomial::is_zero(self)
+    }
+}
+
+impl One for Polynomial {
+    fn one() -> Self {
+        Polynomial::one()
+    }
+}
+
+impl From<i64> for Polynomial {
+    fn from(number: i64) -> Self {
+        Polynomial::integer(number)
+    }
+}
+
+impl Coefficients {
+    /// Divides every coefficient by a common divisor.
+    pub(super) fn divided_by(&self, divisor: &BigInt) -> Coefficients {
+        match (self, divisor.to_i64()) {
+            (Coefficients::Small(numbers), Some(divisor)) => {
+                // −2⁶³/(−1) is met nowhere: contents are positive.
+                Coefficients::Small(numbers.iter().map(|number| number / divisor).collect())
+            }
+            _ => BigInt::settle(BigInt::view(self).iter().map(|number| number / divisor).collect()),
+        }
+    }
+}

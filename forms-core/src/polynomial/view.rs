@@ -1,0 +1,151 @@
+//! Rearrangements: derivatives, substitution, and the polynomial as one in some of its variables.
+
+use super::Polynomial;
+use super::coefficient::Coefficient;
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::Signed;
+use std::collections::BTreeMap;
+
+impl Polynomial {
+    /// ∂f/∂x
+    pub fn derivative(&self, variable: u32) -> Self {
+        let Some((word, shift)) = self.layout.field(variable) else { return Self::zero() };
+        let mut monomials = Vec::with_capacity(self.monomials.len());
+        let mut coefficients = Vec::with_capacity(self.term_count());
+        for term in 0..self.term_count() {
+            let exponent = self.layout.exponent(self.monomial(term), variable);
+            if exponent != 0 {
+                let start = monomials.len();
+                monomials.extend_from_slice(self.monomial(term));
+                monomials[start + word] -= 1 << shift;
+                coefficients.push(self.coefficients.get(term) * exponent);
+            }
+        }
+        Self::settle::<BigInt>(self.layout, monomials, coefficients)
+    }
+
+    /// The positive greatest common divisor of the coefficients; 0 for 0.
+    pub fn content(&self) -> BigInt {
+        let mut content = BigInt::ZERO;
+        for coefficient in BigInt::view(&self.coefficients).iter() {
+            content = content.gcd(coefficient);
+        }
+        content
+    }
+
+    /// f divided by its content and by the sign of its leading coefficient; 0 for 0.
+    pub fn primitive_part(&self) -> Self {
+        if self.is_zero() {
+            return Self::zero();
+        }
+        let positive = Polynomial {
+            layout: self.layout,
+            monomials: self.monomials.clone(),
+            coefficients: self.coefficients.divided_by(&self.content()),
+        };
+        if positive.is_negative() { positive.neg() } else { positive }
+    }
+
+    /// The greatest monomial that divides every term; 1 for 0.
+    pub fn monomial_content(&self) -> Vec<(u32, u32)> {
+        let mut common: Option<Vec<(u32, u32)>> = None;
+        for term in 0..self.term_count() {
+            let monomial = self.monomial(term);
+            let mut content = match common {
+                None => self.layout.unpack(monomial),
+                Some(content) => content,
+            };
+            for (variable, exponent) in &mut content {
+                *exponent = (*exponent).min(self.layout.exponent(monomial, *variable));
+            }
+            content.retain(|&(_, exponent)| exponent != 0);
+            common = Some(content);
+        }
+        common.unwrap_or_default()
+    }
+
+    /// f·m
+    ///
+    /// # Panics
+    /// If an exponent of the product is beyond 2³¹ − 1.
+    pub fn multiply_by_monomial(&self, monomial: &[(u32, u32)]) -> Self {
+        self.mul(&Self::from_terms([(monomial.to_vec(), BigInt::from(1))]))
+    }
+
+    /// f/m, where m divides every term.
+    pub fn divide_by_monomial(&self, monomial: &[(u32, u32)]) -> Option<Self> {
+        let mut monomials = self.monomials.clone();
+        for &(variable, exponent) in monomial {
+            if exponent == 0 || self.is_zero() {
+                continue;
+            }
+            let (word, shift) = self.layout.field(variable)?;
+            for term in 0..self.term_count() {
+                let place = &mut monomials[term * self.layout.words + word];
+                if (*place >> shift & self.layout.mask()) < u64::from(exponent) {
+                    return None;
+                }
+                *place -= u64::from(exponent) << shift;
+            }
+        }
+        let mut quotient =
+            Polynomial { layout: self.layout, monomials, coefficients: self.coefficients.clone() };
+        quotient.narrow();
+        Some(quotient)
+    }
+
+    /// f as a polynomial in one variable: its powers with their coefficients, highest power first.
+    pub fn coefficients_in(&self, variable: u32) -> Vec<(u32, Polynomial)> {
+        let parts = self.split_by(&[variable]);
+        parts.into_iter().map(|(exponents, part)| (exponents[0], part)).collect()
+    }
+
+    /// f as a polynomial in some variables: the exponents of these (in the order given) with their
+    /// coefficients, in decreasing lexicographic order of the exponents.
+    pub fn split_by(&self, variables: &[u32]) -> Vec<(Vec<u32>, Polynomial)> {
+        let mut groups: BTreeMap<Vec<u32>, (Vec<u64>, Vec<BigInt>)> = BTreeMap::new();
+        for term in 0..self.term_count() {
+            let monomial = self.monomial(term);
+            let exponents =
+                variables.iter().map(|&variable| self.layout.exponent(monomial, variable)).collect();
+            let (monomials, coefficients) = groups.entry(exponents).or_default();
+            let start = monomials.len();
+            monomials.extend_from_slice(monomial);
+            for &variable in variables {
+                if let Some((word, shift)) = self.layout.field(variable) {
+                    monomials[start + word] &= !(self.layout.mask() << shift);
+                }
+            }
+            coefficients.push(self.coefficients.get(term));
+        }
+        let parts = groups.into_iter().rev();
+        parts
+            .map(|(exponents, (monomials, coefficients))| {
+                (exponents, Self::settle(self.layout, monomials, coefficients))
+            })
+            .collect()
+    }
+
+    /// f with a polynomial in the place of a variable, by Horner's rule.
+    ///
+    /// # Panics
+    /// If an exponent of the result is beyond 2³¹ − 1.
+    pub fn substitute(&self, variable: u32, value: &Polynomial) -> Self {
+        let mut result = Self::zero();
+        let mut height = 0;
+        for (exponent, coefficient) in self.coefficients_in(variable) {
+            if !result.is_zero() {
+                result = result.mul(&value.pow(height - exponent));
+            }
+            result = result.add(&coefficient);
+            height = exponent;
+        }
+        if height == 0 { result } else { result.mul(&value.pow(height)) }
+    }
+
+    /// |c| for every coefficient is at most this; 0 for 0.
+    pub fn largest_coefficient(&self) -> BigInt {
+        BigInt::view(&self.coefficients).iter().map(Signed::abs).max().unwrap_or_default()
+    }
+}

@@ -1,0 +1,196 @@
+//! The operators on values: sums of one type, products of scalars with anything, the wedge, powers.
+
+use super::evaluation::{Evaluated, Evaluator};
+use super::value::Value;
+use crate::calculus::{Form, wedge};
+use crate::diagnostic::{Diagnostic, Span};
+use crate::expression::{Expr, Operation};
+use crate::syntax::ast::{self, Binary, Relation};
+use num_rational::Ratio;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+/// The largest numerator and denominator of an exponent.
+const LARGEST_EXPONENT: i64 = 1_000_000;
+
+impl Evaluator<'_> {
+    pub(super) fn negated(&mut self, value: Value) -> Value {
+        match value {
+            Value::Zero => Value::Zero,
+            Value::Scalar(a) => Value::Scalar(self.theory.pool.negate(a)),
+            Value::Form(w) => Value::Form(w.negate(&mut self.ring())),
+            Value::Field(x) => Value::Field(x.negate(&mut self.ring())),
+        }
+    }
+
+    pub(super) fn binary(
+        &mut self,
+        operator: Binary,
+        place: Span,
+        (left, left_span): (Value, Span),
+        right: &ast::Expr,
+    ) -> Evaluated<Value> {
+        if operator == Binary::Power {
+            return self.power((left, left_span), right);
+        }
+        let right_value = self.value(right)?;
+        match operator {
+            Binary::Add => self.sum(left, right_value, place),
+            Binary::Subtract => {
+                let negated = self.negated(right_value);
+                self.sum(left, negated, place)
+            }
+            Binary::Multiply => self.product(left, right_value, place),
+            Binary::Divide => self.quotient(left, right_value, right.span),
+            Binary::Wedge => self.wedge_product(left, right_value, place),
+            Binary::Power => Ok(left),
+        }
+    }
+
+    pub(super) fn sum(&mut self, left: Value, right: Value, place: Span) -> Evaluated<Value> {
+        match (left, right) {
+            (Value::Zero, other) | (other, Value::Zero) => Ok(other),
+            (Value::Scalar(a), Value::Scalar(b)) => Ok(Value::Scalar(self.theory.pool.add(a, b))),
+            (Value::Form(a), Value::Form(b)) if a.degree() == b.degree() => {
+                Ok(Value::Form(a.add(&mut self.ring(), &b)))
+            }
+            (Value::Field(a), Value::Field(b)) => Ok(Value::Field(a.add(&mut self.ring(), &b))),
+            (a, b) => Err(unlike(&a, &b, "add", place)),
+        }
+    }
+
+    fn product(&mut self, left: Value, right: Value, place: Span) -> Evaluated<Value> {
+        match (left, right) {
+            (Value::Zero, other) | (other, Value::Zero) => Ok(self.zero_like(&other)),
+            (Value::Scalar(a), Value::Scalar(b)) => Ok(Value::Scalar(self.theory.pool.multiply(a, b))),
+            (Value::Scalar(a), Value::Form(w)) => Ok(Value::Form(w.scale(&mut self.ring(), &a))),
+            (Value::Form(w), Value::Scalar(a)) => {
+                let scaled = w.map(&mut self.ring(), |ring, value| ring.pool.multiply(*value, a));
+                Ok(Value::Form(scaled))
+            }
+            (Value::Scalar(a), Value::Field(x)) | (Value::Field(x), Value::Scalar(a)) => {
+                Ok(Value::Field(x.scale(&mut self.ring(), &a)))
+            }
+            (Value::Form(_), Value::Form(_)) => {
+                Err(Diagnostic::new(place, "`*` multiplies by scalars, and both sides are forms")
+                    .with_help("use ^, the wedge product"))
+            }
+            (a, b) => Err(Diagnostic::new(place, format!("cannot multiply {} by {}", a.kind(), b.kind()))),
+        }
+    }
+
+    /// 0 times something has the type of that thing.
+    fn zero_like(&mut self, value: &Value) -> Value {
+        match value {
+            Value::Zero => Value::Zero,
+            Value::Scalar(_) => Value::Scalar(self.zero()),
+            Value::Form(form) => Value::Form(Form::zero(form.degree())),
+            Value::Field(_) => Value::Field(crate::calculus::Field::zero()),
+        }
+    }
+
+    fn quotient(&mut self, left: Value, right: Value, right_span: Span) -> Evaluated<Value> {
+        let divisor = match right {
+            Value::Scalar(divisor) if !self.theory.pool.is_zero(divisor) => divisor,
+            Value::Zero | Value::Scalar(_) => {
+                return Err(Diagnostic::new(right_span, "division by zero"));
+            }
+            Value::Form(form) if form.is_zero() => {
+                return Err(Diagnostic::new(
+                    right_span,
+                    format!("division by a {}-form that is zero", form.degree()),
+                )
+                .with_help("only scalars divide; take a coefficient with `w[dx]` first"));
+            }
+            other => {
+                return Err(Diagnostic::new(right_span, format!("cannot divide by {}", other.kind()))
+                    .with_help("only scalars divide; take a coefficient with `w[dx]` first"));
+            }
+        };
+        self.require(divisor, Relation::NotEqual);
+        Ok(match left {
+            Value::Zero => Value::Zero,
+            Value::Scalar(a) => Value::Scalar(self.theory.pool.divide(a, divisor)),
+            Value::Form(w) => {
+                Value::Form(w.map(&mut self.ring(), |ring, value| ring.pool.divide(*value, divisor)))
+            }
+            Value::Field(x) => {
+                Value::Field(x.map(&mut self.ring(), |ring, value| ring.pool.divide(*value, divisor)))
+            }
+        })
+    }
+
+    fn wedge_product(&mut self, left: Value, right: Value, place: Span) -> Evaluated<Value> {
+        match (left, right) {
+            (Value::Form(a), Value::Form(b)) => Ok(Value::Form(wedge(&mut self.ring(), &a, &b))),
+            (Value::Scalar(_) | Value::Zero, Value::Scalar(_) | Value::Zero) => {
+                Err(Diagnostic::new(place, "`^` is the wedge product, and both sides are scalars")
+                    .with_help("use ** for powers and * for products of scalars"))
+            }
+            (Value::Field(_), _) | (_, Value::Field(_)) => Err(Diagnostic::new(
+                place,
+                "`^` is the wedge product of forms, and one side is a vector field",
+            )
+            .with_help("use * to multiply a field by a scalar")),
+            (a, b) => self.product(a, b, place),
+        }
+    }
+
+    fn power(&mut self, (base, base_span): (Value, Span), exponent: &ast::Expr) -> Evaluated<Value> {
+        let base = match base {
+            Value::Zero => self.zero(),
+            Value::Scalar(base) => base,
+            other => {
+                return Err(Diagnostic::new(
+                    base_span,
+                    format!("`**` raises scalars, and this is {}", other.kind()),
+                ));
+            }
+        };
+        let written = self.scalar(exponent)?;
+        let Some(number) = self.theory.pool.as_number(written).cloned() else {
+            return Ok(Value::Scalar(self.general_power(base, written)));
+        };
+        let small = |part: &num_bigint::BigInt| part.to_i64().filter(|part| part.abs() <= LARGEST_EXPONENT);
+        let (Some(p), Some(q)) = (small(number.numer()), small(number.denom())) else {
+            return Err(Diagnostic::new(
+                exponent.span,
+                format!("the exponent is beyond the limit of {LARGEST_EXPONENT}"),
+            ));
+        };
+        let exponent = Ratio::new(p, q);
+        self.require_power(base, exponent);
+        if self.theory.pool.is_zero(base) && exponent.is_negative() {
+            return Err(Diagnostic::new(base_span, "division by zero: 0 has no negative power"));
+        }
+        Ok(Value::Scalar(self.theory.pool.power(base, exponent)))
+    }
+
+    /// Where qʳ is real: q ≠ 0 for negative integers, q > 0 or q ≥ 0 for fractions.
+    pub(super) fn require_power(&mut self, base: Expr, exponent: Ratio<i64>) {
+        match (exponent.is_integer(), exponent.is_negative() || exponent.is_zero()) {
+            (true, true) if !exponent.is_zero() => self.require(base, Relation::NotEqual),
+            (true, _) => {}
+            (false, true) => self.require(base, Relation::Greater),
+            (false, false) => self.require(base, Relation::GreaterEqual),
+        }
+    }
+
+    /// q^e = exp(e log q) for q > 0
+    fn general_power(&mut self, base: Expr, exponent: Expr) -> Expr {
+        self.require(base, Relation::Greater);
+        let logarithm = self.theory.pool.apply(Operation::Log, &[base]);
+        let product = self.theory.pool.multiply(exponent, logarithm);
+        self.theory.pool.apply(Operation::Exp, &[product])
+    }
+}
+
+/// The error for two values that do not go together.
+pub(super) fn unlike(left: &Value, right: &Value, verb: &str, place: Span) -> Diagnostic {
+    match (left, right) {
+        (Value::Form(a), Value::Form(b)) => Diagnostic::new(
+            place,
+            format!("cannot {verb} forms of different degree: {} and {}", a.degree(), b.degree()),
+        ),
+        _ => Diagnostic::new(place, format!("cannot {verb} {} and {}", left.kind(), right.kind())),
+    }
+}

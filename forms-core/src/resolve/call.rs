@@ -1,0 +1,396 @@
+//! Functions of the language at their arguments: the op table, the calculus, unknown functions.
+
+use super::evaluation::{Evaluated, Evaluator};
+use super::names::describe;
+use super::scope::Scope;
+use super::theory::{Map, Named};
+use super::value::Value;
+use crate::calculus::{
+    Coordinate, Field, Form, Pullback, bracket, exterior_derivative, interior, lie_of_form, lie_of_scalar,
+    pairing, pullback,
+};
+use crate::diagnostic::{Diagnostic, Span};
+use crate::expression::{Expr, Operation, Substitution, Symbol};
+use crate::syntax::ast::{self, Argument, ExprKind, Name, Relation};
+
+/// Functions of the language that need a metric or a homotopy and are not part of this version.
+const NOT_AVAILABLE: &[&str] = &[
+    "hodge",
+    "codiff",
+    "laplace",
+    "flat",
+    "sharp",
+    "inner",
+    "norm",
+    "volume",
+    "grad",
+    "curl",
+    "div",
+    "potential",
+    "boundary_integral",
+];
+
+/// The error for a function the language has and this version does not.
+pub(super) fn not_available(name: &str, span: Span) -> Diagnostic {
+    Diagnostic::new(span, format!("`{name}` is not available in this version"))
+        .with_help("d, ^, interior, lie, bracket, pair, pullback, diff and integral are")
+}
+
+impl Evaluator<'_> {
+    pub(super) fn call(
+        &mut self,
+        function: &Name,
+        index: Option<&ast::Expr>,
+        arguments: &[Argument],
+        span: Span,
+    ) -> Evaluated<Value> {
+        let name = function.text.as_str();
+        if NOT_AVAILABLE.contains(&name) {
+            return Err(not_available(name, function.span));
+        }
+        if name == "integral" {
+            return self.integral(arguments, span);
+        }
+        let plain = plain_arguments(arguments)?;
+        match (name, index) {
+            ("d", _) => self.exterior(index, &plain, span),
+            (_, Some(index)) => Err(Diagnostic::new(index.span, format!("`{name}` takes no `[…]`"))),
+            ("interior", _) => self.interior_product(&plain, span),
+            ("lie", _) => self.lie_derivative(&plain, span),
+            ("bracket", _) => self.lie_bracket(&plain, span),
+            ("pair", _) => self.pair(&plain, span),
+            ("pullback", _) => self.pull(&plain, span),
+            ("diff", _) => self.partial_derivative(&plain, span),
+            ("sqrt", _) => self.square_root(&plain, span),
+            _ => match Operation::named(name) {
+                Some(operation) => self.operation(operation, &plain, span),
+                None => self.composed(function, &plain, span),
+            },
+        }
+    }
+
+    /// `d(w)` along all coordinates, `d[R3](w)` along those of one chart.
+    fn exterior(
+        &mut self,
+        index: Option<&ast::Expr>,
+        arguments: &[&ast::Expr],
+        span: Span,
+    ) -> Evaluated<Value> {
+        let [argument] = exactly::<1>(arguments, "d", span)?;
+        let value = self.value(argument)?;
+        let along = match index {
+            Some(chart) => self.chart_coordinates(chart)?,
+            None => self.coordinates_in(&value.scalars()),
+        };
+        let form = match value {
+            Value::Zero => return Ok(Value::Zero),
+            Value::Scalar(f) => Form::scalar(&self.ring(), f),
+            Value::Form(form) => form,
+            Value::Field(_) => {
+                return Err(Diagnostic::new(argument.span, "`d` takes a form, and this is a vector field"));
+            }
+        };
+        Ok(Value::Form(exterior_derivative(&mut self.ring(), &form, &along)))
+    }
+
+    fn chart_coordinates(&self, chart: &ast::Expr) -> Evaluated<Vec<Coordinate>> {
+        let ExprKind::Name(text) = &*chart.kind else {
+            return Err(Diagnostic::new(chart.span, "expected the name of a chart"));
+        };
+        let number = self.chart(&Name { text: text.clone(), span: chart.span })?;
+        Ok(self.theory.charts[number].coordinates.clone())
+    }
+
+    /// The number of the chart of that name.
+    pub(super) fn chart(&self, name: &Name) -> Evaluated<usize> {
+        match self.theory.named(&name.text) {
+            Some(Named::Chart(number)) => Ok(*number),
+            Some(Named::Poisoned) => Err(Diagnostic::new(name.span, super::evaluation::POISONED)),
+            Some(other) => Err(Diagnostic::new(
+                name.span,
+                format!("expected a chart, but `{}` is {}", name.text, describe(other)),
+            )),
+            None => Err(self.theory.names.unknown(&name.text, name.span)),
+        }
+    }
+
+    /// The coordinates that some expressions depend on.
+    pub(super) fn coordinates_in(&self, expressions: &[Expr]) -> Vec<Coordinate> {
+        let symbols = self.theory.pool.symbols_in(expressions);
+        (0..self.theory.coordinates.len())
+            .filter(|&number| symbols.binary_search(&self.theory.coordinates[number]).is_ok())
+            .map(|number| Coordinate(number as u8))
+            .collect()
+    }
+
+    fn field(&mut self, argument: &ast::Expr) -> Evaluated<Field<Expr>> {
+        match self.value(argument)? {
+            Value::Field(field) => Ok(field),
+            Value::Zero => Ok(Field::zero()),
+            other => Err(Diagnostic::new(
+                argument.span,
+                format!("expected a vector field, found {}", other.kind()),
+            )),
+        }
+    }
+
+    fn interior_product(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
+        let [field, form] = exactly::<2>(arguments, "interior", span)?;
+        let x = self.field(field)?;
+        let zero = self.zero();
+        match self.value(form)? {
+            Value::Zero => Ok(Value::Zero),
+            Value::Scalar(_) => Ok(Value::Scalar(zero)),
+            Value::Form(w) => Ok(Value::from_form(interior(&mut self.ring(), &x, &w), zero)),
+            Value::Field(_) => Err(Diagnostic::new(form.span, "expected a form, found a vector field")
+                .with_help("the field comes first: interior(X, w)")),
+        }
+    }
+
+    fn lie_derivative(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
+        let [field, argument] = exactly::<2>(arguments, "lie", span)?;
+        let x = self.field(field)?;
+        match self.value(argument)? {
+            Value::Zero => Ok(Value::Zero),
+            Value::Scalar(f) => Ok(Value::Scalar(lie_of_scalar(&mut self.ring(), &x, &f))),
+            Value::Field(y) => Ok(Value::Field(bracket(&mut self.ring(), &x, &y))),
+            Value::Form(w) => {
+                let components: Vec<Expr> = x.components().map(|component| *component.1).collect();
+                let along = self.coordinates_in(&components);
+                Ok(Value::Form(lie_of_form(&mut self.ring(), &x, &w, &along)))
+            }
+        }
+    }
+
+    fn lie_bracket(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
+        let [x, y] = exactly::<2>(arguments, "bracket", span)?;
+        let (x, y) = (self.field(x)?, self.field(y)?);
+        Ok(Value::Field(bracket(&mut self.ring(), &x, &y)))
+    }
+
+    /// `pair(w, X, Y)`, as many fields as the form has degrees
+    fn pair(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
+        let Some((form, fields)) = arguments.split_first() else {
+            return Err(Diagnostic::new(span, "`pair` takes a form and one field for each of its degrees"));
+        };
+        let w = match self.value(form)? {
+            Value::Zero => return Ok(Value::Zero),
+            Value::Form(w) => w,
+            other => {
+                return Err(Diagnostic::new(form.span, format!("expected a form, found {}", other.kind())));
+            }
+        };
+        if fields.len() != w.degree() as usize {
+            return Err(Diagnostic::new(
+                span,
+                format!("a {}-form takes {} fields, found {}", w.degree(), w.degree(), fields.len()),
+            ));
+        }
+        let fields = fields.iter().map(|field| self.field(field)).collect::<Evaluated<Vec<_>>>()?;
+        let fields: Vec<&Field<Expr>> = fields.iter().collect();
+        Ok(Value::Scalar(pairing(&mut self.ring(), &w, &fields)))
+    }
+
+    /// `pullback(F, w)`; what `w` needs is needed at the image points.
+    fn pull(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
+        let [map, argument] = exactly::<2>(arguments, "pullback", span)?;
+        let map = self.map(map)?;
+        let outer = std::mem::take(&mut self.scope);
+        let value = self.value(argument);
+        let inner = std::mem::replace(&mut self.scope, outer);
+        let value = value?;
+        let target = self.theory.charts[map.target].clone();
+        let source = self.theory.charts[map.source].coordinates.clone();
+        let symbols: Vec<Symbol> =
+            target.coordinates.iter().map(|c| self.theory.coordinates[c.0 as usize]).collect();
+        let images: Substitution = symbols.iter().copied().zip(map.components.iter().copied()).collect();
+        self.compose_scope(inner, &map, &target.conditions, &images);
+        let components: Vec<(Coordinate, Expr)> =
+            target.coordinates.iter().copied().zip(map.components.iter().copied()).collect();
+        match value {
+            Value::Zero => Ok(Value::Zero),
+            Value::Scalar(f) => Ok(Value::Scalar(self.theory.pool.substitute(f, &images))),
+            Value::Form(w) => {
+                let composed = self.composed_form(&w, &images);
+                let mut ring = self.ring();
+                let prepared = Pullback::new(&mut ring, &components, &source);
+                Ok(Value::Form(pullback(&mut ring, &prepared, &composed, |_, value| *value)))
+            }
+            Value::Field(_) => Err(Diagnostic::new(
+                argument.span,
+                "`pullback` takes a scalar or a form, and this is a vector field",
+            )),
+        }
+    }
+
+    /// The coefficients composed with the map, all at once so that they keep sharing their parts.
+    fn composed_form(&mut self, w: &Form<Expr>, images: &Substitution) -> Form<Expr> {
+        let values: Vec<Expr> = w.terms().iter().map(|term| term.1).collect();
+        let composed = self.theory.pool.substitute_all(&values, images);
+        Form::from_terms(w.degree(), w.terms().iter().map(|term| term.0).zip(composed))
+    }
+
+    fn compose_scope(
+        &mut self,
+        inner: Scope,
+        map: &Map,
+        target: &[crate::expression::Condition],
+        images: &Substitution,
+    ) {
+        let (conditions, used) = inner.into_parts();
+        for condition in map.domain.iter().copied() {
+            self.scope.require(condition);
+        }
+        for condition in conditions.iter().chain(target) {
+            let composed = condition.substitute(&mut self.theory.pool, images);
+            self.scope.require(composed);
+        }
+        for symbol in used.into_iter().filter(|symbol| !images.contains_key(symbol)) {
+            self.scope.touch(symbol);
+        }
+        map.used.iter().for_each(|symbol| self.scope.touch(*symbol));
+    }
+
+    fn map(&self, argument: &ast::Expr) -> Evaluated<Map> {
+        let ExprKind::Name(text) = &*argument.kind else {
+            return Err(Diagnostic::new(argument.span, "expected the name of a map"));
+        };
+        match self.theory.named(text) {
+            Some(Named::Map(number)) => Ok(self.theory.maps[*number].clone()),
+            Some(Named::Poisoned) => Err(Diagnostic::new(argument.span, super::evaluation::POISONED)),
+            Some(other) => Err(Diagnostic::new(
+                argument.span,
+                format!("expected a map, but `{text}` is {}", describe(other)),
+            )
+            .with_help("the map comes first: pullback(F, w)")),
+            None => Err(self.theory.names.unknown(text, argument.span)),
+        }
+    }
+
+    /// `diff(f, x, y)`
+    fn partial_derivative(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
+        let Some((function, by)) = arguments.split_first().filter(|(_, by)| !by.is_empty()) else {
+            return Err(Diagnostic::new(span, "`diff` takes a scalar and one or more variables: diff(f, x)"));
+        };
+        let mut value = self.scalar(function)?;
+        for variable in by {
+            let symbol = self.variable_named(variable)?;
+            value = self.theory.pool.derivative(value, symbol);
+        }
+        Ok(Value::Scalar(value))
+    }
+
+    /// The variable a coordinate or param name stands for.
+    pub(super) fn variable_named(&self, expression: &ast::Expr) -> Evaluated<Symbol> {
+        let ExprKind::Name(text) = &*expression.kind else {
+            return Err(Diagnostic::new(expression.span, "expected the name of a coordinate or param"));
+        };
+        match self.theory.named(text) {
+            Some(Named::Parameter(symbol)) => Ok(*symbol),
+            _ => {
+                let name = Name { text: text.clone(), span: expression.span };
+                Ok(self.theory.coordinates[self.coordinate(&name)?.0 as usize])
+            }
+        }
+    }
+
+    fn square_root(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
+        let [argument] = exactly::<1>(arguments, "sqrt", span)?;
+        let radicand = self.scalar(argument)?;
+        self.require(radicand, Relation::GreaterEqual);
+        Ok(Value::Scalar(self.theory.pool.sqrt(radicand)))
+    }
+
+    fn operation(&mut self, operation: Operation, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
+        if arguments.len() != operation.arity() {
+            return Err(wrong_count(operation.row().name, operation.arity(), arguments.len(), span));
+        }
+        let values = arguments.iter().map(|argument| self.scalar(argument)).collect::<Evaluated<Vec<_>>>()?;
+        self.require_operation(operation, &values);
+        Ok(Value::Scalar(self.theory.pool.apply(operation, &values)))
+    }
+
+    /// Where a function is real: log q for q > 0, tan q for cos q ≠ 0, asin q and acos q for 1 − q² ≥ 0,
+    /// atan2(y, x) off its cut, where √(x² + y²) + x > 0.
+    fn require_operation(&mut self, operation: Operation, q: &[Expr]) {
+        let pool = &mut self.theory.pool;
+        match operation {
+            Operation::Log => self.require(q[0], Relation::Greater),
+            Operation::Tan => {
+                let cosine = pool.apply(Operation::Cos, q);
+                self.require(cosine, Relation::NotEqual);
+            }
+            Operation::Asin | Operation::Acos => {
+                let square = pool.power(q[0], 2.into());
+                let one = pool.integer(1);
+                let rest = pool.subtract(one, square);
+                self.require(rest, Relation::GreaterEqual);
+            }
+            Operation::Atan2 => {
+                let (y2, x2) = (pool.power(q[0], 2.into()), pool.power(q[1], 2.into()));
+                let r2 = pool.add(x2, y2);
+                let r = pool.sqrt(r2);
+                let off_the_cut = pool.add(r, q[1]);
+                self.require(off_the_cut, Relation::Greater);
+            }
+            Operation::Sin
+            | Operation::Cos
+            | Operation::Atan
+            | Operation::Exp
+            | Operation::Sinh
+            | Operation::Cosh
+            | Operation::Tanh
+            | Operation::Abs => {}
+        }
+    }
+
+    /// `L(a, b)` of an unknown function
+    fn composed(&mut self, function: &Name, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
+        let number = match self.theory.named(&function.text) {
+            Some(Named::Function(number)) => *number,
+            Some(Named::Poisoned) => {
+                return Err(Diagnostic::new(function.span, super::evaluation::POISONED));
+            }
+            Some(other) => {
+                return Err(Diagnostic::new(
+                    function.span,
+                    format!("`{}` is {} and takes no arguments", function.text, describe(other)),
+                )
+                .with_help("write `*` for a product"));
+            }
+            None => return Err(self.theory.names.unknown(&function.text, function.span)),
+        };
+        let wanted = self.theory.pool.function(number).arguments.len();
+        if arguments.len() != wanted {
+            return Err(wrong_count(&function.text, wanted, arguments.len(), span));
+        }
+        let values = arguments.iter().map(|argument| self.scalar(argument)).collect::<Evaluated<Vec<_>>>()?;
+        Ok(self.function_value(number, &values))
+    }
+}
+
+fn plain_arguments(arguments: &[Argument]) -> Evaluated<Vec<&ast::Expr>> {
+    arguments
+        .iter()
+        .map(|argument| match argument {
+            Argument::Value(value) => Ok(value),
+            Argument::Range { variable, .. } => Err(Diagnostic::new(
+                variable.span,
+                "a range `u = a..b` belongs to `integral` and `boundary_integral` only",
+            )),
+        })
+        .collect()
+}
+
+fn exactly<'e, const N: usize>(
+    arguments: &[&'e ast::Expr],
+    name: &str,
+    span: Span,
+) -> Evaluated<[&'e ast::Expr; N]> {
+    <[&ast::Expr; N]>::try_from(arguments).map_err(|_| wrong_count(name, N, arguments.len(), span))
+}
+
+fn wrong_count(name: &str, wanted: usize, found: usize, span: Span) -> Diagnostic {
+    let plural = if wanted == 1 { "" } else { "s" };
+    Diagnostic::new(span, format!("`{name}` takes {wanted} argument{plural}, found {found}"))
+}

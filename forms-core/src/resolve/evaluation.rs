@@ -1,0 +1,302 @@
+//! Evaluating expressions: names, numbers, operators along their left spine, coefficients.
+
+use super::names::describe;
+use super::scope::Scope;
+use super::theory::{Named, Theory};
+use super::value::Value;
+use crate::calculus::{Blade, Coordinate, Field, Form, Structured};
+use crate::diagnostic::{Diagnostic, Span};
+use crate::expression::{Condition, Expr, FunctionId, Symbol};
+use crate::syntax::ast::{self, Binary, ExprKind, Name, Relation};
+use num_traits::Zero;
+
+/// An error has been found; it says all that is to be said.
+pub(super) type Evaluated<T> = Result<T, Diagnostic>;
+
+/// Evaluates expressions against what is declared so far; one scope gathers for one value.
+pub(super) struct Evaluator<'a> {
+    pub(super) theory: &'a mut Theory,
+    pub(super) scope: Scope,
+    /// The conditions each param and unknown function was declared with.
+    pub(super) declared: &'a super::items::Declarations,
+}
+
+impl<'a> Evaluator<'a> {
+    pub(super) fn new(theory: &'a mut Theory, declared: &'a super::items::Declarations) -> Self {
+        Evaluator { theory, scope: Scope::default(), declared }
+    }
+
+    pub(super) fn ring(&mut self) -> Structured<'_> {
+        Structured { pool: &mut self.theory.pool, coordinates: &self.theory.coordinates }
+    }
+
+    pub(super) fn zero(&mut self) -> Expr {
+        self.theory.pool.integer(0)
+    }
+
+    /// Requires `left relation 0`.
+    pub(super) fn require(&mut self, left: Expr, relation: Relation) {
+        let right = self.zero();
+        if self.theory.pool.as_number(left).is_some_and(|value| holds(value, relation)) {
+            return;
+        }
+        self.scope.require(Condition { left, relation, right });
+    }
+
+    /// The value of an expression; chains of operators are followed in a loop, only brackets recurse.
+    pub(super) fn value(&mut self, expression: &ast::Expr) -> Evaluated<Value> {
+        let mut spine = Vec::new();
+        let mut leftmost = expression;
+        while let ExprKind::Binary(operator, place, left, right) = &*leftmost.kind {
+            spine.push((*operator, *place, left.span, right));
+            leftmost = left;
+        }
+        let mut value = self.operand(leftmost)?;
+        while let Some((operator, place, left_span, right)) = spine.pop() {
+            value = self.binary(operator, place, (value, left_span), right)?;
+        }
+        Ok(value)
+    }
+
+    fn operand(&mut self, expression: &ast::Expr) -> Evaluated<Value> {
+        match &*expression.kind {
+            ExprKind::Number(value) if value.is_zero() => Ok(Value::Zero),
+            ExprKind::Number(value) => Ok(Value::Scalar(self.theory.pool.number(value.clone()))),
+            ExprKind::Name(name) => self.name(name, expression.span),
+            ExprKind::Basis(name) => self.basis(name),
+            ExprKind::Negate(inner) => {
+                let value = self.value(inner)?;
+                Ok(self.negated(value))
+            }
+            ExprKind::Call { function, index, arguments } => {
+                self.call(function, index.as_ref(), arguments, expression.span)
+            }
+            ExprKind::Index { base, index } => self.coefficient(base, index),
+            ExprKind::Select { condition, then, otherwise, .. } => self.select(condition, then, otherwise),
+            ExprKind::Binary(operator, place, left, right) => {
+                let value = self.value(left)?;
+                self.binary(*operator, *place, (value, left.span), right)
+            }
+        }
+    }
+
+    fn name(&mut self, text: &str, span: Span) -> Evaluated<Value> {
+        if text == "pi" {
+            return Ok(Value::Scalar(self.theory.pool.pi()));
+        }
+        let Some(named) = self.theory.names.get(text).cloned() else {
+            return Err(self.unknown(text, span));
+        };
+        match named {
+            Named::Coordinate(coordinate) => {
+                let symbol = self.theory.coordinates[coordinate.0 as usize];
+                Ok(self.variable(symbol))
+            }
+            Named::Parameter(symbol) => Ok(self.variable(symbol)),
+            Named::Differential(coordinate) => {
+                self.scope.touch(self.theory.coordinates[coordinate.0 as usize]);
+                Ok(Value::Form(Form::differential(&mut self.ring(), coordinate)))
+            }
+            Named::Function(function) => self.own_value(function),
+            Named::Object(number) => {
+                let object = self.theory.objects[number].clone();
+                object.domain.iter().for_each(|condition| self.scope.require(*condition));
+                object.used.iter().for_each(|symbol| self.scope.touch(*symbol));
+                Ok(object.value)
+            }
+            Named::Poisoned => Err(poisoned(span)),
+            other => {
+                Err(Diagnostic::new(span, format!("`{text}` is {} and has no value here", describe(&other))))
+            }
+        }
+    }
+
+    /// The error for a name nobody declared; `da` with `a` a param is a likely reason.
+    fn unknown(&self, text: &str, span: Span) -> Diagnostic {
+        let inner = text.strip_prefix('d').and_then(|rest| self.theory.names.get(rest));
+        match inner {
+            Some(Named::Parameter(_)) => Diagnostic::new(span, format!("`{text}` is not declared"))
+                .with_help(format!(
+                    "`{}` is a param, a constant; only coordinates have differentials",
+                    &text[1..]
+                )),
+            _ => self.theory.names.unknown(text, span),
+        }
+    }
+
+    fn variable(&mut self, symbol: Symbol) -> Value {
+        self.scope.touch(symbol);
+        for condition in self.declared.of_parameter(symbol) {
+            self.scope.require(condition);
+        }
+        Value::Scalar(self.theory.pool.symbol(symbol))
+    }
+
+    /// An unknown function at its own arguments.
+    fn own_value(&mut self, function: FunctionId) -> Evaluated<Value> {
+        let symbols = self.theory.pool.function(function).arguments.clone();
+        let mut arguments = Vec::with_capacity(symbols.len());
+        for symbol in symbols {
+            if let Value::Scalar(argument) = self.variable(symbol) {
+                arguments.push(argument);
+            }
+        }
+        Ok(self.function_value(function, &arguments))
+    }
+
+    /// An unknown function at given arguments, with the conditions it was declared with.
+    pub(super) fn function_value(&mut self, function: FunctionId, arguments: &[Expr]) -> Value {
+        let symbols = self.theory.pool.function(function).arguments.clone();
+        let values = symbols.into_iter().zip(arguments.iter().copied()).collect();
+        for condition in self.declared.of_function(function) {
+            let composed = condition.substitute(&mut self.theory.pool, &values);
+            self.scope.require(composed);
+        }
+        let orders = vec![0; arguments.len()];
+        Value::Scalar(self.theory.pool.jet(function, &orders, arguments))
+    }
+
+    fn basis(&mut self, name: &Name) -> Evaluated<Value> {
+        let coordinate = self.coordinate(name)?;
+        self.scope.touch(self.theory.coordinates[coordinate.0 as usize]);
+        let one = self.theory.pool.integer(1);
+        Ok(Value::Field(Field::along(&self.ring(), coordinate, one)))
+    }
+
+    /// The coordinate of that name.
+    pub(super) fn coordinate(&self, name: &Name) -> Evaluated<Coordinate> {
+        match self.theory.names.get(&name.text) {
+            Some(Named::Coordinate(coordinate)) => Ok(*coordinate),
+            Some(Named::Poisoned) => Err(poisoned(name.span)),
+            Some(other) => Err(Diagnostic::new(
+                name.span,
+                format!("expected a coordinate, but `{}` is {}", name.text, describe(other)),
+            )),
+            None => Err(self.theory.names.unknown(&name.text, name.span)),
+        }
+    }
+
+    /// A scalar, the literal 0 included.
+    pub(super) fn scalar(&mut self, expression: &ast::Expr) -> Evaluated<Expr> {
+        match self.value(expression)? {
+            Value::Zero => Ok(self.zero()),
+            Value::Scalar(value) => Ok(value),
+            other => {
+                Err(Diagnostic::new(expression.span, format!("expected a scalar, found {}", other.kind())))
+            }
+        }
+    }
+
+    /// `w[dx^dy]`, `X[x]`
+    fn coefficient(&mut self, base: &ast::Expr, index: &ast::Expr) -> Evaluated<Value> {
+        if let ExprKind::Name(name) = &*base.kind
+            && name == "volume"
+        {
+            return Err(super::call::not_available("volume", base.span));
+        }
+        let value = self.value(base)?;
+        match value {
+            Value::Zero => Ok(Value::Zero),
+            Value::Field(field) => {
+                let ExprKind::Name(text) = &*index.kind else {
+                    return Err(Diagnostic::new(index.span, "expected a coordinate, as in `X[x]`"));
+                };
+                let coordinate = self.coordinate(&Name { text: text.clone(), span: index.span })?;
+                let zero = self.zero();
+                Ok(Value::Scalar(field.component(coordinate).copied().unwrap_or(zero)))
+            }
+            Value::Form(form) => self.form_coefficient(&form, index),
+            Value::Scalar(_) => Err(Diagnostic::new(base.span, "a scalar has no coefficients")
+                .with_help("`w[dx^dy]` takes a coefficient of a form, `X[x]` a component of a field")),
+        }
+    }
+
+    fn form_coefficient(&mut self, form: &Form<Expr>, index: &ast::Expr) -> Evaluated<Value> {
+        let wanted = self.blade(index)?;
+        let Some((blade, sign)) = wanted else {
+            return Err(Diagnostic::new(index.span, "a differential occurs twice, so this basis form is 0"));
+        };
+        if blade.degree() != form.degree() {
+            return Err(Diagnostic::new(
+                index.span,
+                format!(
+                    "expected a basis {}-form, as the form has that degree, found degree {}",
+                    form.degree(),
+                    blade.degree()
+                ),
+            ));
+        }
+        let zero = self.zero();
+        let value = form.coefficient(blade).copied().unwrap_or(zero);
+        Ok(Value::Scalar(if sign < 0 { self.theory.pool.negate(value) } else { value }))
+    }
+
+    /// A basis form `dx^dy` with the sign of putting it in order.
+    fn blade(&self, index: &ast::Expr) -> Evaluated<Option<(Blade, i8)>> {
+        match &*index.kind {
+            ExprKind::Name(text) => match self.theory.names.get(text) {
+                Some(Named::Differential(coordinate)) => Ok(Some((Blade::of(*coordinate), 1))),
+                Some(other) => Err(Diagnostic::new(
+                    index.span,
+                    format!("expected a differential such as `dx`, but `{text}` is {}", describe(other)),
+                )),
+                None => Err(self.unknown(text, index.span)),
+            },
+            ExprKind::Binary(Binary::Wedge, _, left, right) => {
+                let (left, right) = (self.blade(left)?, self.blade(right)?);
+                Ok(left.zip(right).and_then(|((a, s), (b, t))| {
+                    let (blade, sign) = a.wedge(b)?;
+                    Some((blade, s * t * sign))
+                }))
+            }
+            _ => Err(Diagnostic::new(index.span, "expected a basis form such as `dx^dy`")),
+        }
+    }
+
+    fn select(
+        &mut self,
+        condition: &ast::Condition,
+        then: &ast::Expr,
+        otherwise: &ast::Expr,
+    ) -> Evaluated<Value> {
+        let conditions = self.conditions(condition)?;
+        let then = self.scalar(then)?;
+        let otherwise = self.scalar(otherwise)?;
+        let mut value = then;
+        for Condition { left, relation, right } in conditions.into_iter().rev() {
+            value = self.theory.pool.select((left, relation, right), value, otherwise);
+        }
+        Ok(Value::Scalar(value))
+    }
+
+    /// A chain of relations as single ones.
+    pub(super) fn conditions(&mut self, condition: &ast::Condition) -> Evaluated<Vec<Condition>> {
+        let mut left = self.scalar(&condition.first)?;
+        let mut single = Vec::new();
+        for (relation, right) in &condition.rest {
+            let right = self.scalar(right)?;
+            single.push(Condition { left, relation: *relation, right });
+            left = right;
+        }
+        Ok(single)
+    }
+}
+
+/// The error for a name whose declaration failed: that error is the one to read.
+fn poisoned(span: Span) -> Diagnostic {
+    Diagnostic::new(span, POISONED)
+}
+
+/// Marks errors that only follow from another; they are not shown beside it.
+pub(super) const POISONED: &str = "this depends on a declaration with an error in it";
+
+fn holds(value: &crate::expression::Rational, relation: Relation) -> bool {
+    let zero = crate::expression::Rational::zero();
+    match relation {
+        Relation::Less => *value < zero,
+        Relation::LessEqual => *value <= zero,
+        Relation::Greater => *value > zero,
+        Relation::GreaterEqual => *value >= zero,
+        Relation::NotEqual => *value != zero,
+    }
+}

@@ -1,0 +1,378 @@
+//! The items of a file in order: each declares a name or makes a claim.
+
+use super::evaluation::{Evaluated, Evaluator, POISONED};
+use super::theory::{Chart, Map, Named, Object, Theory};
+use super::value::Value;
+use crate::calculus::{Coordinate, MAXIMUM_COORDINATES};
+use crate::diagnostic::{Diagnostic, Span};
+use crate::expression::{Condition, Expr, FunctionId, Symbol, SymbolKind};
+use crate::syntax::ast::{self, Declared, Item, ItemKind, Name};
+use rustc_hash::FxHashMap;
+
+/// The conditions that params and unknown functions were declared with.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Declarations {
+    parameters: FxHashMap<Symbol, Vec<Condition>>,
+    functions: FxHashMap<FunctionId, Vec<Condition>>,
+}
+
+impl Declarations {
+    pub(super) fn of_parameter(&self, symbol: Symbol) -> Vec<Condition> {
+        self.parameters.get(&symbol).cloned().unwrap_or_default()
+    }
+
+    pub(super) fn of_function(&self, function: FunctionId) -> Vec<Condition> {
+        self.functions.get(&function).cloned().unwrap_or_default()
+    }
+}
+
+/// Resolves a whole file: what it declares and claims, and everything that is wrong with it.
+pub fn resolve(file: &ast::File) -> (Theory, Vec<Diagnostic>) {
+    let mut resolver =
+        Resolver { theory: Theory::default(), declared: Declarations::default(), errors: vec![] };
+    for item in &file.items {
+        resolver.item(item);
+    }
+    resolver.errors.retain(|error| error.message != POISONED);
+    (resolver.theory, resolver.errors)
+}
+
+pub(super) struct Resolver {
+    pub(super) theory: Theory,
+    pub(super) declared: Declarations,
+    pub(super) errors: Vec<Diagnostic>,
+}
+
+impl Resolver {
+    fn item(&mut self, item: &Item) {
+        let result = match &item.kind {
+            ItemKind::Chart { name, coordinates, conditions } => self.chart(name, coordinates, conditions),
+            ItemKind::ProductChart { name, factors, conditions } => {
+                self.product_chart(name, factors, conditions)
+            }
+            ItemKind::Param { names, conditions } => self.parameters(names, conditions),
+            ItemKind::Function { name, arguments, conditions, .. } => {
+                self.function(name, arguments, conditions)
+            }
+            ItemKind::Let { name, value } => self.object(name, value, |_, _| Ok(())),
+            ItemKind::Form { name, degree, chart, value } => self.form(name, *degree, chart.as_ref(), value),
+            ItemKind::Field { name, chart, value } => self.field(name, chart.as_ref(), value),
+            ItemKind::Map { name, source, target, components } => self.map(name, source, target, components),
+            ItemKind::Metric { name, .. } => self.theory.names.declare(name, Named::Metric),
+            ItemKind::Statement { .. } => self.statement(item),
+            ItemKind::Kernel { .. } => self.kernel(item),
+        };
+        if let Err(error) = result {
+            self.errors.push(error);
+        }
+    }
+
+    /// Runs an evaluation with a scope of its own.
+    pub(super) fn evaluate<T>(
+        &mut self,
+        body: impl FnOnce(&mut Evaluator) -> Evaluated<T>,
+    ) -> Evaluated<(T, Vec<Condition>, Vec<Symbol>)> {
+        let mut evaluator = Evaluator::new(&mut self.theory, &self.declared);
+        let result = body(&mut evaluator)?;
+        let (domain, used) = evaluator.scope.into_parts();
+        Ok((result, domain, used))
+    }
+
+    /// Every relation of a `where`, and where its sides are defined.
+    pub(super) fn conditions(&mut self, conditions: &[ast::Condition]) -> Evaluated<Vec<Condition>> {
+        let (mut all, domain, _) = self.evaluate(|evaluator| {
+            let mut all = Vec::new();
+            for condition in conditions {
+                all.extend(evaluator.conditions(condition)?);
+            }
+            Ok(all)
+        })?;
+        all.extend(domain);
+        Ok(all)
+    }
+
+    fn chart(
+        &mut self,
+        name: &Name,
+        coordinates: &[Declared],
+        conditions: &[ast::Condition],
+    ) -> Evaluated<()> {
+        self.theory.names.declare(name, Named::Poisoned)?;
+        let mut numbers = Vec::new();
+        for declared in coordinates {
+            let number = self.coordinate(&declared.name)?;
+            if numbers.contains(&number) {
+                return Err(Diagnostic::new(declared.name.span, "this coordinate occurs twice in the chart"));
+            }
+            numbers.push(number);
+        }
+        let conditions = self.conditions(conditions)?;
+        self.add_chart(name, numbers, conditions);
+        Ok(())
+    }
+
+    fn add_chart(&mut self, name: &Name, coordinates: Vec<Coordinate>, conditions: Vec<Condition>) {
+        self.theory.charts.push(Chart { name: name.text.clone(), coordinates, conditions });
+        self.theory.names.set(name, Named::Chart(self.theory.charts.len() - 1));
+    }
+
+    /// A coordinate of that name: the known one, or a new one with its differential.
+    fn coordinate(&mut self, name: &Name) -> Evaluated<Coordinate> {
+        if let Some(Named::Coordinate(known)) = self.theory.named(&name.text) {
+            return Ok(*known);
+        }
+        let number = self.theory.coordinates.len();
+        if number == MAXIMUM_COORDINATES {
+            return Err(Diagnostic::new(
+                name.span,
+                format!("a file may declare {MAXIMUM_COORDINATES} coordinates, and this is one more"),
+            )
+            .with_help("coordinates of the same name are shared between charts"));
+        }
+        let coordinate = Coordinate(number as u8);
+        self.theory.names.declare(name, Named::Coordinate(coordinate))?;
+        let differential = format!("d{}", name.text);
+        if let Err(error) =
+            self.theory.names.declare_text(&differential, name.span, Named::Differential(coordinate))
+        {
+            self.theory.names.remove(&name.text);
+            return Err(error.with_help(format!(
+                "the coordinate `{}` reserves the name `{differential}` for its differential",
+                name.text
+            )));
+        }
+        let symbol = self.theory.pool.declare_symbol(&name.text, SymbolKind::Coordinate);
+        self.theory.coordinates.push(symbol);
+        Ok(coordinate)
+    }
+
+    fn product_chart(
+        &mut self,
+        name: &Name,
+        factors: &[Name],
+        conditions: &[ast::Condition],
+    ) -> Evaluated<()> {
+        self.theory.names.declare(name, Named::Poisoned)?;
+        let (mut coordinates, mut all): (Vec<Coordinate>, Vec<Condition>) = (Vec::new(), Vec::new());
+        for factor in factors {
+            let (number, _, _) = self.evaluate(|evaluator| evaluator.chart(factor))?;
+            let chart = &self.theory.charts[number];
+            if let Some(shared) = chart.coordinates.iter().find(|c| coordinates.contains(c)) {
+                let shared = self.theory.coordinate_name(*shared);
+                return Err(Diagnostic::new(
+                    factor.span,
+                    format!("the factors of a product chart share the coordinate `{shared}`"),
+                ));
+            }
+            coordinates.extend(&chart.coordinates);
+            all.extend(&chart.conditions);
+        }
+        all.extend(self.conditions(conditions)?);
+        self.add_chart(name, coordinates, all);
+        Ok(())
+    }
+
+    fn parameters(&mut self, names: &[Declared], conditions: &[ast::Condition]) -> Evaluated<()> {
+        let mut symbols = Vec::new();
+        for declared in names {
+            let symbol = self.theory.pool.declare_symbol(&declared.name.text, SymbolKind::Parameter);
+            self.theory.names.declare(&declared.name, Named::Parameter(symbol))?;
+            symbols.push(symbol);
+        }
+        let conditions = self.conditions(conditions)?;
+        for &symbol in &symbols {
+            self.declared.parameters.insert(symbol, self.connected(symbol, &symbols, &conditions));
+        }
+        Ok(())
+    }
+
+    /// The conditions that bind a param, directly or through another param of the same declaration.
+    fn connected(&self, symbol: Symbol, group: &[Symbol], conditions: &[Condition]) -> Vec<Condition> {
+        let mut reached = vec![symbol];
+        let mut found: Vec<Condition> = Vec::new();
+        loop {
+            let before = found.len();
+            for condition in
+                conditions.iter().filter(|condition| !found.contains(condition)).copied().collect::<Vec<_>>()
+            {
+                let symbols = self.theory.pool.symbols_in(&[condition.left, condition.right]);
+                if symbols.iter().any(|s| reached.contains(s)) {
+                    found.push(condition);
+                    reached.extend(symbols.into_iter().filter(|s| group.contains(s)));
+                }
+            }
+            if found.len() == before {
+                return found;
+            }
+        }
+    }
+
+    fn function(&mut self, name: &Name, arguments: &[Name], conditions: &[ast::Condition]) -> Evaluated<()> {
+        self.theory.names.declare(name, Named::Poisoned)?;
+        let mut symbols = Vec::new();
+        for argument in arguments {
+            let (symbol, _, _) = self.evaluate(|evaluator| {
+                let kind = Box::new(ast::ExprKind::Name(argument.text.clone()));
+                evaluator.variable_named(&ast::Expr { kind, span: argument.span })
+            })?;
+            if symbols.contains(&symbol) {
+                return Err(Diagnostic::new(argument.span, "this argument occurs twice"));
+            }
+            symbols.push(symbol);
+        }
+        let function = self.theory.pool.declare_function(&name.text, symbols);
+        self.theory.names.set(name, Named::Function(function));
+        let conditions = self.conditions(conditions)?;
+        self.declared.functions.insert(function, conditions);
+        Ok(())
+    }
+
+    /// A named value; `check` may refuse it.
+    fn object(
+        &mut self,
+        name: &Name,
+        value: &ast::Expr,
+        check: impl FnOnce(&mut Evaluator, &mut Value) -> Evaluated<()>,
+    ) -> Evaluated<()> {
+        self.theory.names.declare(name, Named::Poisoned)?;
+        let (value, domain, used) = self.evaluate(|evaluator| {
+            let mut evaluated = evaluator.value(value)?;
+            check(evaluator, &mut evaluated)?;
+            Ok(evaluated)
+        })?;
+        self.theory.objects.push(Object { value, domain, used });
+        self.theory.names.set(name, Named::Object(self.theory.objects.len() - 1));
+        Ok(())
+    }
+
+    fn form(
+        &mut self,
+        name: &Name,
+        degree: Option<(u32, Span)>,
+        chart: Option<&Name>,
+        expression: &ast::Expr,
+    ) -> Evaluated<()> {
+        self.object(name, expression, |evaluator, value| {
+            if let (Value::Zero, Some((k, _))) = (&*value, degree) {
+                *value = Value::Form(crate::calculus::Form::zero(k));
+            }
+            let found = match &*value {
+                Value::Form(form) => form.degree(),
+                Value::Scalar(_) | Value::Zero => 0,
+                Value::Field(_) => {
+                    return Err(Diagnostic::new(expression.span, "expected a form, found a vector field")
+                        .with_help("declare it with `field`"));
+                }
+            };
+            if let Some((wanted, span)) = degree
+                && wanted != found
+            {
+                return Err(Diagnostic::new(
+                    span,
+                    format!("the degree is declared as {wanted}, but the form has degree {found}"),
+                ));
+            }
+            if let (Some(chart), Value::Form(form)) = (chart, &*value) {
+                let coordinates = form.terms().iter().flat_map(|term| term.0.coordinates()).collect();
+                evaluator.check_on_chart(chart, coordinates, "d", expression.span)?;
+            }
+            Ok(())
+        })
+    }
+
+    fn field(&mut self, name: &Name, chart: Option<&Name>, expression: &ast::Expr) -> Evaluated<()> {
+        self.object(name, expression, |evaluator, value| {
+            if *value == Value::Zero {
+                *value = Value::Field(crate::calculus::Field::zero());
+            }
+            let Value::Field(field) = &*value else {
+                return Err(Diagnostic::new(
+                    expression.span,
+                    format!("expected a vector field, found {}", value.kind()),
+                )
+                .with_help("`@x` is the coordinate vector field of `x`"));
+            };
+            if let Some(chart) = chart {
+                let coordinates = field.components().map(|component| component.0).collect();
+                evaluator.check_on_chart(chart, coordinates, "@", expression.span)?;
+            }
+            Ok(())
+        })
+    }
+
+    fn map(&mut self, name: &Name, source: &Name, target: &Name, components: &[ast::Expr]) -> Evaluated<()> {
+        self.theory.names.declare(name, Named::Poisoned)?;
+        let (mut map, domain, used) = self.evaluate(|evaluator| {
+            let (source, target) = (evaluator.chart(source)?, evaluator.chart(target)?);
+            let values: Vec<Expr> =
+                components.iter().map(|component| evaluator.scalar(component)).collect::<Evaluated<_>>()?;
+            Ok(Map { source, target, components: values, domain: vec![], used: vec![] })
+        })?;
+        self.check_map(&map, name, components)?;
+        (map.domain, map.used) = (domain, used);
+        self.theory.maps.push(map);
+        self.theory.names.set(name, Named::Map(self.theory.maps.len() - 1));
+        Ok(())
+    }
+
+    /// One component a target coordinate, each a function of the source's coordinates.
+    fn check_map(&mut self, map: &Map, name: &Name, components: &[ast::Expr]) -> Evaluated<()> {
+        let (source, target) = (self.theory.charts[map.source].clone(), &self.theory.charts[map.target]);
+        if components.len() != target.coordinates.len() {
+            let names: Vec<&str> =
+                target.coordinates.iter().map(|c| self.theory.coordinate_name(*c)).collect();
+            return Err(Diagnostic::new(
+                name.span,
+                format!(
+                    "a map to `{}` needs {} components ({}), found {}",
+                    target.name,
+                    names.len(),
+                    names.join(", "),
+                    components.len()
+                ),
+            ));
+        }
+        for (value, written) in map.components.iter().zip(components) {
+            let (foreign, _, _) = self.evaluate(|evaluator| {
+                let found = evaluator.coordinates_in(&[*value]);
+                Ok(found.into_iter().find(|c| !source.coordinates.contains(c)))
+            })?;
+            if let Some(foreign) = foreign {
+                let foreign = self.theory.coordinate_name(foreign);
+                return Err(Diagnostic::new(
+                    written.span,
+                    format!("`{foreign}` is not a coordinate of the chart `{}`", source.name),
+                )
+                .with_help("a map's components depend on the coordinates of the chart it starts from"));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Evaluator<'_> {
+    /// That the differentials or basis fields of a value belong to the chart it is declared on.
+    fn check_on_chart(
+        &mut self,
+        chart: &Name,
+        coordinates: Vec<Coordinate>,
+        prefix: &str,
+        span: Span,
+    ) -> Evaluated<()> {
+        let number = self.chart(chart)?;
+        let known = &self.theory.charts[number].coordinates;
+        match coordinates.into_iter().find(|coordinate| !known.contains(coordinate)) {
+            None => Ok(()),
+            Some(missing) => {
+                let missing = self.theory.coordinate_name(missing);
+                Err(Diagnostic::new(
+                    span,
+                    format!(
+                        "`{prefix}{missing}` occurs, but `{missing}` is not a coordinate of `{}`",
+                        chart.text
+                    ),
+                ))
+            }
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! From the syntax tree to typed objects: charts, maps, forms, statements, kernels.
+//!
+//! ```text
+//! ast::File ─ names ─▶ items ─ evaluation ─▶ Theory
+//!                                 │
+//!                                 └─ value + where it is defined + what it uses
+//! ```
+//! Every expression is evaluated as it is met: calculus happens here, on structured expressions. Beside each
+//! value travels its domain, the conditions under which what was written is defined, so that nothing is lost
+//! when 0·log x becomes 0. All errors of a file are collected; an item that fails is known but poisoned, so
+//! that one mistake is reported once.
+
+mod arithmetic;
+mod call;
+mod evaluation;
+mod integration;
+mod items;
+mod names;
+mod scope;
+mod statement;
+mod theory;
+mod value;
+
+pub use items::resolve;
+pub use theory::{Chart, Kernel, Map, Named, Object, Statement, Theory};
+pub use value::Value;

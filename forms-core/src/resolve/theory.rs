@@ -1,0 +1,154 @@
+//! What a file declares and claims, resolved.
+
+use super::value::Value;
+use crate::calculus::{Blade, Coordinate};
+use crate::diagnostic::Span;
+use crate::expression::{Condition, Expr, Pool, Symbol};
+use crate::syntax::ast::Claim;
+
+/// A coordinate patch.
+#[derive(Clone, Debug)]
+pub struct Chart {
+    /// Its name.
+    pub name: String,
+    /// Its coordinates in order, which is its orientation.
+    pub coordinates: Vec<Coordinate>,
+    /// Its domain, those of its factors included.
+    pub conditions: Vec<Condition>,
+}
+
+/// A map from one chart to another.
+#[derive(Clone, Debug)]
+pub struct Map {
+    /// The number of the chart it starts from.
+    pub source: usize,
+    /// The number of the chart it ends in.
+    pub target: usize,
+    /// One scalar a target coordinate.
+    pub components: Vec<Expr>,
+    /// Where the components are defined.
+    pub domain: Vec<Condition>,
+    /// The variables the components are written with.
+    pub used: Vec<Symbol>,
+}
+
+/// A scalar, form or field with a name.
+#[derive(Clone, Debug)]
+pub struct Object {
+    /// What it is.
+    pub value: Value,
+    /// Where it is defined.
+    pub domain: Vec<Condition>,
+    /// The variables it is written with.
+    pub used: Vec<Symbol>,
+}
+
+/// An equation that is claimed to hold or not to hold.
+#[derive(Clone, Debug)]
+pub struct Statement {
+    /// Its name.
+    pub name: String,
+    /// The lines of its documentation.
+    pub docs: Vec<String>,
+    /// What is claimed.
+    pub claim: Claim,
+    /// The whole statement in its source.
+    pub span: Span,
+    /// Its name in its source.
+    pub name_span: Span,
+    /// One side.
+    pub left: Value,
+    /// The other.
+    pub right: Value,
+    /// The points it speaks of satisfy these: the `where`s that bind it.
+    pub conditions: Vec<Condition>,
+    /// And these: where both sides are defined.
+    pub domain: Vec<Condition>,
+}
+
+/// A numeric function to be generated.
+#[derive(Clone, Debug)]
+pub struct Kernel {
+    /// Its name.
+    pub name: String,
+    /// The lines of its documentation.
+    pub docs: Vec<String>,
+    /// Whether it is to be seen from outside its module.
+    pub public: bool,
+    /// The kernel in its source.
+    pub span: Span,
+    /// What it is a function of.
+    pub arguments: Vec<Symbol>,
+    /// What it computes.
+    pub outputs: Vec<Expr>,
+    /// Its stated domain; outside, the value is NaN.
+    pub domain: Vec<Condition>,
+    /// The formula as it was written.
+    pub formula: Vec<String>,
+    /// The names of the statements that speak of what the kernel is computed from.
+    pub statements: Vec<String>,
+}
+
+/// What a name of the file stands for.
+#[derive(Clone, Debug)]
+pub enum Named {
+    /// A chart, by its number.
+    Chart(usize),
+    /// A coordinate.
+    Coordinate(Coordinate),
+    /// The differential of a coordinate.
+    Differential(Coordinate),
+    /// A parameter.
+    Parameter(Symbol),
+    /// An unknown function, by its number.
+    Function(crate::expression::FunctionId),
+    /// A scalar, form or field, by its number.
+    Object(usize),
+    /// A map, by its number.
+    Map(usize),
+    /// A metric.
+    Metric,
+    /// A kernel, by its number.
+    Kernel(usize),
+    /// Something whose declaration failed.
+    Poisoned,
+}
+
+/// A whole file, resolved.
+#[derive(Clone, Debug, Default)]
+pub struct Theory {
+    /// The owner of every expression.
+    pub pool: Pool,
+    /// The variable of each coordinate.
+    pub coordinates: Vec<Symbol>,
+    /// The charts in order.
+    pub charts: Vec<Chart>,
+    /// The maps in order.
+    pub maps: Vec<Map>,
+    /// The named scalars, forms and fields in order.
+    pub objects: Vec<Object>,
+    /// The statements in order.
+    pub statements: Vec<Statement>,
+    /// The kernels in order.
+    pub kernels: Vec<Kernel>,
+    pub(super) names: super::names::Names,
+}
+
+impl Theory {
+    /// What a name stands for.
+    pub fn named(&self, name: &str) -> Option<&Named> {
+        self.names.get(name)
+    }
+
+    /// `dx^dy`, the differentials in ascending order.
+    pub fn blade_text(&self, blade: Blade) -> String {
+        let factors: Vec<String> =
+            blade.coordinates().map(|coordinate| format!("d{}", self.coordinate_name(coordinate))).collect();
+        factors.join("^")
+    }
+
+    /// The name of a coordinate.
+    pub fn coordinate_name(&self, coordinate: Coordinate) -> &str {
+        self.pool.symbol_name(self.coordinates[coordinate.0 as usize])
+    }
+}

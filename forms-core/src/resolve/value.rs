@@ -1,0 +1,47 @@
+//! The values of the language: scalars, forms, fields, and the literal zero of any type.
+
+use crate::calculus::{Blade, Field, Form};
+use crate::expression::Expr;
+
+/// What an expression of the language evaluates to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Value {
+    /// The literal `0`, the zero of any type and degree.
+    Zero,
+    /// A scalar.
+    Scalar(Expr),
+    /// A form of degree 1 or more.
+    Form(Form<Expr>),
+    /// A vector field.
+    Field(Field<Expr>),
+}
+
+impl Value {
+    /// A form, or the scalar that a form of degree 0 is.
+    pub(super) fn from_form(form: Form<Expr>, zero: Expr) -> Self {
+        if form.degree() > 0 {
+            return Value::Form(form);
+        }
+        Value::Scalar(form.coefficient(Blade::SCALAR).copied().unwrap_or(zero))
+    }
+
+    /// What it is, in words.
+    pub fn kind(&self) -> String {
+        match self {
+            Value::Zero => "0".into(),
+            Value::Scalar(_) => "a scalar".into(),
+            Value::Form(form) => format!("a {}-form", form.degree()),
+            Value::Field(_) => "a vector field".into(),
+        }
+    }
+
+    /// Every scalar it consists of.
+    pub fn scalars(&self) -> Vec<Expr> {
+        match self {
+            Value::Zero => vec![],
+            Value::Scalar(value) => vec![*value],
+            Value::Form(form) => form.terms().iter().map(|term| term.1).collect(),
+            Value::Field(field) => field.components().map(|component| *component.1).collect(),
+        }
+    }
+}

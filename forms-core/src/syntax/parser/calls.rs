@@ -1,0 +1,99 @@
+//! What stands directly behind a name or bracket: `f(a, b)`, `d[R3](w)`, `bracket(X, Y)[x]`.
+//!
+//! ```text
+//! postfix  = ( name [ index ] [ arguments ] | primary ) { index }
+//! argument = name "=" sum ".." sum | sum
+//! ```
+
+use super::cursor::{Parsed, Parser};
+use super::expressions::Tree;
+use crate::diagnostic::Span;
+use crate::syntax::ast::{Argument, ExprKind, Name};
+use crate::syntax::token::{Symbol, TokenKind};
+
+impl Parser<'_> {
+    pub(super) fn postfix(&mut self) -> Parsed<Tree> {
+        let mut tree = match self.peek() {
+            Some(TokenKind::Name(text)) if text != "if" => {
+                let name = self.reference(text)?;
+                self.named(name)?
+            }
+            _ => self.primary()?,
+        };
+        while self.at(Symbol::OpenBracket) {
+            let index = self.index()?;
+            tree = self.indexed(tree, index)?;
+        }
+        Ok(tree)
+    }
+
+    /// What begins with a name: a call where round brackets follow, with or without an index before them.
+    fn named(&mut self, name: Name) -> Parsed<Tree> {
+        let index = if self.at(Symbol::OpenBracket) { Some(self.index()?) } else { None };
+        if self.at(Symbol::OpenParen) {
+            return self.call(name, index);
+        }
+        let span = name.span;
+        let tree = self.tree(ExprKind::Name(name.text), span, 0)?;
+        match index {
+            Some(index) => self.indexed(tree, index),
+            None => Ok(tree),
+        }
+    }
+
+    fn indexed(&mut self, base: Tree, index: Tree) -> Parsed<Tree> {
+        let span = self.since(base.expr.span);
+        let below = base.height.max(index.height);
+        self.tree(ExprKind::Index { base: base.expr, index: index.expr }, span, below)
+    }
+
+    /// `[dx^dy]`
+    fn index(&mut self) -> Parsed<Tree> {
+        let open = self.expect(Symbol::OpenBracket)?;
+        let index = self.sum()?;
+        self.close(open, Symbol::CloseBracket, "an operator or `]`")?;
+        Ok(index)
+    }
+
+    fn call(&mut self, function: Name, index: Option<Tree>) -> Parsed<Tree> {
+        let open = self.expect(Symbol::OpenParen)?;
+        let mut below = index.as_ref().map_or(0, |index| index.height);
+        let mut arguments = Vec::new();
+        while !self.at(Symbol::CloseParen) {
+            let (argument, height) = self.argument()?;
+            below = below.max(height);
+            arguments.push(argument);
+            if self.eat(Symbol::Comma).is_none() {
+                break;
+            }
+        }
+        self.close_arguments(open)?;
+        let span = self.since(function.span);
+        let index = index.map(|index| index.expr);
+        self.tree(ExprKind::Call { function, index, arguments }, span, below)
+    }
+
+    fn close_arguments(&mut self, open: Span) -> Parsed<Span> {
+        if self.at(Symbol::Range) || self.at(Symbol::Equal) {
+            return Err(self.unexpected("an operator, `,` or `)`", Some("a range is written `x = 0..1`")));
+        }
+        self.close(open, Symbol::CloseParen, "an operator, `,` or `)`")
+    }
+
+    /// One argument and its height.
+    fn argument(&mut self) -> Parsed<(Argument, usize)> {
+        if self.peek_at(1) != Some(&TokenKind::Symbol(Symbol::Assign)) {
+            let Tree { expr, height } = self.sum()?;
+            return Ok((Argument::Value(expr), height));
+        }
+        let variable = self.name("a variable before `=`")?;
+        self.expect(Symbol::Assign)?;
+        let from = self.sum()?;
+        if self.eat(Symbol::Range).is_none() {
+            return Err(self.unexpected("`..`", Some("a range is written `x = 0..1`")));
+        }
+        let to = self.sum()?;
+        let height = from.height.max(to.height);
+        Ok((Argument::Range { variable, from: from.expr, to: to.expr }, height))
+    }
+}

@@ -1,0 +1,200 @@
+//! The place between two tokens: what stands behind it, and what is said when that is not what should.
+
+use super::MAXIMUM_TOKENS;
+use crate::diagnostic::{Diagnostic, Span};
+use crate::syntax::ast::Name;
+use crate::syntax::token::{Symbol, Token, TokenKind};
+use crate::syntax::words::{Word, reserved};
+
+/// A token stream being read, and everything found wrong with it.
+pub(super) struct Parser<'a> {
+    pub(super) tokens: &'a [Token],
+    /// The index of the next token.
+    pub(super) position: usize,
+    end: Span,
+    /// How many levels of nesting surround the next token.
+    pub(super) nesting: usize,
+    pub(super) diagnostics: Vec<Diagnostic>,
+}
+
+/// A mistake that has been reported; its holder only has to stop.
+#[derive(Debug)]
+pub(super) struct Reported;
+
+pub(super) type Parsed<T> = Result<T, Reported>;
+
+impl<'a> Parser<'a> {
+    pub(super) fn new(tokens: &'a [Token], end: Span) -> Result<Self, Diagnostic> {
+        match tokens.get(MAXIMUM_TOKENS) {
+            None => Ok(Parser { tokens, position: 0, end, nesting: 0, diagnostics: Vec::new() }),
+            Some(surplus) => {
+                let message = format!("a source has at most {MAXIMUM_TOKENS} names, numbers and symbols");
+                Err(Diagnostic::new(surplus.span, message).with_help("split it into several files"))
+            }
+        }
+    }
+
+    pub(super) fn peek(&self) -> Option<&'a TokenKind> {
+        self.peek_at(0)
+    }
+
+    /// The token `ahead` places after the next one.
+    pub(super) fn peek_at(&self, ahead: usize) -> Option<&'a TokenKind> {
+        self.tokens.get(self.position + ahead).map(|token| &token.kind)
+    }
+
+    /// The place of the next token.
+    pub(super) fn span(&self) -> Span {
+        self.tokens.get(self.position).map_or(self.end, |token| token.span)
+    }
+
+    /// The place just behind the token before.
+    pub(super) fn gap(&self) -> Span {
+        match self.position.checked_sub(1) {
+            Some(before) => Span::new(self.tokens[before].span.end, self.tokens[before].span.end),
+            None => self.span(),
+        }
+    }
+
+    /// From `start` to the end of the token before.
+    pub(super) fn since(&self, start: Span) -> Span {
+        start.to(self.gap())
+    }
+
+    pub(super) fn at_end(&self) -> bool {
+        self.position >= self.tokens.len()
+    }
+
+    pub(super) fn at(&self, symbol: Symbol) -> bool {
+        self.peek() == Some(&TokenKind::Symbol(symbol))
+    }
+
+    pub(super) fn at_word(&self, word: &str) -> bool {
+        matches!(self.peek(), Some(TokenKind::Name(text)) if text == word)
+    }
+
+    /// Takes the next token if it is `symbol`, and says where it stood.
+    pub(super) fn eat(&mut self, symbol: Symbol) -> Option<Span> {
+        let span = self.span();
+        self.at(symbol).then(|| {
+            self.position += 1;
+            span
+        })
+    }
+
+    pub(super) fn eat_word(&mut self, word: &str) -> bool {
+        let found = self.at_word(word);
+        self.position += usize::from(found);
+        found
+    }
+
+    pub(super) fn expect(&mut self, symbol: Symbol) -> Parsed<Span> {
+        match self.eat(symbol) {
+            Some(span) => Ok(span),
+            None => Err(self.unexpected(&format!("`{}`", symbol.text()), None)),
+        }
+    }
+
+    /// Takes the bracket that closes the one at `open`; `expected` says what else might have stood here.
+    pub(super) fn close(&mut self, open: Span, close: Symbol, expected: &str) -> Parsed<Span> {
+        if let Some(span) = self.eat(close) {
+            return Ok(span);
+        }
+        let is_product = expected.starts_with("an operator") && self.looks_like_factor();
+        let help = is_product.then_some("write `*` between factors");
+        let before = self.diagnostics.len();
+        let reported = self.unexpected(expected, help);
+        if let Some(diagnostic) = self.diagnostics.get_mut(before) {
+            let opening = match close {
+                Symbol::CloseBracket => "[",
+                Symbol::CloseBrace => "{",
+                _ => "(",
+            };
+            diagnostic.related = Some((open, format!("the `{opening}` to close")));
+        }
+        Err(reported)
+    }
+
+    /// Takes a free name; `role` is what it would name.
+    pub(super) fn name(&mut self, role: &str) -> Parsed<Name> {
+        let name = self.label(role)?;
+        match reserved(&name.text) {
+            None => Ok(name),
+            Some(word) => Err(self.report(taken(&name, word))),
+        }
+    }
+
+    /// Takes the name of a statement or effect: these are apart from all others, so `curl` may be one.
+    pub(super) fn label(&mut self, role: &str) -> Parsed<Name> {
+        let Some(TokenKind::Name(text)) = self.peek() else {
+            return Err(self.unexpected(role, None));
+        };
+        let name = Name { text: text.clone(), span: self.span() };
+        match reserved(text) {
+            // The word begins the next item: a name is missing, not badly chosen.
+            Some(Word::Item) if self.starts_item(self.position) => return Err(self.unexpected(role, None)),
+            Some(word @ (Word::Item | Word::Rust)) => {
+                self.position += 1;
+                return Err(self.report(taken(&name, word)));
+            }
+            Some(Word::Function) | None => self.position += 1,
+        }
+        Ok(name)
+    }
+
+    /// Records a mistake.
+    pub(super) fn report(&mut self, diagnostic: Diagnostic) -> Reported {
+        self.diagnostics.push(diagnostic);
+        Reported
+    }
+
+    /// Records that something else than the next token was expected.
+    pub(super) fn unexpected(&mut self, expected: &str, help: Option<&str>) -> Reported {
+        self.unexpected_at(self.span(), expected, help)
+    }
+
+    /// The same, pointing elsewhere than at the next token.
+    pub(super) fn unexpected_at(&mut self, place: Span, expected: &str, help: Option<&str>) -> Reported {
+        if self.peek() == Some(&TokenKind::Unknown) {
+            return Reported;
+        }
+        let mut diagnostic = Diagnostic::new(place, format!("expected {expected}, found {}", self.found()));
+        diagnostic.help = help.map(str::to_owned);
+        self.report(diagnostic)
+    }
+
+    /// The next token as a message names it.
+    fn found(&self) -> String {
+        match self.peek() {
+            None => "the end of the text".to_owned(),
+            Some(TokenKind::Name(text) | TokenKind::Number(text)) if text.chars().count() > 30 => {
+                format!("`{}…`", text.chars().take(30).collect::<String>())
+            }
+            Some(TokenKind::Name(text) | TokenKind::Number(text)) => format!("`{text}`"),
+            Some(TokenKind::Doc(_)) => "a `///` comment".to_owned(),
+            Some(TokenKind::Symbol(symbol)) => format!("`{}`", symbol.text()),
+            Some(TokenKind::Unknown) => "something unknown".to_owned(),
+        }
+    }
+
+    /// Whether the next token could be a factor of a product, which people write without `*`.
+    pub(super) fn looks_like_factor(&self) -> bool {
+        match self.peek() {
+            Some(TokenKind::Name(text)) => !matches!(reserved(text), Some(Word::Item | Word::Rust)),
+            Some(TokenKind::Number(_)) => true,
+            Some(TokenKind::Symbol(symbol)) => matches!(symbol, Symbol::OpenParen | Symbol::At),
+            _ => false,
+        }
+    }
+}
+
+/// What is said of a name that is a word of Rust or of the language.
+fn taken(name: &Name, word: Word) -> Diagnostic {
+    let reason = match word {
+        Word::Rust => "a Rust keyword",
+        Word::Item => "a word of the language",
+        Word::Function => "a function of the language",
+    };
+    Diagnostic::new(name.span, format!("`{}` is {reason} and cannot be a name", name.text))
+        .with_help("names may not be Rust keywords or words of the language")
+}

@@ -1,0 +1,122 @@
+//! A named text: where its places are, and how a diagnostic about it reads.
+
+use crate::diagnostic::{Diagnostic, Span};
+use std::fmt::Write;
+
+/// The most columns of a line that are quoted.
+const QUOTED: usize = 100;
+
+/// A text and the name it is known by.
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// Its file name, as shown to the user.
+    pub name: String,
+    /// Its characters.
+    pub text: String,
+}
+
+/// A place as people count: both numbers from 1, columns in characters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Position {
+    /// The number of the line.
+    pub line: usize,
+    /// The number of the character in its line.
+    pub column: usize,
+}
+
+impl Source {
+    /// A text with its name.
+    pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
+        Source { name: name.into(), text: text.into() }
+    }
+
+    /// Where a byte offset is. One outside the text is its end, one inside a character is its start.
+    pub fn position(&self, offset: u32) -> Position {
+        let offset = self.boundary(offset);
+        let start = self.line_start(offset);
+        let line = self.text[..start].bytes().filter(|&byte| byte == b'\n').count() + 1;
+        Position { line, column: self.text[start..offset].chars().count() + 1 }
+    }
+
+    /// A diagnostic with the line it speaks of.
+    ///
+    /// ```text
+    /// error: expected `;` after the statement, found `prove`
+    ///   --> box.forms:3:14
+    ///    |
+    ///  3 | let r = x + y
+    ///    |              ^
+    ///    = help: …
+    /// ```
+    pub fn render(&self, diagnostic: &Diagnostic) -> String {
+        let Position { line, column } = self.position(diagnostic.span.start);
+        let number = line.to_string();
+        let margin = " ".repeat(number.len() + 2);
+        let (quote, marks) = self.quote(diagnostic.span);
+        let mut text = format!("error: {}\n", diagnostic.message);
+        let mut put = |part: std::fmt::Arguments<'_>| text.write_fmt(part).expect("a String takes all text");
+        put(format_args!("{}--> {}:{line}:{column}\n", " ".repeat(number.len() + 1), self.name));
+        put(format_args!("{margin}|\n {number} | {quote}\n{margin}| {marks}\n"));
+        if let Some((span, name)) = &diagnostic.related {
+            let Position { line, column } = self.position(span.start);
+            put(format_args!("{margin}= note: {name} is at {line}:{column}\n"));
+        }
+        if let Some(help) = &diagnostic.help {
+            put(format_args!("{margin}= help: {help}\n"));
+        }
+        text
+    }
+
+    /// The line a span begins in and the marks under the span, up to the end of that line.
+    fn quote(&self, span: Span) -> (String, String) {
+        let start = self.boundary(span.start);
+        let line_start = self.line_start(start);
+        let line_end = self.text[start..].find('\n').map_or(self.text.len(), |length| start + length);
+        let line = self.text[line_start..line_end].trim_end_matches('\r');
+        let end = self.boundary(span.end).clamp(start, line_end);
+        let column = self.text[line_start..start].chars().count();
+        let width = self.text[start..end].trim_end_matches('\r').chars().count().max(1);
+        let length = line.chars().count();
+        let window = window(length, column, width);
+        let (cut_before, cut_after) = (window.start > 0, window.end < length);
+        let marked = width.min(window.end.saturating_sub(column)).max(1);
+        let indent = column - window.start + usize::from(cut_before);
+        let mut quote: String = line.chars().skip(window.start).take(window.len()).map(printable).collect();
+        if cut_before {
+            quote.insert(0, '…');
+        }
+        if cut_after {
+            quote.push('…');
+        }
+        (quote, format!("{}{}", " ".repeat(indent), "^".repeat(marked)))
+    }
+
+    /// The nearest character boundary at or before an offset.
+    fn boundary(&self, offset: u32) -> usize {
+        let offset = usize::try_from(offset).unwrap_or(usize::MAX).min(self.text.len());
+        (0..=offset).rev().find(|&at| self.text.is_char_boundary(at)).unwrap_or(0)
+    }
+
+    fn line_start(&self, offset: usize) -> usize {
+        self.text[..offset].rfind('\n').map_or(0, |newline| newline + 1)
+    }
+}
+
+/// The characters of a long line that are shown: a third of the room for what stands before the mark.
+fn window(length: usize, column: usize, width: usize) -> std::ops::Range<usize> {
+    if length <= QUOTED {
+        return 0..length;
+    }
+    let room_before = if width > QUOTED / 3 { QUOTED / 5 } else { QUOTED / 2 };
+    let start = column.saturating_sub(room_before).min(length - QUOTED);
+    start..start + QUOTED
+}
+
+/// One column for one character, whatever the terminal does with it.
+fn printable(c: char) -> char {
+    match c {
+        '\t' => ' ',
+        c if c.is_control() => '\u{fffd}',
+        c => c,
+    }
+}

@@ -1,0 +1,81 @@
+//! The words that are not free to be names, in one table.
+
+/// Why a word is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Word {
+    /// Rust reserves it, so no generated function or argument could carry it.
+    Rust,
+    /// It begins or structures an item: `chart`, `where`, `on`.
+    Item,
+    /// It is a function or constant of expressions: `d`, `pullback`, `sqrt`, `pi`.
+    Function,
+}
+
+/// The words that begin an item.
+pub const ITEMS: &[&str] =
+    &["chart", "param", "fn", "let", "form", "field", "map", "metric", "prove", "refute", "kernel"];
+
+/// The words that stand inside items.
+const INSIDE: &[&str] = &["pub", "where", "on", "if", "else", "jump", "effects", "warp"];
+
+/// The functions of the language, and its constant.
+pub const FUNCTIONS: &[&str] = &[
+    "d",
+    "interior",
+    "lie",
+    "bracket",
+    "pair",
+    "pullback",
+    "diff",
+    "hodge",
+    "codiff",
+    "laplace",
+    "flat",
+    "sharp",
+    "inner",
+    "norm",
+    "volume",
+    "grad",
+    "curl",
+    "div",
+    "potential",
+    "integral",
+    "boundary_integral",
+    "sqrt",
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan",
+    "atan2",
+    "exp",
+    "log",
+    "sinh",
+    "cosh",
+    "tanh",
+    "abs",
+    "pi",
+];
+
+/// The strict and reserved keywords of every Rust edition, and the wildcard.
+const RUST: &[&str] = &[
+    "as", "break", "const", "continue", "crate", "else", "enum", "extern", "false", "fn", "for", "if",
+    "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref", "return", "self", "Self",
+    "static", "struct", "super", "trait", "true", "type", "unsafe", "use", "where", "while", "async",
+    "await", "dyn", "abstract", "become", "box", "do", "final", "gen", "macro", "override", "priv", "try",
+    "typeof", "unsized", "virtual", "yield", "_",
+];
+
+/// Why `text` cannot be a name; `None` if it can. Words of both languages count as words of this one.
+pub fn reserved(text: &str) -> Option<Word> {
+    if ITEMS.contains(&text) || INSIDE.contains(&text) {
+        Some(Word::Item)
+    } else if FUNCTIONS.contains(&text) {
+        Some(Word::Function)
+    } else if RUST.contains(&text) {
+        Some(Word::Rust)
+    } else {
+        None
+    }
+}

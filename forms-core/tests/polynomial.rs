@@ -1,0 +1,179 @@
+//! Laws of the polynomial engine, each against an independent schoolbook where one exists.
+
+use forms_core::polynomial::{Polynomial, coprime_basis};
+use num_bigint::BigInt;
+use proptest::prelude::*;
+use std::collections::BTreeMap;
+
+type Term = (Vec<(u32, u32)>, BigInt);
+
+/// Polynomials in x₀, x₁, x₂ with few terms.
+fn small() -> impl Strategy<Value = Polynomial> {
+    terms(3, 3, -9..=9, 5)
+}
+
+fn terms(
+    variables: u32,
+    exponent: u32,
+    numbers: std::ops::RangeInclusive<i64>,
+    count: usize,
+) -> impl Strategy<Value = Polynomial> {
+    let monomial = prop::collection::vec((0..variables, 0..=exponent), 0..3);
+    prop::collection::vec((monomial, numbers.prop_map(BigInt::from)), 0..=count)
+        .prop_map(Polynomial::from_terms)
+}
+
+/// Any size of coefficients, variables to 199 and exponents to 10⁴.
+fn wild() -> impl Strategy<Value = Vec<Term>> {
+    let exponent = prop_oneof![0..4u32, 5..9u32, 120..130u32, 9_990..=10_000u32];
+    let monomial = prop::collection::btree_map(prop_oneof![0..4u32, 0..200u32], exponent, 0..4);
+    let number = prop_oneof![
+        (-3i64..=3).prop_map(BigInt::from),
+        (i64::MAX - 3..=i64::MAX).prop_map(BigInt::from),
+        (i64::MIN..=i64::MIN + 3).prop_map(BigInt::from),
+        (i128::MAX - 3..=i128::MAX).prop_map(BigInt::from),
+        (i128::MIN..=i128::MIN + 3).prop_map(BigInt::from),
+    ];
+    prop::collection::vec((monomial.prop_map(|monomial| monomial.into_iter().collect()), number), 0..6)
+}
+
+/// The product by the definition, on maps from exponents to numbers.
+fn schoolbook(left: &[Term], right: &[Term]) -> BTreeMap<Vec<(u32, u32)>, BigInt> {
+    let mut product = BTreeMap::new();
+    for (a, c) in left {
+        for (b, d) in right {
+            let mut exponents: BTreeMap<u32, u32> = BTreeMap::new();
+            for (variable, exponent) in a.iter().chain(b) {
+                *exponents.entry(*variable).or_default() += exponent;
+            }
+            exponents.retain(|_, exponent| *exponent != 0);
+            *product.entry(exponents.into_iter().collect()).or_insert(BigInt::ZERO) += c * d;
+        }
+    }
+    product.retain(|_, coefficient| *coefficient != BigInt::ZERO);
+    product
+}
+
+fn map(polynomial: &Polynomial) -> BTreeMap<Vec<(u32, u32)>, BigInt> {
+    polynomial.terms().collect()
+}
+
+fn x(index: u32) -> Polynomial {
+    Polynomial::variable(index)
+}
+
+proptest! {
+    #[test]
+    fn polynomials_are_a_commutative_ring(f in small(), g in small(), h in small()) {
+        prop_assert_eq!(&f + &g, &g + &f);
+        prop_assert_eq!(&f * &g, &g * &f);
+        prop_assert_eq!(&(&f + &g) + &h, &f + &(&g + &h));
+        prop_assert_eq!(&(&f * &g) * &h, &f * &(&g * &h));
+        prop_assert_eq!(&f * &(&g + &h), &(&f * &g) + &(&f * &h));
+        prop_assert_eq!(&f - &g, &f + &(-&g));
+        prop_assert!((&f - &f).is_zero());
+        prop_assert_eq!(&f * &Polynomial::one(), f.clone());
+    }
+
+    #[test]
+    fn packed_product_is_the_schoolbook_product(left in wild(), right in wild()) {
+        let (f, g) = (Polynomial::from_terms(left.clone()), Polynomial::from_terms(right.clone()));
+        prop_assert_eq!(map(&(&f * &g)), schoolbook(&left, &right));
+    }
+
+    #[test]
+    fn terms_rebuild_the_polynomial_in_decreasing_order(terms in wild()) {
+        let f = Polynomial::from_terms(terms);
+        prop_assert_eq!(&Polynomial::from_terms(f.terms()), &f);
+        prop_assert_eq!(f.terms().count(), f.term_count());
+    }
+
+    #[test]
+    fn representation_does_not_depend_on_the_way(a in wild(), b in wild()) {
+        let (f, g) = (Polynomial::from_terms(a), Polynomial::from_terms(b));
+        prop_assert_eq!(&(&f + &g) - &g, f.clone());
+        prop_assert_eq!(&(&f - &g) + &g, f);
+    }
+
+    #[test]
+    fn derivation_obeys_leibniz(f in small(), g in small()) {
+        prop_assert_eq!((&f * &g).derivative(1), &(&f.derivative(1) * &g) + &(&f * &g.derivative(1)));
+    }
+
+    #[test]
+    fn exact_division_inverts_multiplication(f in small(), g in small()) {
+        prop_assume!(!g.is_zero());
+        prop_assert_eq!((&f * &g).divide_exact(&g), Some(f.clone()));
+        if let Some(quotient) = f.divide_exact(&g) {
+            prop_assert_eq!(&quotient * &g, f);
+        }
+    }
+
+    #[test]
+    fn a_common_factor_divides_the_gcd(a in small(), b in small(), c in small()) {
+        prop_assume!(!a.is_zero() && !b.is_zero() && !c.is_zero());
+        let (f, g) = (&a * &c, &b * &c);
+        let gcd = f.gcd(&g);
+        prop_assert!(gcd.divide_exact(&c).is_some(), "{:?} does not divide {:?}", c, gcd);
+        prop_assert!(!gcd.is_negative());
+        let (f, g) = (f.divide_exact(&gcd), g.divide_exact(&gcd));
+        prop_assert!(f.zip(g).is_some_and(|(f, g)| f.gcd(&g).is_one()));
+    }
+
+    #[test]
+    fn square_free_factors_recompose(a in small(), b in small()) {
+        let f = &(&a * &a) * &b;
+        let (content, factors) = f.square_free();
+        prop_assert_eq!(Polynomial::from_factors(&content, &factors), f);
+        for (index, (factor, _)) in factors.iter().enumerate() {
+            prop_assert!(factor.is_square_free());
+            prop_assert!(factors[..index].iter().all(|(other, _)| factor.gcd(other).is_one()));
+        }
+    }
+
+    #[test]
+    fn inputs_factor_over_their_coprime_basis(a in small(), b in small(), c in small()) {
+        let inputs = [&a * &b, &b * &c, &(&a * &c) * &c];
+        let basis = coprime_basis(&inputs);
+        for (index, factor) in basis.iter().enumerate() {
+            prop_assert!(basis[..index].iter().all(|other| factor.gcd(other).is_one()));
+        }
+        for input in inputs.iter().filter(|input| !input.is_zero()) {
+            let (content, exponents) = input.factor_over(&basis).expect("it factors over the basis");
+            let factors: Vec<_> = basis.iter().cloned().zip(exponents).collect();
+            prop_assert_eq!(&Polynomial::from_factors(&content, &factors), input);
+        }
+    }
+
+    #[test]
+    fn evaluation_is_a_homomorphism(f in small(), g in small(), point in prop::collection::vec(-50i64..50, 3)) {
+        let point: Vec<BigInt> = point.into_iter().map(BigInt::from).collect();
+        prop_assert_eq!((&f * &g).evaluate(&point), f.evaluate(&point) * g.evaluate(&point));
+        prop_assert_eq!((&f + &g).evaluate(&point), f.evaluate(&point) + g.evaluate(&point));
+        let generic = f.evaluate_with(BigInt::clone, |variable| point[variable as usize].clone());
+        prop_assert_eq!(generic, f.evaluate(&point));
+    }
+
+    #[test]
+    fn substitution_commutes_with_products(f in small(), g in small(), value in small()) {
+        let substitute = |polynomial: &Polynomial| polynomial.substitute(1, &value);
+        prop_assert_eq!(substitute(&(&f * &g)), &substitute(&f) * &substitute(&g));
+    }
+
+    #[test]
+    fn parts_rebuild_the_polynomial(f in terms(4, 5, -9..=9, 12)) {
+        let mut sum = Polynomial::zero();
+        for (exponents, part) in f.split_by(&[2, 0]) {
+            prop_assert!(!part.contains(0) && !part.contains(2));
+            sum = &sum + &part.multiply_by_monomial(&[(2, exponents[0]), (0, exponents[1])]);
+        }
+        prop_assert_eq!(sum, f);
+    }
+}
+
+#[test]
+fn powers_multiply_out() {
+    let f = &x(0) + &Polynomial::integer(1);
+    assert_eq!(f.pow(3).to_string(), "x0^3 + 3*x0^2 + 3*x0 + 1");
+    assert_eq!((f.pow(0), f.pow(1)), (Polynomial::one(), f));
+}

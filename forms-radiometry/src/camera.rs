@@ -1,0 +1,90 @@
+//! The pinhole camera: a point of the film becomes a direction of sight.
+
+use crate::geometry::Vector;
+
+/// The largest width or height of a picture, in pixels.
+pub(crate) const MAXIMAL_RESOLUTION: usize = 8192;
+
+/// A pinhole camera.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Camera {
+    /// Its name.
+    pub name: String,
+    /// Where the pinhole is.
+    pub origin: Vector,
+    /// Width and height of the picture in pixels.
+    pub resolution: [usize; 2],
+    /// Unit vector along the line of sight.
+    forward: Vector,
+    /// From the middle of the picture to the middle of its right border, at unit distance along the line of
+    /// sight.
+    right: Vector,
+    /// The same to its upper border.
+    up: Vector,
+}
+
+impl Camera {
+    /// The camera at `origin` that looks at `target`, with `up` upright in the picture and a vertical field
+    /// of view of `fov` degrees. None if target and origin coincide, if `up` lies along the line of sight, or
+    /// if the field of view is not between 0 and 180 degrees.
+    pub fn new(
+        name: String,
+        origin: Vector,
+        target: Vector,
+        up: Vector,
+        fov: f64,
+        resolution: [usize; 2],
+    ) -> Option<Self> {
+        let forward = (target - origin).unit()?;
+        let right = forward.cross(up.unit()?);
+        let right = right.unit().filter(|_| right.length() > 1e-9)?;
+        let half_height = (0.5 * fov.to_radians()).tan();
+        if !(fov > 0.0 && fov < 180.0) || resolution.contains(&0) {
+            return None;
+        }
+        let half_width = half_height * resolution[0] as f64 / resolution[1] as f64;
+        let up = half_height * right.cross(forward);
+        Some(Self { name, origin, resolution, forward, right: half_width * right, up })
+    }
+
+    /// The direction, not of unit length, in which the film point (x, y) looks; x runs from 0 at the left
+    /// border to the width at the right border, y from 0 at the upper border to the height at the lower
+    /// border.
+    pub fn direction(&self, x: f64, y: f64) -> Vector {
+        let [width, height] = self.resolution.map(|side| side as f64);
+        self.forward + (2.0 * x / width - 1.0) * self.right + (1.0 - 2.0 * y / height) * self.up
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_corners_of_the_film_lie_at_the_field_of_view() {
+        let (origin, target, up) =
+            (Vector::new(1.0, 2.0, 3.0), Vector::new(1.0, 2.0, 8.0), Vector::new(0.0, 1.0, 1.0));
+        let camera = Camera::new("wide".to_owned(), origin, target, up, 90.0, [200, 100]).unwrap();
+        let cases = [
+            ("middle", (100.0, 50.0), Vector::new(0.0, 0.0, 1.0)),
+            ("upper left", (0.0, 0.0), Vector::new(2.0, 1.0, 1.0)),
+            ("lower right", (200.0, 100.0), Vector::new(-2.0, -1.0, 1.0)),
+        ];
+        for (name, (x, y), expected) in cases {
+            assert!((camera.direction(x, y) - expected).length() < 1e-15, "{name}");
+        }
+    }
+
+    #[test]
+    fn a_camera_without_direction_or_upright_is_none() {
+        let (o, z) = (Vector::default(), Vector::new(0.0, 0.0, 1.0));
+        for (name, target, up, fov) in [
+            ("target at the origin", o, z, 40.0),
+            ("up along the line of sight", z, z, 40.0),
+            ("no upright", z, o, 40.0),
+            ("no field of view", z, Vector::new(0.0, 1.0, 0.0), 0.0),
+        ] {
+            assert!(Camera::new(name.to_owned(), o, target, up, fov, [4, 4]).is_none(), "{name}");
+        }
+    }
+}

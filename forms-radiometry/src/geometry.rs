@@ -1,0 +1,16 @@
+//! Geometry of light: vertices become polygons, polygons seen from a point become cones of directions, and
+//! what is left of one cone after others have been cut out of it is what the point sees.
+
+mod clip;
+mod cone;
+mod form_factor;
+mod luminaire;
+mod polygon;
+mod triangulation;
+mod vector;
+
+pub(crate) use cone::Cone;
+pub use form_factor::form_factor;
+pub(crate) use luminaire::{Luminaire, Workspace, resolution};
+pub use polygon::{Polygon, PolygonError};
+pub use vector::Vector;

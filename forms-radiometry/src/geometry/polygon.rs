@@ -1,0 +1,232 @@
+//! Planar polygons: a list of vertices is checked and becomes a polygon with a normal and convex pieces.
+
+use super::Vector;
+use super::triangulation::{triangulate, turn};
+use std::fmt;
+
+/// How far a vertex may lie off the polygon's plane, as a fraction of the polygon's extent.
+const PLANARITY: f64 = 1e-6;
+
+/// The largest coordinate, and the inverse of the least extent, of a polygon: form factors are made of fourth
+/// powers of lengths, which must neither overflow nor underflow.
+const LARGEST: f64 = 1e70;
+
+/// A simple planar polygon, counter-clockwise seen from its front.
+#[derive(Clone, Debug)]
+pub struct Polygon {
+    vertices: Vec<Vector>,
+    normal: Vector,
+    pieces: Vec<Vec<Vector>>,
+}
+
+/// Why a list of vertices is no polygon. Vertices are counted from one.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PolygonError {
+    /// Fewer than three vertices.
+    TooFewVertices(usize),
+    /// Coordinates that are not finite, or too far apart for f64 arithmetic.
+    OutOfRange,
+    /// This vertex and the one after it are the same point.
+    RepeatedVertex(usize),
+    /// All vertices lie on one line, or what the edges enclose cancels.
+    NoArea,
+    /// This vertex lies off the plane of the others.
+    NotPlanar {
+        /// The vertex farthest off the plane.
+        vertex: usize,
+        /// Its distance from the plane.
+        distance: f64,
+        /// The distance that would be accepted.
+        accepted: f64,
+    },
+    /// The edges that start at these two vertices cross.
+    Crossing(usize, usize),
+}
+
+impl fmt::Display for PolygonError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooFewVertices(count) => write!(f, "a polygon needs three vertices or more, found {count}"),
+            Self::OutOfRange => write!(f, "the polygon's coordinates are too large or too small"),
+            Self::RepeatedVertex(vertex) => write!(f, "vertex {vertex} and the one after it coincide"),
+            Self::NoArea => write!(f, "the polygon encloses no area"),
+            Self::NotPlanar { vertex, distance, accepted } => {
+                write!(f, "the polygon is not planar: vertex {vertex} lies {distance:.3e} off its plane ")?;
+                write!(f, "(accepted: {accepted:.1e})")
+            }
+            Self::Crossing(a, b) => write!(f, "the edges from vertex {a} and from vertex {b} cross"),
+        }
+    }
+}
+
+impl std::error::Error for PolygonError {}
+
+impl Polygon {
+    /// The polygon with these vertices, which must be planar within 10⁻⁶ of its extent and not cross itself.
+    pub fn new(vertices: Vec<Vector>) -> Result<Self, PolygonError> {
+        if vertices.len() < 3 {
+            return Err(PolygonError::TooFewVertices(vertices.len()));
+        }
+        let repeated = |i: &usize| vertices[*i] == vertices[(i + 1) % vertices.len()];
+        if let Some(i) = (0..vertices.len()).find(repeated) {
+            return Err(PolygonError::RepeatedVertex(i + 1));
+        }
+        let normal = checked_normal(&vertices)?;
+        if let Some((i, j)) = crossing_edges(&vertices, normal) {
+            return Err(PolygonError::Crossing(i + 1, j + 1));
+        }
+        let pieces = if is_convex(&vertices, normal) {
+            vec![vertices.clone()]
+        } else {
+            triangulate(&vertices, normal)
+        };
+        Ok(Self { vertices, normal, pieces })
+    }
+
+    /// The vertices, counter-clockwise seen from the front.
+    pub fn vertices(&self) -> &[Vector] {
+        &self.vertices
+    }
+
+    /// The unit normal, which points to the front.
+    pub fn normal(&self) -> Vector {
+        self.normal
+    }
+
+    /// Convex polygons that cover this one without overlap: itself, or triangles. Each runs as this one does.
+    pub fn convex_pieces(&self) -> &[Vec<Vector>] {
+        &self.pieces
+    }
+}
+
+/// Newell's normal N = ½ Σ vᵢ × vᵢ₊₁, taken about the first vertex: its length is the area.
+fn checked_normal(vertices: &[Vector]) -> Result<Vector, PolygonError> {
+    let origin = vertices[0];
+    let extent = vertices.iter().fold(0.0, |m: f64, &v| m.max((v - origin).largest()));
+    if !vertices.iter().all(|v| v.largest() <= LARGEST) || extent < 1.0 / LARGEST {
+        return Err(PolygonError::OutOfRange);
+    }
+    let scaled: Vec<Vector> = vertices.iter().map(|&v| (1.0 / extent) * (v - origin)).collect();
+    let doubled = scaled.windows(2).fold(Vector::default(), |sum, pair| sum + pair[0].cross(pair[1]));
+    let normal = doubled.unit().filter(|_| doubled.length() > PLANARITY * PLANARITY);
+    let normal = normal.ok_or(PolygonError::NoArea)?;
+    let count = vertices.len() as f64;
+    let centre = (1.0 / count) * scaled.iter().fold(Vector::default(), |sum, &v| sum + v);
+    let distance = |v: Vector| normal.dot(v - centre).abs();
+    let (vertex, farthest) = scaled
+        .iter()
+        .map(|&v| distance(v))
+        .enumerate()
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .expect("a polygon has three vertices or more");
+    if farthest > PLANARITY {
+        return Err(PolygonError::NotPlanar {
+            vertex: vertex + 1,
+            distance: farthest * extent,
+            accepted: PLANARITY * extent,
+        });
+    }
+    Ok(normal)
+}
+
+fn is_convex(vertices: &[Vector], normal: Vector) -> bool {
+    let count = vertices.len();
+    (0..count).all(|i| turn(vertices[i], vertices[(i + 1) % count], vertices[(i + 2) % count], normal) >= 0.0)
+}
+
+/// Two edges that do not follow each other and have a point in common.
+fn crossing_edges(vertices: &[Vector], normal: Vector) -> Option<(usize, usize)> {
+    let count = vertices.len();
+    let edge = |i: usize| (vertices[i], vertices[(i + 1) % count]);
+    for i in 0..count {
+        for j in i + 2..count {
+            if (j + 1) % count != i && cross(edge(i), edge(j), normal) {
+                return Some((i, j));
+            }
+        }
+    }
+    None
+}
+
+/// Whether each of the two edges separates the end points of the other, or passes through one.
+fn cross((a, b): (Vector, Vector), (c, d): (Vector, Vector), normal: Vector) -> bool {
+    let (c_side, d_side) = (turn(a, b, c, normal), turn(a, b, d, normal));
+    let (a_side, b_side) = (turn(c, d, a, normal), turn(c, d, b, normal));
+    if c_side == 0.0 && d_side == 0.0 {
+        let along = b - a;
+        let (low, high) = (along.dot(c - a).min(along.dot(d - a)), along.dot(c - a).max(along.dot(d - a)));
+        return high >= 0.0 && low <= along.dot(along);
+    }
+    let separates = |s: f64, t: f64| (s <= 0.0 && t >= 0.0) || (s >= 0.0 && t <= 0.0);
+    separates(c_side, d_side) && separates(a_side, b_side)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn flat(points: &[(f64, f64)]) -> Vec<Vector> {
+        points.iter().map(|&(x, y)| Vector::new(x, y, 0.0)).collect()
+    }
+
+    fn area(piece: &[Vector]) -> f64 {
+        let about = piece[0];
+        piece.windows(2).map(|p| 0.5 * (p[0] - about).cross(p[1] - about).z).sum()
+    }
+
+    #[test]
+    fn what_is_no_polygon_is_refused_with_its_reason() {
+        use PolygonError::{Crossing, NoArea, RepeatedVertex, TooFewVertices};
+        let cases = [
+            ("two vertices", vec![(0.0, 0.0), (1.0, 0.0)], TooFewVertices(2)),
+            ("a repeated vertex", vec![(0.0, 0.0), (1.0, 0.0), (1.0, 0.0), (0.0, 1.0)], RepeatedVertex(2)),
+            ("a line", vec![(0.0, 0.0), (1.0, 1.0), (2.0, 2.0)], NoArea),
+            ("a bow tie", vec![(0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 1.0)], Crossing(1, 3)),
+        ];
+        for (name, points, expected) in cases {
+            assert_eq!(Polygon::new(flat(&points)).map(|_| ()), Err(expected), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_vertex_off_the_plane_is_refused_beyond_a_millionth_of_the_extent() {
+        let raised = |height: f64| {
+            let mut square = flat(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]);
+            square[2].z = height;
+            Polygon::new(square)
+        };
+        assert!(raised(1e-7).is_ok());
+        assert!(matches!(raised(1e-5), Err(PolygonError::NotPlanar { .. })));
+    }
+
+    #[test]
+    fn convex_pieces_have_the_area_of_the_polygon() {
+        let cases = [
+            ("square", vec![(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)], 1, 1.0),
+            ("square with a vertex in an edge", vec![(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (0.0, 2.0)], 1, 2.0),
+            ("arrow", vec![(0.0, 0.0), (2.0, 0.0), (0.5, 0.5), (0.0, 2.0)], 2, 1.0),
+            (
+                "U",
+                vec![
+                    (0.0, 0.0),
+                    (3.0, 0.0),
+                    (3.0, 3.0),
+                    (2.0, 3.0),
+                    (2.0, 1.0),
+                    (1.0, 1.0),
+                    (1.0, 3.0),
+                    (0.0, 3.0),
+                ],
+                6,
+                7.0,
+            ),
+        ];
+        for (name, points, count, expected) in cases {
+            let polygon = Polygon::new(flat(&points)).unwrap_or_else(|error| panic!("{name}: {error}"));
+            assert_eq!(polygon.convex_pieces().len(), count, "{name}");
+            assert!(polygon.convex_pieces().iter().all(|piece| area(piece) > 0.0), "{name}");
+            let sum: f64 = polygon.convex_pieces().iter().map(|piece| area(piece)).sum();
+            assert!((sum - expected).abs() < 1e-14, "{name}: {sum}");
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! Vectors of three-dimensional Euclidean space; a point is its vector from the origin.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// A vector, or a point as its vector from the origin.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Vector {
+    /// First coordinate.
+    pub x: f64,
+    /// Second coordinate.
+    pub y: f64,
+    /// Third coordinate.
+    pub z: f64,
+}
+
+impl Vector {
+    /// The vector (x, y, z).
+    pub const fn new(x: f64, y: f64, z: f64) -> Self {
+        Self { x, y, z }
+    }
+
+    /// u·v.
+    pub fn dot(self, other: Self) -> f64 {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+
+    /// u × v. Antisymmetric to the last bit: `u.cross(v) == -v.cross(u)`.
+    pub fn cross(self, other: Self) -> Self {
+        Self::new(
+            self.y * other.z - self.z * other.y,
+            self.z * other.x - self.x * other.z,
+            self.x * other.y - self.y * other.x,
+        )
+    }
+
+    /// The largest absolute value of a coordinate; not a number if a coordinate is none.
+    pub(crate) fn largest(self) -> f64 {
+        [self.x, self.y, self.z].into_iter().fold(0.0, |m: f64, c| if c.abs() <= m { m } else { c.abs() })
+    }
+
+    /// |v|, without overflow or underflow on the way.
+    pub fn length(self) -> f64 {
+        let scale = self.largest();
+        if scale == 0.0 || !scale.is_finite() {
+            return scale;
+        }
+        let v = Self::new(self.x / scale, self.y / scale, self.z / scale);
+        scale * v.dot(v).sqrt()
+    }
+
+    /// v/|v|, or nothing where v is zero or not finite.
+    pub fn unit(self) -> Option<Self> {
+        let scale = self.largest();
+        if scale == 0.0 || !scale.is_finite() {
+            return None;
+        }
+        let v = Self::new(self.x / scale, self.y / scale, self.z / scale);
+        let length = v.dot(v).sqrt();
+        Some(Self::new(v.x / length, v.y / length, v.z / length))
+    }
+}
+
+impl Add for Vector {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::new(self.x + other.x, self.y + other.y, self.z + other.z)
+    }
+}
+
+impl Sub for Vector {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.x - other.x, self.y - other.y, self.z - other.z)
+    }
+}
+
+impl Neg for Vector {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::new(-self.x, -self.y, -self.z)
+    }
+}
+
+impl Mul<Vector> for f64 {
+    type Output = Vector;
+    fn mul(self, v: Vector) -> Vector {
+        Vector::new(self * v.x, self * v.y, self * v.z)
+    }
+}

@@ -1,0 +1,164 @@
+//! Typed values: a TOML value becomes a number, a vector, a spectrum or a text, or an error at its place.
+
+use super::error::Report;
+use crate::geometry::Vector;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeArray, DeValue};
+
+/// A value with its place in the text.
+pub(super) type Value<'t> = Spanned<DeValue<'t>>;
+
+/// What a number must satisfy, and how to say so.
+pub(super) struct Domain {
+    /// Completes "expected …", such as "a number from 0 to 1".
+    pub(super) expected: &'static str,
+    pub(super) contains: fn(f64) -> bool,
+}
+
+/// Coordinates whose fourth powers, which form factors are made of, do not overflow.
+const COORDINATE: Domain = Domain { expected: "a number from -1e70 to 1e70", contains: |x| x.abs() <= 1e70 };
+
+fn wrong_kind(report: &mut Report, value: &Value, what: &str, expected: &str) {
+    let found = value.get_ref().type_str();
+    report.error(
+        value.span(),
+        format!("{what} is of the wrong kind: found a value of type {found}"),
+        expected,
+    );
+}
+
+pub(super) fn text<'a>(report: &mut Report, value: &'a Value, what: &str) -> Option<&'a str> {
+    let found = value.get_ref().as_str();
+    if found.is_none() {
+        wrong_kind(report, value, what, "a text in quotes");
+    }
+    found
+}
+
+pub(super) fn boolean(report: &mut Report, value: &Value, what: &str) -> Option<bool> {
+    let found = value.get_ref().as_bool();
+    if found.is_none() {
+        wrong_kind(report, value, what, "true or false");
+    }
+    found
+}
+
+/// A finite number of the domain.
+pub(super) fn number(report: &mut Report, value: &Value, what: &str, domain: &Domain) -> Option<f64> {
+    let Some(found) = plain_number(value.get_ref()) else {
+        wrong_kind(report, value, what, domain.expected);
+        return None;
+    };
+    if !found.is_finite() {
+        report.error(value.span(), format!("{what} is not finite"), domain.expected);
+        return None;
+    }
+    if !(domain.contains)(found) {
+        report.error(value.span(), format!("{what} is out of range"), domain.expected);
+        return None;
+    }
+    Some(found)
+}
+
+fn plain_number(value: &DeValue) -> Option<f64> {
+    match value {
+        DeValue::Float(float) => float.as_str().parse().ok(),
+        DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
+        DeValue::Integer(integer) => {
+            u64::from_str_radix(integer.as_str(), integer.radix()).ok().map(|integer| integer as f64)
+        }
+        _ => None,
+    }
+}
+
+/// An array of exactly this many values.
+pub(super) fn array<'a, 't>(
+    report: &mut Report,
+    value: &'a Value<'t>,
+    what: &str,
+    length: usize,
+    expected: &str,
+) -> Option<&'a DeArray<'t>> {
+    let Some(array) = value.get_ref().as_array() else {
+        wrong_kind(report, value, what, expected);
+        return None;
+    };
+    if array.len() != length {
+        report.error(value.span(), format!("{what} has {} values", array.len()), expected);
+        return None;
+    }
+    Some(array)
+}
+
+/// Three coordinates.
+pub(super) fn vector(report: &mut Report, value: &Value, what: &str) -> Option<Vector> {
+    let coordinates = array(report, value, what, 3, "three coordinates [x, y, z]")?;
+    let mut numbers = coordinates
+        .iter()
+        .map(|value| number(report, value, &format!("a coordinate of {what}"), &COORDINATE));
+    let (x, y, z) = (numbers.next()?, numbers.next()?, numbers.next()?);
+    Some(Vector::new(x?, y?, z?))
+}
+
+/// A vector that has a direction, as a unit vector.
+pub(super) fn direction(report: &mut Report, value: &Value, what: &str) -> Option<Vector> {
+    let unit = vector(report, value, what)?.unit();
+    if unit.is_none() {
+        report.error(value.span(), format!("{what} has length zero"), "a vector with a direction");
+    }
+    unit
+}
+
+/// One number for all bands, or one a band. Where the bands themselves are in error, their number is not
+/// known, and the list is checked number by number only.
+pub(super) fn spectrum(
+    report: &mut Report,
+    value: &Value,
+    what: &str,
+    domain: &Domain,
+    bands: Option<usize>,
+) -> Option<Vec<f64>> {
+    let Some(array) = value.get_ref().as_array() else {
+        return number(report, value, what, domain).map(|number| vec![number; bands.unwrap_or(1)]);
+    };
+    if bands.is_some_and(|bands| bands != array.len()) {
+        let expected = match bands {
+            Some(bands) if bands > 1 => format!("one number, or {bands} (one a band)"),
+            _ => "one number".to_owned(),
+        };
+        report.error(value.span(), format!("{what} has {} values", array.len()), expected);
+        return None;
+    }
+    let numbers: Vec<Option<f64>> = array.iter().map(|value| number(report, value, what, domain)).collect();
+    numbers.into_iter().collect()
+}
+
+/// One of the named choices.
+pub(super) fn choice<T: Copy>(
+    report: &mut Report,
+    place: Range<usize>,
+    found: &str,
+    what: &str,
+    choices: &[(&str, T)],
+) -> Option<T> {
+    let chosen = choices.iter().find(|(name, _)| *name == found).map(|&(_, choice)| choice);
+    if chosen.is_none() {
+        report.error(
+            place,
+            format!("{what} `{found}` is unknown"),
+            one_of(choices.iter().map(|(name, _)| *name)),
+        );
+    }
+    chosen
+}
+
+/// "`a`, `b` or `c`".
+pub(super) fn one_of<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let quoted: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+    match quoted.split_last() {
+        None => "nothing".to_owned(),
+        Some((only, [])) => only.clone(),
+        Some((last, rest)) => format!("{} or {last}", rest.join(", ")),
+    }
+}

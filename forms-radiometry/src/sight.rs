@@ -1,0 +1,213 @@
+//! Sight: a ray of a camera becomes the surface that it meets and the colour that it brings.
+
+use crate::camera::Camera;
+use crate::geometry::{Cone, Vector, Workspace, resolution};
+use crate::irradiance::DirectLight;
+use crate::scene::{Scene, Surface};
+use crate::spectrum::{Colour, add_scaled, band_colours};
+use std::f64::consts::PI;
+
+/// A scene as seen by a camera.
+pub(crate) struct Sight<'s> {
+    scene: &'s Scene,
+    camera: &'s Camera,
+    light: DirectLight<'s>,
+    views: Vec<View>,
+    paints: Vec<Paint>,
+}
+
+/// A convex piece of a surface seen from the camera.
+struct View {
+    surface: usize,
+    cone: Cone,
+    /// The camera's distance from the piece's plane; negative behind it.
+    distance: f64,
+}
+
+/// The colours of a surface.
+struct Paint {
+    emitted: Colour,
+    /// What the irradiance in each band adds to the colour: ρ/π of the band's colour.
+    reflected: Vec<Colour>,
+}
+
+/// What a ray brings.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sample {
+    /// The surface that the ray meets first, if any.
+    pub(crate) surface: Option<usize>,
+    /// Linear sRGB.
+    pub(crate) colour: Colour,
+}
+
+/// Lists that are reused from ray to ray.
+#[derive(Default)]
+pub(crate) struct Tracing {
+    work: Workspace,
+    irradiance: Vec<f64>,
+}
+
+impl<'s> Sight<'s> {
+    pub(crate) fn new(scene: &'s Scene, camera: &'s Camera) -> Self {
+        let resolution = resolution(scene.surfaces.iter().map(|surface| &surface.polygon));
+        let mut views = Vec::new();
+        for (index, surface) in scene.surfaces.iter().enumerate() {
+            for piece in surface.polygon.convex_pieces() {
+                let relative: Vec<Vector> = piece.iter().map(|&v| v - camera.origin).collect();
+                let distance = -surface.polygon.normal().dot(relative[0]);
+                if distance.abs() > resolution {
+                    let cone = Cone::over(&relative, distance > 0.0);
+                    views.push(View { surface: index, cone, distance });
+                }
+            }
+        }
+        let bands = band_colours(scene);
+        let paints = scene.surfaces.iter().map(|surface| Paint::new(scene, surface, &bands)).collect();
+        Self { scene, camera, light: DirectLight::new(scene), views, paints }
+    }
+
+    /// What the film point (x, y) sees: L = Lₑ + ρ E/π on a diffuse surface, nothing outside the scene.
+    pub(crate) fn sample(&self, x: f64, y: f64, tracing: &mut Tracing) -> Sample {
+        let direction = self.camera.direction(x, y);
+        let Some((view, along)) = self.first(direction) else {
+            return Sample { surface: None, colour: [0.0; 3] };
+        };
+        let surface = &self.scene.surfaces[view.surface];
+        let mut colour = [0.0; 3];
+        if view.distance > 0.0 || surface.two_sided {
+            let normal =
+                if view.distance > 0.0 { surface.polygon.normal() } else { -surface.polygon.normal() };
+            let position = self.camera.origin + along * direction;
+            tracing.irradiance.clear();
+            tracing.irradiance.resize(self.scene.band_count(), 0.0);
+            self.light.add_irradiance(position, normal, &mut tracing.work, &mut tracing.irradiance);
+            let paint = &self.paints[view.surface];
+            colour = paint.emitted;
+            for (&irradiance, &reflected) in tracing.irradiance.iter().zip(&paint.reflected) {
+                add_scaled(&mut colour, irradiance, reflected);
+            }
+        }
+        Sample { surface: Some(view.surface), colour }
+    }
+
+    /// Whether a surface emits light.
+    pub(crate) fn emits(&self, surface: usize) -> bool {
+        self.scene.surfaces[surface].emits()
+    }
+
+    /// The first piece in a direction d from the camera, and the t at which t d lies in it.
+    fn first(&self, direction: Vector) -> Option<(&View, f64)> {
+        let mut first: Option<(&View, f64)> = None;
+        for view in self.views.iter().filter(|view| view.cone.contains(direction)) {
+            let normal = self.scene.surfaces[view.surface].polygon.normal();
+            let along = -view.distance / normal.dot(direction);
+            if along > 0.0 && first.is_none_or(|(_, nearest)| along < nearest) {
+                first = Some((view, along));
+            }
+        }
+        first
+    }
+}
+
+impl Paint {
+    fn new(scene: &Scene, surface: &Surface, bands: &[Colour]) -> Self {
+        let mut emitted = [0.0; 3];
+        for (&radiance, &band) in surface.radiance.iter().zip(bands) {
+            add_scaled(&mut emitted, radiance, band);
+        }
+        let reflectance = &scene.materials[surface.material].reflectance;
+        let reflected = reflectance.iter().zip(bands).map(|(rho, band)| band.map(|weight| rho / PI * weight));
+        Self { emitted, reflected: reflected.collect() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Receiver, read};
+
+    /// A floor, a lamp above its left half, and a two-sided screen beside it that hangs lower, without bands.
+    const SCENE: &str = r#"
+        [[material]]
+        name = "grey"
+        kind = "diffuse"
+        reflectance = 0.5
+        [[surface]]
+        name = "floor"
+        material = "grey"
+        polygon = [[-4, -4, 0], [4, -4, 0], [4, 4, 0], [-4, 4, 0]]
+        [[surface]]
+        name = "lamp"
+        material = "grey"
+        polygon = [[-3, -1, 2], [-3, 1, 2], [-1, 1, 2], [-1, -1, 2]]
+        radiance = 3
+        [[surface]]
+        name = "screen"
+        material = "grey"
+        polygon = [[1, -1, 1], [3, -1, 1], [3, 1, 1], [1, 1, 1]]
+        two_sided = true
+        [[receiver]]
+        name = "above"
+        kind = "camera"
+        origin = [0, 0, 8]
+        target = [0, 0, 0]
+        up = [0, 1, 0]
+        fov = 90
+        resolution = [16, 16]
+        [[receiver]]
+        name = "below"
+        kind = "camera"
+        origin = [0, 0, 0.25]
+        target = [0, 0, 1]
+        up = [0, 1, 0]
+        fov = 150
+        resolution = [100, 100]
+    "#;
+
+    /// The brightness that the camera of this name sees in the direction of a point, and the index of the surface.
+    fn seen(camera: &str, x: f64, y: f64) -> (Option<usize>, f64) {
+        let scene = read(SCENE, "sight.toml").unwrap();
+        let Some(Receiver::Camera(camera)) = scene.receivers.iter().find(|r| r.name() == camera) else {
+            panic!("{camera} is a camera")
+        };
+        let sample = Sight::new(&scene, camera).sample(x, y, &mut Tracing::default());
+        (sample.surface, sample.colour[0])
+    }
+
+    fn irradiance(position: Vector, normal: Vector) -> f64 {
+        let scene = read(SCENE, "sight.toml").unwrap();
+        DirectLight::new(&scene).irradiance(position, normal)[0]
+    }
+
+    #[test]
+    fn a_diffuse_surface_brings_its_reflectance_times_irradiance_over_pi() {
+        let expected = 0.5 / PI * irradiance(Vector::default(), Vector::new(0.0, 0.0, 1.0));
+        let (surface, radiance) = seen("above", 8.0, 8.0);
+        assert_eq!(surface, Some(0));
+        assert!(expected > 0.05 && (radiance - expected).abs() < 1e-15, "{radiance} and {expected}");
+    }
+
+    #[test]
+    fn a_lamp_brings_its_radiance_from_the_front_and_nothing_from_the_back() {
+        assert_eq!(seen("above", 6.0, 8.0), (Some(1), 0.0));
+        let right_of_the_middle = 50.0 + 50.0 * (2.0 / 1.75) / 75_f64.to_radians().tan();
+        assert_eq!(seen("below", right_of_the_middle, 50.0).0, Some(1));
+        assert_eq!(seen("below", right_of_the_middle, 50.0).1, 3.0);
+    }
+
+    #[test]
+    fn a_two_sided_surface_reflects_on_the_side_that_is_seen() {
+        let at = Vector::new(2.0, 0.0, 1.0);
+        let expected = 0.5 / PI * irradiance(at, Vector::new(0.0, 0.0, 1.0));
+        let (surface, radiance) = seen("above", 8.0 + 8.0 * (2.0 / 7.0), 8.0);
+        assert_eq!(surface, Some(2));
+        assert!(expected > 0.005 && (radiance - expected).abs() < 1e-14, "{radiance} and {expected}");
+        let left_of_the_middle = 50.0 - 50.0 * (2.0 / 0.75) / 75_f64.to_radians().tan();
+        assert_eq!(seen("below", left_of_the_middle, 50.0), (Some(2), 0.0));
+    }
+
+    #[test]
+    fn outside_the_scene_there_is_nothing_to_see() {
+        assert_eq!(seen("above", 0.5, 0.5), (None, 0.0));
+    }
+}

@@ -1,0 +1,90 @@
+//! Tone: linear colour of any brightness becomes the colour of a screen.
+
+use crate::spectrum::{Colour, luminance};
+
+/// The fraction of what reflects light that is darker than the brightness chosen for [`KEY`].
+const PERCENTILE: f64 = 0.99;
+/// The screen's linear brightness of that percentile.
+const KEY: f64 = 0.8;
+/// Brightness up to here is shown in proportion; above, it approaches 1 without reaching it.
+const SHOULDER: f64 = 0.7;
+
+/// A factor from radiance to the brightness of a screen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Exposure(f64);
+
+impl Exposure {
+    /// The exposure that shows the 99th percentile of these luminances at 0.8; one for a picture without
+    /// light.
+    pub(crate) fn of(mut luminances: Vec<f64>) -> Self {
+        if luminances.is_empty() {
+            return Self(1.0);
+        }
+        let rank = ((luminances.len() - 1) as f64 * PERCENTILE) as usize;
+        let (_, &mut bright, rest) = luminances.select_nth_unstable_by(rank, f64::total_cmp);
+        let brightest = rest.iter().copied().fold(bright, f64::max);
+        let reference = if bright > 0.0 { bright } else { brightest };
+        Self(if reference > 0.0 { KEY / reference } else { 1.0 })
+    }
+
+    /// The linear colour of the screen, each component from 0 to 1.
+    ///
+    /// The largest component m is compressed to s + (1 − s)(1 − e^(−(m − s)/(1 − s))) where it exceeds s =
+    /// 0.7, which is smooth there, and the others in proportion, which keeps the hue.
+    pub(crate) fn screen(self, colour: Colour) -> Colour {
+        let exposed = colour.map(|component| (self.0 * component).max(0.0));
+        let largest = exposed.into_iter().fold(0.0, f64::max);
+        if largest <= SHOULDER {
+            return exposed;
+        }
+        let room = 1.0 - SHOULDER;
+        let compressed = 1.0 - room * (-(largest - SHOULDER) / room).exp();
+        exposed.map(|component| component * (compressed / largest))
+    }
+}
+
+/// Whether two colours of the screen differ visibly across a pixel: by 2% of white, or by a tenth of the
+/// brighter one.
+pub(crate) fn differ(a: Colour, b: Colour) -> bool {
+    let (a, b) = (luminance(a), luminance(b));
+    (a - b).abs() > (0.1 * a.max(b)).clamp(0.002, 0.02)
+}
+
+/// The eight-bit value of a linear component by the transfer function of sRGB (IEC 61966-2-1).
+pub(crate) fn encode(linear: f64) -> u8 {
+    let encoded = if linear <= 0.0031308 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
+    (255.0 * encoded.clamp(0.0, 1.0)).round() as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_percentile_is_shown_at_the_key() {
+        let luminances: Vec<f64> = (0..=1000).map(|i| f64::from(i) * 0.01).rev().collect();
+        assert_eq!(Exposure::of(luminances), Exposure(KEY / 9.9));
+        assert_eq!(Exposure::of(vec![]), Exposure(1.0));
+        assert_eq!(Exposure::of(vec![0.0; 9]), Exposure(1.0));
+    }
+
+    #[test]
+    fn the_screen_never_overflows_and_keeps_the_order_of_brightness() {
+        let mut last = 0.0;
+        for i in 1..2000 {
+            let [r, g, b] = Exposure(1.0).screen([f64::from(i) * 1e-3; 3]);
+            assert!(r > last && r <= 1.0 && r == g && g == b, "{i}: {r}");
+            last = r;
+        }
+        assert_eq!(Exposure(1.0).screen([1e9, -1.0, 0.0]), [1.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn the_transfer_function_is_that_of_srgb() {
+        for (linear, expected) in
+            [(0.0, 0), (0.0031308, 10), (0.21586, 128), (0.5, 188), (1.0, 255), (7.0, 255)]
+        {
+            assert_eq!(encode(linear), expected, "{linear}");
+        }
+    }
+}
