@@ -4,4 +4,5 @@ mod counts;
 mod emitted;
 mod formula;
 mod timing;
+mod translation;
 mod values;
