@@ -49,6 +49,7 @@ mod raise;
 mod rust;
 mod signs;
 mod sums;
+mod tally;
 
 pub use constant::Constant;
 pub use count::OperationCount;
