@@ -1,0 +1,153 @@
+//! Products by hashing: monomials in the order of their arrival, found again through a table of positions,
+//! sorted once at the end.
+
+use super::{Operand, Pair};
+use crate::polynomial::Polynomial;
+use crate::polynomial::coefficient::Coefficient;
+use crate::polynomial::monomial::{Layout, compare};
+
+/// Monomials with their sums. The last `words` words of `monomials` are room for the next one.
+pub(super) struct Table<C> {
+    words: usize,
+    monomials: Vec<u64>,
+    numbers: Vec<C>,
+    /// Position + 1 of a monomial at the first free place after its hash; 0 is free. A power of two long.
+    places: Vec<u32>,
+}
+
+/// The most places to begin with: beyond, the table grows as terms arrive.
+const FIRST_PLACES: usize = 1 << 14;
+
+impl<C: Coefficient> Table<C> {
+    /// Σ sₖ aₖ bₖ
+    pub(super) fn sum(layout: Layout, pairs: &[Pair<'_, C>]) -> Self {
+        let mut products = 0usize;
+        for pair in pairs {
+            products =
+                products.saturating_add(pair.left.numbers.len().saturating_mul(pair.right.numbers.len()));
+        }
+        let places = (2 * products.min(FIRST_PLACES)).next_power_of_two();
+        let mut table = Table {
+            words: layout.words,
+            monomials: Vec::with_capacity((places / 2 + 1) * layout.words),
+            numbers: Vec::with_capacity(places / 2),
+            places: vec![0; places],
+        };
+        table.monomials.resize(layout.words, 0);
+        for pair in pairs {
+            // The short operand outside: its coefficient is scaled once for each run through the long one.
+            let swap = pair.left.numbers.len() > pair.right.numbers.len();
+            let (a, b) = if swap { (&pair.right, &pair.left) } else { (&pair.left, &pair.right) };
+            match layout.words {
+                1 => table.add_pair::<1>(&pair.factor, a, b),
+                2 => table.add_pair::<2>(&pair.factor, a, b),
+                3 => table.add_pair::<3>(&pair.factor, a, b),
+                4 => table.add_pair::<4>(&pair.factor, a, b),
+                5 => table.add_pair::<5>(&pair.factor, a, b),
+                _ => table.add_pair::<0>(&pair.factor, a, b),
+            }
+        }
+        table
+    }
+
+    /// Adds s·a·b; the width 0 stands for any.
+    fn add_pair<const WIDTH: usize>(&mut self, factor: &C, a: &Operand<'_, C>, b: &Operand<'_, C>) {
+        let words = if WIDTH == 0 { self.words } else { WIDTH };
+        let (left, right) = (&*a.monomials, &*b.monomials);
+        let (a, b) = (&*a.numbers, &*b.numbers);
+        let mut mask = self.places.len() - 1;
+        for i in 0..a.len() {
+            let scaled = a[i].times(factor);
+            let m = &left[i * words..(i + 1) * words];
+            for j in 0..b.len() {
+                let n = &right[j * words..(j + 1) * words];
+                let next = self.numbers.len();
+                let (known, room) = self.monomials.split_at_mut(next * words);
+                let room = &mut room[..words];
+                let mut hash = 0;
+                for word in 0..words {
+                    room[word] = m[word] + n[word];
+                    hash = mix(hash ^ room[word]);
+                }
+                let mut place = hash as usize & mask;
+                loop {
+                    let position = self.places[place] as usize;
+                    if position == 0 {
+                        self.places[place] = next as u32 + 1;
+                        self.numbers.push(scaled.times(&b[j]));
+                        self.monomials.resize((next + 2) * words, 0);
+                        if 2 * next > mask {
+                            self.grow();
+                            mask = self.places.len() - 1;
+                        }
+                        break;
+                    }
+                    if compare(&known[(position - 1) * words..position * words], room).is_eq() {
+                        self.numbers[position - 1].add_product(&scaled, &b[j]);
+                        break;
+                    }
+                    place = (place + 1) & mask;
+                }
+            }
+        }
+    }
+
+    /// Doubles the places.
+    #[cold]
+    fn grow(&mut self) {
+        let mask = 2 * self.places.len() - 1;
+        let mut places = vec![0u32; mask + 1];
+        for position in 0..self.numbers.len() {
+            let mut hash = 0;
+            for &word in &self.monomials[position * self.words..(position + 1) * self.words] {
+                hash = mix(hash ^ word);
+            }
+            let mut place = hash as usize & mask;
+            while places[place] != 0 {
+                place = (place + 1) & mask;
+            }
+            places[place] = position as u32 + 1;
+        }
+        self.places = places;
+    }
+
+    /// Whether every sum is zero.
+    pub(super) fn is_zero(&self) -> bool {
+        self.numbers.iter().all(C::is_zero)
+    }
+
+    /// The sums that are not zero, sorted.
+    pub(super) fn into_polynomial(self, layout: Layout) -> Polynomial {
+        let words = self.words;
+        let mut order: Vec<(u64, u32)> = Vec::with_capacity(self.numbers.len());
+        for (position, number) in self.numbers.iter().enumerate() {
+            if !number.is_zero() {
+                let first = if words == 0 { 0 } else { self.monomials[position * words] };
+                order.push((first, position as u32));
+            }
+        }
+        let rest =
+            |position: u32| &self.monomials[position as usize * words..(position as usize + 1) * words];
+        if words <= 1 {
+            order.sort_unstable_by(|left, right| right.0.cmp(&left.0));
+        } else {
+            order.sort_unstable_by(|left, right| {
+                right.0.cmp(&left.0).then_with(|| compare(rest(right.1), rest(left.1)))
+            });
+        }
+        let mut monomials = Vec::with_capacity(order.len() * words);
+        let mut numbers = Vec::with_capacity(order.len());
+        for &(_, position) in &order {
+            monomials.extend_from_slice(rest(position));
+            numbers.push(self.numbers[position as usize].clone());
+        }
+        Polynomial::settle(layout, monomials, numbers)
+    }
+}
+
+/// Folds the double-width product with an odd constant, so that every bit of the word reaches the low bits.
+#[inline(always)]
+fn mix(word: u64) -> u64 {
+    let product = u128::from(word) * 0x9e37_79b9_7f4a_7c15;
+    product as u64 ^ (product >> 64) as u64
+}
