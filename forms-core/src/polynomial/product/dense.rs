@@ -8,7 +8,7 @@
 //! cache; blocks are filled and read out in decreasing order, so the result comes out sorted. Terms with
 //! consecutive places are runs, and the inner loop adds a multiple of a run to consecutive places.
 
-use super::{Operand, Pair};
+use super::{Operand, Pair, count_products};
 use crate::polynomial::Polynomial;
 use crate::polynomial::coefficient::Coefficient;
 use crate::polynomial::monomial::Layout;
@@ -17,6 +17,9 @@ use crate::polynomial::monomial::Layout;
 const BLOCK: usize = 1 << 15;
 /// The most places of the box for each product of terms: below, clearing and reading costs less than hashing.
 const ROOM: usize = 8;
+
+/// The values of a run that the inner loop takes at a time.
+const STEP: usize = 4;
 
 /// The variables that occur with their radices, the first variable first, and how they part into blocks.
 pub(super) struct Box {
@@ -50,15 +53,20 @@ struct Image<C> {
     groups: Vec<(usize, usize, usize)>,
 }
 
+impl<C: Coefficient> Image<C> {
+    /// Pads the last run with zeros to a multiple of `step`.
+    fn pad(&mut self, step: usize) {
+        self.numbers.resize(self.numbers.len().next_multiple_of(step), C::zero());
+        if let Some(run) = self.runs.last_mut() {
+            run.end = self.numbers.len();
+        }
+    }
+}
+
 impl Box {
     /// The box of all products, where it is full enough to be worth its places.
     pub(super) fn around<C: Coefficient>(layout: Layout, pairs: &[Pair<'_, C>]) -> Option<Box> {
-        let mut products = 0usize;
-        for pair in pairs {
-            products =
-                products.saturating_add(pair.left.numbers.len().saturating_mul(pair.right.numbers.len()));
-        }
-        let limit = products.saturating_mul(ROOM);
+        let limit = count_products(pairs).saturating_mul(ROOM);
         let axes = axes_of(layout, pairs, limit)?;
         let mut container = Box { axes, size: 1, blocks: 1 };
         for axis in container.axes.iter_mut().rev() {
@@ -79,11 +87,11 @@ impl Box {
         let mut images = Vec::with_capacity(pairs.len());
         for pair in pairs {
             images.push((
-                self.image(layout, &pair.left, &pair.factor),
-                self.image(layout, &pair.right, &C::from(1)),
+                self.image(layout, &pair.left, &pair.factor, 1),
+                self.image(layout, &pair.right, &C::from(1), STEP),
             ));
         }
-        let mut block = vec![C::zero(); self.size];
+        let mut block = vec![C::zero(); self.size + 2 * STEP];
         let mut monomials = Vec::new();
         let mut numbers = Vec::new();
         for high in (0..self.blocks).rev() {
@@ -106,7 +114,14 @@ impl Box {
         place
     }
 
-    fn image<C: Coefficient>(&self, layout: Layout, operand: &Operand<'_, C>, factor: &C) -> Image<C> {
+    /// The runs of an operand, each padded with zeros to a multiple of `step`.
+    fn image<C: Coefficient>(
+        &self,
+        layout: Layout,
+        operand: &Operand<'_, C>,
+        factor: &C,
+        step: usize,
+    ) -> Image<C> {
         let count = operand.numbers.len();
         let mut image = Image { numbers: Vec::with_capacity(count), runs: Vec::new(), groups: Vec::new() };
         let mut next = usize::MAX;
@@ -114,20 +129,22 @@ impl Box {
             let monomial = &operand.monomials[term * layout.words..(term + 1) * layout.words];
             let place = self.place(monomial, layout.mask());
             let (high, low) = (place / self.size, place % self.size);
-            let index = image.numbers.len();
             let known = image.groups.last().is_some_and(|group| group.0 == high);
             if known && place == next {
-                image.runs[image.groups.last().expect("the block is known").2 - 1].end += 1;
+                image.runs.last_mut().expect("a block has runs").end += 1;
             } else {
+                image.pad(step);
                 if !known {
                     image.groups.push((high, image.runs.len(), image.runs.len()));
                 }
+                let index = image.numbers.len();
                 image.runs.push(Run { low, start: index, end: index + 1 });
                 image.groups.last_mut().expect("the block is known").2 += 1;
             }
             image.numbers.push(operand.numbers[term].times(factor));
             next = place + 1;
         }
+        image.pad(step);
         image
     }
 
@@ -232,17 +249,29 @@ fn add_block<C: Coefficient>(block: &mut [C], high: usize, left: &Image<C>, righ
     touched
 }
 
-/// target[i + j] += a[i]·b[j]
+/// target[i + j] += a[i]·b[j], four values of b at a time: their four open sums slide along the target, so
+/// that each place is read and written once for four products. The runs of b are padded with zeros.
 #[inline(always)]
 fn add_runs<C: Coefficient>(target: &mut [C], a: &[C], b: &[C]) {
-    let mut i = 0;
-    while i < a.len() {
-        let window = &mut target[i..i + b.len()];
-        let mut j = 0;
-        while j < b.len() && j < window.len() {
-            window[j].add_product(&a[i], &b[j]);
-            j += 1;
+    let mut j = 0;
+    while j + STEP <= b.len() {
+        let (b0, b1, b2, b3) = (&b[j], &b[j + 1], &b[j + 2], &b[j + 3]);
+        let window = &mut target[j..j + a.len() + STEP - 1];
+        let (mut s1, mut s2, mut s3) = (C::zero(), C::zero(), C::zero());
+        let mut i = 0;
+        while i < a.len() {
+            s1.add_product(&a[i], b0);
+            window[i] = window[i].plus(&s1);
+            s2.add_product(&a[i], b1);
+            s3.add_product(&a[i], b2);
+            s1 = s2;
+            s2 = s3;
+            s3 = a[i].times(b3);
+            i += 1;
         }
-        i += 1;
+        window[i] = window[i].plus(&s1);
+        window[i + 1] = window[i + 1].plus(&s2);
+        window[i + 2] = window[i + 2].plus(&s3);
+        j += STEP;
     }
 }

@@ -2,11 +2,13 @@
 //!
 //! ```text
 //! operands ─ bounds: rung, layout, box of exponents ─▶ one term times many: shifted, in order already
+//!                                                    ─▶ a few products: inserted one by one
 //!                                                    ─▶ a full box: dense, block by block
 //!                                                    ─▶ else: hash table, sorted once
 //! ```
 
 mod dense;
+mod insertion;
 mod sparse;
 
 use super::Polynomial;
@@ -143,10 +145,23 @@ fn accumulate<C: Coefficient>(layout: Layout, pairs: &[Pair<'_, C>]) -> Polynomi
             return shifted(layout, &pair.factor, &pair.right, &pair.left);
         }
     }
+    let products = count_products(pairs);
+    if products <= insertion::FEW {
+        return insertion::sum(layout, pairs, products);
+    }
     match dense::Box::around(layout, pairs) {
         Some(container) => container.sum(layout, pairs),
         None => sparse::Table::sum(layout, pairs).into_polynomial(layout),
     }
+}
+
+/// The number of products of terms.
+fn count_products<C: Coefficient>(pairs: &[Pair<'_, C>]) -> usize {
+    let mut products = 0usize;
+    for pair in pairs {
+        products = products.saturating_add(pair.left.numbers.len().saturating_mul(pair.right.numbers.len()));
+    }
+    products
 }
 
 /// c·m·f for a single term c·m: the order of terms stays.

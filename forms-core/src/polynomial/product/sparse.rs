@@ -1,7 +1,7 @@
 //! Products by hashing: monomials in the order of their arrival, found again through a table of positions,
 //! sorted once at the end.
 
-use super::{Operand, Pair};
+use super::{Operand, Pair, count_products};
 use crate::polynomial::Polynomial;
 use crate::polynomial::coefficient::Coefficient;
 use crate::polynomial::monomial::{Layout, compare};
@@ -21,12 +21,7 @@ const FIRST_PLACES: usize = 1 << 14;
 impl<C: Coefficient> Table<C> {
     /// Σ sₖ aₖ bₖ
     pub(super) fn sum(layout: Layout, pairs: &[Pair<'_, C>]) -> Self {
-        let mut products = 0usize;
-        for pair in pairs {
-            products =
-                products.saturating_add(pair.left.numbers.len().saturating_mul(pair.right.numbers.len()));
-        }
-        let places = (2 * products.min(FIRST_PLACES)).next_power_of_two();
+        let places = (2 * count_products(pairs).min(FIRST_PLACES)).next_power_of_two();
         let mut table = Table {
             words: layout.words,
             monomials: Vec::with_capacity((places / 2 + 1) * layout.words),
@@ -55,21 +50,21 @@ impl<C: Coefficient> Table<C> {
         let words = if WIDTH == 0 { self.words } else { WIDTH };
         let (left, right) = (&*a.monomials, &*b.monomials);
         let (a, b) = (&*a.numbers, &*b.numbers);
+        let hashes = linear_hashes(right, b.len(), words);
         let mut mask = self.places.len() - 1;
         for i in 0..a.len() {
             let scaled = a[i].times(factor);
             let m = &left[i * words..(i + 1) * words];
+            let hash = linear_hash(m);
             for j in 0..b.len() {
                 let n = &right[j * words..(j + 1) * words];
                 let next = self.numbers.len();
                 let (known, room) = self.monomials.split_at_mut(next * words);
                 let room = &mut room[..words];
-                let mut hash = 0;
                 for word in 0..words {
                     room[word] = m[word] + n[word];
-                    hash = mix(hash ^ room[word]);
                 }
-                let mut place = hash as usize & mask;
+                let mut place = mix(hash.wrapping_add(hashes[j])) as usize & mask;
                 loop {
                     let position = self.places[place] as usize;
                     if position == 0 {
@@ -98,11 +93,8 @@ impl<C: Coefficient> Table<C> {
         let mask = 2 * self.places.len() - 1;
         let mut places = vec![0u32; mask + 1];
         for position in 0..self.numbers.len() {
-            let mut hash = 0;
-            for &word in &self.monomials[position * self.words..(position + 1) * self.words] {
-                hash = mix(hash ^ word);
-            }
-            let mut place = hash as usize & mask;
+            let monomial = &self.monomials[position * self.words..(position + 1) * self.words];
+            let mut place = mix(linear_hash(monomial)) as usize & mask;
             while places[place] != 0 {
                 place = (place + 1) & mask;
             }
@@ -143,6 +135,24 @@ impl<C: Coefficient> Table<C> {
         }
         Polynomial::settle(layout, monomials, numbers)
     }
+}
+
+/// Σ wordₖ·Kᵏ⁺¹ modulo 2⁶⁴ with K odd: linear, so the hash of a product of monomials is the sum of theirs.
+#[inline(always)]
+fn linear_hash(monomial: &[u64]) -> u64 {
+    let mut hash = 0u64;
+    for &word in monomial.iter().rev() {
+        hash = hash.wrapping_add(word).wrapping_mul(0xd6e8_feb8_6659_fd93);
+    }
+    hash
+}
+
+fn linear_hashes(monomials: &[u64], terms: usize, words: usize) -> Vec<u64> {
+    let mut hashes = Vec::with_capacity(terms);
+    for term in 0..terms {
+        hashes.push(linear_hash(&monomials[term * words..(term + 1) * words]));
+    }
+    hashes
 }
 
 /// Folds the double-width product with an odd constant, so that every bit of the word reaches the low bits.

@@ -1,0 +1,89 @@
+//! Products of a few terms: each goes straight to its place in the result.
+
+use super::Pair;
+use crate::polynomial::Polynomial;
+use crate::polynomial::coefficient::Coefficient;
+use crate::polynomial::monomial::{Layout, compare};
+use std::cmp::Ordering;
+
+/// The most products of terms for which shifting the result's tail beats hashing and sorting.
+pub(super) const FEW: usize = 48;
+
+/// Σ sₖ aₖ bₖ
+pub(super) fn sum<C: Coefficient>(layout: Layout, pairs: &[Pair<'_, C>], products: usize) -> Polynomial {
+    let mut sorted = Sorted {
+        monomials: Vec::with_capacity((products + 1) * layout.words),
+        numbers: Vec::with_capacity(products),
+    };
+    for pair in pairs {
+        match layout.words {
+            1 => sorted.add_pair::<1>(pair, 1),
+            2 => sorted.add_pair::<2>(pair, 2),
+            words => sorted.add_pair::<0>(pair, words),
+        }
+    }
+    let Sorted { monomials, numbers } = sorted;
+    if numbers.iter().any(C::is_zero) {
+        return Polynomial::from_unsorted(layout, &monomials, &numbers);
+    }
+    Polynomial::settle(layout, monomials, numbers)
+}
+
+/// Terms in decreasing order; sums that became zero stay.
+struct Sorted<C> {
+    monomials: Vec<u64>,
+    numbers: Vec<C>,
+}
+
+impl<C: Coefficient> Sorted<C> {
+    /// Adds s·a·b; the width 0 stands for any.
+    fn add_pair<const WIDTH: usize>(&mut self, pair: &Pair<'_, C>, words: usize) {
+        let words = if WIDTH == 0 { words } else { WIDTH };
+        for i in 0..pair.left.numbers.len() {
+            let scaled = pair.left.numbers[i].times(&pair.factor);
+            let m = &pair.left.monomials[i * words..(i + 1) * words];
+            // The products of one row decrease: the search goes on where the last one ended.
+            let mut place = 0;
+            for j in 0..pair.right.numbers.len() {
+                let n = &pair.right.monomials[j * words..(j + 1) * words];
+                let number = scaled.times(&pair.right.numbers[j]);
+                place = self.add_term::<WIDTH>(place, m, n, number, words) + 1;
+            }
+        }
+    }
+
+    /// Adds c·m·n at its place from `place` on, and answers the place.
+    #[inline(always)]
+    fn add_term<const WIDTH: usize>(
+        &mut self,
+        mut place: usize,
+        m: &[u64],
+        n: &[u64],
+        number: C,
+        words: usize,
+    ) -> usize {
+        let words = if WIDTH == 0 { words } else { WIDTH };
+        // The product is written behind the last term, from where it is rotated to its place.
+        let count = self.numbers.len();
+        for word in 0..words {
+            self.monomials.push(m[word] + n[word]);
+        }
+        let (known, product) = self.monomials.split_at(count * words);
+        while place < count {
+            match compare(&known[place * words..(place + 1) * words], &product[..words]) {
+                Ordering::Greater => place += 1,
+                Ordering::Equal => {
+                    self.monomials.truncate(count * words);
+                    self.numbers[place] = self.numbers[place].plus(&number);
+                    return place;
+                }
+                Ordering::Less => {
+                    self.monomials[place * words..].rotate_right(words);
+                    break;
+                }
+            }
+        }
+        self.numbers.insert(place, number);
+        place
+    }
+}
