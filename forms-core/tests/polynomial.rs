@@ -177,3 +177,42 @@ fn powers_multiply_out() {
     assert_eq!(f.pow(3).to_string(), "x0^3 + 3*x0^2 + 3*x0 + 1");
     assert_eq!((f.pow(0), f.pow(1)), (Polynomial::one(), f));
 }
+
+#[test]
+fn division_holds_at_the_ends_of_the_rungs() {
+    for end in
+        [BigInt::from(i64::MIN), BigInt::from(i64::MAX), BigInt::from(i128::MIN), BigInt::from(i128::MAX)]
+    {
+        let f = &x(0).scale(&end) - &Polynomial::constant(end);
+        for g in [&Polynomial::integer(1) - &x(0), &x(0) - &Polynomial::integer(1), f.neg()] {
+            let quotient = f.divide_exact(&g).expect("it divides");
+            assert_eq!(&quotient * &g, f);
+        }
+    }
+}
+
+#[test]
+fn gcd_of_dense_polynomials_in_four_variables_is_their_common_factor() {
+    let sum = |numbers: [i64; 5]| {
+        let mut sum = Polynomial::integer(numbers[4]);
+        for index in 0..4 {
+            sum = &sum + &x(index).scale(&numbers[index as usize].into());
+        }
+        sum
+    };
+    let (a, b, c) = (sum([1, 2, 3, 4, 5]).pow(3), sum([2, -1, 1, 7, 1]).pow(3), sum([3, 1, -2, 1, 4]).pow(3));
+    assert_eq!((&a * &c).gcd(&(&b * &c)), c);
+}
+
+#[test]
+fn sums_of_products_that_cancel_are_zero_and_others_are_not() {
+    let f = (&x(0) + &x(70)).pow(9);
+    let g = (&x(3) - &x(40)).pow(8);
+    let fg = &f * &g;
+    let one = Polynomial::one();
+    let middle = x(0).multiply_by_monomial(&[(0, 3), (70, 5), (3, 4), (40, 4)]);
+    assert!(Polynomial::sum_of_products_is_zero(&[(1, &f, &g), (-1, &fg, &one)]));
+    assert!(!Polynomial::sum_of_products_is_zero(&[(1, &f, &g), (-1, &fg, &one), (3, &middle, &one)]));
+    assert!(!Polynomial::sum_of_products_is_zero(&[(1, &f, &g), (1, &fg, &one)]));
+    assert_eq!(Polynomial::sum_of_products(&[(2, &f, &g), (-1, &fg, &one)]), fg);
+}

@@ -17,6 +17,8 @@ mod coefficient;
 mod division;
 mod evaluation;
 mod gcd;
+mod image;
+mod interpolation;
 pub mod modular;
 mod monomial;
 mod product;

@@ -12,8 +12,9 @@ pub(super) const FEW: usize = 48;
 /// Σ sₖ aₖ bₖ
 pub(super) fn sum<C: Coefficient>(layout: Layout, pairs: &[Pair<'_, C>], products: usize) -> Polynomial {
     let mut sorted = Sorted {
-        monomials: Vec::with_capacity((products + 1) * layout.words),
+        monomials: Vec::with_capacity(products * layout.words),
         numbers: Vec::with_capacity(products),
+        product: vec![0; layout.words],
     };
     for pair in pairs {
         match layout.words {
@@ -22,7 +23,7 @@ pub(super) fn sum<C: Coefficient>(layout: Layout, pairs: &[Pair<'_, C>], product
             words => sorted.add_pair::<0>(pair, words),
         }
     }
-    let Sorted { monomials, numbers } = sorted;
+    let Sorted { monomials, numbers, .. } = sorted;
     if numbers.iter().any(C::is_zero) {
         return Polynomial::from_unsorted(layout, &monomials, &numbers);
     }
@@ -33,6 +34,8 @@ pub(super) fn sum<C: Coefficient>(layout: Layout, pairs: &[Pair<'_, C>], product
 struct Sorted<C> {
     monomials: Vec<u64>,
     numbers: Vec<C>,
+    /// Room for the monomial under way.
+    product: Vec<u64>,
 }
 
 impl<C: Coefficient> Sorted<C> {
@@ -63,27 +66,30 @@ impl<C: Coefficient> Sorted<C> {
         words: usize,
     ) -> usize {
         let words = if WIDTH == 0 { words } else { WIDTH };
-        // The product is written behind the last term, from where it is rotated to its place.
         let count = self.numbers.len();
+        let product = &mut self.product[..words];
         for word in 0..words {
-            self.monomials.push(m[word] + n[word]);
+            product[word] = m[word] + n[word];
         }
-        let (known, product) = self.monomials.split_at(count * words);
         while place < count {
-            match compare(&known[place * words..(place + 1) * words], &product[..words]) {
+            match compare(&self.monomials[place * words..(place + 1) * words], product) {
                 Ordering::Greater => place += 1,
                 Ordering::Equal => {
-                    self.monomials.truncate(count * words);
                     self.numbers[place] = self.numbers[place].plus(&number);
                     return place;
                 }
-                Ordering::Less => {
-                    self.monomials[place * words..].rotate_right(words);
-                    break;
-                }
+                Ordering::Less => break,
             }
         }
-        self.numbers.insert(place, number);
+        if place == count {
+            self.monomials.extend_from_slice(product);
+            self.numbers.push(number);
+        } else {
+            self.monomials.resize((count + 1) * words, 0);
+            self.monomials.copy_within(place * words..count * words, (place + 1) * words);
+            self.monomials[place * words..(place + 1) * words].copy_from_slice(product);
+            self.numbers.insert(place, number);
+        }
         place
     }
 }

@@ -9,7 +9,10 @@
 
 mod dense;
 mod insertion;
+mod rest;
 mod sparse;
+
+pub(super) use rest::Rest;
 
 use super::Polynomial;
 use super::coefficient::{Coefficient, Norms, Rung, on_rung};

@@ -87,6 +87,57 @@ impl<C: Coefficient> Table<C> {
         }
     }
 
+    /// The sum of terms with different monomials, at positions in their order.
+    pub(super) fn of_terms(layout: Layout, monomials: &[u64], numbers: &[C]) -> Self {
+        let places = (4 * numbers.len() + 16).next_power_of_two();
+        let mut table = Table {
+            words: layout.words,
+            monomials: monomials.to_vec(),
+            numbers: numbers.to_vec(),
+            places: vec![0; places / 2],
+        };
+        table.monomials.resize((numbers.len() + 1) * layout.words, 0);
+        table.grow();
+        table
+    }
+
+    /// Adds a·b·m·n and answers the position where the monomial is new.
+    pub(super) fn add_term(&mut self, m: &[u64], n: &[u64], a: &C, b: &C) -> Option<usize> {
+        let words = self.words;
+        let next = self.numbers.len();
+        for word in 0..words {
+            self.monomials[next * words + word] = m[word] + n[word];
+        }
+        let (known, product) = self.monomials.split_at(next * words);
+        let mask = self.places.len() - 1;
+        let mut place = mix(linear_hash(&product[..words])) as usize & mask;
+        while self.places[place] != 0 {
+            let position = self.places[place] as usize - 1;
+            if compare(&known[position * words..(position + 1) * words], product).is_eq() {
+                self.numbers[position].add_product(a, b);
+                return None;
+            }
+            place = (place + 1) & mask;
+        }
+        self.places[place] = next as u32 + 1;
+        self.numbers.push(a.times(b));
+        self.monomials.resize((next + 2) * words, 0);
+        if 2 * next > mask {
+            self.grow();
+        }
+        Some(next)
+    }
+
+    /// The monomial at a position.
+    pub(super) fn monomial(&self, position: usize) -> &[u64] {
+        &self.monomials[position * self.words..(position + 1) * self.words]
+    }
+
+    /// The sum at a position, which becomes zero.
+    pub(super) fn take(&mut self, position: usize) -> C {
+        std::mem::replace(&mut self.numbers[position], C::zero())
+    }
+
     /// Doubles the places.
     #[cold]
     fn grow(&mut self) {
