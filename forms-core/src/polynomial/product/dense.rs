@@ -54,11 +54,11 @@ struct Image<C> {
 }
 
 impl<C: Coefficient> Image<C> {
-    /// Pads the last run with zeros to a multiple of `step`.
-    fn pad(&mut self, step: usize) {
-        self.numbers.resize(self.numbers.len().next_multiple_of(step), C::zero());
-        if let Some(run) = self.runs.last_mut() {
-            run.end = self.numbers.len();
+    /// Pads the last run with zeros to its length.
+    fn pad(&mut self, length: Option<usize>) {
+        if let (Some(run), Some(length)) = (self.runs.last_mut(), length) {
+            run.end = run.start + length;
+            self.numbers.resize(run.end, C::zero());
         }
     }
 }
@@ -87,8 +87,8 @@ impl Box {
         let mut images = Vec::with_capacity(pairs.len());
         for pair in pairs {
             images.push((
-                self.image(layout, &pair.left, &pair.factor, 1),
-                self.image(layout, &pair.right, &C::from(1), STEP),
+                self.image(layout, &pair.left, &pair.factor, None),
+                self.image(layout, &pair.right, &C::from(1), Some(STEP)),
             ));
         }
         let mut block = vec![C::zero(); self.size + 2 * STEP];
@@ -114,13 +114,13 @@ impl Box {
         place
     }
 
-    /// The runs of an operand, each padded with zeros to a multiple of `step`.
+    /// The runs of an operand, as long as they are or else all of one length, padded with zeros.
     fn image<C: Coefficient>(
         &self,
         layout: Layout,
         operand: &Operand<'_, C>,
         factor: &C,
-        step: usize,
+        length: Option<usize>,
     ) -> Image<C> {
         let count = operand.numbers.len();
         let mut image = Image { numbers: Vec::with_capacity(count), runs: Vec::new(), groups: Vec::new() };
@@ -130,10 +130,11 @@ impl Box {
             let place = self.place(monomial, layout.mask());
             let (high, low) = (place / self.size, place % self.size);
             let known = image.groups.last().is_some_and(|group| group.0 == high);
-            if known && place == next {
+            let open = |run: &Run| length.is_none_or(|length| run.end - run.start < length);
+            if known && place == next && image.runs.last().is_some_and(open) {
                 image.runs.last_mut().expect("a block has runs").end += 1;
             } else {
-                image.pad(step);
+                image.pad(length);
                 if !known {
                     image.groups.push((high, image.runs.len(), image.runs.len()));
                 }
@@ -144,7 +145,7 @@ impl Box {
             image.numbers.push(operand.numbers[term].times(factor));
             next = place + 1;
         }
-        image.pad(step);
+        image.pad(length);
         image
     }
 
@@ -157,19 +158,40 @@ impl Box {
         monomials: &mut Vec<u64>,
         numbers: &mut Vec<C>,
     ) {
-        for low in (0..block.len()).rev() {
-            if block[low].is_zero() {
-                continue;
+        // Along a row just the last exponent differs.
+        let (row, shift, word) = match self.axes.last() {
+            Some(axis) => (axis.radix, axis.shift, axis.word),
+            None => (1, 0, 0),
+        };
+        let mut base = vec![0; layout.words];
+        for first in (0..self.size).step_by(row).rev() {
+            let mut known = false;
+            for exponent in (0..row).rev() {
+                let place = &mut block[first + exponent];
+                if place.is_zero() {
+                    continue;
+                }
+                if !known {
+                    self.unplace(high * self.size + first, &mut base);
+                    known = true;
+                }
+                numbers.push(std::mem::replace(place, C::zero()));
+                let start = monomials.len();
+                monomials.extend_from_slice(&base);
+                if layout.words > 0 {
+                    monomials[start + word] |= (exponent as u64) << shift;
+                }
             }
-            numbers.push(std::mem::replace(&mut block[low], C::zero()));
-            let start = monomials.len();
-            monomials.resize(start + layout.words, 0);
-            let mut rest = high * self.size + low;
-            for axis in &self.axes {
-                let exponent = rest / axis.stride;
-                rest -= exponent * axis.stride;
-                monomials[start + axis.word] |= (exponent as u64) << axis.shift;
-            }
+        }
+    }
+
+    /// The monomial at a place.
+    fn unplace(&self, place: usize, monomial: &mut [u64]) {
+        monomial.fill(0);
+        let mut rest = place;
+        for axis in &self.axes {
+            monomial[axis.word] |= ((rest / axis.stride) as u64) << axis.shift;
+            rest %= axis.stride;
         }
     }
 }
@@ -239,9 +261,11 @@ fn add_block<C: Coefficient>(block: &mut [C], high: usize, left: &Image<C>, righ
         if a_high + b_high == high {
             touched = true;
             for a in &left.runs[a_first..a_last] {
+                // One length in the whole inner loop keeps its branches predictable.
+                let numbers = &left.numbers[a.start..a.end];
                 for b in &right.runs[b_first..b_last] {
-                    let target = &mut block[a.low + b.low..];
-                    add_runs(target, &left.numbers[a.start..a.end], &right.numbers[b.start..b.end]);
+                    let (steps, _) = right.numbers[b.start..b.end].as_chunks::<STEP>();
+                    add_run(&mut block[a.low + b.low..], numbers, &steps[0]);
                 }
             }
         }
@@ -249,29 +273,24 @@ fn add_block<C: Coefficient>(block: &mut [C], high: usize, left: &Image<C>, righ
     touched
 }
 
-/// target[i + j] += a[i]·b[j], four values of b at a time: their four open sums slide along the target, so
-/// that each place is read and written once for four products. The runs of b are padded with zeros.
+/// target[i + j] += a[i]·b[j] for four values of b: their open sums slide along the target, so that each place
+/// is read and written once for four products.
 #[inline(always)]
-fn add_runs<C: Coefficient>(target: &mut [C], a: &[C], b: &[C]) {
-    let mut j = 0;
-    while j + STEP <= b.len() {
-        let (b0, b1, b2, b3) = (&b[j], &b[j + 1], &b[j + 2], &b[j + 3]);
-        let window = &mut target[j..j + a.len() + STEP - 1];
-        let (mut s1, mut s2, mut s3) = (C::zero(), C::zero(), C::zero());
-        let mut i = 0;
-        while i < a.len() {
-            s1.add_product(&a[i], b0);
-            window[i] = window[i].plus(&s1);
-            s2.add_product(&a[i], b1);
-            s3.add_product(&a[i], b2);
-            s1 = s2;
-            s2 = s3;
-            s3 = a[i].times(b3);
-            i += 1;
-        }
-        window[i] = window[i].plus(&s1);
-        window[i + 1] = window[i + 1].plus(&s2);
-        window[i + 2] = window[i + 2].plus(&s3);
-        j += STEP;
+fn add_run<C: Coefficient>(target: &mut [C], a: &[C], b: &[C; STEP]) {
+    let target = &mut target[..a.len() + STEP - 1];
+    let (mut s1, mut s2, mut s3) = (C::zero(), C::zero(), C::zero());
+    let mut i = 0;
+    while i < a.len() {
+        s1.add_product(&a[i], &b[0]);
+        target[i] = target[i].plus(&s1);
+        s2.add_product(&a[i], &b[1]);
+        s1 = s2;
+        s3.add_product(&a[i], &b[2]);
+        s2 = s3;
+        s3 = a[i].times(&b[3]);
+        i += 1;
     }
+    target[i] = target[i].plus(&s1);
+    target[i + 1] = target[i + 1].plus(&s2);
+    target[i + 2] = target[i + 2].plus(&s3);
 }
