@@ -46,7 +46,7 @@ fn tiny_operations(criterion: &mut Criterion) {
     criterion
         .bench_function("tiny: exact division", |bencher| bencher.iter(|| black_box(&fg).divide_exact(&f)));
     criterion.bench_function("tiny: refused division", |bencher| {
-        bencher.iter(|| black_box(&ten).divide_exact(&f))
+        bencher.iter(|| black_box(&ten).divide_exact(&f));
     });
 }
 

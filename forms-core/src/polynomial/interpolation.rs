@@ -100,7 +100,7 @@ impl Grid {
         for &(variable, count) in self.axes.iter().rev() {
             let mut line = vec![0; count];
             for start in 0..values.len() {
-                if start / stride % count != 0 {
+                if !(start / stride).is_multiple_of(count) {
                     continue;
                 }
                 for number in 0..count {

@@ -4,7 +4,6 @@ use super::Polynomial;
 use super::coefficient::{Coefficient, Rung, on_rung};
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::Signed;
 use std::collections::BTreeMap;
 
 impl Polynomial {
@@ -153,10 +152,5 @@ impl Polynomial {
             height = exponent;
         }
         if height == 0 { result } else { result.mul(&value.pow(height)) }
-    }
-
-    /// |c| for every coefficient is at most this; 0 for 0.
-    pub fn largest_coefficient(&self) -> BigInt {
-        BigInt::view(&self.coefficients).iter().map(Signed::abs).max().unwrap_or_default()
     }
 }

@@ -197,8 +197,8 @@ fn outermost_cancels<C: Coefficient>(layout: Layout, pairs: &[Pair<'_, C>], last
     for (index, pair) in pairs.iter().enumerate() {
         let i = if last { pair.left.numbers.len() - 1 } else { 0 };
         let j = if last { pair.right.numbers.len() - 1 } else { 0 };
-        for word in 0..words {
-            product[word] = pair.left.monomials[i * words + word] + pair.right.monomials[j * words + word];
+        for (word, sum) in product.iter_mut().enumerate() {
+            *sum = pair.left.monomials[i * words + word] + pair.right.monomials[j * words + word];
         }
         let further = if last { Ordering::Less } else { Ordering::Greater };
         let order = if index == 0 { further } else { compare(&product, &outermost) };

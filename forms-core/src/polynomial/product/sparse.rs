@@ -13,6 +13,8 @@ pub(super) struct Table<C> {
     numbers: Vec<C>,
     /// Position + 1 of a monomial at the first free place after its hash; 0 is free. A power of two long.
     places: Vec<u32>,
+    /// Room for the hashes of an operand.
+    hashes: Vec<u64>,
 }
 
 /// The most places to begin with: beyond, the table grows as terms arrive.
@@ -27,6 +29,7 @@ impl<C: Coefficient> Table<C> {
             monomials: Vec::with_capacity((places / 2 + 1) * layout.words),
             numbers: Vec::with_capacity(places / 2),
             places: vec![0; places],
+            hashes: Vec::new(),
         };
         table.monomials.resize(layout.words, 0);
         for pair in pairs {
@@ -50,7 +53,7 @@ impl<C: Coefficient> Table<C> {
         let words = if WIDTH == 0 { self.words } else { WIDTH };
         let (left, right) = (&*a.monomials, &*b.monomials);
         let (a, b) = (&*a.numbers, &*b.numbers);
-        let hashes = linear_hashes(right, b.len(), words);
+        self.hash_terms(right, b.len());
         let mut mask = self.places.len() - 1;
         for i in 0..a.len() {
             let scaled = a[i].times(factor);
@@ -64,7 +67,7 @@ impl<C: Coefficient> Table<C> {
                 for word in 0..words {
                     room[word] = m[word] + n[word];
                 }
-                let mut place = mix(hash.wrapping_add(hashes[j])) as usize & mask;
+                let mut place = mix(hash.wrapping_add(self.hashes[j])) as usize & mask;
                 loop {
                     let position = self.places[place] as usize;
                     if position == 0 {
@@ -87,6 +90,14 @@ impl<C: Coefficient> Table<C> {
         }
     }
 
+    /// Hashes the monomials of an operand.
+    fn hash_terms(&mut self, monomials: &[u64], terms: usize) {
+        self.hashes.clear();
+        for term in 0..terms {
+            self.hashes.push(linear_hash(&monomials[term * self.words..(term + 1) * self.words]));
+        }
+    }
+
     /// The sum of terms with different monomials, at positions in their order.
     pub(super) fn of_terms(layout: Layout, monomials: &[u64], numbers: &[C]) -> Self {
         let places = (4 * numbers.len() + 16).next_power_of_two();
@@ -95,6 +106,7 @@ impl<C: Coefficient> Table<C> {
             monomials: monomials.to_vec(),
             numbers: numbers.to_vec(),
             places: vec![0; places / 2],
+            hashes: Vec::new(),
         };
         table.monomials.resize((numbers.len() + 1) * layout.words, 0);
         table.grow();
@@ -172,7 +184,7 @@ impl<C: Coefficient> Table<C> {
         let rest =
             |position: u32| &self.monomials[position as usize * words..(position as usize + 1) * words];
         if words <= 1 {
-            order.sort_unstable_by(|left, right| right.0.cmp(&left.0));
+            order.sort_unstable_by_key(|&(first, _)| std::cmp::Reverse(first));
         } else {
             order.sort_unstable_by(|left, right| {
                 right.0.cmp(&left.0).then_with(|| compare(rest(right.1), rest(left.1)))
@@ -196,14 +208,6 @@ fn linear_hash(monomial: &[u64]) -> u64 {
         hash = hash.wrapping_add(word).wrapping_mul(0xd6e8_feb8_6659_fd93);
     }
     hash
-}
-
-fn linear_hashes(monomials: &[u64], terms: usize, words: usize) -> Vec<u64> {
-    let mut hashes = Vec::with_capacity(terms);
-    for term in 0..terms {
-        hashes.push(linear_hash(&monomials[term * words..(term + 1) * words]));
-    }
-    hashes
 }
 
 /// Folds the double-width product with an odd constant, so that every bit of the word reaches the low bits.
