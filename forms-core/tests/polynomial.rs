@@ -25,6 +25,10 @@ fn terms(
 
 /// Any size of coefficients, variables to 199 and exponents to 10⁴.
 fn wild() -> impl Strategy<Value = Vec<Term>> {
+    wild_of(0..6)
+}
+
+fn wild_of(count: std::ops::Range<usize>) -> impl Strategy<Value = Vec<Term>> {
     let exponent = prop_oneof![0..4u32, 5..9u32, 120..130u32, 9_990..=10_000u32];
     let monomial = prop::collection::btree_map(prop_oneof![0..4u32, 0..200u32], exponent, 0..4);
     let number = prop_oneof![
@@ -34,7 +38,18 @@ fn wild() -> impl Strategy<Value = Vec<Term>> {
         (i128::MAX - 3..=i128::MAX).prop_map(BigInt::from),
         (i128::MIN..=i128::MIN + 3).prop_map(BigInt::from),
     ];
-    prop::collection::vec((monomial.prop_map(|monomial| monomial.into_iter().collect()), number), 0..6)
+    prop::collection::vec((monomial.prop_map(|monomial| monomial.into_iter().collect()), number), count)
+}
+
+/// Terms that crowd a small box of exponents, with any size of coefficients.
+fn crowded() -> impl Strategy<Value = Vec<Term>> {
+    let number = prop_oneof![
+        (-99i64..=99).prop_map(BigInt::from),
+        Just(BigInt::from(i64::MAX)),
+        Just(BigInt::from(i128::MIN)),
+    ];
+    let monomial = (0..9u32, 0..3u32, 0..12u32).prop_map(|(a, b, c)| vec![(0, a), (17, b), (18, c)]);
+    prop::collection::vec((monomial, number), 20..50)
 }
 
 /// The product by the definition, on maps from exponents to numbers.
@@ -79,6 +94,20 @@ proptest! {
     fn packed_product_is_the_schoolbook_product(left in wild(), right in wild()) {
         let (f, g) = (Polynomial::from_terms(left.clone()), Polynomial::from_terms(right.clone()));
         prop_assert_eq!(map(&(&f * &g)), schoolbook(&left, &right));
+    }
+
+    #[test]
+    fn long_products_are_schoolbook_products(
+        scattered in (wild_of(8..30), wild_of(8..30)),
+        crowded in (crowded(), crowded()),
+        factor in -3i64..=3,
+    ) {
+        let [f, g, h, k] =
+            [&scattered.0, &scattered.1, &crowded.0, &crowded.1].map(|terms| Polynomial::from_terms(terms.clone()));
+        prop_assert_eq!(map(&(&f * &g)), schoolbook(&scattered.0, &scattered.1));
+        prop_assert_eq!(map(&(&h * &k)), schoolbook(&crowded.0, &crowded.1));
+        let sum = Polynomial::sum_of_products(&[(factor, &h, &k), (1, &k, &k), (-1, &f, &g)]);
+        prop_assert_eq!(sum, &(&(&h * &k).scale(&factor.into()) + &(&k * &k)) - &(&f * &g));
     }
 
     #[test]
