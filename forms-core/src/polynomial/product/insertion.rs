@@ -42,15 +42,16 @@ impl<C: Coefficient> Sorted<C> {
     /// Adds s·a·b; the width 0 stands for any.
     fn add_pair<const WIDTH: usize>(&mut self, pair: &Pair<'_, C>, words: usize) {
         let words = if WIDTH == 0 { words } else { WIDTH };
-        for i in 0..pair.left.numbers.len() {
-            let scaled = pair.left.numbers[i].times(&pair.factor);
-            let m = &pair.left.monomials[i * words..(i + 1) * words];
-            // The products of one row decrease: the search goes on where the last one ended.
+        // Few long rows: the products of one decrease, so the search goes on where the last one ended.
+        let swap = pair.left.numbers.len() > pair.right.numbers.len();
+        let (a, b) = if swap { (&pair.right, &pair.left) } else { (&pair.left, &pair.right) };
+        for i in 0..a.numbers.len() {
+            let scaled = a.numbers[i].times(&pair.factor);
+            let m = &a.monomials[i * words..(i + 1) * words];
             let mut place = 0;
-            for j in 0..pair.right.numbers.len() {
-                let n = &pair.right.monomials[j * words..(j + 1) * words];
-                let number = scaled.times(&pair.right.numbers[j]);
-                place = self.add_term::<WIDTH>(place, m, n, number, words) + 1;
+            for j in 0..b.numbers.len() {
+                let n = &b.monomials[j * words..(j + 1) * words];
+                place = self.add_term::<WIDTH>(place, m, n, scaled.times(&b.numbers[j]), words) + 1;
             }
         }
     }
