@@ -10,6 +10,7 @@
 //! ```
 
 pub mod calculus;
+pub mod check;
 pub mod decide;
 pub mod diagnostic;
 pub mod enclosure;
