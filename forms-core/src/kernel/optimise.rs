@@ -26,29 +26,38 @@ const EXPANSIONS: [Limits; 3] = [
     Limits { product: 8, sum: 24, shared: 24 },
 ];
 
+/// Larger kernels are not searched: they are factored as they are written.
+const SEARCHED: usize = 4_000;
+
 impl Program {
     /// The same kernel at least cost.
     pub fn optimise(&self) -> Program {
         let numbered = number_values(self);
-        let written = collect(&numbered);
-        let mut best = absorb_signs(&numbered);
-        let mut consider = |graph: &Graph| {
-            let candidate = finished(graph, &numbered);
-            if candidate.cost() < best.cost() {
-                best = candidate;
-            }
-        };
-        consider(&written);
+        let plain = absorb_signs(&numbered);
+        let candidates = arrangements(&collect(&numbered), numbered.instructions.len() <= SEARCHED);
+        let finished = candidates.iter().map(|candidate| finished(candidate, &numbered));
+        std::iter::once(plain).chain(finished).min_by_key(Program::cost).unwrap_or(numbered)
+    }
+}
+
+/// The different arrangements of a graph's sums and products, the ones nearest to the written one first.
+fn arrangements(written: &Graph, is_searched: bool) -> Vec<Graph> {
+    let mut expansions = vec![written.reordered()];
+    for limits in EXPANSIONS.into_iter().filter(|_| is_searched) {
+        add_if_new(&mut expansions, expand(written, limits).reordered());
+    }
+    let mut arrangements = vec![expansions[0].clone()];
+    for expanded in &expansions {
         for order in [Order::First, Order::Last] {
-            consider(&factor(&written, order));
+            add_if_new(&mut arrangements, factor(expanded, order));
         }
-        for limits in EXPANSIONS {
-            let expanded = expand(&written, limits);
-            for order in [Order::First, Order::Last] {
-                consider(&factor(&expanded, order));
-            }
-        }
-        best
+    }
+    arrangements
+}
+
+fn add_if_new(graphs: &mut Vec<Graph>, graph: Graph) {
+    if !graphs.iter().any(|known| known.is_same_as(&graph)) {
+        graphs.push(graph);
     }
 }
 

@@ -22,14 +22,20 @@ pub(super) fn share_products(graph: &Graph) -> Graph {
         }
     }
     group_equal_exponents(&mut graph, &mut products);
-    while let Some(pair) = best_pair(&graph, &products) {
+    let mut counts = Counts::default();
+    products.iter().for_each(|(_, factors)| counts.count(&graph, factors, 1));
+    while let Some(pair) = counts.best() {
         let node = graph.product_of(pair.to_vec());
         for (product, factors) in products.iter_mut().filter(|(product, _)| *product != node) {
             if let Some(shorter) = with_pair(factors, pair, node) {
+                counts.count(&graph, factors, -1);
+                counts.count(&graph, &shorter, 1);
                 *factors = shorter;
                 graph.replace(*product, Form::Product(factors.clone().into()));
             }
         }
+        // what is left of the pair is the product that computes it
+        counts.of.remove(&pair);
         if !products.iter().any(|(product, _)| *product == node) {
             products.push((node, pair.to_vec()));
         }
@@ -37,11 +43,16 @@ pub(super) fn share_products(graph: &Graph) -> Graph {
     graph.reordered()
 }
 
-/// The pair that most products contain, if more than one does. Numbers go with the coefficients.
-fn best_pair(graph: &Graph, products: &[(Node, Vec<Factor>)]) -> Option<[Factor; 2]> {
-    let is_number = |node: Node| matches!(graph.form(node), Form::Number(_));
-    let mut counts: FxHashMap<[Factor; 2], usize> = FxHashMap::default();
-    for (_, factors) in products {
+/// How many products contain each pair of factors, above or below the line.
+#[derive(Default)]
+struct Counts {
+    of: FxHashMap<[Factor; 2], i32>,
+}
+
+impl Counts {
+    /// Counts the pairs of a product in (+1) or out (−1). Numbers go with the coefficients.
+    fn count(&mut self, graph: &Graph, factors: &[Factor], sign: i32) {
+        let is_number = |node: Node| matches!(graph.form(node), Form::Number(_));
         for (place, &(left, e)) in factors.iter().enumerate() {
             for &(right, f) in &factors[place + 1..] {
                 if e.is_negative() != f.is_negative() || is_number(left) || is_number(right) {
@@ -53,12 +64,16 @@ fn best_pair(graph: &Graph, products: &[(Node, Vec<Factor>)]) -> Option<[Factor;
                     [(left, e), (right, f)]
                 };
                 pair.sort();
-                *counts.entry(pair).or_insert(0) += 1;
+                *self.of.entry(pair).or_insert(0) += sign;
             }
         }
     }
-    let shared = counts.into_iter().filter(|(_, count)| *count > 1);
-    shared.max_by_key(|(pair, count)| (*count, Reverse(*pair))).map(|(pair, _)| pair)
+
+    /// The pair that most products contain, if more than one does.
+    fn best(&self) -> Option<[Factor; 2]> {
+        let shared = self.of.iter().filter(|(_, count)| **count > 1);
+        shared.max_by_key(|(pair, count)| (**count, Reverse(**pair))).map(|(pair, _)| *pair)
+    }
 }
 
 /// The factors with a pair, or its reciprocal, replaced by its node, if they contain it.
@@ -79,24 +94,25 @@ fn with_pair(factors: &[Factor], pair: [Factor; 2], node: Node) -> Option<Vec<Fa
 
 /// Π nᵢᵉ = (Π nᵢ)ᵉ for whole e, where no other product needs one of these powers.
 fn group_equal_exponents(graph: &mut Graph, products: &mut [(Node, Vec<Factor>)]) {
-    let mut bases: FxHashMap<Node, usize> = FxHashMap::default();
+    let mut counts: FxHashMap<Node, usize> = FxHashMap::default();
     for &(base, _) in products.iter().flat_map(|(_, factors)| factors) {
-        *bases.entry(base).or_insert(0) += 1;
+        *counts.entry(base).or_insert(0) += 1;
     }
     for (node, factors) in products {
-        let exponents: Vec<Exponent> = factors.iter().map(|&(_, e)| e).collect();
+        let mut exponents: Vec<Exponent> = factors.iter().map(|&(_, e)| e).collect();
+        exponents.retain(|exponent| exponent.integer().is_some_and(|whole| whole.abs() > 1));
+        exponents.dedup();
         for exponent in exponents {
-            let is_grouped = |&(base, e): &Factor| e == exponent && bases[&base] == 1;
-            let is_power = exponent.integer().is_some_and(|whole| whole.abs() > 1);
-            if !is_power || factors.iter().filter(|factor| is_grouped(factor)).count() < 2 {
-                continue;
+            let is_grouped = |&(base, e): &Factor| {
+                e == exponent && counts.get(&base) == Some(&1) && !matches!(graph.form(base), Form::Number(_))
+            };
+            let (group, mut rest): (Vec<Factor>, Vec<Factor>) = factors.iter().copied().partition(is_grouped);
+            if group.len() > 1 {
+                let bases = group.iter().map(|&(base, _)| (base, Exponent::ONE)).collect();
+                rest.push((graph.product_of(bases), exponent));
+                *factors = rest;
+                graph.replace(*node, Form::Product(factors.clone().into()));
             }
-            let (group, mut rest): (Vec<Factor>, Vec<Factor>) =
-                factors.iter().partition(|&factor| is_grouped(factor));
-            let bases = group.iter().map(|&(base, _)| (base, Exponent::ONE)).collect();
-            rest.push((graph.product_of(bases), exponent));
-            *factors = rest;
-            graph.replace(*node, Form::Product(factors.clone().into()));
         }
     }
 }
