@@ -9,10 +9,10 @@ use crate::report::Origin;
 use crate::tokens::Body;
 use forms_core::check::{decide_all, objection, resolve_parsed};
 use forms_core::decide::Verdict;
-use forms_core::diagnostic::Diagnostic;
+use forms_core::diagnostic::{Diagnostic, Span};
 use forms_core::kernel::{Condition, KernelSource, RustDocs, emit_rust, lower};
 use forms_core::resolve::{Kernel, Theory};
-use forms_core::syntax::ast::{Claim, Equation, File, Item, ItemKind, Name};
+use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
 use forms_core::syntax::token::{Symbol, Token, TokenKind};
 use forms_core::syntax::{parse, parse_equation};
 use proc_macro2::{Ident, TokenStream, TokenTree};
@@ -30,18 +30,35 @@ pub(crate) fn file(body: Body) -> TokenStream {
 
 /// `prove! { items; left == right where … }`
 pub(crate) fn equation(body: Body) -> TokenStream {
+    let Resolved { theory, diagnostics, origin } =
+        resolved(body, |last, end| parse_equation(last, end).map(claim));
+    theory_checked(theory, diagnostics, &origin)
+}
+
+/// A body, resolved as far as it can be.
+pub(crate) struct Resolved {
+    pub(crate) theory: Theory,
+    pub(crate) diagnostics: Vec<Diagnostic>,
+    pub(crate) origin: Origin,
+}
+
+/// Resolves items and the item that `read_last` makes of what stands behind them.
+pub(crate) fn resolved(
+    body: Body,
+    read_last: impl FnOnce(&[Token], Span) -> Result<Item, Vec<Diagnostic>>,
+) -> Resolved {
     let end = body.end();
     let (items, last) = split_last(&body.tokens);
     let (mut file, found) = parse(items, last.first().map_or(end, |token| token.span));
     let mut diagnostics = body.diagnostics;
     diagnostics.extend(found);
-    match parse_equation(last, end) {
-        Ok(equation) => file.items.push(claim(equation)),
+    match read_last(last, end) {
+        Ok(item) => file.items.push(item),
         Err(found) => diagnostics.extend(found),
     }
     let (theory, found) = resolve_parsed(&body.tokens, &file);
     diagnostics.extend(found);
-    theory_checked(theory, diagnostics, &Origin::Body(body.places))
+    Resolved { theory, diagnostics, origin: Origin::Body(body.places) }
 }
 
 /// The item `prove equation: left == right where …;`
@@ -74,7 +91,7 @@ fn word(text: &str) -> TokenKind {
 }
 
 /// The items of a body with their `;`, and what stands behind the last of them.
-pub(crate) fn split_last(tokens: &[Token]) -> (&[Token], &[Token]) {
+fn split_last(tokens: &[Token]) -> (&[Token], &[Token]) {
     let semicolon = TokenKind::Symbol(Symbol::Semicolon);
     let mut depth = 0_usize;
     let mut start = 0;
@@ -100,7 +117,11 @@ pub(crate) fn theory_checked(
 ) -> TokenStream {
     let verdicts = decide_all(&mut theory);
     diagnostics.extend(
-        theory.statements.iter().zip(&verdicts).filter_map(|(statement, verdict)| objection(statement, verdict)),
+        theory
+            .statements
+            .iter()
+            .zip(&verdicts)
+            .filter_map(|(statement, verdict)| objection(statement, verdict)),
     );
     let mut output = TokenStream::new();
     for kernel in &theory.kernels {
@@ -152,9 +173,7 @@ fn documentation(theory: &Theory, verdicts: &[Verdict], kernel: &Kernel) -> Rust
     };
     let is_proved = |name: &&String| {
         let mut decided = theory.statements.iter().zip(verdicts);
-        decided.any(|(statement, verdict)| {
-            statement.name == **name && matches!(verdict, Verdict::Proved(_))
-        })
+        decided.any(|(statement, verdict)| statement.name == **name && matches!(verdict, Verdict::Proved(_)))
     };
     RustDocs {
         formula: format!("{}({}) = {value}", kernel.name, arguments.join(", ")),

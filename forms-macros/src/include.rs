@@ -26,7 +26,8 @@ impl Included {
     /// A `compile_error!`, if the argument is no path or the file cannot be read.
     pub(crate) fn read(argument: TokenStream) -> Result<Self, TokenStream> {
         let name: LitStr = syn::parse2(argument).map_err(|error| {
-            let message = "expected the path of a `.forms` file in quotes, relative to the folder of Cargo.toml";
+            let message =
+                "expected the path of a `.forms` file in quotes, relative to the folder of Cargo.toml";
             let place = error.span();
             compile_error(place, place, message)
         })?;
