@@ -15,7 +15,11 @@ pub mod diagnostic;
 pub mod enclosure;
 pub mod expression;
 pub mod integral;
+pub mod kernel;
 pub mod normal;
 pub mod polynomial;
 pub mod resolve;
 pub mod syntax;
+
+#[cfg(test)]
+extern crate self as forms_core;
