@@ -17,6 +17,7 @@ pub mod expression;
 pub mod integral;
 pub mod kernel;
 pub mod normal;
+pub mod notation;
 pub mod polynomial;
 pub mod resolve;
 pub mod syntax;
