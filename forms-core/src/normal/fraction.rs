@@ -6,7 +6,7 @@ use crate::expression::Rational;
 use crate::polynomial::Polynomial;
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed};
 
 /// N / (d ∏ Fᵉ) with d > 0 and known factors F. Zero has neither d nor factors.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -53,6 +53,11 @@ impl Fraction {
             return None;
         }
         Some(Rational::new(self.numerator.as_constant()?, self.divisor.clone()))
+    }
+
+    /// The numerator, if there is no denominator but a number, which is positive.
+    pub fn as_polynomial(&self) -> Option<&Polynomial> {
+        self.factors.is_empty().then_some(&self.numerator)
     }
 
     /// The reduced numerator.

@@ -24,6 +24,21 @@ pub struct Unit {
     pub(super) divisor: u32,
 }
 
+impl Unit {
+    /// The one variable that is divided, if the quantity is no more than that.
+    pub fn as_variable(&self) -> Option<u32> {
+        match (self.quantity.monomial.as_slice(), self.quantity.factors.as_slice()) {
+            ([(variable, 1)], []) => Some(*variable),
+            _ => None,
+        }
+    }
+
+    /// Into how many parts the quantity is divided.
+    pub fn divisor(&self) -> u32 {
+        self.divisor
+    }
+}
+
 /// What one polynomial variable stands for.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Generator {

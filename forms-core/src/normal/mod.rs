@@ -23,7 +23,7 @@ mod tower;
 
 pub use derivation::Normal;
 pub use fraction::Fraction;
-pub use generator::Generator;
+pub use generator::{Generator, Unit};
 pub use normalise::{Normalised, normalise};
-pub use root::{Base, SignConstraint};
+pub use root::{Base, Sign, SignConstraint};
 pub use tower::{Obstacle, Tower, Trigonometry};

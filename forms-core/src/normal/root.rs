@@ -9,7 +9,7 @@ use super::generator::Generator;
 use super::tower::{Obstacle, Tower, Trigonometry};
 use crate::polynomial::Polynomial;
 use num_bigint::BigInt;
-use num_integer::{Integer, Roots};
+use num_integer::Integer;
 use num_rational::Ratio;
 use num_traits::{One, Signed, Zero};
 
@@ -50,6 +50,8 @@ pub struct SignConstraint {
     pub negative: bool,
     /// The bases to an odd power.
     pub odd: Vec<usize>,
+    /// The bases to any other power: they only matter where they vanish.
+    pub other: Vec<usize>,
 }
 
 /// c ∏ gᵢ^eᵢ with rational eᵢ.
@@ -67,9 +69,10 @@ impl Factored {
     }
 
     fn constraint(&self) -> SignConstraint {
-        let odd =
-            self.powers.iter().filter(|p| p.1.is_integer() && p.1.numer().is_odd()).map(|p| p.0).collect();
-        SignConstraint { negative: self.constant.is_negative(), odd }
+        let is_odd = |power: &Ratio<i64>| power.is_integer() && power.numer().is_odd();
+        let (odd, other): (Vec<_>, Vec<_>) = self.powers.iter().partition(|power| is_odd(&power.1));
+        let numbers = |powers: Vec<(usize, Ratio<i64>)>| powers.into_iter().map(|power| power.0).collect();
+        SignConstraint { negative: self.constant.is_negative(), odd: numbers(odd), other: numbers(other) }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::fraction::Fraction;
 use super::generator::{FactorId, Generator, Quantity};
-use super::root::Base;
+use super::root::{Base, Sign};
 use crate::polynomial::Polynomial;
 use num_traits::Signed;
 use rustc_hash::FxHashMap;
@@ -68,6 +68,39 @@ impl Tower {
             trigonometry,
             work: 0,
         }
+    }
+
+    /// How many generators there are.
+    pub fn generator_count(&self) -> u32 {
+        self.generators.len() as u32
+    }
+
+    /// The bases of radicands in use, by their numbers.
+    pub fn bases(&self) -> impl Iterator<Item = (usize, &Base)> {
+        self.bases.iter().enumerate().filter(|(_, base)| !base.retired)
+    }
+
+    /// How sines and cosines are represented so far.
+    pub fn trigonometry(&self) -> Trigonometry {
+        self.trigonometry
+    }
+
+    /// Whether a sine, cosine or half-angle tangent occurs in a fraction.
+    pub fn mentions_trigonometry(&self, fraction: &Fraction) -> bool {
+        let factors = fraction.factors.iter().map(|(factor, _)| self.factor_polynomial(*factor));
+        std::iter::once(&fraction.numerator)
+            .chain(factors)
+            .any(|polynomial| polynomial.variables().into_iter().any(|v| self.is_trigonometric(v)))
+    }
+
+    /// Forgets which signs were needed, so that the next walk tells.
+    pub fn forget_needs(&mut self) {
+        self.bases.iter_mut().for_each(|base| base.sign_needed = false);
+    }
+
+    /// Sets the sign that a base of radicands has in the region considered.
+    pub fn assume_sign(&mut self, base: usize, sign: Sign) {
+        self.bases[base].sign = Some(sign);
     }
 
     /// What a polynomial variable stands for.

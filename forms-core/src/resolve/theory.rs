@@ -1,7 +1,7 @@
 //! What a file declares and claims, resolved.
 
 use super::value::Value;
-use crate::calculus::Coordinate;
+use crate::calculus::{Blade, Coordinate};
 use crate::diagnostic::Span;
 use crate::expression::{Condition, Expr, Pool, Symbol};
 use crate::syntax::ast::Claim;
@@ -138,6 +138,13 @@ impl Theory {
     /// What a name stands for.
     pub fn named(&self, name: &str) -> Option<&Named> {
         self.names.get(name)
+    }
+
+    /// `dx^dy`, the differentials in ascending order.
+    pub fn blade_text(&self, blade: Blade) -> String {
+        let factors: Vec<String> =
+            blade.coordinates().map(|coordinate| format!("d{}", self.coordinate_name(coordinate))).collect();
+        factors.join("^")
     }
 
     /// The name of a coordinate.

@@ -1,0 +1,26 @@
+//! Decides every statement of the files given and prints how long each took.
+
+use forms_core::{decide::decide, resolve::resolve, syntax};
+use std::time::Instant;
+
+fn main() {
+    for name in std::env::args().skip(1) {
+        let text = std::fs::read_to_string(&name).expect("the file can be read");
+        let start = Instant::now();
+        let (file, mut errors) = syntax::read(&text);
+        let (mut theory, found) = resolve(&file);
+        errors.extend(found);
+        let source = syntax::Source::new(&name, &text);
+        for error in &errors {
+            println!("{}", source.render(error));
+        }
+        let resolved = start.elapsed();
+        for statement in theory.statements.clone() {
+            let begin = Instant::now();
+            let verdict = decide(&mut theory, &statement);
+            let mark = if verdict.bears_out(statement.claim) { "ok " } else { "BAD" };
+            println!("{mark} {:>8.0?} {} {:?}", begin.elapsed(), statement.name, verdict);
+        }
+        println!("{name}: resolved in {resolved:.1?}, all in {:.1?}", start.elapsed());
+    }
+}

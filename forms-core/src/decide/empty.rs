@@ -1,0 +1,40 @@
+//! Conditions that nothing meets: a statement under them speaks of no point and is an error.
+
+use super::problem::Problem;
+use super::sign::Facts;
+use crate::expression::Pool;
+use crate::normal::{Sign, Tower, Trigonometry, normalise};
+use crate::syntax::ast::Relation;
+
+/// Why no point meets the assumptions, if that can be shown.
+pub(super) fn contradiction(pool: &mut Pool, problem: &Problem) -> Option<String> {
+    let mut tower = Tower::new(Trigonometry::HalfAngle);
+    let mut known = Vec::new();
+    for condition in &problem.assumptions {
+        let side = pool.subtract(condition.left, condition.right);
+        let difference = normalise(&mut tower, pool, &[side]).and_then(|n| n.exact(&mut tower, pool));
+        if let Ok(mut difference) = difference {
+            known.push((condition, difference.remove(0)));
+        }
+    }
+    let mut facts = Facts::of(&tower);
+    for (condition, difference) in &known {
+        facts.learn(&tower, difference, condition.relation);
+    }
+    facts.learn_half_tangents(&tower);
+    let by_nature = Facts::of(&tower);
+    for (condition, difference) in &known {
+        let Some(polynomial) = difference.as_polynomial() else { continue };
+        let sign = by_nature.sign_of(polynomial);
+        let impossible = match condition.relation {
+            Relation::NotEqual => difference.is_zero(),
+            Relation::Greater => difference.is_zero() || sign == Some(Sign::Negative),
+            Relation::Less => difference.is_zero() || sign == Some(Sign::Positive),
+            Relation::GreaterEqual | Relation::LessEqual => false,
+        };
+        if impossible {
+            return Some(format!("nothing meets `{}`", condition.text(pool)));
+        }
+    }
+    facts.contradiction().then(|| "its conditions contradict each other".to_string())
+}

@@ -1,0 +1,82 @@
+//! A statement taken apart: one difference a component, and the conditions its points satisfy.
+
+use crate::calculus::Blade;
+use crate::expression::{Condition, Expr};
+use crate::resolve::{Statement, Theory, Value};
+use std::collections::BTreeMap;
+
+/// One component of an equation.
+#[derive(Clone, Debug)]
+pub(super) struct Component {
+    /// `dx^dy`, `@x`, or nothing for a scalar.
+    pub(super) label: String,
+    pub(super) left: Expr,
+    pub(super) right: Expr,
+    pub(super) difference: Expr,
+}
+
+/// What is to be decided.
+pub(super) struct Problem {
+    /// The components whose sides are not the same expression.
+    pub(super) components: Vec<Component>,
+    /// The `where`s, then where both sides are defined.
+    pub(super) assumptions: Vec<Condition>,
+    /// How many of the assumptions come from a `where`.
+    pub(super) stated: usize,
+}
+
+impl Problem {
+    pub(super) fn new(theory: &mut Theory, statement: &Statement) -> Self {
+        let components = paired(theory, &statement.left, &statement.right)
+            .into_iter()
+            .filter_map(|(label, left, right)| {
+                let difference = theory.pool.subtract(left, right);
+                (!theory.pool.is_zero(difference)).then_some(Component { label, left, right, difference })
+            })
+            .collect();
+        let mut assumptions: Vec<Condition> = Vec::new();
+        for condition in &statement.conditions {
+            if !assumptions.contains(condition) {
+                assumptions.push(*condition);
+            }
+        }
+        let stated = assumptions.len();
+        assumptions
+            .extend(statement.domain.iter().filter(|condition| !statement.conditions.contains(condition)));
+        Problem { components, assumptions, stated }
+    }
+
+    pub(super) fn differences(&self) -> Vec<Expr> {
+        self.components.iter().map(|component| component.difference).collect()
+    }
+}
+
+/// The components of two values side by side; what one side lacks is zero.
+fn paired(theory: &mut Theory, left: &Value, right: &Value) -> Vec<(String, Expr, Expr)> {
+    let zero = theory.pool.integer(0);
+    let mut sides: BTreeMap<(Blade, String), [Expr; 2]> = BTreeMap::new();
+    for (place, value) in [left, right].into_iter().enumerate() {
+        for (key, scalar) in labelled(theory, value) {
+            sides.entry(key).or_insert([zero, zero])[place] = scalar;
+        }
+    }
+    sides.into_iter().map(|((_, label), [left, right])| (label, left, right)).collect()
+}
+
+fn labelled(theory: &Theory, value: &Value) -> Vec<((Blade, String), Expr)> {
+    match value {
+        Value::Zero => vec![],
+        Value::Scalar(scalar) => vec![((Blade::SCALAR, String::new()), *scalar)],
+        Value::Form(form) => form
+            .terms()
+            .iter()
+            .map(|(blade, scalar)| ((*blade, theory.blade_text(*blade)), *scalar))
+            .collect(),
+        Value::Field(field) => field
+            .components()
+            .map(|(coordinate, scalar)| {
+                ((Blade::of(coordinate), format!("@{}", theory.coordinate_name(coordinate))), *scalar)
+            })
+            .collect(),
+    }
+}

@@ -1,0 +1,166 @@
+//! The cases a proof has to go through: the signs of radicand factors that the assumptions leave open.
+//!
+//! A stratum gives every factor a sign −, 0 or +. Those that meet all constraints cover every point the
+//! statement speaks of; a case (no sign 0) is needed if it meets the constraints itself, or if some stratum on
+//! its border does and lies on the border of no other case that is gone through.
+
+use crate::normal::{Sign, SignConstraint};
+
+/// More factors than this have too many strata.
+const MOST_FACTORS: usize = 8;
+
+/// A product of factors that is positive, or not negative.
+#[derive(Clone, Debug)]
+pub(super) struct Constraint {
+    pub(super) product: SignConstraint,
+    pub(super) strict: bool,
+}
+
+/// The factors whose signs matter, and what is known of each.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Region {
+    pub(super) factors: Vec<(usize, Option<Sign>)>,
+    pub(super) constraints: Vec<Constraint>,
+}
+
+/// Why there are no cases.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum NoCases {
+    /// No point meets the constraints.
+    Empty,
+    /// There would be too many.
+    TooMany,
+}
+
+impl Region {
+    /// The cases, each a sign for every factor.
+    pub(super) fn cases(&self) -> Result<Vec<Vec<(usize, Sign)>>, NoCases> {
+        if self.factors.len() > MOST_FACTORS {
+            return Err(NoCases::TooMany);
+        }
+        let strata: Vec<Vec<i8>> = self.strata().into_iter().filter(|signs| self.meets(signs)).collect();
+        if strata.is_empty() {
+            return Err(NoCases::Empty);
+        }
+        let (mut cases, borders): (Vec<_>, Vec<_>) =
+            strata.into_iter().partition(|signs| !signs.contains(&0));
+        for border in borders {
+            if !cases.iter().any(|case| touches(case, &border)) {
+                cases.push(self.beside(&border));
+            }
+        }
+        Ok(cases.into_iter().map(|signs| self.named(&signs)).collect())
+    }
+
+    /// Every choice of signs that the known ones allow.
+    fn strata(&self) -> Vec<Vec<i8>> {
+        let mut strata: Vec<Vec<i8>> = vec![vec![]];
+        for (_, known) in &self.factors {
+            let choices: &[i8] = match known {
+                None => &[1, -1, 0],
+                Some(Sign::Positive) => &[1, 0],
+                Some(Sign::Negative) => &[-1, 0],
+            };
+            strata = strata
+                .iter()
+                .flat_map(|signs| {
+                    choices.iter().map(move |&sign| signs.iter().copied().chain([sign]).collect())
+                })
+                .collect();
+        }
+        strata
+    }
+
+    fn meets(&self, signs: &[i8]) -> bool {
+        let sign_of = |base: &usize| {
+            let place = self.factors.iter().position(|factor| factor.0 == *base);
+            place.map_or(1, |place| signs[place])
+        };
+        self.constraints.iter().all(|Constraint { product, strict }| {
+            let vanishes = product.odd.iter().chain(&product.other).any(|base| sign_of(base) == 0);
+            if vanishes {
+                return !strict;
+            }
+            let front = if product.negative { -1 } else { 1 };
+            product.odd.iter().fold(front, |sign, base| sign * sign_of(base)) > 0
+        })
+    }
+
+    /// A case on whose border the stratum lies.
+    fn beside(&self, border: &[i8]) -> Vec<i8> {
+        self.factors
+            .iter()
+            .zip(border)
+            .map(|((_, known), &sign)| match (sign, known) {
+                (0, Some(Sign::Negative)) => -1,
+                (0, _) => 1,
+                (sign, _) => sign,
+            })
+            .collect()
+    }
+
+    fn named(&self, signs: &[i8]) -> Vec<(usize, Sign)> {
+        self.factors
+            .iter()
+            .zip(signs)
+            .map(|((base, _), &sign)| (*base, if sign < 0 { Sign::Negative } else { Sign::Positive }))
+            .collect()
+    }
+}
+
+/// Whether the stratum lies on the border of the case.
+fn touches(case: &[i8], border: &[i8]) -> bool {
+    case.iter().zip(border).all(|(&sign, &at_border)| at_border == 0 || at_border == sign)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn product(odd: &[usize], strict: bool) -> Constraint {
+        let product = SignConstraint { negative: false, odd: odd.to_vec(), other: vec![] };
+        Constraint { product, strict }
+    }
+
+    fn signs(region: &Region) -> Vec<Vec<i8>> {
+        let number = |sign: Sign| if sign == Sign::Positive { 1 } else { -1 };
+        let mut all: Vec<Vec<i8>> = region
+            .cases()
+            .unwrap()
+            .into_iter()
+            .map(|case| case.into_iter().map(|(_, sign)| number(sign)).collect())
+            .collect();
+        all.sort();
+        all
+    }
+
+    #[test]
+    fn a_product_of_two_is_not_negative_in_two_of_four_cases() {
+        let region =
+            Region { factors: vec![(0, None), (1, None)], constraints: vec![product(&[0, 1], false)] };
+        assert_eq!(signs(&region), [[-1, -1], [1, 1]]);
+    }
+
+    #[test]
+    fn a_border_that_belongs_to_no_case_brings_its_own() {
+        // x ≥ 0 and x y ≥ 0 hold at x = 0, y < 0, which is on the border of no case with x, y > 0
+        let constraints = vec![product(&[0], false), product(&[0, 1], false)];
+        let region = Region { factors: vec![(0, None), (1, None)], constraints };
+        assert_eq!(signs(&region), [[1, -1], [1, 1]]);
+    }
+
+    #[test]
+    fn a_strict_constraint_has_no_such_border() {
+        let constraints = vec![product(&[0], true), product(&[0, 1], false)];
+        let region = Region { factors: vec![(0, None), (1, None)], constraints };
+        assert_eq!(signs(&region), [[1, 1]]);
+    }
+
+    #[test]
+    fn contradictory_constraints_leave_no_point() {
+        let negative = SignConstraint { negative: true, odd: vec![0], other: vec![] };
+        let constraints = vec![product(&[0], true), Constraint { product: negative, strict: true }];
+        let region = Region { factors: vec![(0, None)], constraints };
+        assert_eq!(region.cases(), Err(NoCases::Empty));
+    }
+}

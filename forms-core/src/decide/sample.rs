@@ -1,0 +1,173 @@
+//! Candidate points: small exact numbers first, inside the simple bounds that conditions give.
+
+use crate::enclosure::{Enclosure, Precision, enclose};
+use crate::expression::{Condition, Expr, Node, Pool, Rational, Symbol};
+use crate::syntax::ast::Relation;
+use num_traits::{One, Signed, Zero};
+use rustc_hash::FxHashMap;
+
+/// Bounds of one variable by numbers; either may be missing.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Bounds {
+    lower: Option<Rational>,
+    upper: Option<Rational>,
+}
+
+/// What the conditions `x < c`, `c <= x` say of each variable, with c any expression of numbers.
+pub(super) fn simple_bounds(pool: &Pool, conditions: &[Condition]) -> FxHashMap<Symbol, Bounds> {
+    let mut bounds: FxHashMap<Symbol, Bounds> = FxHashMap::default();
+    for condition in conditions {
+        let (left, right) = (condition.left, condition.right);
+        if let (Node::Symbol(symbol), Some(value)) = (pool.node(left), constant(pool, right)) {
+            bounds.entry(*symbol).or_default().restrict(condition.relation, &value);
+        }
+        if let (Some(value), Node::Symbol(symbol)) = (constant(pool, left), pool.node(right)) {
+            bounds.entry(*symbol).or_default().restrict(mirrored(condition.relation), &value);
+        }
+    }
+    bounds
+}
+
+fn constant(pool: &Pool, expression: Expr) -> Option<Enclosure> {
+    if !pool.symbols_in(&[expression]).is_empty() {
+        return None;
+    }
+    enclose(pool, &[expression], &|_| None, &mut |_, _, _| None, Precision(64)).remove(0).ok()
+}
+
+fn mirrored(relation: Relation) -> Relation {
+    match relation {
+        Relation::Less => Relation::Greater,
+        Relation::LessEqual => Relation::GreaterEqual,
+        Relation::Greater => Relation::Less,
+        Relation::GreaterEqual => Relation::LessEqual,
+        Relation::NotEqual => Relation::NotEqual,
+    }
+}
+
+impl Bounds {
+    pub(super) fn restrict(&mut self, relation: Relation, value: &Enclosure) {
+        match relation {
+            Relation::Greater | Relation::GreaterEqual => {
+                let bound = value.upper();
+                if self.lower.as_ref().is_none_or(|lower| *lower < bound) {
+                    self.lower = Some(bound);
+                }
+            }
+            Relation::Less | Relation::LessEqual => {
+                let bound = value.lower();
+                if self.upper.as_ref().is_none_or(|upper| *upper > bound) {
+                    self.upper = Some(bound);
+                }
+            }
+            Relation::NotEqual => {}
+        }
+    }
+
+    /// A number within the bounds, from one that knows none.
+    fn place(&self, free: Rational) -> Rational {
+        let half = Rational::new(1.into(), 2.into());
+        match (&self.lower, &self.upper) {
+            (None, None) => free,
+            (Some(lower), None) if free > *lower => free,
+            (Some(lower), None) => short(&(lower + free.abs() + half)),
+            (None, Some(upper)) if free < *upper => free,
+            (None, Some(upper)) => short(&(upper - free.abs() - half)),
+            (Some(lower), Some(upper)) if *lower < free && free < *upper => free,
+            (Some(lower), Some(upper)) => {
+                // 0 < w/(1 + w) < 1 for every w > 0
+                let w = free.abs() + half;
+                let share = &w / (Rational::one() + &w);
+                short_between(&(lower + share * (upper - lower)), lower, upper)
+            }
+        }
+    }
+}
+
+/// A number nearby with a short denominator.
+fn short(value: &Rational) -> Rational {
+    let scale = Rational::from_integer(8.into());
+    (value * &scale).round() / scale
+}
+
+fn short_between(value: &Rational, lower: &Rational, upper: &Rational) -> Rational {
+    let mut scale = Rational::from_integer(8.into());
+    for _ in 0..40 {
+        let candidate = (value * &scale).round() / &scale;
+        if *lower < candidate && candidate < *upper {
+            return candidate;
+        }
+        scale *= Rational::from_integer(8.into());
+    }
+    value.clone()
+}
+
+/// A fixed sequence of small exact numbers, the same for the same input.
+#[derive(Clone, Debug)]
+pub(super) struct Sequence(u64);
+
+/// Numbers people can check by hand, the first ones the most often used.
+const SIMPLE: &[(i64, i64)] =
+    &[(1, 1), (2, 1), (1, 2), (3, 1), (-1, 1), (3, 2), (-2, 1), (1, 3), (5, 1), (0, 1)];
+
+impl Sequence {
+    pub(super) fn new(seed: u64) -> Self {
+        Sequence(seed)
+    }
+
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// The next number: from the simple ones at first, then more and more varied.
+    pub(super) fn number(&mut self, round: u32) -> Rational {
+        let random = self.next();
+        if round < 8 || random.is_multiple_of(4) {
+            let known = SIMPLE.len().min(3 + round as usize) as u64;
+            let (p, q) = SIMPLE[((random >> 8) % known) as usize];
+            return Rational::new(p.into(), q.into());
+        }
+        let magnitude = 1_i64 << (round / 8).min(10);
+        let numerator = (random >> 8) as i64 % (8 * magnitude + 1);
+        let denominator = 1 + (random >> 40) as i64 % 7;
+        let sign = if random & 1 == 0 { 1 } else { -1 };
+        Rational::new((sign * numerator).into(), denominator.into())
+    }
+
+    /// Values for the variables, within their bounds.
+    pub(super) fn point(
+        &mut self,
+        symbols: &[Symbol],
+        bounds: &FxHashMap<Symbol, Bounds>,
+        round: u32,
+    ) -> FxHashMap<Symbol, Rational> {
+        symbols
+            .iter()
+            .map(|symbol| {
+                let free = self.number(round);
+                let value = match bounds.get(symbol) {
+                    Some(bounds) => bounds.place(free),
+                    None => free,
+                };
+                (*symbol, value)
+            })
+            .collect()
+    }
+}
+
+/// The value of an unknown function's derivative at one place: small, and not 0 at first.
+pub(super) fn jet_value(seed: u64, number: usize, round: u32, bounds: Option<&Bounds>) -> Rational {
+    let mut sequence = Sequence::new(seed ^ (number as u64 + 1).wrapping_mul(0xd6e8_feb8_6659_fd93));
+    let mut value = sequence.number(round);
+    if value.is_zero() && round < 16 {
+        value = Rational::one();
+    }
+    match bounds {
+        Some(bounds) => bounds.place(value),
+        None => value,
+    }
+}

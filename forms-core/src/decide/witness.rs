@@ -1,0 +1,222 @@
+//! The search for points: candidates are exact, conditions and sides are enclosed until they are certain.
+
+use super::problem::Problem;
+use super::sample::{Bounds, Sequence, jet_value, simple_bounds};
+use crate::enclosure::{Enclosure, Precision, Undecided, enclose};
+use crate::expression::{Expr, FunctionId, Node, Pool, Rational, Symbol};
+use rustc_hash::FxHashMap;
+
+/// Bits of the enclosures, tried in turn.
+const PRECISIONS: [u32; 3] = [80, 256, 1024];
+
+/// What a candidate point turned out to be.
+pub(super) enum Found {
+    /// Some condition fails, a side is not defined, or nothing is certain.
+    NoPoint,
+    /// Everything holds and no difference is certain.
+    Agrees,
+    /// The sides of this component differ.
+    Differs(Difference),
+}
+
+/// A counterexample.
+pub(super) struct Difference {
+    pub(super) component: usize,
+    pub(super) point: Vec<(String, String)>,
+    pub(super) left: String,
+    pub(super) right: String,
+}
+
+/// Candidate points of one problem, in a fixed order.
+pub(super) struct Search<'a> {
+    pool: &'a Pool,
+    problem: &'a Problem,
+    symbols: Vec<Symbol>,
+    bounds: FxHashMap<Symbol, Bounds>,
+    jet_bounds: FxHashMap<FunctionId, Bounds>,
+    round: u32,
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(pool: &'a Pool, problem: &'a Problem, from: u32) -> Self {
+        let mut expressions: Vec<Expr> = problem.components.iter().flat_map(|c| [c.left, c.right]).collect();
+        expressions.extend(problem.assumptions.iter().flat_map(|c| [c.left, c.right]));
+        Search {
+            pool,
+            problem,
+            symbols: pool.symbols_in(&expressions),
+            bounds: simple_bounds(pool, &problem.assumptions),
+            jet_bounds: jet_bounds(pool, problem),
+            round: from,
+        }
+    }
+
+    /// How many candidates come before the next one.
+    pub(super) fn position(&self) -> u32 {
+        self.round
+    }
+
+    /// Looks at the next candidate.
+    pub(super) fn next(&mut self) -> Found {
+        let seed = u64::from(self.round).wrapping_mul(0xa076_1d64_78bd_642f) + 1;
+        let point = Sequence::new(seed).point(&self.symbols, &self.bounds, self.round);
+        self.round += 1;
+        for precision in PRECISIONS {
+            match self.look(&point, seed, Precision(precision)) {
+                Ok(found) => return found,
+                Err(Undecided::Undefined) => return Found::NoPoint,
+                Err(Undecided::Unknown) => {}
+            }
+        }
+        Found::NoPoint
+    }
+
+    /// Values at a point: `Unknown` asks for a higher precision.
+    fn look(
+        &self,
+        point: &FxHashMap<Symbol, Rational>,
+        seed: u64,
+        precision: Precision,
+    ) -> Result<Found, Undecided> {
+        let mut jets =
+            Jets { seed, round: self.round, bounds: &self.jet_bounds, known: Vec::new(), mixed: false };
+        let mut expressions: Vec<Expr> =
+            self.problem.assumptions.iter().flat_map(|c| [c.left, c.right]).collect();
+        let sides = expressions.len();
+        expressions.extend(self.problem.components.iter().flat_map(|c| [c.left, c.right]));
+        let values = enclose(
+            self.pool,
+            &expressions,
+            &|symbol| point.get(&symbol).map(|value| Enclosure::exact(value, precision)),
+            &mut |function, orders, arguments| jets.value(function, orders, arguments, precision),
+            precision,
+        );
+        if jets.mixed {
+            return Err(Undecided::Unknown);
+        }
+        let values = values.into_iter().collect::<Result<Vec<_>, _>>()?;
+        for (condition, pair) in self.problem.assumptions.iter().zip(values[..sides].chunks(2)) {
+            match pair[0].decide(condition.relation, &pair[1]) {
+                Some(true) => {}
+                Some(false) => return Ok(Found::NoPoint),
+                None => return Err(Undecided::Unknown),
+            }
+        }
+        for (number, pair) in values[sides..].chunks(2).enumerate() {
+            if !pair[0].intersects(&pair[1]) {
+                return Ok(Found::Differs(Difference {
+                    component: number,
+                    point: self.named(point, &jets),
+                    left: pair[0].digits(),
+                    right: pair[1].digits(),
+                }));
+            }
+        }
+        Ok(Found::Agrees)
+    }
+
+    /// The point as names and exact values, the unknown functions as far as they were asked for.
+    fn named(&self, point: &FxHashMap<Symbol, Rational>, jets: &Jets) -> Vec<(String, String)> {
+        let mut named: Vec<(String, String)> = self
+            .symbols
+            .iter()
+            .map(|symbol| (self.pool.symbol_name(*symbol).to_string(), point[symbol].to_string()))
+            .collect();
+        for jet in &jets.known {
+            named.push((self.jet_name(jet, point), jet.value.to_string()));
+        }
+        named
+    }
+
+    /// `diff(f, x)`, with the place where it is taken if that is not the point itself.
+    fn jet_name(&self, jet: &Jet, point: &FxHashMap<Symbol, Rational>) -> String {
+        let unknown = self.pool.function(jet.function);
+        let by: Vec<&str> = unknown
+            .arguments
+            .iter()
+            .zip(&jet.orders)
+            .flat_map(|(symbol, order)| std::iter::repeat_n(self.pool.symbol_name(*symbol), *order as usize))
+            .collect();
+        let head = if by.is_empty() {
+            unknown.name.clone()
+        } else {
+            format!("diff({}, {})", unknown.name, by.join(", "))
+        };
+        let own =
+            unknown.arguments.iter().zip(&jet.arguments).all(|(symbol, place)| {
+                point.get(symbol).is_some_and(|value| place.as_exact() == Some(value))
+            });
+        if own {
+            return head;
+        }
+        let places: Vec<String> = jet.arguments.iter().map(Enclosure::digits).collect();
+        format!("{head}({})", places.join(", "))
+    }
+}
+
+/// Conditions on a function's own value, such as n > 0.
+fn jet_bounds(pool: &Pool, problem: &Problem) -> FxHashMap<FunctionId, Bounds> {
+    let mut bounds: FxHashMap<FunctionId, Bounds> = FxHashMap::default();
+    for condition in &problem.assumptions {
+        if let (Node::Jet { function, orders, .. }, Some(value)) =
+            (pool.node(condition.left), pool.as_number(condition.right))
+            && orders.iter().all(|&order| order == 0)
+        {
+            let enclosure = Enclosure::exact(value, Precision(64));
+            let entry: &mut Bounds = bounds.entry(*function).or_default();
+            entry.restrict(condition.relation, &enclosure);
+        }
+    }
+    bounds
+}
+
+struct Jet {
+    function: FunctionId,
+    orders: Vec<u32>,
+    arguments: Vec<Enclosure>,
+    value: Rational,
+}
+
+/// Values given to unknown functions and their derivatives: one for each place they are taken at.
+struct Jets<'a> {
+    seed: u64,
+    round: u32,
+    bounds: &'a FxHashMap<FunctionId, Bounds>,
+    known: Vec<Jet>,
+    /// Two places could be told neither apart nor to be the same.
+    mixed: bool,
+}
+
+impl Jets<'_> {
+    fn value(
+        &mut self,
+        function: FunctionId,
+        orders: &[u32],
+        arguments: &[Enclosure],
+        precision: Precision,
+    ) -> Option<Enclosure> {
+        for jet in self.known.iter().filter(|jet| jet.function == function) {
+            match same_place(&jet.arguments, arguments) {
+                Some(true) if jet.orders == orders => return Some(Enclosure::exact(&jet.value, precision)),
+                Some(_) => {}
+                None => self.mixed = true,
+            }
+        }
+        let order: u32 = orders.iter().sum();
+        let bounds = if order == 0 { self.bounds.get(&function) } else { None };
+        let value = jet_value(self.seed, self.known.len(), self.round, bounds);
+        let enclosure = Enclosure::exact(&value, precision);
+        self.known.push(Jet { function, orders: orders.to_vec(), arguments: arguments.to_vec(), value });
+        Some(enclosure)
+    }
+}
+
+/// Whether two places are the same, where that is certain. Equal enclosures may stand for different places; to
+/// give these the same values is no mistake, as some smooth function takes them.
+fn same_place(a: &[Enclosure], b: &[Enclosure]) -> Option<bool> {
+    if a == b {
+        return Some(true);
+    }
+    let apart = a.iter().zip(b).any(|(a, b)| !a.intersects(b));
+    apart.then_some(false)
+}
