@@ -32,7 +32,7 @@ fn reach(target: u32, known: &mut Vec<u32>, steps: &mut Vec<(u32, u32)>) {
             steps.extend(path);
         }
         None => {
-            let half = if target % 2 == 0 { target / 2 } else { target - 1 };
+            let half = if target.is_multiple_of(2) { target / 2 } else { target - 1 };
             let rest = target - half;
             reach(half, known, steps);
             reach(rest, known, steps);

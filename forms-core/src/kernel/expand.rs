@@ -1,8 +1,9 @@
 //! Expanding: small products of sums are multiplied out, so that another arrangement of the same polynomial can be
 //! found. (1−u)a + u b and a + u(b−a) meet in a − u a + u b.
 //!
-//! Only what stays small is expanded. A factor that is a long sum, a sum used in several places and every root
-//! stay closed, as variables of the polynomials around them.
+//! Only what stays small is expanded: a long sum, or one used in several places, is a variable to the polynomials
+//! around it. And nothing is expanded in which terms cancel, because then the product is the accurate form:
+//! (1−g)(1+g) near g = 1, where 1 − g² has lost its digits, or (1−g)² + 2g(1−c) near g = c = 1.
 
 use super::graph::{Coefficient, Exponent, Factor, Form, Graph, Node, Scaled, joined};
 use std::rc::Rc;
@@ -112,16 +113,13 @@ fn monomial(graph: &Graph, scaled: Scaled) -> Monomial {
     (scaled.coefficient, factors)
 }
 
-/// Adds a term to those it is like.
+/// Adds a term to those it is like; nothing if they cancel, be it in part.
 fn add(sum: &mut Vec<Monomial>, (coefficient, factors): Monomial) -> Option<()> {
-    match sum.iter().position(|(_, known)| *known == factors) {
-        Some(place) => {
-            sum[place].0 = sum[place].0.plus(coefficient)?;
-            if sum[place].0.is_zero() {
-                sum.remove(place);
-            }
+    match sum.iter_mut().find(|(_, known)| *known == factors) {
+        Some((total, _)) if total.is_negative() == coefficient.is_negative() => {
+            *total = total.plus(coefficient)?;
         }
-        None if coefficient.is_zero() => {}
+        Some(_) => return None,
         None => sum.push((coefficient, factors)),
     }
     Some(())
@@ -136,4 +134,22 @@ fn materialised(graph: &mut Graph, polynomial: &[Monomial]) -> Scaled {
         })
         .collect();
     graph.sum(&terms)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::kernel::formula::program;
+
+    #[test]
+    fn products_whose_expansion_cancels_are_kept() {
+        for formula in ["(1 - g)*(1 + g)", "(1 - g)**2 + 2*g*(1 - c)", "(g - 1)*(g**2 + g + 1)"] {
+            let program = program("g c", &[formula]);
+            let at = [1.0 - 1e-9, 1.0 - 1e-15];
+            let (written, optimised) = (program.interpret(&at)[0], program.optimise().interpret(&at)[0]);
+            assert!(
+                (optimised / written - 1.0).abs() < 1e-15,
+                "{formula}: {optimised}, as written {written}"
+            );
+        }
+    }
 }

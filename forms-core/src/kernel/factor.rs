@@ -135,7 +135,7 @@ impl Factoring {
         let mut equals: Vec<Candidate> =
             candidates.into_iter().filter(|candidate| candidate.saving == most).collect();
         if equals.len() > 1 {
-            equals.sort_by_key(|candidate| candidate.base);
+            equals.sort_by_key(|candidate| (candidate.base, candidate.exponent));
             if self.order == Order::Last {
                 equals.reverse();
             }

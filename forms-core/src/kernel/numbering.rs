@@ -79,7 +79,8 @@ impl Numbering {
             Instruction::Subtract(a, b) => self.subtract(a, b),
             Instruction::Negate(a) => self.negate(a),
             Instruction::Multiply(a, b) => {
-                self.signed(a, b, |a, b| Instruction::Multiply(a.min(b), a.max(b)), Constant::times)
+                let [a, b] = if self.constant(b).is_some() { [b, a] } else { [a, b] };
+                self.signed(a, b, Instruction::Multiply, Constant::times)
             }
             Instruction::Divide(a, b) => {
                 let undefined = matches!(self.constant(b), Some(constant) if constant.is_zero());
@@ -167,7 +168,12 @@ impl Numbering {
         }
         let (left, right) = (self.positive_part(a), self.positive_part(b));
         let negative = left.is_some() != right.is_some();
-        let value = self.push(build(left.unwrap_or(a), right.unwrap_or(b)));
+        let value = match build(left.unwrap_or(a), right.unwrap_or(b)) {
+            // a number first, else what was computed first
+            Instruction::Multiply(a, b) if a > b && self.constant(a).is_none() => Instruction::Multiply(b, a),
+            other => other,
+        };
+        let value = self.push(value);
         if negative { self.negate(value) } else { value }
     }
 }

@@ -26,29 +26,48 @@ const EXPANSIONS: [Limits; 3] = [
     Limits { product: 8, sum: 24, shared: 24 },
 ];
 
+/// Larger kernels are not searched: they are factored as they are written.
+const SEARCHED: usize = 4_000;
+
 impl Program {
     /// The same kernel at least cost.
     pub fn optimise(&self) -> Program {
         let numbered = number_values(self);
-        let written = collect(&numbered);
-        let mut best = absorb_signs(&numbered);
-        let mut consider = |graph: &Graph| {
-            let candidate = finished(graph, &numbered);
+        let written = collect(&numbered).reordered();
+        let is_searched = numbered.instructions.len() <= SEARCHED;
+        let expansions = expansions(&written, is_searched);
+        let mut best = cheaper(absorb_signs(&numbered), finished(&written, &numbered));
+        let mut expansion = &written;
+        for expanded in &expansions {
+            let candidate = finished(&factor(expanded, Order::First), &numbered);
             if candidate.cost() < best.cost() {
-                best = candidate;
+                (best, expansion) = (candidate, expanded);
             }
-        };
-        consider(&written);
-        for order in [Order::First, Order::Last] {
-            consider(&factor(&written, order));
         }
-        for limits in EXPANSIONS {
-            let expanded = expand(&written, limits);
-            for order in [Order::First, Order::Last] {
-                consider(&factor(&expanded, order));
-            }
+        if is_searched {
+            best = cheaper(best, finished(&factor(expansion, Order::Last), &numbered));
         }
         best
+    }
+}
+
+/// The cheaper of two programs, of equals the first.
+fn cheaper(first: Program, second: Program) -> Program {
+    if second.cost() < first.cost() { second } else { first }
+}
+
+/// The graph as written and as far expanded as is tried, each only once.
+fn expansions(written: &Graph, is_searched: bool) -> Vec<Graph> {
+    let mut expansions = vec![written.clone()];
+    for limits in EXPANSIONS.into_iter().filter(|_| is_searched) {
+        add_if_new(&mut expansions, expand(written, limits).reordered());
+    }
+    expansions
+}
+
+fn add_if_new(graphs: &mut Vec<Graph>, graph: Graph) {
+    if !graphs.iter().any(|known| known.is_same_as(&graph)) {
+        graphs.push(graph);
     }
 }
 

@@ -4,11 +4,14 @@
 //! together: x² y² = (x y)².
 
 use super::graph::{Exponent, Factor, Form, Graph, Node};
+use super::tally::Tally;
 use rustc_hash::FxHashMap;
-use std::cmp::Reverse;
 
 /// Longer products are left as they are.
 const LONGEST: usize = 32;
+
+/// Two factors of a product.
+type Pair = [Factor; 2];
 
 /// The graph with common pairs of factors in products of their own.
 pub(super) fn share_products(graph: &Graph) -> Graph {
@@ -22,26 +25,55 @@ pub(super) fn share_products(graph: &Graph) -> Graph {
         }
     }
     group_equal_exponents(&mut graph, &mut products);
-    while let Some(pair) = best_pair(&graph, &products) {
-        let node = graph.product_of(pair.to_vec());
-        for (product, factors) in products.iter_mut().filter(|(product, _)| *product != node) {
-            if let Some(shorter) = with_pair(factors, pair, node) {
-                *factors = shorter;
-                graph.replace(*product, Form::Product(factors.clone().into()));
-            }
-        }
-        if !products.iter().any(|(product, _)| *product == node) {
-            products.push((node, pair.to_vec()));
-        }
+    let mut sharing = Sharing { graph, ..Sharing::default() };
+    for (node, factors) in products {
+        sharing.insert(node, factors);
     }
-    graph.reordered()
+    while let Some(pair) = sharing.savings.take_best() {
+        sharing.share(pair);
+    }
+    sharing.graph.reordered()
 }
 
-/// The pair that most products contain, if more than one does. Numbers go with the coefficients.
-fn best_pair(graph: &Graph, products: &[(Node, Vec<Factor>)]) -> Option<[Factor; 2]> {
-    let is_number = |node: Node| matches!(graph.form(node), Form::Number(_));
-    let mut counts: FxHashMap<[Factor; 2], usize> = FxHashMap::default();
-    for (_, factors) in products {
+#[derive(Default)]
+struct Sharing {
+    graph: Graph,
+    products: FxHashMap<Node, Vec<Factor>>,
+    /// The products that each node has been a base of.
+    with_base: FxHashMap<Node, Vec<Node>>,
+    /// How many products contain each pair, above or below the line, but one.
+    savings: Tally<Pair>,
+}
+
+impl Sharing {
+    fn insert(&mut self, node: Node, factors: Vec<Factor>) {
+        for (base, _) in &factors {
+            self.with_base.entry(*base).or_default().push(node);
+        }
+        self.count(&factors, 1);
+        self.products.insert(node, factors);
+    }
+
+    /// Computes a pair once, wherever it occurs.
+    fn share(&mut self, pair: Pair) {
+        let product = self.graph.product_of(pair.to_vec());
+        let users = self.with_base.get(&pair[0].0).cloned().unwrap_or_default();
+        for node in users.into_iter().filter(|&node| node != product) {
+            let factors = self.products[&node].clone();
+            if let Some(shorter) = with_pair(&factors, pair, product) {
+                self.count(&factors, -1);
+                self.graph.replace(node, Form::Product(shorter.clone().into()));
+                self.insert(node, shorter);
+            }
+        }
+        // what is left of the pair is the product that computes it
+        self.savings.remove(&pair);
+        self.products.entry(product).or_insert_with(|| pair.to_vec());
+    }
+
+    /// Counts the pairs of a product in (+1) or out (−1). Numbers go with the coefficients.
+    fn count(&mut self, factors: &[Factor], sign: i32) {
+        let is_number = |node: Node| matches!(self.graph.form(node), Form::Number(_));
         for (place, &(left, e)) in factors.iter().enumerate() {
             for &(right, f) in &factors[place + 1..] {
                 if e.is_negative() != f.is_negative() || is_number(left) || is_number(right) {
@@ -53,12 +85,10 @@ fn best_pair(graph: &Graph, products: &[(Node, Vec<Factor>)]) -> Option<[Factor;
                     [(left, e), (right, f)]
                 };
                 pair.sort();
-                *counts.entry(pair).or_insert(0) += 1;
+                self.savings.add(pair, -1, sign);
             }
         }
     }
-    let shared = counts.into_iter().filter(|(_, count)| *count > 1);
-    shared.max_by_key(|(pair, count)| (*count, Reverse(*pair))).map(|(pair, _)| pair)
 }
 
 /// The factors with a pair, or its reciprocal, replaced by its node, if they contain it.
@@ -79,24 +109,25 @@ fn with_pair(factors: &[Factor], pair: [Factor; 2], node: Node) -> Option<Vec<Fa
 
 /// Π nᵢᵉ = (Π nᵢ)ᵉ for whole e, where no other product needs one of these powers.
 fn group_equal_exponents(graph: &mut Graph, products: &mut [(Node, Vec<Factor>)]) {
-    let mut bases: FxHashMap<Node, usize> = FxHashMap::default();
+    let mut counts: FxHashMap<Node, usize> = FxHashMap::default();
     for &(base, _) in products.iter().flat_map(|(_, factors)| factors) {
-        *bases.entry(base).or_insert(0) += 1;
+        *counts.entry(base).or_insert(0) += 1;
     }
     for (node, factors) in products {
-        let exponents: Vec<Exponent> = factors.iter().map(|&(_, e)| e).collect();
+        let mut exponents: Vec<Exponent> = factors.iter().map(|&(_, e)| e).collect();
+        exponents.retain(|exponent| exponent.integer().is_some_and(|whole| whole.abs() > 1));
+        exponents.dedup();
         for exponent in exponents {
-            let is_grouped = |&(base, e): &Factor| e == exponent && bases[&base] == 1;
-            let is_power = exponent.integer().is_some_and(|whole| whole.abs() > 1);
-            if !is_power || factors.iter().filter(|factor| is_grouped(factor)).count() < 2 {
-                continue;
+            let is_grouped = |&(base, e): &Factor| {
+                e == exponent && counts.get(&base) == Some(&1) && !matches!(graph.form(base), Form::Number(_))
+            };
+            let (group, mut rest): (Vec<Factor>, Vec<Factor>) = factors.iter().copied().partition(is_grouped);
+            if group.len() > 1 {
+                let bases = group.iter().map(|&(base, _)| (base, Exponent::ONE)).collect();
+                rest.push((graph.product_of(bases), exponent));
+                *factors = rest;
+                graph.replace(*node, Form::Product(factors.clone().into()));
             }
-            let (group, mut rest): (Vec<Factor>, Vec<Factor>) =
-                factors.iter().partition(|&factor| is_grouped(factor));
-            let bases = group.iter().map(|&(base, _)| (base, Exponent::ONE)).collect();
-            rest.push((graph.product_of(bases), exponent));
-            *factors = rest;
-            graph.replace(*node, Form::Product(factors.clone().into()));
         }
     }
 }

@@ -120,3 +120,46 @@ fn emitted_rust_computes_what_the_interpreter_computes() {
 fn nothing_is_fused() {
     assert!(kernels().iter().all(|program| !emit_rust(program, &RustDocs::default()).contains("mul_add")));
 }
+/// Σ, one choice, two outputs and a condition, as they are printed.
+#[test]
+fn a_kernel_reads_as_written_by_hand() {
+    let mut formulas = Formulas::over("x y");
+    let [x, zero, first, second] = ["x", "0", "x/sqrt(x**2 + y**2)**3", "if x < y { -2*x } else { y/pi }"]
+        .map(|text| formulas.parse(text));
+    let program = formulas.named("field").program_where(&[first, second], &[(x, Relation::NotEqual, zero)]);
+    let docs = RustDocs {
+        formula: formulas.pool.texts(&[first, second]).join(", "),
+        statements: vec!["gauss".to_string()],
+        conditions: vec!["x != 0".to_string()],
+        docs: vec!["A field and a choice.".to_string()],
+    };
+    let expected = r#"/// A field and a choice.
+///
+/// ```text
+/// x/(x**2 + y**2)**(3/2), (if x < y { -2*x } else { y/pi })
+/// ```
+///
+/// Rests on `gauss`.
+///
+/// Holds where `x != 0`.
+///
+/// Its value is NaN outside its domain and where an argument it depends on is NaN.
+/// Takes 1 addition, 5 multiplications, 1 division, 1 square root, 1 choice.
+pub fn field(x: f64, y: f64) -> [f64; 2] {
+    let inside = x.partial_cmp(&0.0).is_some_and(core::cmp::Ordering::is_ne);
+    if !inside {
+        return [f64::NAN; 2];
+    }
+    let t0 = x * x + y * y;
+    let t1 = if x < y {
+        -2.0 * x
+    } else if x >= y {
+        core::f64::consts::FRAC_1_PI * y
+    } else {
+        f64::NAN
+    };
+    [x / (t0 * t0.sqrt()), t1]
+}
+"#;
+    assert_eq!(emit_rust(&program.optimise(), &docs), expected);
+}

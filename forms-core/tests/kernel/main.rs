@@ -3,3 +3,5 @@
 mod counts;
 mod emitted;
 mod formula;
+mod translation;
+mod values;

@@ -91,11 +91,6 @@ impl Graph {
         fresh
     }
 
-    /// The node of a form, if there is one.
-    pub(super) fn find(&self, form: &Form) -> Option<Node> {
-        self.known.get(form).copied()
-    }
-
     /// The nodes that the roots need, operands before results.
     pub(super) fn reachable(&self) -> Vec<Node> {
         let mut needed = vec![false; self.forms.len()];
@@ -108,6 +103,11 @@ impl Graph {
             }
         }
         (0..self.forms.len()).filter(|&place| needed[place]).map(|place| Node(place as u32)).collect()
+    }
+
+    /// Whether both compute the same things in the same order.
+    pub(super) fn is_same_as(&self, other: &Graph) -> bool {
+        self.roots == other.roots && self.forms == other.forms
     }
 
     /// How many nodes and roots use each node.

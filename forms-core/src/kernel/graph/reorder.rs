@@ -26,7 +26,9 @@ impl Graph {
                     images[node.place()] = new.copied(self, node, &images);
                 } else {
                     pending.push((node, true));
+                    let first = pending.len();
                     self.form(node).operands(|operand| pending.push((operand, false)));
+                    pending[first..].reverse();
                 }
             }
         }

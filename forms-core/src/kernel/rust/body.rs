@@ -212,7 +212,11 @@ impl Body<'_> {
         let [left, right] =
             [condition.left, condition.right].map(|side| self.text(side).within(Binding::Sum));
         match condition.relation {
-            Relation::NotEqual => format!("{left} < {right} || {left} > {right}"),
+            Relation::NotEqual => {
+                let right = format!("&{}", self.text(condition.right).within(Binding::Sign));
+                let order = self.method(condition.left, "partial_cmp", &right);
+                format!("{}.is_some_and(core::cmp::Ordering::is_ne)", order.text)
+            }
             relation => format!("{left} {} {right}", relation.text()),
         }
     }

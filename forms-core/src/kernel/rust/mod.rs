@@ -78,7 +78,8 @@ fn attributes(program: &Program) -> String {
     let mut text = String::new();
     if program.arguments.len() > MANY_ARGUMENTS {
         text.push_str(
-            "#[allow(clippy::too_many_arguments, reason = \"the variables of the formula, one by one\")]\n",
+            "#[allow(clippy::too_many_arguments, reason = \"one for each variable\")]
+",
         );
     }
     let names = std::iter::once(&program.name).chain(&program.arguments);
@@ -89,9 +90,7 @@ fn attributes(program: &Program) -> String {
 }
 
 fn signature(program: &Program) -> String {
-    let used = |place: usize| {
-        program.instructions.iter().any(|instruction| *instruction == Instruction::Argument(place as u32))
-    };
+    let used = |place: usize| program.instructions.contains(&Instruction::Argument(place as u32));
     let arguments: Vec<String> = program
         .arguments
         .iter()
