@@ -100,10 +100,11 @@ fn core(pool: &mut Pool, condition: &Condition) -> (Expr, bool) {
 /// Whether a polynomial is never negative (or never zero) whatever its variables are.
 fn holds_by_nature(pool: &Pool, expression: Expr, strict: bool) -> bool {
     let mut tower = Tower::new(Trigonometry::Circle);
-    let Ok(normal) = normalise(&mut tower, pool, &[expression]).and_then(|n| n.exact(&mut tower, pool))
-    else {
+    let Ok(prepared) = normalise(&mut tower, pool, &[expression]) else { return false };
+    if !prepared.is_unconditional() {
         return false;
-    };
+    }
+    let Ok(normal) = prepared.exact(&mut tower, pool) else { return false };
     let facts = Facts::of(&tower);
     let Some(polynomial) = normal[0].as_polynomial() else { return false };
     if !strict {

@@ -21,8 +21,11 @@ pub struct Normalised {
     order: Vec<Expr>,
     roots: Vec<Expr>,
     pub(super) atoms: FxHashMap<Expr, Fraction>,
-    /// What has to be non-negative for the radicands met to be so.
+    /// What has to be non-negative for the radicands met to be so, as far as that depends on no open sign.
     pub constraints: Vec<SignConstraint>,
+    /// The bases whose open signs were asked for first: by radicands that depend on no other open sign.
+    pub open: Vec<usize>,
+    provisional: FxHashSet<Expr>,
 }
 
 /// Fixes the generators of some expressions.
@@ -33,13 +36,21 @@ pub fn normalise(tower: &mut Tower, pool: &Pool, roots: &[Expr]) -> Result<Norma
     let order = pool.reachable(roots);
     let within_atoms = arguments_of_atoms(pool, &order);
     for _ in 0..MOST_REFINEMENTS {
-        let mut walk = Walk { tower, pool, elements: FxHashMap::default(), constraints: Vec::new() };
+        let mut walk = Walk::new(tower, pool, FxHashMap::default());
         match walk.run(&order, |expression| within_atoms.contains(&expression) || is_atom(pool, expression)) {
             Err(Obstacle::Refine) => {}
-            Err(obstacle) => return Err(obstacle),
-            Ok(()) => {
-                let Walk { elements, constraints, .. } = walk;
-                return Ok(Normalised { order, roots: roots.to_vec(), atoms: elements, constraints });
+            // with the other sign there may be no obstacle
+            Err(obstacle) if walk.open.is_empty() => return Err(obstacle),
+            Err(_) | Ok(()) => {
+                let Walk { elements: atoms, constraints, open, provisional, .. } = walk;
+                return Ok(Normalised {
+                    order,
+                    roots: roots.to_vec(),
+                    atoms,
+                    constraints,
+                    open,
+                    provisional,
+                });
             }
         }
     }
@@ -52,9 +63,14 @@ impl Normalised {
     /// # Errors
     /// Where one divides by zero everywhere or grows beyond the limit.
     pub fn exact(&self, tower: &mut Tower, pool: &Pool) -> Result<Vec<Fraction>, Obstacle> {
-        let mut walk = Walk { tower, pool, elements: self.atoms.clone(), constraints: Vec::new() };
+        let mut walk = Walk::new(tower, pool, self.atoms.clone());
         walk.run(&self.order, |_| true)?;
         Ok(self.roots.iter().map(|root| walk.elements[root].clone()).collect())
+    }
+
+    /// Whether a normal form holds whatever the open signs are.
+    pub fn is_unconditional(&self) -> bool {
+        self.open.is_empty() || !self.roots.iter().any(|root| self.provisional.contains(root))
     }
 
     pub(super) fn order(&self) -> &[Expr] {
@@ -89,17 +105,51 @@ struct Walk<'a> {
     pool: &'a Pool,
     elements: FxHashMap<Expr, Fraction>,
     constraints: Vec<SignConstraint>,
+    open: Vec<usize>,
+    /// Expressions whose elements hold for one choice of the open signs only.
+    provisional: FxHashSet<Expr>,
 }
 
-impl Walk<'_> {
+impl<'a> Walk<'a> {
+    fn new(tower: &'a mut Tower, pool: &'a Pool, elements: FxHashMap<Expr, Fraction>) -> Self {
+        tower.take_open();
+        Walk {
+            tower,
+            pool,
+            elements,
+            constraints: Vec::new(),
+            open: Vec::new(),
+            provisional: FxHashSet::default(),
+        }
+    }
+
     fn run(&mut self, order: &[Expr], wanted: impl Fn(Expr) -> bool) -> Result<(), Obstacle> {
-        for &expression in order {
+        for (place, &expression) in order.iter().enumerate() {
             if !self.elements.contains_key(&expression) && wanted(expression) {
-                let element = self.element(expression)?;
-                self.elements.insert(expression, element);
+                match self.element(expression) {
+                    Ok(element) => self.elements.insert(expression, element),
+                    Err(obstacle) => {
+                        self.provisional.extend(&order[place..]);
+                        return Err(obstacle);
+                    }
+                };
             }
+            self.note_open_signs(expression);
         }
         Ok(())
+    }
+
+    fn note_open_signs(&mut self, expression: Expr) {
+        let asked = self.tower.take_open();
+        let inherited =
+            self.pool.node(expression).operands().iter().any(|operand| self.provisional.contains(operand));
+        if !inherited {
+            let fresh: Vec<usize> = asked.iter().copied().filter(|base| !self.open.contains(base)).collect();
+            self.open.extend(fresh);
+        }
+        if inherited || !asked.is_empty() {
+            self.provisional.insert(expression);
+        }
     }
 
     fn of(&self, operand: Expr) -> Fraction {
@@ -125,8 +175,8 @@ impl Walk<'_> {
         }
     }
 
-    fn power(&mut self, base: Expr, exponent: Ratio<i64>) -> Result<Fraction, Obstacle> {
-        let base = self.of(base);
+    fn power(&mut self, operand: Expr, exponent: Ratio<i64>) -> Result<Fraction, Obstacle> {
+        let base = self.of(operand);
         if exponent.is_integer() {
             return self.tower.integer_power(&base, *exponent.numer());
         }
@@ -134,7 +184,9 @@ impl Walk<'_> {
             return if exponent.is_positive() { Ok(base) } else { Err(Obstacle::DivisionByZero) };
         }
         let (power, constraint) = self.tower.magnitude_power(&base, exponent)?;
-        self.constraints.push(constraint);
+        if !self.provisional.contains(&operand) {
+            self.constraints.push(constraint);
+        }
         Ok(power)
     }
 

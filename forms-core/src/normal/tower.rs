@@ -49,6 +49,8 @@ pub struct Tower {
     factor_numbers: FxHashMap<Polynomial, FactorId>,
     pub(super) relations: Vec<Relation>,
     pub(super) bases: Vec<Base>,
+    /// Bases whose sign was asked for and is not fixed, since they were last taken.
+    open: Vec<usize>,
     pub(super) divisors: FxHashMap<Quantity, u32>,
     pub(super) trigonometry: Trigonometry,
     work: u64,
@@ -65,6 +67,7 @@ impl Tower {
             factor_numbers: FxHashMap::default(),
             relations: Vec::new(),
             bases: Vec::new(),
+            open: Vec::new(),
             divisors: FxHashMap::default(),
             trigonometry,
             work: 0,
@@ -89,6 +92,11 @@ impl Tower {
         self.bases.iter().enumerate().filter(|(_, base)| !base.retired)
     }
 
+    /// The base of radicands of that number.
+    pub fn base(&self, number: usize) -> &Base {
+        &self.bases[number]
+    }
+
     /// How sines and cosines are represented so far.
     pub fn trigonometry(&self) -> Trigonometry {
         self.trigonometry
@@ -102,14 +110,25 @@ impl Tower {
             .any(|polynomial| polynomial.variables().into_iter().any(|v| self.is_trigonometric(v)))
     }
 
-    /// Forgets which signs were needed, so that the next walk tells.
-    pub fn forget_needs(&mut self) {
-        self.bases.iter_mut().for_each(|base| base.sign_needed = false);
+    /// Fixes the signs that bases of radicands have in the region considered; all others are open.
+    pub fn fix_signs(&mut self, signs: &[(usize, Sign)]) {
+        self.bases.iter_mut().for_each(|base| base.sign = None);
+        for &(base, sign) in signs {
+            self.bases[base].sign = Some(sign);
+        }
     }
 
-    /// Sets the sign that a base of radicands has in the region considered.
-    pub fn assume_sign(&mut self, base: usize, sign: Sign) {
-        self.bases[base].sign = Some(sign);
+    /// Notes that an open sign was asked for.
+    pub(super) fn ask_for_sign(&mut self, base: usize) {
+        self.bases[base].sign_needed = true;
+        if self.bases[base].sign.is_none() && !self.open.contains(&base) {
+            self.open.push(base);
+        }
+    }
+
+    /// The bases whose open signs were asked for since the last call.
+    pub(super) fn take_open(&mut self) -> Vec<usize> {
+        std::mem::take(&mut self.open)
     }
 
     /// What a polynomial variable stands for.
@@ -196,7 +215,10 @@ impl Tower {
     pub(super) fn charge(&mut self, a: &Polynomial, b: &Polynomial) -> Result<(), Obstacle> {
         self.work += (a.term_count() as u64).saturating_mul(b.term_count() as u64);
         if self.work > self.work_limit {
-            return Err(Obstacle::TooLarge(format!("it takes more than {} products of terms", self.work_limit)));
+            return Err(Obstacle::TooLarge(format!(
+                "it takes more than {} products of terms",
+                self.work_limit
+            )));
         }
         Ok(())
     }
