@@ -16,7 +16,11 @@ pub mod diagnostic;
 pub mod enclosure;
 pub mod expression;
 mod integral;
+pub mod kernel;
 pub mod normal;
 pub mod polynomial;
 pub mod resolve;
 pub mod syntax;
+
+#[cfg(test)]
+extern crate self as forms_core;

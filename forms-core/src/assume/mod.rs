@@ -84,14 +84,17 @@ impl Assumptions {
             tower.fix_signs(given);
             let prepared = normalise(tower, pool, expressions)?;
             let mut knowledge = Knowledge::of(tower, given);
-            knowledge.constraints.extend(
-                prepared.constraints.into_iter().map(|product| Constraint { product, strict: false }),
-            );
             match self.assume(tower, pool, &mut knowledge) {
-                Err(Obstacle::Refine) => continue,
+                Err(Obstacle::Refine) => {
+                    tower.start_again();
+                    continue;
+                }
                 result => result?,
             }
+            let radicands = prepared.constraints.into_iter();
+            knowledge.constraints.extend(radicands.map(|product| Constraint { product, strict: false }));
             if knowledge.constraints.iter().any(|constraint| constraint.speaks_of_retired(tower)) {
+                tower.start_again();
                 continue;
             }
             let wanted = if prepared.open.is_empty() { knowledge.open.clone() } else { prepared.open };

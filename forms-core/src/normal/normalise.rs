@@ -15,12 +15,11 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// How often generators may be refined before the walk is given up; each refinement splits a factor or a unit.
 const MOST_REFINEMENTS: usize = 64;
 
-/// The normal forms of some expressions over one tower, atoms first.
+/// Some expressions whose generators are fixed.
 #[derive(Clone, Debug)]
 pub struct Normalised {
     order: Vec<Expr>,
     roots: Vec<Expr>,
-    pub(super) atoms: FxHashMap<Expr, Fraction>,
     /// What has to be non-negative for the radicands met to be so, as far as that depends on no open sign.
     pub constraints: Vec<SignConstraint>,
     /// The bases whose open signs were asked for first: by radicands that depend on no other open sign.
@@ -28,7 +27,7 @@ pub struct Normalised {
     provisional: FxHashSet<Expr>,
 }
 
-/// Fixes the generators of some expressions.
+/// Fixes the generators of some expressions. What the tower knows already is not computed again.
 ///
 /// # Errors
 /// An [`Obstacle`] other than [`Obstacle::Refine`] where an atom lies outside the class that is decided.
@@ -36,21 +35,13 @@ pub fn normalise(tower: &mut Tower, pool: &Pool, roots: &[Expr]) -> Result<Norma
     let order = pool.reachable(roots);
     let within_atoms = arguments_of_atoms(pool, &order);
     for _ in 0..MOST_REFINEMENTS {
-        let mut walk = Walk::new(tower, pool, FxHashMap::default());
-        match walk.run(&order, |expression| within_atoms.contains(&expression) || is_atom(pool, expression)) {
-            Err(Obstacle::Refine) => {}
-            // with the other sign there may be no obstacle
-            Err(obstacle) if walk.open.is_empty() => return Err(obstacle),
-            Err(_) | Ok(()) => {
-                let Walk { elements: atoms, constraints, open, provisional, .. } = walk;
-                return Ok(Normalised {
-                    order,
-                    roots: roots.to_vec(),
-                    atoms,
-                    constraints,
-                    open,
-                    provisional,
-                });
+        let wanted = |expression| within_atoms.contains(&expression) || is_atom(pool, expression);
+        match walk(tower, pool, &order, wanted) {
+            Err(Obstacle::Refine) => tower.start_again(),
+            result => {
+                let prepared = Normalised::of(tower, pool, order, roots, wanted);
+                // with another sign there may be no obstacle
+                return if prepared.open.is_empty() { result.map(|()| prepared) } else { Ok(prepared) };
             }
         }
     }
@@ -58,14 +49,40 @@ pub fn normalise(tower: &mut Tower, pool: &Pool, roots: &[Expr]) -> Result<Norma
 }
 
 impl Normalised {
+    /// What depends on which open sign, operands before results.
+    fn of(
+        tower: &Tower,
+        pool: &Pool,
+        order: Vec<Expr>,
+        roots: &[Expr],
+        wanted: impl Fn(Expr) -> bool,
+    ) -> Self {
+        let (mut constraints, mut open) = (Vec::new(), Vec::new());
+        let mut provisional: FxHashSet<Expr> = FxHashSet::default();
+        for &expression in &order {
+            let missing = wanted(expression) && !tower.elements.contains_key(&expression);
+            let node = pool.node(expression);
+            let inherited = missing || node.operands().iter().any(|operand| provisional.contains(operand));
+            let asked = tower.open_signs(expression);
+            if !inherited {
+                open.extend(asked.iter().filter(|base| !open.contains(*base)).copied().collect::<Vec<_>>());
+            }
+            if inherited || !asked.is_empty() {
+                provisional.insert(expression);
+            } else if let Some(constraint) = tower.constraint_of(expression) {
+                constraints.push(constraint.clone());
+            }
+        }
+        Normalised { order, roots: roots.to_vec(), constraints, open, provisional }
+    }
+
     /// The fractions of the expressions, in their order.
     ///
     /// # Errors
     /// Where one divides by zero everywhere or grows beyond the limit.
     pub fn exact(&self, tower: &mut Tower, pool: &Pool) -> Result<Vec<Fraction>, Obstacle> {
-        let mut walk = Walk::new(tower, pool, self.atoms.clone());
-        walk.run(&self.order, |_| true)?;
-        Ok(self.roots.iter().map(|root| walk.elements[root].clone()).collect())
+        walk(tower, pool, &self.order, |_| true)?;
+        Ok(self.roots.iter().map(|root| tower.elements[root].clone()).collect())
     }
 
     /// Whether a normal form holds whatever the open signs are.
@@ -80,6 +97,21 @@ impl Normalised {
     pub(super) fn roots(&self) -> &[Expr] {
         &self.roots
     }
+}
+
+/// Computes the wanted elements that the tower does not know.
+fn walk(
+    tower: &mut Tower,
+    pool: &Pool,
+    order: &[Expr],
+    wanted: impl Fn(Expr) -> bool,
+) -> Result<(), Obstacle> {
+    tower.take_signs_asked();
+    let elements = std::mem::take(&mut tower.elements);
+    let mut walk = Walk { tower, pool, elements };
+    let result = walk.run(order, wanted);
+    tower.elements = walk.elements;
+    result
 }
 
 /// Whether a node is a generator or a function of one, not an operation of the field.
@@ -104,52 +136,18 @@ struct Walk<'a> {
     tower: &'a mut Tower,
     pool: &'a Pool,
     elements: FxHashMap<Expr, Fraction>,
-    constraints: Vec<SignConstraint>,
-    open: Vec<usize>,
-    /// Expressions whose elements hold for one choice of the open signs only.
-    provisional: FxHashSet<Expr>,
 }
 
-impl<'a> Walk<'a> {
-    fn new(tower: &'a mut Tower, pool: &'a Pool, elements: FxHashMap<Expr, Fraction>) -> Self {
-        tower.take_open();
-        Walk {
-            tower,
-            pool,
-            elements,
-            constraints: Vec::new(),
-            open: Vec::new(),
-            provisional: FxHashSet::default(),
-        }
-    }
-
+impl Walk<'_> {
     fn run(&mut self, order: &[Expr], wanted: impl Fn(Expr) -> bool) -> Result<(), Obstacle> {
-        for (place, &expression) in order.iter().enumerate() {
+        for &expression in order {
             if !self.elements.contains_key(&expression) && wanted(expression) {
-                match self.element(expression) {
-                    Ok(element) => self.elements.insert(expression, element),
-                    Err(obstacle) => {
-                        self.provisional.extend(&order[place..]);
-                        return Err(obstacle);
-                    }
-                };
+                let element = self.element(expression)?;
+                self.tower.note_signs_asked(expression);
+                self.elements.insert(expression, element);
             }
-            self.note_open_signs(expression);
         }
         Ok(())
-    }
-
-    fn note_open_signs(&mut self, expression: Expr) {
-        let asked = self.tower.take_open();
-        let inherited =
-            self.pool.node(expression).operands().iter().any(|operand| self.provisional.contains(operand));
-        if !inherited {
-            let fresh: Vec<usize> = asked.iter().copied().filter(|base| !self.open.contains(base)).collect();
-            self.open.extend(fresh);
-        }
-        if inherited || !asked.is_empty() {
-            self.provisional.insert(expression);
-        }
     }
 
     fn of(&self, operand: Expr) -> Fraction {
@@ -184,9 +182,7 @@ impl<'a> Walk<'a> {
             return if exponent.is_positive() { Ok(base) } else { Err(Obstacle::DivisionByZero) };
         }
         let (power, constraint) = self.tower.magnitude_power(&base, exponent)?;
-        if !self.provisional.contains(&operand) {
-            self.constraints.push(constraint);
-        }
+        self.tower.constrain(operand, constraint);
         Ok(power)
     }
 

@@ -1,0 +1,173 @@
+//! Numbers of a kernel: kept exact, rounded to a floating-point number once, when they are used.
+
+use crate::expression::Rational;
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+/// π to a hundred decimals, so that q πᵏ rounds correctly to every precision a kernel has.
+const PI_DIGITS: &str =
+    "31415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679";
+
+/// q πᵏ with q rational, exactly.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Constant {
+    /// q
+    pub factor: Rational,
+    /// k
+    pub pi_exponent: i32,
+}
+
+impl Constant {
+    /// A rational number.
+    pub fn rational(factor: Rational) -> Self {
+        Constant { factor, pi_exponent: 0 }
+    }
+
+    /// An integer.
+    pub fn integer(value: i64) -> Self {
+        Self::rational(Rational::from_integer(value.into()))
+    }
+
+    /// π
+    pub fn pi() -> Self {
+        Constant { factor: Rational::one(), pi_exponent: 1 }
+    }
+
+    /// Whether it is 1.
+    pub fn is_one(&self) -> bool {
+        self.pi_exponent == 0 && self.factor.is_one()
+    }
+
+    /// Whether it is 0.
+    pub fn is_zero(&self) -> bool {
+        self.factor.is_zero()
+    }
+
+    /// Whether it is below 0.
+    pub fn is_negative(&self) -> bool {
+        self.factor.is_negative()
+    }
+
+    /// −c
+    pub fn negated(&self) -> Self {
+        Constant { factor: -&self.factor, pi_exponent: self.pi_exponent }
+    }
+
+    /// c₁ c₂
+    pub fn times(&self, other: &Self) -> Self {
+        Constant {
+            factor: &self.factor * &other.factor,
+            pi_exponent: if self.is_zero() || other.is_zero() {
+                0
+            } else {
+                self.pi_exponent + other.pi_exponent
+            },
+        }
+    }
+
+    /// c₁ + c₂, where both have the same power of π.
+    pub(crate) fn plus(&self, other: &Self) -> Option<Self> {
+        (self.pi_exponent == other.pi_exponent)
+            .then(|| Constant { factor: &self.factor + &other.factor, pi_exponent: self.pi_exponent })
+    }
+
+    /// 1/c of a number that is not 0.
+    pub(crate) fn reciprocal(&self) -> Self {
+        Constant { factor: self.factor.recip(), pi_exponent: -self.pi_exponent }
+    }
+
+    /// The nearest `f64`, ties to even.
+    pub fn to_f64(&self) -> f64 {
+        if self.pi_exponent == 0 {
+            return nearest_f64(&self.factor);
+        }
+        let digits: BigInt = PI_DIGITS.parse().expect("the digits of π are digits");
+        let pi = Rational::new(digits, BigInt::from(10).pow(PI_DIGITS.len() as u32 - 1));
+        let power = num_traits::pow(pi, self.pi_exponent.unsigned_abs() as usize);
+        let power = if self.pi_exponent < 0 { power.recip() } else { power };
+        nearest_f64(&(&self.factor * power))
+    }
+}
+
+/// The nearest `f64` to a rational number, ties to even, subnormal numbers and overflow included.
+pub(crate) fn nearest_f64(value: &Rational) -> f64 {
+    if value.is_zero() {
+        return 0.0;
+    }
+    let (numerator, denominator) = (value.numer().abs(), value.denom().clone());
+    // 2^exponent <= |value| < 2^(exponent + 1)
+    let mut exponent = numerator.bits() as i64 - denominator.bits() as i64;
+    let below = if exponent >= 0 {
+        numerator < &denominator << exponent
+    } else {
+        &numerator << -exponent < denominator
+    };
+    exponent -= i64::from(below);
+    if exponent > 1023 {
+        return if value.is_negative() { f64::NEG_INFINITY } else { f64::INFINITY };
+    }
+    let unit = (exponent - 52).max(-1074);
+    let (numerator, denominator) =
+        if unit > 0 { (numerator, denominator << unit) } else { (numerator << -unit, denominator) };
+    let (quotient, remainder) = numerator.div_rem(&denominator);
+    let mut mantissa = quotient.to_u64().expect("a mantissa has at most 53 bits");
+    let twice = remainder << 1;
+    if twice > denominator || (twice == denominator && mantissa % 2 == 1) {
+        mantissa += 1;
+    }
+    let magnitude = mantissa as f64 * power_of_two(unit);
+    if value.is_negative() { -magnitude } else { magnitude }
+}
+
+/// 2^exponent for −1074 ≤ exponent ≤ 1023.
+fn power_of_two(exponent: i64) -> f64 {
+    let bits = if exponent >= -1022 { ((exponent + 1023) as u64) << 52 } else { 1u64 << (exponent + 1074) };
+    f64::from_bits(bits)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rational(text: &str) -> Rational {
+        text.parse().expect("a fraction")
+    }
+
+    #[test]
+    fn a_number_is_rounded_once_to_the_nearest() {
+        let tiny = Rational::new(1.into(), BigInt::from(2).pow(1074));
+        let cases = [
+            (rational("1/3"), 1.0 / 3.0),
+            (rational("-1/10"), -0.1),
+            (rational("9007199254740993"), 9007199254740992.0),
+            (rational("9007199254740995"), 9007199254740996.0),
+            (tiny.clone(), f64::from_bits(1)),
+            (&tiny / rational("2"), 0.0),
+            (&tiny * rational("3/2"), f64::from_bits(2)),
+            (Rational::from_integer(BigInt::from(2).pow(1024)), f64::INFINITY),
+            (Rational::from_integer(BigInt::from(2).pow(1024) - 1), f64::INFINITY),
+            (rational("0"), 0.0),
+        ];
+        for (value, expected) in cases {
+            assert_eq!(nearest_f64(&value), expected, "{value}");
+        }
+    }
+
+    #[test]
+    fn every_double_is_its_own_nearest() {
+        for value in [1.0, 0.1, 1e300, 1e-300, 5e-324, f64::MAX, f64::MIN_POSITIVE, -123.456] {
+            assert_eq!(nearest_f64(&Rational::from_float(value).expect("finite")), value);
+        }
+    }
+
+    #[test]
+    fn multiples_of_powers_of_pi_are_rounded_once() {
+        use std::f64::consts;
+        let scaled = |factor: &str, pi_exponent| Constant { factor: rational(factor), pi_exponent }.to_f64();
+        assert_eq!(scaled("1", 1), consts::PI);
+        assert_eq!(scaled("1/3", 1), consts::FRAC_PI_3);
+        assert_eq!(scaled("2", -1), consts::FRAC_2_PI);
+        assert_eq!(scaled("1", 2), 9.869604401089358);
+    }
+}

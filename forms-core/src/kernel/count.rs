@@ -1,0 +1,96 @@
+//! What a program costs: its operations by kind, and one weighted number to compare programs by.
+
+use super::program::{Instruction, Program};
+use std::fmt;
+
+/// A division beside an addition.
+const DIVISION: u32 = 4;
+/// A square root beside an addition.
+const SQUARE_ROOT: u32 = 5;
+/// A general power beside an addition.
+const POWER: u32 = 30;
+/// A choice beside an addition.
+const SELECT: u32 = 2;
+
+/// The operations of a program; arguments and numbers cost nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct OperationCount {
+    /// Additions and subtractions.
+    pub adds: usize,
+    /// Multiplications.
+    pub multiplies: usize,
+    /// Changes of sign.
+    pub negations: usize,
+    /// Divisions.
+    pub divisions: usize,
+    /// Square roots.
+    pub square_roots: usize,
+    /// Functions of the op table, and powers with exponents that need the general power function.
+    pub function_calls: usize,
+    /// Choices between two values.
+    pub selects: usize,
+}
+
+impl OperationCount {
+    /// All arithmetic: everything but function calls and choices.
+    pub fn arithmetic(&self) -> usize {
+        self.adds + self.multiplies + self.negations + self.divisions + self.square_roots
+    }
+}
+
+impl fmt::Display for OperationCount {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kinds = [
+            (self.adds, "addition", "additions"),
+            (self.multiplies, "multiplication", "multiplications"),
+            (self.negations, "change of sign", "changes of sign"),
+            (self.divisions, "division", "divisions"),
+            (self.square_roots, "square root", "square roots"),
+            (self.function_calls, "function call", "function calls"),
+            (self.selects, "choice", "choices"),
+        ];
+        let parts: Vec<String> = kinds
+            .iter()
+            .filter(|(count, ..)| *count > 0)
+            .map(|(count, one, many)| format!("{count} {}", if *count == 1 { one } else { many }))
+            .collect();
+        if parts.is_empty() { f.write_str("none") } else { f.write_str(&parts.join(", ")) }
+    }
+}
+
+impl Program {
+    /// How many operations of each kind it takes.
+    pub fn operations(&self) -> OperationCount {
+        let mut count = OperationCount::default();
+        for instruction in &self.instructions {
+            match instruction {
+                Instruction::Constant(_) | Instruction::Argument(_) => {}
+                Instruction::Add(..) | Instruction::Subtract(..) => count.adds += 1,
+                Instruction::Multiply(..) => count.multiplies += 1,
+                Instruction::Divide(..) => count.divisions += 1,
+                Instruction::Negate(_) => count.negations += 1,
+                Instruction::Sqrt(_) => count.square_roots += 1,
+                Instruction::Power(..) | Instruction::Call(..) => count.function_calls += 1,
+                Instruction::Select { .. } => count.selects += 1,
+            }
+        }
+        count
+    }
+
+    /// Its cost in units of one addition.
+    pub fn cost(&self) -> u32 {
+        let cost = |instruction: &Instruction| match instruction {
+            Instruction::Constant(_) | Instruction::Argument(_) => 0,
+            Instruction::Add(..)
+            | Instruction::Subtract(..)
+            | Instruction::Multiply(..)
+            | Instruction::Negate(_) => 1,
+            Instruction::Divide(..) => DIVISION,
+            Instruction::Sqrt(_) => SQUARE_ROOT,
+            Instruction::Power(..) => POWER,
+            Instruction::Call(operation, _) => operation.row().cost,
+            Instruction::Select { .. } => SELECT,
+        };
+        self.instructions.iter().map(cost).sum()
+    }
+}

@@ -1,0 +1,44 @@
+//! The plain value of expressions in `f64`: what every kernel is compared with.
+
+use super::constant::nearest_f64;
+use super::interpret::power;
+use crate::expression::{Expr, Meaning, Node, Pool, Symbol};
+use rustc_hash::FxHashMap;
+
+/// The values of expressions as they are written, one rounding for each node; nothing where a variable has no
+/// value or an unknown function occurs.
+pub fn evaluate_f64(pool: &Pool, expressions: &[Expr], values: &[(Symbol, f64)]) -> Option<Vec<f64>> {
+    let mut known: FxHashMap<Expr, f64> = FxHashMap::default();
+    for expression in pool.reachable(expressions) {
+        let value = evaluate_node(pool.node(expression), values, &known)?;
+        known.insert(expression, value);
+    }
+    Some(expressions.iter().map(|expression| known[expression]).collect())
+}
+
+fn evaluate_node(node: &Node, values: &[(Symbol, f64)], known: &FxHashMap<Expr, f64>) -> Option<f64> {
+    let of = |expression: &Expr| known[expression];
+    Some(match node {
+        Node::Number(value) => nearest_f64(value),
+        Node::Pi => std::f64::consts::PI,
+        Node::Symbol(symbol) => values.iter().find(|(known, _)| known == symbol)?.1,
+        Node::Add(a, b) => of(a) + of(b),
+        Node::Negate(a) => -of(a),
+        Node::Multiply(a, b) => of(a) * of(b),
+        Node::Divide(a, b) => of(a) / of(b),
+        Node::Power(a, exponent) => power(of(a), *exponent),
+        Node::Apply(operation, arguments) => match (operation.row().meaning, &arguments[..]) {
+            (Meaning::One(function), [a]) => function(of(a)),
+            (Meaning::Two(function), [a, b]) => function(of(a), of(b)),
+            _ => return None,
+        },
+        Node::Jet { .. } => return None,
+        Node::Select { left, relation, right, then, otherwise } => {
+            match relation.holds(of(left), of(right)) {
+                Some(true) => of(then),
+                Some(false) => of(otherwise),
+                None => f64::NAN,
+            }
+        }
+    })
+}

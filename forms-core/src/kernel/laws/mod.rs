@@ -1,0 +1,163 @@
+//! The law every pass obeys, as one function of the pass: the kernel's value stays the same.
+//!
+//! It is tested exactly, in a finite field, on written kernels and on random ones; and passes that are wrong on
+//! purpose have to break it.
+
+mod modular;
+mod random;
+
+use super::expand::{Limits, expand};
+use super::factor::{Order, factor};
+use super::formula::program;
+use super::graph::Graph;
+use super::graph::collect::collect;
+use super::linearise::linearise;
+use super::numbering::number_values;
+use super::products::share_products;
+use super::program::{Instruction, Program};
+use super::quotients::share_reciprocals;
+use super::signs::absorb_signs;
+use super::sums::share_sums;
+use modular::{PRIME, modular_values};
+use proptest::prelude::*;
+
+/// At how many points two kernels are compared.
+const POINTS: usize = 4;
+/// How many points are tried to find as many at which the kernel is defined.
+const TRIED: u64 = 200;
+
+/// A pass over programs.
+type Pass = Box<dyn Fn(&Program) -> Program>;
+
+/// A change to one instruction, if it applies.
+type Fault = fn(&Instruction) -> Option<Instruction>;
+
+/// Whether the pass keeps the value of the kernel wherever the kernel has one.
+fn keeps_the_value(pass: &dyn Fn(&Program) -> Program, program: &Program) -> bool {
+    let changed = pass(program);
+    let point = |seed: u64| -> Vec<u64> {
+        (0..program.arguments.len() as u64).map(|place| scattered(seed * 31 + place)).collect()
+    };
+    (0..TRIED)
+        .map(point)
+        .filter_map(|point| Some((modular_values(program, &point)?, point)))
+        .take(POINTS)
+        .all(|(expected, point)| modular_values(&changed, &point) == Some(expected))
+}
+
+fn scattered(seed: u64) -> u64 {
+    let mut bits = seed.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    (bits ^ (bits >> 27)) % PRIME
+}
+
+/// A pass over sums and products, as a pass over programs.
+fn on_graph(pass: impl Fn(&Graph) -> Graph + 'static) -> Pass {
+    Box::new(move |program| linearise(&pass(&collect(program)), program))
+}
+
+/// Every pass by itself and all of them together.
+fn passes() -> Vec<(&'static str, Pass)> {
+    let limits = Limits { product: 12, sum: 40, shared: 40 };
+    vec![
+        ("number_values", Box::new(number_values)),
+        ("collect, linearise", on_graph(Graph::clone)),
+        ("expand", on_graph(move |graph| expand(graph, limits))),
+        ("factor, first", on_graph(|graph| factor(graph, Order::First))),
+        ("factor, last", on_graph(|graph| factor(graph, Order::Last))),
+        ("expand, factor", on_graph(move |graph| factor(&expand(graph, limits), Order::First))),
+        ("share_sums", on_graph(share_sums)),
+        ("share_reciprocals", on_graph(share_reciprocals)),
+        ("share_products", on_graph(share_products)),
+        ("absorb_signs", Box::new(|program| absorb_signs(&number_values(program)))),
+        ("optimise", Box::new(Program::optimise)),
+    ]
+}
+
+/// Kernels in which every pass finds something to do: variables, outputs.
+const WRITTEN: &[(&str, &[&str])] = &[
+    ("x y z", &["x/sqrt(x**2+y**2+z**2)**3", "y/sqrt(x**2+y**2+z**2)", "z/(x**2+y**2+z**2)"]),
+    ("u v a b", &["(1-u)*(1-v)*a + u*(1-v)*b - (a-b)*u*v", "b - a", "a - b - u + v"]),
+    ("x y", &["x/x - y/x/y", "x**3/x**5", "x**-2*x", "(x*y)**4/(x*y)**2"]),
+    ("x", &["x**(1/3) + x**(2/3) - x**(-5/6)", "sqrt(sqrt(x))*x**(3/4)", "x**7 - 2*x**15"]),
+    ("x y", &["-(2*pi*x - 2*pi*y)", "pi**2*(x+y)/pi", "-(x*(y - x))", "-3*x", "1/3*x + y/6"]),
+    ("x y", &["sin(x-y) + sin(y-x)", "if x < y { x*y } else { -(x*y) } - x*y", "-atan2(-x, y)"]),
+    ("a b c d", &["a/d + b/d - c", "a*b*c + a*b*d", "a*c + b*c", "1/(a*b) + 1/(a*b*c) + d/(a*b)"]),
+    ("x y", &["(x+y)**2 - (x-y)**2", "(2*x+2*y)**(1/2)", "2*x + 2*y + x*y", "x**2*y**2"]),
+];
+
+#[test]
+fn every_pass_keeps_the_value_of_every_written_kernel() {
+    for (name, pass) in passes() {
+        for (variables, outputs) in WRITTEN {
+            assert!(keeps_the_value(&pass, &program(variables, outputs)), "{name} changes {outputs:?}");
+        }
+    }
+}
+
+#[test]
+fn every_written_kernel_has_a_value_to_keep() {
+    for (variables, outputs) in WRITTEN {
+        let program = program(variables, outputs);
+        let wrong = |program: &Program| {
+            let last = program.outputs[0];
+            let mut changed = program.clone();
+            changed.instructions.push(Instruction::Add(last, last));
+            changed.outputs[0] = super::Value(changed.instructions.len() as u32 - 1);
+            changed
+        };
+        assert!(!keeps_the_value(&wrong, &program), "{outputs:?} is nowhere defined");
+    }
+}
+
+/// The program with the first instruction that `change` applies to changed.
+fn mutated(program: &Program, change: Fault) -> Program {
+    let mut mutant = program.optimise();
+    if let Some((place, changed)) =
+        mutant.instructions.iter().enumerate().find_map(|(place, i)| Some((place, change(i)?)))
+    {
+        mutant.instructions[place] = changed;
+    }
+    mutant
+}
+
+#[test]
+fn a_wrong_pass_breaks_the_law() {
+    use Instruction::{Add, Divide, Multiply, Sqrt, Subtract};
+    let wrong: [(&str, Fault); 6] = [
+        ("drops a sign", |i| if let Subtract(a, b) = i { Some(Add(*a, *b)) } else { None }),
+        ("swaps a difference", |i| if let Subtract(a, b) = i { Some(Subtract(*b, *a)) } else { None }),
+        ("swaps a quotient", |i| if let Divide(a, b) = i { Some(Divide(*b, *a)) } else { None }),
+        ("multiplies for adding", |i| if let Add(a, b) = i { Some(Multiply(*a, *b)) } else { None }),
+        ("squares for multiplying", |i| match i {
+            Multiply(a, b) if a != b => Some(Multiply(*a, *a)),
+            _ => None,
+        }),
+        ("drops a root", |i| if let Sqrt(a) = i { Some(Add(*a, *a)) } else { None }),
+    ];
+    let program = program("x y z", &["(x - y*z)/(sqrt(x + y)*z)"]);
+    assert!(keeps_the_value(&Program::optimise, &program));
+    for (fault, change) in wrong {
+        assert_ne!(mutated(&program, change), program.optimise(), "{fault}: nothing to change");
+        assert!(!keeps_the_value(&|program| mutated(program, change), &program), "{fault} unseen");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    #[test]
+    fn every_pass_keeps_the_value_of_random_kernels(formulas in random::formulas()) {
+        let program = formulas.program();
+        for (name, pass) in passes() {
+            prop_assert!(keeps_the_value(&pass, &program), "{name} changes {}", formulas.text());
+        }
+    }
+
+    #[test]
+    fn raising_what_was_lowered_gives_the_same_value(formulas in random::formulas()) {
+        let program = formulas.program();
+        let raised = |program: &Program| formulas.raised(&program.optimise());
+        prop_assert!(keeps_the_value(&raised, &program), "{}", formulas.text());
+    }
+}

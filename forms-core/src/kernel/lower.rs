@@ -1,0 +1,130 @@
+//! Lowering: a structured expression becomes instructions, one for one, its sharing kept.
+
+use super::constant::Constant;
+use super::program::{Comparison, Instruction, Program, Value};
+use crate::expression::{Condition, Expr, Node, Pool, Symbol};
+use num_rational::Ratio;
+use rustc_hash::FxHashMap;
+use std::fmt;
+
+/// More nodes than this are no kernel but an accident: an expanded normal form, most likely.
+const LARGEST: usize = 200_000;
+
+/// What a kernel is made from.
+#[derive(Clone, Debug, Default)]
+pub struct KernelSource {
+    /// Its name.
+    pub name: String,
+    /// The lines of its documentation.
+    pub docs: Vec<String>,
+    /// Whether it is to be seen from outside its module.
+    pub public: bool,
+    /// The variables it is a function of, in order.
+    pub arguments: Vec<Symbol>,
+    /// What it computes.
+    pub outputs: Vec<Expr>,
+    /// Where it is defined; outside, its value is NaN.
+    pub domain: Vec<Condition>,
+}
+
+/// Why an expression is no kernel.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum LowerError {
+    /// It contains a variable that is no argument.
+    FreeSymbol(String),
+    /// It contains an unknown function, which has no value.
+    UnknownFunction(String),
+    /// It has more nodes than the limit.
+    TooLarge {
+        /// How many it has.
+        nodes: usize,
+        /// How many it may have.
+        limit: usize,
+    },
+}
+
+impl fmt::Display for LowerError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            LowerError::FreeSymbol(name) => write!(f, "`{name}` is not an argument of the kernel"),
+            LowerError::UnknownFunction(name) => {
+                write!(f, "`{name}` is an unknown function, which a kernel cannot compute")
+            }
+            LowerError::TooLarge { nodes, limit } => {
+                write!(f, "the kernel has {nodes} operations, more than the limit of {limit}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for LowerError {}
+
+/// The kernel as instructions, as it was written.
+pub fn lower(pool: &Pool, source: &KernelSource) -> Result<Program, LowerError> {
+    let roots: Vec<Expr> = source
+        .domain
+        .iter()
+        .flat_map(|condition| [condition.left, condition.right])
+        .chain(source.outputs.iter().copied())
+        .collect();
+    let order = pool.reachable(&roots);
+    if order.len() > LARGEST {
+        return Err(LowerError::TooLarge { nodes: order.len(), limit: LARGEST });
+    }
+    let mut values: FxHashMap<Expr, Value> = FxHashMap::default();
+    let mut instructions = Vec::with_capacity(order.len());
+    for expression in order {
+        let instruction = instruction(pool, source, expression, |operand| values[&operand])?;
+        values.insert(expression, Value(instructions.len() as u32));
+        instructions.push(instruction);
+    }
+    let domain = source.domain.iter().map(|condition| Comparison {
+        left: values[&condition.left],
+        relation: condition.relation,
+        right: values[&condition.right],
+    });
+    Ok(Program {
+        name: source.name.clone(),
+        public: source.public,
+        arguments: source.arguments.iter().map(|&symbol| pool.symbol_name(symbol).to_string()).collect(),
+        outputs: source.outputs.iter().map(|output| values[output]).collect(),
+        domain: domain.collect(),
+        instructions,
+    })
+}
+
+fn instruction(
+    pool: &Pool,
+    source: &KernelSource,
+    expression: Expr,
+    of: impl Fn(Expr) -> Value,
+) -> Result<Instruction, LowerError> {
+    Ok(match pool.node(expression) {
+        Node::Number(value) => Instruction::Constant(Constant::rational(value.clone())),
+        Node::Pi => Instruction::Constant(Constant::pi()),
+        Node::Symbol(symbol) => {
+            let place = source.arguments.iter().position(|argument| argument == symbol);
+            let free = || LowerError::FreeSymbol(pool.symbol_name(*symbol).to_string());
+            Instruction::Argument(place.ok_or_else(free)? as u32)
+        }
+        Node::Add(a, b) => Instruction::Add(of(*a), of(*b)),
+        Node::Negate(a) => Instruction::Negate(of(*a)),
+        Node::Multiply(a, b) => Instruction::Multiply(of(*a), of(*b)),
+        Node::Divide(a, b) => Instruction::Divide(of(*a), of(*b)),
+        Node::Power(a, exponent) if *exponent == Ratio::new(1, 2) => Instruction::Sqrt(of(*a)),
+        Node::Power(a, exponent) => Instruction::Power(of(*a), *exponent),
+        Node::Apply(operation, arguments) => {
+            Instruction::Call(*operation, arguments.iter().map(|&argument| of(argument)).collect())
+        }
+        Node::Jet { function, .. } => {
+            return Err(LowerError::UnknownFunction(pool.function(*function).name.clone()));
+        }
+        Node::Select { left, relation, right, then, otherwise } => Instruction::Select {
+            left: of(*left),
+            relation: *relation,
+            right: of(*right),
+            then: of(*then),
+            otherwise: of(*otherwise),
+        },
+    })
+}

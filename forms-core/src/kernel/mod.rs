@@ -1,0 +1,66 @@
+//! Kernels: structured expressions become instructions, cheaper instructions, and source text or values.
+//!
+//! ```text
+//! expressions ─ lower ─▶ Program ─ optimise ─▶ Program ─┬─ emit_rust ─▶ source
+//!       ▲                                               ├─ interpret ─▶ values
+//!       └───────────────────── raise ───────────────────┘
+//! ```
+//! A kernel is lowered from the structure its author wrote, never from an expanded normal form, and emission
+//! never simplifies: what is printed is the program as it stands. Raising closes the circle, so that an optimised
+//! kernel can be proved equal to the formula it came from.
+//!
+//! ```
+//! use forms_core::expression::{Pool, SymbolKind};
+//! use forms_core::kernel::{KernelSource, RustDocs, emit_rust, lower};
+//!
+//! let mut pool = Pool::new();
+//! let x = pool.declare_symbol("x", SymbolKind::Local);
+//! let seventh = pool.symbol(x);
+//! let seventh = pool.power(seventh, 7.into());
+//! let source = KernelSource {
+//!     name: "seventh".to_string(),
+//!     arguments: vec![x],
+//!     outputs: vec![seventh],
+//!     ..KernelSource::default()
+//! };
+//! let kernel = lower(&pool, &source)?.optimise();
+//! assert_eq!(kernel.operations().multiplies, 4);
+//! assert_eq!(kernel.interpret(&[2.0]), [128.0]);
+//! assert!(emit_rust(&kernel, &RustDocs::default()).contains("fn seventh(x: f64) -> f64 {"));
+//! # Ok::<(), forms_core::kernel::LowerError>(())
+//! ```
+
+mod chain;
+mod constant;
+mod count;
+mod evaluate;
+mod expand;
+mod factor;
+mod graph;
+mod interpret;
+mod linearise;
+mod lower;
+mod numbering;
+mod optimise;
+mod products;
+mod program;
+mod quotients;
+mod raise;
+mod rust;
+mod signs;
+mod sums;
+mod tally;
+
+pub use constant::Constant;
+pub use count::OperationCount;
+pub use evaluate::evaluate_f64;
+pub use lower::{KernelSource, LowerError, lower};
+pub use program::{Comparison, Instruction, Program, Value};
+pub use rust::{RustDocs, emit_rust};
+
+#[cfg(test)]
+#[allow(dead_code, reason = "shared with the integration tests, which use the rest")]
+#[path = "../../tests/kernel/formula.rs"]
+mod formula;
+#[cfg(test)]
+mod laws;

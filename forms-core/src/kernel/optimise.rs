@@ -1,0 +1,78 @@
+//! Optimisation: the passes in their order, tried with a few settings, of which the cheapest result is kept.
+//!
+//! ```text
+//! number_values ─ collect ─┬─ expand ─ factor ─┬─ share_sums ─ share_reciprocals ─ share_products ─ linearise ─ absorb_signs
+//!                          └───────────────────┘ for each setting, and once without
+//! ```
+//! Every pass keeps the value. Expansion is tried from the least to the most, and has to make the kernel cheaper
+//! to be kept, because a formula as its author wrote it is usually the accurate one.
+
+use super::expand::{Limits, expand};
+use super::factor::{Order, factor};
+use super::graph::Graph;
+use super::graph::collect::collect;
+use super::linearise::linearise;
+use super::numbering::number_values;
+use super::products::share_products;
+use super::program::Program;
+use super::quotients::share_reciprocals;
+use super::signs::absorb_signs;
+use super::sums::share_sums;
+
+/// How far to expand, from the least to the most.
+const EXPANSIONS: [Limits; 3] = [
+    Limits { product: 4, sum: 12, shared: 2 },
+    Limits { product: 8, sum: 24, shared: 2 },
+    Limits { product: 8, sum: 24, shared: 24 },
+];
+
+/// Larger kernels are not searched: they are factored as they are written.
+const SEARCHED: usize = 4_000;
+
+impl Program {
+    /// The same kernel at least cost.
+    pub fn optimise(&self) -> Program {
+        let numbered = number_values(self);
+        let written = collect(&numbered).reordered();
+        let is_searched = numbered.instructions.len() <= SEARCHED;
+        let expansions = expansions(&written, is_searched);
+        let mut best = cheaper(absorb_signs(&numbered), finished(&written, &numbered));
+        let mut expansion = &written;
+        for expanded in &expansions {
+            let candidate = finished(&factor(expanded, Order::First), &numbered);
+            if candidate.cost() < best.cost() {
+                (best, expansion) = (candidate, expanded);
+            }
+        }
+        if is_searched {
+            best = cheaper(best, finished(&factor(expansion, Order::Last), &numbered));
+        }
+        best
+    }
+}
+
+/// The cheaper of two programs, of equals the first.
+fn cheaper(first: Program, second: Program) -> Program {
+    if second.cost() < first.cost() { second } else { first }
+}
+
+/// The graph as written and as far expanded as is tried, each only once.
+fn expansions(written: &Graph, is_searched: bool) -> Vec<Graph> {
+    let mut expansions = vec![written.clone()];
+    for limits in EXPANSIONS.into_iter().filter(|_| is_searched) {
+        add_if_new(&mut expansions, expand(written, limits).reordered());
+    }
+    expansions
+}
+
+fn add_if_new(graphs: &mut Vec<Graph>, graph: Graph) {
+    if !graphs.iter().any(|known| known.is_same_as(&graph)) {
+        graphs.push(graph);
+    }
+}
+
+/// The program of a graph, its common parts shared.
+fn finished(graph: &Graph, program: &Program) -> Program {
+    let shared = share_products(&share_reciprocals(&share_sums(graph)));
+    absorb_signs(&number_values(&linearise(&shared, program)))
+}

@@ -1,0 +1,210 @@
+//! The intermediate form of a kernel: instructions in the order of their evaluation.
+//!
+//! Every instruction computes one value from values before it, and no value is ever changed. The form knows no
+//! precision and no target: numbers are exact, functions are rows of the op table.
+
+use super::constant::Constant;
+use crate::expression::Operation;
+use crate::syntax::ast::Relation;
+use num_rational::Ratio;
+
+/// The value an instruction computes, named by the instruction's place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Value(pub(crate) u32);
+
+impl Value {
+    pub(crate) fn place(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// One operation on earlier values.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Instruction {
+    /// An exact number.
+    Constant(Constant),
+    /// An argument of the kernel, by its place.
+    Argument(u32),
+    /// a + b
+    Add(Value, Value),
+    /// a − b
+    Subtract(Value, Value),
+    /// a b
+    Multiply(Value, Value),
+    /// a / b
+    Divide(Value, Value),
+    /// −a
+    Negate(Value),
+    /// √a
+    Sqrt(Value),
+    /// aʳ with r rational; the non-negative branch where r is a fraction
+    Power(Value, Ratio<i64>),
+    /// A function of the op table.
+    Call(Operation, Box<[Value]>),
+    /// `then` where the relation holds, `otherwise` where it does not, NaN where the sides cannot be compared.
+    Select {
+        /// The relation's left side.
+        left: Value,
+        /// The relation.
+        relation: Relation,
+        /// The relation's right side.
+        right: Value,
+        /// The value where it holds.
+        then: Value,
+        /// The value where it does not.
+        otherwise: Value,
+    },
+}
+
+impl Instruction {
+    /// The values it is computed from.
+    pub fn operands(&self) -> Vec<Value> {
+        match self {
+            Instruction::Constant(_) | Instruction::Argument(_) => vec![],
+            Instruction::Negate(a) | Instruction::Sqrt(a) | Instruction::Power(a, _) => vec![*a],
+            Instruction::Add(a, b)
+            | Instruction::Subtract(a, b)
+            | Instruction::Multiply(a, b)
+            | Instruction::Divide(a, b) => vec![*a, *b],
+            Instruction::Call(_, arguments) => arguments.to_vec(),
+            Instruction::Select { left, right, then, otherwise, .. } => {
+                vec![*left, *right, *then, *otherwise]
+            }
+        }
+    }
+
+    /// The same operation on other values.
+    pub(crate) fn with_operands(&self, of: impl Fn(Value) -> Value) -> Instruction {
+        match self {
+            Instruction::Constant(_) | Instruction::Argument(_) => self.clone(),
+            Instruction::Add(a, b) => Instruction::Add(of(*a), of(*b)),
+            Instruction::Subtract(a, b) => Instruction::Subtract(of(*a), of(*b)),
+            Instruction::Multiply(a, b) => Instruction::Multiply(of(*a), of(*b)),
+            Instruction::Divide(a, b) => Instruction::Divide(of(*a), of(*b)),
+            Instruction::Negate(a) => Instruction::Negate(of(*a)),
+            Instruction::Sqrt(a) => Instruction::Sqrt(of(*a)),
+            Instruction::Power(a, exponent) => Instruction::Power(of(*a), *exponent),
+            Instruction::Call(operation, arguments) => {
+                Instruction::Call(*operation, arguments.iter().map(|&a| of(a)).collect())
+            }
+            Instruction::Select { left, relation, right, then, otherwise } => Instruction::Select {
+                left: of(*left),
+                relation: *relation,
+                right: of(*right),
+                then: of(*then),
+                otherwise: of(*otherwise),
+            },
+        }
+    }
+}
+
+/// A relation between two values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Comparison {
+    /// The left side.
+    pub left: Value,
+    /// The relation.
+    pub relation: Relation,
+    /// The right side.
+    pub right: Value,
+}
+
+impl Relation {
+    /// Whether it holds between two numbers; nothing where one of them is NaN.
+    pub(crate) fn holds(self, left: f64, right: f64) -> Option<bool> {
+        left.partial_cmp(&right).map(|order| match self {
+            Relation::Less => order.is_lt(),
+            Relation::LessEqual => order.is_le(),
+            Relation::Greater => order.is_gt(),
+            Relation::GreaterEqual => order.is_ge(),
+            Relation::NotEqual => order.is_ne(),
+        })
+    }
+}
+
+/// A kernel as instructions.
+///
+/// Its value is NaN wherever a condition of its domain fails, and wherever an argument it depends on is NaN.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Program {
+    pub(crate) name: String,
+    pub(crate) public: bool,
+    pub(crate) arguments: Vec<String>,
+    pub(crate) instructions: Vec<Instruction>,
+    pub(crate) outputs: Vec<Value>,
+    pub(crate) domain: Vec<Comparison>,
+}
+
+impl Program {
+    /// The kernel's name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Whether it is to be seen from outside its module.
+    pub fn is_public(&self) -> bool {
+        self.public
+    }
+
+    /// The names of its arguments.
+    pub fn arguments(&self) -> &[String] {
+        &self.arguments
+    }
+
+    /// Its instructions, operands before results.
+    pub fn instructions(&self) -> &[Instruction] {
+        &self.instructions
+    }
+
+    /// The values it returns.
+    pub fn outputs(&self) -> &[Value] {
+        &self.outputs
+    }
+
+    /// The conditions outside of which it is NaN.
+    pub fn domain(&self) -> &[Comparison] {
+        &self.domain
+    }
+
+    pub(crate) fn instruction(&self, value: Value) -> &Instruction {
+        &self.instructions[value.place()]
+    }
+
+    /// The values asked for from outside: the sides of the domain's conditions, then the outputs.
+    pub(crate) fn roots(&self) -> impl Iterator<Item = Value> {
+        self.domain
+            .iter()
+            .flat_map(|condition| [condition.left, condition.right])
+            .chain(self.outputs.iter().copied())
+    }
+
+    /// The same kernel computed by other instructions; `of` takes each root to its place among them.
+    pub(crate) fn with_instructions(
+        &self,
+        instructions: Vec<Instruction>,
+        of: impl Fn(Value) -> Value,
+    ) -> Program {
+        let roots: Vec<Value> = self.roots().map(of).collect();
+        self.with_roots(instructions, &roots)
+    }
+
+    /// The same kernel computed by other instructions, with these roots in the order of [`Program::roots`].
+    pub(crate) fn with_roots(&self, instructions: Vec<Instruction>, roots: &[Value]) -> Program {
+        let (sides, outputs) = roots.split_at(2 * self.domain.len());
+        let conditions = self.domain.iter().zip(sides.chunks_exact(2));
+        Program {
+            name: self.name.clone(),
+            public: self.public,
+            arguments: self.arguments.clone(),
+            instructions,
+            outputs: outputs.to_vec(),
+            domain: conditions
+                .map(|(condition, side)| Comparison {
+                    left: side[0],
+                    relation: condition.relation,
+                    right: side[1],
+                })
+                .collect(),
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! Raising: instructions become expressions again, to be proved equal to what the kernel was lowered from.
+
+use super::constant::Constant;
+use super::program::{Instruction, Program};
+use crate::expression::{Expr, Pool, Symbol};
+
+impl Program {
+    /// The outputs as expressions of these variables, one for each argument.
+    pub fn raise(&self, pool: &mut Pool, arguments: &[Symbol]) -> Vec<Expr> {
+        debug_assert_eq!(arguments.len(), self.arguments.len());
+        let mut values: Vec<Expr> = Vec::with_capacity(self.instructions.len());
+        for instruction in &self.instructions {
+            let expression = raise_instruction(instruction, pool, arguments, &values);
+            values.push(expression);
+        }
+        self.outputs.iter().map(|output| values[output.place()]).collect()
+    }
+}
+
+fn raise_instruction(
+    instruction: &Instruction,
+    pool: &mut Pool,
+    arguments: &[Symbol],
+    values: &[Expr],
+) -> Expr {
+    let of = |value: &super::program::Value| values[value.place()];
+    match instruction {
+        Instruction::Constant(constant) => raise_constant(constant, pool),
+        Instruction::Argument(place) => pool.symbol(arguments[*place as usize]),
+        Instruction::Add(a, b) => pool.add(of(a), of(b)),
+        Instruction::Subtract(a, b) => pool.subtract(of(a), of(b)),
+        Instruction::Multiply(a, b) => pool.multiply(of(a), of(b)),
+        Instruction::Divide(a, b) => pool.divide(of(a), of(b)),
+        Instruction::Negate(a) => pool.negate(of(a)),
+        Instruction::Sqrt(a) => pool.sqrt(of(a)),
+        Instruction::Power(a, exponent) => pool.power(of(a), *exponent),
+        Instruction::Call(operation, operands) => {
+            let operands: Vec<Expr> = operands.iter().map(of).collect();
+            pool.apply(*operation, &operands)
+        }
+        Instruction::Select { left, relation, right, then, otherwise } => {
+            pool.select((of(left), *relation, of(right)), of(then), of(otherwise))
+        }
+    }
+}
+
+/// q πᵏ
+fn raise_constant(constant: &Constant, pool: &mut Pool) -> Expr {
+    let factor = pool.number(constant.factor.clone());
+    if constant.pi_exponent == 0 {
+        return factor;
+    }
+    let pi = pool.pi();
+    let power = pool.power(pi, i64::from(constant.pi_exponent).into());
+    pool.multiply(factor, power)
+}

@@ -1,0 +1,165 @@
+//! Emitted Rust, compiled as it stands and run beside the interpreter.
+
+use crate::formula::Formulas;
+use forms_core::expression::Expr;
+use forms_core::kernel::{Program, RustDocs, emit_rust};
+use forms_core::syntax::ast::Relation;
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::process::Command;
+
+/// Kernels of every kind of instruction: name, arguments, outputs.
+const KERNELS: &[(&str, &str, &[&str])] = &[
+    ("polynomial", "x", &["3*x**5 - x**3/7 + x - 2"]),
+    ("inverse_square", "x y z", &["x/sqrt(x**2 + y**2 + z**2)**3"]),
+    ("several", "u v", &["u/(u**2 + v**2)", "v/(u**2 + v**2)", "1/(u**2 + v**2)"]),
+    ("functions", "t0 x", &["atan2(sin(t0), cos(x)) + exp(-abs(x))*tanh(t0) - log(x)"]),
+    ("constants", "x", &["-x", "pi*x/4", "2/3 - x", "-1/(4*pi)", "sqrt(2)*x", "x - 1/10"]),
+    ("roots", "x", &["x**(1/3) + x**(-2/3)", "x**(3/2) - x**(-5/2)", "x**-7"]),
+    ("piecewise", "x y", &["if x < y { sqrt(y - x) } else { if y <= 0 { x } else { log(y) } } + x"]),
+    ("unused", "x y", &["y + 1"]),
+    ("many", "a b c d e f g H", &["a*b + c*d - (e*f - g*H)"]),
+];
+
+/// Where NaN, infinities, signed zeros and ordinary numbers come from: a fixed linear congruence.
+struct Inputs(u64);
+
+impl Inputs {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        match (self.0 >> 33) % 17 {
+            0 => f64::NAN,
+            1 => 0.0,
+            2 => f64::INFINITY,
+            _ => (self.0 >> 11) as f64 / (1u64 << 53) as f64 * 8.0 - 2.0,
+        }
+    }
+}
+
+fn kernels() -> Vec<Program> {
+    let mut programs = Vec::new();
+    for (name, variables, outputs) in KERNELS {
+        let mut formulas = Formulas::over(variables);
+        let outputs: Vec<Expr> = outputs.iter().map(|output| formulas.parse(output)).collect();
+        let written = formulas.named(name).program(&outputs);
+        programs.push(formulas.named(&format!("{name}_optimised")).program(&outputs).optimise());
+        programs.push(written);
+    }
+    programs.extend(with_domains());
+    programs
+}
+
+fn with_domains() -> Vec<Program> {
+    let mut formulas = Formulas::over("x y");
+    let [x, y, zero, five] = ["x", "y", "0", "5"].map(|text| formulas.parse(text));
+    let (sum, root) = (formulas.parse("x + y"), formulas.parse("sqrt(x)/y"));
+    let domain = [(zero, Relation::Less, x), (sum, Relation::LessEqual, five), (y, Relation::NotEqual, zero)];
+    let one = formulas.named("inside").program_where(&[root], &domain).optimise();
+    let two = formulas.named("both_inside").program_where(&[root, sum], &domain).optimise();
+    vec![one, two]
+}
+
+/// A program that reads rows of bits and prints the bits of every kernel at each.
+fn harness(programs: &[Program], rows: &[Vec<f64>]) -> String {
+    let mut source = "#![deny(warnings)]\n".to_string();
+    for program in programs {
+        source.push_str(&emit_rust(program, &RustDocs { formula: "f".into(), ..RustDocs::default() }));
+    }
+    source.push_str("fn main() {\n");
+    for (program, row) in programs.iter().flat_map(|program| rows.iter().map(move |row| (program, row))) {
+        let arguments: Vec<String> = row[..program.arguments().len()]
+            .iter()
+            .map(|value| format!("f64::from_bits({})", value.to_bits()))
+            .collect();
+        let call = format!("{}({})", program.name(), arguments.join(", "));
+        let _ = match program.outputs().len() {
+            1 => writeln!(source, "println!(\"{{}}\", {call}.to_bits());"),
+            _ => writeln!(source, "{call}.iter().for_each(|value| println!(\"{{}}\", value.to_bits()));"),
+        };
+    }
+    source + "}\n"
+}
+
+fn compiled_and_run(source: &str) -> Vec<f64> {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
+    let (file, program) = (folder.join("emitted.rs"), folder.join("emitted"));
+    std::fs::write(&file, source).expect("a file in the build's folder");
+    let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_string());
+    let compiler = Command::new(rustc)
+        .args(["--edition", "2024", "-o"])
+        .arg(&program)
+        .arg(&file)
+        .output()
+        .expect("a compiler");
+    assert!(compiler.status.success(), "{}\n{source}", String::from_utf8_lossy(&compiler.stderr));
+    let output = Command::new(program).output().expect("the compiled program");
+    let text = String::from_utf8(output.stdout).expect("numbers");
+    text.lines().map(|line| f64::from_bits(line.parse().expect("bits"))).collect()
+}
+
+#[test]
+fn emitted_rust_computes_what_the_interpreter_computes() {
+    let programs = kernels();
+    let mut inputs = Inputs(1);
+    let rows: Vec<Vec<f64>> = (0..40).map(|_| (0..8).map(|_| inputs.next()).collect()).collect();
+    let computed = compiled_and_run(&harness(&programs, &rows));
+    let mut computed = computed.into_iter();
+    for program in &programs {
+        for row in &rows {
+            for expected in program.interpret(&row[..program.arguments().len()]) {
+                let value = computed.next().expect("a value for every output");
+                let same = value == expected || (value.is_nan() && expected.is_nan());
+                assert!(same, "{} at {row:?}: emitted {value}, interpreted {expected}", program.name());
+            }
+        }
+    }
+    assert_eq!(computed.next(), None);
+}
+
+#[test]
+fn nothing_is_fused() {
+    assert!(kernels().iter().all(|program| !emit_rust(program, &RustDocs::default()).contains("mul_add")));
+}
+/// Σ, one choice, two outputs and a condition, as they are printed.
+#[test]
+fn a_kernel_reads_as_written_by_hand() {
+    let mut formulas = Formulas::over("x y");
+    let [x, zero, first, second] = ["x", "0", "x/sqrt(x**2 + y**2)**3", "if x < y { -2*x } else { y/pi }"]
+        .map(|text| formulas.parse(text));
+    let program = formulas.named("field").program_where(&[first, second], &[(x, Relation::NotEqual, zero)]);
+    let docs = RustDocs {
+        formula: formulas.pool.texts(&[first, second]).join(", "),
+        statements: vec!["gauss".to_string()],
+        conditions: vec!["x != 0".to_string()],
+        docs: vec!["A field and a choice.".to_string()],
+    };
+    let expected = r#"/// A field and a choice.
+///
+/// ```text
+/// x/(x**2 + y**2)**(3/2), (if x < y { -2*x } else { y/pi })
+/// ```
+///
+/// Rests on `gauss`.
+///
+/// Holds where `x != 0`.
+///
+/// Its value is NaN outside its domain and where an argument it depends on is NaN.
+/// Takes 1 addition, 5 multiplications, 1 division, 1 square root, 1 choice.
+pub fn field(x: f64, y: f64) -> [f64; 2] {
+    let inside = x.partial_cmp(&0.0).is_some_and(core::cmp::Ordering::is_ne);
+    if !inside {
+        return [f64::NAN; 2];
+    }
+    let t0 = x * x + y * y;
+    let t1 = if x < y {
+        -2.0 * x
+    } else if x >= y {
+        core::f64::consts::FRAC_1_PI * y
+    } else {
+        f64::NAN
+    };
+    [x / (t0 * t0.sqrt()), t1]
+}
+"#;
+    assert_eq!(emit_rust(&program.optimise(), &docs), expected);
+}
