@@ -97,7 +97,8 @@ impl Assumptions {
                 tower.start_again();
                 continue;
             }
-            let wanted = if prepared.open.is_empty() { knowledge.open.clone() } else { prepared.open };
+            let open = if prepared.open.is_empty() { knowledge.open.clone() } else { prepared.open };
+            let wanted = simplest(tower, open);
             let factors =
                 if wanted.is_empty() { given.iter().map(|g| g.0).collect() } else { wanted.clone() };
             return Ok((assemble(tower, knowledge, given, factors), wanted));
@@ -133,6 +134,33 @@ impl Assumptions {
         knowledge.open.dedup();
         Ok(())
     }
+}
+
+/// The factors that bound one generator by a number, if there are any: once their signs are given, more is
+/// known of the others.
+fn simplest(tower: &Tower, open: Vec<usize>) -> Vec<usize> {
+    let is_bound = |&base: &usize| {
+        let polynomial = &tower.base(base).polynomial;
+        polynomial.total_degree() == 1 && polynomial.variables().len() == 1
+    };
+    let simple: Vec<usize> = open.iter().copied().filter(is_bound).collect();
+    if simple.is_empty() { open } else { simple }
+}
+
+/// Whether a ≤ b is known to hold wherever the conditions do.
+pub(crate) fn is_at_most(pool: &mut Pool, a: Expr, b: Expr, conditions: &[Condition]) -> bool {
+    let difference = pool.subtract(b, a);
+    let assumptions = Assumptions::new(pool, conditions);
+    let mut tower = Tower::new(Trigonometry::Circle);
+    let Ok(prepared) = normalise(&mut tower, pool, &[difference]) else { return false };
+    let mut knowledge = Knowledge::of(&tower, &[]);
+    if !prepared.is_unconditional() || assumptions.assume(&mut tower, pool, &mut knowledge).is_err() {
+        return false;
+    }
+    let known = prepared.exact(&mut tower, pool).map(|mut fractions| fractions.remove(0));
+    let Ok(difference) = known else { return false };
+    let sign = difference.as_polynomial().map(|polynomial| knowledge.facts.sign_of(polynomial));
+    difference.is_zero() || sign.flatten() == Some(Sign::Positive)
 }
 
 /// What conditions say while some signs are given.

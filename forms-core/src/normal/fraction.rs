@@ -249,7 +249,7 @@ impl Tower {
     fn split_radicands(&mut self, rest: &mut Polynomial, factors: &mut Vec<(FactorId, u32)>) {
         for number in 0..self.relations.len() {
             let relation = self.relations[number].clone();
-            if relation.value.term_count() < 2 || self.is_trigonometric(relation.variable) {
+            if relation.value.term_count() < 2 || !self.is_current_root(relation.variable) {
                 continue;
             }
             let exponent = divide_out(rest, &relation.value);

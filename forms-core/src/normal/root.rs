@@ -171,6 +171,13 @@ impl Tower {
         Polynomial::variable(variable).into()
     }
 
+    /// Whether a generator is the root of ±g with the sign that g has here. One of another case is imaginary.
+    pub(super) fn is_current_root(&self, variable: u32) -> bool {
+        let Generator::Root { base, order, negated } = *self.generator(variable) else { return false };
+        let base = &self.bases[base];
+        !base.retired && base.order == order && (base.sign == Some(Sign::Negative)) == negated
+    }
+
     /// Numerator and denominator over the basis of radicands; new factors join it.
     fn factor_radicand(&mut self, q: &Fraction) -> Result<Factored, Obstacle> {
         let mut factored = Factored { constant: BigInt::one(), powers: Vec::new() };
