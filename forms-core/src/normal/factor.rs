@@ -1,7 +1,7 @@
 //! Known factors: polynomials that have occurred in denominators, and exact division by them.
 
 use super::fraction::Fraction;
-use super::generator::FactorId;
+use super::generator::{FactorId, Generator};
 use super::tower::{Obstacle, Tower};
 use crate::polynomial::Polynomial;
 use num_bigint::BigInt;
@@ -108,7 +108,7 @@ impl Tower {
     fn split_radicands(&mut self, rest: &mut Polynomial, powers: &mut Vec<FactorPower>) {
         for number in 0..self.relations.len() {
             let relation = self.relations[number].clone();
-            if relation.value.term_count() < 2 || self.is_trigonometric(relation.variable) {
+            if relation.value.term_count() < 2 || !self.is_current_root(relation.variable) {
                 continue;
             }
             let exponent = divide_out(rest, |rest| rest.divide_exact(&relation.value));
@@ -123,7 +123,12 @@ impl Tower {
     fn split_known(&mut self, rest: &mut Polynomial, powers: &mut Vec<FactorPower>) -> Result<(), Obstacle> {
         for number in 0..self.factors.len() {
             let known = self.factors[number].clone();
-            if known.term_count() < 2 || known.term_count() > rest.term_count() {
+            let foreign =
+                |v: &u32| matches!(self.generator(*v), Generator::Root { .. }) && !self.is_current_root(*v);
+            if known.term_count() < 2
+                || known.term_count() > rest.term_count()
+                || known.variables().iter().any(foreign)
+            {
                 continue;
             }
             let exponent = match self.conjugate(&known) {
