@@ -9,13 +9,14 @@
 //!       Proved | Refuted | Unknown             Rust · interpreter
 //! ```
 
+mod assume;
 pub mod calculus;
 pub mod check;
 pub mod decide;
 pub mod diagnostic;
 pub mod enclosure;
 pub mod expression;
-pub mod integral;
+mod integral;
 pub mod kernel;
 pub mod normal;
 pub mod polynomial;

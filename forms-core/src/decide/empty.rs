@@ -1,7 +1,7 @@
 //! Conditions that nothing meets: a statement under them speaks of no point and is an error.
 
 use super::problem::Problem;
-use super::sign::Facts;
+use crate::assume::Facts;
 use crate::expression::Pool;
 use crate::normal::{Sign, Tower, Trigonometry, normalise};
 use crate::syntax::ast::Relation;

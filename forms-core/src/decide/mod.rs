@@ -3,7 +3,6 @@
 //! ```text
 //! statement ─▶ differences by component + what may be assumed
 //!      │ witness: exact points, values enclosed            ─▶ Refuted
-//!      │ region:  signs of radicand factors, case by case
 //!      └ normal forms, zero in every case                  ─▶ Proved
 //!                                                     else ─▶ Unknown
 //! ```
@@ -14,10 +13,8 @@
 mod empty;
 mod problem;
 mod proof;
-mod region;
 mod report;
 mod sample;
-mod sign;
 mod verdict;
 mod witness;
 
@@ -33,8 +30,9 @@ use witness::{Difference, Found, Search};
 const FIRST_CANDIDATES: usize = 24;
 const FIRST_POINTS: usize = 2;
 
-/// Candidate points looked at before giving up.
+/// Candidate points looked at before giving up, and how many good ones make it hopeless.
 const LAST_CANDIDATES: usize = 600;
+const LAST_POINTS: usize = 40;
 
 /// Decides one statement.
 ///
@@ -66,7 +64,7 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
     {
         return Verdict::Empty { reason };
     }
-    search.enough = if outcome == Outcome::Zero { 1 } else { usize::MAX };
+    search.enough = if outcome == Outcome::Zero { 1 } else { LAST_POINTS };
     search.look(theory, &problem, position, LAST_CANDIDATES);
     if let Some(difference) = search.difference {
         return report::refuted(theory, &problem, &difference);

@@ -1,14 +1,17 @@
 //! Verdicts in the user's notation: the conditions a theorem rests on, what is left of a false equation.
 
 use super::problem::Problem;
-use super::sign::Facts;
 use super::verdict::{Theorem, Verdict, Witness};
 use super::witness::Difference;
+use crate::assume::Facts;
 use crate::expression::{Condition, Expr, Node, Pool};
 use crate::normal::{Sign, Tower, Trigonometry, normalise};
 use crate::resolve::Theory;
 use crate::syntax::ast::Relation;
 use num_traits::Zero;
+
+/// Products of terms that a simplification for the eye may cost; a proof may cost more.
+const SIMPLIFICATION_WORK: u64 = 20_000;
 
 pub(super) fn proved(theory: &mut Theory, problem: &Problem) -> Verdict {
     Verdict::Proved(Theorem { conditions: conditions(&mut theory.pool, problem) })
@@ -29,7 +32,7 @@ pub(super) fn refuted(theory: &mut Theory, problem: &Problem, difference: &Diffe
 
 /// The expression through its normal form, or itself where it has none that reads better.
 pub fn simplified(pool: &mut Pool, expression: Expr) -> Expr {
-    let mut tower = Tower::new(Trigonometry::Circle);
+    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(SIMPLIFICATION_WORK);
     let Ok(prepared) = normalise(&mut tower, pool, &[expression]) else { return expression };
     let open_sign =
         tower.bases().any(|(_, base)| base.sign_needed && base.polynomial.as_constant().is_none());

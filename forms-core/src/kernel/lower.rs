@@ -2,25 +2,13 @@
 
 use super::constant::Constant;
 use super::program::{Comparison, Instruction, Program, Value};
-use crate::expression::{Expr, Node, Pool, Symbol};
-use crate::syntax::ast::Relation;
+use crate::expression::{Condition, Expr, Node, Pool, Symbol};
 use num_rational::Ratio;
 use rustc_hash::FxHashMap;
 use std::fmt;
 
 /// More nodes than this are no kernel but an accident: an expanded normal form, most likely.
 const LARGEST: usize = 200_000;
-
-/// A relation between two expressions that the arguments of a kernel are to satisfy.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Condition {
-    /// The left side.
-    pub left: Expr,
-    /// The relation.
-    pub relation: Relation,
-    /// The right side.
-    pub right: Expr,
-}
 
 /// What a kernel is made from.
 #[derive(Clone, Debug, Default)]

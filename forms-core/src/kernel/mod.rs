@@ -49,11 +49,12 @@ mod raise;
 mod rust;
 mod signs;
 mod sums;
+mod tally;
 
 pub use constant::Constant;
 pub use count::OperationCount;
 pub use evaluate::evaluate_f64;
-pub use lower::{Condition, KernelSource, LowerError, lower};
+pub use lower::{KernelSource, LowerError, lower};
 pub use program::{Comparison, Instruction, Program, Value};
 pub use rust::{RustDocs, emit_rust};
 

@@ -33,26 +33,36 @@ impl Program {
     /// The same kernel at least cost.
     pub fn optimise(&self) -> Program {
         let numbered = number_values(self);
-        let plain = absorb_signs(&numbered);
-        let candidates = arrangements(&collect(&numbered), numbered.instructions.len() <= SEARCHED);
-        let finished = candidates.iter().map(|candidate| finished(candidate, &numbered));
-        std::iter::once(plain).chain(finished).min_by_key(Program::cost).unwrap_or(numbered)
+        let written = collect(&numbered).reordered();
+        let is_searched = numbered.instructions.len() <= SEARCHED;
+        let expansions = expansions(&written, is_searched);
+        let mut best = cheaper(absorb_signs(&numbered), finished(&written, &numbered));
+        let mut expansion = &written;
+        for expanded in &expansions {
+            let candidate = finished(&factor(expanded, Order::First), &numbered);
+            if candidate.cost() < best.cost() {
+                (best, expansion) = (candidate, expanded);
+            }
+        }
+        if is_searched {
+            best = cheaper(best, finished(&factor(expansion, Order::Last), &numbered));
+        }
+        best
     }
 }
 
-/// The different arrangements of a graph's sums and products, the ones nearest to the written one first.
-fn arrangements(written: &Graph, is_searched: bool) -> Vec<Graph> {
-    let mut expansions = vec![written.reordered()];
+/// The cheaper of two programs, of equals the first.
+fn cheaper(first: Program, second: Program) -> Program {
+    if second.cost() < first.cost() { second } else { first }
+}
+
+/// The graph as written and as far expanded as is tried, each only once.
+fn expansions(written: &Graph, is_searched: bool) -> Vec<Graph> {
+    let mut expansions = vec![written.clone()];
     for limits in EXPANSIONS.into_iter().filter(|_| is_searched) {
         add_if_new(&mut expansions, expand(written, limits).reordered());
     }
-    let mut arrangements = vec![expansions[0].clone()];
-    for expanded in &expansions {
-        for order in [Order::First, Order::Last] {
-            add_if_new(&mut arrangements, factor(expanded, order));
-        }
-    }
-    arrangements
+    expansions
 }
 
 fn add_if_new(graphs: &mut Vec<Graph>, graph: Graph) {

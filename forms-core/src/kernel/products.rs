@@ -4,11 +4,14 @@
 //! together: x² y² = (x y)².
 
 use super::graph::{Exponent, Factor, Form, Graph, Node};
+use super::tally::Tally;
 use rustc_hash::FxHashMap;
-use std::cmp::Reverse;
 
 /// Longer products are left as they are.
 const LONGEST: usize = 32;
+
+/// Two factors of a product.
+type Pair = [Factor; 2];
 
 /// The graph with common pairs of factors in products of their own.
 pub(super) fn share_products(graph: &Graph) -> Graph {
@@ -22,37 +25,55 @@ pub(super) fn share_products(graph: &Graph) -> Graph {
         }
     }
     group_equal_exponents(&mut graph, &mut products);
-    let mut counts = Counts::default();
-    products.iter().for_each(|(_, factors)| counts.count(&graph, factors, 1));
-    while let Some(pair) = counts.best() {
-        let node = graph.product_of(pair.to_vec());
-        for (product, factors) in products.iter_mut().filter(|(product, _)| *product != node) {
-            if let Some(shorter) = with_pair(factors, pair, node) {
-                counts.count(&graph, factors, -1);
-                counts.count(&graph, &shorter, 1);
-                *factors = shorter;
-                graph.replace(*product, Form::Product(factors.clone().into()));
+    let mut sharing = Sharing { graph, ..Sharing::default() };
+    for (node, factors) in products {
+        sharing.insert(node, factors);
+    }
+    while let Some(pair) = sharing.savings.take_best() {
+        sharing.share(pair);
+    }
+    sharing.graph.reordered()
+}
+
+#[derive(Default)]
+struct Sharing {
+    graph: Graph,
+    products: FxHashMap<Node, Vec<Factor>>,
+    /// The products that each node has been a base of.
+    with_base: FxHashMap<Node, Vec<Node>>,
+    /// How many products contain each pair, above or below the line, but one.
+    savings: Tally<Pair>,
+}
+
+impl Sharing {
+    fn insert(&mut self, node: Node, factors: Vec<Factor>) {
+        for (base, _) in &factors {
+            self.with_base.entry(*base).or_default().push(node);
+        }
+        self.count(&factors, 1);
+        self.products.insert(node, factors);
+    }
+
+    /// Computes a pair once, wherever it occurs.
+    fn share(&mut self, pair: Pair) {
+        let product = self.graph.product_of(pair.to_vec());
+        let users = self.with_base.get(&pair[0].0).cloned().unwrap_or_default();
+        for node in users.into_iter().filter(|&node| node != product) {
+            let factors = self.products[&node].clone();
+            if let Some(shorter) = with_pair(&factors, pair, product) {
+                self.count(&factors, -1);
+                self.graph.replace(node, Form::Product(shorter.clone().into()));
+                self.insert(node, shorter);
             }
         }
         // what is left of the pair is the product that computes it
-        counts.of.remove(&pair);
-        if !products.iter().any(|(product, _)| *product == node) {
-            products.push((node, pair.to_vec()));
-        }
+        self.savings.remove(&pair);
+        self.products.entry(product).or_insert_with(|| pair.to_vec());
     }
-    graph.reordered()
-}
 
-/// How many products contain each pair of factors, above or below the line.
-#[derive(Default)]
-struct Counts {
-    of: FxHashMap<[Factor; 2], i32>,
-}
-
-impl Counts {
     /// Counts the pairs of a product in (+1) or out (−1). Numbers go with the coefficients.
-    fn count(&mut self, graph: &Graph, factors: &[Factor], sign: i32) {
-        let is_number = |node: Node| matches!(graph.form(node), Form::Number(_));
+    fn count(&mut self, factors: &[Factor], sign: i32) {
+        let is_number = |node: Node| matches!(self.graph.form(node), Form::Number(_));
         for (place, &(left, e)) in factors.iter().enumerate() {
             for &(right, f) in &factors[place + 1..] {
                 if e.is_negative() != f.is_negative() || is_number(left) || is_number(right) {
@@ -64,15 +85,9 @@ impl Counts {
                     [(left, e), (right, f)]
                 };
                 pair.sort();
-                *self.of.entry(pair).or_insert(0) += sign;
+                self.savings.add(pair, -1, sign);
             }
         }
-    }
-
-    /// The pair that most products contain, if more than one does.
-    fn best(&self) -> Option<[Factor; 2]> {
-        let shared = self.of.iter().filter(|(_, count)| **count > 1);
-        shared.max_by_key(|(pair, count)| (**count, Reverse(**pair))).map(|(pair, _)| *pair)
     }
 }
 

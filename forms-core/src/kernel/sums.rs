@@ -4,8 +4,8 @@
 //! that saves most goes first, until no pair saves anything.
 
 use super::graph::{Coefficient, Form, Graph, Node, Scaled, Term};
+use super::tally::Tally;
 use rustc_hash::FxHashMap;
-use std::cmp::Reverse;
 
 /// Longer sums are left as they are.
 const LONGEST: usize = 32;
@@ -15,72 +15,81 @@ type Pair = (Node, Node, Coefficient);
 
 /// The graph with common pairs of terms in sums of their own.
 pub(super) fn share_sums(graph: &Graph) -> Graph {
-    let mut graph = graph.clone();
-    let mut sums: Vec<(Node, Vec<Term>)> = Vec::new();
-    let mut savings = Savings::default();
+    let mut sharing = Sharing { graph: graph.clone(), ..Sharing::default() };
     for node in graph.reachable() {
         if let Form::Sum(terms) = graph.form(node)
             && terms.len() <= LONGEST
         {
-            savings.count(&graph, terms, 1);
-            sums.push((node, terms.to_vec()));
+            sharing.insert(node, terms.to_vec());
         }
     }
-    while let Some((left, right, ratio)) = savings.best(&graph) {
+    while let Some(pair) = sharing.savings.take_best() {
+        sharing.share(pair);
+    }
+    sharing.graph.reordered()
+}
+
+#[derive(Default)]
+struct Sharing {
+    graph: Graph,
+    sums: FxHashMap<Node, Vec<Term>>,
+    /// The sums that each node has been a term of.
+    with_term: FxHashMap<Node, Vec<Node>>,
+    /// What each pair saves: operations before, less those after, its own sum included.
+    savings: Tally<Pair>,
+}
+
+impl Sharing {
+    fn insert(&mut self, node: Node, terms: Vec<Term>) {
+        for (_, term) in &terms {
+            self.with_term.entry(*term).or_default().push(node);
+        }
+        self.count(&terms, 1);
+        self.sums.insert(node, terms);
+    }
+
+    /// Computes a pair once, wherever it occurs.
+    fn share(&mut self, pair: Pair) {
+        let (left, right, ratio) = pair;
         let terms = [(Coefficient::ONE, left), (ratio, right)];
-        let pair = graph.sum(&terms.map(|(coefficient, node)| Scaled { coefficient, node }));
-        for (node, terms) in sums.iter_mut().filter(|(node, _)| *node != pair.node) {
-            if let Some(shorter) = with_pair(terms, (left, right, ratio), pair) {
-                savings.count(&graph, terms, -1);
-                savings.count(&graph, &shorter, 1);
-                *terms = shorter;
-                graph.replace(*node, Form::Sum(terms.clone().into()));
+        let sum = self.graph.sum(&terms.map(|(coefficient, node)| Scaled { coefficient, node }));
+        let users = self.with_term.get(&left).cloned().unwrap_or_default();
+        for node in users.into_iter().filter(|&node| node != sum.node) {
+            let terms = self.sums[&node].clone();
+            if let Some(shorter) = with_pair(&terms, pair, sum) {
+                self.count(&terms, -1);
+                self.graph.replace(node, Form::Sum(shorter.clone().into()));
+                self.insert(node, shorter);
             }
         }
         // what is left of the pair is the sum that computes it
-        savings.of.remove(&(left, right, ratio));
-        if let Form::Sum(terms) = graph.form(pair.node)
-            && !sums.iter().any(|(node, _)| *node == pair.node)
+        self.savings.remove(&pair);
+        if let Form::Sum(terms) = self.graph.form(sum.node)
+            && !self.sums.contains_key(&sum.node)
         {
-            sums.push((pair.node, terms.to_vec()));
+            self.sums.insert(sum.node, terms.to_vec());
         }
     }
-    graph.reordered()
-}
 
-/// What each pair saves: additions and multiplications before, less those after, its own sum not counted.
-#[derive(Default)]
-struct Savings {
-    of: FxHashMap<Pair, i32>,
-}
-
-impl Savings {
     /// Counts the pairs of a sum in (+1) or out (−1).
-    fn count(&mut self, graph: &Graph, terms: &[Term], sign: i32) {
+    fn count(&mut self, terms: &[Term], sign: i32) {
         for (place, &first) in terms.iter().enumerate() {
             for &second in &terms[place + 1..] {
                 let [(c, left), (d, right)] =
                     if first.1 < second.1 { [first, second] } else { [second, first] };
                 let Some(ratio) = d.over(c) else { continue };
-                let saved = 1 + multiplications(graph, c, left) + multiplications(graph, d, right)
+                let saved = 1 + self.multiplications(c, left) + self.multiplications(d, right)
                     - i32::from(!c.is_unit());
-                *self.of.entry((left, right, ratio)).or_insert(0) += sign * saved;
+                let own = 1 + self.multiplications(ratio, right);
+                self.savings.add((left, right, ratio), -own, sign * saved);
             }
         }
     }
 
-    /// The pair that saves most operations, if one saves any.
-    fn best(&self, graph: &Graph) -> Option<Pair> {
-        let saving =
-            |&((_, right, ratio), saved): &(Pair, i32)| saved - 1 - multiplications(graph, ratio, right);
-        let pairs = self.of.iter().map(|(&pair, &saved)| (pair, saved)).filter(|pair| saving(pair) > 0);
-        pairs.max_by_key(|pair| (saving(pair), Reverse(pair.0))).map(|(pair, _)| pair)
+    /// How many multiplications c n takes.
+    fn multiplications(&self, coefficient: Coefficient, node: Node) -> i32 {
+        i32::from(!coefficient.is_unit() && !matches!(self.graph.form(node), Form::One))
     }
-}
-
-/// How many multiplications c n takes.
-fn multiplications(graph: &Graph, coefficient: Coefficient, node: Node) -> i32 {
-    i32::from(!coefficient.is_unit() && !matches!(graph.form(node), Form::One))
 }
 
 /// The terms with n₁ + r n₂ replaced by the pair's node, if they contain it and more.

@@ -19,6 +19,7 @@ mod generator;
 mod normalise;
 mod raise;
 mod root;
+mod terms;
 mod tower;
 
 pub use derivation::Normal;
@@ -26,4 +27,5 @@ pub use fraction::Fraction;
 pub use generator::{Generator, Unit};
 pub use normalise::{Normalised, normalise};
 pub use root::{Base, Sign, SignConstraint};
+pub use terms::{Term, Terms};
 pub use tower::{Obstacle, Tower, Trigonometry};

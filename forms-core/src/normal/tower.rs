@@ -52,6 +52,7 @@ pub struct Tower {
     pub(super) divisors: FxHashMap<Quantity, u32>,
     pub(super) trigonometry: Trigonometry,
     work: u64,
+    work_limit: u64,
 }
 
 impl Tower {
@@ -67,7 +68,15 @@ impl Tower {
             divisors: FxHashMap::default(),
             trigonometry,
             work: 0,
+            work_limit: WORK_LIMIT,
         }
+    }
+
+    /// The same with a limit on the products of terms it may cost.
+    #[must_use]
+    pub fn with_work_limit(mut self, limit: u64) -> Self {
+        self.work_limit = limit;
+        self
     }
 
     /// How many generators there are.
@@ -186,8 +195,8 @@ impl Tower {
     /// Counts the work of a product before it is done.
     pub(super) fn charge(&mut self, a: &Polynomial, b: &Polynomial) -> Result<(), Obstacle> {
         self.work += (a.term_count() as u64).saturating_mul(b.term_count() as u64);
-        if self.work > WORK_LIMIT {
-            return Err(Obstacle::TooLarge(format!("it takes more than {WORK_LIMIT} products of terms")));
+        if self.work > self.work_limit {
+            return Err(Obstacle::TooLarge(format!("it takes more than {} products of terms", self.work_limit)));
         }
         Ok(())
     }

@@ -31,9 +31,14 @@ pub(crate) const BILINEAR: [(&str, &str); 5] = [
     ("interpolated", "a + u*(b-a) + v*(c + u*(d-c) - (a + u*(b-a)))"),
 ];
 
-pub(crate) fn bilinear(spelling: &str) -> Program {
+pub(crate) fn bilinear_formulas(spelling: &str) -> (Formulas, Expr) {
     let mut formulas = Formulas::over(CORNERS);
     let result = solid_angle(&mut formulas, &on_each_axis(spelling));
+    (formulas, result)
+}
+
+pub(crate) fn bilinear(spelling: &str) -> Program {
+    let (formulas, result) = bilinear_formulas(spelling);
     formulas.program(&[result])
 }
 

@@ -2,8 +2,8 @@
 //!
 //! sum = product { (+|−) product } · product = sign { (*|/) sign } · sign = −sign | power · power = atom [** exponent]
 
-use forms_core::expression::{Expr, Operation, Pool, Rational, Symbol, SymbolKind};
-use forms_core::kernel::{Condition, KernelSource, Program, lower};
+use forms_core::expression::{Condition, Expr, Operation, Pool, Rational, Symbol, SymbolKind};
+use forms_core::kernel::{KernelSource, Program, lower};
 use forms_core::syntax::ast::Relation;
 use num_rational::Ratio;
 

@@ -3,5 +3,5 @@
 mod counts;
 mod emitted;
 mod formula;
-mod timing;
+mod translation;
 mod values;

@@ -18,7 +18,7 @@ const HIGHEST_DEGREE: u32 = 12;
 
 /// Bounds of generators by numbers.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Facts {
+pub(crate) struct Facts {
     lower: FxHashMap<u32, BigRational>,
     upper: FxHashMap<u32, BigRational>,
     below_pi: FxHashSet<u32>,
@@ -26,7 +26,7 @@ pub(super) struct Facts {
 
 impl Facts {
     /// What holds of every generator by its nature: roots and exponentials are positive.
-    pub(super) fn of(tower: &Tower) -> Self {
+    pub(crate) fn of(tower: &Tower) -> Self {
         let mut facts = Facts::default();
         for variable in 0..tower.generator_count() {
             match tower.generator(variable) {
@@ -48,7 +48,7 @@ impl Facts {
     }
 
     /// Learns from `difference relation 0` if it bounds one generator by a number, or from above by π.
-    pub(super) fn learn(&mut self, tower: &Tower, difference: &Fraction, relation: Relation) {
+    pub(crate) fn learn(&mut self, tower: &Tower, difference: &Fraction, relation: Relation) {
         let Some(difference) = difference.as_polynomial() else { return };
         let up = matches!(relation, Relation::Greater | Relation::GreaterEqual);
         if relation == Relation::NotEqual {
@@ -82,7 +82,7 @@ impl Facts {
     }
 
     /// For 0 < θ < π the half-angle tangent of u = θ/d is positive, and at most 1 if d > 1.
-    pub(super) fn learn_half_tangents(&mut self, tower: &Tower) {
+    pub(crate) fn learn_half_tangents(&mut self, tower: &Tower) {
         for variable in 0..tower.generator_count() {
             let Generator::HalfTangent(unit) = tower.generator(variable) else { continue };
             let Some(angle) = unit.as_variable() else { continue };
@@ -97,7 +97,7 @@ impl Facts {
     }
 
     /// A generator whose bounds leave no value, if there is one.
-    pub(super) fn contradiction(&self) -> bool {
+    pub(crate) fn contradiction(&self) -> bool {
         self.lower.iter().any(|(variable, lower)| self.upper.get(variable).is_some_and(|upper| lower > upper))
     }
 
@@ -124,7 +124,7 @@ impl Facts {
     }
 
     /// The sign of a polynomial, if it can be shown.
-    pub(super) fn sign_of(&self, polynomial: &Polynomial) -> Option<Sign> {
+    pub(crate) fn sign_of(&self, polynomial: &Polynomial) -> Option<Sign> {
         if self.never_negative(polynomial) {
             return Some(Sign::Positive);
         }

@@ -11,21 +11,21 @@ const MOST_FACTORS: usize = 8;
 
 /// A product of factors that is positive, or not negative.
 #[derive(Clone, Debug)]
-pub(super) struct Constraint {
-    pub(super) product: SignConstraint,
-    pub(super) strict: bool,
+pub(crate) struct Constraint {
+    pub(crate) product: SignConstraint,
+    pub(crate) strict: bool,
 }
 
 /// The factors whose signs matter, and what is known of each.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Region {
-    pub(super) factors: Vec<(usize, Option<Sign>)>,
-    pub(super) constraints: Vec<Constraint>,
+pub(crate) struct Region {
+    pub(crate) factors: Vec<(usize, Option<Sign>)>,
+    pub(crate) constraints: Vec<Constraint>,
 }
 
 /// Why there are no cases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum NoCases {
+pub(crate) enum NoCases {
     /// No point meets the constraints.
     Empty,
     /// There would be too many.
@@ -34,7 +34,7 @@ pub(super) enum NoCases {
 
 impl Region {
     /// The cases, each a sign for every factor.
-    pub(super) fn cases(&self) -> Result<Vec<Vec<(usize, Sign)>>, NoCases> {
+    pub(crate) fn cases(&self) -> Result<Vec<Vec<(usize, Sign)>>, NoCases> {
         if self.factors.len() > MOST_FACTORS {
             return Err(NoCases::TooMany);
         }
