@@ -10,7 +10,7 @@ const LINES: i32 = 10;
 const POINT: [f64; 2] = [-0.1, -0.05];
 const STEP: f64 = 0.62;
 /// The direction of the light.
-const DIRECTION: Vector = [-0.42, 0.62, 0.78];
+const DIRECTION: Vector = [-0.02, 0.72, 0.72];
 
 /// (u, v, h(u, v))
 fn surface(u: f64, v: f64) -> Vector {
@@ -23,7 +23,7 @@ fn tangents(u: f64, v: f64) -> [Vector; 2] {
 }
 
 pub(crate) fn figure() -> String {
-    let view = View::from_direction(28.0, 24.0, 125.0, [285.0, 300.0]);
+    let view = View::from_direction(28.0, 24.0, 125.0, [265.0, 300.0]);
     let mut drawing = Drawing::new(
         "A surface patch, its tangent vectors and normal, and a beam that crosses it at an angle",
         [620, 440],
@@ -41,8 +41,8 @@ pub(crate) fn figure() -> String {
     }
     drawing.arrow(at, scaled(1.3, normal), Pen::solid(style::FIRST, 2.0));
     drawing.label(add(at, scaled(1.3, normal)), [-12.0, -8.0], "n", style::FIRST);
-    drawing.arrow(at, scaled(1.3, direction), Pen::solid(style::SECOND, 2.0));
-    drawing.label(add(at, scaled(1.3, direction)), [-4.0, -14.0], "p", style::SECOND);
+    drawing.arrow(at, scaled(1.25, direction), Pen::solid(style::SECOND, 2.0));
+    drawing.label(add(at, scaled(1.25, direction)), [-2.0, -14.0], "p", style::SECOND);
     drawing.angle(at, normal, direction, 0.55, Pen::solid(style::INK, 1.2));
     let between = unit(add(normal, direction));
     drawing.label(add(at, scaled(0.68, between)), [0.0, -2.0], "θ", style::INK);
@@ -64,7 +64,7 @@ fn grid(drawing: &mut Drawing) {
 
 /// The parallelogram, the rays through its corners, and the beam cut across.
 fn beam(drawing: &mut Drawing, corners: [Vector; 4], direction: Vector) {
-    let far = add(corners[2], scaled(1.15, direction));
+    let far = add(corners[2], scaled(1.75, direction));
     let across = corners.map(|corner| {
         let missing = dot(add(far, scaled(-1.0, corner)), direction);
         add(corner, scaled(missing, direction))
@@ -76,5 +76,5 @@ fn beam(drawing: &mut Drawing, corners: [Vector; 4], direction: Vector) {
     drawing.area(&across, 0.25, Pen::solid(style::SECOND, 1.2));
     let middle = |quad: [Vector; 4]| scaled(0.5, add(quad[0], quad[2]));
     drawing.label(middle(corners), [0.0, 6.0], "dA", style::INK);
-    drawing.label(middle(across), [0.0, 0.0], "cos θ dA", style::INK);
+    drawing.label(middle(across), [64.0, 8.0], "cos θ dA", style::SECOND);
 }

@@ -5,9 +5,9 @@ use crate::vector::{Vector, add, cross, parallelogram, scaled, unit};
 use std::f64::consts::TAU;
 
 const EYE: Vector = [0.0; 3];
-const CORNER: Vector = [0.35, 1.75, 0.62];
-const A: Vector = [-0.95, 0.1, 0.15];
-const B: Vector = [0.1, 0.55, 0.95];
+const CORNER: Vector = [0.215, 1.715, 0.5];
+const A: Vector = [-0.75, 0.47, 0.0];
+const B: Vector = [0.12, 0.1, 0.9];
 /// Points on each side of an outline.
 const SIDE: i32 = 12;
 

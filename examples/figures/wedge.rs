@@ -56,7 +56,7 @@ fn shadow(drawing: &mut Drawing, dropped: usize, colour: &'static str) {
     let fallen = corners.map(flat);
     drawing.area(&fallen, 0.3, Pen::solid(colour, 1.4));
     let middle = scaled(0.5, add(fallen[0], fallen[2]));
-    let names = ["dy∧dz (U, V)", "dz∧dx (U, V)", "dx∧dy (U, V)"];
-    let shifts = [[14.0, -58.0], [-14.0, -58.0], [0.0, 0.0]];
+    let names = ["dy∧dz", "dz∧dx", "dx∧dy"];
+    let shifts = [[30.0, -40.0], [-24.0, -52.0], [-6.0, 0.0]];
     drawing.label(middle, shifts[dropped], names[dropped], colour);
 }

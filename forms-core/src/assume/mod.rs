@@ -51,8 +51,8 @@ impl Assumptions {
         pool: &Pool,
         expressions: &[Expr],
     ) -> Result<Cases, Obstacle> {
-        let prepared = normalise(tower, pool, expressions)?;
-        if needed_signs(tower).is_empty() && prepared.constraints.is_empty() {
+        normalise(tower, pool, expressions)?;
+        if needed_signs(tower).is_empty() && tower.constraints().is_empty() {
             return Ok(Cases::Signs(vec![vec![]]));
         }
         let (region, needed) = self.region(tower, pool, expressions)?;
@@ -80,19 +80,19 @@ impl Assumptions {
         expressions: &[Expr],
     ) -> Result<(Region, Vec<usize>), Obstacle> {
         for _ in 0..MOST_PASSES {
-            tower.forget_needs();
-            let prepared = normalise(tower, pool, expressions)?;
+            normalise(tower, pool, expressions)?;
             let needed = needed_signs(tower);
-            let mut constraints: Vec<Constraint> = prepared
-                .constraints
-                .into_iter()
-                .map(|product| Constraint { product, strict: false })
-                .collect();
+            let mut constraints: Vec<Constraint> = Vec::new();
             let mut facts = Facts::of(tower);
             match self.assume(tower, pool, &mut facts, &mut constraints) {
-                Err(Obstacle::Refine) => continue,
+                Err(Obstacle::Refine) => {
+                    tower.start_again();
+                    continue;
+                }
                 result => result?,
             }
+            let radicands = tower.constraints().iter().cloned();
+            constraints.extend(radicands.map(|product| Constraint { product, strict: false }));
             return Ok((assemble(tower, &facts, needed.clone(), constraints), needed));
         }
         Err(Obstacle::Refine)

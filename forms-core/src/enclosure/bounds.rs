@@ -199,7 +199,7 @@ impl Enclosure {
 
     /// Whether some number is in both, so that the values may be equal.
     pub fn intersects(&self, other: &Enclosure) -> bool {
-        self.lower() <= other.upper() && other.lower() <= self.upper()
+        self.sub(other).contains_zero()
     }
 
     /// The narrowest enclosure of both.

@@ -2,7 +2,7 @@
 
 use super::operation::Operation;
 use crate::syntax::ast::Relation;
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 
 /// An exact rational number of any size.
 pub type Rational = num_rational::BigRational;
@@ -87,12 +87,26 @@ pub enum Node {
 impl Node {
     /// The expressions it is computed from.
     pub fn operands(&self) -> Vec<Expr> {
+        let mut operands = Vec::new();
+        self.for_each_operand(|operand| operands.push(operand));
+        operands
+    }
+
+    /// Visits the expressions it is computed from.
+    pub fn for_each_operand(&self, mut visit: impl FnMut(Expr)) {
         match self {
-            Node::Number(_) | Node::Pi | Node::Symbol(_) => vec![],
-            Node::Negate(a) | Node::Power(a, _) => vec![*a],
-            Node::Add(a, b) | Node::Multiply(a, b) | Node::Divide(a, b) => vec![*a, *b],
-            Node::Apply(_, arguments) | Node::Jet { arguments, .. } => arguments.to_vec(),
-            Node::Select { left, right, then, otherwise, .. } => vec![*left, *right, *then, *otherwise],
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => {}
+            Node::Negate(a) | Node::Power(a, _) => visit(*a),
+            Node::Add(a, b) | Node::Multiply(a, b) | Node::Divide(a, b) => {
+                visit(*a);
+                visit(*b);
+            }
+            Node::Apply(_, arguments) | Node::Jet { arguments, .. } => {
+                arguments.iter().for_each(|argument| visit(*argument));
+            }
+            Node::Select { left, right, then, otherwise, .. } => {
+                [left, right, then, otherwise].into_iter().for_each(|operand| visit(*operand));
+            }
         }
     }
 }
@@ -167,17 +181,17 @@ impl Pool {
 
     /// Every node these expressions are computed from, themselves included, operands before results.
     pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
-        let mut seen: FxHashSet<Expr> = roots.iter().copied().collect();
-        let mut pending: Vec<Expr> = seen.iter().copied().collect();
-        while let Some(expression) = pending.pop() {
-            for operand in self.node(expression).operands() {
-                if seen.insert(operand) {
-                    pending.push(operand);
-                }
+        let Some(last) = roots.iter().max() else { return Vec::new() };
+        let mut seen = vec![false; last.0 as usize + 1];
+        roots.iter().for_each(|root| seen[root.0 as usize] = true);
+        let mut order = Vec::new();
+        for index in (0..=last.0).rev() {
+            if seen[index as usize] {
+                order.push(Expr(index));
+                self.nodes[index as usize].for_each_operand(|operand| seen[operand.0 as usize] = true);
             }
         }
-        let mut order: Vec<Expr> = seen.into_iter().collect();
-        order.sort_unstable();
+        order.reverse();
         order
     }
 

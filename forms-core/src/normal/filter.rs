@@ -33,7 +33,7 @@ impl Normalised {
         let point = point(tower, random)?;
         let mut images: FxHashMap<Expr, u64> = FxHashMap::default();
         for &expression in self.order() {
-            let image = match self.atoms.get(&expression) {
+            let image = match tower.elements.get(&expression) {
                 Some(atom) => image_of_fraction(tower, atom, &point)?,
                 None => image_of_node(pool.node(expression), &images)?,
             };

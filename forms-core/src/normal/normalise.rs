@@ -5,7 +5,6 @@
 
 use super::fraction::Fraction;
 use super::generator::Generator;
-use super::root::SignConstraint;
 use super::tower::{Obstacle, Tower};
 use crate::expression::{Expr, FunctionId, Node, Operation, Pool, Rational};
 use num_rational::Ratio;
@@ -15,17 +14,14 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// How often generators may be refined before the walk is given up; each refinement splits a factor or a unit.
 const MOST_REFINEMENTS: usize = 64;
 
-/// The normal forms of some expressions over one tower, atoms first.
+/// Some expressions whose generators are fixed.
 #[derive(Clone, Debug)]
 pub struct Normalised {
     order: Vec<Expr>,
     roots: Vec<Expr>,
-    pub(super) atoms: FxHashMap<Expr, Fraction>,
-    /// What has to be non-negative for the radicands met to be so.
-    pub constraints: Vec<SignConstraint>,
 }
 
-/// Fixes the generators of some expressions.
+/// Fixes the generators of some expressions. What the tower knows already is not computed again.
 ///
 /// # Errors
 /// An [`Obstacle`] other than [`Obstacle::Refine`] where an atom lies outside the class that is decided.
@@ -33,14 +29,11 @@ pub fn normalise(tower: &mut Tower, pool: &Pool, roots: &[Expr]) -> Result<Norma
     let order = pool.reachable(roots);
     let within_atoms = arguments_of_atoms(pool, &order);
     for _ in 0..MOST_REFINEMENTS {
-        let mut walk = Walk { tower, pool, elements: FxHashMap::default(), constraints: Vec::new() };
-        match walk.run(&order, |expression| within_atoms.contains(&expression) || is_atom(pool, expression)) {
-            Err(Obstacle::Refine) => {}
+        let wanted = |expression| within_atoms.contains(&expression) || is_atom(pool, expression);
+        match walk(tower, pool, &order, wanted) {
+            Err(Obstacle::Refine) => tower.start_again(),
             Err(obstacle) => return Err(obstacle),
-            Ok(()) => {
-                let Walk { elements, constraints, .. } = walk;
-                return Ok(Normalised { order, roots: roots.to_vec(), atoms: elements, constraints });
-            }
+            Ok(()) => return Ok(Normalised { order, roots: roots.to_vec() }),
         }
     }
     Err(Obstacle::TooLarge(format!("its radicands and angles were refined {MOST_REFINEMENTS} times")))
@@ -52,9 +45,8 @@ impl Normalised {
     /// # Errors
     /// Where one divides by zero everywhere or grows beyond the limit.
     pub fn exact(&self, tower: &mut Tower, pool: &Pool) -> Result<Vec<Fraction>, Obstacle> {
-        let mut walk = Walk { tower, pool, elements: self.atoms.clone(), constraints: Vec::new() };
-        walk.run(&self.order, |_| true)?;
-        Ok(self.roots.iter().map(|root| walk.elements[root].clone()).collect())
+        walk(tower, pool, &self.order, |_| true)?;
+        Ok(self.roots.iter().map(|root| tower.elements[root].clone()).collect())
     }
 
     pub(super) fn order(&self) -> &[Expr] {
@@ -64,6 +56,20 @@ impl Normalised {
     pub(super) fn roots(&self) -> &[Expr] {
         &self.roots
     }
+}
+
+/// Computes the wanted elements that the tower does not know.
+fn walk(
+    tower: &mut Tower,
+    pool: &Pool,
+    order: &[Expr],
+    wanted: impl Fn(Expr) -> bool,
+) -> Result<(), Obstacle> {
+    let elements = std::mem::take(&mut tower.elements);
+    let mut walk = Walk { tower, pool, elements };
+    let result = walk.run(order, wanted);
+    tower.elements = walk.elements;
+    result
 }
 
 /// Whether a node is a generator or a function of one, not an operation of the field.
@@ -88,7 +94,6 @@ struct Walk<'a> {
     tower: &'a mut Tower,
     pool: &'a Pool,
     elements: FxHashMap<Expr, Fraction>,
-    constraints: Vec<SignConstraint>,
 }
 
 impl Walk<'_> {
@@ -134,7 +139,7 @@ impl Walk<'_> {
             return if exponent.is_positive() { Ok(base) } else { Err(Obstacle::DivisionByZero) };
         }
         let (power, constraint) = self.tower.magnitude_power(&base, exponent)?;
-        self.constraints.push(constraint);
+        self.tower.constrain(constraint);
         Ok(power)
     }
 

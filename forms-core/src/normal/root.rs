@@ -171,7 +171,8 @@ impl Tower {
         let monomial = polynomial.monomial_content();
         let primitive = polynomial.primitive_part();
         let rest = primitive.divide_by_monomial(&monomial).unwrap_or(primitive);
-        let (content, parts) = if bound.iter().any(|&v| rest.contains(v)) {
+        let known = self.bases.iter().any(|base| !base.retired && base.polynomial == rest);
+        let (content, parts) = if known || bound.iter().any(|&v| rest.contains(v)) {
             (BigInt::one(), vec![(rest, 1)])
         } else {
             rest.square_free()
@@ -229,6 +230,10 @@ impl Tower {
         for base in 0..self.bases.len() {
             if self.bases[base].retired || rest.as_constant().is_some() {
                 continue;
+            }
+            if self.bases[base].polynomial == rest {
+                factored.raise(base, exponent);
+                return Ok(());
             }
             let common = self.bases[base].polynomial.gcd(&rest);
             if common.as_constant().is_some() {

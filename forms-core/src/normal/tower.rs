@@ -2,7 +2,8 @@
 
 use super::fraction::Fraction;
 use super::generator::{FactorId, Generator, Quantity};
-use super::root::{Base, Sign};
+use super::root::{Base, Sign, SignConstraint};
+use crate::expression::Expr;
 use crate::polynomial::Polynomial;
 use num_traits::Signed;
 use rustc_hash::FxHashMap;
@@ -51,6 +52,8 @@ pub struct Tower {
     pub(super) bases: Vec<Base>,
     pub(super) divisors: FxHashMap<Quantity, u32>,
     pub(super) trigonometry: Trigonometry,
+    pub(super) elements: FxHashMap<Expr, Fraction>,
+    constraints: Vec<SignConstraint>,
     work: u64,
     work_limit: u64,
 }
@@ -67,6 +70,8 @@ impl Tower {
             bases: Vec::new(),
             divisors: FxHashMap::default(),
             trigonometry,
+            elements: FxHashMap::default(),
+            constraints: Vec::new(),
             work: 0,
             work_limit: WORK_LIMIT,
         }
@@ -102,14 +107,30 @@ impl Tower {
             .any(|polynomial| polynomial.variables().into_iter().any(|v| self.is_trigonometric(v)))
     }
 
-    /// Forgets which signs were needed, so that the next walk tells.
-    pub fn forget_needs(&mut self) {
+    /// Forgets every element, since a generator has changed: the next walk computes them anew.
+    pub fn start_again(&mut self) {
+        self.elements.clear();
+        self.constraints.clear();
         self.bases.iter_mut().for_each(|base| base.sign_needed = false);
+    }
+
+    /// What has to be non-negative for the radicands met so far to be so.
+    pub fn constraints(&self) -> &[SignConstraint] {
+        &self.constraints
+    }
+
+    pub(super) fn constrain(&mut self, constraint: SignConstraint) {
+        if !self.constraints.contains(&constraint) {
+            self.constraints.push(constraint);
+        }
     }
 
     /// Sets the sign that a base of radicands has in the region considered.
     pub fn assume_sign(&mut self, base: usize, sign: Sign) {
-        self.bases[base].sign = Some(sign);
+        let before = self.bases[base].sign.replace(sign).unwrap_or(Sign::Positive);
+        if before != sign {
+            self.start_again();
+        }
     }
 
     /// What a polynomial variable stands for.
@@ -196,7 +217,10 @@ impl Tower {
     pub(super) fn charge(&mut self, a: &Polynomial, b: &Polynomial) -> Result<(), Obstacle> {
         self.work += (a.term_count() as u64).saturating_mul(b.term_count() as u64);
         if self.work > self.work_limit {
-            return Err(Obstacle::TooLarge(format!("it takes more than {} products of terms", self.work_limit)));
+            return Err(Obstacle::TooLarge(format!(
+                "it takes more than {} products of terms",
+                self.work_limit
+            )));
         }
         Ok(())
     }
