@@ -74,14 +74,14 @@ pub fn objection(statement: &Statement, verdict: &Verdict) -> Option<Diagnostic>
     if verdict.bears_out(statement.claim) {
         return None;
     }
-    let name = &statement.name;
+    let name = subject(&statement.name);
     let diagnostic = |message: String| Some(Diagnostic::new(statement.span, message));
     match verdict {
-        Verdict::Refuted(witness) => diagnostic(format!("`{name}` is false: {}", contradiction(witness))),
-        Verdict::Unknown { reason } => diagnostic(format!("`{name}` is undecided: {reason}")),
-        Verdict::Empty { reason } => diagnostic(format!("`{name}` speaks of no point: {reason}")),
+        Verdict::Refuted(witness) => diagnostic(format!("{name} is false: {}", contradiction(witness))),
+        Verdict::Unknown { reason } => diagnostic(format!("{name} is undecided: {reason}")),
+        Verdict::Empty { reason } => diagnostic(format!("{name} speaks of no point: {reason}")),
         Verdict::Proved(theorem) => {
-            let mut message = format!("`{name}` is claimed to be false and was proved");
+            let mut message = format!("{name} is claimed to be false and was proved");
             if !theorem.conditions.is_empty() {
                 message = format!("{message}\nwhere {}", theorem.conditions.join(", "));
             }
@@ -92,6 +92,11 @@ pub fn objection(statement: &Statement, verdict: &Verdict) -> Option<Diagnostic>
             diagnostic(message).map(|diagnostic| diagnostic.with_help(help))
         }
     }
+}
+
+/// A statement's name; a description, which is no name as it has a space in it, stands without quotes.
+fn subject(name: &str) -> String {
+    if name.contains(' ') { name.to_owned() } else { format!("`{name}`") }
 }
 
 /// left − right, then the point and both values there, a line each.

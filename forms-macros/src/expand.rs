@@ -10,10 +10,11 @@ use crate::tokens::Body;
 use forms_core::check::{decide_all, objection, resolve_parsed};
 use forms_core::decide::Verdict;
 use forms_core::diagnostic::{Diagnostic, Span};
-use forms_core::kernel::{Condition, KernelSource, RustDocs, emit_rust, lower};
+use forms_core::kernel::{KernelSource, RustDocs, emit_rust, lower};
 use forms_core::resolve::{Kernel, Theory};
 use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
 use forms_core::syntax::token::{Symbol, Token, TokenKind};
+use forms_core::syntax::words::ITEMS;
 use forms_core::syntax::{parse, parse_equation};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 
@@ -30,8 +31,9 @@ pub(crate) fn file(body: Body) -> TokenStream {
 
 /// `prove! { items; left == right where … }`
 pub(crate) fn equation(body: Body) -> TokenStream {
+    let expected = "an equation `left == right`";
     let Resolved { theory, diagnostics, origin } =
-        resolved(body, |last, end| parse_equation(last, end).map(claim));
+        resolved(body, expected, |last, end| parse_equation(last, end).map(claim));
     theory_checked(theory, diagnostics, &origin)
 }
 
@@ -42,9 +44,10 @@ pub(crate) struct Resolved {
     pub(crate) origin: Origin,
 }
 
-/// Resolves items and the item that `read_last` makes of what stands behind them.
+/// Resolves items and the item that `read_last` makes of what stands behind them, which `expected` names.
 pub(crate) fn resolved(
     body: Body,
+    expected: &str,
     read_last: impl FnOnce(&[Token], Span) -> Result<Item, Vec<Diagnostic>>,
 ) -> Resolved {
     let end = body.end();
@@ -52,7 +55,8 @@ pub(crate) fn resolved(
     let (mut file, found) = parse(items, last.first().map_or(end, |token| token.span));
     let mut diagnostics = body.diagnostics;
     diagnostics.extend(found);
-    match read_last(last, end) {
+    let read = if last.is_empty() { Err(vec![missing(expected, end)]) } else { read_last(last, end) };
+    match read {
         Ok(item) => file.items.push(item),
         Err(found) => diagnostics.extend(found),
     }
@@ -69,6 +73,10 @@ fn claim(Equation { left, right, conditions }: Equation) -> Item {
     Item { docs: Vec::new(), public: false, span, kind }
 }
 
+fn missing(expected: &str, end: Span) -> Diagnostic {
+    Diagnostic::new(end, format!("expected {expected} behind the declarations"))
+}
+
 /// `kernel! { items; name(…) = … where … }`
 pub(crate) fn kernel(mut body: Body) -> TokenStream {
     let (items, last) = split_last(&body.tokens);
@@ -79,9 +87,12 @@ pub(crate) fn kernel(mut body: Body) -> TokenStream {
         body.tokens.insert(name, Token { kind: word("kernel"), span });
     }
     let semicolon = TokenKind::Symbol(Symbol::Semicolon);
+    let end = body.end();
     if body.tokens.last().is_some_and(|token| token.kind != semicolon) {
-        let span = body.end();
-        body.tokens.push(Token { kind: semicolon, span });
+        body.tokens.push(Token { kind: semicolon, span: end });
+    }
+    if !body.tokens.iter().any(|token| token.kind == word("kernel")) {
+        body.diagnostics.push(missing("a kernel `name(x) = …`", end));
     }
     file(body)
 }
@@ -90,7 +101,7 @@ fn word(text: &str) -> TokenKind {
     TokenKind::Name(text.to_owned())
 }
 
-/// The items of a body with their `;`, and what stands behind the last of them.
+/// The items of a body with their `;`, and what stands behind the last of them; nothing, if that is an item.
 fn split_last(tokens: &[Token]) -> (&[Token], &[Token]) {
     let semicolon = TokenKind::Symbol(Symbol::Semicolon);
     let mut depth = 0_usize;
@@ -105,7 +116,8 @@ fn split_last(tokens: &[Token]) -> (&[Token], &[Token]) {
             _ => {}
         }
     }
-    tokens.split_at(start)
+    let is_item = ITEMS.iter().any(|item| tokens.get(start).is_some_and(|token| token.kind == word(item)));
+    tokens.split_at(if is_item { tokens.len() } else { start })
 }
 
 /// Every statement decided and every kernel written; kernels stand even beside errors, so that what calls them
@@ -142,18 +154,13 @@ fn function(
     origin: &Origin,
 ) -> Result<TokenStream, String> {
     let pool = &theory.pool;
-    let condition = |c: &forms_core::expression::Condition| Condition {
-        left: c.left,
-        relation: c.relation,
-        right: c.right,
-    };
     let source = KernelSource {
         name: kernel.name.clone(),
         docs: kernel.docs.clone(),
         public: kernel.public,
         arguments: kernel.arguments.clone(),
         outputs: kernel.outputs.clone(),
-        domain: kernel.domain.iter().map(condition).collect(),
+        domain: kernel.domain.clone(),
     };
     let program = lower(pool, &source).map_err(|error| error.to_string())?.optimise();
     let text = emit_rust(&program, &documentation(theory, verdicts, kernel));

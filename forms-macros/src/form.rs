@@ -22,7 +22,7 @@ const NAME: &str = "the expression";
 /// The constant, or the errors of the body, as one expression.
 pub(crate) fn value(body: Body) -> TokenStream {
     let mut span = body.end();
-    let Resolved { mut theory, mut diagnostics, origin } = resolved(body, |last, end| {
+    let Resolved { mut theory, mut diagnostics, origin } = resolved(body, "an expression", |last, end| {
         let expression = parse_expression(last, end)?;
         span = expression.span;
         Ok(named(expression))

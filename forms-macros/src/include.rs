@@ -70,3 +70,61 @@ pub(crate) fn items(argument: TokenStream) -> TokenStream {
         #items
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The messages of the `compile_error!`s of an expansion.
+    fn messages(expansion: &TokenStream) -> Vec<String> {
+        let text = expansion.to_string();
+        let literals =
+            text.split("compile_error ! {").skip(1).map(|rest| rest.split(" }").next().unwrap_or(rest));
+        literals
+            .map(|literal| syn::parse_str::<LitStr>(literal).expect("a message is a string").value())
+            .collect()
+    }
+
+    #[test]
+    fn a_file_that_is_not_there_is_named_in_full() {
+        let messages = messages(&items(quote! { "src/not_there.forms" }));
+        let path = folder().join("src/not_there.forms");
+        assert_eq!(messages.len(), 1);
+        assert!(messages[0].starts_with(&format!("cannot read `{}`: ", path.display())), "{messages:?}");
+    }
+
+    #[test]
+    fn every_mistake_of_a_file_is_quoted_with_its_place() {
+        let messages = messages(&items(quote! { "../tests/files/mistakes.forms" }));
+        let file = "../tests/files/mistakes.forms";
+        let heads: Vec<&str> = messages.iter().filter_map(|message| message.lines().next()).collect();
+        assert_eq!(
+            heads,
+            [
+                "expected `;` after the statement, found `x`",
+                "`unknown` is not declared",
+                "`wrong` is false: left - right = 1 in the coefficient of dx^dy",
+                "`y` is not an argument of the kernel",
+            ]
+        );
+        for (message, place) in messages.iter().zip(["3:10", "5:9", "6:1", "8:20"]) {
+            assert!(message.contains(&format!("--> {file}:{place}\n")), "{message}");
+        }
+        assert!(messages[1].contains(" 5 | let r = unknown + x;\n   |         ^^^^^^^\n"), "{}", messages[1]);
+    }
+
+    #[test]
+    fn a_file_with_mistakes_still_gives_the_kernels_that_have_none() {
+        let expansion = items(quote! { "../tests/files/mistakes.forms" }).to_string();
+        assert!(expansion.contains("fn double") && !expansion.contains("fn broken"), "{expansion}");
+    }
+
+    #[test]
+    fn an_included_file_is_watched_for_changes() {
+        let expansion = items(quote! { "../tests/files/theorems.forms" }).to_string();
+        assert!(
+            expansion.contains("include_str ! (") && messages(&items(quote! { 5 })).len() == 1,
+            "{expansion}"
+        );
+    }
+}

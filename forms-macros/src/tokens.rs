@@ -139,10 +139,11 @@ fn punctuation(body: &mut Body, first: Punct, rest: &mut Rest) {
     let mut spacing = first.spacing();
     while let Some(TokenTree::Punct(next)) = rest.peek() {
         let begins_inner_attribute = text == "#" && next.as_char() == '!';
-        if spacing == Spacing::Alone && !begins_inner_attribute {
+        let place = next.span();
+        if spacing == Spacing::Alone && !begins_inner_attribute && !touch(parts[parts.len() - 1].1, place) {
             break;
         }
-        parts.push((text.len(), next.span()));
+        parts.push((text.len(), place));
         text.push(next.as_char());
         spacing = next.spacing();
         rest.next();
@@ -167,6 +168,11 @@ fn punctuation(body: &mut Body, first: Punct, rest: &mut Rest) {
         _ => {}
     }
     body.spelled(&text, &parts);
+}
+
+/// Whether one token begins where the other ends. A `macro_rules!` macro forgets that `**` was written in one.
+fn touch(first: proc_macro2::Span, next: proc_macro2::Span) -> bool {
+    first.end() == next.start()
 }
 
 /// The text of `[doc = "…"]`, which is what Rust makes of `/// …`.
