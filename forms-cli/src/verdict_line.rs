@@ -16,6 +16,9 @@ const INDENT: usize = 6;
 /// How the names of equations end that are wrong where they were printed.
 const AS_PRINTED: &str = "_as_printed";
 
+/// Conditions beyond this many characters are counted, not shown.
+const LONGEST_LIST: usize = 240;
+
 /// A statement that has been decided.
 pub(crate) struct Decided<'a> {
     pub(crate) statement: &'a Statement,
@@ -63,10 +66,27 @@ impl Decided<'_> {
     pub(crate) fn grounds(&self, palette: Palette) -> Vec<String> {
         let text = match &self.verdict {
             Verdict::Proved(theorem) if theorem.conditions.is_empty() => return vec![],
-            Verdict::Proved(theorem) => format!("where {}", theorem.conditions.join(", ")),
+            Verdict::Proved(theorem) => format!("where {}", listed(&theorem.conditions)),
             Verdict::Refuted(witness) => witness.to_string(),
             Verdict::Unknown { reason } | Verdict::Empty { reason } => reason.clone(),
         };
         wrap(&text, INDENT).iter().map(|line| palette.quiet(line)).collect()
     }
+}
+
+/// Conditions one after the other; those that would make the list long are only counted.
+fn listed(conditions: &[String]) -> String {
+    let mut list = String::new();
+    for (place, condition) in conditions.iter().enumerate() {
+        if list.len() + condition.len() > LONGEST_LIST {
+            let rest = conditions.len() - place;
+            let more = format!("{rest} {}", if place == 0 { "long conditions hold" } else { "more" });
+            return if place == 0 { more } else { format!("{list}, and {more}") };
+        }
+        if place > 0 {
+            list.push_str(", ");
+        }
+        list.push_str(condition);
+    }
+    list
 }

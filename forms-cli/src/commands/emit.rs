@@ -8,6 +8,9 @@ use forms::core::kernel::{RustDocs, emit_rust};
 use forms::core::resolve::Kernel;
 use std::io::{self, Write};
 
+/// Longer formulas are documented as they are written in their file.
+const LONGEST_FORMULA: usize = 160;
+
 /// Prints the kernels of a file, or one of them.
 pub(crate) fn emit(
     file: &str,
@@ -54,10 +57,20 @@ pub(crate) fn emit(
     }
 }
 
+/// The kernel's outputs where they can be read, else the item as it is written in its file.
+fn formula(file: &TheoryFile, kernel: &Kernel) -> String {
+    if kernel.formula.iter().all(|output| output.len() <= LONGEST_FORMULA) {
+        return kernel.formula.join("\n");
+    }
+    let span = kernel.span;
+    let written = file.source.text.get(span.start as usize..span.end as usize).unwrap_or_default();
+    written.lines().map(str::trim_end).collect::<Vec<_>>().join("\n")
+}
+
 fn source(file: &TheoryFile, kernel: &Kernel) -> Result<String, Vec<crate::theory_file::FileError>> {
     let program = program(file, kernel)?.optimise();
     let docs = RustDocs {
-        formula: kernel.formula.join("\n"),
+        formula: formula(file, kernel),
         statements: kernel.statements.clone(),
         conditions: Vec::new(),
         docs: kernel.docs.clone(),

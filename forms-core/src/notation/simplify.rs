@@ -5,12 +5,12 @@ use crate::expression::{Expr, Pool};
 use crate::normal::{Tower, Trigonometry, normalise};
 use crate::resolve::{Theory, Value};
 
-/// The expression in its simplest known form: its normal form where it has one that is no longer than what was
-/// written, else what was written. Both have the same value wherever the original is defined.
+/// The expression in its simplest known form: its normal form where it has one that is shorter than what was written,
+/// else what was written. Both have the same value wherever the original is defined.
 pub fn simplify_expression(pool: &mut Pool, expression: Expr) -> Expr {
     let Some(simplified) = normal_form(pool, expression) else { return expression };
     let texts = pool.texts(&[expression, simplified]);
-    if texts[1].len() <= texts[0].len() { simplified } else { expression }
+    if texts[1].len() < texts[0].len() { simplified } else { expression }
 }
 
 fn normal_form(pool: &mut Pool, expression: Expr) -> Option<Expr> {
