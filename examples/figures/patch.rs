@@ -23,10 +23,10 @@ fn tangents(u: f64, v: f64) -> [Vector; 2] {
 }
 
 pub(crate) fn figure() -> String {
-    let view = View::from_direction(28.0, 24.0, 125.0, [265.0, 300.0]);
+    let view = View::from_direction(28.0, 24.0, 125.0, [265.0, 256.0]);
     let mut drawing = Drawing::new(
         "A surface patch, its tangent vectors and normal, and a beam that crosses it at an angle",
-        [620, 440],
+        [620, 370],
         view,
     );
     grid(&mut drawing);
@@ -35,7 +35,7 @@ pub(crate) fn figure() -> String {
     let normal = unit(cross(along_u, along_v));
     let direction = unit(DIRECTION);
     beam(&mut drawing, parallelogram(at, along_u, along_v), direction);
-    for (vector, name, shift) in [(along_u, "S_u du", [-16.0, 14.0]), (along_v, "S_v dv", [30.0, 12.0])] {
+    for (vector, name, shift) in [(along_u, "S_u\u{a0}du", [-18.0, 14.0]), (along_v, "S_v\u{a0}dv", [32.0, 12.0])] {
         drawing.arrow(at, vector, Pen::solid(style::INK, 2.0));
         drawing.label(add(at, vector), shift, name, style::INK);
     }
@@ -76,5 +76,5 @@ fn beam(drawing: &mut Drawing, corners: [Vector; 4], direction: Vector) {
     drawing.area(&across, 0.25, Pen::solid(style::SECOND, 1.2));
     let middle = |quad: [Vector; 4]| scaled(0.5, add(quad[0], quad[2]));
     drawing.label(middle(corners), [0.0, 6.0], "dA", style::INK);
-    drawing.label(middle(across), [64.0, 8.0], "cos θ dA", style::SECOND);
+    drawing.label(middle(across), [90.0, 14.0], "cos θ dA", style::SECOND);
 }

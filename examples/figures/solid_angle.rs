@@ -12,10 +12,10 @@ const B: Vector = [0.12, 0.1, 0.9];
 const SIDE: i32 = 12;
 
 pub(crate) fn figure() -> String {
-    let view = View::from_direction(15.0, 18.0, 128.0, [180.0, 275.0]);
+    let view = View::from_direction(15.0, 18.0, 128.0, [180.0, 232.0]);
     let mut drawing = Drawing::new(
         "A patch seen from the centre of the unit sphere, and the region of the sphere it covers",
-        [620, 440],
+        [620, 370],
         view,
     );
     sphere(&mut drawing, view);
@@ -30,7 +30,7 @@ pub(crate) fn figure() -> String {
     sight(&mut drawing, corners);
     drawing.dot(EYE, style::INK);
     drawing.label(EYE, [-14.0, 10.0], "o", style::INK);
-    drawing.label(unit(scaled(0.5, add(corners[0], corners[2]))), [-26.0, -52.0], "dω", style::FIRST);
+    drawing.label(unit(scaled(0.5, add(corners[0], corners[2]))), [-48.0, -32.0], "dω", style::FIRST);
     drawing.finish()
 }
 
