@@ -1,7 +1,7 @@
 //! Kernels of a file or of the library, found by name and generated.
 
 use crate::theory_file::{self, FileError, TheoryFile};
-use forms::core::kernel::{Condition, KernelSource, Program, lower};
+use forms::core::kernel::{KernelSource, Program, lower};
 use forms::core::resolve::Kernel;
 
 /// Where FILE is this, the library is meant.
@@ -31,18 +31,13 @@ pub(crate) fn find<'a>(files: &'a [TheoryFile], name: &str) -> Result<(&'a Theor
 
 /// The kernel as it was written, as a program.
 pub(crate) fn program(file: &TheoryFile, kernel: &Kernel) -> Result<Program, Vec<FileError>> {
-    let condition = |c: &forms::core::expression::Condition| Condition {
-        left: c.left,
-        relation: c.relation,
-        right: c.right,
-    };
     let source = KernelSource {
         name: kernel.name.clone(),
         docs: kernel.docs.clone(),
         public: true,
         arguments: kernel.arguments.clone(),
         outputs: kernel.outputs.clone(),
-        domain: kernel.domain.iter().map(condition).collect(),
+        domain: kernel.domain.clone(),
     };
     lower(&file.theory.pool, &source).map_err(|error| {
         let diagnostic = forms::core::diagnostic::Diagnostic::new(kernel.span, error.to_string());

@@ -17,11 +17,6 @@ impl Palette {
         Palette { coloured: std::io::stdout().is_terminal() && !forbidden && !dumb }
     }
 
-    /// Whether there are colours.
-    pub(crate) fn is_coloured(self) -> bool {
-        self.coloured
-    }
-
     fn paint(self, style: Style, text: &str) -> String {
         if self.coloured { format!("{style}{text}{style:#}") } else { text.to_string() }
     }

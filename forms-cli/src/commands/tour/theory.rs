@@ -7,11 +7,16 @@ use crate::palette::Palette;
 use crate::status::Status;
 use crate::theory_file::{complain, from_text};
 use crate::verdict_line::Decided;
-use forms::core::decide::Verdict;
+use forms::core::decide::{Verdict, Witness};
 use forms::core::diagnostic::Span;
 use forms::core::resolve::Statement;
 use forms::core::syntax::Source;
 use std::io::{self, Write};
+
+/// Where what belongs to a statement begins.
+const INDENT: usize = 6;
+/// How many characters of a value are shown.
+const DIGITS: usize = 9;
 
 /// Decides every statement and prints it with its time, then the printed equations that are wrong.
 pub(super) fn prove(palette: Palette, output: &mut dyn Write) -> io::Result<Status> {
@@ -62,14 +67,27 @@ fn as_printed(
     }
     writeln!(output, "{}\n", palette.heading("   Wrong as printed"))?;
     for decided in wrong {
-        writeln!(output, "  {}", palette.notable(&equation(source, decided.statement)))?;
-        if let Verdict::Refuted(_) = decided.verdict {
-            for line in decided.grounds(palette) {
-                writeln!(output, "{line}")?;
+        writeln!(output, "  {}", decided.statement.name)?;
+        for line in wrap(&equation(source, decided.statement), INDENT) {
+            writeln!(output, "{}", palette.notable(&line))?;
+        }
+        if let Verdict::Refuted(witness) = &decided.verdict {
+            for line in wrap(&in_short(witness), INDENT) {
+                writeln!(output, "{}", palette.quiet(&line))?;
             }
         }
     }
     writeln!(output)
+}
+
+/// Where the sides differ and their values there, to a few digits.
+fn in_short(witness: &Witness) -> String {
+    let few = |value: &str| match value.char_indices().nth(DIGITS) {
+        Some((end, _)) if value.contains('.') && !value.contains('e') => format!("{}…", &value[..end]),
+        _ => value.to_string(),
+    };
+    let point: Vec<String> = witness.point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    format!("{} ≠ {} at {}", few(&witness.left), few(&witness.right), point.join(", "))
 }
 
 /// The equation as it is written in its file, without its name.
