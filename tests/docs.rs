@@ -5,7 +5,7 @@
 //!                                          ├─ forms,alone   the same, a theory of its own
 //!                                          └─ forms,error   exactly the message quoted in the next block
 //! ```
-//! Rust blocks are doctests of the crate `forms`.
+//! Rust blocks are doctests of the crate `forms`. With `FORMS_WRITE=1` quoted messages are written anew.
 
 use forms::core::check::{decide_all, objection, read_theory};
 use forms::core::syntax::Source;
@@ -96,17 +96,34 @@ fn every_statement_of_every_page_is_as_claimed() {
     assert!(statements > 50, "only {statements} statements were found");
 }
 
+/// A source with an error, and the message quoted beneath it.
+fn quotation(source: &str, message: &str) -> String {
+    format!("```forms,error\n{source}```\n\n```text\n{message}```\n")
+}
+
 #[test]
 fn every_error_is_quoted_as_it_is_shown() {
     let mut quoted = 0;
     for (name, page) in pages() {
+        let mut mended = page.clone();
         let blocks = blocks(&page);
         for (place, block) in blocks.iter().enumerate().filter(|(_, block)| block.kind == "forms,error") {
             let shown = complaints("example.forms", &block.text);
-            let expected = blocks.get(place + 1).map_or("", |next| next.text.as_str());
-            let trimmed = |text: &str| text.trim_end().lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
-            assert_eq!(trimmed(&shown), trimmed(expected), "{name}: the error of\n{}", block.text);
+            let shown: String = shown.lines().map(|line| format!("{}\n", line.trim_end())).collect();
+            let found = blocks.get(place + 1).map_or("", |next| next.text.as_str());
+            mended = mended.replace(&quotation(&block.text, found), &quotation(&block.text, &shown));
+            assert!(!shown.is_empty(), "{name}: no error in\n{}", block.text);
+            assert!(
+                mended.contains(&quotation(&block.text, &shown)),
+                "{name}: no message below\n{}",
+                block.text
+            );
             quoted += 1;
+        }
+        if std::env::var_os("FORMS_WRITE").is_some() {
+            std::fs::write(root().join(&name), &mended).unwrap();
+        } else {
+            assert_eq!(page, mended, "{name}: FORMS_WRITE=1 cargo test --test docs");
         }
     }
     assert!(quoted > 0, "no page shows an error");
@@ -122,16 +139,28 @@ fn blocks_are_of_a_known_kind() {
     }
 }
 
+/// The targets of the links of a page; code is no link.
+fn links(page: &str) -> Vec<String> {
+    let outside_blocks: String = page.split("```").step_by(2).collect();
+    let outside_code: String = outside_blocks.split('`').step_by(2).collect();
+    let targets = outside_code.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+    targets.map(str::to_string).collect()
+}
+
 #[test]
 fn links_between_pages_lead_somewhere() {
+    let mut followed = 0;
     for (name, page) in pages() {
-        let folder = root().join(&name).parent().unwrap().to_path_buf();
-        for target in page.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+        let page_path = root().join(&name);
+        for target in links(&page) {
             let file = target.split('#').next().unwrap_or_default();
-            let elsewhere = file.starts_with("http") || file.is_empty();
-            assert!(elsewhere || folder.join(file).exists(), "{name} links to {target}");
+            if !file.starts_with("http") && !file.is_empty() {
+                assert!(page_path.with_file_name(file).exists(), "{name} links to {target}");
+                followed += 1;
+            }
         }
     }
+    assert!(followed > 10, "only {followed} links were found");
 }
 
 #[test]

@@ -133,13 +133,7 @@ impl Drawing {
         self.put(format_args!(
             "<line x1=\"{x0:.1}\" y1=\"{y0:.1}\" x2=\"{bx:.1}\" y2=\"{by:.1}\" {attributes}/>"
         ));
-        let head = format!(
-            "{x1:.1},{y1:.1} {:.1},{:.1} {:.1},{:.1}",
-            bx + wx,
-            by + wy,
-            bx - wx,
-            by - wy
-        );
+        let head = format!("{x1:.1},{y1:.1} {:.1},{:.1} {:.1},{:.1}", bx + wx, by + wy, bx - wx, by - wy);
         self.put(format_args!("<polygon points=\"{head}\" fill=\"{colour}\"/>"));
     }
 

@@ -35,7 +35,9 @@ pub(crate) fn figure() -> String {
     let normal = unit(cross(along_u, along_v));
     let direction = unit(DIRECTION);
     beam(&mut drawing, parallelogram(at, along_u, along_v), direction);
-    for (vector, name, shift) in [(along_u, "S_u\u{a0}du", [-18.0, 14.0]), (along_v, "S_v\u{a0}dv", [32.0, 12.0])] {
+    for (vector, name, shift) in
+        [(along_u, "S_u\u{a0}du", [-18.0, 14.0]), (along_v, "S_v\u{a0}dv", [32.0, 12.0])]
+    {
         drawing.arrow(at, vector, Pen::solid(style::INK, 2.0));
         drawing.label(add(at, vector), shift, name, style::INK);
     }
