@@ -84,3 +84,14 @@ pub use forms_macros::kernel;
 /// assert_eq!(form.to_string(), "dx^dy + y*dx^dz + x*dy^dz");
 /// ```
 pub use forms_macros::form;
+
+/// The Rust blocks of the documents, as doctests.
+#[cfg(doctest)]
+mod documents {
+    #[doc = include_str!("../README.md")]
+    struct Readme;
+    #[doc = include_str!("../docs/language.md")]
+    struct Language;
+    #[doc = include_str!("../docs/book/src/01-the-cosine-term.md")]
+    struct CosineTerm;
+}
