@@ -18,6 +18,7 @@ pub const RADIANCE: TheoryFile =
 pub fn library() -> &'static [TheoryFile] {
     &[
         TheoryFile { name: "solid_angle.forms", text: include_str!("../kernels/solid_angle.forms") },
+        TheoryFile { name: "irradiance.forms", text: include_str!("../kernels/irradiance.forms") },
         TheoryFile { name: "reflection.forms", text: include_str!("../kernels/reflection.forms") },
         TheoryFile { name: "reconnection.forms", text: include_str!("../kernels/reconnection.forms") },
         TheoryFile { name: "transport.forms", text: include_str!("../kernels/transport.forms") },

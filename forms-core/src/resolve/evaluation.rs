@@ -116,6 +116,7 @@ impl<'a> Evaluator<'a> {
             }
             Named::Function(function) => self.own_value(function),
             Named::Object(number) => {
+                self.scope.mention(text);
                 let object = self.theory.objects[number].clone();
                 object.domain.iter().for_each(|condition| self.scope.require(*condition));
                 object.used.iter().for_each(|symbol| self.scope.touch(*symbol));
