@@ -19,6 +19,7 @@ pub mod expression;
 mod integral;
 pub mod kernel;
 pub mod normal;
+pub mod notation;
 pub mod polynomial;
 pub mod resolve;
 pub mod syntax;

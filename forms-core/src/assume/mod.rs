@@ -44,18 +44,18 @@ impl Assumptions {
         Assumptions { conditions: conditions.to_vec(), sides }
     }
 
-    /// The cases that the expressions have to be looked at in. The tower is refined as far as needed.
+    /// The cases to be told apart next, once some signs are given: of the open signs that the expressions
+    /// depend on or, if there are none, of those that the conditions depend on. A single case without signs
+    /// says that nothing is left to tell apart. A sign within a sign (√(|x| − 1)) is open only once the inner
+    /// one is given, so whoever decides asks again for each case.
     pub(crate) fn cases(
         &self,
         tower: &mut Tower,
         pool: &Pool,
         expressions: &[Expr],
+        given: &[(usize, Sign)],
     ) -> Result<Cases, Obstacle> {
-        normalise(tower, pool, expressions)?;
-        if needed_signs(tower).is_empty() && tower.constraints().is_empty() {
-            return Ok(Cases::Signs(vec![vec![]]));
-        }
-        let (region, needed) = self.region(tower, pool, expressions)?;
+        let (region, wanted) = self.region(tower, pool, expressions, given)?;
         let cases = match region.cases() {
             Ok(cases) => cases,
             Err(NoCases::Empty) => return Ok(Cases::Empty),
@@ -64,7 +64,7 @@ impl Assumptions {
         let mut distinct: Vec<Vec<(usize, Sign)>> = Vec::new();
         for case in cases {
             let relevant: Vec<(usize, Sign)> =
-                case.into_iter().filter(|(base, _)| needed.contains(base)).collect();
+                case.into_iter().filter(|(base, _)| wanted.contains(base)).collect();
             if !distinct.contains(&relevant) {
                 distinct.push(relevant);
             }
@@ -72,58 +72,123 @@ impl Assumptions {
         Ok(Cases::Signs(distinct))
     }
 
-    /// The factors whose signs matter, with all that is known of them; and those the expressions need.
+    /// The factors whose signs matter, with all that is known of them; and those to be told apart.
     fn region(
         &self,
         tower: &mut Tower,
         pool: &Pool,
         expressions: &[Expr],
+        given: &[(usize, Sign)],
     ) -> Result<(Region, Vec<usize>), Obstacle> {
         for _ in 0..MOST_PASSES {
-            normalise(tower, pool, expressions)?;
-            let needed = needed_signs(tower);
-            let mut constraints: Vec<Constraint> = Vec::new();
-            let mut facts = Facts::of(tower);
-            match self.assume(tower, pool, &mut facts, &mut constraints) {
+            tower.fix_signs(given);
+            let prepared = normalise(tower, pool, expressions)?;
+            let mut knowledge = Knowledge::of(tower, given);
+            match self.assume(tower, pool, &mut knowledge) {
                 Err(Obstacle::Refine) => {
                     tower.start_again();
                     continue;
                 }
                 result => result?,
             }
-            let radicands = tower.constraints().iter().cloned();
-            constraints.extend(radicands.map(|product| Constraint { product, strict: false }));
-            return Ok((assemble(tower, &facts, needed.clone(), constraints), needed));
+            let radicands = prepared.constraints.into_iter();
+            knowledge.constraints.extend(radicands.map(|product| Constraint { product, strict: false }));
+            if knowledge.constraints.iter().any(|constraint| constraint.speaks_of_retired(tower)) {
+                tower.start_again();
+                continue;
+            }
+            let open = if prepared.open.is_empty() { knowledge.open.clone() } else { prepared.open };
+            let wanted = simplest(tower, open);
+            let factors =
+                if wanted.is_empty() { given.iter().map(|g| g.0).collect() } else { wanted.clone() };
+            return Ok((assemble(tower, knowledge, given, factors), wanted));
         }
         Err(Obstacle::Refine)
     }
 
-    /// Facts and constraints from the assumptions; one without a normal form is left out, which only
-    /// leaves more cases.
-    fn assume(
-        &self,
-        tower: &mut Tower,
-        pool: &Pool,
-        facts: &mut Facts,
-        constraints: &mut Vec<Constraint>,
-    ) -> Result<(), Obstacle> {
+    /// What the conditions say. One without a normal form, or whose normal form depends on an open sign, is
+    /// left out, which only leaves more cases.
+    fn assume(&self, tower: &mut Tower, pool: &Pool, knowledge: &mut Knowledge) -> Result<(), Obstacle> {
         for (condition, &side) in self.conditions.iter().zip(&self.sides) {
             let before = tower.trigonometry();
-            let difference = match normal_form(tower, pool, side) {
-                Ok(difference) => difference,
-                Err(Obstacle::Refine) => return Err(Obstacle::Refine),
-                Err(_) => continue,
-            };
+            let Ok(prepared) = normalise(tower, pool, &[side]) else { continue };
             if tower.trigonometry() != before {
                 return Err(Obstacle::Refine);
             }
-            facts.learn(tower, &difference, condition.relation);
+            if !prepared.is_unconditional() {
+                knowledge.open.extend(prepared.open);
+                continue;
+            }
+            let difference = match prepared.exact(tower, pool) {
+                Ok(mut fractions) => fractions.remove(0),
+                Err(Obstacle::Refine) => return Err(Obstacle::Refine),
+                Err(_) => continue,
+            };
+            knowledge.facts.learn(tower, &difference, condition.relation);
             if let Some(constraint) = constraint(tower, &difference, condition)? {
-                constraints.push(constraint);
+                knowledge.constraints.push(constraint);
             }
         }
-        facts.learn_half_tangents(tower);
+        knowledge.facts.learn_half_tangents(tower);
+        knowledge.open.sort_unstable();
+        knowledge.open.dedup();
         Ok(())
+    }
+}
+
+/// The factors that bound one generator by a number, if there are any: once their signs are given, more is
+/// known of the others.
+fn simplest(tower: &Tower, open: Vec<usize>) -> Vec<usize> {
+    let is_bound = |&base: &usize| {
+        let polynomial = &tower.base(base).polynomial;
+        polynomial.total_degree() == 1 && polynomial.variables().len() == 1
+    };
+    let simple: Vec<usize> = open.iter().copied().filter(is_bound).collect();
+    if simple.is_empty() { open } else { simple }
+}
+
+/// Whether a ≤ b is known to hold wherever the conditions do.
+pub(crate) fn is_at_most(pool: &mut Pool, a: Expr, b: Expr, conditions: &[Condition]) -> bool {
+    let difference = pool.subtract(b, a);
+    let assumptions = Assumptions::new(pool, conditions);
+    let mut tower = Tower::new(Trigonometry::Circle);
+    let Ok(prepared) = normalise(&mut tower, pool, &[difference]) else { return false };
+    let mut knowledge = Knowledge::of(&tower, &[]);
+    if !prepared.is_unconditional() || assumptions.assume(&mut tower, pool, &mut knowledge).is_err() {
+        return false;
+    }
+    let known = prepared.exact(&mut tower, pool).map(|mut fractions| fractions.remove(0));
+    let Ok(difference) = known else { return false };
+    let sign = difference.as_polynomial().map(|polynomial| knowledge.facts.sign_of(polynomial));
+    difference.is_zero() || sign.flatten() == Some(Sign::Positive)
+}
+
+/// What conditions say while some signs are given.
+struct Knowledge {
+    facts: Facts,
+    constraints: Vec<Constraint>,
+    /// The open signs that conditions depend on.
+    open: Vec<usize>,
+}
+
+impl Knowledge {
+    fn of(tower: &Tower, given: &[(usize, Sign)]) -> Self {
+        let mut facts = Facts::of(tower);
+        for &(base, sign) in given {
+            let relation = match sign {
+                Sign::Positive => Relation::GreaterEqual,
+                Sign::Negative => Relation::LessEqual,
+            };
+            facts.learn(tower, &tower.base(base).polynomial.clone().into(), relation);
+        }
+        Knowledge { facts, constraints: Vec::new(), open: Vec::new() }
+    }
+}
+
+impl Constraint {
+    /// Whether one of its factors has been replaced by finer ones, which leaves it without meaning.
+    fn speaks_of_retired(&self, tower: &Tower) -> bool {
+        self.product.odd.iter().chain(&self.product.other).any(|&base| tower.base(base).is_retired())
     }
 }
 
@@ -134,7 +199,8 @@ fn constraint(
     condition: &Condition,
 ) -> Result<Option<Constraint>, Obstacle> {
     if difference.is_zero() {
-        return Ok(None);
+        let holds = matches!(condition.relation, Relation::GreaterEqual | Relation::LessEqual);
+        return Ok((!holds).then(Constraint::impossible));
     }
     let (negative, strict) = match condition.relation {
         Relation::Greater => (false, true),
@@ -151,23 +217,12 @@ fn constraint(
     Ok(Some(Constraint { product, strict }))
 }
 
-fn normal_form(tower: &mut Tower, pool: &Pool, expression: Expr) -> Result<Fraction, Obstacle> {
-    let prepared = normalise(tower, pool, &[expression])?;
-    Ok(prepared.exact(tower, pool)?.remove(0))
-}
-
-fn needed_signs(tower: &Tower) -> Vec<usize> {
-    tower.bases().filter(|(_, base)| base.sign_needed).map(|(number, _)| number).collect()
-}
-
-/// The needed factors and those that share a constraint with one.
-fn assemble(tower: &Tower, facts: &Facts, needed: Vec<usize>, constraints: Vec<Constraint>) -> Region {
-    let polynomial =
-        |number: usize| tower.bases().find(|(n, _)| *n == number).map(|(_, base)| &base.polynomial);
-    let is_number = |number: &usize| polynomial(*number).is_none_or(|p| p.as_constant().is_some());
-    let mut factors: Vec<usize> = needed;
+/// The factors that matter and those that share a constraint with one.
+fn assemble(tower: &Tower, knowledge: Knowledge, given: &[(usize, Sign)], factors: Vec<usize>) -> Region {
+    let is_number = |number: &usize| tower.base(*number).polynomial.as_constant().is_some();
+    let mut factors: Vec<usize> = factors;
     let mut kept: Vec<Constraint> = Vec::new();
-    for mut constraint in constraints {
+    for mut constraint in knowledge.constraints {
         constraint.product.odd.retain(|number| !is_number(number));
         constraint.product.other.retain(|number| !is_number(number));
         let mentioned: Vec<usize> =
@@ -179,9 +234,10 @@ fn assemble(tower: &Tower, facts: &Facts, needed: Vec<usize>, constraints: Vec<C
             kept.push(constraint);
         }
     }
-    let factors = factors
-        .into_iter()
-        .map(|number| (number, polynomial(number).and_then(|polynomial| facts.sign_of(polynomial))))
-        .collect();
+    let sign_of = |number: usize| {
+        let known = given.iter().find(|entry| entry.0 == number).map(|entry| entry.1);
+        known.or_else(|| knowledge.facts.sign_of(&tower.base(number).polynomial))
+    };
+    let factors = factors.into_iter().map(|number| (number, sign_of(number))).collect();
     Region { factors, constraints: kept }
 }

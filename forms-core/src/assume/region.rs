@@ -32,6 +32,14 @@ pub(crate) enum NoCases {
     TooMany,
 }
 
+impl Constraint {
+    /// The constraint that nothing meets.
+    pub(crate) fn impossible() -> Self {
+        let product = SignConstraint { negative: true, odd: Vec::new(), other: Vec::new() };
+        Constraint { product, strict: true }
+    }
+}
+
 impl Region {
     /// The cases, each a sign for every factor.
     pub(crate) fn cases(&self) -> Result<Vec<Vec<(usize, Sign)>>, NoCases> {

@@ -1,19 +1,23 @@
 //! Conditions that nothing meets: a statement under them speaks of no point and is an error.
 
 use super::problem::Problem;
+use super::proof::{Outcome, prove_zero};
 use crate::assume::Facts;
 use crate::expression::Pool;
 use crate::normal::{Sign, Tower, Trigonometry, normalise};
 use crate::syntax::ast::Relation;
 
-/// Why no point meets the assumptions, if that can be shown.
+/// Why no point meets the assumptions, if that can be shown: by a condition that fails by its nature, by bounds
+/// that leave no value, or since in every case of the open signs some condition fails.
 pub(super) fn contradiction(pool: &mut Pool, problem: &Problem) -> Option<String> {
     let mut tower = Tower::new(Trigonometry::HalfAngle);
     let mut known = Vec::new();
     for condition in &problem.assumptions {
         let side = pool.subtract(condition.left, condition.right);
-        let difference = normalise(&mut tower, pool, &[side]).and_then(|n| n.exact(&mut tower, pool));
-        if let Ok(mut difference) = difference {
+        let Ok(prepared) = normalise(&mut tower, pool, &[side]) else { continue };
+        if prepared.is_unconditional()
+            && let Ok(mut difference) = prepared.exact(&mut tower, pool)
+        {
             known.push((condition, difference.remove(0)));
         }
     }
@@ -36,5 +40,12 @@ pub(super) fn contradiction(pool: &mut Pool, problem: &Problem) -> Option<String
             return Some(format!("nothing meets `{}`", condition.text(pool)));
         }
     }
-    facts.contradiction().then(|| "its conditions contradict each other".to_string())
+    if facts.contradiction() {
+        return Some("its conditions contradict each other".to_string());
+    }
+    let one = pool.integer(1);
+    match prove_zero(pool, problem, vec![one]) {
+        Outcome::Empty(reason) => Some(reason),
+        _ => None,
+    }
 }

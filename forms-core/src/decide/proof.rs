@@ -3,7 +3,7 @@
 use super::problem::Problem;
 use crate::assume::{Assumptions, Cases};
 use crate::expression::{Expr, Pool};
-use crate::normal::{Fraction, Obstacle, Tower, Trigonometry, normalise};
+use crate::normal::{Fraction, Obstacle, Sign, Tower, Trigonometry, normalise};
 
 /// What the normal forms say.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -18,15 +18,23 @@ pub(super) enum Outcome {
     Empty(String),
 }
 
+/// More cases than this are not gone through.
+const MOST_CASES: usize = 512;
+
 /// Tries to prove that every component vanishes.
 pub(super) fn prove(pool: &mut Pool, problem: &Problem) -> Outcome {
     let differences = problem.differences();
+    prove_zero(pool, problem, differences)
+}
+
+/// Tries to prove that the expressions vanish wherever the problem's assumptions hold.
+pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>) -> Outcome {
     let assumptions = Assumptions::new(pool, &problem.assumptions);
     let mut tower = Tower::new(Trigonometry::Circle);
-    let proof = Proof { pool, differences, assumptions };
-    match proof.run(&mut tower) {
+    let mut proof = Proof { pool, tower: &mut tower, differences, assumptions, cases: 0 };
+    match proof.explore(&[]) {
         Ok(outcome) => outcome,
-        Err(Obstacle::DivisionByZero) => Outcome::Empty("it divides by zero everywhere".into()),
+        Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
         Err(Obstacle::Outside(part)) => {
             Outcome::Outside(format!("outside the class that is decided: {part}"))
         }
@@ -35,37 +43,58 @@ pub(super) fn prove(pool: &mut Pool, problem: &Problem) -> Outcome {
     }
 }
 
+const DIVIDES_BY_ZERO: &str = "it divides by zero everywhere";
+
 struct Proof<'a> {
     pool: &'a Pool,
+    tower: &'a mut Tower,
     differences: Vec<Expr>,
     assumptions: Assumptions,
+    cases: usize,
 }
 
 impl Proof<'_> {
-    fn run(&self, tower: &mut Tower) -> Result<Outcome, Obstacle> {
-        let cases = match self.assumptions.cases(tower, self.pool, &self.differences)? {
-            Cases::Signs(cases) => cases,
+    /// Decides where the given signs hold, going through the cases of those that are open.
+    fn explore(&mut self, given: &[(usize, Sign)]) -> Result<Outcome, Obstacle> {
+        self.cases += 1;
+        match self.settle(given) {
+            Ok(Some(Outcome::Zero)) => return Ok(Outcome::Zero),
+            Ok(_) => {}
+            Err(Obstacle::DivisionByZero) => return Ok(Outcome::Empty(DIVIDES_BY_ZERO.into())),
+            Err(obstacle) => return Err(obstacle),
+        }
+        let cases = match self.assumptions.cases(self.tower, self.pool, &self.differences, given)? {
             Cases::Empty => return Ok(Outcome::Empty("no point meets its conditions".into())),
-            Cases::TooMany => {
+            Cases::Signs(cases) if cases.iter().all(Vec::is_empty) => return Ok(Outcome::NotZero),
+            Cases::Signs(cases) if self.cases + cases.len() <= MOST_CASES => cases,
+            Cases::Signs(_) | Cases::TooMany => {
                 return Ok(Outcome::Outside("too many factors of radicands have an open sign".into()));
             }
         };
+        let mut together: Option<Outcome> = None;
         for case in cases {
-            case.iter().for_each(|(base, sign)| tower.assume_sign(*base, *sign));
-            if self.decide_case(tower)? == Outcome::NotZero {
-                return Ok(Outcome::NotZero);
-            }
+            let signs: Vec<(usize, Sign)> = given.iter().copied().chain(case).collect();
+            together = match (self.explore(&signs)?, together) {
+                (failure @ (Outcome::NotZero | Outcome::Outside(_)), _) => return Ok(failure),
+                (Outcome::Empty(reason), None) => Some(Outcome::Empty(reason)),
+                (Outcome::Empty(_), known) => known,
+                (Outcome::Zero, _) => Some(Outcome::Zero),
+            };
         }
-        Ok(Outcome::Zero)
+        Ok(together.unwrap_or(Outcome::NotZero))
     }
 
-    /// The filter first, then the exact normal forms.
-    fn decide_case(&self, tower: &mut Tower) -> Result<Outcome, Obstacle> {
-        let prepared = normalise(tower, self.pool, &self.differences)?;
-        if prepared.certainly_not_zero(tower, self.pool).contains(&true) {
-            return Ok(Outcome::NotZero);
+    /// The filter first, then the exact normal forms; nothing where they depend on an open sign.
+    fn settle(&mut self, given: &[(usize, Sign)]) -> Result<Option<Outcome>, Obstacle> {
+        self.tower.fix_signs(given);
+        let prepared = normalise(self.tower, self.pool, &self.differences)?;
+        if !prepared.open.is_empty() {
+            return Ok(None);
         }
-        let zero = prepared.exact(tower, self.pool)?.iter().all(Fraction::is_zero);
-        Ok(if zero { Outcome::Zero } else { Outcome::NotZero })
+        if prepared.certainly_not_zero(self.tower, self.pool).contains(&true) {
+            return Ok(Some(Outcome::NotZero));
+        }
+        let zero = prepared.exact(self.tower, self.pool)?.iter().all(Fraction::is_zero);
+        Ok(Some(if zero { Outcome::Zero } else { Outcome::NotZero }))
     }
 }

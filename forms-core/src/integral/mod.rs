@@ -68,16 +68,21 @@ fn normal_form(
         Obstacle::Outside(part) | Obstacle::TooLarge(part) => part,
         Obstacle::Refine => "its radicands could not be factored".to_string(),
     };
-    match assumptions.cases(tower, pool, &[integrand]).map_err(reason)? {
-        Cases::Signs(cases) if cases.len() == 1 => {
-            cases[0].iter().for_each(|(base, sign)| tower.assume_sign(*base, *sign));
+    let mut given = Vec::new();
+    let prepared = loop {
+        tower.fix_signs(&given);
+        let prepared = normalise(tower, pool, &[integrand]).map_err(reason)?;
+        if prepared.open.is_empty() {
+            break prepared;
         }
-        _ => return Err("the sign of something under a root is not known".into()),
-    }
+        match assumptions.cases(tower, pool, &[integrand], &given).map_err(reason)? {
+            Cases::Signs(cases) if cases.len() == 1 => given.extend(&cases[0]),
+            _ => return Err("the sign of something under a root is not known".into()),
+        }
+    };
     if tower.trigonometry() != Trigonometry::Circle {
         return Err("a root of a trigonometric expression remains".into());
     }
-    let prepared = normalise(tower, pool, &[integrand]).map_err(reason)?;
     Ok(prepared.exact(tower, pool).map_err(reason)?.remove(0))
 }
 

@@ -1,5 +1,6 @@
 //! Generators of the field in which expressions are compared: each is one variable of the polynomials.
 
+use super::factor::FactorPower;
 use super::fraction::Fraction;
 use crate::expression::{FunctionId, Operation, Symbol};
 
@@ -12,7 +13,7 @@ pub struct FactorId(pub(super) u32);
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Quantity {
     pub(super) monomial: Vec<(u32, u32)>,
-    pub(super) factors: Vec<(FactorId, u32)>,
+    pub(super) factors: Vec<FactorPower>,
 }
 
 /// A function of one unit u = quantity/divisor of an angle or exponent.

@@ -5,6 +5,7 @@
 
 use super::fraction::Fraction;
 use super::generator::Generator;
+use super::root::SignConstraint;
 use super::tower::{Obstacle, Tower};
 use crate::expression::{Expr, FunctionId, Node, Operation, Pool, Rational};
 use num_rational::Ratio;
@@ -19,6 +20,11 @@ const MOST_REFINEMENTS: usize = 64;
 pub struct Normalised {
     order: Vec<Expr>,
     roots: Vec<Expr>,
+    /// What has to be non-negative for the radicands met to be so, as far as that depends on no open sign.
+    pub constraints: Vec<SignConstraint>,
+    /// The bases whose open signs were asked for first: by radicands that depend on no other open sign.
+    pub open: Vec<usize>,
+    provisional: FxHashSet<Expr>,
 }
 
 /// Fixes the generators of some expressions. What the tower knows already is not computed again.
@@ -32,14 +38,44 @@ pub fn normalise(tower: &mut Tower, pool: &Pool, roots: &[Expr]) -> Result<Norma
         let wanted = |expression| within_atoms.contains(&expression) || is_atom(pool, expression);
         match walk(tower, pool, &order, wanted) {
             Err(Obstacle::Refine) => tower.start_again(),
-            Err(obstacle) => return Err(obstacle),
-            Ok(()) => return Ok(Normalised { order, roots: roots.to_vec() }),
+            result => {
+                let prepared = Normalised::of(tower, pool, order, roots, wanted);
+                // with another sign there may be no obstacle
+                return if prepared.open.is_empty() { result.map(|()| prepared) } else { Ok(prepared) };
+            }
         }
     }
     Err(Obstacle::TooLarge(format!("its radicands and angles were refined {MOST_REFINEMENTS} times")))
 }
 
 impl Normalised {
+    /// What depends on which open sign, operands before results.
+    fn of(
+        tower: &Tower,
+        pool: &Pool,
+        order: Vec<Expr>,
+        roots: &[Expr],
+        wanted: impl Fn(Expr) -> bool,
+    ) -> Self {
+        let (mut constraints, mut open) = (Vec::new(), Vec::new());
+        let mut provisional: FxHashSet<Expr> = FxHashSet::default();
+        for &expression in &order {
+            let missing = wanted(expression) && !tower.elements.contains_key(&expression);
+            let node = pool.node(expression);
+            let inherited = missing || node.operands().iter().any(|operand| provisional.contains(operand));
+            let asked = tower.open_signs(expression);
+            if !inherited {
+                open.extend(asked.iter().filter(|base| !open.contains(*base)).copied().collect::<Vec<_>>());
+            }
+            if inherited || !asked.is_empty() {
+                provisional.insert(expression);
+            } else if let Some(constraint) = tower.constraint_of(expression) {
+                constraints.push(constraint.clone());
+            }
+        }
+        Normalised { order, roots: roots.to_vec(), constraints, open, provisional }
+    }
+
     /// The fractions of the expressions, in their order.
     ///
     /// # Errors
@@ -47,6 +83,11 @@ impl Normalised {
     pub fn exact(&self, tower: &mut Tower, pool: &Pool) -> Result<Vec<Fraction>, Obstacle> {
         walk(tower, pool, &self.order, |_| true)?;
         Ok(self.roots.iter().map(|root| tower.elements[root].clone()).collect())
+    }
+
+    /// Whether a normal form holds whatever the open signs are.
+    pub fn is_unconditional(&self) -> bool {
+        self.open.is_empty() || !self.roots.iter().any(|root| self.provisional.contains(root))
     }
 
     pub(super) fn order(&self) -> &[Expr] {
@@ -65,6 +106,7 @@ fn walk(
     order: &[Expr],
     wanted: impl Fn(Expr) -> bool,
 ) -> Result<(), Obstacle> {
+    tower.take_signs_asked();
     let elements = std::mem::take(&mut tower.elements);
     let mut walk = Walk { tower, pool, elements };
     let result = walk.run(order, wanted);
@@ -101,6 +143,7 @@ impl Walk<'_> {
         for &expression in order {
             if !self.elements.contains_key(&expression) && wanted(expression) {
                 let element = self.element(expression)?;
+                self.tower.note_signs_asked(expression);
                 self.elements.insert(expression, element);
             }
         }
@@ -130,8 +173,8 @@ impl Walk<'_> {
         }
     }
 
-    fn power(&mut self, base: Expr, exponent: Ratio<i64>) -> Result<Fraction, Obstacle> {
-        let base = self.of(base);
+    fn power(&mut self, operand: Expr, exponent: Ratio<i64>) -> Result<Fraction, Obstacle> {
+        let base = self.of(operand);
         if exponent.is_integer() {
             return self.tower.integer_power(&base, *exponent.numer());
         }
@@ -139,7 +182,7 @@ impl Walk<'_> {
             return if exponent.is_positive() { Ok(base) } else { Err(Obstacle::DivisionByZero) };
         }
         let (power, constraint) = self.tower.magnitude_power(&base, exponent)?;
-        self.tower.constrain(constraint);
+        self.tower.constrain(operand, constraint);
         Ok(power)
     }
 

@@ -34,6 +34,13 @@ pub struct Base {
     pub sign_needed: bool,
 }
 
+impl Base {
+    /// Whether finer factors have replaced it.
+    pub fn is_retired(&self) -> bool {
+        self.retired
+    }
+}
+
 /// The sign of a factor in a region, zero allowed: σ with σ g ≥ 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
@@ -54,24 +61,48 @@ pub struct SignConstraint {
     pub other: Vec<usize>,
 }
 
-/// c ∏ gᵢ^eᵢ with rational eᵢ.
+/// gᵉ with rational e. Beside factors g themselves it may come from roots of ±g, which are not negative.
+struct Power {
+    base: usize,
+    exponent: Ratio<i64>,
+    /// Whether g itself, apart from its roots, occurs to an odd power, so that the product has its sign.
+    odd: bool,
+}
+
+/// c ∏ gᵢ^eᵢ
 struct Factored {
     constant: BigInt,
-    powers: Vec<(usize, Ratio<i64>)>,
+    powers: Vec<Power>,
 }
 
 impl Factored {
+    /// Multiplies by gᵉ for an integer e.
     fn raise(&mut self, base: usize, exponent: Ratio<i64>) {
-        match self.powers.iter_mut().find(|power| power.0 == base) {
-            Some(power) => power.1 += exponent,
-            None => self.powers.push((base, exponent)),
+        self.multiply(Power { base, exponent, odd: exponent.numer().is_odd() });
+    }
+
+    /// Multiplies by (±g)ᵉ, a power of a root.
+    fn raise_root(&mut self, base: usize, exponent: Ratio<i64>) {
+        self.multiply(Power { base, exponent, odd: false });
+    }
+
+    fn multiply(&mut self, factor: Power) {
+        match self.powers.iter_mut().find(|power| power.base == factor.base) {
+            Some(power) => {
+                power.exponent += factor.exponent;
+                power.odd ^= factor.odd;
+            }
+            None => self.powers.push(factor),
         }
     }
 
+    fn drop_neutral(&mut self) {
+        self.powers.retain(|power| power.odd || !power.exponent.is_zero());
+    }
+
     fn constraint(&self) -> SignConstraint {
-        let is_odd = |power: &Ratio<i64>| power.is_integer() && power.numer().is_odd();
-        let (odd, other): (Vec<_>, Vec<_>) = self.powers.iter().partition(|power| is_odd(&power.1));
-        let numbers = |powers: Vec<(usize, Ratio<i64>)>| powers.into_iter().map(|power| power.0).collect();
+        let (odd, other): (Vec<&Power>, Vec<&Power>) = self.powers.iter().partition(|power| power.odd);
+        let numbers = |powers: Vec<&Power>| powers.into_iter().map(|power| power.base).collect();
         SignConstraint { negative: self.constant.is_negative(), odd: numbers(odd), other: numbers(other) }
     }
 }
@@ -87,7 +118,7 @@ impl Tower {
         let constraint = factored.constraint();
         self.factor_constant(&mut factored, &q.divisor);
         let mut result = Fraction::one();
-        for (base, exponent) in factored.powers {
+        for Power { base, exponent, .. } in factored.powers {
             let power = self.base_power(base, exponent * r)?;
             result = self.multiply(&result, &power)?;
         }
@@ -128,7 +159,7 @@ impl Tower {
         if exponent.is_integer() && exponent.numer().is_even() {
             return false;
         }
-        self.bases[base].sign_needed = true;
+        self.ask_for_sign(base);
         self.bases[base].sign == Some(Sign::Negative)
     }
 
@@ -140,19 +171,26 @@ impl Tower {
         Polynomial::variable(variable).into()
     }
 
+    /// Whether a generator is the root of ±g with the sign that g has here. One of another case is imaginary.
+    pub(super) fn is_current_root(&self, variable: u32) -> bool {
+        let Generator::Root { base, order, negated } = *self.generator(variable) else { return false };
+        let base = &self.bases[base];
+        !base.retired && base.order == order && (base.sign == Some(Sign::Negative)) == negated
+    }
+
     /// Numerator and denominator over the basis of radicands; new factors join it.
     fn factor_radicand(&mut self, q: &Fraction) -> Result<Factored, Obstacle> {
         let mut factored = Factored { constant: BigInt::one(), powers: Vec::new() };
         self.factor_polynomial_into(&q.numerator, Ratio::one(), &mut factored)?;
-        for &(factor, exponent) in &q.factors {
-            let polynomial = self.factor_polynomial(factor).clone();
+        for power in &q.factors {
+            let (polynomial, exponent) = (self.factor_polynomial(power.factor).clone(), power.exponent);
             self.factor_polynomial_into(
                 &polynomial,
                 -Ratio::from_integer(i64::from(exponent)),
                 &mut factored,
             )?;
         }
-        factored.powers.retain(|power| !power.1.is_zero());
+        factored.drop_neutral();
         Ok(factored)
     }
 
@@ -213,7 +251,7 @@ impl Tower {
         factored: &mut Factored,
     ) -> Result<(), Obstacle> {
         if let Generator::Root { base, order, .. } = *self.generator(variable) {
-            factored.raise(base, exponent / Ratio::from_integer(i64::from(order)));
+            factored.raise_root(base, exponent / Ratio::from_integer(i64::from(order)));
             return Ok(());
         }
         self.raise_part(&Polynomial::variable(variable), exponent, factored)
@@ -277,7 +315,7 @@ impl Tower {
         let constant = factored.constant.abs();
         self.raise_number(&constant, Ratio::one(), factored);
         self.raise_number(divisor, -Ratio::one(), factored);
-        factored.powers.retain(|power| !power.1.is_zero());
+        factored.drop_neutral();
     }
 
     fn raise_number(&mut self, number: &BigInt, exponent: Ratio<i64>, factored: &mut Factored) {

@@ -50,10 +50,13 @@ pub struct Tower {
     factor_numbers: FxHashMap<Polynomial, FactorId>,
     pub(super) relations: Vec<Relation>,
     pub(super) bases: Vec<Base>,
+    /// The bases whose signs were asked for by the element being computed.
+    asked: Vec<usize>,
+    asked_by: FxHashMap<Expr, Vec<usize>>,
     pub(super) divisors: FxHashMap<Quantity, u32>,
     pub(super) trigonometry: Trigonometry,
     pub(super) elements: FxHashMap<Expr, Fraction>,
-    constraints: Vec<SignConstraint>,
+    constraints: FxHashMap<Expr, SignConstraint>,
     work: u64,
     work_limit: u64,
 }
@@ -68,10 +71,12 @@ impl Tower {
             factor_numbers: FxHashMap::default(),
             relations: Vec::new(),
             bases: Vec::new(),
+            asked: Vec::new(),
+            asked_by: FxHashMap::default(),
             divisors: FxHashMap::default(),
             trigonometry,
             elements: FxHashMap::default(),
-            constraints: Vec::new(),
+            constraints: FxHashMap::default(),
             work: 0,
             work_limit: WORK_LIMIT,
         }
@@ -94,6 +99,11 @@ impl Tower {
         self.bases.iter().enumerate().filter(|(_, base)| !base.retired)
     }
 
+    /// The base of radicands of that number.
+    pub fn base(&self, number: usize) -> &Base {
+        &self.bases[number]
+    }
+
     /// How sines and cosines are represented so far.
     pub fn trigonometry(&self) -> Trigonometry {
         self.trigonometry
@@ -101,36 +111,69 @@ impl Tower {
 
     /// Whether a sine, cosine or half-angle tangent occurs in a fraction.
     pub fn mentions_trigonometry(&self, fraction: &Fraction) -> bool {
-        let factors = fraction.factors.iter().map(|(factor, _)| self.factor_polynomial(*factor));
+        let factors = fraction.factors.iter().map(|power| self.factor_polynomial(power.factor));
         std::iter::once(&fraction.numerator)
             .chain(factors)
             .any(|polynomial| polynomial.variables().into_iter().any(|v| self.is_trigonometric(v)))
+    }
+
+    /// Fixes the signs that bases of radicands have in the region considered; all others are open, and taken
+    /// to be positive for the time being.
+    pub fn fix_signs(&mut self, signs: &[(usize, Sign)]) {
+        let mut changed = false;
+        for (number, base) in self.bases.iter_mut().enumerate() {
+            let sign = signs.iter().find(|entry| entry.0 == number).map(|entry| entry.1);
+            changed |= (base.sign == Some(Sign::Negative)) != (sign == Some(Sign::Negative));
+            base.sign = sign;
+        }
+        if changed {
+            self.start_again();
+        }
+    }
+
+    /// Notes that the sign of a base matters.
+    pub(super) fn ask_for_sign(&mut self, base: usize) {
+        self.bases[base].sign_needed = true;
+        self.asked.push(base);
+    }
+
+    /// The signs asked for since the last call.
+    pub(super) fn take_signs_asked(&mut self) -> Vec<usize> {
+        std::mem::take(&mut self.asked)
+    }
+
+    /// Remembers the signs that an expression itself depends on.
+    pub(super) fn note_signs_asked(&mut self, expression: Expr) {
+        let mut asked = self.take_signs_asked();
+        if !asked.is_empty() {
+            asked.sort_unstable();
+            asked.dedup();
+            self.asked_by.insert(expression, asked);
+        }
+    }
+
+    /// The open signs that an expression itself depends on, not those its operands depend on.
+    pub(super) fn open_signs(&self, expression: Expr) -> Vec<usize> {
+        let asked = self.asked_by.get(&expression).into_iter().flatten();
+        asked.copied().filter(|&base| self.bases[base].sign.is_none()).collect()
     }
 
     /// Forgets every element, since a generator has changed: the next walk computes them anew.
     pub fn start_again(&mut self) {
         self.elements.clear();
         self.constraints.clear();
+        self.asked.clear();
+        self.asked_by.clear();
         self.bases.iter_mut().for_each(|base| base.sign_needed = false);
     }
 
-    /// What has to be non-negative for the radicands met so far to be so.
-    pub fn constraints(&self) -> &[SignConstraint] {
-        &self.constraints
+    /// What has to hold for a radicand not to be negative.
+    pub(super) fn constraint_of(&self, radicand: Expr) -> Option<&SignConstraint> {
+        self.constraints.get(&radicand)
     }
 
-    pub(super) fn constrain(&mut self, constraint: SignConstraint) {
-        if !self.constraints.contains(&constraint) {
-            self.constraints.push(constraint);
-        }
-    }
-
-    /// Sets the sign that a base of radicands has in the region considered.
-    pub fn assume_sign(&mut self, base: usize, sign: Sign) {
-        let before = self.bases[base].sign.replace(sign).unwrap_or(Sign::Positive);
-        if before != sign {
-            self.start_again();
-        }
+    pub(super) fn constrain(&mut self, radicand: Expr, constraint: SignConstraint) {
+        self.constraints.insert(radicand, constraint);
     }
 
     /// What a polynomial variable stands for.

@@ -2,6 +2,7 @@
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::value::Value;
+use crate::assume::is_at_most;
 use crate::calculus::Blade;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Condition, Expr, Symbol};
@@ -92,11 +93,15 @@ impl Evaluator<'_> {
         Ok(if blade.1 < 0 { self.theory.pool.negate(coefficient) } else { coefficient })
     }
 
-    /// What may be used about the integrand: where it is defined, its charts' domains, and the ranges.
+    /// What may be used about the integrand: where it is defined, its charts' domains, and the ranges that are
+    /// known not to run backwards.
     fn assumptions(&mut self, inner: &[Condition], ranges: &[Range]) -> Vec<Condition> {
         let mut all: Vec<Condition> = inner.to_vec();
         all.extend(self.scope.conditions());
         for range in ranges {
+            if !is_at_most(&mut self.theory.pool, range.from, range.to, &all) {
+                continue;
+            }
             let variable = self.theory.pool.symbol(range.symbol);
             all.push(Condition { left: variable, relation: Relation::GreaterEqual, right: range.from });
             all.push(Condition { left: variable, relation: Relation::LessEqual, right: range.to });
