@@ -15,9 +15,9 @@ case_files! {
     half_vectors "tests/cases/half_vectors.forms";
     integrals "tests/cases/integrals.forms";
     lie_and_cartan "tests/cases/lie_and_cartan.forms";
-    paper "tests/cases/paper.forms";
     solid_angle "tests/cases/solid_angle.forms";
     sphere_pullbacks "tests/cases/sphere_pullbacks.forms";
     symplectic "tests/cases/symplectic.forms";
+    triangle_gradient "tests/cases/triangle_gradient.forms";
     wedge_and_interior "tests/cases/wedge_and_interior.forms";
 }
