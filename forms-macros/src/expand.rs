@@ -16,7 +16,7 @@ use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
 use forms_core::syntax::token::{Symbol, Token, TokenKind};
 use forms_core::syntax::words::ITEMS;
 use forms_core::syntax::{parse, parse_equation};
-use proc_macro2::{Ident, TokenStream, TokenTree};
+use proc_macro2::{Group, TokenStream, TokenTree};
 
 /// `forms! { items }`
 pub(crate) fn file(body: Body) -> TokenStream {
@@ -190,18 +190,19 @@ fn documentation(theory: &Theory, verdicts: &[Verdict], kernel: &Kernel) -> Rust
     }
 }
 
-/// The function with its name where the user wrote the kernel, for what the compiler has to say of it.
+/// The function with its name on the user's own, and the rest at the same place but marked as generated: a span
+/// of the whole body would be several lines long, which lints on layout take for the layout of each line.
 fn named_at(function: TokenStream, name: &str, place: proc_macro2::Span) -> TokenStream {
+    let generated = proc_macro2::Span::call_site().located_at(place);
     let mut is_name = false;
-    let rename = |token: TokenTree| match token {
-        TokenTree::Ident(ident) if is_name && ident == name => {
-            is_name = false;
-            TokenTree::Ident(Ident::new(name, place))
+    let locate = |mut token: TokenTree| {
+        let names = is_name && matches!(&token, TokenTree::Ident(ident) if ident == name);
+        is_name = matches!(&token, TokenTree::Ident(ident) if ident == "fn");
+        if let TokenTree::Group(group) = token {
+            token = Group::new(group.delimiter(), named_at(group.stream(), name, place)).into();
         }
-        token => {
-            is_name = matches!(&token, TokenTree::Ident(ident) if ident == "fn");
-            token
-        }
+        token.set_span(if names { place } else { generated });
+        token
     };
-    function.into_iter().map(rename).collect()
+    function.into_iter().map(locate).collect()
 }

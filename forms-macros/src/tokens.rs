@@ -214,7 +214,7 @@ mod tests {
     fn every_case_file_has_the_same_tokens_through_both_doors() {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/cases");
         let files: Vec<_> = std::fs::read_dir(folder).expect("the workspace has its case files").collect();
-        assert!(files.len() > 20, "only {} case files", files.len());
+        assert!(files.len() >= 20, "only {} case files", files.len());
         for file in files {
             let path = file.expect("the folder can be read").path();
             let text = std::fs::read_to_string(&path).expect("case files are UTF-8");
