@@ -25,6 +25,10 @@ fn terms(
 
 /// Any size of coefficients, variables to 199 and exponents to 10⁴.
 fn wild() -> impl Strategy<Value = Vec<Term>> {
+    wild_of(0..6)
+}
+
+fn wild_of(count: std::ops::Range<usize>) -> impl Strategy<Value = Vec<Term>> {
     let exponent = prop_oneof![0..4u32, 5..9u32, 120..130u32, 9_990..=10_000u32];
     let monomial = prop::collection::btree_map(prop_oneof![0..4u32, 0..200u32], exponent, 0..4);
     let number = prop_oneof![
@@ -34,7 +38,18 @@ fn wild() -> impl Strategy<Value = Vec<Term>> {
         (i128::MAX - 3..=i128::MAX).prop_map(BigInt::from),
         (i128::MIN..=i128::MIN + 3).prop_map(BigInt::from),
     ];
-    prop::collection::vec((monomial.prop_map(|monomial| monomial.into_iter().collect()), number), 0..6)
+    prop::collection::vec((monomial.prop_map(|monomial| monomial.into_iter().collect()), number), count)
+}
+
+/// Terms that crowd a small box of exponents, with any size of coefficients.
+fn crowded() -> impl Strategy<Value = Vec<Term>> {
+    let number = prop_oneof![
+        (-99i64..=99).prop_map(BigInt::from),
+        Just(BigInt::from(i64::MAX)),
+        Just(BigInt::from(i128::MIN)),
+    ];
+    let monomial = (0..9u32, 0..3u32, 0..12u32).prop_map(|(a, b, c)| vec![(0, a), (17, b), (18, c)]);
+    prop::collection::vec((monomial, number), 10..24)
 }
 
 /// The product by the definition, on maps from exponents to numbers.
@@ -79,6 +94,20 @@ proptest! {
     fn packed_product_is_the_schoolbook_product(left in wild(), right in wild()) {
         let (f, g) = (Polynomial::from_terms(left.clone()), Polynomial::from_terms(right.clone()));
         prop_assert_eq!(map(&(&f * &g)), schoolbook(&left, &right));
+    }
+
+    #[test]
+    fn long_products_are_schoolbook_products(
+        scattered in (wild_of(8..20), wild_of(8..20)),
+        crowded in (crowded(), crowded()),
+        factor in -3i64..=3,
+    ) {
+        let [f, g, h, k] =
+            [&scattered.0, &scattered.1, &crowded.0, &crowded.1].map(|terms| Polynomial::from_terms(terms.clone()));
+        prop_assert_eq!(map(&(&f * &g)), schoolbook(&scattered.0, &scattered.1));
+        prop_assert_eq!(map(&(&h * &k)), schoolbook(&crowded.0, &crowded.1));
+        let sum = Polynomial::sum_of_products(&[(factor, &h, &k), (1, &k, &k), (-1, &f, &g)]);
+        prop_assert_eq!(sum, &(&(&h * &k).scale(&factor.into()) + &(&k * &k)) - &(&f * &g));
     }
 
     #[test]
@@ -176,4 +205,43 @@ fn powers_multiply_out() {
     let f = &x(0) + &Polynomial::integer(1);
     assert_eq!(f.pow(3).to_string(), "x0^3 + 3*x0^2 + 3*x0 + 1");
     assert_eq!((f.pow(0), f.pow(1)), (Polynomial::one(), f));
+}
+
+#[test]
+fn division_holds_at_the_ends_of_the_rungs() {
+    for end in
+        [BigInt::from(i64::MIN), BigInt::from(i64::MAX), BigInt::from(i128::MIN), BigInt::from(i128::MAX)]
+    {
+        let f = &x(0).scale(&end) - &Polynomial::constant(end);
+        for g in [&Polynomial::integer(1) - &x(0), &x(0) - &Polynomial::integer(1), f.neg()] {
+            let quotient = f.divide_exact(&g).expect("it divides");
+            assert_eq!(&quotient * &g, f);
+        }
+    }
+}
+
+#[test]
+fn gcd_of_dense_polynomials_in_four_variables_is_their_common_factor() {
+    let sum = |numbers: [i64; 5]| {
+        let mut sum = Polynomial::integer(numbers[4]);
+        for index in 0..4 {
+            sum = &sum + &x(index).scale(&numbers[index as usize].into());
+        }
+        sum
+    };
+    let (a, b, c) = (sum([1, 2, 3, 4, 5]).pow(3), sum([2, -1, 1, 7, 1]).pow(3), sum([3, 1, -2, 1, 4]).pow(3));
+    assert_eq!((&a * &c).gcd(&(&b * &c)), c);
+}
+
+#[test]
+fn sums_of_products_that_cancel_are_zero_and_others_are_not() {
+    let f = (&x(0) + &x(70)).pow(9);
+    let g = (&x(3) - &x(40)).pow(8);
+    let fg = &f * &g;
+    let one = Polynomial::one();
+    let middle = x(0).multiply_by_monomial(&[(0, 3), (70, 5), (3, 4), (40, 4)]);
+    assert!(Polynomial::sum_of_products_is_zero(&[(1, &f, &g), (-1, &fg, &one)]));
+    assert!(!Polynomial::sum_of_products_is_zero(&[(1, &f, &g), (-1, &fg, &one), (3, &middle, &one)]));
+    assert!(!Polynomial::sum_of_products_is_zero(&[(1, &f, &g), (1, &fg, &one)]));
+    assert_eq!(Polynomial::sum_of_products(&[(2, &f, &g), (-1, &fg, &one)]), fg);
 }

@@ -28,7 +28,7 @@ use witness::{Difference, Found, Search};
 
 /// Candidate points looked at before the normal form is computed, and how many good ones are enough.
 const FIRST_CANDIDATES: usize = 24;
-const FIRST_POINTS: usize = 2;
+const FIRST_POINTS: usize = 1;
 
 /// Candidate points looked at before giving up, and how many good ones make it hopeless.
 const LAST_CANDIDATES: usize = 600;

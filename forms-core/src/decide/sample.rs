@@ -18,10 +18,14 @@ pub(super) fn simple_bounds(pool: &Pool, conditions: &[Condition]) -> FxHashMap<
     let mut bounds: FxHashMap<Symbol, Bounds> = FxHashMap::default();
     for condition in conditions {
         let (left, right) = (condition.left, condition.right);
-        if let (Node::Symbol(symbol), Some(value)) = (pool.node(left), constant(pool, right)) {
+        if let Node::Symbol(symbol) = pool.node(left)
+            && let Some(value) = constant(pool, right)
+        {
             bounds.entry(*symbol).or_default().restrict(condition.relation, &value);
         }
-        if let (Some(value), Node::Symbol(symbol)) = (constant(pool, left), pool.node(right)) {
+        if let Node::Symbol(symbol) = pool.node(right)
+            && let Some(value) = constant(pool, left)
+        {
             bounds.entry(*symbol).or_default().restrict(mirrored(condition.relation), &value);
         }
     }
@@ -29,8 +33,8 @@ pub(super) fn simple_bounds(pool: &Pool, conditions: &[Condition]) -> FxHashMap<
 }
 
 fn constant(pool: &Pool, expression: Expr) -> Option<Enclosure> {
-    if !pool.symbols_in(&[expression]).is_empty() {
-        return None;
+    if let Some(value) = pool.as_number(expression) {
+        return Some(Enclosure::exact(value, Precision(64)));
     }
     enclose(pool, &[expression], &|_| None, &mut |_, _, _| None, Precision(64)).remove(0).ok()
 }

@@ -76,49 +76,43 @@ impl Polynomial {
     }
 }
 
-/// The sum or difference of packed terms in decreasing order.
+/// Packed terms in decreasing order.
+type Terms<'a, C> = (&'a [u64], &'a [C]);
+
+/// The sum or difference of packed terms.
 fn merge<C: Coefficient>(
     layout: Layout,
-    left: (&[u64], &[C]),
-    right: (&[u64], &[C]),
+    left: Terms<'_, C>,
+    right: Terms<'_, C>,
     subtract: bool,
 ) -> Polynomial {
     let words = layout.words;
-    let (left_count, right_count) = (left.1.len(), right.1.len());
-    let mut monomials = Vec::with_capacity((left_count + right_count) * words);
-    let mut coefficients: Vec<C> = Vec::with_capacity(left_count + right_count);
+    let ((f, a), (g, b)) = (left, right);
+    let mut monomials = Vec::with_capacity(f.len() + g.len());
+    let mut coefficients: Vec<C> = Vec::with_capacity(a.len() + b.len());
     let signed = |number: &C| if subtract { number.negated() } else { number.clone() };
     let (mut i, mut j) = (0, 0);
-    while i < left_count && j < right_count {
-        let a = &left.0[i * words..(i + 1) * words];
-        let b = &right.0[j * words..(j + 1) * words];
-        match compare(a, b) {
-            Ordering::Greater => {
-                monomials.extend_from_slice(a);
-                coefficients.push(left.1[i].clone());
-                i += 1;
-            }
-            Ordering::Less => {
-                monomials.extend_from_slice(b);
-                coefficients.push(signed(&right.1[j]));
-                j += 1;
-            }
-            Ordering::Equal => {
-                let sum = if subtract { left.1[i].minus(&right.1[j]) } else { left.1[i].plus(&right.1[j]) };
-                if !sum.is_zero() {
-                    monomials.extend_from_slice(a);
-                    coefficients.push(sum);
-                }
-                i += 1;
-                j += 1;
-            }
+    while i < a.len() && j < b.len() {
+        let (m, n) = (&f[i * words..(i + 1) * words], &g[j * words..(j + 1) * words]);
+        let order = compare(m, n);
+        let number = match order {
+            Ordering::Greater => a[i].clone(),
+            Ordering::Less => signed(&b[j]),
+            Ordering::Equal if subtract => a[i].minus(&b[j]),
+            Ordering::Equal => a[i].plus(&b[j]),
+        };
+        if !number.is_zero() {
+            monomials.extend_from_slice(if order.is_ge() { m } else { n });
+            coefficients.push(number);
         }
+        i += usize::from(order.is_ge());
+        j += usize::from(order.is_le());
     }
-    monomials.extend_from_slice(&left.0[i * words..]);
-    coefficients.extend_from_slice(&left.1[i..]);
-    monomials.extend_from_slice(&right.0[j * words..]);
-    while j < right_count {
-        coefficients.push(signed(&right.1[j]));
+    monomials.extend_from_slice(&f[i * words..]);
+    coefficients.extend_from_slice(&a[i..]);
+    monomials.extend_from_slice(&g[j * words..]);
+    while j < b.len() {
+        coefficients.push(signed(&b[j]));
         j += 1;
     }
     Polynomial::settle(layout, monomials, coefficients)

@@ -5,6 +5,7 @@
 //! of the value.
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_traits::{Signed, ToPrimitive, Zero};
 use std::borrow::Cow;
 
@@ -66,6 +67,12 @@ pub(super) trait Coefficient: Clone + PartialEq + From<i64> + 'static {
     fn times(&self, other: &Self) -> Self;
     /// self += a·b
     fn add_product(&mut self, a: &Self, b: &Self);
+    /// The quotient where it is exact.
+    fn divided_by(&self, divisor: &Self) -> Option<Self>;
+    /// The absolute value, on the machine rungs.
+    fn size(&self) -> Option<u128>;
+    /// Whether the type holds every number to this bound.
+    fn holds(bound: Option<u128>) -> bool;
     /// The coefficients as numbers of this type; they must fit, which the bound of the result ensures.
     fn view(coefficients: &Coefficients) -> Cow<'_, [Self]>;
     /// The coefficients on the lowest rung that holds them.
@@ -100,6 +107,16 @@ macro_rules! machine_coefficient {
         #[inline(always)]
         fn add_product(&mut self, a: &Self, b: &Self) {
             *self = self.wrapping_add(a.wrapping_mul(*b));
+        }
+        fn divided_by(&self, divisor: &Self) -> Option<Self> {
+            let quotient = self.checked_div(*divisor)?;
+            (quotient.wrapping_mul(*divisor) == *self).then_some(quotient)
+        }
+        fn size(&self) -> Option<u128> {
+            Some(self.unsigned_abs().into())
+        }
+        fn holds(bound: Option<u128>) -> bool {
+            bound.is_some_and(|bound| bound <= <$number>::MAX as u128)
         }
     };
 }
@@ -164,6 +181,16 @@ impl Coefficient for BigInt {
     }
     fn add_product(&mut self, a: &Self, b: &Self) {
         *self += a * b;
+    }
+    fn divided_by(&self, divisor: &Self) -> Option<Self> {
+        let (quotient, remainder) = self.div_rem(divisor);
+        Zero::is_zero(&remainder).then_some(quotient)
+    }
+    fn size(&self) -> Option<u128> {
+        None
+    }
+    fn holds(_: Option<u128>) -> bool {
+        true
     }
 
     fn view(coefficients: &Coefficients) -> Cow<'_, [BigInt]> {

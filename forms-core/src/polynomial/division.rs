@@ -1,13 +1,32 @@
 //! Exact division: the quotient where there is one, a quick `None` where there is not.
+//!
+//! ```text
+//! degrees, outermost terms, an image in one variable ─ deny cheaply
+//! long division: rest in a hash table, its monomials on a heap; on each rung while
+//! max|f| + max|q|·‖g‖₁, which bounds every coefficient of every rest, fits it
+//! ```
 
 use super::Polynomial;
-use super::coefficient::Coefficient;
+use super::coefficient::{Coefficient, Rung, on_rung};
+use super::image::{coordinate, divides};
 use super::monomial::{Layout, compare};
+use super::product::Rest;
 use num_bigint::BigInt;
 use num_integer::Integer;
+use num_traits::ToPrimitive;
+
+/// How a division on one rung ended.
+pub(super) enum Outcome {
+    /// It goes through with this quotient.
+    Quotient(Polynomial),
+    /// It does not go through.
+    Remainder,
+    /// The numbers may leave the rung.
+    Beyond,
+}
 
 impl Polynomial {
-    /// The quotient f/g where g divides f over ℤ. Nothing divides by 0.
+    /// The quotient f/g where g divides f over ℤ. Nothing is divided by 0.
     pub fn divide_exact(&self, divisor: &Self) -> Option<Self> {
         if divisor.is_zero() {
             return None;
@@ -18,13 +37,28 @@ impl Polynomial {
         if let Some(number) = divisor.as_constant() {
             return self.divide_by_integer(&number);
         }
+        if divisor.term_count() == 1 {
+            let (monomial, number) = divisor.terms().next()?;
+            return self.divide_by_monomial(&monomial)?.divide_by_integer(&number);
+        }
         if !self.may_be_divisible_by(divisor) {
             return None;
         }
-        self.divide_by_leading_terms(divisor)
+        let mut rung = self.coefficients.rung().max(divisor.coefficients.rung());
+        loop {
+            match on_rung!(rung, C => self.divide_on_rung::<C>(divisor)) {
+                Outcome::Quotient(quotient) => return Some(quotient),
+                Outcome::Remainder => return None,
+                Outcome::Beyond if rung == Rung::Small => rung = Rung::Wide,
+                Outcome::Beyond => rung = Rung::Big,
+            }
+        }
     }
 
     fn divide_by_integer(&self, divisor: &BigInt) -> Option<Self> {
+        if divisor.to_i64() == Some(1) {
+            return Some(self.clone());
+        }
         let mut quotients = Vec::with_capacity(self.term_count());
         for number in BigInt::view(&self.coefficients).iter() {
             let (quotient, remainder) = number.div_rem(divisor);
@@ -36,59 +70,87 @@ impl Polynomial {
         Some(Self::settle(self.layout, self.monomials.clone(), quotients))
     }
 
-    /// Degrees, leading and trailing terms: what a factor must satisfy.
+    /// What a divisor must satisfy: its degrees, leading and last terms, and an image of it.
     fn may_be_divisible_by(&self, divisor: &Self) -> bool {
-        let (mine, theirs) = (self.degrees(), divisor.degrees());
-        let fits = |(variable, degree): (usize, &u32)| mine.get(variable).copied().unwrap_or(0) >= *degree;
-        if !theirs.iter().enumerate().all(fits) {
-            return false;
-        }
         let layout = self.layout.join(divisor.layout);
         let (left, right) = (self.monomials_on(layout), divisor.monomials_on(layout));
         let last = |polynomial: &Self| polynomial.term_count() - 1;
-        [(0, 0), (last(self), last(divisor))].into_iter().all(|(i, j)| {
+        for (i, j) in [(0, 0), (last(self), last(divisor))] {
             let a = &left[i * layout.words..(i + 1) * layout.words];
             let b = &right[j * layout.words..(j + 1) * layout.words];
-            quotient(layout, a, b).is_some()
-                && self.coefficients.get(i).is_multiple_of(&divisor.coefficients.get(j))
-        })
+            let numbers = (self.coefficients.get(i), divisor.coefficients.get(j));
+            if !is_multiple(layout, a, b) || !numbers.0.is_multiple_of(&numbers.1) {
+                return false;
+            }
+        }
+        let (mine, theirs) = (self.degrees(), divisor.degrees());
+        let mut main = None;
+        for (variable, &degree) in theirs.iter().enumerate() {
+            if mine.get(variable).copied().unwrap_or(0) < degree {
+                return false;
+            }
+            if degree != 0 && main.is_none_or(|(_, least)| mine[variable] < least) {
+                main = Some((variable as u32, mine[variable]));
+            }
+        }
+        // Quotients of a few terms are found out as quickly as images.
+        let Some((main, degree)) = main else { return true };
+        if degree > LONGEST_IMAGE || self.term_count() < 2 * divisor.term_count() {
+            return true;
+        }
+        let value = |variable| coordinate(u64::from(variable));
+        divides(&divisor.image(main, value), self.image(main, value))
     }
 
-    /// Long division in the lexicographic order.
-    fn divide_by_leading_terms(&self, divisor: &Self) -> Option<Self> {
-        let mut rest = self.clone();
-        let mut quotients = Vec::new();
-        while !rest.is_zero() {
-            let layout = rest.layout.join(divisor.layout);
-            let (left, right) = (rest.monomials_on(layout), divisor.monomials_on(layout));
-            let monomial = quotient(layout, &left[..layout.words], &right[..layout.words])?;
-            let (number, remainder) = rest.leading_coefficient().div_rem(&divisor.leading_coefficient());
-            if remainder != BigInt::ZERO {
-                return None;
-            }
-            let term = (layout.unpack(&monomial), number);
-            let one = Self::one();
-            let next = Self::from_terms([term.clone()]);
-            rest = Self::sum_of_products(&[(1, &rest, &one), (-1, &next, divisor)]);
-            quotients.push(term);
+    fn divide_on_rung<C: Coefficient>(&self, divisor: &Self) -> Outcome {
+        let layout = self.layout.join(divisor.layout);
+        let dividend = (self.monomials_on(layout), C::view(&self.coefficients));
+        let monomials = divisor.monomials_on(layout);
+        let numbers = C::view(&divisor.coefficients);
+        let (largest, sum) = (self.coefficients.norms().largest, divisor.coefficients.norms().sum);
+        if !C::holds(largest) && largest.is_some() {
+            return Outcome::Beyond;
         }
-        Some(Self::from_terms(quotients))
+        let mut reach = 0;
+        let mut rest = Rest::new(layout, &dividend.0, &dividend.1);
+        let (mut quotient, mut quotients) = (Vec::new(), Vec::new());
+        while let Some(number) = rest.pop() {
+            if !is_multiple(layout, rest.leading(), &monomials[..layout.words]) {
+                return Outcome::Remainder;
+            }
+            let Some(factor) = number.divided_by(&numbers[0]) else { return Outcome::Remainder };
+            // max|f| + max|q|·‖g‖₁
+            if let Some(size) = factor.size() {
+                reach = size.max(reach);
+                let bound = sum.and_then(|sum| sum.checked_mul(reach));
+                let bound = bound.zip(largest).and_then(|(bound, largest)| bound.checked_add(largest));
+                if !C::holds(bound) {
+                    return Outcome::Beyond;
+                }
+            }
+            let start = quotient.len();
+            for word in 0..layout.words {
+                quotient.push(rest.leading()[word] - monomials[word]);
+            }
+            if !rest.subtract(&quotient[start..], &factor, &monomials, &numbers) {
+                return Outcome::Remainder;
+            }
+            quotients.push(factor);
+        }
+        Outcome::Quotient(Self::settle(layout, quotient, quotients))
     }
 }
 
-/// a/b where b divides a: no field of the difference borrows into its guard.
-pub(super) fn quotient(layout: Layout, a: &[u64], b: &[u64]) -> Option<Vec<u64>> {
-    if compare(a, b).is_lt() {
-        return None;
-    }
+/// Images with more coefficients cost more than they save.
+const LONGEST_IMAGE: u32 = 1 << 10;
+
+/// Whether the monomial b divides a: no field of the difference borrows into its guard.
+pub(super) fn is_multiple(layout: Layout, a: &[u64], b: &[u64]) -> bool {
     let guards = layout.guards();
-    let mut words = Vec::with_capacity(a.len());
-    for index in 0..a.len() {
-        let difference = a[index].wrapping_sub(b[index]);
-        if difference & guards != 0 || a[index] < b[index] {
-            return None;
+    for word in 0..layout.words {
+        if a[word] < b[word] || (a[word] - b[word]) & guards != 0 {
+            return false;
         }
-        words.push(difference);
     }
-    Some(words)
+    compare(a, b).is_ge()
 }

@@ -1,6 +1,8 @@
 //! Greatest common divisors: contents first, then a cheap proof of coprimality by images, then remainders.
 
-use super::{Polynomial, modular};
+use super::Polynomial;
+use super::image::{self, coordinate};
+use super::interpolation::gcd_by_interpolation;
 use num_integer::Integer;
 
 impl Polynomial {
@@ -50,16 +52,19 @@ fn gcd_of_primitive(f: &Polynomial, g: &Polynomial) -> Polynomial {
     if let Some(&variable) = g_variables.iter().find(|variable| !f_variables.contains(variable)) {
         return gcd_with_coefficients(f, g, variable);
     }
-    if are_coprime_by_images(f, g, &f_variables) {
+    let Some(degrees) = common_degrees(f, g, &f_variables) else { return gcd_by_remainders(f, g) };
+    if degrees.iter().all(|&degree| degree == 0) {
         return Polynomial::one();
+    }
+    if let Some(index) = degrees.iter().position(|&degree| degree == 0) {
+        // The gcd does not contain this variable, so it divides every coefficient of its powers.
+        return gcd_with_coefficients(&content_in(f, f_variables[index]), g, f_variables[index]);
     }
     let (small, large) = if f.term_count() <= g.term_count() { (f, g) } else { (g, f) };
     if large.divide_exact(small).is_some() {
         return small.clone();
     }
-    let degree = |&&variable: &&u32| f.degree(variable).min(g.degree(variable));
-    let main = *f_variables.iter().min_by_key(degree).expect("it is not constant");
-    gcd_by_remainders(f, g, main)
+    gcd_by_interpolation(f, g, &f_variables, &degrees).unwrap_or_else(|| gcd_by_remainders(f, g))
 }
 
 /// gcd(f, coefficients of g in a variable that f does not contain).
@@ -90,59 +95,28 @@ pub(super) fn content_in(f: &Polynomial, variable: u32) -> Polynomial {
     content
 }
 
-/// Whether, for each variable, the images in that variable at a point are coprime modulo p while their
-/// leading coefficients survive. Then a common factor has degree 0 in each variable: f and g are coprime.
-fn are_coprime_by_images(f: &Polynomial, g: &Polynomial, variables: &[u32]) -> bool {
-    variables.iter().all(|&variable| {
-        let (Some(left), Some(right)) = (image(f, variable), image(g, variable)) else { return false };
-        common_degree(left, right) == 0
-    })
-}
-
-/// f at a fixed point modulo p but for one variable, densely from the constant term; `None` where the
-/// leading coefficient vanishes.
-fn image(f: &Polynomial, variable: u32) -> Option<Vec<u64>> {
-    let point: Vec<u64> = (0..f.layout.fields() as u64).map(coordinate).collect();
-    let mut image = vec![0; f.degree(variable) as usize + 1];
-    for (exponent, coefficient) in f.coefficients_in(variable) {
-        image[exponent as usize] = coefficient.evaluate_modular(&point);
-    }
-    (image.last() != Some(&0)).then_some(image)
-}
-
-/// A fixed, well mixed coordinate of the image point.
-fn coordinate(variable: u64) -> u64 {
-    let mut mixed = (variable + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-    modular::reduce(mixed ^ mixed >> 31)
-}
-
-/// The degree of the gcd of polynomials modulo p, by Euclid's algorithm.
-fn common_degree(mut f: Vec<u64>, mut g: Vec<u64>) -> usize {
-    while !g.is_empty() {
-        let inverse = modular::inverse(*g.last().expect("it is not empty")).expect("it is trimmed");
-        while f.len() >= g.len() {
-            let factor = modular::mul(*f.last().expect("it is not shorter"), inverse);
-            let shift = f.len() - g.len();
-            for (index, &coefficient) in g.iter().enumerate() {
-                f[shift + index] = modular::sub(f[shift + index], modular::mul(factor, coefficient));
-            }
-            trim(&mut f);
+/// For each variable a bound of the gcd's degree: the degree of the gcd of images at a point modulo p, which
+/// the gcd's image divides. `None` where a leading coefficient vanishes in both images.
+fn common_degrees(f: &Polynomial, g: &Polynomial, variables: &[u32]) -> Option<Vec<u32>> {
+    let mut degrees = Vec::with_capacity(variables.len());
+    for &variable in variables {
+        let value = |other| coordinate(u64::from(other));
+        let (left, right) = (f.image(variable, value), g.image(variable, value));
+        // One leading coefficient that survives keeps the degree of every factor.
+        let survives = |image: &image::Image, full: u32| image.len() == full as usize + 1;
+        if !survives(&left, f.degree(variable)) && !survives(&right, g.degree(variable)) {
+            return None;
         }
-        std::mem::swap(&mut f, &mut g);
+        degrees.push(image::gcd(left, right).len() as u32 - 1);
     }
-    f.len() - 1
+    Some(degrees)
 }
 
-fn trim(polynomial: &mut Vec<u64>) {
-    while polynomial.last() == Some(&0) {
-        polynomial.pop();
-    }
-}
-
-/// The primitive remainder sequence in a main variable, contents apart.
-fn gcd_by_remainders(f: &Polynomial, g: &Polynomial, main: u32) -> Polynomial {
+/// The primitive remainder sequence in the variable of least degree, contents apart.
+fn gcd_by_remainders(f: &Polynomial, g: &Polynomial) -> Polynomial {
+    let variables = f.variables();
+    let degree = |&&variable: &&u32| f.degree(variable).min(g.degree(variable));
+    let Some(&main) = variables.iter().min_by_key(degree) else { return Polynomial::one() };
     let (f_content, g_content) = (content_in(f, main), content_in(g, main));
     let content = f_content.gcd(&g_content);
     let mut f = f.divide_exact(&f_content).expect("its own content divides");

@@ -8,6 +8,7 @@
 //! ```
 //! Layout and rung are functions of the value, so equality and hashing compare what is stored. Variables are
 //! numbers from 0; terms are ordered lexicographically with variable 0 the greatest, the leading term first.
+//! A term takes room for every variable up to the polynomial's last, so variables are best numbered densely.
 //! Exponents reach 2³¹ − 1; callers that fear more, or more terms than fit in memory, ask
 //! [`Polynomial::product_size_bound`] and [`Polynomial::total_degree`] before they multiply.
 
@@ -17,6 +18,8 @@ mod coefficient;
 mod division;
 mod evaluation;
 mod gcd;
+mod image;
+mod interpolation;
 pub mod modular;
 mod monomial;
 mod product;

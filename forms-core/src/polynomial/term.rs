@@ -97,6 +97,17 @@ impl Polynomial {
         self.monomials.iter().all(|word| word & !low == 0)
     }
 
+    /// The bitwise union of one word of every monomial: in each field a bound of the exponents.
+    pub(super) fn union_of_word(&self, word: usize) -> u64 {
+        let mut union = 0;
+        let mut index = word;
+        while index < self.monomials.len() {
+            union |= self.monomials[index];
+            index += self.layout.words;
+        }
+        union
+    }
+
     /// The words up to the last one that is not zero everywhere.
     fn used_words(&self) -> usize {
         let mut words = self.layout.words;

@@ -1,28 +1,38 @@
 //! Rearrangements: derivatives, substitution, and the polynomial as one in some of its variables.
 
 use super::Polynomial;
-use super::coefficient::Coefficient;
+use super::coefficient::{Coefficient, Rung, on_rung};
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::Signed;
 use std::collections::BTreeMap;
 
 impl Polynomial {
     /// ∂f/∂x
     pub fn derivative(&self, variable: u32) -> Self {
         let Some((word, shift)) = self.layout.field(variable) else { return Self::zero() };
+        let largest = self.union_of_word(word) >> shift & self.layout.mask();
+        if largest == 0 {
+            return Self::zero();
+        }
+        let bound = self.coefficients.norms().largest.and_then(|norm| norm.checked_mul(u128::from(largest)));
+        on_rung!(Rung::for_bound(bound), C => self.derivative_on_rung::<C>(word, shift))
+    }
+
+    fn derivative_on_rung<C: Coefficient>(&self, word: usize, shift: u32) -> Self {
+        let numbers = C::view(&self.coefficients);
         let mut monomials = Vec::with_capacity(self.monomials.len());
-        let mut coefficients = Vec::with_capacity(self.term_count());
-        for term in 0..self.term_count() {
-            let exponent = self.layout.exponent(self.monomial(term), variable);
+        let mut derived = Vec::with_capacity(numbers.len());
+        for term in 0..numbers.len() {
+            let monomial = self.monomial(term);
+            let exponent = monomial[word] >> shift & self.layout.mask();
             if exponent != 0 {
                 let start = monomials.len();
-                monomials.extend_from_slice(self.monomial(term));
+                monomials.extend_from_slice(monomial);
                 monomials[start + word] -= 1 << shift;
-                coefficients.push(self.coefficients.get(term) * exponent);
+                derived.push(numbers[term].times(&C::from(exponent as i64)));
             }
         }
-        Self::settle::<BigInt>(self.layout, monomials, coefficients)
+        Self::settle(self.layout, monomials, derived)
     }
 
     /// The positive greatest common divisor of the coefficients; 0 for 0.
@@ -142,10 +152,5 @@ impl Polynomial {
             height = exponent;
         }
         if height == 0 { result } else { result.mul(&value.pow(height)) }
-    }
-
-    /// |c| for every coefficient is at most this; 0 for 0.
-    pub fn largest_coefficient(&self) -> BigInt {
-        BigInt::view(&self.coefficients).iter().map(Signed::abs).max().unwrap_or_default()
     }
 }

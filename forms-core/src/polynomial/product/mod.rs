@@ -1,0 +1,264 @@
+//! Products: Σ sₖ aₖ bₖ into one accumulator.
+//!
+//! ```text
+//! operands ─ bounds: rung, layout, box of exponents ─▶ one term times many: shifted, in order already
+//!                                                    ─▶ a few products: inserted one by one
+//!                                                    ─▶ a full box: dense, block by block
+//!                                                    ─▶ else: hash table, sorted once
+//! ```
+
+mod dense;
+mod insertion;
+mod rest;
+mod sparse;
+
+pub(super) use rest::Rest;
+
+use super::Polynomial;
+use super::coefficient::{Coefficient, Norms, Rung, on_rung};
+use super::monomial::{LARGEST_EXPONENT, Layout, compare};
+use std::borrow::Cow;
+use std::cmp::Ordering;
+
+/// One sₖ aₖ bₖ as callers give it.
+type Term<'a> = (i64, &'a Polynomial, &'a Polynomial);
+
+/// Packed terms on the layout and the rung of the result.
+struct Operand<'a, C: Coefficient> {
+    monomials: Cow<'a, [u64]>,
+    numbers: Cow<'a, [C]>,
+}
+
+/// One sₖ aₖ bₖ on the layout and the rung of the result.
+struct Pair<'a, C: Coefficient> {
+    factor: C,
+    left: Operand<'a, C>,
+    right: Operand<'a, C>,
+}
+
+impl<'a, C: Coefficient> Pair<'a, C> {
+    fn new(&(factor, left, right): &Term<'a>, layout: Layout) -> Self {
+        let operand = |polynomial: &'a Polynomial| Operand {
+            monomials: polynomial.monomials_on(layout),
+            numbers: C::view(&polynomial.coefficients),
+        };
+        Pair { factor: C::from(factor), left: operand(left), right: operand(right) }
+    }
+}
+
+impl Polynomial {
+    /// f·g
+    ///
+    /// # Panics
+    /// If an exponent of the product is beyond 2³¹ − 1.
+    pub fn mul(&self, other: &Self) -> Self {
+        Self::sum_of_products(&[(1, self, other)])
+    }
+
+    /// f²
+    ///
+    /// # Panics
+    /// If an exponent of the square is beyond 2³¹ − 1.
+    pub fn square(&self) -> Self {
+        self.mul(self)
+    }
+
+    /// fⁿ by repeated squaring, with f⁰ = 1.
+    ///
+    /// # Panics
+    /// If an exponent of the power is beyond 2³¹ − 1.
+    pub fn pow(&self, n: u32) -> Self {
+        if n == 0 {
+            return Self::one();
+        }
+        let mut result = self.clone();
+        for bit in (0..n.ilog2()).rev() {
+            result = result.square();
+            if n >> bit & 1 == 1 {
+                result = result.mul(self);
+            }
+        }
+        result
+    }
+
+    /// A bound of the number of terms of f·g: the lesser of the number of pairs of terms and the size of the
+    /// box of exponents ∏ (1 + degᵢ f + degᵢ g).
+    pub fn product_size_bound(&self, other: &Self) -> usize {
+        let pairs = self.term_count().saturating_mul(other.term_count());
+        let (left, right) = (self.degrees(), other.degrees());
+        let mut size = 1usize;
+        for variable in 0..left.len().max(right.len()) {
+            let degree = |degrees: &[u32]| degrees.get(variable).map_or(0, |&degree| degree as usize);
+            size = size.saturating_mul(1 + degree(&left) + degree(&right));
+        }
+        pairs.min(size)
+    }
+
+    /// Σ sₖ aₖ bₖ, collected in one accumulator.
+    ///
+    /// # Panics
+    /// If an exponent of a product is beyond 2³¹ − 1.
+    pub fn sum_of_products(terms: &[(i64, &Polynomial, &Polynomial)]) -> Self {
+        let layout = product_layout(terms);
+        on_rung!(product_rung(terms), C => {
+            if let [term] = terms {
+                accumulate::<C>(layout, &[Pair::new(term, layout)])
+            } else {
+                accumulate::<C>(layout, &pairs(terms, layout))
+            }
+        })
+    }
+
+    /// Whether Σ sₖ aₖ bₖ = 0. The leading and the last terms, which need no other products, answer most
+    /// often; otherwise everything is accumulated but nothing sorted.
+    ///
+    /// # Panics
+    /// If an exponent of a product is beyond 2³¹ − 1.
+    pub fn sum_of_products_is_zero(terms: &[(i64, &Polynomial, &Polynomial)]) -> bool {
+        let layout = product_layout(terms);
+        on_rung!(product_rung(terms), C => {
+            let pairs = pairs::<C>(terms, layout);
+            outermost_cancels(layout, &pairs, false)
+                && outermost_cancels(layout, &pairs, true)
+                && sparse::Table::sum(layout, &pairs).is_zero()
+        })
+    }
+}
+
+fn pairs<'a, C: Coefficient>(terms: &[Term<'a>], layout: Layout) -> Vec<Pair<'a, C>> {
+    let mut pairs = Vec::with_capacity(terms.len());
+    for term in terms {
+        if term.0 != 0 && !term.1.is_zero() && !term.2.is_zero() {
+            pairs.push(Pair::new(term, layout));
+        }
+    }
+    pairs
+}
+
+fn accumulate<C: Coefficient>(layout: Layout, pairs: &[Pair<'_, C>]) -> Polynomial {
+    if let [pair] = pairs {
+        let (left, right) = (pair.left.numbers.len(), pair.right.numbers.len());
+        if left == 0 || right == 0 || pair.factor.is_zero() {
+            return Polynomial::zero();
+        }
+        if left == 1 {
+            return shifted(layout, &pair.factor, &pair.left, &pair.right);
+        }
+        if right == 1 {
+            return shifted(layout, &pair.factor, &pair.right, &pair.left);
+        }
+    }
+    let products = count_products(pairs);
+    if products <= insertion::FEW {
+        return insertion::sum(layout, pairs, products);
+    }
+    match dense::Box::around(layout, pairs) {
+        Some(container) => container.sum(layout, pairs),
+        None => sparse::Table::sum(layout, pairs).into_polynomial(layout),
+    }
+}
+
+/// The number of products of terms.
+fn count_products<C: Coefficient>(pairs: &[Pair<'_, C>]) -> usize {
+    let mut products = 0usize;
+    for pair in pairs {
+        products = products.saturating_add(pair.left.numbers.len().saturating_mul(pair.right.numbers.len()));
+    }
+    products
+}
+
+/// c·m·f for a single term c·m: the order of terms stays.
+fn shifted<C: Coefficient>(
+    layout: Layout,
+    factor: &C,
+    term: &Operand<'_, C>,
+    f: &Operand<'_, C>,
+) -> Polynomial {
+    let words = layout.words;
+    let factor = factor.times(&term.numbers[0]);
+    let mut monomials = Vec::with_capacity(f.monomials.len());
+    let mut numbers = Vec::with_capacity(f.numbers.len());
+    for index in 0..f.numbers.len() {
+        for word in 0..words {
+            monomials.push(f.monomials[index * words + word] + term.monomials[word]);
+        }
+        numbers.push(f.numbers[index].times(&factor));
+    }
+    Polynomial::settle(layout, monomials, numbers)
+}
+
+/// Whether the leading terms (or the last ones) of the products cancel: no other product of terms reaches the
+/// greatest (least) monomial among them.
+fn outermost_cancels<C: Coefficient>(layout: Layout, pairs: &[Pair<'_, C>], last: bool) -> bool {
+    let words = layout.words;
+    let mut outermost: Vec<u64> = Vec::new();
+    let mut sum = C::zero();
+    let mut product = vec![0; words];
+    for (index, pair) in pairs.iter().enumerate() {
+        let i = if last { pair.left.numbers.len() - 1 } else { 0 };
+        let j = if last { pair.right.numbers.len() - 1 } else { 0 };
+        for (word, sum) in product.iter_mut().enumerate() {
+            *sum = pair.left.monomials[i * words + word] + pair.right.monomials[j * words + word];
+        }
+        let further = if last { Ordering::Less } else { Ordering::Greater };
+        let order = if index == 0 { further } else { compare(&product, &outermost) };
+        if order == further {
+            outermost.clone_from(&product);
+            sum = C::zero();
+        }
+        if order == further || order == Ordering::Equal {
+            sum.add_product(&pair.factor.times(&pair.left.numbers[i]), &pair.right.numbers[j]);
+        }
+    }
+    sum.is_zero()
+}
+
+/// The narrowest layout on which no product of the sum carries from one field into the next.
+fn product_layout(terms: &[Term<'_>]) -> Layout {
+    let mut layout = Layout::CONSTANT;
+    for &(_, a, b) in terms {
+        let mut joined = a.layout.join(b.layout);
+        if may_reach_guards(a, b) {
+            if joined.bits == 32 {
+                assert!(exponents_fit(a, b), "an exponent of a product is beyond 2^31 - 1");
+            } else {
+                let bits = joined.bits * 2;
+                joined = Layout { bits, words: joined.words_at(bits) };
+            }
+        }
+        layout = layout.join(joined);
+    }
+    layout
+}
+
+/// Whether a bitwise bound of some exponent of a·b reaches the guard of the wider layout's fields.
+fn may_reach_guards(a: &Polynomial, b: &Polynomial) -> bool {
+    let (wide, narrow) = if a.layout.bits >= b.layout.bits { (a, b) } else { (b, a) };
+    let guards = wide.layout.guards();
+    if wide.layout.bits > narrow.layout.bits {
+        // With e < 2^(w−2) and e′ < 2^(n−1) ≤ 2^(w−2) the sum is below the guard 2^(w−1).
+        return wide.monomials.iter().any(|word| word & (guards >> 1) != 0);
+    }
+    for word in 0..wide.layout.words.min(narrow.layout.words) {
+        if (wide.union_of_word(word) + narrow.union_of_word(word)) & guards != 0 {
+            return true;
+        }
+    }
+    false
+}
+
+fn exponents_fit(a: &Polynomial, b: &Polynomial) -> bool {
+    let (left, right) = (a.degrees(), b.degrees());
+    left.iter().zip(&right).all(|(&left, &right)| left <= LARGEST_EXPONENT - right)
+}
+
+/// The lowest rung that holds every coefficient of the sum: Σ |sₖ| min(max|aₖ|·‖bₖ‖₁, max|bₖ|·‖aₖ‖₁).
+fn product_rung(terms: &[Term<'_>]) -> Rung {
+    let mut bound = Some(0u128);
+    for &(factor, a, b) in terms {
+        let product = Norms::of_product(a.coefficients.norms(), b.coefficients.norms());
+        let scaled = product.and_then(|product| product.checked_mul(u128::from(factor.unsigned_abs())));
+        bound = bound.zip(scaled).and_then(|(bound, scaled)| bound.checked_add(scaled));
+    }
+    Rung::for_bound(bound)
+}
