@@ -1,0 +1,68 @@
+//! Whether expressions vanish: by the normal form, and independently by enclosures at exact points.
+
+use super::scene::World;
+use forms_core::enclosure::{Enclosure, Precision, enclose};
+use forms_core::expression::{Expr, FunctionId, Rational};
+use forms_core::normal::{Fraction, Tower, Trigonometry, normalise};
+
+const PRECISION: Precision = Precision(160);
+
+/// What has to be zero on a thousandth of a thousandth of a thousandth.
+fn tiny() -> Rational {
+    Rational::new(1.into(), 1_000_000_000.into())
+}
+
+/// Whether every expression has the normal form zero.
+pub fn vanish_exactly(world: &World, expressions: &[Expr]) -> bool {
+    let mut tower = Tower::new(Trigonometry::Circle);
+    let prepared =
+        normalise(&mut tower, &world.pool, expressions).expect("the coefficients are in the class");
+    prepared.exact(&mut tower, &world.pool).expect("the coefficients are small").iter().all(Fraction::is_zero)
+}
+
+/// Whether every expression is zero, to many digits, at points where all are defined; nothing if none was found.
+pub fn vanish_numerically(world: &World, expressions: &[Expr]) -> Option<bool> {
+    let mut seen = false;
+    for number in 1..=4 {
+        let values = values_at(world, expressions, number);
+        let Some(values) = values.into_iter().collect::<Option<Vec<Enclosure>>>() else { continue };
+        if values.iter().any(|value| !value.contains_zero()) {
+            return Some(false);
+        }
+        seen |= values.iter().all(|value| value.width() < tiny());
+    }
+    seen.then_some(true)
+}
+
+/// The unknown functions stand for exp(Σ cᵢ xᵢ), whose derivatives are products of the cᵢ times itself.
+fn values_at(world: &World, expressions: &[Expr], number: i64) -> Vec<Option<Enclosure>> {
+    let exact = |value: &Rational| Enclosure::exact(value, PRECISION);
+    let value_of = |symbol| {
+        let place = world.symbols.iter().position(|known| *known == symbol)? as i64;
+        Some(exact(&Rational::new((3 * place + 2 * number - 4 * (place % 2) * number + 1).into(), 7.into())))
+    };
+    let mut jet = |function: FunctionId, orders: &[u32], arguments: &[Enclosure]| {
+        let shift = i64::from(function == world.functions[0]);
+        let (mut exponent, mut factor) = (Enclosure::integer(0, PRECISION), Enclosure::integer(1, PRECISION));
+        for (place, (order, argument)) in orders.iter().zip(arguments).enumerate() {
+            let slope = exact(&Rational::new((2 * shift - place as i64 + 3).into(), 11.into()));
+            exponent = exponent.add(&slope.mul(argument));
+            for _ in 0..*order {
+                factor = factor.mul(&slope);
+            }
+        }
+        exponent.exp().ok().map(|value| value.mul(&factor))
+    };
+    let values = enclose(&world.pool, expressions, &value_of, &mut jet, PRECISION);
+    values.into_iter().map(Result::ok).collect()
+}
+
+/// Both answers, which must be one.
+pub fn vanish(world: &World, expressions: &[Expr]) -> bool {
+    let exactly = vanish_exactly(world, expressions);
+    if let Some(numerically) = vanish_numerically(world, expressions) {
+        let texts = world.pool.texts(expressions);
+        assert_eq!(exactly, numerically, "normal form and enclosure disagree on {texts:?}");
+    }
+    exactly
+}

@@ -1,0 +1,14 @@
+//! Laws of the calculus and of the prover, and mutants that each of them must reject.
+
+mod algebra;
+mod coefficients;
+mod equality;
+mod holding;
+mod identities;
+mod law;
+mod mutants;
+mod normal_forms;
+mod permutations;
+mod rejecting;
+mod scene;
+mod traps;

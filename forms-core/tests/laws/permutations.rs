@@ -1,0 +1,149 @@
+//! Wedge product and derivative once more, by permutation sums on antisymmetric tensors: slow, and nothing
+//! shared with the calculus but the coefficients.
+
+use super::equality::vanish;
+use super::scene::{World, draft};
+use forms_core::calculus::{Blade, Coordinate, Form, exterior_derivative, wedge};
+use forms_core::expression::Expr;
+use proptest::prelude::*;
+use std::collections::HashMap;
+
+/// Every component T_{i₁…iₖ}, the indices in any order.
+type Tensor = HashMap<Vec<usize>, Expr>;
+
+/// All orders of k things, each with its sign.
+fn permutations(k: usize) -> Vec<(i64, Vec<usize>)> {
+    if k == 0 {
+        return vec![(1, vec![])];
+    }
+    let mut all = Vec::new();
+    for (sign, shorter) in permutations(k - 1) {
+        for place in 0..k {
+            let mut order = shorter.clone();
+            order.insert(place, k - 1);
+            let swaps = k - 1 - place;
+            all.push((if swaps % 2 == 0 { sign } else { -sign }, order));
+        }
+    }
+    all
+}
+
+fn indices(dimension: usize, k: usize) -> Vec<Vec<usize>> {
+    (0..k).fold(vec![vec![]], |all, _| {
+        all.iter().flat_map(|start| (0..dimension).map(move |i| [start.clone(), vec![i]].concat())).collect()
+    })
+}
+
+fn tensor(world: &mut World, form: &Form<Expr>) -> Tensor {
+    let mut tensor = Tensor::new();
+    for (blade, value) in form.terms() {
+        let places: Vec<usize> = blade.coordinates().map(|coordinate| coordinate.0 as usize).collect();
+        for (sign, order) in permutations(places.len()) {
+            let component = if sign < 0 { world.pool.negate(*value) } else { *value };
+            tensor.insert(order.iter().map(|&i| places[i]).collect(), component);
+        }
+    }
+    tensor
+}
+
+/// (a∧b)_{i₁…i_{p+q}} = 1/(p! q!) Σ_σ sgn σ a_{i_σ(1)…i_σ(p)} b_{i_σ(p+1)…}
+fn slow_wedge(world: &mut World, (a, p): (&Tensor, usize), (b, q): (&Tensor, usize)) -> Tensor {
+    let factorial = |n: usize| (1..=n as i64).product::<i64>();
+    let share = world.pool.ratio(1, factorial(p) * factorial(q));
+    let mut product = Tensor::new();
+    for index in indices(world.symbols.len(), p + q) {
+        let mut sum = world.pool.integer(0);
+        for (sign, order) in permutations(p + q) {
+            let moved: Vec<usize> = order.iter().map(|&place| index[place]).collect();
+            let (Some(&left), Some(&right)) = (a.get(&moved[..p]), b.get(&moved[p..])) else { continue };
+            let term = world.pool.multiply(left, right);
+            let term = if sign < 0 { world.pool.negate(term) } else { term };
+            sum = world.pool.add(sum, term);
+        }
+        let value = world.pool.multiply(share, sum);
+        product.insert(index, value);
+    }
+    product
+}
+
+/// (dw)_{i₀…iₖ} = Σⱼ (−1)ʲ ∂_{iⱼ} w_{i₀…îⱼ…iₖ}
+fn slow_derivative(world: &mut World, (w, k): (&Tensor, usize)) -> Tensor {
+    let mut derivative = Tensor::new();
+    for index in indices(world.symbols.len(), k + 1) {
+        let mut sum = world.pool.integer(0);
+        for place in 0..=k {
+            let rest: Vec<usize> = [&index[..place], &index[place + 1..]].concat();
+            let Some(&component) = w.get(&rest) else { continue };
+            let term = world.pool.derivative(component, world.symbols[index[place]]);
+            let term = if place % 2 == 1 { world.pool.negate(term) } else { term };
+            sum = world.pool.add(sum, term);
+        }
+        derivative.insert(index, sum);
+    }
+    derivative
+}
+
+/// What a form and a tensor differ by, at every index in every order.
+fn differences(world: &mut World, form: &Form<Expr>, slow: &Tensor) -> Vec<Expr> {
+    let fast = tensor(world, form);
+    let zero = world.pool.integer(0);
+    slow.iter()
+        .map(|(index, &value)| world.pool.subtract(fast.get(index).copied().unwrap_or(zero), value))
+        .filter(|&difference| difference != zero)
+        .collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 16, ..ProptestConfig::with_source_file(file!()) })]
+
+    #[test]
+    fn the_wedge_product_is_the_permutation_sum(draft in draft()) {
+        let mut world = draft.world();
+        let scene = draft.scene(&mut world);
+        let fast = wedge(&mut world.ring(), &scene.a, &scene.b);
+        let (a, b) = (tensor(&mut world, &scene.a), tensor(&mut world, &scene.b));
+        let slow = slow_wedge(
+            &mut world,
+            (&a, scene.a.degree() as usize),
+            (&b, scene.b.degree() as usize),
+        );
+        let defects = differences(&mut world, &fast, &slow);
+        prop_assert!(vanish(&world, &defects));
+    }
+
+    #[test]
+    fn the_derivative_is_the_alternating_sum(draft in draft()) {
+        let mut world = draft.world();
+        let scene = draft.scene(&mut world);
+        let fast = exterior_derivative(&mut world.ring(), &scene.b, &scene.coordinates);
+        let b = tensor(&mut world, &scene.b);
+        let slow = slow_derivative(&mut world, (&b, scene.b.degree() as usize));
+        let defects = differences(&mut world, &fast, &slow);
+        prop_assert!(vanish(&world, &defects));
+    }
+}
+
+#[test]
+fn the_permutations_of_three_things_have_their_signs() {
+    let mut all = permutations(3);
+    all.sort_by(|a, b| a.1.cmp(&b.1));
+    let expected = [
+        (1, vec![0, 1, 2]),
+        (-1, vec![0, 2, 1]),
+        (-1, vec![1, 0, 2]),
+        (1, vec![1, 2, 0]),
+        (1, vec![2, 0, 1]),
+        (-1, vec![2, 1, 0]),
+    ];
+    assert_eq!(all, expected);
+}
+
+#[test]
+fn a_blade_is_its_antisymmetric_tensor() {
+    let mut world = World::new(3);
+    let one = world.pool.integer(1);
+    let blade = Blade::of(Coordinate(0)).wedge(Blade::of(Coordinate(2))).unwrap().0;
+    let form = Form::monomial(&world.ring(), blade, one);
+    let minus = world.pool.negate(one);
+    assert_eq!(tensor(&mut world, &form), HashMap::from([(vec![0, 2], one), (vec![2, 0], minus)]));
+}

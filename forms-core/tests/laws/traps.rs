@@ -1,0 +1,250 @@
+//! Statements at which provers go wrong, each with its verdict: roots of squares, signs within signs, degenerate
+//! points, conditions that nothing meets.
+
+use forms_core::decide::decide;
+use forms_core::resolve::resolve;
+use forms_core::syntax::read;
+
+const PREAMBLE: &str = "
+    chart R3(x, y, z);
+    chart Polar(r, theta) where r > 0, 0 < theta < pi;
+    chart Quadrant(a, b) where a > 0, b > 0;
+    chart Left(s, t) where s < 0;
+    chart Plane(u, v);
+    param k, n where n > 0;
+    fn f(x); fn g(x, y); fn h(x) where h > 0;
+    map polar: Polar -> Quadrant = (r*cos(theta), r*sin(theta));
+    map squares: Plane -> Quadrant = (u**2, v**2);
+    map shifted: Plane -> Left = (u**2 - 4, v);
+";
+
+/// Asserts the verdict of every statement of a table.
+fn assert_verdicts(expected: &str, statements: &[&str]) {
+    let mut text = PREAMBLE.to_string();
+    for (number, statement) in statements.iter().enumerate() {
+        text.push_str(&format!("prove trap_{number}: {statement};\n"));
+    }
+    let (file, errors) = read(&text);
+    assert_eq!(errors, [], "{text}");
+    let (mut theory, errors) = resolve(&file);
+    assert_eq!(errors, [], "{text}");
+    let mut wrong = Vec::new();
+    for (statement, written) in theory.statements.clone().iter().zip(statements) {
+        let verdict = decide(&mut theory, statement);
+        if verdict.name() != expected {
+            wrong.push(format!("{written}\n    {verdict:?}"));
+        }
+    }
+    assert!(wrong.is_empty(), "not {expected}:\n{}", wrong.join("\n"));
+}
+
+/// Neither answer that would be wrong is given; `unknown` is no mistake.
+fn assert_never(wrong: &str, statements: &[&str]) {
+    for statement in statements {
+        let text = format!("{PREAMBLE} prove trap: {statement};");
+        let (mut theory, errors) = resolve(&read(&text).0);
+        assert_eq!(errors, [], "{statement}");
+        let verdict = decide(&mut theory, &theory.statements[0].clone());
+        assert_ne!(verdict.name(), wrong, "{statement}: {verdict:?}");
+    }
+}
+
+#[test]
+fn a_root_of_a_power_is_not_its_base() {
+    assert_verdicts(
+        "refuted",
+        &[
+            "sqrt(x**2) == x",
+            "(x**6)**(1/6) == x",
+            "(x**4)**(1/4) == x",
+            "sqrt(sqrt(x**4)) == x",
+            "sqrt(x**2*y) == x*sqrt(y)",
+            "(x**2)**(3/4) == x*sqrt(abs(x))",
+            "abs(x**3)**(1/3) == x",
+            "sqrt(abs(x)**3) == x*sqrt(abs(x))",
+            "abs(x*sqrt(abs(x))) == x*sqrt(abs(x))",
+            "sqrt(x*y)*sqrt(y*z) == y*sqrt(x*z)",
+            "sqrt(x*y)*sqrt(y*z)*sqrt(z*x) == x*y*z",
+            "sqrt((x - y)**2) == x - y where x > 0, y > 0",
+            "abs(x)*y == x*abs(y)",
+            "sqrt(k**2) == k",
+            "x**(1/2) == x**(1/4)",
+        ],
+    );
+    assert_verdicts(
+        "proved",
+        &[
+            "sqrt(x**2) == abs(x)",
+            "sqrt(x**2) == x where x >= 0",
+            "sqrt(x**2) == -x where x < 0",
+            "(x**6)**(1/6) == abs(x)",
+            "(x**3)**(1/3) == x",
+            "sqrt(sqrt(x**4)) == abs(x)",
+            "(x**2)**(1/4) == sqrt(abs(x))",
+            "x**(1/3)*x**(2/3) == x",
+            "(x**2)**(1/3) == x**(2/3)",
+            "sqrt(x)**2 == abs(x)",
+            "sqrt(x)*sqrt(y) == sqrt(x*y)",
+            "sqrt(x*y)*sqrt(y*z)*sqrt(z*x) == abs(x*y*z)",
+            "sqrt((x - y)**2) == x - y where x > y",
+            "abs(x) + abs(y) == abs(x + y) where x*y >= 0",
+            "sqrt(x**2 + 2*x*y + y**2) == abs(x + y)",
+            "sqrt(n**2) == n",
+        ],
+    );
+}
+
+#[test]
+fn a_sign_within_a_sign_is_not_taken_for_granted() {
+    assert_verdicts(
+        "refuted",
+        &[
+            "sqrt(x**2) == x where abs(x) > 1",
+            "sqrt(x**2) == x where sqrt(abs(x) - 1) > 3",
+            "sqrt(x**2 - 2*abs(x) + 1) == x - 1 where abs(x) > 1",
+            "(abs(abs(x) - 1) - (x + 1))*(x - abs(x)) == 0",
+            "sqrt((abs(x) - abs(y))**2) == abs(x) - abs(y)",
+            "abs(x) == x where abs(x) - y > 0, y > 1",
+            "sqrt(y**2) == y where x*y*sqrt(abs(x)) > 0",
+            "f(sqrt(x**2)) == f(x) where abs(x) > 1",
+        ],
+    );
+    assert_verdicts(
+        "proved",
+        &[
+            "sqrt(x**2 - 2*abs(x) + 1) == abs(abs(x) - 1)",
+            "abs(x) == -x where abs(x) - x > 0",
+            "abs(abs(x) - abs(y)) == abs(x + y) where x*y < 0",
+            "abs(abs(x)) == abs(x)",
+            "f(abs(x)) == f(x) where x >= 0",
+        ],
+    );
+    assert_never("proved", &["(abs(abs(x) - 1000) - (x + 1000))*(x - abs(x)) == 0"]);
+    assert_never("empty", &["abs(x) == -x where abs(x) - x > 1000000"]);
+}
+
+#[test]
+fn mixed_signs_and_degenerate_points_count() {
+    // at x = 0 a product says nothing of the sign of y
+    assert_never(
+        "proved",
+        &[
+            "sqrt(x*y) + y == sqrt(x)*sqrt(abs(y)) + abs(y) where x >= 0",
+            "sqrt(x)*sqrt(x*y) + y == x*sqrt(abs(y)) + abs(y)",
+            "abs(y) == y where x >= 0, x*y >= 0",
+            "sqrt(x*sqrt(-x)) == 5",
+        ],
+    );
+    assert_never(
+        "refuted",
+        &[
+            "sqrt(x*sqrt(-x)) == 0",
+            "sqrt(x*y) == sqrt(-x)*sqrt(-y) where x <= 0, x*y >= 0, y <= 0",
+            "sqrt(x)*sqrt(x*y)/sqrt(abs(y)) == x where x >= 0",
+        ],
+    );
+    assert_verdicts("proved", &["sqrt(x*y) == sqrt(-x)*sqrt(-y) where x < 0", "x**2/x == x", "x/x == 1"]);
+}
+
+#[test]
+fn roots_of_trigonometric_squares_have_the_sign_of_the_half_angle() {
+    assert_verdicts(
+        "refuted",
+        &[
+            "sqrt(1 - sin(x)**2) == cos(x)",
+            "sqrt(sin(x)**2) == sin(x) where 0 < x < 2*pi",
+            "abs(sin(x)) == sin(x) where cos(x) < 1",
+            "sqrt(1 - cos(x)) == sqrt(2)*sin(x/2)",
+            "sqrt(1 + cos(x)) == sqrt(2)*cos(x/2)",
+            "sqrt((1 - cos(x))/(1 + cos(x))) == tan(x/2)",
+            "sqrt(1 + sin(x)) == sin(x/2) + cos(x/2)",
+            "tan(x/2) == sin(x)/(1 - cos(x))",
+            "cos(x/2)**2 == (1 + sin(x))/2",
+            "sin(x + pi/2) == sin(x)",
+            "sqrt(sinh(x)**2) == sinh(x)",
+            "sqrt(cosh(x)**2 - 1) == sinh(x)",
+            "abs(exp(x) - 1) == exp(x) - 1",
+        ],
+    );
+    assert_verdicts(
+        "proved",
+        &[
+            "sqrt(1 - sin(x)**2) == abs(cos(x))",
+            "sqrt(sin(theta)**2) == sin(theta)",
+            "sqrt(1 - cos(theta)) == sqrt(2)*sin(theta/2)",
+            "sqrt((1 - cos(x))/(1 + cos(x))) == abs(tan(x/2))",
+            "sqrt(1 + sin(x)) == abs(sin(x/2) + cos(x/2))",
+            "tan(x/2) == sin(x)/(1 + cos(x))",
+            "sin(x + pi) == -sin(x)",
+            "sin(3*x) == 3*sin(x) - 4*sin(x)**3",
+            "sqrt(cosh(x)**2 - 1) == abs(sinh(x))",
+            "sqrt(exp(2*x)) == exp(x)",
+        ],
+    );
+}
+
+#[test]
+fn conditions_of_charts_and_functions_travel_with_maps() {
+    assert_verdicts(
+        "proved",
+        &[
+            "pullback(polar, sqrt(a**2)) == r*cos(theta)",
+            "pullback(polar, a**2 + b**2) == r**2",
+            "pullback(squares, sqrt(a*b)) == abs(u*v)",
+            "pullback(shifted, abs(s)) == 4 - u**2",
+            "abs(s) == -s",
+            "abs(h(2*x)) == h(2*x)",
+            "f(sqrt(2)*x) == f(2*x/sqrt(2))",
+        ],
+    );
+    assert_verdicts(
+        "refuted",
+        &[
+            "pullback(squares, sqrt(a*b)) == u*v",
+            "pullback(shifted, abs(s)) == u**2 - 4",
+            "abs(s*t) == s*t",
+            "f(abs(x)) == f(x)",
+            "f(x) == f(y)",
+            "g(x, y) == g(y, x)",
+            "abs(f) == f",
+        ],
+    );
+}
+
+#[test]
+fn a_statement_that_speaks_of_no_point_is_empty() {
+    assert_verdicts(
+        "empty",
+        &[
+            "log(-x**2) == 5",
+            "sqrt(-1 - x**2) == 1",
+            "x == x where x > 1, x < 0",
+            "x == 5 where x**2 < 0",
+            "x == 1 where abs(x) < -1",
+            "x == x + 1 where abs(x) - x > 0, x > 0",
+        ],
+    );
+    // neither proved nor refuted where emptiness is not seen
+    for wrong in ["proved", "refuted"] {
+        assert_never(
+            wrong,
+            &[
+                "x == 5 where x > y, y > z, z > x",
+                "x == x + 1 where sin(x) > 2",
+                "x == x where x > y, y > x",
+                "x/(log(y**2) - 2*log(y)) == 1",
+            ],
+        );
+    }
+}
+
+#[test]
+fn an_integral_that_may_run_backwards_knows_no_sign_inside() {
+    let text = format!("{PREAMBLE} refute backwards: integral(abs(u), u = 0..k) == k**2/2;");
+    let (_, errors) = resolve(&read(&text).0);
+    assert_eq!(errors.len(), 1, "{errors:?}");
+    assert_verdicts(
+        "proved",
+        &["integral(abs(u), u = 0..n) == n**2/2", "integral(abs(u - 2), u = 0..1) == 3/2"],
+    );
+}
