@@ -16,6 +16,9 @@ const LONGEST_STATEMENT: usize = 120;
 const EXPENSIVE: &[&str] =
     &["triangle_gradient", "sampling_densities", "half_vectors", "integrals", "lie_and_cartan"];
 
+/// The tokens `prove name:` before a statement's equation.
+const HEAD: usize = 3;
+
 /// The declarations of a file before a statement, and the tokens of the statement.
 struct Seed {
     name: String,
@@ -76,18 +79,47 @@ impl Random {
     }
 }
 
+/// A statement with up to three wounds behind its name. Most put a name for a name, a number for a number or an
+/// operator for an operator, so that many a statement still makes sense.
 fn damaged(seed: &Seed, random: &mut Random) -> String {
     let mut statement = seed.statement.clone();
     for _ in 0..=random.below(3) {
-        let (one, other) = (random.below(statement.len()), random.below(statement.len()));
-        match random.below(4) {
-            0 if statement.len() > 1 => drop(statement.remove(one)),
+        let body = HEAD..statement.len() - 1;
+        if body.len() < 2 {
+            break;
+        }
+        let (one, other) = (HEAD + random.below(body.len()), HEAD + random.below(body.len()));
+        match random.below(16) {
+            0 => drop(statement.remove(one)),
             1 => statement.insert(one, statement[other].clone()),
             2 => statement.swap(one, other),
-            _ => statement[one] = seed.vocabulary[random.below(seed.vocabulary.len())].clone(),
+            3 => statement[one] = seed.vocabulary[random.below(seed.vocabulary.len())].clone(),
+            _ => {
+                let kind = kind(&statement[one]);
+                let alike: Vec<&String> =
+                    seed.vocabulary.iter().filter(|word| self::kind(word) == kind).collect();
+                if !alike.is_empty() {
+                    statement[one] = alike[random.below(alike.len())].clone();
+                }
+            }
         }
     }
     format!("{}\n{}", seed.declarations, statement.join(" "))
+}
+
+/// What kind of token a word is, roughly: the places it may stand in.
+fn kind(word: &str) -> u8 {
+    let first = word.as_bytes().first().copied().unwrap_or_default();
+    let differential = word.len() > 1 && first == b'd';
+    match first {
+        b'0'..=b'9' => 0,
+        b'+' | b'-' | b'*' | b'/' | b'^' => 1,
+        b'a'..=b'z' | b'A'..=b'Z' if word.len() > 3 => 2,
+        b'a'..=b'z' if differential => 3,
+        b'a'..=b'z' => 4,
+        b'A'..=b'Z' => 5,
+        other => other,
+    }
 }
 
 /// Says which text was at fault when a test fails.
