@@ -41,7 +41,7 @@ impl Tower {
             || Obstacle::Outside(format!("an angle or exponent with the coefficient {coefficient}"));
         let needed = coefficient.denom().to_u32().filter(|d| *d <= LARGEST_MULTIPLE).ok_or_else(outside)?;
         let divisor = *self.divisors.entry(quantity.clone()).or_insert(needed);
-        if divisor % needed != 0 {
+        if !divisor.is_multiple_of(needed) {
             let finer = divisor.lcm(&needed);
             if finer > LARGEST_MULTIPLE {
                 return Err(outside());

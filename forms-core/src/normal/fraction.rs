@@ -61,6 +61,11 @@ impl Fraction {
         self.factors.is_empty().then_some(&self.numerator)
     }
 
+    /// The reduced numerator.
+    pub fn numerator(&self) -> &Polynomial {
+        &self.numerator
+    }
+
     /// Whether there is no denominator.
     pub(super) fn is_polynomial(&self) -> bool {
         self.divisor.is_one() && self.factors.is_empty()

@@ -84,7 +84,7 @@ impl Tower {
                 return Err(format!("the integrand is not polynomial or trigonometric in `{name}`"));
             };
             let number = |&(v, _): &(u32, u32)| v == x || *self.generator(v) == Generator::Pi;
-            let linear = unit.quantity.monomial.iter().any(|&power| power == (x, 1));
+            let linear = unit.quantity.monomial.contains(&(x, 1));
             if !linear || !unit.quantity.factors.is_empty() || !unit.quantity.monomial.iter().all(number) {
                 return Err(format!("an angle is not a number times `{name}`"));
             }
