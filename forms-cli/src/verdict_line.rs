@@ -1,8 +1,8 @@
 //! A statement with its verdict, for a person to read.
 
-use crate::layout::{duration, wrap};
+use crate::layout::{duration, few_digits, wrap};
 use crate::palette::Palette;
-use forms::core::decide::Verdict;
+use forms::core::decide::{Verdict, Witness};
 use forms::core::resolve::Statement;
 use forms::core::syntax::ast::Claim;
 use std::time::Duration;
@@ -67,11 +67,17 @@ impl Decided<'_> {
         let text = match &self.verdict {
             Verdict::Proved(theorem) if theorem.conditions.is_empty() => return vec![],
             Verdict::Proved(theorem) => format!("where {}", listed(&theorem.conditions)),
-            Verdict::Refuted(witness) => witness.to_string(),
+            Verdict::Refuted(witness) => in_short(witness).to_string(),
             Verdict::Unknown { reason } | Verdict::Empty { reason } => reason.clone(),
         };
         wrap(&text, INDENT).iter().map(|line| palette.quiet(line)).collect()
     }
+}
+
+/// The witness with the first figures of both sides.
+fn in_short(witness: &Witness) -> Witness {
+    let (left, right) = (few_digits(&witness.left), few_digits(&witness.right));
+    Witness { left, right, ..witness.clone() }
 }
 
 /// Conditions one after the other; those that would make the list long are only counted.

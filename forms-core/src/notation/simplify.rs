@@ -1,23 +1,16 @@
 //! Simplification: an expression's normal form, raised back to an expression.
 
 use crate::calculus::Structured;
+use crate::decide::simplified;
 use crate::expression::{Expr, Pool};
-use crate::normal::{Tower, Trigonometry, normalise};
 use crate::resolve::{Theory, Value};
 
 /// The expression in its simplest known form: its normal form where it has one that is shorter than what was written,
 /// else what was written. Both have the same value wherever the original is defined.
 pub fn simplify_expression(pool: &mut Pool, expression: Expr) -> Expr {
-    let Some(simplified) = normal_form(pool, expression) else { return expression };
+    let simplified = simplified(pool, expression);
     let texts = pool.texts(&[expression, simplified]);
     if texts[1].len() < texts[0].len() { simplified } else { expression }
-}
-
-fn normal_form(pool: &mut Pool, expression: Expr) -> Option<Expr> {
-    let mut tower = Tower::new(Trigonometry::Circle);
-    let normalised = normalise(&mut tower, pool, &[expression]).ok()?;
-    let fractions = normalised.exact(&mut tower, pool).ok()?;
-    fractions.first().map(|fraction| tower.raise(pool, fraction))
 }
 
 /// The value with every coefficient simplified; coefficients that vanish are left out.

@@ -2,7 +2,7 @@
 
 use super::heading;
 use crate::commands::prove::{Totals, timed};
-use crate::layout::{duration, wrap};
+use crate::layout::{duration, few_digits, wrap};
 use crate::palette::Palette;
 use crate::status::Status;
 use crate::theory_file::{complain, from_text};
@@ -15,8 +15,6 @@ use std::io::{self, Write};
 
 /// Where what belongs to a statement begins.
 const INDENT: usize = 6;
-/// How many characters of a value are shown.
-const DIGITS: usize = 9;
 
 /// Decides every statement and prints it with its time, then the printed equations that are wrong.
 pub(super) fn prove(palette: Palette, output: &mut dyn Write) -> io::Result<Status> {
@@ -72,7 +70,7 @@ fn as_printed(
             writeln!(output, "{}", palette.notable(&line))?;
         }
         if let Verdict::Refuted(witness) = &decided.verdict {
-            for line in wrap(&in_short(witness), INDENT) {
+            for line in wrap(&difference(witness), INDENT) {
                 writeln!(output, "{}", palette.quiet(&line))?;
             }
         }
@@ -81,13 +79,9 @@ fn as_printed(
 }
 
 /// Where the sides differ and their values there, to a few digits.
-fn in_short(witness: &Witness) -> String {
-    let few = |value: &str| match value.char_indices().nth(DIGITS) {
-        Some((end, _)) if value.contains('.') && !value.contains('e') => format!("{}…", &value[..end]),
-        _ => value.to_string(),
-    };
+fn difference(witness: &Witness) -> String {
     let point: Vec<String> = witness.point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-    format!("{} ≠ {} at {}", few(&witness.left), few(&witness.right), point.join(", "))
+    format!("{} ≠ {} at {}", few_digits(&witness.left), few_digits(&witness.right), point.join(", "))
 }
 
 /// The equation as it is written in its file, without its name.
