@@ -18,6 +18,9 @@ impl Tower {
     /// # Errors
     /// Where the derivative grows beyond the limit, or an opaque function without a rule occurs.
     pub fn derivative(&mut self, a: &Fraction, by: Symbol) -> Result<Fraction, Obstacle> {
+        if let Some(derivative) = self.plain_derivative(a, by)? {
+            return Ok(derivative);
+        }
         let numerator = self.derivative_of_polynomial(&a.numerator, by)?;
         if a.factors.is_empty() {
             return Ok(self.divide_by_integer(numerator, &a.divisor.clone()));
@@ -243,6 +246,27 @@ impl Coefficients for Normal<'_> {
     fn derivative(&mut self, a: &Fraction, by: Coordinate) -> Fraction {
         let derivative = self.tower.derivative(a, self.coordinates[by.0 as usize]);
         self.keep(derivative)
+    }
+
+    fn sum(&mut self, terms: &[(i8, Fraction)]) -> Fraction {
+        let alike = |(_, term): &(i8, Fraction)| {
+            let first = &terms[0].1;
+            term.factors == first.factors && term.divisor == first.divisor
+        };
+        if !terms.is_empty() && terms.iter().all(alike) {
+            let mut sum = Polynomial::zero();
+            for (sign, term) in terms {
+                sum = if *sign < 0 { sum.sub(&term.numerator) } else { sum.add(&term.numerator) };
+            }
+            let first = &terms[0].1;
+            return self.tower.cancel(sum, first.divisor.clone(), first.factors.clone());
+        }
+        let mut sum = Fraction::zero();
+        for (sign, term) in terms {
+            let signed = if *sign < 0 { self.tower.negate(term) } else { term.clone() };
+            sum = self.add(&sum, &signed);
+        }
+        sum
     }
 
     fn sum_of_products(&mut self, terms: &[(i8, &Fraction, &Fraction)]) -> Fraction {

@@ -8,6 +8,9 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed};
 
+/// The largest power that is kept as a factor; beyond it the power is refused or multiplied out.
+const LARGEST_FACTORED_POWER: i32 = 1024;
+
 /// N / (d ∏ Fᵉ) with d > 0 and known factors F. A factor above the line (e < 0) stays factored until a sum
 /// needs it multiplied out, so that it can cancel. Zero has neither d nor factors.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -179,6 +182,23 @@ impl Tower {
         let numerator =
             Polynomial::constant(if content.is_negative() { -&a.divisor } else { a.divisor.clone() });
         Ok(self.cancel(numerator, content.abs(), merge_powers(&above, &below)))
+    }
+
+    /// aⁿ with a sum in the numerator kept as a factor, so that it is multiplied out only where a sum needs it.
+    ///
+    /// # Errors
+    /// As for [`Tower::integer_power`].
+    pub(super) fn factored_power(&mut self, a: &Fraction, exponent: i64) -> Result<Fraction, Obstacle> {
+        let times = i32::try_from(exponent).ok().filter(|n| (2..=LARGEST_FACTORED_POWER).contains(n));
+        let Some(times) = times.filter(|_| a.numerator.term_count() > 1) else {
+            return self.integer_power(a, exponent);
+        };
+        let (content, parts) = self.split(&a.numerator)?;
+        let above: Vec<FactorPower> = parts.iter().map(|power| power.inverse()).collect();
+        let raise = |power: FactorPower| FactorPower { exponent: power.exponent * times, ..power };
+        let powers = merge_powers(&above, &a.factors).into_iter().map(raise).collect();
+        let numerator = Polynomial::constant(num_traits::pow(content, times as usize));
+        Ok(self.cancel(numerator, num_traits::pow(a.divisor.clone(), times as usize), powers))
     }
 
     /// aⁿ

@@ -18,6 +18,7 @@ mod filter;
 mod fraction;
 mod generator;
 mod normalise;
+mod quotient_rule;
 mod raise;
 mod root;
 mod terms;

@@ -176,7 +176,7 @@ impl Walk<'_> {
     fn power(&mut self, operand: Expr, exponent: Ratio<i64>) -> Result<Fraction, Obstacle> {
         let base = self.of(operand);
         if exponent.is_integer() {
-            return self.tower.integer_power(&base, *exponent.numer());
+            return self.tower.factored_power(&base, *exponent.numer());
         }
         if base.is_zero() {
             return if exponent.is_positive() { Ok(base) } else { Err(Obstacle::DivisionByZero) };

@@ -9,8 +9,8 @@ use forms_core::normal::{Tower, Trigonometry, normalise};
 fn is_proved_equal(formulas: &mut Formulas, a: Expr, b: Expr) -> bool {
     let difference = formulas.pool.subtract(a, b);
     let mut tower = Tower::new(Trigonometry::Circle);
-    let normalised = normalise(&mut tower, &mut formulas.pool, &[difference]);
-    let exact = normalised.and_then(|normalised| normalised.exact(&mut tower, &mut formulas.pool));
+    let normalised = normalise(&mut tower, &formulas.pool, &[difference]);
+    let exact = normalised.and_then(|normalised| normalised.exact(&mut tower, &formulas.pool));
     exact.is_ok_and(|fractions| fractions[0].is_zero())
 }
 
