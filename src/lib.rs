@@ -1,3 +1,97 @@
-//! Forms: exterior calculus that proves identities exactly and turns them into numeric kernels.
+//! Exterior calculus that proves identities about differential forms exactly and turns them into numeric code.
+//!
+//! A map and a form are written down once. Whatever is claimed of them is proved while the crate is compiled, or
+//! does not compile; what is to be computed becomes a plain function.
+//!
+//! ```
+//! forms::forms! {
+//!     chart UV(u, v);
+//!     chart R3(x, y, z) where x**2 + y**2 + z**2 > 0;
+//!     let r = sqrt(x**2 + y**2 + z**2);
+//!     form beta: 2 on R3 = (x*dy^dz + y*dz^dx + z*dx^dy) / r**3;
+//!     map plane: UV -> R3 = (u, v, 1);
+//!
+//!     prove closed: d(beta) == 0;
+//!
+//!     /// Solid angle per unit (u, v) of the plane z = 1, seen from the origin.
+//!     pub kernel density(u, v) = pullback(plane, beta)[du^dv];
+//! }
+//!
+//! // The formula in the books: 1/(1 + u² + v²)^(3/2).
+//! let (u, v) = (0.5_f64, -0.25_f64);
+//! assert!((density(u, v) - (1.0 + u * u + v * v).powf(-1.5)).abs() < 1e-15);
+//! ```
+//!
+//! | macro | takes | gives |
+//! |---|---|---|
+//! | [`forms!`] | a whole file of the language | its kernels as functions; a false claim is a compile error |
+//! | [`include_forms!`] | the path of a `.forms` file | the same |
+//! | [`proof_tests!`] | the path of a `.forms` file | one `#[test]` for each statement |
+//! | [`prove!`] | declarations and an equation | nothing; a compile error if it is not proved |
+//! | [`kernel!`] | declarations and one kernel | its function |
+//! | [`form!`] | declarations and an expression | a [`Form`]: degree and simplified coefficients |
+//!
+//! [`core`] is the machinery below the macros, for programs that read the language at run time.
 
+mod form;
+
+pub use form::Form;
 pub use forms_core as core;
+
+/// ```
+/// forms::forms! {
+///     chart Plane(x, y) where x**2 + y**2 > 0;
+///     form angle = (x*dy - y*dx)/(x**2 + y**2);
+///     prove closed: d(angle) == 0;
+///     refute trivial: angle == 0;
+/// }
+/// ```
+///
+/// A claim that does not hold does not compile:
+///
+/// ```compile_fail
+/// forms::forms! {
+///     chart Plane(x, y);
+///     prove wrong: d(x*dy) == 0;
+/// }
+/// ```
+pub use forms_macros::forms;
+pub use forms_macros::{include_forms, proof_tests};
+
+/// ```
+/// forms::prove! { chart Line(x); sqrt(x**2) == abs(x) }
+/// ```
+///
+/// ```compile_fail
+/// forms::prove! { chart Line(x); sqrt(x**2) == x }
+/// ```
+pub use forms_macros::prove;
+
+/// ```
+/// forms::kernel! {
+///     /// Fresnel reflectance at normal incidence.
+///     reflectance(n) = ((n - 1)/(n + 1))**2 where n > 0
+/// }
+/// assert!((reflectance(1.5) - 0.04).abs() < 1e-15);
+/// assert!(reflectance(-1.0).is_nan());
+/// ```
+pub use forms_macros::kernel;
+
+/// ```
+/// let form = forms::form! { chart Space(x, y, z); d(x*dy + x*y*dz) };
+/// assert_eq!(form.degree, 2);
+/// assert_eq!(form.terms, [("dx^dy", "1"), ("dx^dz", "y"), ("dy^dz", "x")]);
+/// assert_eq!(form.to_string(), "dx^dy + y*dx^dz + x*dy^dz");
+/// ```
+pub use forms_macros::form;
+
+/// The Rust blocks of the documents, as doctests.
+#[cfg(doctest)]
+mod documents {
+    #[doc = include_str!("../README.md")]
+    struct Readme;
+    #[doc = include_str!("../docs/language.md")]
+    struct Language;
+    #[doc = include_str!("../docs/book/src/01-the-cosine-term.md")]
+    struct CosineTerm;
+}

@@ -1,3 +1,59 @@
-//! The program `forms`.
+//! The program `forms`: files of the language go in, verdicts, notation, numbers, source and pictures come out.
+//!
+//! ```text
+//! arguments ─▶ commands ─┬─ prove    ─▶ verdicts       (theory_file, verdict_line, json)
+//!                        ├─ show     ─▶ notation       (mathml)
+//!                        ├─ eval     ─▶ numbers        (decimal, kernel)
+//!                        ├─ emit     ─▶ Rust source
+//!                        ├─ kernels  ─▶ the library
+//!                        └─ tour     ─▶ all of it, shown
+//! ```
+//! Answers go to standard output, errors to standard error (with `--json` to standard output). Nothing is
+//! computed here that the libraries do not compute.
 
-fn main() {}
+mod arguments;
+mod commands;
+mod decimal;
+mod json;
+mod kernel;
+mod layout;
+mod mathml;
+mod palette;
+mod status;
+mod theory_file;
+mod verdict_line;
+
+use clap::Parser;
+use status::Status;
+use std::io::{BufWriter, ErrorKind, Write};
+use std::process::ExitCode;
+
+/// Stack of the thread that does the work: trees as deep as the parser admits are walked by recursion.
+const STACK_BYTES: usize = 256 << 20;
+
+fn main() -> ExitCode {
+    let arguments = arguments::Arguments::parse();
+    let work = std::thread::Builder::new().stack_size(STACK_BYTES).spawn(move || run(&arguments));
+    match work.map(std::thread::JoinHandle::join) {
+        Ok(Ok(status)) => status.into(),
+        Ok(Err(_)) => Status::Error.into(),
+        Err(error) => {
+            eprintln!("error: no thread to work in: {error}");
+            Status::Error.into()
+        }
+    }
+}
+
+/// Runs the command; a reader that has gone away ends it without complaint.
+fn run(arguments: &arguments::Arguments) -> Status {
+    let mut output = BufWriter::new(std::io::stdout().lock());
+    let result = commands::run(arguments, &mut output).and_then(|status| output.flush().map(|()| status));
+    match result {
+        Ok(status) => status,
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Status::AsStated,
+        Err(error) => {
+            eprintln!("error: cannot write the output: {error}");
+            Status::Error
+        }
+    }
+}

@@ -11,6 +11,7 @@
 
 mod assume;
 pub mod calculus;
+pub mod check;
 pub mod decide;
 pub mod diagnostic;
 pub mod enclosure;
@@ -18,6 +19,7 @@ pub mod expression;
 mod integral;
 pub mod kernel;
 pub mod normal;
+pub mod notation;
 pub mod polynomial;
 pub mod resolve;
 pub mod syntax;

@@ -16,6 +16,7 @@ pub mod camera;
 pub mod geometry;
 pub mod irradiance;
 pub mod kernels;
+mod library;
 pub mod picture;
 pub mod scene;
 mod sight;
@@ -23,6 +24,7 @@ mod spectrum;
 mod tone;
 
 pub use irradiance::{ReceiverResult, simulate_direct};
+pub use library::{RADIANCE, TheoryFile, library};
 pub use picture::{Picture, picture};
 
 /// The scene file of the Cornell box, as measured at the Cornell University Program of Computer Graphics.

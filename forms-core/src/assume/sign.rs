@@ -31,7 +31,7 @@ impl Facts {
         for variable in 0..tower.generator_count() {
             match tower.generator(variable) {
                 Generator::Root { .. } | Generator::Exponential(_) => {
-                    facts.at_least(variable, BigRational::zero())
+                    facts.at_least(variable, BigRational::zero());
                 }
                 Generator::Pi => {
                     facts.at_least(variable, BigRational::new(333.into(), 106.into()));
@@ -255,9 +255,9 @@ fn pivots_are_not_negative(mut matrix: Vec<Vec<BigRational>>) -> bool {
         }
         for i in k + 1..size {
             let factor = &matrix[i][k] / &pivot;
-            for j in k + 1..size {
-                let correction = &factor * &matrix[k][j];
-                matrix[i][j] -= correction;
+            let pivot_row = matrix[k].clone();
+            for (entry, above) in matrix[i].iter_mut().zip(&pivot_row).skip(k + 1) {
+                *entry -= &factor * above;
             }
         }
     }

@@ -4,6 +4,9 @@ use super::blade::{Blade, Coordinate};
 use super::coefficient::Coefficients;
 use std::collections::BTreeMap;
 
+/// Signed products of coefficients, grouped by the basis form they belong to.
+pub(super) type Products<'a, S> = BTreeMap<Blade, Vec<(i8, &'a S, &'a S)>>;
+
 /// A k-form Σ w_I dx_I, its blades in ascending order. The zero form keeps its degree.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Form<S> {
@@ -39,6 +42,22 @@ impl<S: Clone> Form<S> {
         let ordered: BTreeMap<Blade, S> = terms.into_iter().collect();
         debug_assert!(ordered.keys().all(|blade| blade.degree() == degree));
         Form { degree, terms: ordered.into_iter().collect() }
+    }
+
+    /// A form whose coefficients are sums of products; those that vanish are left out.
+    pub(super) fn from_products<R: Coefficients<Scalar = S>>(
+        ring: &mut R,
+        degree: u32,
+        products: Products<S>,
+    ) -> Self {
+        let mut terms = Vec::with_capacity(products.len());
+        for (blade, group) in products {
+            let value = ring.sum_of_products(&group);
+            if !ring.is_zero(&value) {
+                terms.push((blade, value));
+            }
+        }
+        Form { degree, terms }
     }
 
     /// k of a k-form.

@@ -3,12 +3,11 @@
 use super::blade::Blade;
 use super::coefficient::Coefficients;
 use super::field::Field;
-use super::form::Form;
-use std::collections::BTreeMap;
+use super::form::{Form, Products};
 
 /// i_X w: i_X(dx₁∧…∧dxₖ) = Σⱼ (−1)^(j−1) Xʲ dx₁∧…(without dxⱼ)…∧dxₖ; of a function it is 0.
 pub fn interior<R: Coefficients>(ring: &mut R, x: &Field<R::Scalar>, w: &Form<R::Scalar>) -> Form<R::Scalar> {
-    let mut products: BTreeMap<Blade, Vec<(i8, &R::Scalar, &R::Scalar)>> = BTreeMap::new();
+    let mut products: Products<R::Scalar> = Products::new();
     for (blade, value) in w.terms() {
         for (coordinate, component) in x.components() {
             if let Some((rest, sign)) = blade.without(coordinate) {
@@ -16,14 +15,7 @@ pub fn interior<R: Coefficients>(ring: &mut R, x: &Field<R::Scalar>, w: &Form<R:
             }
         }
     }
-    let mut terms = Vec::with_capacity(products.len());
-    for (blade, group) in products {
-        let value = ring.sum_of_products(&group);
-        if !ring.is_zero(&value) {
-            terms.push((blade, value));
-        }
-    }
-    Form::from_terms(w.degree().saturating_sub(1), terms)
+    Form::from_products(ring, w.degree().saturating_sub(1), products)
 }
 
 /// w(X₁, …, Xₖ) = i_Xₖ … i_X₁ w, for as many fields as the form has degrees.

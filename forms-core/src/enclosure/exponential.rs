@@ -8,8 +8,9 @@ use num_bigint::BigInt;
 use num_integer::{Integer, Roots};
 use num_traits::{Signed, ToPrimitive};
 
-/// Arguments of exp up to 2¹⁴ are computed; beyond, the result would have more than 23 000 bits.
-const LARGEST_EXPONENT_BITS: u64 = 14;
+/// Arguments of exp up to 2¹¹ are computed; beyond, the result would have more than 2900 bits, and a search that
+/// looks at hundreds of such values would last for minutes.
+const LARGEST_EXPONENT_BITS: u64 = 11;
 
 /// Places that absorb the rounding of a computation of a few hundred steps.
 const GUARD: u32 = 16;

@@ -3,6 +3,7 @@
 //! An argument Σ qₖ mₖ with rational qₖ is written in units uₖ = mₖ/dₖ, so that every sine and cosine in one
 //! comparison is a polynomial in the functions of integer multiples of the same units.
 
+use super::factor::FactorPower;
 use super::fraction::Fraction;
 use super::generator::{Generator, Quantity, Unit};
 use super::tower::{Obstacle, Tower, Trigonometry};
@@ -19,15 +20,19 @@ type Point = (Fraction, Fraction);
 
 impl Tower {
     /// The quantities an element is a rational combination of.
-    pub(super) fn linear_parts(&self, argument: &Fraction) -> Vec<(Quantity, Rational)> {
-        argument
+    pub(super) fn linear_parts(
+        &mut self,
+        argument: &Fraction,
+    ) -> Result<Vec<(Quantity, Rational)>, Obstacle> {
+        let argument = self.expanded(argument)?;
+        Ok(argument
             .numerator
             .terms()
             .map(|(monomial, coefficient)| {
                 let quantity = Quantity { monomial, factors: argument.factors.clone() };
                 (quantity, Rational::new(coefficient, argument.divisor.clone()))
             })
-            .collect()
+            .collect())
     }
 
     /// The multiple of a unit that q · quantity is; a finer unit starts the walk again.
@@ -36,7 +41,7 @@ impl Tower {
             || Obstacle::Outside(format!("an angle or exponent with the coefficient {coefficient}"));
         let needed = coefficient.denom().to_u32().filter(|d| *d <= LARGEST_MULTIPLE).ok_or_else(outside)?;
         let divisor = *self.divisors.entry(quantity.clone()).or_insert(needed);
-        if divisor % needed != 0 {
+        if !divisor.is_multiple_of(needed) {
             let finer = divisor.lcm(&needed);
             if finer > LARGEST_MULTIPLE {
                 return Err(outside());
@@ -55,7 +60,7 @@ impl Tower {
     /// (cos q, sin q)
     pub(super) fn circular(&mut self, argument: &Fraction) -> Result<Point, Obstacle> {
         let mut point = (Fraction::one(), Fraction::zero());
-        for (quantity, coefficient) in self.linear_parts(argument) {
+        for (quantity, coefficient) in self.linear_parts(argument)? {
             let next = match self.turn(&quantity, &coefficient) {
                 Some(quarter) => quarter,
                 None => {
@@ -116,14 +121,16 @@ impl Tower {
         let t = Polynomial::variable(self.variable_of(Generator::HalfTangent(unit)));
         let (re, im) = complex_power(&Polynomial::one(), &t, 2 * times);
         let norm = self.factor(Polynomial::one().add(&t.square()));
-        let over = |numerator: Polynomial| self.cancel(numerator, 1.into(), vec![(norm, times)]);
+        let over = |numerator: Polynomial| {
+            self.cancel(numerator, 1.into(), vec![FactorPower { factor: norm, exponent: times as i32 }])
+        };
         Ok((over(re), over(im)))
     }
 
     /// exp q as a product of integer powers of generators.
     pub(super) fn exponential(&mut self, argument: &Fraction) -> Result<Fraction, Obstacle> {
         let mut product = Fraction::one();
-        for (quantity, coefficient) in self.linear_parts(argument) {
+        for (quantity, coefficient) in self.linear_parts(argument)? {
             let (unit, multiple) = self.multiple(&quantity, &coefficient)?;
             let generator = self.element(Generator::Exponential(unit));
             let power = self.integer_power(&generator, multiple)?;

@@ -3,6 +3,7 @@
 //! D(N ∏ Fᵉ⁻) = (DN ∏F − N Σ eⱼ DFⱼ ∏_{i≠j} Fᵢ) / ∏ Fᵉ⁺¹, with Dρ = Df ρ/(n f) for ρⁿ = f, Dcos u = −sin u Du,
 //! Dsin u = cos u Du, Dtan(u/2) = (1 + tan²(u/2)) Du/2, Dexp u = exp u Du, and the chain rule for jets.
 
+use super::factor::FactorPower;
 use super::fraction::Fraction;
 use super::generator::{Generator, Quantity, Unit};
 use super::tower::{Obstacle, Tower};
@@ -24,7 +25,8 @@ impl Tower {
         let over =
             Fraction { numerator: Polynomial::one(), divisor: a.divisor.clone(), factors: a.factors.clone() };
         let mut sum = self.multiply(&numerator, &over)?;
-        for &(factor, exponent) in &a.factors {
+        for power in &a.factors {
+            let (factor, exponent) = (power.factor, power.exponent);
             let polynomial = self.factor_polynomial(factor).clone();
             let inner = self.derivative_of_polynomial(&polynomial, by)?;
             if inner.is_zero() {
@@ -32,8 +34,11 @@ impl Tower {
             }
             let scale = Polynomial::integer(-i64::from(exponent));
             let scaled = self.multiply(&inner, &scale.into())?;
-            let once =
-                Fraction { numerator: Polynomial::one(), divisor: One::one(), factors: vec![(factor, 1)] };
+            let once = Fraction {
+                numerator: Polynomial::one(),
+                divisor: One::one(),
+                factors: vec![FactorPower { factor, exponent: 1 }],
+            };
             let lowered = self.multiply(&scaled, &once)?;
             let term = self.multiply(a, &lowered)?;
             sum = self.add(&sum, &term)?;
@@ -145,7 +150,7 @@ impl Tower {
         let outer = Fraction {
             numerator: Polynomial::one(),
             divisor: relation.order.into(),
-            factors: vec![(root, relation.order - 1)],
+            factors: vec![FactorPower { factor: root, exponent: relation.order as i32 - 1 }],
         };
         self.multiply(&inner, &outer)
     }

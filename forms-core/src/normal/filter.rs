@@ -90,11 +90,13 @@ fn root(value: u64, order: u32) -> Option<u64> {
 
 fn image_of_fraction(tower: &Tower, fraction: &Fraction, point: &[u64]) -> Option<u64> {
     let mut denominator = modular::from_integer(&fraction.divisor);
-    for &(factor, exponent) in &fraction.factors {
-        let value = tower.factor_polynomial(factor).evaluate_modular(point);
-        denominator = modular::mul(denominator, modular::pow(value, u64::from(exponent)));
+    let mut numerator = fraction.numerator.evaluate_modular(point);
+    for power in &fraction.factors {
+        let value = tower.factor_polynomial(power.factor).evaluate_modular(point);
+        let raised = modular::pow(value, u64::from(power.exponent.unsigned_abs()));
+        let side = if power.exponent < 0 { &mut numerator } else { &mut denominator };
+        *side = modular::mul(*side, raised);
     }
-    let numerator = fraction.numerator.evaluate_modular(point);
     Some(modular::mul(numerator, modular::inverse(denominator)?))
 }
 

@@ -1,6 +1,6 @@
-//! Elements of the tower's field: a reduced polynomial over an integer and a product of known factors.
+//! Elements of the tower's field: a reduced polynomial over an integer, times powers of known factors.
 
-use super::generator::FactorId;
+use super::factor::{FactorPower, common_powers, merge_powers};
 use super::tower::{Obstacle, Tower};
 use crate::expression::Rational;
 use crate::polynomial::Polynomial;
@@ -8,12 +8,13 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed};
 
-/// N / (d ∏ Fᵉ) with d > 0 and known factors F. Zero has neither d nor factors.
+/// N / (d ∏ Fᵉ) with d > 0 and known factors F. A factor above the line (e < 0) stays factored until a sum
+/// needs it multiplied out, so that it can cancel. Zero has neither d nor factors.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Fraction {
     pub(super) numerator: Polynomial,
     pub(super) divisor: BigInt,
-    pub(super) factors: Vec<(FactorId, u32)>,
+    pub(super) factors: Vec<FactorPower>,
 }
 
 impl From<Polynomial> for Fraction {
@@ -64,45 +65,18 @@ impl Fraction {
     pub fn numerator(&self) -> &Polynomial {
         &self.numerator
     }
-}
 
-/// The union of two factor lists with the larger exponents, and what each list lacks of it.
-fn common_factors(a: &[(FactorId, u32)], b: &[(FactorId, u32)]) -> [Vec<(FactorId, u32)>; 3] {
-    let mut all: Vec<(FactorId, u32)> = a.to_vec();
-    for &(factor, exponent) in b {
-        match all.binary_search_by_key(&factor, |entry| entry.0) {
-            Ok(place) => all[place].1 = all[place].1.max(exponent),
-            Err(place) => all.insert(place, (factor, exponent)),
-        }
+    /// Whether there is no denominator.
+    pub(super) fn is_polynomial(&self) -> bool {
+        self.divisor.is_one() && self.factors.is_empty()
     }
-    let lacking = |present: &[(FactorId, u32)]| {
-        all.iter()
-            .map(|&(factor, exponent)| (factor, exponent - exponent_of(present, factor)))
-            .filter(|entry| entry.1 > 0)
-            .collect()
-    };
-    let (for_a, for_b) = (lacking(a), lacking(b));
-    [all, for_a, for_b]
-}
-
-fn exponent_of(factors: &[(FactorId, u32)], factor: FactorId) -> u32 {
-    factors.binary_search_by_key(&factor, |entry| entry.0).map_or(0, |place| factors[place].1)
-}
-
-/// The product of two factor lists.
-pub(super) fn merge_factors(a: &[(FactorId, u32)], b: &[(FactorId, u32)]) -> Vec<(FactorId, u32)> {
-    let mut all: Vec<(FactorId, u32)> = a.to_vec();
-    for &(factor, exponent) in b {
-        match all.binary_search_by_key(&factor, |entry| entry.0) {
-            Ok(place) => all[place].1 += exponent,
-            Err(place) => all.insert(place, (factor, exponent)),
-        }
-    }
-    all
 }
 
 impl Tower {
     /// a + b
+    ///
+    /// # Errors
+    /// [`Obstacle::TooLarge`] where the work passes the tower's limit.
     pub fn add(&mut self, a: &Fraction, b: &Fraction) -> Result<Fraction, Obstacle> {
         if a.is_zero() {
             return Ok(b.clone());
@@ -115,11 +89,11 @@ impl Tower {
             return Ok(self.cancel(sum, a.divisor.clone(), a.factors.clone()));
         }
         let divisor = a.divisor.lcm(&b.divisor);
-        let [factors, for_a, for_b] = common_factors(&a.factors, &b.factors);
-        let left = self.raised(&a.numerator, &(&divisor / &a.divisor), &for_a)?;
-        let right = self.raised(&b.numerator, &(&divisor / &b.divisor), &for_b)?;
+        let common = common_powers(&a.factors, &b.factors);
+        let left = self.raised(&a.numerator, &(&divisor / &a.divisor), &common.lacking_left)?;
+        let right = self.raised(&b.numerator, &(&divisor / &b.divisor), &common.lacking_right)?;
         let sum = left.add(&right);
-        Ok(self.cancel(sum, divisor, factors))
+        Ok(self.cancel(sum, divisor, common.all))
     }
 
     /// The numerator brought over a larger denominator.
@@ -127,21 +101,33 @@ impl Tower {
         &mut self,
         numerator: &Polynomial,
         by: &BigInt,
-        factors: &[(FactorId, u32)],
+        powers: &[FactorPower],
     ) -> Result<Polynomial, Obstacle> {
         let mut raised = if by.is_one() { numerator.clone() } else { numerator.scale(by) };
-        for &(factor, exponent) in factors {
-            if let Some(variable) = self.factor_variable(factor) {
-                raised = raised.multiply_by_monomial(&[(variable, exponent)]);
+        for power in powers {
+            let times = power.exponent.unsigned_abs();
+            if let Some(variable) = self.factor_variable(power.factor) {
+                raised = raised.multiply_by_monomial(&[(variable, times)]);
                 continue;
             }
-            for _ in 0..exponent {
-                let polynomial = self.factor_polynomial(factor).clone();
+            for _ in 0..times {
+                let polynomial = self.factor_polynomial(power.factor).clone();
                 self.charge(&raised, &polynomial)?;
-                raised = raised.mul(&polynomial);
+                raised = self.reduce(raised.mul(&polynomial));
             }
         }
         Ok(self.reduce(raised))
+    }
+
+    /// The same element with every factor above the line multiplied out.
+    pub(super) fn expanded(&mut self, a: &Fraction) -> Result<Fraction, Obstacle> {
+        let (above, below): (Vec<FactorPower>, Vec<FactorPower>) =
+            a.factors.iter().partition(|power| power.exponent < 0);
+        if above.is_empty() {
+            return Ok(a.clone());
+        }
+        let numerator = self.raised(&a.numerator, &BigInt::one(), &above)?;
+        Ok(self.cancel(numerator, a.divisor.clone(), below))
     }
 
     /// −a
@@ -150,12 +136,18 @@ impl Tower {
     }
 
     /// a − b
+    ///
+    /// # Errors
+    /// As for a sum.
     pub fn subtract(&mut self, a: &Fraction, b: &Fraction) -> Result<Fraction, Obstacle> {
         let negated = self.negate(b);
         self.add(a, &negated)
     }
 
     /// a b
+    ///
+    /// # Errors
+    /// [`Obstacle::TooLarge`] where the work passes the tower's limit.
     pub fn multiply(&mut self, a: &Fraction, b: &Fraction) -> Result<Fraction, Obstacle> {
         if a.is_zero() || b.is_zero() {
             return Ok(Fraction::zero());
@@ -165,36 +157,38 @@ impl Tower {
         self.charge(&left.numerator, &right.numerator)?;
         let product = left.numerator.mul(&right.numerator);
         let divisor = &left.divisor * &right.divisor;
-        let factors = merge_factors(&left.factors, &right.factors);
+        let factors = merge_powers(&left.factors, &right.factors);
         let bound = self.relations.iter().any(|relation| product.degree(relation.variable) >= relation.order);
-        if bound {
-            let reduced = self.reduce(product);
+        let reduced = if bound { self.reduce(product) } else { product };
+        if bound || factors.iter().any(|power| power.exponent < 0) {
             return Ok(self.cancel(reduced, divisor, factors));
         }
-        Ok(Fraction { numerator: product, divisor, factors })
+        Ok(Fraction { numerator: reduced, divisor, factors })
     }
 
     /// 1/a, whose numerator becomes one or more known factors.
+    ///
+    /// # Errors
+    /// [`Obstacle::DivisionByZero`] for a = 0.
     pub fn inverse(&mut self, a: &Fraction) -> Result<Fraction, Obstacle> {
         if a.is_zero() {
             return Err(Obstacle::DivisionByZero);
         }
-        let (content, factors) = self.split(&a.numerator);
-        let mut numerator = Fraction::from(Polynomial::constant(a.divisor.clone()));
-        for &(factor, exponent) in &a.factors {
-            let mut power = Fraction::from(self.factor_polynomial(factor).clone());
-            power = self.integer_power(&power, i64::from(exponent))?;
-            numerator = self.multiply(&numerator, &power)?;
-        }
-        let signed = if content.is_negative() { numerator.numerator.neg() } else { numerator.numerator };
-        Ok(self.cancel(signed, content.abs(), factors))
+        let (content, below) = self.split(&a.numerator)?;
+        let above: Vec<FactorPower> = a.factors.iter().map(|power| power.inverse()).collect();
+        let numerator =
+            Polynomial::constant(if content.is_negative() { -&a.divisor } else { a.divisor.clone() });
+        Ok(self.cancel(numerator, content.abs(), merge_powers(&above, &below)))
     }
 
     /// aⁿ
+    ///
+    /// # Errors
+    /// [`Obstacle::DivisionByZero`] for a negative power of 0, [`Obstacle::TooLarge`] beyond the limits.
     pub fn integer_power(&mut self, a: &Fraction, exponent: i64) -> Result<Fraction, Obstacle> {
         if exponent < 0 {
-            let power = self.integer_power(a, -exponent)?;
-            return self.inverse_of_power(a, &power, -exponent);
+            let inverse = self.inverse(a)?;
+            return self.integer_power(&inverse, -exponent);
         }
         let mut result = Fraction::one();
         let mut square = a.clone();
@@ -209,140 +203,5 @@ impl Tower {
             }
         }
         Ok(result)
-    }
-
-    /// a⁻ⁿ as (1/a)ⁿ, which keeps the denominator factored; `power` = aⁿ is used where a is a number.
-    fn inverse_of_power(&mut self, a: &Fraction, power: &Fraction, n: i64) -> Result<Fraction, Obstacle> {
-        if a.as_number().is_some() {
-            return self.inverse(power);
-        }
-        let inverse = self.inverse(a)?;
-        self.integer_power(&inverse, n)
-    }
-
-    /// content · ∏ factors of a polynomial: generators that divide it, then known factors, then the rest.
-    fn split(&mut self, polynomial: &Polynomial) -> (BigInt, Vec<(FactorId, u32)>) {
-        let mut content = polynomial.content();
-        if polynomial.leading_coefficient().is_negative() {
-            content = -content;
-        }
-        let monomial = polynomial.monomial_content();
-        let primitive = polynomial.primitive_part();
-        let mut rest = primitive.divide_by_monomial(&monomial).unwrap_or(primitive);
-        let mut factors = Vec::new();
-        for (variable, exponent) in monomial {
-            factors.push((self.factor(Polynomial::variable(variable)), exponent));
-        }
-        self.split_radicands(&mut rest, &mut factors);
-        self.split_known(&mut rest, &mut factors);
-        if rest.leading_coefficient().is_negative() {
-            (content, rest) = (-content, rest.neg());
-        }
-        if rest.as_constant().is_none() {
-            factors.push((self.factor(rest), 1));
-        }
-        let merged = factors.into_iter().fold(Vec::new(), |all, entry| merge_factors(&all, &[entry]));
-        (content, merged)
-    }
-
-    /// Divides out radicands, each as the power ρⁿ of its root, so that it has one name only.
-    fn split_radicands(&mut self, rest: &mut Polynomial, factors: &mut Vec<(FactorId, u32)>) {
-        for number in 0..self.relations.len() {
-            let relation = self.relations[number].clone();
-            if relation.value.term_count() < 2 || !self.is_current_root(relation.variable) {
-                continue;
-            }
-            let exponent = divide_out(rest, &relation.value);
-            if exponent > 0 {
-                let root = self.factor(Polynomial::variable(relation.variable));
-                factors.push((root, relation.order * exponent));
-            }
-        }
-    }
-
-    /// Divides out known factors.
-    fn split_known(&mut self, rest: &mut Polynomial, factors: &mut Vec<(FactorId, u32)>) {
-        for number in 0..self.factors.len() {
-            let known = self.factors[number].clone();
-            if known.term_count() < 2 {
-                continue;
-            }
-            let exponent = divide_out(rest, &known);
-            if exponent > 0 {
-                factors.push((FactorId(number as u32), exponent));
-            }
-        }
-    }
-
-    /// N / (d ∏ Fᵉ) with every factor divided out of N that divides it.
-    pub(super) fn cancel(
-        &self,
-        mut numerator: Polynomial,
-        mut divisor: BigInt,
-        mut factors: Vec<(FactorId, u32)>,
-    ) -> Fraction {
-        if numerator.is_zero() {
-            return Fraction::zero();
-        }
-        for (factor, exponent) in &mut factors {
-            while *exponent > 0 {
-                match self.divide_by_factor(&numerator, *factor) {
-                    Some(quotient) => numerator = quotient,
-                    None => break,
-                }
-                *exponent -= 1;
-            }
-        }
-        factors.retain(|entry| entry.1 > 0);
-        if !divisor.is_one() {
-            let common = numerator.content().gcd(&divisor);
-            if !common.is_one() {
-                numerator =
-                    numerator.divide_exact(&Polynomial::constant(common.clone())).unwrap_or(numerator);
-                divisor /= common;
-            }
-        }
-        Fraction { numerator, divisor, factors }
-    }
-
-    fn divide_by_factor(&self, numerator: &Polynomial, factor: FactorId) -> Option<Polynomial> {
-        match self.factor_variable(factor) {
-            Some(variable) => self.divide_by_generator(numerator, variable),
-            None => numerator.divide_exact(self.factor_polynomial(factor)),
-        }
-    }
-
-    /// N/ρ; for a bound ρ with ρⁿ = f: (Σ A_k ρᵏ)/ρ = Σ_{k≥1} A_k ρᵏ⁻¹ + (A₀/f) ρⁿ⁻¹ where f divides A₀.
-    fn divide_by_generator(&self, numerator: &Polynomial, variable: u32) -> Option<Polynomial> {
-        if let Some(quotient) = numerator.divide_by_monomial(&[(variable, 1)]) {
-            return Some(quotient);
-        }
-        let relation = self.relation_of(variable)?;
-        let mut quotient = Polynomial::zero();
-        for (exponent, coefficient) in numerator.coefficients_in(variable) {
-            let (lowered, coefficient) = match exponent {
-                0 => (relation.order - 1, coefficient.divide_exact(&relation.value)?),
-                _ => (exponent - 1, coefficient),
-            };
-            quotient = quotient.add(&coefficient.multiply_by_monomial(&[(variable, lowered)]));
-        }
-        Some(quotient)
-    }
-}
-
-/// Divides by a factor as often as it goes.
-fn divide_out(rest: &mut Polynomial, factor: &Polynomial) -> u32 {
-    let mut exponent = 0;
-    while let Some(quotient) = rest.divide_exact(factor) {
-        *rest = quotient;
-        exponent += 1;
-    }
-    exponent
-}
-
-impl Fraction {
-    /// Whether there is no denominator.
-    pub(super) fn is_polynomial(&self) -> bool {
-        self.divisor.is_one() && self.factors.is_empty()
     }
 }

@@ -1,18 +1,19 @@
 //! Generators of the field in which expressions are compared: each is one variable of the polynomials.
 
+use super::factor::FactorPower;
 use super::fraction::Fraction;
 use crate::expression::{FunctionId, Operation, Symbol};
 
 /// The number of an interned denominator factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct FactorId(pub(super) u32);
+pub(crate) struct FactorId(pub(super) u32);
 
 /// A product of generators over known factors, without a number in front: what an angle or an exponent is a
 /// rational combination of.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Quantity {
+pub(crate) struct Quantity {
     pub(super) monomial: Vec<(u32, u32)>,
-    pub(super) factors: Vec<(FactorId, u32)>,
+    pub(super) factors: Vec<FactorPower>,
 }
 
 /// A function of one unit u = quantity/divisor of an angle or exponent.

@@ -13,6 +13,7 @@
 
 mod angle;
 mod derivation;
+mod factor;
 mod filter;
 mod fraction;
 mod generator;

@@ -19,14 +19,16 @@ impl Tower {
             return pool.integer(0);
         }
         let (content, parts) = self.numerator_factors(&fraction.numerator);
-        let (p, q) = (Rational::new(content, fraction.divisor.clone()), &fraction.factors);
+        let p = Rational::new(content, fraction.divisor.clone());
         let negative = p.is_negative();
         let p = p.abs();
-        let above: Vec<Expr> = parts.iter().map(|(part, n)| self.raise_power(pool, part, *n)).collect();
-        let below: Vec<Expr> = q
-            .iter()
-            .map(|&(factor, n)| self.raise_power(pool, &self.factor_polynomial(factor).clone(), n))
-            .collect();
+        let mut above: Vec<Expr> = parts.iter().map(|(part, n)| self.raise_power(pool, part, *n)).collect();
+        let mut below: Vec<Expr> = Vec::new();
+        for power in &fraction.factors {
+            let polynomial = self.factor_polynomial(power.factor);
+            let raised = self.raise_power(pool, polynomial, power.exponent.unsigned_abs());
+            if power.exponent < 0 { above.push(raised) } else { below.push(raised) }
+        }
         let numerator = product(pool, p.numer(), &above);
         let denominator = product(pool, p.denom(), &below);
         let quotient = pool.divide(numerator, denominator);

@@ -182,8 +182,8 @@ impl Tower {
     fn factor_radicand(&mut self, q: &Fraction) -> Result<Factored, Obstacle> {
         let mut factored = Factored { constant: BigInt::one(), powers: Vec::new() };
         self.factor_polynomial_into(&q.numerator, Ratio::one(), &mut factored)?;
-        for &(factor, exponent) in &q.factors {
-            let polynomial = self.factor_polynomial(factor).clone();
+        for power in &q.factors {
+            let (polynomial, exponent) = (self.factor_polynomial(power.factor).clone(), power.exponent);
             self.factor_polynomial_into(
                 &polynomial,
                 -Ratio::from_integer(i64::from(exponent)),

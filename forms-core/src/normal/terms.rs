@@ -35,8 +35,9 @@ impl Tower {
     /// Says what else depends on the variable.
     pub fn terms_in(&mut self, pool: &Pool, fraction: &Fraction, symbol: Symbol) -> Result<Terms, String> {
         let name = pool.symbol_name(symbol).to_string();
+        let fraction = &self.expanded(fraction).map_err(|_| "the integrand is too large".to_string())?;
         let factors: Vec<Polynomial> =
-            fraction.factors.iter().map(|(factor, _)| self.factor_polynomial(*factor).clone()).collect();
+            fraction.factors.iter().map(|power| self.factor_polynomial(power.factor).clone()).collect();
         if factors.iter().any(|factor| factor.variables().into_iter().any(|v| self.depends(v, symbol))) {
             return Err(format!("the denominator depends on `{name}`"));
         }
@@ -83,7 +84,7 @@ impl Tower {
                 return Err(format!("the integrand is not polynomial or trigonometric in `{name}`"));
             };
             let number = |&(v, _): &(u32, u32)| v == x || *self.generator(v) == Generator::Pi;
-            let linear = unit.quantity.monomial.iter().any(|&power| power == (x, 1));
+            let linear = unit.quantity.monomial.contains(&(x, 1));
             if !linear || !unit.quantity.factors.is_empty() || !unit.quantity.monomial.iter().all(number) {
                 return Err(format!("an angle is not a number times `{name}`"));
             }
@@ -124,7 +125,7 @@ impl Tower {
     }
 
     fn fraction_depends(&self, fraction: &Fraction, symbol: Symbol) -> bool {
-        let below = fraction.factors.iter().map(|(factor, _)| self.factor_polynomial(*factor));
+        let below = fraction.factors.iter().map(|power| self.factor_polynomial(power.factor));
         std::iter::once(&fraction.numerator)
             .chain(below)
             .any(|polynomial| polynomial.variables().into_iter().any(|v| self.depends(v, symbol)))

@@ -111,7 +111,7 @@ impl Tower {
 
     /// Whether a sine, cosine or half-angle tangent occurs in a fraction.
     pub fn mentions_trigonometry(&self, fraction: &Fraction) -> bool {
-        let factors = fraction.factors.iter().map(|(factor, _)| self.factor_polynomial(*factor));
+        let factors = fraction.factors.iter().map(|power| self.factor_polynomial(power.factor));
         std::iter::once(&fraction.numerator)
             .chain(factors)
             .any(|polynomial| polynomial.variables().into_iter().any(|v| self.is_trigonometric(v)))

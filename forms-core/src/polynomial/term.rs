@@ -98,14 +98,21 @@ impl Polynomial {
     }
 
     /// The bitwise union of one word of every monomial: in each field a bound of the exponents.
+    /// Beyond the layout's words it is 0.
     pub(super) fn union_of_word(&self, word: usize) -> u64 {
         let mut union = 0;
-        let mut index = word;
+        let mut index = if word < self.layout.words { word } else { self.monomials.len() };
         while index < self.monomials.len() {
             union |= self.monomials[index];
             index += self.layout.words;
         }
         union
+    }
+
+    /// The bitwise union of the monomials on a layout at least as wide.
+    pub(super) fn union_on(&self, layout: Layout) -> Vec<u64> {
+        let union: Vec<u64> = (0..self.layout.words).map(|word| self.union_of_word(word)).collect();
+        self.layout.widen(&union, 1, layout)
     }
 
     /// The words up to the last one that is not zero everywhere.

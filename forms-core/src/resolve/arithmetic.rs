@@ -12,6 +12,9 @@ use num_traits::{Signed, ToPrimitive, Zero};
 /// The largest numerator and denominator of an exponent.
 const LARGEST_EXPONENT: i64 = 1_000_000;
 
+/// The most products of terms that one wedge product may take.
+const MOST_PRODUCTS: usize = 1_000_000;
+
 impl Evaluator<'_> {
     pub(super) fn negated(&mut self, value: Value) -> Value {
         match value {
@@ -121,7 +124,15 @@ impl Evaluator<'_> {
 
     fn wedge_product(&mut self, left: Value, right: Value, place: Span) -> Evaluated<Value> {
         match (left, right) {
-            (Value::Form(a), Value::Form(b)) => Ok(Value::Form(wedge(&mut self.ring(), &a, &b))),
+            (Value::Form(a), Value::Form(b)) => {
+                if a.terms().len().saturating_mul(b.terms().len()) > MOST_PRODUCTS {
+                    return Err(Diagnostic::new(
+                        place,
+                        format!("the wedge product takes more than {MOST_PRODUCTS} products of terms"),
+                    ));
+                }
+                Ok(Value::Form(wedge(&mut self.ring(), &a, &b)))
+            }
             (Value::Scalar(_) | Value::Zero, Value::Scalar(_) | Value::Zero) => {
                 Err(Diagnostic::new(place, "`^` is the wedge product, and both sides are scalars")
                     .with_help("use ** for powers and * for products of scalars"))

@@ -237,6 +237,7 @@ impl Evaluator<'_> {
         target: &[crate::expression::Condition],
         images: &Substitution,
     ) {
+        inner.mentioned().iter().for_each(|name| self.scope.mention(name));
         let (conditions, used) = inner.into_parts();
         for condition in map.domain.iter().copied() {
             self.scope.require(condition);
@@ -251,10 +252,11 @@ impl Evaluator<'_> {
         map.used.iter().for_each(|symbol| self.scope.touch(*symbol));
     }
 
-    fn map(&self, argument: &ast::Expr) -> Evaluated<Map> {
+    fn map(&mut self, argument: &ast::Expr) -> Evaluated<Map> {
         let ExprKind::Name(text) = &*argument.kind else {
             return Err(Diagnostic::new(argument.span, "expected the name of a map"));
         };
+        self.scope.mention(text);
         match self.theory.named(text) {
             Some(Named::Map(number)) => Ok(self.theory.maps[*number].clone()),
             Some(Named::Poisoned) => Err(Diagnostic::new(argument.span, super::evaluation::POISONED)),

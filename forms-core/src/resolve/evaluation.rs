@@ -10,6 +10,9 @@ use crate::expression::{Condition, Expr, FunctionId, Symbol};
 use crate::syntax::ast::{self, Binary, ExprKind, Name, Relation};
 use num_traits::Zero;
 
+/// The most nodes the expressions of a file may have.
+const MOST_NODES: usize = 1_000_000;
+
 /// An error has been found; it says all that is to be said.
 pub(super) type Evaluated<T> = Result<T, Diagnostic>;
 
@@ -54,8 +57,20 @@ impl<'a> Evaluator<'a> {
         let mut value = self.operand(leftmost)?;
         while let Some((operator, place, left_span, right)) = spine.pop() {
             value = self.binary(operator, place, (value, left_span), right)?;
+            self.check_size(place)?;
         }
         Ok(value)
+    }
+
+    /// That the expressions so far fit in memory: calculus multiplies what is written.
+    pub(super) fn check_size(&self, span: Span) -> Evaluated<()> {
+        if self.theory.pool.len() <= MOST_NODES {
+            return Ok(());
+        }
+        Err(Diagnostic::new(
+            span,
+            format!("the expressions of this file have more than {MOST_NODES} different parts"),
+        ))
     }
 
     fn operand(&mut self, expression: &ast::Expr) -> Evaluated<Value> {
@@ -69,7 +84,9 @@ impl<'a> Evaluator<'a> {
                 Ok(self.negated(value))
             }
             ExprKind::Call { function, index, arguments } => {
-                self.call(function, index.as_ref(), arguments, expression.span)
+                let value = self.call(function, index.as_ref(), arguments, expression.span)?;
+                self.check_size(expression.span)?;
+                Ok(value)
             }
             ExprKind::Index { base, index } => self.coefficient(base, index),
             ExprKind::Select { condition, then, otherwise, .. } => self.select(condition, then, otherwise),
@@ -99,6 +116,7 @@ impl<'a> Evaluator<'a> {
             }
             Named::Function(function) => self.own_value(function),
             Named::Object(number) => {
+                self.scope.mention(text);
                 let object = self.theory.objects[number].clone();
                 object.domain.iter().for_each(|condition| self.scope.require(*condition));
                 object.used.iter().for_each(|symbol| self.scope.touch(*symbol));

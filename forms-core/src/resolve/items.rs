@@ -33,6 +33,7 @@ pub fn resolve(file: &ast::File) -> (Theory, Vec<Diagnostic>) {
     for item in &file.items {
         resolver.item(item);
     }
+    resolver.attribute_statements();
     resolver.errors.retain(|error| error.message != POISONED);
     (resolver.theory, resolver.errors)
 }

@@ -8,7 +8,7 @@ use rustc_hash::FxHashMap;
 
 /// What each name stands for and where it was declared.
 #[derive(Clone, Debug, Default)]
-pub struct Names {
+pub(crate) struct Names {
     table: FxHashMap<String, (Named, Span)>,
 }
 

@@ -2,6 +2,7 @@
 
 use crate::expression::{Condition, Symbol};
 use rustc_hash::FxHashSet;
+use std::collections::BTreeSet;
 
 /// Conditions and variables, each once, in the order they were met.
 #[derive(Clone, Debug, Default)]
@@ -9,6 +10,7 @@ pub(super) struct Scope {
     conditions: Vec<Condition>,
     known: FxHashSet<Condition>,
     used: FxHashSet<Symbol>,
+    named: BTreeSet<String>,
 }
 
 impl Scope {
@@ -26,8 +28,13 @@ impl Scope {
         self.used.remove(&symbol);
     }
 
-    pub(super) fn uses(&self, symbol: Symbol) -> bool {
-        self.used.contains(&symbol)
+    /// Notes that a map or a named value is mentioned.
+    pub(super) fn mention(&mut self, name: &str) {
+        self.named.insert(name.to_string());
+    }
+
+    pub(super) fn mentioned(&self) -> &BTreeSet<String> {
+        &self.named
     }
 
     pub(super) fn conditions(&self) -> &[Condition] {

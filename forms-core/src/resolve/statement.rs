@@ -7,7 +7,8 @@ use super::theory::{Kernel, Named, Statement};
 use super::value::Value;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Condition, Expr, Node, Symbol, SymbolKind};
-use crate::syntax::ast::{self, Declared, Item, ItemKind};
+use crate::syntax::ast::{self, Claim, Declared, Item, ItemKind};
+use std::collections::BTreeSet;
 
 impl Resolver {
     pub(super) fn statement(&mut self, item: &Item) -> Evaluated<()> {
@@ -25,9 +26,9 @@ impl Resolver {
             for condition in conditions {
                 own.extend(evaluator.conditions(condition)?);
             }
-            Ok((sides, own))
+            Ok((sides, own, evaluator.scope.mentioned().clone()))
         })?;
-        let ((left, right), mut own) = sides;
+        let ((left, right), mut own, mentioned) = sides;
         own.extend(self.chart_conditions(&used));
         self.theory.statements.push(Statement {
             name: name.text.clone(),
@@ -39,6 +40,7 @@ impl Resolver {
             right,
             conditions: own,
             domain,
+            mentioned,
         });
         Ok(())
     }
@@ -46,16 +48,44 @@ impl Resolver {
     /// The domains of charts, as far as every coordinate they mention is used.
     fn chart_conditions(&self, used: &[Symbol]) -> Vec<Condition> {
         let mut found: Vec<Condition> = Vec::new();
-        for condition in self.theory.charts.iter().flat_map(|chart| &chart.conditions) {
-            let mentioned = self.theory.pool.symbols_in(&[condition.left, condition.right]);
-            let mut coordinates = mentioned
-                .into_iter()
-                .filter(|symbol| self.theory.pool.symbol_kind(*symbol) == SymbolKind::Coordinate);
-            if coordinates.all(|symbol| used.contains(&symbol)) && !found.contains(condition) {
-                found.push(*condition);
+        for chart in &self.theory.charts {
+            let own = chart.coordinates.iter().map(|c| self.theory.coordinates[c.0 as usize]);
+            if !own.into_iter().any(|symbol| used.contains(&symbol)) {
+                continue;
+            }
+            for condition in &chart.conditions {
+                let mentioned = self.theory.pool.symbols_in(&[condition.left, condition.right]);
+                let mut coordinates = mentioned
+                    .into_iter()
+                    .filter(|symbol| self.theory.pool.symbol_kind(*symbol) == SymbolKind::Coordinate);
+                if coordinates.all(|symbol| used.contains(&symbol)) && !found.contains(condition) {
+                    found.push(*condition);
+                }
             }
         }
         found
+    }
+
+    /// Tells each kernel the claims that speak of the maps it uses or, without a map, of the values it uses;
+    /// and those that speak of nothing else than it does.
+    pub(super) fn attribute_statements(&mut self) {
+        let theory = &mut self.theory;
+        for kernel in &mut theory.kernels {
+            let is_map = |name: &&String| matches!(theory.names.get(name), Some(Named::Map(_)));
+            let maps: BTreeSet<&String> = kernel.mentioned.iter().filter(is_map).collect();
+            let speaks_of_it = |statement: &&Statement| {
+                let shared = statement.mentioned.intersection(&kernel.mentioned).collect::<BTreeSet<_>>();
+                let whole = !shared.is_empty() && shared.len() == statement.mentioned.len();
+                let relevant = if maps.is_empty() { !shared.is_empty() } else { !shared.is_disjoint(&maps) };
+                statement.claim == Claim::Prove && (whole || relevant)
+            };
+            kernel.statements = theory
+                .statements
+                .iter()
+                .filter(speaks_of_it)
+                .map(|statement| statement.name.clone())
+                .collect();
+        }
     }
 
     pub(super) fn kernel(&mut self, item: &Item) -> Evaluated<()> {
@@ -63,19 +93,20 @@ impl Resolver {
         self.theory.names.declare(name, Named::Poisoned)?;
         let mut locals = Vec::new();
         let result = self.kernel_arguments(arguments, &mut locals).and_then(|symbols| {
-            let (values, _, _) = self.evaluate(|evaluator| {
-                outputs
+            let ((values, mentioned), _, _) = self.evaluate(|evaluator| {
+                let values: Vec<Expr> = outputs
                     .iter()
                     .map(|output| evaluator.kernel_output(output, &symbols))
-                    .collect::<Evaluated<Vec<_>>>()
+                    .collect::<Evaluated<_>>()?;
+                Ok((values, evaluator.scope.mentioned().clone()))
             })?;
             let domain = self.kernel_domain(conditions, &symbols)?;
-            Ok((symbols, values, domain))
+            Ok((symbols, values, mentioned, domain))
         });
         for local in locals {
             self.theory.names.remove(&local);
         }
-        let (arguments, outputs, domain) = result?;
+        let (arguments, outputs, mentioned, domain) = result?;
         let formula = self.theory.pool.texts(&outputs);
         self.theory.kernels.push(Kernel {
             name: name.text.clone(),
@@ -87,6 +118,7 @@ impl Resolver {
             domain,
             formula,
             statements: Vec::new(),
+            mentioned,
         });
         self.theory.names.set(name, Named::Kernel(self.theory.kernels.len() - 1));
         Ok(())

@@ -5,6 +5,7 @@ use crate::calculus::{Blade, Coordinate};
 use crate::diagnostic::Span;
 use crate::expression::{Condition, Expr, Pool, Symbol};
 use crate::syntax::ast::Claim;
+use std::collections::BTreeSet;
 
 /// A coordinate patch.
 #[derive(Clone, Debug)]
@@ -64,6 +65,8 @@ pub struct Statement {
     pub conditions: Vec<Condition>,
     /// And these: where both sides are defined.
     pub domain: Vec<Condition>,
+    /// The maps and named values that it mentions.
+    pub(super) mentioned: BTreeSet<String>,
 }
 
 /// A numeric function to be generated.
@@ -85,8 +88,10 @@ pub struct Kernel {
     pub domain: Vec<Condition>,
     /// The formula as it was written.
     pub formula: Vec<String>,
-    /// The names of the statements that speak of what the kernel is computed from.
+    /// The names of the claims that speak of what the kernel is computed from.
     pub statements: Vec<String>,
+    /// The maps and named values that it mentions.
+    pub(super) mentioned: BTreeSet<String>,
 }
 
 /// What a name of the file stands for.

@@ -3,11 +3,17 @@
 use forms_core::syntax::{Source, read};
 use std::path::Path;
 
-/// The text of every `.forms` file under `tests/cases`.
+/// Where the workspace keeps `.forms` files.
+const FOLDERS: &[&str] = &["../tests/cases", "../forms-radiometry/theory", "../forms-radiometry/kernels"];
+
+/// The text of every `.forms` file of the workspace.
 pub(crate) fn sources() -> Vec<Source> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/cases");
-    let mut sources: Vec<Source> = std::fs::read_dir(folder)
-        .expect("the workspace has its case files")
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut sources: Vec<Source> = FOLDERS
+        .iter()
+        .flat_map(|folder| {
+            std::fs::read_dir(workspace.join(folder)).expect("the workspace has its case files")
+        })
         .map(|entry| entry.expect("the folder can be read").path())
         .filter(|path| path.extension().is_some_and(|extension| extension == "forms"))
         .map(|path| {

@@ -16,7 +16,7 @@ const MANY_ARGUMENTS: usize = 7;
 /// What is said above the function.
 #[derive(Clone, Debug, Default)]
 pub struct RustDocs {
-    /// The formula, in the language's notation.
+    /// The formula, in the language's notation, one line or several.
     pub formula: String,
     /// The names of the statements the formula rests on.
     pub statements: Vec<String>,
@@ -41,7 +41,9 @@ fn documentation(program: &Program, docs: &RustDocs) -> String {
     let mut lines = docs.docs.clone();
     if !docs.formula.is_empty() {
         separate(&mut lines);
-        lines.extend(["```text".to_string(), docs.formula.clone(), "```".to_string()]);
+        lines.push("```text".to_string());
+        lines.extend(docs.formula.lines().map(str::to_string));
+        lines.push("```".to_string());
     }
     if !docs.statements.is_empty() {
         separate(&mut lines);

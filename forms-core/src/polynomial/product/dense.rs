@@ -8,7 +8,8 @@
 //! cache; blocks are filled and read out in decreasing order, so the result comes out sorted. Terms with
 //! consecutive places are runs, and the inner loop adds a multiple of a run to consecutive places.
 
-use super::{Operand, Pair, count_products};
+use super::reach::Reach;
+use super::{Operand, Pair};
 use crate::polynomial::Polynomial;
 use crate::polynomial::coefficient::Coefficient;
 use crate::polynomial::monomial::Layout;
@@ -18,8 +19,14 @@ const BLOCK: usize = 1 << 15;
 /// The most places of the box for each product of terms: below, clearing and reading costs less than hashing.
 const ROOM: usize = 8;
 
-/// The values of a run that the inner loop takes at a time.
+/// The most values of a run that the inner loop takes at a time.
 const STEP: usize = 4;
+
+/// Whether a box may be full enough, as far as the number of variables tells: each at least doubles it.
+pub(super) fn may_fit(reach: &Reach, products: usize) -> bool {
+    let variables = reach.operands.unpack(&reach.bounds).len();
+    products.saturating_mul(ROOM).checked_shr(variables as u32).is_some_and(|room| room > 0)
+}
 
 /// The variables that occur with their radices, the first variable first, and how they part into blocks.
 pub(super) struct Box {
@@ -54,19 +61,22 @@ struct Image<C> {
 }
 
 impl<C: Coefficient> Image<C> {
-    /// Pads the last run with zeros to its length.
-    fn pad(&mut self, length: Option<usize>) {
-        if let (Some(run), Some(length)) = (self.runs.last_mut(), length) {
-            run.end = run.start + length;
-            self.numbers.resize(run.end, C::zero());
+    /// Orders the runs of each group by their lengths.
+    fn sort_by_length(&mut self) {
+        for &(_, first, last) in &self.groups {
+            self.runs[first..last].sort_by_key(|run| std::cmp::Reverse(run.end - run.start));
         }
     }
 }
 
 impl Box {
     /// The box of all products, where it is full enough to be worth its places.
-    pub(super) fn around<C: Coefficient>(layout: Layout, pairs: &[Pair<'_, C>]) -> Option<Box> {
-        let limit = count_products(pairs).saturating_mul(ROOM);
+    pub(super) fn around<C: Coefficient>(
+        layout: Layout,
+        pairs: &[Pair<'_, C>],
+        products: usize,
+    ) -> Option<Box> {
+        let limit = products.saturating_mul(ROOM);
         let axes = axes_of(layout, pairs, limit)?;
         let mut container = Box { axes, size: 1, blocks: 1 };
         for axis in container.axes.iter_mut().rev() {
@@ -87,11 +97,11 @@ impl Box {
         let mut images = Vec::with_capacity(pairs.len());
         for pair in pairs {
             images.push((
-                self.image(layout, &pair.left, &pair.factor, None),
-                self.image(layout, &pair.right, &C::from(1), Some(STEP)),
+                self.image(layout, &pair.left, &pair.factor, usize::MAX),
+                self.image(layout, &pair.right, &C::from(1), STEP),
             ));
         }
-        let mut block = vec![C::zero(); self.size + 2 * STEP];
+        let mut block = vec![C::zero(); self.size];
         let mut monomials = Vec::new();
         let mut numbers = Vec::new();
         for high in (0..self.blocks).rev() {
@@ -114,13 +124,13 @@ impl Box {
         place
     }
 
-    /// The runs of an operand, as long as they are or else all of one length, padded with zeros.
+    /// The runs of an operand, cut at a length, the longest of each group first.
     fn image<C: Coefficient>(
         &self,
         layout: Layout,
         operand: &Operand<'_, C>,
         factor: &C,
-        length: Option<usize>,
+        longest: usize,
     ) -> Image<C> {
         let count = operand.numbers.len();
         let mut image = Image { numbers: Vec::with_capacity(count), runs: Vec::new(), groups: Vec::new() };
@@ -130,11 +140,10 @@ impl Box {
             let place = self.place(monomial, layout.mask());
             let (high, low) = (place / self.size, place % self.size);
             let known = image.groups.last().is_some_and(|group| group.0 == high);
-            let open = |run: &Run| length.is_none_or(|length| run.end - run.start < length);
+            let open = |run: &Run| run.end - run.start < longest;
             if known && place == next && image.runs.last().is_some_and(open) {
                 image.runs.last_mut().expect("a block has runs").end += 1;
             } else {
-                image.pad(length);
                 if !known {
                     image.groups.push((high, image.runs.len(), image.runs.len()));
                 }
@@ -145,7 +154,7 @@ impl Box {
             image.numbers.push(operand.numbers[term].times(factor));
             next = place + 1;
         }
-        image.pad(length);
+        image.sort_by_length();
         image
     }
 
@@ -261,11 +270,17 @@ fn add_block<C: Coefficient>(block: &mut [C], high: usize, left: &Image<C>, righ
         if a_high + b_high == high {
             touched = true;
             for a in &left.runs[a_first..a_last] {
-                // One length in the whole inner loop keeps its branches predictable.
                 let numbers = &left.numbers[a.start..a.end];
                 for b in &right.runs[b_first..b_last] {
-                    let (steps, _) = right.numbers[b.start..b.end].as_chunks::<STEP>();
-                    add_run(&mut block[a.low + b.low..], numbers, &steps[0]);
+                    let target = &mut block[a.low + b.low..];
+                    // Runs come by length, which keeps the branch predictable.
+                    match right.numbers[b.start..b.end] {
+                        [ref b0, ref b1, ref b2, ref b3] => add_run(target, numbers, [b0, b1, b2, b3]),
+                        [ref b0, ref b1, ref b2] => add_run(target, numbers, [b0, b1, b2]),
+                        [ref b0, ref b1] => add_run(target, numbers, [b0, b1]),
+                        [ref b0] => add_run(target, numbers, [b0]),
+                        _ => unreachable!("runs are cut at {STEP}"),
+                    }
                 }
             }
         }
@@ -273,24 +288,23 @@ fn add_block<C: Coefficient>(block: &mut [C], high: usize, left: &Image<C>, righ
     touched
 }
 
-/// target[i + j] += a[i]·b[j] for four values of b: their open sums slide along the target, so that each place
-/// is read and written once for four products.
+/// target[i + j] += a[i]·b[j] for a few values of b: their open sums slide along the target, so that each
+/// place is read and written once for all of them.
 #[inline(always)]
-fn add_run<C: Coefficient>(target: &mut [C], a: &[C], b: &[C; STEP]) {
-    let target = &mut target[..a.len() + STEP - 1];
-    let (mut s1, mut s2, mut s3) = (C::zero(), C::zero(), C::zero());
-    let mut i = 0;
-    while i < a.len() {
-        s1.add_product(&a[i], &b[0]);
-        target[i] = target[i].plus(&s1);
-        s2.add_product(&a[i], &b[1]);
-        s1 = s2;
-        s3.add_product(&a[i], &b[2]);
-        s2 = s3;
-        s3 = a[i].times(&b[3]);
-        i += 1;
+fn add_run<const N: usize, C: Coefficient>(target: &mut [C], a: &[C], b: [&C; N]) {
+    let target = &mut target[..a.len() + N - 1];
+    let mut open: [C; N] = std::array::from_fn(|_| C::zero());
+    for i in 0..a.len() {
+        for j in 0..N {
+            open[j].add_product(&a[i], b[j]);
+        }
+        target[i] = target[i].plus(&open[0]);
+        for j in 1..N {
+            open.swap(j - 1, j);
+        }
+        open[N - 1] = C::zero();
     }
-    target[i] = target[i].plus(&s1);
-    target[i + 1] = target[i + 1].plus(&s2);
-    target[i + 2] = target[i + 2].plus(&s3);
+    for j in 0..N - 1 {
+        target[a.len() + j] = target[a.len() + j].plus(&open[j]);
+    }
 }

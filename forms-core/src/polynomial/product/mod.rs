@@ -4,11 +4,14 @@
 //! operands ─ bounds: rung, layout, box of exponents ─▶ one term times many: shifted, in order already
 //!                                                    ─▶ a few products: inserted one by one
 //!                                                    ─▶ a full box: dense, block by block
-//!                                                    ─▶ else: hash table, sorted once
+//!                                                    ─▶ else: hash table of keys, sorted once
+//!                                                    ─▶ keys too long: hash table of packed monomials
 //! ```
 
 mod dense;
 mod insertion;
+mod keyed;
+mod reach;
 mod rest;
 mod sparse;
 
@@ -16,7 +19,9 @@ pub(super) use rest::Rest;
 
 use super::Polynomial;
 use super::coefficient::{Coefficient, Norms, Rung, on_rung};
-use super::monomial::{LARGEST_EXPONENT, Layout, compare};
+use super::monomial::{Layout, compare};
+use keyed::Fields;
+use reach::Reach;
 use std::borrow::Cow;
 use std::cmp::Ordering;
 
@@ -99,14 +104,8 @@ impl Polynomial {
     /// # Panics
     /// If an exponent of a product is beyond 2³¹ − 1.
     pub fn sum_of_products(terms: &[(i64, &Polynomial, &Polynomial)]) -> Self {
-        let layout = product_layout(terms);
-        on_rung!(product_rung(terms), C => {
-            if let [term] = terms {
-                accumulate::<C>(layout, &[Pair::new(term, layout)])
-            } else {
-                accumulate::<C>(layout, &pairs(terms, layout))
-            }
-        })
+        let reach = Reach::of(terms);
+        on_rung!(product_rung(terms), C => accumulate::<C>(&reach, terms))
     }
 
     /// Whether Σ sₖ aₖ bₖ = 0. The leading and the last terms, which need no other products, answer most
@@ -115,12 +114,16 @@ impl Polynomial {
     /// # Panics
     /// If an exponent of a product is beyond 2³¹ − 1.
     pub fn sum_of_products_is_zero(terms: &[(i64, &Polynomial, &Polynomial)]) -> bool {
-        let layout = product_layout(terms);
+        let reach = Reach::of(terms);
+        let layout = reach.layout;
         on_rung!(product_rung(terms), C => {
             let pairs = pairs::<C>(terms, layout);
             outermost_cancels(layout, &pairs, false)
                 && outermost_cancels(layout, &pairs, true)
-                && sparse::Table::sum(layout, &pairs).is_zero()
+                && match Fields::holding(&reach) {
+                    Some(fields) => fields.sum_is_zero::<C>(terms),
+                    None => sparse::Table::sum(layout, &pairs).is_zero(),
+                }
         })
     }
 }
@@ -135,34 +138,43 @@ fn pairs<'a, C: Coefficient>(terms: &[Term<'a>], layout: Layout) -> Vec<Pair<'a,
     pairs
 }
 
-fn accumulate<C: Coefficient>(layout: Layout, pairs: &[Pair<'_, C>]) -> Polynomial {
-    if let [pair] = pairs {
-        let (left, right) = (pair.left.numbers.len(), pair.right.numbers.len());
-        if left == 0 || right == 0 || pair.factor.is_zero() {
+fn accumulate<C: Coefficient>(reach: &Reach, terms: &[Term<'_>]) -> Polynomial {
+    let layout = reach.layout;
+    let products = count_products(terms);
+    if let &[term] = terms {
+        if term.0 == 0 || products == 0 {
             return Polynomial::zero();
         }
-        if left == 1 {
-            return shifted(layout, &pair.factor, &pair.left, &pair.right);
+        let pair = Pair::new(&term, layout);
+        if term.1.term_count() == 1 {
+            return shifted::<C>(layout, &pair.factor, &pair.left, &pair.right);
         }
-        if right == 1 {
-            return shifted(layout, &pair.factor, &pair.right, &pair.left);
+        if term.2.term_count() == 1 {
+            return shifted::<C>(layout, &pair.factor, &pair.right, &pair.left);
+        }
+        if products <= insertion::FEW {
+            return insertion::sum(layout, &[pair], products);
+        }
+    } else if products <= insertion::FEW {
+        return insertion::sum::<C>(layout, &pairs(terms, layout), products);
+    }
+    if dense::may_fit(reach, products) {
+        let pairs = pairs::<C>(terms, layout);
+        if let Some(container) = dense::Box::around(layout, &pairs, products) {
+            return container.sum(layout, &pairs);
         }
     }
-    let products = count_products(pairs);
-    if products <= insertion::FEW {
-        return insertion::sum(layout, pairs, products);
-    }
-    match dense::Box::around(layout, pairs) {
-        Some(container) => container.sum(layout, pairs),
-        None => sparse::Table::sum(layout, pairs).into_polynomial(layout),
+    match Fields::holding(reach) {
+        Some(fields) => fields.sum::<C>(layout, terms),
+        None => sparse::Table::<C>::sum(layout, &pairs(terms, layout)).into_polynomial(layout),
     }
 }
 
 /// The number of products of terms.
-fn count_products<C: Coefficient>(pairs: &[Pair<'_, C>]) -> usize {
+fn count_products(terms: &[Term<'_>]) -> usize {
     let mut products = 0usize;
-    for pair in pairs {
-        products = products.saturating_add(pair.left.numbers.len().saturating_mul(pair.right.numbers.len()));
+    for &(_, a, b) in terms {
+        products = products.saturating_add(a.term_count().saturating_mul(b.term_count()));
     }
     products
 }
@@ -211,45 +223,6 @@ fn outermost_cancels<C: Coefficient>(layout: Layout, pairs: &[Pair<'_, C>], last
         }
     }
     sum.is_zero()
-}
-
-/// The narrowest layout on which no product of the sum carries from one field into the next.
-fn product_layout(terms: &[Term<'_>]) -> Layout {
-    let mut layout = Layout::CONSTANT;
-    for &(_, a, b) in terms {
-        let mut joined = a.layout.join(b.layout);
-        if may_reach_guards(a, b) {
-            if joined.bits == 32 {
-                assert!(exponents_fit(a, b), "an exponent of a product is beyond 2^31 - 1");
-            } else {
-                let bits = joined.bits * 2;
-                joined = Layout { bits, words: joined.words_at(bits) };
-            }
-        }
-        layout = layout.join(joined);
-    }
-    layout
-}
-
-/// Whether a bitwise bound of some exponent of a·b reaches the guard of the wider layout's fields.
-fn may_reach_guards(a: &Polynomial, b: &Polynomial) -> bool {
-    let (wide, narrow) = if a.layout.bits >= b.layout.bits { (a, b) } else { (b, a) };
-    let guards = wide.layout.guards();
-    if wide.layout.bits > narrow.layout.bits {
-        // With e < 2^(w−2) and e′ < 2^(n−1) ≤ 2^(w−2) the sum is below the guard 2^(w−1).
-        return wide.monomials.iter().any(|word| word & (guards >> 1) != 0);
-    }
-    for word in 0..wide.layout.words.min(narrow.layout.words) {
-        if (wide.union_of_word(word) + narrow.union_of_word(word)) & guards != 0 {
-            return true;
-        }
-    }
-    false
-}
-
-fn exponents_fit(a: &Polynomial, b: &Polynomial) -> bool {
-    let (left, right) = (a.degrees(), b.degrees());
-    left.iter().zip(&right).all(|(&left, &right)| left <= LARGEST_EXPONENT - right)
 }
 
 /// The lowest rung that holds every coefficient of the sum: Σ |sₖ| min(max|aₖ|·‖bₖ‖₁, max|bₖ|·‖aₖ‖₁).

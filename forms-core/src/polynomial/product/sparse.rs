@@ -1,7 +1,7 @@
-//! Products by hashing: monomials in the order of their arrival, found again through a table of positions,
+//! Products by hashing where keys would be too long: packed monomials in the order of their arrival, found again through a table of positions,
 //! sorted once at the end.
 
-use super::{Operand, Pair, count_products};
+use super::{Operand, Pair};
 use crate::polynomial::Polynomial;
 use crate::polynomial::coefficient::Coefficient;
 use crate::polynomial::monomial::{Layout, compare};
@@ -23,7 +23,12 @@ const FIRST_PLACES: usize = 1 << 14;
 impl<C: Coefficient> Table<C> {
     /// Σ sₖ aₖ bₖ
     pub(super) fn sum(layout: Layout, pairs: &[Pair<'_, C>]) -> Self {
-        let places = (2 * count_products(pairs).min(FIRST_PLACES)).next_power_of_two();
+        let mut products = 0usize;
+        for pair in pairs {
+            let pair = pair.left.numbers.len().saturating_mul(pair.right.numbers.len());
+            products = products.saturating_add(pair);
+        }
+        let places = (2 * products.min(FIRST_PLACES)).next_power_of_two();
         let mut table = Table {
             words: layout.words,
             monomials: Vec::with_capacity((places / 2 + 1) * layout.words),
@@ -36,21 +41,14 @@ impl<C: Coefficient> Table<C> {
             // The short operand outside: its coefficient is scaled once for each run through the long one.
             let swap = pair.left.numbers.len() > pair.right.numbers.len();
             let (a, b) = if swap { (&pair.right, &pair.left) } else { (&pair.left, &pair.right) };
-            match layout.words {
-                1 => table.add_pair::<1>(&pair.factor, a, b),
-                2 => table.add_pair::<2>(&pair.factor, a, b),
-                3 => table.add_pair::<3>(&pair.factor, a, b),
-                4 => table.add_pair::<4>(&pair.factor, a, b),
-                5 => table.add_pair::<5>(&pair.factor, a, b),
-                _ => table.add_pair::<0>(&pair.factor, a, b),
-            }
+            table.add_pair(&pair.factor, a, b);
         }
         table
     }
 
-    /// Adds s·a·b; the width 0 stands for any.
-    fn add_pair<const WIDTH: usize>(&mut self, factor: &C, a: &Operand<'_, C>, b: &Operand<'_, C>) {
-        let words = if WIDTH == 0 { self.words } else { WIDTH };
+    /// Adds s·a·b.
+    fn add_pair(&mut self, factor: &C, a: &Operand<'_, C>, b: &Operand<'_, C>) {
+        let words = self.words;
         let (left, right) = (&*a.monomials, &*b.monomials);
         let (a, b) = (&*a.numbers, &*b.numbers);
         self.hash_terms(right, b.len());

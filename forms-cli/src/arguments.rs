@@ -1,0 +1,97 @@
+//! The command line.
+
+use clap::{Parser, Subcommand, ValueEnum};
+
+/// Exterior calculus that proves identities exactly and turns them into numeric kernels.
+///
+/// Called without a command, it shows what it can do: it proves the theory of radiance that comes with it, generates
+/// the library's kernels and lights the Cornell box.
+#[derive(Debug, Parser)]
+#[command(name = "forms", version, max_term_width = 100)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Option<Command>,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Decide every statement of files: proved, refuted by an exact point, or unknown
+    ///
+    /// Exit status: 0 if every statement is as stated, 1 if some are not, 2 if a file has errors.
+    Prove {
+        /// Files of the forms language
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<String>,
+        /// One JSON object a line
+        #[arg(long)]
+        json: bool,
+    },
+    /// Print one named object of a file, simplified
+    Show {
+        /// A file of the forms language
+        file: String,
+        /// A name declared in it, or the name of a statement
+        name: String,
+        /// The notation
+        #[arg(long = "as", value_enum, default_value_t = Notation::Text, value_name = "NOTATION")]
+        notation: Notation,
+    },
+    /// Evaluate a kernel on rows of CSV from standard input
+    ///
+    /// The first row names the kernel's arguments, in any order. A row outside the kernel's domain gives NaN.
+    Eval {
+        /// A file of the forms language, or - for the library
+        file: String,
+        /// A kernel in it
+        kernel: String,
+        /// The arithmetic: f64
+        #[arg(long, default_value = "f64")]
+        precision: String,
+        /// The kernel as it was written, or as it is generated
+        #[arg(long, value_enum, default_value_t = Tier::Stable)]
+        tier: Tier,
+    },
+    /// Print the kernels of a file as source that compiles as it stands
+    Emit {
+        /// A file of the forms language, or - for the library
+        file: String,
+        /// Only this kernel
+        #[arg(long)]
+        kernel: Option<String>,
+        /// The language to write: rust
+        #[arg(long)]
+        target: String,
+    },
+    /// List the kernels of the library with their arguments, units and formulas
+    Kernels,
+}
+
+/// How an object is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Notation {
+    /// The forms language itself
+    Text,
+    /// LaTeX
+    Latex,
+    /// MathML
+    Mathml,
+}
+
+/// Which program of a kernel is run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Tier {
+    /// As it was written
+    Plain,
+    /// As it is generated
+    Stable,
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        super::Arguments::command().debug_assert();
+    }
+}

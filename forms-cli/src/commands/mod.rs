@@ -1,0 +1,32 @@
+//! The commands, one file each.
+
+mod emit;
+mod eval;
+mod kernels;
+mod prove;
+mod show;
+mod tour;
+
+use crate::arguments::{Arguments, Command};
+use crate::status::Status;
+use std::io::{self, Write};
+
+/// Runs what the command line asks for.
+pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<Status> {
+    match &arguments.command {
+        None => tour::tour(output),
+        Some(Command::Prove { files, json }) => prove::prove(files, *json, output),
+        Some(Command::Show { file, name, notation }) => show::show(file, name, *notation, output),
+        Some(Command::Eval { file, kernel, precision, tier }) => {
+            eval::eval(file, kernel, precision, *tier, output)
+        }
+        Some(Command::Emit { file, kernel, target }) => emit::emit(file, kernel.as_deref(), target, output),
+        Some(Command::Kernels) => kernels::kernels(output),
+    }
+}
+
+/// Says on standard error why a call cannot be carried out.
+fn refuse(message: &str) -> Status {
+    eprintln!("error: {message}");
+    Status::Error
+}

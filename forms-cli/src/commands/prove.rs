@@ -1,0 +1,171 @@
+//! `forms prove`: every statement of every file, decided.
+
+use crate::json::{Point, StatementRecord, write_error, write_record};
+use crate::layout::{counted, duration};
+use crate::palette::Palette;
+use crate::status::Status;
+use crate::theory_file::{self, FileError, TheoryFile, complain};
+use crate::verdict_line::Decided;
+use forms::core::decide::{Verdict, decide};
+use forms::core::diagnostic::Diagnostic;
+use forms::core::resolve::{Statement, Theory};
+use forms::core::syntax::ast::Claim;
+use std::io::{self, Write};
+use std::time::{Duration, Instant};
+
+/// Decides the statements of files and prints what was found.
+pub(crate) fn prove(files: &[String], json: bool, output: &mut dyn Write) -> io::Result<Status> {
+    let start = Instant::now();
+    let mut report = Report { output, json, palette: Palette::of_output(), totals: Totals::default() };
+    let mut status = Status::AsStated;
+    for name in files {
+        status = status.max(match theory_file::read(name) {
+            Ok(file) => report.file(file)?,
+            Err(errors) => report.errors(&errors)?,
+        });
+    }
+    if !json {
+        report.totals(start.elapsed())?;
+    }
+    Ok(status)
+}
+
+/// Decides one statement and takes the time.
+pub(super) fn timed<'a>(theory: &mut Theory, statement: &'a Statement) -> Decided<'a> {
+    let start = Instant::now();
+    let verdict = decide(theory, statement);
+    Decided { statement, verdict, time: start.elapsed() }
+}
+
+#[derive(Default)]
+pub(super) struct Totals {
+    proved: usize,
+    refuted: usize,
+    unknown: usize,
+    not_as_stated: usize,
+    time: Duration,
+}
+
+impl Totals {
+    pub(super) fn count(&mut self, decided: &Decided) {
+        match decided.verdict {
+            Verdict::Proved(_) => self.proved += 1,
+            Verdict::Refuted(_) => self.refuted += 1,
+            Verdict::Unknown { .. } | Verdict::Empty { .. } => self.unknown += 1,
+        }
+        self.not_as_stated += usize::from(!decided.ok());
+        self.time += decided.time;
+    }
+
+    /// `3 statements: 2 proved, 1 refuted`
+    pub(super) fn sentence(&self) -> String {
+        let kinds = [(self.proved, "proved"), (self.refuted, "refuted"), (self.unknown, "unknown")];
+        let kinds: Vec<String> =
+            kinds.iter().filter(|kind| kind.0 > 0).map(|(count, kind)| format!("{count} {kind}")).collect();
+        let all = counted(self.proved + self.refuted + self.unknown, "statement");
+        if kinds.is_empty() { all } else { format!("{all}: {}", kinds.join(", ")) }
+    }
+
+    pub(super) fn all_as_stated(&self) -> bool {
+        self.not_as_stated == 0
+    }
+
+    pub(super) fn time(&self) -> Duration {
+        self.time
+    }
+}
+
+struct Report<'a> {
+    output: &'a mut dyn Write,
+    json: bool,
+    palette: Palette,
+    totals: Totals,
+}
+
+impl Report<'_> {
+    fn file(&mut self, file: TheoryFile) -> io::Result<Status> {
+        let TheoryFile { source, mut theory, .. } = file;
+        if !self.json {
+            writeln!(self.output, "{}", self.palette.heading(&source.name))?;
+        }
+        let mut status = Status::AsStated;
+        let mut errors = Vec::new();
+        for statement in &theory.statements.clone() {
+            let decided = timed(&mut theory, statement);
+            if let Verdict::Empty { reason } = &decided.verdict {
+                let message = format!("`{}` speaks of no point: {reason}", statement.name);
+                errors.push(FileError::at(&source, &Diagnostic::new(statement.span, message)));
+            }
+            status = status.max(if decided.ok() { Status::AsStated } else { Status::NotAsStated });
+            self.statement(&source.name, &decided)?;
+        }
+        if !self.json {
+            writeln!(self.output)?;
+        }
+        if !errors.is_empty() {
+            status = self.errors(&errors)?;
+        }
+        Ok(status)
+    }
+
+    fn statement(&mut self, file: &str, decided: &Decided) -> io::Result<()> {
+        self.totals.count(decided);
+        if self.json {
+            return write_statement(self.output, file, decided);
+        }
+        writeln!(self.output, "{}", decided.line(self.palette))?;
+        for line in decided.grounds(self.palette) {
+            writeln!(self.output, "{line}")?;
+        }
+        self.output.flush()
+    }
+
+    fn errors(&mut self, errors: &[FileError]) -> io::Result<Status> {
+        if self.json {
+            for error in errors {
+                write_error(self.output, error)?;
+            }
+        } else {
+            self.output.flush()?;
+            complain(errors);
+        }
+        Ok(Status::Error)
+    }
+
+    fn totals(&mut self, all: Duration) -> io::Result<()> {
+        let totals = &self.totals;
+        let end = match totals.not_as_stated {
+            0 => self.palette.good("all as stated"),
+            1 => self.palette.bad("1 is not as stated"),
+            some => self.palette.bad(&format!("{some} are not as stated")),
+        };
+        writeln!(self.output, "{}; {end}", totals.sentence())?;
+        let times = format!("{} to decide, {} with reading", duration(totals.time), duration(all));
+        writeln!(self.output, "{}", self.palette.quiet(&times))
+    }
+}
+
+/// A statement that speaks of no point is an error, which is written in its place.
+fn write_statement(output: &mut dyn Write, file: &str, decided: &Decided) -> io::Result<()> {
+    let Decided { statement, verdict, time } = decided;
+    let (conditions, witness): (&[String], _) = match verdict {
+        Verdict::Proved(theorem) => (&theorem.conditions, None),
+        Verdict::Refuted(witness) => (&witness.conditions, Some(Point(&witness.point))),
+        Verdict::Unknown { .. } => (&[], None),
+        Verdict::Empty { .. } => return Ok(()),
+    };
+    let record = StatementRecord {
+        file,
+        name: &statement.name,
+        kind: match statement.claim {
+            Claim::Prove => "prove",
+            Claim::Refute => "refute",
+        },
+        verdict: verdict.name(),
+        ok: decided.ok(),
+        conditions,
+        witness,
+        micros: u64::try_from(time.as_micros()).unwrap_or(u64::MAX),
+    };
+    write_record(output, &record)
+}

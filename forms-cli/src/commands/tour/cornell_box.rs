@@ -1,0 +1,76 @@
+//! The Cornell box by direct light: numbers at its named points, and its picture.
+
+use super::heading;
+use crate::commands::refuse;
+use crate::layout::{duration, wrap};
+use crate::palette::Palette;
+use crate::status::Status;
+use forms_radiometry::scene::{self, Receiver, Scene};
+use forms_radiometry::{CORNELL_BOX, picture, simulate_direct};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Where pictures are put, in the folder the program is called from.
+const FOLDER: &str = "forms-output";
+/// The picture's file.
+const PICTURE: &str = "cornell_box.png";
+
+/// Lights the scene, prints the irradiance at its points and writes its picture.
+pub(super) fn light(palette: Palette, output: &mut dyn Write) -> io::Result<Status> {
+    let scene = match scene::read(CORNELL_BOX, "cornell_box.toml") {
+        Ok(scene) => scene,
+        Err(errors) => {
+            errors.iter().for_each(|error| eprintln!("error: {error}"));
+            return Ok(Status::Error);
+        }
+    };
+    heading(3, "The Cornell box, lit", palette, output)?;
+    let about = "Direct light of the lamp in closed form, its shadows cut out of it exactly; light between the \
+                 walls is not part of it.";
+    for line in wrap(about, 2) {
+        writeln!(output, "{line}")?;
+    }
+    writeln!(output)?;
+    points(&scene, palette, output)?;
+    let camera = scene.receivers.iter().find_map(|receiver| match receiver {
+        Receiver::Camera(camera) => Some(camera),
+        Receiver::Point(_) => None,
+    });
+    let Some(camera) = camera else { return Ok(Status::AsStated) };
+    let start = Instant::now();
+    let picture = picture(&scene, camera);
+    let time = duration(start.elapsed());
+    let written = picture.png().map_err(io::Error::other).and_then(|png| write(&png));
+    match written {
+        Ok(path) => {
+            let size = format!("{} × {} pixels in {time}", picture.width(), picture.height());
+            writeln!(output, "  {}  {}\n", path.display(), palette.quiet(&size))?;
+            Ok(Status::AsStated)
+        }
+        Err(error) => {
+            let path = Path::new(FOLDER).join(PICTURE);
+            Ok(refuse(&format!("cannot write the picture {}: {error}", path.display())))
+        }
+    }
+}
+
+/// Irradiance, summed over the bands, and the part of the lamp's light that reaches the point.
+fn points(scene: &Scene, palette: Palette, output: &mut dyn Write) -> io::Result<()> {
+    let title = format!("  {:30} {:>16} {:>12}", "", "irradiance", "unshadowed");
+    writeln!(output, "{}", palette.quiet(&title))?;
+    for result in simulate_direct(scene) {
+        let [total, open]: [f64; 2] =
+            [&result.irradiance, &result.unoccluded].map(|bands| bands.iter().sum());
+        let share = if open > 0.0 { format!("{:.1} %", 100.0 * total / open) } else { "–".to_string() };
+        writeln!(output, "  {:30} {total:>10.6} W/m² {share:>12}", result.receiver)?;
+    }
+    writeln!(output)
+}
+
+fn write(png: &[u8]) -> io::Result<PathBuf> {
+    std::fs::create_dir_all(FOLDER)?;
+    let path = Path::new(FOLDER).join(PICTURE);
+    std::fs::write(&path, png)?;
+    Ok(path)
+}

@@ -1,0 +1,49 @@
+//! The kernels of the library and what they cost, as written and as generated.
+
+use super::heading;
+use crate::kernel::{library, program};
+use crate::layout::{duration, wrap};
+use crate::palette::Palette;
+use crate::status::Status;
+use crate::theory_file::complain;
+use std::io::{self, Write};
+use std::time::Instant;
+
+/// Columns for a kernel's name.
+const NAME: usize = 30;
+
+/// Generates every kernel of the library and prints its cost.
+pub(super) fn generate(palette: Palette, output: &mut dyn Write) -> io::Result<Status> {
+    let start = Instant::now();
+    let programs = library().and_then(|files| {
+        let kernels = files.iter().flat_map(|file| file.theory.kernels.iter().map(move |k| (file, k)));
+        kernels.map(|(file, kernel)| program(file, kernel)).collect::<Result<Vec<_>, _>>()
+    });
+    let programs = match programs {
+        Ok(programs) => programs,
+        Err(errors) => {
+            complain(&errors);
+            return Ok(Status::Error);
+        }
+    };
+    heading(2, "Kernels, generated from what was proved", palette, output)?;
+    for line in wrap(
+        "The cost of each kernel, as its formula was written and as it is generated, in additions: a division \
+              counts as 4, a square root as 5, a function as 15 to 30.",
+        2,
+    ) {
+        writeln!(output, "{line}")?;
+    }
+    writeln!(output)?;
+    let title = format!("  {:NAME$} {:>9} {:>9} {:>9}", "", "arguments", "written", "generated");
+    writeln!(output, "{}", palette.quiet(&title))?;
+    for written in &programs {
+        let generated = written.optimise();
+        let (before, after) = (written.cost(), generated.cost());
+        let arguments = written.arguments().len();
+        writeln!(output, "  {:NAME$} {arguments:>9} {before:>9} {after:>9}", written.name())?;
+    }
+    let all = format!("{} kernels in {}", programs.len(), duration(start.elapsed()));
+    writeln!(output, "\n  {all}; forms emit - --target rust prints them\n")?;
+    Ok(Status::AsStated)
+}

@@ -1,0 +1,93 @@
+//! The theory of radiance, statement by statement, and where its source is wrong as printed.
+
+use super::heading;
+use crate::commands::prove::{Totals, timed};
+use crate::layout::{duration, few_digits, wrap};
+use crate::palette::Palette;
+use crate::status::Status;
+use crate::theory_file::{complain, from_text};
+use crate::verdict_line::Decided;
+use forms::core::decide::{Verdict, Witness};
+use forms::core::diagnostic::Span;
+use forms::core::resolve::Statement;
+use forms::core::syntax::Source;
+use std::io::{self, Write};
+
+/// Where what belongs to a statement begins.
+const INDENT: usize = 6;
+
+/// Decides every statement and prints it with its time, then the printed equations that are wrong.
+pub(super) fn prove(palette: Palette, output: &mut dyn Write) -> io::Result<Status> {
+    let file = match from_text(forms_radiometry::RADIANCE.name, forms_radiometry::RADIANCE.text) {
+        Ok(file) => file,
+        Err(errors) => {
+            complain(&errors);
+            return Ok(Status::Error);
+        }
+    };
+    heading(1, "The theory, proved", palette, output)?;
+    for line in wrap(
+        "Every equation of Lessig, Fiume and Desbrun, \"On the Mathematical Formulation of Radiance\", that states \
+         an identity, by its number there: decided exactly, no sampling.",
+        2,
+    ) {
+        writeln!(output, "{line}")?;
+    }
+    writeln!(output)?;
+    let mut theory = file.theory;
+    let statements = theory.statements.clone();
+    let mut totals = Totals::default();
+    let mut wrong = Vec::new();
+    for statement in &statements {
+        let decided = timed(&mut theory, statement);
+        totals.count(&decided);
+        writeln!(output, "{}", decided.line(palette))?;
+        output.flush()?;
+        if decided.is_wrong_as_printed() {
+            wrong.push(decided);
+        }
+    }
+    let sentence = format!("{}, in {}", totals.sentence(), duration(totals.time()));
+    writeln!(output, "\n  {sentence}\n")?;
+    as_printed(&wrong, &file.source, palette, output)?;
+    Ok(if totals.all_as_stated() { Status::AsStated } else { Status::NotAsStated })
+}
+
+/// The printed equations that are wrong, each with an exact point at which its sides differ.
+fn as_printed(
+    wrong: &[Decided],
+    source: &Source,
+    palette: Palette,
+    output: &mut dyn Write,
+) -> io::Result<()> {
+    if wrong.is_empty() {
+        return Ok(());
+    }
+    writeln!(output, "{}\n", palette.heading("   Wrong as printed"))?;
+    for decided in wrong {
+        writeln!(output, "  {}", decided.statement.name)?;
+        for line in wrap(&equation(source, decided.statement), INDENT) {
+            writeln!(output, "{}", palette.notable(&line))?;
+        }
+        if let Verdict::Refuted(witness) = &decided.verdict {
+            for line in wrap(&difference(witness), INDENT) {
+                writeln!(output, "{}", palette.quiet(&line))?;
+            }
+        }
+    }
+    writeln!(output)
+}
+
+/// Where the sides differ and their values there, to a few digits.
+fn difference(witness: &Witness) -> String {
+    let point: Vec<String> = witness.point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    format!("{} ≠ {} at {}", few_digits(&witness.left), few_digits(&witness.right), point.join(", "))
+}
+
+/// The equation as it is written in its file, without its name.
+fn equation(source: &Source, statement: &Statement) -> String {
+    let Span { start, end } = statement.span;
+    let after_name = statement.name_span.end.max(start) as usize;
+    let text = source.text.get(after_name..end as usize).unwrap_or(&statement.name);
+    text.trim_start_matches(':').trim_end_matches(';').split_whitespace().collect::<Vec<_>>().join(" ")
+}

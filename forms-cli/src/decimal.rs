@@ -1,0 +1,105 @@
+//! Numbers as people write them in tables: exact decimals and quotients, rounded once to `f64`.
+
+use forms::core::kernel::Constant;
+use num_rational::BigRational;
+use num_traits::{Zero, pow};
+
+/// The largest power of ten of a part of a quotient, in magnitude.
+const LARGEST_POWER: i64 = 10_000;
+
+/// The `f64` nearest to `0.1`, `-2.5e-3` or `1/3`; nothing for any other text.
+pub(crate) fn nearest(text: &str) -> Option<f64> {
+    if let Some((above, below)) = text.split_once('/') {
+        let (above, below) = (exact(above.trim())?, exact(below.trim())?);
+        if below.is_zero() {
+            return None;
+        }
+        return Some(Constant::rational(above / below).to_f64());
+    }
+    Decimal::read(text)?;
+    text.parse().ok()
+}
+
+/// Sign, digits before and after the point, power of ten.
+struct Decimal<'t> {
+    negative: bool,
+    whole: &'t str,
+    fraction: &'t str,
+    power: &'t str,
+}
+
+impl<'t> Decimal<'t> {
+    fn read(text: &'t str) -> Option<Self> {
+        let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
+        let (mantissa, power) = unsigned.split_once(['e', 'E']).unwrap_or((unsigned, "0"));
+        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+        let power_digits = power.strip_prefix(['-', '+']).unwrap_or(power);
+        let sound = digits(whole)
+            && digits(fraction)
+            && !(whole.is_empty() && fraction.is_empty())
+            && digits(power_digits)
+            && !power_digits.is_empty();
+        sound.then_some(Decimal { negative: text.starts_with('-'), whole, fraction, power })
+    }
+}
+
+fn exact(text: &str) -> Option<BigRational> {
+    let decimal = Decimal::read(text)?;
+    let power: i64 = decimal.power.parse().ok().filter(|power: &i64| power.abs() <= LARGEST_POWER)?;
+    let shift = power - i64::try_from(decimal.fraction.len()).ok()?;
+    let digits = format!("{}{}", decimal.whole, decimal.fraction);
+    let mantissa = BigRational::from_integer(digits.parse().ok()?);
+    let ten = pow(BigRational::from_integer(10.into()), usize::try_from(shift.unsigned_abs()).ok()?);
+    let magnitude = if shift < 0 { mantissa / ten } else { mantissa * ten };
+    Some(if decimal.negative { -magnitude } else { magnitude })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn decimals_and_quotients_are_rounded_once() {
+        let cases = [
+            ("0.1", 0.1),
+            ("-2.5e-3", -0.0025),
+            ("+7", 7.0),
+            (".5", 0.5),
+            ("1.", 1.0),
+            ("1E3", 1000.0),
+            ("1/3", 1.0 / 3.0),
+            ("-2 / 3", -2.0 / 3.0),
+            ("0.1/0.3", 1.0 / 3.0),
+            ("1e300/1e-9", f64::INFINITY),
+            ("5e-324", 5e-324),
+            ("1/1e320", 1e-320),
+            ("9007199254740993", 9007199254740992.0),
+        ];
+        for (text, expected) in cases {
+            assert_eq!(nearest(text), Some(expected), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_is_refused() {
+        for text in [
+            "",
+            "inf",
+            "NaN",
+            "-infinity",
+            "0x10",
+            "1e",
+            "e3",
+            ".",
+            "1..2",
+            "1/0",
+            "1/2/3",
+            "1_000",
+            "²",
+            "1 2",
+        ] {
+            assert_eq!(nearest(text), None, "{text:?}");
+        }
+    }
+}

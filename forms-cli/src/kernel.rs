@@ -1,0 +1,46 @@
+//! Kernels of a file or of the library, found by name and generated.
+
+use crate::theory_file::{self, FileError, TheoryFile};
+use forms::core::kernel::{KernelSource, Program, lower};
+use forms::core::resolve::Kernel;
+
+/// Where FILE is this, the library is meant.
+pub(crate) const LIBRARY: &str = "-";
+
+/// The files that FILE names: one on disk, or those of the library.
+pub(crate) fn files(file: &str) -> Result<Vec<TheoryFile>, Vec<FileError>> {
+    if file == LIBRARY { library() } else { theory_file::read(file).map(|file| vec![file]) }
+}
+
+/// The files of the library.
+pub(crate) fn library() -> Result<Vec<TheoryFile>, Vec<FileError>> {
+    forms_radiometry::library().iter().map(|file| theory_file::from_text(file.name, file.text)).collect()
+}
+
+/// A kernel by its name, with the file it stands in.
+pub(crate) fn find<'a>(files: &'a [TheoryFile], name: &str) -> Result<(&'a TheoryFile, &'a Kernel), String> {
+    let all = || files.iter().flat_map(|file| file.theory.kernels.iter().map(move |kernel| (file, kernel)));
+    all().find(|(_, kernel)| kernel.name == name).ok_or_else(|| {
+        let names: Vec<&str> = all().map(|(_, kernel)| kernel.name.as_str()).collect();
+        match names.as_slice() {
+            [] => format!("there is no kernel named `{name}`, nor any other"),
+            names => format!("there is no kernel named `{name}`; there are {}", names.join(", ")),
+        }
+    })
+}
+
+/// The kernel as it was written, as a program.
+pub(crate) fn program(file: &TheoryFile, kernel: &Kernel) -> Result<Program, Vec<FileError>> {
+    let source = KernelSource {
+        name: kernel.name.clone(),
+        docs: kernel.docs.clone(),
+        public: true,
+        arguments: kernel.arguments.clone(),
+        outputs: kernel.outputs.clone(),
+        domain: kernel.domain.clone(),
+    };
+    lower(&file.theory.pool, &source).map_err(|error| {
+        let diagnostic = forms::core::diagnostic::Diagnostic::new(kernel.span, error.to_string());
+        vec![FileError::at(&file.source, &diagnostic)]
+    })
+}

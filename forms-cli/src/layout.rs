@@ -1,0 +1,70 @@
+//! Text on a terminal of eighty columns.
+
+use std::time::Duration;
+
+/// The columns that are used.
+pub(crate) const WIDTH: usize = 80;
+
+/// How many characters of a long value are shown.
+const FIGURES: usize = 12;
+
+/// Lines of at most [`WIDTH`] columns with an indent, broken at spaces; a longer word stands alone.
+pub(crate) fn wrap(text: &str, indent: usize) -> Vec<String> {
+    let margin = " ".repeat(indent);
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= WIDTH => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(format!("{margin}{word}")),
+        }
+    }
+    lines
+}
+
+/// A time in three figures or so: `85 µs`, `1.2 ms`, `3.40 s`.
+pub(crate) fn duration(time: Duration) -> String {
+    let micros = time.as_micros();
+    match micros {
+        0..1_000 => format!("{micros} µs"),
+        1_000..1_000_000 => format!("{:.1} ms", micros as f64 / 1e3),
+        _ => format!("{:.2} s", time.as_secs_f64()),
+    }
+}
+
+/// The first figures of a value: `0.2182178…`; a shorter value as it is.
+pub(crate) fn few_digits(value: &str) -> String {
+    match value.char_indices().nth(FIGURES) {
+        Some((end, _)) => format!("{}…", &value[..end]),
+        None => value.to_string(),
+    }
+}
+
+/// `1 statement`, `2 statements`
+pub(crate) fn counted(count: usize, thing: &str) -> String {
+    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_broken_at_spaces_and_no_longer_than_the_terminal() {
+        let text = "word ".repeat(40);
+        let lines = wrap(&text, 6);
+        assert!(lines.iter().all(|line| line.starts_with("      word") && line.len() <= WIDTH));
+        assert_eq!(lines.join(" ").split_whitespace().count(), 40);
+    }
+
+    #[test]
+    fn times_have_the_unit_that_suits_them() {
+        let cases =
+            [(0, "0 µs"), (999, "999 µs"), (1_240, "1.2 ms"), (999_949, "999.9 ms"), (3_400_000, "3.40 s")];
+        for (micros, expected) in cases {
+            assert_eq!(duration(Duration::from_micros(micros)), expected);
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! Colours, where there is someone to see them.
+
+use anstyle::{AnsiColor, Effects, Style};
+use std::io::IsTerminal;
+
+/// What the program colours; plain where the output is no terminal or the user asked for none.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Palette {
+    coloured: bool,
+}
+
+impl Palette {
+    /// The palette of standard output: colours on a terminal, unless `NO_COLOR` is set.
+    pub(crate) fn of_output() -> Self {
+        let forbidden = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+        let dumb = std::env::var_os("TERM").is_none_or(|terminal| terminal == "dumb");
+        Palette { coloured: std::io::stdout().is_terminal() && !forbidden && !dumb }
+    }
+
+    fn paint(self, style: Style, text: &str) -> String {
+        if self.coloured { format!("{style}{text}{style:#}") } else { text.to_string() }
+    }
+
+    /// What is as it should be.
+    pub(crate) fn good(self, text: &str) -> String {
+        self.paint(AnsiColor::Green.on_default(), text)
+    }
+
+    /// What is not as it should be.
+    pub(crate) fn bad(self, text: &str) -> String {
+        self.paint(AnsiColor::Red.on_default(), text)
+    }
+
+    /// What a reader should notice.
+    pub(crate) fn notable(self, text: &str) -> String {
+        self.paint(AnsiColor::Yellow.on_default(), text)
+    }
+
+    /// What stands beside the main thing.
+    pub(crate) fn quiet(self, text: &str) -> String {
+        self.paint(Style::new().effects(Effects::DIMMED), text)
+    }
+
+    /// A heading.
+    pub(crate) fn heading(self, text: &str) -> String {
+        self.paint(Style::new().effects(Effects::BOLD), text)
+    }
+}

@@ -1,0 +1,24 @@
+//! What the program's exit status says.
+
+use std::process::ExitCode;
+
+/// How a command ended, from good to bad.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Status {
+    /// Everything is as stated, or was done as asked.
+    AsStated,
+    /// Some statement is not as stated.
+    NotAsStated,
+    /// There is an error in a file, or the call cannot be carried out.
+    Error,
+}
+
+impl From<Status> for ExitCode {
+    fn from(status: Status) -> ExitCode {
+        ExitCode::from(match status {
+            Status::AsStated => 0,
+            Status::NotAsStated => 1,
+            Status::Error => 2,
+        })
+    }
+}

@@ -1,0 +1,93 @@
+//! Files: the text of a file becomes a theory, or everything that is wrong with it.
+
+use forms::core::diagnostic::{Diagnostic, Span};
+use forms::core::resolve::{Theory, resolve};
+use forms::core::syntax::{self, Source, ast};
+use std::fs::File;
+use std::io::Read;
+
+/// The largest file that is read, in bytes.
+const LARGEST_FILE: u64 = 16 << 20;
+
+/// A file without errors.
+pub(crate) struct TheoryFile {
+    pub(crate) source: Source,
+    pub(crate) tree: ast::File,
+    pub(crate) theory: Theory,
+}
+
+/// One error, with its place and as it is shown.
+pub(crate) struct FileError {
+    pub(crate) file: String,
+    pub(crate) line: usize,
+    pub(crate) column: usize,
+    pub(crate) message: String,
+    pub(crate) shown: String,
+}
+
+impl FileError {
+    /// An error at a place of a text.
+    pub(crate) fn at(source: &Source, diagnostic: &Diagnostic) -> Self {
+        let position = source.position(diagnostic.span.start);
+        FileError {
+            file: source.name.clone(),
+            line: position.line,
+            column: position.column,
+            message: diagnostic.message.clone(),
+            shown: source.render(diagnostic),
+        }
+    }
+
+    /// An error of a file as a whole, told at its first character.
+    fn of_file(file: &str, message: String) -> Self {
+        let shown = format!("error: {message}\n --> {file}\n");
+        FileError { file: file.to_string(), line: 1, column: 1, message, shown }
+    }
+}
+
+/// Reads a file from disk.
+pub(crate) fn read(path: &str) -> Result<TheoryFile, Vec<FileError>> {
+    let bytes = bytes(path).map_err(|message| vec![FileError::of_file(path, message)])?;
+    match String::from_utf8(bytes) {
+        Ok(text) => from_text(path, text),
+        Err(error) => {
+            let valid = error.utf8_error().valid_up_to();
+            let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
+            let place = u32::try_from(valid).unwrap_or(u32::MAX);
+            let message = "the file is not UTF-8 text: this byte belongs to no character";
+            let diagnostic = Diagnostic::new(Span::new(place, place + 1), message);
+            Err(vec![FileError::at(&Source::new(path, text), &diagnostic)])
+        }
+    }
+}
+
+fn bytes(path: &str) -> Result<Vec<u8>, String> {
+    let cannot = |error: std::io::Error| format!("cannot read the file: {error}");
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(cannot)?;
+    file.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(cannot)?;
+    if bytes.len() as u64 > LARGEST_FILE {
+        return Err(format!("the file is larger than the limit of {} MiB", LARGEST_FILE >> 20));
+    }
+    Ok(bytes)
+}
+
+/// Parses and resolves a text; the errors are in the order of the text.
+pub(crate) fn from_text(name: &str, text: impl Into<String>) -> Result<TheoryFile, Vec<FileError>> {
+    let source = Source::new(name, text);
+    let (tree, mut diagnostics) = syntax::read(&source.text);
+    let (theory, found) = resolve(&tree);
+    diagnostics.extend(found);
+    diagnostics.sort_by_key(|diagnostic| diagnostic.span);
+    if diagnostics.is_empty() {
+        return Ok(TheoryFile { source, tree, theory });
+    }
+    Err(diagnostics.iter().map(|diagnostic| FileError::at(&source, diagnostic)).collect())
+}
+
+/// Shows errors to a person, on standard error.
+pub(crate) fn complain(errors: &[FileError]) {
+    for error in errors {
+        eprintln!("{}", error.shown);
+    }
+}

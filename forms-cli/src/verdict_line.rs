@@ -1,0 +1,98 @@
+//! A statement with its verdict, for a person to read.
+
+use crate::layout::{duration, few_digits, wrap};
+use crate::palette::Palette;
+use forms::core::decide::{Verdict, Witness};
+use forms::core::resolve::Statement;
+use forms::core::syntax::ast::Claim;
+use std::time::Duration;
+
+/// Columns for the name of a statement, beyond which the verdict moves to the right.
+const NAME: usize = 44;
+/// Columns for the verdict.
+const WORDS: usize = 16;
+/// Where what belongs to a statement begins.
+const INDENT: usize = 6;
+/// How the names of equations end that are wrong where they were printed.
+const AS_PRINTED: &str = "_as_printed";
+
+/// Conditions beyond this many characters are counted, not shown.
+const LONGEST_LIST: usize = 240;
+
+/// A statement that has been decided.
+pub(crate) struct Decided<'a> {
+    pub(crate) statement: &'a Statement,
+    pub(crate) verdict: Verdict,
+    pub(crate) time: Duration,
+}
+
+impl Decided<'_> {
+    /// Whether it is as stated.
+    pub(crate) fn ok(&self) -> bool {
+        self.verdict.bears_out(self.statement.claim)
+    }
+
+    /// Whether it is a printed equation that has been shown to be wrong.
+    pub(crate) fn is_wrong_as_printed(&self) -> bool {
+        self.ok() && self.statement.claim == Claim::Refute && self.statement.name.ends_with(AS_PRINTED)
+    }
+
+    /// The verdict in words.
+    fn words(&self) -> &'static str {
+        match (&self.verdict, self.statement.claim) {
+            (Verdict::Proved(_), Claim::Prove) => "proved",
+            (Verdict::Refuted(_), Claim::Refute) if self.is_wrong_as_printed() => "wrong as printed",
+            (Verdict::Refuted(_), Claim::Refute) => "refuted",
+            (Verdict::Proved(_), Claim::Refute) => "holds after all",
+            (Verdict::Refuted(_), Claim::Prove) => "does not hold",
+            (Verdict::Unknown { .. }, _) => "unknown",
+            (Verdict::Empty { .. }, _) => "speaks of nothing",
+        }
+    }
+
+    /// Mark, name, verdict and time in one line.
+    pub(crate) fn line(&self, palette: Palette) -> String {
+        let words = format!("{:WORDS$}", self.words());
+        let (mark, words) = match (self.ok(), self.statement.claim) {
+            (true, Claim::Prove) => (palette.good("✓"), words),
+            (true, Claim::Refute) => (palette.good("✓"), palette.notable(&words)),
+            (false, _) => (palette.bad("✗"), palette.bad(&words)),
+        };
+        let time = palette.quiet(&format!("{:>9}", duration(self.time)));
+        format!("  {mark} {:NAME$}  {words} {time}", self.statement.name)
+    }
+
+    /// What the verdict rests on: conditions, the witness, or what stood in the way.
+    pub(crate) fn grounds(&self, palette: Palette) -> Vec<String> {
+        let text = match &self.verdict {
+            Verdict::Proved(theorem) if theorem.conditions.is_empty() => return vec![],
+            Verdict::Proved(theorem) => format!("where {}", listed(&theorem.conditions)),
+            Verdict::Refuted(witness) => in_short(witness).to_string(),
+            Verdict::Unknown { reason } | Verdict::Empty { reason } => reason.clone(),
+        };
+        wrap(&text, INDENT).iter().map(|line| palette.quiet(line)).collect()
+    }
+}
+
+/// The witness with the first figures of both sides.
+fn in_short(witness: &Witness) -> Witness {
+    let (left, right) = (few_digits(&witness.left), few_digits(&witness.right));
+    Witness { left, right, ..witness.clone() }
+}
+
+/// Conditions one after the other; those that would make the list long are only counted.
+fn listed(conditions: &[String]) -> String {
+    let mut list = String::new();
+    for (place, condition) in conditions.iter().enumerate() {
+        if list.len() + condition.len() > LONGEST_LIST {
+            let rest = conditions.len() - place;
+            let more = format!("{rest} {}", if place == 0 { "long conditions hold" } else { "more" });
+            return if place == 0 { more } else { format!("{list}, and {more}") };
+        }
+        if place > 0 {
+            list.push_str(", ");
+        }
+        list.push_str(condition);
+    }
+    list
+}

@@ -1,0 +1,92 @@
+//! Running the program in a folder of its own.
+
+use std::io::{BufRead, BufReader, Read, Write};
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// A folder that lasts as long as its test.
+pub(crate) struct Folder(PathBuf);
+
+impl Folder {
+    /// A folder with these files.
+    pub(crate) fn with(files: &[(&str, &str)]) -> Self {
+        static NUMBER: AtomicUsize = AtomicUsize::new(0);
+        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+        let name = format!("folder-{}-{number}", std::process::id());
+        let folder = Folder(PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name));
+        std::fs::create_dir_all(&folder.0).expect("a folder in the build's folder");
+        files.iter().for_each(|(name, text)| folder.write(name, text.as_bytes()));
+        folder
+    }
+
+    pub(crate) fn write(&self, name: &str, bytes: &[u8]) {
+        std::fs::write(self.0.join(name), bytes).expect("a file in the test's folder");
+    }
+
+    pub(crate) fn read(&self, name: &str) -> Vec<u8> {
+        std::fs::read(self.0.join(name)).unwrap_or_default()
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// How a run ended and what it printed.
+pub(crate) struct Run {
+    pub(crate) status: i32,
+    pub(crate) output: String,
+    pub(crate) errors: String,
+}
+
+/// Runs the program without input.
+pub(crate) fn forms(folder: &Folder, arguments: &[&str]) -> Run {
+    forms_on(folder, arguments, "")
+}
+
+/// Runs the program on an input.
+pub(crate) fn forms_on(folder: &Folder, arguments: &[&str], input: &str) -> Run {
+    let mut child = started(folder, arguments);
+    let mut pipe = child.stdin.take().expect("a pipe");
+    // A program that refuses its arguments does not wait for its input.
+    let _ = pipe.write_all(input.as_bytes());
+    drop(pipe);
+    let ended = child.wait_with_output().expect("the program ends");
+    let text = |bytes| String::from_utf8(bytes).expect("the program writes text");
+    Run { status: ended.status.code().unwrap_or(-1), output: text(ended.stdout), errors: text(ended.stderr) }
+}
+
+/// Reads the first line of the output, closes it, and returns what is said on standard error.
+pub(crate) fn first_line_only(folder: &Folder, arguments: &[&str]) -> String {
+    let mut child = started(folder, arguments);
+    let mut line = String::new();
+    BufReader::new(child.stdout.take().expect("a pipe")).read_line(&mut line).expect("a line");
+    let mut errors = String::new();
+    child.stderr.take().expect("a pipe").read_to_string(&mut errors).expect("text");
+    child.wait().expect("the program ends");
+    errors
+}
+
+fn started(folder: &Folder, arguments: &[&str]) -> std::process::Child {
+    Command::new(env!("CARGO_BIN_EXE_forms"))
+        .current_dir(&folder.0)
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts")
+}
+
+/// Whether a Rust source compiles as a library without a warning.
+pub(crate) fn compiles(folder: &Folder, source: &str) -> bool {
+    folder.write("kernels.rs", source.as_bytes());
+    let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_string());
+    let arguments = ["--edition", "2024", "--crate-type", "lib", "-D", "warnings", "kernels.rs"];
+    let ended = Command::new(rustc).current_dir(&folder.0).args(arguments).output().expect("a compiler");
+    eprintln!("{}", String::from_utf8_lossy(&ended.stderr));
+    ended.status.success()
+}

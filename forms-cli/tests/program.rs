@@ -1,0 +1,257 @@
+//! The program, run as its users run it: exit statuses, both kinds of output, and what it says of mistakes.
+
+mod process;
+
+use process::{Folder, forms, forms_on};
+
+const THEORY: &str = "chart Line(x);\nchart UV(u, v);\n\
+    prove square: (x + 1)**2 == x**2 + 2*x + 1;\n\
+    refute shifted: x + 1 == x;\n\
+    let q = (x**2 - 1)/(x - 1);\n\
+    form w = (u**2 - v**2)/(u - v)*du^dv;\n\
+    map swap: UV -> UV = (v, u);\n\
+    pub kernel ratio(a, b) = a/b where b > 0;\n\
+    kernel both(x) = (x, 2*x);\n";
+
+#[test]
+fn statements_as_stated_end_in_status_0() {
+    let folder = Folder::with(&[("good.forms", THEORY)]);
+    let run = forms(&folder, &["prove", "good.forms"]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    for part in ["good.forms", "✓ square", "proved", "✓ shifted", "refuted", "2 statements", "all as stated"]
+    {
+        assert!(run.output.contains(part), "{part}: {}", run.output);
+    }
+    assert!(!run.output.contains('\u{1b}'), "no colours where nobody sees them");
+}
+
+#[test]
+fn a_statement_not_as_stated_ends_in_status_1() {
+    let folder =
+        Folder::with(&[("false.forms", "chart L(x); prove wrong: x == x + 1; refute right: x == x;")]);
+    let run = forms(&folder, &["prove", "false.forms"]);
+    assert_eq!(run.status, 1);
+    assert!(run.output.contains("✗ wrong") && run.output.contains("does not hold"), "{}", run.output);
+    assert!(run.output.contains("✗ right") && run.output.contains("holds after all"), "{}", run.output);
+}
+
+#[test]
+fn every_error_of_every_file_is_reported_with_its_place() {
+    let first = "chart L(x);\nprove a: y == 1;\nlet b = dx*dx;\n";
+    let folder =
+        Folder::with(&[("first.forms", first), ("second.forms", "chart L(x)\n"), ("good.forms", THEORY)]);
+    let run = forms(&folder, &["prove", "first.forms", "second.forms", "missing.forms", "good.forms"]);
+    assert_eq!(run.status, 2);
+    for place in ["first.forms:2:10", "first.forms:3:11", "second.forms:1:11", "missing.forms"] {
+        assert!(run.errors.contains(place), "{place}: {}", run.errors);
+    }
+    assert!(run.errors.contains("2 | prove a: y == 1;"), "{}", run.errors);
+    assert!(run.output.contains("✓ square"), "{}", run.output);
+}
+
+#[test]
+fn json_has_one_object_a_line_with_these_keys_in_this_order() {
+    let folder = Folder::with(&[("good.forms", THEORY), ("bad.forms", "let a = b;")]);
+    let run = forms(&folder, &["prove", "--json", "good.forms", "bad.forms"]);
+    assert_eq!((run.status, run.errors.as_str()), (2, ""));
+    let lines: Vec<String> = run.output.lines().map(without_micros).collect();
+    let statement = |name: &str, kind: &str, verdict: &str, rest: &str| {
+        format!(
+            "{{\"file\":\"good.forms\",\"name\":\"{name}\",\"kind\":\"{kind}\",\"verdict\":\"{verdict}\",\
+             \"ok\":true,\"conditions\":[],\"witness\":{rest}"
+        )
+    };
+    assert_eq!(lines[0], statement("square", "prove", "proved", "null,\"micros\":"));
+    let refuted = statement("shifted", "refute", "refuted", "{");
+    assert!(lines[1].starts_with(&refuted) && lines[1].ends_with("},\"micros\":"), "{}", lines[1]);
+    assert_eq!(
+        lines[2],
+        "{\"file\":\"bad.forms\",\"line\":1,\"column\":9,\"error\":\"`b` is not declared\"}"
+    );
+    assert_eq!(lines.len(), 3);
+    let again = forms(&folder, &["prove", "--json", "good.forms", "bad.forms"]);
+    assert_eq!(lines, again.output.lines().map(without_micros).collect::<Vec<_>>());
+}
+
+/// A line up to the time, which is the one thing that changes.
+fn without_micros(line: &str) -> String {
+    serde_json::from_str::<serde_json::Value>(line).expect("every line is an object");
+    match line.split_once("\"micros\":") {
+        Some((before, _)) => format!("{before}\"micros\":"),
+        None => line.to_string(),
+    }
+}
+
+#[test]
+fn what_is_no_text_is_an_error_and_no_panic() {
+    let folder =
+        Folder::with(&[("nul.forms", "\0"), ("deep.forms", &format!("let a = {};", "(".repeat(100_000)))]);
+    folder.write("binary.forms", &[0x63, 0x0a, 0xff, 0xfe]);
+    let cases = [
+        ("nul.forms", "unexpected character"),
+        ("deep.forms", "nested more than 256 levels deep"),
+        ("binary.forms", "binary.forms:2:1"),
+        (".", "cannot read the file"),
+    ];
+    for (file, message) in cases {
+        let run = forms(&folder, &["prove", file]);
+        assert_eq!(run.status, 2, "{file}");
+        assert!(run.errors.contains(message), "{file}: {}", run.errors);
+    }
+}
+
+#[test]
+fn expressions_beyond_every_measure_are_errors_that_name_the_limit() {
+    let coordinates: Vec<String> = (0..100).map(|i| format!("x{i}")).collect();
+    let two_form: Vec<String> = (0..99).map(|i| format!("x{}*dx{i}^dx{}", i + 1, i + 1)).collect();
+    let wedge = format!(
+        "chart R({});\nform v: 2 = {};\nprove p: {} == 0;",
+        coordinates.join(", "),
+        two_form.join(" + "),
+        ["v"; 12].join("^")
+    );
+    let folder = Folder::with(&[("wedge.forms", &wedge), ("power.forms", "chart L(x); let a = x**1000001;")]);
+    for (file, message) in
+        [("wedge.forms", "products of terms"), ("power.forms", "beyond the limit of 1000000")]
+    {
+        let run = forms(&folder, &["prove", file]);
+        assert_eq!(run.status, 2, "{file}");
+        assert!(run.errors.contains(message), "{file}: {}", run.errors);
+    }
+}
+
+#[test]
+fn a_named_object_is_shown_simplified() {
+    let folder = Folder::with(&[("good.forms", THEORY)]);
+    let cases = [
+        ("q", "text", "x + 1"),
+        ("w", "text", "(u + v)*du^dv"),
+        ("w", "latex", "\\left(u + v\\right)\\,\\mathrm{d}u\\wedge \\mathrm{d}v"),
+        ("swap", "text", "(v, u)"),
+        ("both", "text", "(x, 2*x)"),
+        ("Line", "text", "Line(x)"),
+        ("shifted", "text", "x + 1 == x"),
+    ];
+    for (name, notation, expected) in cases {
+        let run = forms(&folder, &["show", "good.forms", name, "--as", notation]);
+        assert_eq!((run.status, run.output.trim_end()), (0, expected), "{name}");
+    }
+    let mathml = forms(&folder, &["show", "good.forms", "w", "--as", "mathml"]);
+    assert!(mathml.output.starts_with("<math") && mathml.output.trim_end().ends_with("</math>"));
+    let missing = forms(&folder, &["show", "good.forms", "nothing"]);
+    assert_eq!((missing.status, missing.output.as_str()), (2, ""));
+    assert!(missing.errors.contains("`nothing`"));
+}
+
+#[test]
+fn rows_are_evaluated_and_written_with_their_values() {
+    let folder = Folder::with(&[("good.forms", THEORY)]);
+    let run = forms_on(&folder, &["eval", "good.forms", "ratio"], "b, a\n4, 1\n 3 , 1/3\n-1, 1\n");
+    assert_eq!(run.status, 0, "{}", run.errors);
+    let expected = "a,b,ratio\n\
+        1.0000000000000000e0,4.0000000000000000e0,2.5000000000000000e-1\n\
+        3.3333333333333331e-1,3.0000000000000000e0,1.1111111111111110e-1\n\
+        1.0000000000000000e0,-1.0000000000000000e0,NaN\n";
+    assert_eq!(run.output, expected);
+    let several = forms_on(&folder, &["eval", "good.forms", "both", "--tier", "plain"], "x\n0.5\n");
+    assert_eq!(
+        several.output,
+        "x,both_0,both_1\n5.0000000000000000e-1,5.0000000000000000e-1,1.0000000000000000e0\n"
+    );
+}
+
+#[test]
+fn a_mistake_in_the_rows_is_named_and_ends_the_output() {
+    let folder = Folder::with(&[("good.forms", THEORY)]);
+    let cases = [
+        ("", "no header", 0),
+        ("a\n1\n", "the column `b` is missing", 0),
+        ("a,b,c\n1,2,3\n", "`c` is no argument of `ratio`", 0),
+        ("a,a,b\n1,1,2\n", "the column `a` occurs twice", 0),
+        ("a,b\n1,2\n1,inf\n", "<stdin>:3", 2),
+        ("a,b\n1,2\n1,2\n1\n", "expected 2 numbers in this row, found 1", 3),
+    ];
+    for (rows, message, lines) in cases {
+        let run = forms_on(&folder, &["eval", "good.forms", "ratio"], rows);
+        assert_eq!(run.status, 2, "{rows:?}");
+        assert!(run.errors.contains(message), "{rows:?}: {}", run.errors);
+        assert_eq!(run.output.lines().count(), lines, "{rows:?}: {}", run.output);
+    }
+}
+
+#[test]
+fn what_is_not_available_is_said() {
+    let folder = Folder::with(&[("good.forms", THEORY)]);
+    let cases: [&[&str]; 6] = [
+        &["emit", "good.forms", "--target", "c"],
+        &["emit", "good.forms", "--target", "cobol"],
+        &["emit", "good.forms", "--target", "rust", "--kernel", "nothing"],
+        &["eval", "good.forms", "ratio", "--precision", "dd"],
+        &["eval", "good.forms", "nothing"],
+        &["conquer"],
+    ];
+    for arguments in cases {
+        let run = forms(&folder, arguments);
+        assert_eq!((run.status, run.output.as_str()), (2, ""), "{arguments:?}");
+        assert!(run.errors.starts_with("error: "), "{arguments:?}: {}", run.errors);
+    }
+}
+
+#[test]
+fn every_kernel_of_the_library_is_listed_evaluated_and_emitted() {
+    let folder = Folder::with(&[]);
+    let list = forms(&folder, &["kernels"]).output;
+    for name in ["measure_area_to_solid_angle", "half_vector_jacobian", "transmittance", "basic_radiance"] {
+        assert!(list.lines().any(|line| line == name), "{list}");
+    }
+    assert!(list.contains("r2 [m**2], cos_theta [1]") && list.contains("= cos_theta/r2"), "{list}");
+    let run = forms_on(&folder, &["eval", "-", "half_vector_jacobian"], "cos_oh\n0.5\n");
+    assert_eq!(run.output, "cos_oh,half_vector_jacobian\n5.0000000000000000e-1,5.0000000000000000e-1\n");
+    let source = forms(&folder, &["emit", "-", "--target", "rust"]).output;
+    assert!(process::compiles(&folder, &source), "{source}");
+}
+
+#[test]
+fn emitted_source_compiles_as_it_stands() {
+    let folder = Folder::with(&[("good.forms", THEORY)]);
+    let run = forms(&folder, &["emit", "good.forms", "--target", "rust"]);
+    assert_eq!(run.status, 0);
+    assert!(run.output.contains("pub fn ratio(a: f64, b: f64) -> f64"), "{}", run.output);
+    assert!(process::compiles(&folder, &run.output), "{}", run.output);
+    let one = forms(&folder, &["emit", "good.forms", "--target", "rust", "--kernel", "both"]);
+    assert!(one.output.contains("fn both") && !one.output.contains("fn ratio"), "{}", one.output);
+}
+
+#[test]
+fn a_reader_that_goes_away_is_no_failure() {
+    let many: String = (0..3000).map(|i| format!("prove p{i}: x + {i} == {i} + x;\n")).collect();
+    let folder = Folder::with(&[("many.forms", &format!("chart L(x);\n{many}"))]);
+    let errors = process::first_line_only(&folder, &["prove", "many.forms"]);
+    assert_eq!(errors, "");
+}
+
+#[test]
+fn help_and_version_are_there() {
+    let folder = Folder::with(&[]);
+    let help = forms(&folder, &["--help"]);
+    assert_eq!(help.status, 0);
+    for command in ["prove", "show", "eval", "emit", "kernels"] {
+        assert!(help.output.contains(command));
+    }
+    let version = forms(&folder, &["--version"]);
+    assert_eq!(version.output.trim_end(), format!("forms {}", env!("CARGO_PKG_VERSION")));
+}
+
+#[test]
+fn the_tour_proves_generates_and_paints() {
+    let folder = Folder::with(&[]);
+    let run = forms(&folder, &[]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""), "{}", run.output);
+    for part in ["eq28_closed", "Wrong as printed", "solid_angle_density_patch", "floor_centre", "5.39"] {
+        assert!(run.output.contains(part), "{part}: {}", run.output);
+    }
+    let picture = folder.read("forms-output/cornell_box.png");
+    assert!(picture.starts_with(b"\x89PNG"));
+    let widest = run.output.lines().map(|line| line.chars().count()).max();
+    assert!(widest <= Some(80), "{widest:?}");
+}

@@ -1,0 +1,133 @@
+//! A whole source checked: what it declares, and everything its author has to be told.
+//!
+//! ```text
+//! tokens ─ parse ─ resolve ─▶ Theory ─ decide ─▶ verdicts
+//!             └───────┴───────────────────┴────▶ diagnostics, in the order of the source
+//! ```
+//! A false claim is an error of the source like a missing bracket, so it is a [`Diagnostic`] too.
+
+use crate::decide::{Verdict, Witness, decide};
+use crate::diagnostic::{Diagnostic, Span};
+use crate::resolve::{Statement, Theory, resolve};
+use crate::syntax::ast::{Claim, File};
+use crate::syntax::token::{Token, TokenKind};
+use crate::syntax::{Source, end_of, lex, parse};
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// Resolves what was parsed from `tokens`. Names that only an unreadable item may have declared are not reported
+/// as unknown: that one mistake has been reported.
+pub fn resolve_parsed(tokens: &[Token], file: &File) -> (Theory, Vec<Diagnostic>) {
+    let (theory, mut diagnostics) = resolve(file);
+    let unread = unread_names(tokens, file);
+    if !unread.is_empty() && !diagnostics.is_empty() {
+        let names: FxHashMap<Span, &str> =
+            tokens.iter().filter_map(|token| Some((token.span, name(token)?))).collect();
+        let is_consequence = |diagnostic: &Diagnostic| {
+            names.get(&diagnostic.span).is_some_and(|name| {
+                unread.contains(name) || name.strip_prefix('d').is_some_and(|x| unread.contains(x))
+            })
+        };
+        diagnostics.retain(|diagnostic| !is_consequence(diagnostic));
+    }
+    (theory, diagnostics)
+}
+
+fn name(token: &Token) -> Option<&str> {
+    match &token.kind {
+        TokenKind::Name(text) => Some(text),
+        _ => None,
+    }
+}
+
+/// The names between the items that could be parsed.
+fn unread_names<'a>(tokens: &'a [Token], file: &File) -> FxHashSet<&'a str> {
+    let mut items = file.items.iter().map(|item| item.span).peekable();
+    let mut unread = FxHashSet::default();
+    for token in tokens {
+        while items.next_if(|item| item.end <= token.span.start).is_some() {}
+        if items.peek().is_none_or(|item| token.span.start < item.start) {
+            unread.extend(name(token));
+        }
+    }
+    unread
+}
+
+/// Parses and resolves a text.
+pub fn read_theory(text: &str) -> (Theory, Vec<Diagnostic>) {
+    let (tokens, mut diagnostics) = lex(text);
+    let (file, found) = parse(&tokens, end_of(text));
+    diagnostics.extend(found);
+    let (theory, found) = resolve_parsed(&tokens, &file);
+    diagnostics.extend(found);
+    diagnostics.sort_by_key(|diagnostic| diagnostic.span);
+    (theory, diagnostics)
+}
+
+/// Decides every statement, in order.
+pub fn decide_all(theory: &mut Theory) -> Vec<Verdict> {
+    let statements = theory.statements.clone();
+    statements.iter().map(|statement| decide(theory, statement)).collect()
+}
+
+/// What is to be said of a statement that is not as it claims.
+pub fn objection(statement: &Statement, verdict: &Verdict) -> Option<Diagnostic> {
+    if verdict.bears_out(statement.claim) {
+        return None;
+    }
+    let name = subject(&statement.name);
+    let diagnostic = |message: String| Some(Diagnostic::new(statement.span, message));
+    match verdict {
+        Verdict::Refuted(witness) => diagnostic(format!("{name} is false: {}", contradiction(witness))),
+        Verdict::Unknown { reason } => diagnostic(format!("{name} is undecided: {reason}")),
+        Verdict::Empty { reason } => diagnostic(format!("{name} speaks of no point: {reason}")),
+        Verdict::Proved(theorem) => {
+            let mut message = format!("{name} is claimed to be false and was proved");
+            if !theorem.conditions.is_empty() {
+                message = format!("{message}\nwhere {}", theorem.conditions.join(", "));
+            }
+            let help = match statement.claim {
+                Claim::Refute => "claim it with `prove`",
+                Claim::Prove => "claim it with `refute`",
+            };
+            diagnostic(message).map(|diagnostic| diagnostic.with_help(help))
+        }
+    }
+}
+
+/// A statement's name; a description, which is no name as it has a space in it, stands without quotes.
+fn subject(name: &str) -> String {
+    if name.contains(' ') { name.to_owned() } else { format!("`{name}`") }
+}
+
+/// left − right, then the point and both values there, a line each.
+fn contradiction(witness: &Witness) -> String {
+    let component = match witness.component.as_str() {
+        "" => String::new(),
+        component => format!(" in the coefficient of {component}"),
+    };
+    let point: Vec<String> = witness.point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    let place = if point.is_empty() { "everywhere".to_owned() } else { format!("at {}", point.join(", ")) };
+    format!(
+        "left - right = {}{component}\n{place}: left = {}, right = {}",
+        witness.difference, witness.left, witness.right
+    )
+}
+
+/// Decides one statement of a source by its name; the error is a text to be read.
+///
+/// # Errors
+/// If the source has an error or no such statement, or if the statement is not as it claims.
+pub fn check_statement(source: &Source, name: &str) -> Result<Verdict, String> {
+    let (mut theory, diagnostics) = read_theory(&source.text);
+    if !diagnostics.is_empty() {
+        return Err(diagnostics.iter().map(|diagnostic| source.render(diagnostic)).collect());
+    }
+    let Some(statement) = theory.statements.iter().find(|statement| statement.name == name).cloned() else {
+        return Err(format!("`{}` has no statement named `{name}`", source.name));
+    };
+    let verdict = decide(&mut theory, &statement);
+    match objection(&statement, &verdict) {
+        None => Ok(verdict),
+        Some(diagnostic) => Err(source.render(&diagnostic)),
+    }
+}

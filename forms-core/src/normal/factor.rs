@@ -1,0 +1,243 @@
+//! Known factors: polynomials that have occurred in denominators, and exact division by them.
+
+use super::fraction::Fraction;
+use super::generator::{FactorId, Generator};
+use super::tower::{Obstacle, Tower};
+use crate::polynomial::Polynomial;
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, Signed};
+
+/// A conjugate of more terms is not used for division.
+const LARGEST_CONJUGATE: usize = 60;
+
+/// Fᵉ below the line, or above it for e < 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(super) struct FactorPower {
+    pub(super) factor: FactorId,
+    pub(super) exponent: i32,
+}
+
+impl FactorPower {
+    pub(super) fn inverse(self) -> Self {
+        FactorPower { exponent: -self.exponent, ..self }
+    }
+}
+
+/// Two factor lists over one: the larger exponents, and what each side lacks of them.
+pub(super) struct CommonPowers {
+    pub(super) all: Vec<FactorPower>,
+    pub(super) lacking_left: Vec<FactorPower>,
+    pub(super) lacking_right: Vec<FactorPower>,
+}
+
+/// The least common denominator of two factor lists. A factor that a side does not have counts as F⁰.
+pub(super) fn common_powers(left: &[FactorPower], right: &[FactorPower]) -> CommonPowers {
+    let mut factors: Vec<FactorId> = left.iter().chain(right).map(|power| power.factor).collect();
+    factors.sort_unstable();
+    factors.dedup();
+    let mut common = CommonPowers { all: vec![], lacking_left: vec![], lacking_right: vec![] };
+    for factor in factors {
+        let (a, b) = (exponent_of(left, factor), exponent_of(right, factor));
+        let larger = a.max(b);
+        let lacking = |exponent: i32| FactorPower { factor, exponent: larger - exponent };
+        push(&mut common.all, FactorPower { factor, exponent: larger });
+        push(&mut common.lacking_left, lacking(a));
+        push(&mut common.lacking_right, lacking(b));
+    }
+    common
+}
+
+fn push(powers: &mut Vec<FactorPower>, power: FactorPower) {
+    if power.exponent != 0 {
+        powers.push(power);
+    }
+}
+
+fn exponent_of(powers: &[FactorPower], factor: FactorId) -> i32 {
+    powers.binary_search_by_key(&factor, |power| power.factor).map_or(0, |place| powers[place].exponent)
+}
+
+/// The product of two factor lists.
+pub(super) fn merge_powers(a: &[FactorPower], b: &[FactorPower]) -> Vec<FactorPower> {
+    let mut all: Vec<FactorPower> = a.to_vec();
+    for power in b {
+        match all.binary_search_by_key(&power.factor, |entry| entry.factor) {
+            Ok(place) => all[place].exponent += power.exponent,
+            Err(place) => all.insert(place, *power),
+        }
+    }
+    all.retain(|power| power.exponent != 0);
+    all
+}
+
+impl Tower {
+    /// content · ∏ factors of a polynomial: generators that divide it, radicands, known factors, the rest.
+    pub(super) fn split(&mut self, polynomial: &Polynomial) -> Result<(BigInt, Vec<FactorPower>), Obstacle> {
+        let mut content = polynomial.content();
+        if polynomial.leading_coefficient().is_negative() {
+            content = -content;
+        }
+        let monomial = polynomial.monomial_content();
+        let primitive = polynomial.primitive_part();
+        let mut rest = primitive.divide_by_monomial(&monomial).unwrap_or(primitive);
+        let mut powers = Vec::new();
+        for (variable, exponent) in monomial {
+            powers.push(FactorPower {
+                factor: self.factor(Polynomial::variable(variable)),
+                exponent: exponent as i32,
+            });
+        }
+        self.split_radicands(&mut rest, &mut powers);
+        self.split_known(&mut rest, &mut powers)?;
+        let common = rest.content();
+        if !common.is_one() {
+            rest = rest.divide_exact(&Polynomial::constant(common.clone())).unwrap_or(rest);
+            content *= common;
+        }
+        if rest.leading_coefficient().is_negative() {
+            (content, rest) = (-content, rest.neg());
+        }
+        if rest.as_constant().is_none() {
+            powers.push(FactorPower { factor: self.factor(rest), exponent: 1 });
+        }
+        Ok((content, powers.into_iter().fold(Vec::new(), |all, power| merge_powers(&all, &[power]))))
+    }
+
+    /// Divides out radicands, each as the power ρⁿ of its root, so that it has one name only.
+    fn split_radicands(&mut self, rest: &mut Polynomial, powers: &mut Vec<FactorPower>) {
+        for number in 0..self.relations.len() {
+            let relation = self.relations[number].clone();
+            if relation.value.term_count() < 2 || !self.is_current_root(relation.variable) {
+                continue;
+            }
+            let exponent = divide_out(rest, |rest| rest.divide_exact(&relation.value));
+            if exponent > 0 {
+                let factor = self.factor(Polynomial::variable(relation.variable));
+                powers.push(FactorPower { factor, exponent: exponent * relation.order as i32 });
+            }
+        }
+    }
+
+    /// Divides out known factors; those with roots by their conjugates.
+    fn split_known(&mut self, rest: &mut Polynomial, powers: &mut Vec<FactorPower>) -> Result<(), Obstacle> {
+        for number in 0..self.factors.len() {
+            let known = self.factors[number].clone();
+            let foreign =
+                |v: &u32| matches!(self.generator(*v), Generator::Root { .. }) && !self.is_current_root(*v);
+            if known.term_count() < 2
+                || known.term_count() > rest.term_count()
+                || known.variables().iter().any(foreign)
+            {
+                continue;
+            }
+            let exponent = match self.conjugate(&known) {
+                None => divide_out(rest, |rest| rest.divide_exact(&known)),
+                Some((conjugate, norm)) => {
+                    self.charge(rest, &conjugate)?;
+                    divide_out(rest, |rest| self.reduce(rest.mul(&conjugate)).divide_exact(&norm))
+                }
+            };
+            if exponent > 0 {
+                powers.push(FactorPower { factor: FactorId(number as u32), exponent });
+            }
+        }
+        Ok(())
+    }
+
+    /// For a factor F with square roots in it: G with F G = n free of roots, so that N/F = N G/n.
+    /// One root after the other: (A + Bρ)(A − Bρ) = A² − B² f.
+    fn conjugate(&self, factor: &Polynomial) -> Option<(Polynomial, Polynomial)> {
+        let (mut conjugate, mut norm) = (Polynomial::one(), factor.clone());
+        let mut found = false;
+        while let Some(relation) = self.relations.iter().rev().find(|r| norm.contains(r.variable)) {
+            if relation.order != 2 || self.is_trigonometric(relation.variable) {
+                return None;
+            }
+            let root = Polynomial::variable(relation.variable);
+            let mirrored = norm.substitute(relation.variable, &root.neg());
+            conjugate = self.reduce(conjugate.mul(&mirrored));
+            norm = self.reduce(norm.mul(&mirrored));
+            found = true;
+            if conjugate.term_count() > LARGEST_CONJUGATE || norm.is_zero() {
+                return None;
+            }
+        }
+        found.then_some((conjugate, norm))
+    }
+
+    /// N / (d ∏ Fᵉ) with every factor divided out of N that divides it, and free generators multiplied in
+    /// where they stand above the line.
+    pub(super) fn cancel(
+        &self,
+        mut numerator: Polynomial,
+        mut divisor: BigInt,
+        mut powers: Vec<FactorPower>,
+    ) -> Fraction {
+        if numerator.is_zero() {
+            return Fraction::zero();
+        }
+        for power in &mut powers {
+            if power.exponent < 0
+                && let Some(variable) = self.factor_variable(power.factor)
+                && self.relation_of(variable).is_none()
+            {
+                numerator = numerator.multiply_by_monomial(&[(variable, power.exponent.unsigned_abs())]);
+                power.exponent = 0;
+            }
+            while power.exponent > 0 {
+                match self.divide_by_factor(&numerator, power.factor) {
+                    Some(quotient) => numerator = quotient,
+                    None => break,
+                }
+                power.exponent -= 1;
+            }
+        }
+        powers.retain(|power| power.exponent != 0);
+        if !divisor.is_one() {
+            let common = numerator.content().gcd(&divisor);
+            if !common.is_one() {
+                numerator =
+                    numerator.divide_exact(&Polynomial::constant(common.clone())).unwrap_or(numerator);
+                divisor /= common;
+            }
+        }
+        Fraction { numerator, divisor, factors: powers }
+    }
+
+    fn divide_by_factor(&self, numerator: &Polynomial, factor: FactorId) -> Option<Polynomial> {
+        match self.factor_variable(factor) {
+            Some(variable) => self.divide_by_generator(numerator, variable),
+            None => numerator.divide_exact(self.factor_polynomial(factor)),
+        }
+    }
+
+    /// N/ρ; for a bound ρ with ρⁿ = f: (Σ A_k ρᵏ)/ρ = Σ_{k≥1} A_k ρᵏ⁻¹ + (A₀/f) ρⁿ⁻¹ where f divides A₀.
+    fn divide_by_generator(&self, numerator: &Polynomial, variable: u32) -> Option<Polynomial> {
+        if let Some(quotient) = numerator.divide_by_monomial(&[(variable, 1)]) {
+            return Some(quotient);
+        }
+        let relation = self.relation_of(variable)?;
+        let mut quotient = Polynomial::zero();
+        for (exponent, coefficient) in numerator.coefficients_in(variable) {
+            let (lowered, coefficient) = match exponent {
+                0 => (relation.order - 1, coefficient.divide_exact(&relation.value)?),
+                _ => (exponent - 1, coefficient),
+            };
+            quotient = quotient.add(&coefficient.multiply_by_monomial(&[(variable, lowered)]));
+        }
+        Some(quotient)
+    }
+}
+
+/// Divides as often as it goes.
+fn divide_out(rest: &mut Polynomial, divide: impl Fn(&Polynomial) -> Option<Polynomial>) -> i32 {
+    let mut exponent = 0;
+    while rest.as_constant().is_none()
+        && let Some(quotient) = divide(rest)
+    {
+        *rest = quotient;
+        exponent += 1;
+    }
+    exponent
+}

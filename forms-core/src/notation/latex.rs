@@ -1,0 +1,230 @@
+//! Values and expressions in LaTeX.
+
+use super::name::latex_name;
+use super::sum::{Coefficient, Term, joined, terms};
+use crate::calculus::Coordinate;
+use crate::expression::{Expr, FunctionId, Node, Operation, Pool, Rational};
+use crate::resolve::{Theory, Value};
+use crate::syntax::ast::Relation;
+use num_rational::Ratio;
+use num_traits::{One, Signed};
+use rustc_hash::FxHashMap;
+
+/// Written out, an expression may grow exponentially over its shared form; past this many nodes it is cut.
+const LONGEST: u64 = 20_000;
+
+/// How tightly the outermost operator binds.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binding {
+    Sum,
+    Product,
+    Fraction,
+    Power,
+    Atom,
+}
+
+struct Written {
+    latex: String,
+    binding: Binding,
+}
+
+impl Written {
+    fn within(&self, needed: Binding) -> String {
+        if self.binding >= needed { self.latex.clone() } else { bracketed(&self.latex) }
+    }
+}
+
+fn bracketed(latex: &str) -> String {
+    format!("\\left({latex}\\right)")
+}
+
+/// A value in LaTeX: `\frac{4}{\left(u^{2} + v^{2} + 1\right)^{2}}\,\mathrm{d}u\wedge\mathrm{d}v`.
+pub fn latex(theory: &Theory, value: &Value) -> String {
+    let basis = |coordinates: &[Coordinate]| {
+        let names = coordinates.iter().map(|c| latex_name(theory.coordinate_name(*c)));
+        if matches!(value, Value::Field(_)) {
+            names.map(|name| format!("\\partial_{{{name}}}")).collect::<String>()
+        } else {
+            names.map(|name| format!("\\mathrm{{d}}{name}")).collect::<Vec<_>>().join("\\wedge ")
+        }
+    };
+    match value {
+        Value::Zero => "0".to_string(),
+        Value::Scalar(scalar) => latex_of_expression(&theory.pool, *scalar),
+        Value::Form(_) | Value::Field(_) => {
+            let written = |term: Term| {
+                let write = |scalar| latex_of_expression(&theory.pool, scalar);
+                let brackets = |latex: String| bracketed(&latex);
+                let coefficient = Coefficient::new(&theory.pool, term.coefficient, write, brackets);
+                (coefficient, basis(&term.coordinates))
+            };
+            joined(terms(value).into_iter().map(written).collect(), "\\,")
+        }
+    }
+}
+
+/// A name in LaTeX: `\theta`, `\sigma_{a}`.
+pub fn latex_of_name(name: &str) -> String {
+    latex_name(name)
+}
+
+/// A scalar expression in LaTeX; one too long to read is cut to its size.
+pub fn latex_of_expression(pool: &Pool, expression: Expr) -> String {
+    let mut sizes: FxHashMap<Expr, u64> = FxHashMap::default();
+    let mut written: FxHashMap<Expr, Written> = FxHashMap::default();
+    for part in pool.reachable(&[expression]) {
+        let operands = pool.node(part).operands();
+        let size = operands.iter().fold(1u64, |sum, operand| sum.saturating_add(sizes[operand]));
+        sizes.insert(part, size);
+        let latex = if size > LONGEST {
+            let latex = format!("\\langle\\text{{{size} terms and operators}}\\rangle");
+            Written { latex, binding: Binding::Atom }
+        } else {
+            Writer { pool, written: &written }.write(part)
+        };
+        written.insert(part, latex);
+    }
+    written.remove(&expression).map(|written| written.latex).unwrap_or_default()
+}
+
+struct Writer<'a> {
+    pool: &'a Pool,
+    written: &'a FxHashMap<Expr, Written>,
+}
+
+impl Writer<'_> {
+    fn of(&self, operand: Expr, needed: Binding) -> String {
+        self.written[&operand].within(needed)
+    }
+
+    fn write(&self, expression: Expr) -> Written {
+        let (latex, binding) = match self.pool.node(expression) {
+            Node::Number(value) => number(value),
+            Node::Pi => ("\\pi".to_string(), Binding::Atom),
+            Node::Symbol(symbol) => (latex_name(self.pool.symbol_name(*symbol)), Binding::Atom),
+            Node::Add(a, b) => (self.sum(*a, *b), Binding::Sum),
+            Node::Negate(a) => (format!("-{}", self.of(*a, Binding::Product)), Binding::Product),
+            Node::Multiply(a, b) => (self.product(*a, *b), Binding::Product),
+            Node::Divide(a, b) => {
+                let (above, below) = (self.of(*a, Binding::Sum), self.of(*b, Binding::Sum));
+                (format!("\\frac{{{above}}}{{{below}}}"), Binding::Fraction)
+            }
+            Node::Power(a, exponent) => self.power(*a, *exponent),
+            Node::Apply(operation, arguments) => self.function(*operation, arguments, ""),
+            Node::Jet { function, orders, arguments } => self.jet(*function, orders, arguments),
+            Node::Select { left, relation, right, then, otherwise } => {
+                let [left, right, then, otherwise] =
+                    [left, right, then, otherwise].map(|operand| self.of(*operand, Binding::Sum));
+                let relation = latex_of_relation(*relation);
+                let cases =
+                    format!("{then} & {left} {relation} {right} \\\\ {otherwise} & \\text{{otherwise}}");
+                (format!("\\begin{{cases}} {cases} \\end{{cases}}"), Binding::Sum)
+            }
+        };
+        Written { latex, binding }
+    }
+
+    fn sum(&self, a: Expr, b: Expr) -> String {
+        let left = self.of(a, Binding::Sum);
+        match self.pool.node(b) {
+            Node::Negate(c) => format!("{left} - {}", self.of(*c, Binding::Product)),
+            Node::Number(c) if c.is_negative() => format!("{left} - {}", number(&-c).0),
+            _ => format!("{left} + {}", self.of(b, Binding::Product)),
+        }
+    }
+
+    /// Factors stand side by side; a dot parts a factor from digits that follow it.
+    fn product(&self, a: Expr, b: Expr) -> String {
+        let (left, right) = (self.of(a, Binding::Product), self.of(b, Binding::Fraction));
+        let digits = right.starts_with(|c: char| c.is_ascii_digit()) || right.starts_with("\\frac{");
+        let numeric = left.ends_with(|c: char| c.is_ascii_digit());
+        let between = if digits && numeric { "\\cdot " } else { "\\," };
+        format!("{left}{between}{right}")
+    }
+
+    /// √q, ⁿ√q, sinⁿ q, q^r
+    fn power(&self, a: Expr, exponent: Ratio<i64>) -> (String, Binding) {
+        if exponent.numer().is_one() && !exponent.is_integer() {
+            let radicand = self.of(a, Binding::Sum);
+            let index =
+                if *exponent.denom() == 2 { String::new() } else { format!("[{}]", exponent.denom()) };
+            return (format!("\\sqrt{index}{{{radicand}}}"), Binding::Atom);
+        }
+        if let Node::Apply(operation, arguments) = self.pool.node(a)
+            && exponent.is_integer()
+            && exponent.is_positive()
+            && !matches!(operation, Operation::Exp | Operation::Abs)
+        {
+            return self.function(*operation, arguments, &format!("^{{{exponent}}}"));
+        }
+        let base = self.of(a, Binding::Atom);
+        (format!("{base}^{{{exponent}}}"), Binding::Power)
+    }
+
+    fn function(&self, operation: Operation, arguments: &[Expr], exponent: &str) -> (String, Binding) {
+        let list: Vec<String> = arguments.iter().map(|&a| self.of(a, Binding::Sum)).collect();
+        let list = list.join(", ");
+        match operation {
+            Operation::Exp => (format!("e^{{{list}}}"), Binding::Power),
+            Operation::Abs => (format!("\\left|{list}\\right|"), Binding::Atom),
+            _ => (format!("{}{exponent}\\left({list}\\right)", operation.row().latex), Binding::Power),
+        }
+    }
+
+    /// f, f(a, b), ∂²f/∂x∂y, (∂f/∂x)(a, b)
+    fn jet(&self, function: FunctionId, orders: &[u32], arguments: &[Expr]) -> (String, Binding) {
+        let unknown = self.pool.function(function);
+        let name = latex_name(&unknown.name);
+        let total: u32 = orders.iter().sum();
+        let (head, binding) = if total == 0 {
+            (name, Binding::Atom)
+        } else {
+            let by: Vec<String> = unknown
+                .arguments
+                .iter()
+                .zip(orders)
+                .filter(|(_, order)| **order > 0)
+                .map(|(&symbol, &order)| {
+                    format!("\\partial {}{}", latex_name(self.pool.symbol_name(symbol)), raised(order))
+                })
+                .collect();
+            let fraction = format!("\\frac{{\\partial{} {name}}}{{{}}}", raised(total), by.join("\\,"));
+            (fraction, Binding::Fraction)
+        };
+        let own = unknown
+            .arguments
+            .iter()
+            .zip(arguments)
+            .all(|(symbol, argument)| *self.pool.node(*argument) == Node::Symbol(*symbol));
+        if own {
+            return (head, binding);
+        }
+        let list: Vec<String> = arguments.iter().map(|&a| self.of(a, Binding::Sum)).collect();
+        (format!("{head}{}", bracketed(&list.join(", "))), Binding::Fraction)
+    }
+}
+
+fn raised(order: u32) -> String {
+    if order == 1 { String::new() } else { format!("^{{{order}}}") }
+}
+
+fn number(value: &Rational) -> (String, Binding) {
+    let magnitude = value.abs();
+    let (latex, binding) = if value.denom().is_one() {
+        (magnitude.to_string(), Binding::Atom)
+    } else {
+        (format!("\\frac{{{}}}{{{}}}", magnitude.numer(), magnitude.denom()), Binding::Fraction)
+    };
+    if value.is_negative() { (format!("-{latex}"), Binding::Product) } else { (latex, binding) }
+}
+
+/// A relation in LaTeX: `<`, `\le`, `\ne`.
+pub fn latex_of_relation(relation: Relation) -> &'static str {
+    match relation {
+        Relation::Less => "<",
+        Relation::LessEqual => "\\le",
+        Relation::Greater => ">",
+        Relation::GreaterEqual => "\\ge",
+        Relation::NotEqual => "\\ne",
+    }
+}

@@ -1,0 +1,17 @@
+//! Values of the language as people write them: simplified first, then as text or as LaTeX.
+//!
+//! ```text
+//! Value ── simplify (normal form and back) ──▶ Value ─┬─ text  ──▶ the language itself
+//!                                                     └─ latex ──▶ typeset mathematics
+//! ```
+//! Notation only shows: nothing is decided here, and no kernel is lowered from what has been simplified.
+
+mod latex;
+mod name;
+mod simplify;
+mod sum;
+mod text;
+
+pub use latex::{latex, latex_of_expression, latex_of_name, latex_of_relation};
+pub use simplify::{simplify, simplify_expression};
+pub use text::text;

@@ -1,0 +1,269 @@
+//! Products by hashing on keys: the exponents of the variables that occur, each as narrow as the sum allows,
+//! in one word or two.
+//!
+//! ```text
+//! Σ sₖ aₖ bₖ ─ fields ─▶ keys of aₖ, bₖ ─ add ─▶ table of keys and sums ─ sort ─▶ unpack
+//! ```
+//! No field carries into the next and earlier variables lie higher, so keys add and compare as monomials do.
+//! A sum over products of many linear forms takes one bit a variable, where the layouts of its operands
+//! differ and take several words.
+
+use super::reach::Reach;
+use super::{Term, count_products};
+use crate::polynomial::Polynomial;
+use crate::polynomial::coefficient::Coefficient;
+use crate::polynomial::monomial::Layout;
+
+/// The bits of the longest key.
+const LONGEST: u32 = u128::BITS;
+
+/// The most places to begin with: beyond, the table grows as terms arrive.
+const FIRST_PLACES: usize = 1 << 14;
+
+/// A packed monomial.
+pub(super) trait Key: Copy + Ord {
+    const ONE: Self;
+    /// exponent · 2^shift
+    fn field(exponent: u64, shift: u32) -> Self;
+    fn plus(self, other: Self) -> Self;
+    /// The lowest bit that is set, where one is.
+    fn lowest(self) -> Option<u32>;
+    /// The exponent in a field.
+    fn exponent(self, field: &Field) -> u64;
+    /// The key with a field cleared.
+    fn without(self, field: &Field) -> Self;
+    /// Well mixed in the upper bits.
+    fn hash(self) -> u64;
+}
+
+macro_rules! key {
+    ($word:ty, $hash:expr) => {
+        impl Key for $word {
+            const ONE: Self = 0;
+            #[inline(always)]
+            fn field(exponent: u64, shift: u32) -> Self {
+                (exponent as $word) << shift
+            }
+            #[inline(always)]
+            fn plus(self, other: Self) -> Self {
+                self + other
+            }
+            #[inline(always)]
+            fn lowest(self) -> Option<u32> {
+                (self != 0).then(|| self.trailing_zeros())
+            }
+            #[inline(always)]
+            fn exponent(self, field: &Field) -> u64 {
+                (self >> field.shift) as u64 & field.mask
+            }
+            #[inline(always)]
+            fn without(self, field: &Field) -> Self {
+                self & !((field.mask as $word) << field.shift)
+            }
+            #[inline(always)]
+            fn hash(self) -> u64 {
+                let hash: fn($word) -> u64 = $hash;
+                hash(self)
+            }
+        }
+    };
+}
+
+const FIRST_MULTIPLIER: u64 = 0x9e37_79b9_7f4a_7c15;
+const SECOND_MULTIPLIER: u64 = 0xd6e8_feb8_6659_fd93;
+
+key!(u64, |key| key.wrapping_mul(FIRST_MULTIPLIER));
+key!(u128, |key| (key as u64)
+    .wrapping_mul(FIRST_MULTIPLIER)
+    .wrapping_add(((key >> 64) as u64).wrapping_mul(SECOND_MULTIPLIER)));
+
+/// A variable's place in keys.
+#[derive(Clone, Copy)]
+pub(super) struct Field {
+    variable: u32,
+    shift: u32,
+    mask: u64,
+}
+
+/// The fields of keys.
+pub(super) struct Fields {
+    /// In increasing order of shifts.
+    fields: Vec<Field>,
+    /// The shift of each variable's field.
+    shifts: Vec<u32>,
+    bits: u32,
+}
+
+impl Fields {
+    /// Fields as wide as the exponents reach; `None` where keys would be too long.
+    pub(super) fn holding(reach: &Reach) -> Option<Fields> {
+        let exponents = reach.operands.unpack(&reach.bounds);
+        let mut fields = Fields { fields: Vec::new(), shifts: vec![0; reach.operands.fields()], bits: 0 };
+        for &(variable, exponent) in exponents.iter().rev() {
+            let width = exponent.ilog2() + 1;
+            if fields.bits + width > LONGEST {
+                return None;
+            }
+            fields.shifts[variable as usize] = fields.bits;
+            fields.fields.push(Field { variable, shift: fields.bits, mask: (1 << width) - 1 });
+            fields.bits += width;
+        }
+        Some(fields)
+    }
+
+    /// Σ sₖ aₖ bₖ on a layout that holds every product.
+    pub(super) fn sum<C: Coefficient>(&self, layout: Layout, terms: &[Term<'_>]) -> Polynomial {
+        if self.bits <= u64::BITS {
+            Table::<u64, C>::sum(self, terms).into_polynomial(self, layout)
+        } else {
+            Table::<u128, C>::sum(self, terms).into_polynomial(self, layout)
+        }
+    }
+
+    /// Whether Σ sₖ aₖ bₖ = 0.
+    pub(super) fn sum_is_zero<C: Coefficient>(&self, terms: &[Term<'_>]) -> bool {
+        if self.bits <= u64::BITS {
+            Table::<u64, C>::sum(self, terms).is_zero()
+        } else {
+            Table::<u128, C>::sum(self, terms).is_zero()
+        }
+    }
+
+    /// The keys of a polynomial's monomials.
+    fn pack<K: Key>(&self, polynomial: &Polynomial, keys: &mut Vec<K>) {
+        keys.clear();
+        let layout = polynomial.layout;
+        let (bits, per_word) = (layout.bits, layout.per_word());
+        let division = bits.trailing_zeros();
+        for term in 0..polynomial.term_count() {
+            let mut key = K::ONE;
+            for (index, &word) in polynomial.monomial(term).iter().enumerate() {
+                let mut rest = word;
+                while rest != 0 {
+                    let place = rest.leading_zeros() >> division;
+                    let shift = 64 - bits * (place + 1);
+                    let exponent = rest >> shift;
+                    rest ^= exponent << shift;
+                    key = key.plus(K::field(exponent, self.shifts[index * per_word + place as usize]));
+                }
+            }
+            keys.push(key);
+        }
+    }
+
+    /// For each bit of a key the packed place of its field: field, word and shift in a layout.
+    fn owners(&self, layout: Layout) -> Vec<(Field, usize, u32)> {
+        let mut owners = Vec::with_capacity(self.bits as usize);
+        for field in &self.fields {
+            let (word, shift) = layout.field(field.variable).expect("the layout holds every product");
+            owners.resize((field.shift + field.mask.count_ones()) as usize, (*field, word, shift));
+        }
+        owners
+    }
+}
+
+/// Keys with their sums, in the order of arrival.
+struct Table<K, C> {
+    keys: Vec<K>,
+    numbers: Vec<C>,
+    /// Position + 1 of a key at the first free place after its hash; 0 is free.
+    places: Vec<u32>,
+    /// The upper bits of a hash below this give the place.
+    shift: u32,
+}
+
+impl<K: Key, C: Coefficient> Table<K, C> {
+    fn sum(fields: &Fields, terms: &[Term<'_>]) -> Self {
+        let products = count_products(terms);
+        let places = (2 * products.min(FIRST_PLACES)).next_power_of_two().max(2);
+        let mut table = Table {
+            keys: Vec::with_capacity(places / 2),
+            numbers: Vec::with_capacity(places / 2),
+            places: vec![0; places],
+            shift: u64::BITS - places.trailing_zeros(),
+        };
+        let (mut left, mut right) = (Vec::new(), Vec::new());
+        for &(factor, f, g) in terms {
+            // The short operand outside: its coefficient is scaled once for each run through the long one.
+            let (f, g) = if f.term_count() <= g.term_count() { (f, g) } else { (g, f) };
+            fields.pack(f, &mut left);
+            fields.pack(g, &mut right);
+            let (a, b) = (C::view(&f.coefficients), C::view(&g.coefficients));
+            table.add_pair(&C::from(factor), (&left, &a), (&right, &b));
+        }
+        table
+    }
+
+    /// Adds s·a·b.
+    fn add_pair(&mut self, factor: &C, (left, a): (&[K], &[C]), (right, b): (&[K], &[C])) {
+        for (&m, number) in left.iter().zip(a) {
+            let scaled = number.times(factor);
+            for (&n, number) in right.iter().zip(b) {
+                let key = m.plus(n);
+                let mask = self.places.len() - 1;
+                let mut place = (key.hash() >> self.shift) as usize;
+                loop {
+                    let position = self.places[place & mask] as usize;
+                    if position == 0 {
+                        self.places[place & mask] = self.keys.len() as u32 + 1;
+                        self.keys.push(key);
+                        self.numbers.push(scaled.times(number));
+                        if 2 * self.keys.len() > mask {
+                            self.grow();
+                        }
+                        break;
+                    }
+                    if self.keys[position - 1] == key {
+                        self.numbers[position - 1].add_product(&scaled, number);
+                        break;
+                    }
+                    place += 1;
+                }
+            }
+        }
+    }
+
+    /// Doubles the places.
+    #[cold]
+    fn grow(&mut self) {
+        let mask = 2 * self.places.len() - 1;
+        self.places = vec![0; mask + 1];
+        self.shift -= 1;
+        for (position, key) in self.keys.iter().enumerate() {
+            let mut place = (key.hash() >> self.shift) as usize;
+            while self.places[place & mask] != 0 {
+                place += 1;
+            }
+            self.places[place & mask] = position as u32 + 1;
+        }
+    }
+
+    fn is_zero(&self) -> bool {
+        self.numbers.iter().all(C::is_zero)
+    }
+
+    /// The sums that are not zero, sorted.
+    fn into_polynomial(self, fields: &Fields, layout: Layout) -> Polynomial {
+        let mut order: Vec<(K, u32)> = Vec::with_capacity(self.keys.len());
+        for (position, (&key, number)) in self.keys.iter().zip(&self.numbers).enumerate() {
+            if !number.is_zero() {
+                order.push((key, position as u32));
+            }
+        }
+        order.sort_unstable_by_key(|&(key, _)| std::cmp::Reverse(key));
+        let owners = fields.owners(layout);
+        let mut monomials = vec![0; order.len() * layout.words];
+        let mut numbers = Vec::with_capacity(order.len());
+        for (term, &(key, position)) in order.iter().enumerate() {
+            let monomial = &mut monomials[term * layout.words..(term + 1) * layout.words];
+            let mut rest = key;
+            while let Some(bit) = rest.lowest() {
+                let (field, word, shift) = &owners[bit as usize];
+                monomial[*word] |= rest.exponent(field) << shift;
+                rest = rest.without(field);
+            }
+            numbers.push(self.numbers[position as usize].clone());
+        }
+        Polynomial::settle(layout, monomials, numbers)
+    }
+}

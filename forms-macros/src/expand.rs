@@ -1,0 +1,208 @@
+//! From a macro's body to what stands in its place.
+//!
+//! ```text
+//! Body ─ parse ─ resolve ─▶ Theory ─┬─ statements ─ decide ─▶ errors, or nothing
+//!                                   └─ kernels ─ lower, optimise, emit ─▶ documented functions
+//! ```
+
+use crate::report::Origin;
+use crate::tokens::Body;
+use forms_core::check::{decide_all, objection, resolve_parsed};
+use forms_core::decide::Verdict;
+use forms_core::diagnostic::{Diagnostic, Span};
+use forms_core::kernel::{KernelSource, RustDocs, emit_rust, lower};
+use forms_core::resolve::{Kernel, Theory};
+use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
+use forms_core::syntax::token::{Symbol, Token, TokenKind};
+use forms_core::syntax::words::ITEMS;
+use forms_core::syntax::{parse, parse_equation};
+use proc_macro2::{Group, TokenStream, TokenTree};
+
+/// `forms! { items }`
+pub(crate) fn file(body: Body) -> TokenStream {
+    let end = body.end();
+    let (file, found) = parse(&body.tokens, end);
+    let mut diagnostics = body.diagnostics;
+    diagnostics.extend(found);
+    let (theory, found) = resolve_parsed(&body.tokens, &file);
+    diagnostics.extend(found);
+    theory_checked(theory, diagnostics, &Origin::Body(body.places))
+}
+
+/// `prove! { items; left == right where … }`
+pub(crate) fn equation(body: Body) -> TokenStream {
+    let expected = "an equation `left == right`";
+    let Resolved { theory, diagnostics, origin } =
+        resolved(body, expected, |last, end| parse_equation(last, end).map(claim));
+    theory_checked(theory, diagnostics, &origin)
+}
+
+/// A body, resolved as far as it can be.
+pub(crate) struct Resolved {
+    pub(crate) theory: Theory,
+    pub(crate) diagnostics: Vec<Diagnostic>,
+    pub(crate) origin: Origin,
+}
+
+/// Resolves items and the item that `read_last` makes of what stands behind them, which `expected` names.
+pub(crate) fn resolved(
+    body: Body,
+    expected: &str,
+    read_last: impl FnOnce(&[Token], Span) -> Result<Item, Vec<Diagnostic>>,
+) -> Resolved {
+    let end = body.end();
+    let (items, last) = split_last(&body.tokens);
+    let (mut file, found) = parse(items, last.first().map_or(end, |token| token.span));
+    let mut diagnostics = body.diagnostics;
+    diagnostics.extend(found);
+    let read = if last.is_empty() { Err(vec![missing(expected, end)]) } else { read_last(last, end) };
+    match read {
+        Ok(item) => file.items.push(item),
+        Err(found) => diagnostics.extend(found),
+    }
+    let (theory, found) = resolve_parsed(&body.tokens, &file);
+    diagnostics.extend(found);
+    Resolved { theory, diagnostics, origin: Origin::Body(body.places) }
+}
+
+/// The item `prove equation: left == right where …;`
+fn claim(Equation { left, right, conditions }: Equation) -> Item {
+    let span = conditions.iter().fold(left.span.to(right.span), |span, condition| span.to(condition.span));
+    let name = Name { text: "the equation".to_owned(), span };
+    let kind = ItemKind::Statement { claim: Claim::Prove, name, left, right, conditions };
+    Item { docs: Vec::new(), public: false, span, kind }
+}
+
+fn missing(expected: &str, end: Span) -> Diagnostic {
+    Diagnostic::new(end, format!("expected {expected} behind the declarations"))
+}
+
+/// `kernel! { items; name(…) = … where … }`
+pub(crate) fn kernel(mut body: Body) -> TokenStream {
+    let (items, last) = split_last(&body.tokens);
+    let is_before_name =
+        |token: &Token| matches!(&token.kind, TokenKind::Doc(_)) || token.kind == word("pub");
+    let name = items.len() + last.iter().take_while(|token| is_before_name(token)).count();
+    if let Some(span) = body.tokens.get(name).filter(|token| token.kind != word("kernel")).map(|t| t.span) {
+        body.tokens.insert(name, Token { kind: word("kernel"), span });
+    }
+    let semicolon = TokenKind::Symbol(Symbol::Semicolon);
+    let end = body.end();
+    if body.tokens.last().is_some_and(|token| token.kind != semicolon) {
+        body.tokens.push(Token { kind: semicolon, span: end });
+    }
+    if !body.tokens.iter().any(|token| token.kind == word("kernel")) {
+        body.diagnostics.push(missing("a kernel `name(x) = …`", end));
+    }
+    file(body)
+}
+
+fn word(text: &str) -> TokenKind {
+    TokenKind::Name(text.to_owned())
+}
+
+/// The items of a body with their `;`, and what stands behind the last of them; nothing, if that is an item.
+fn split_last(tokens: &[Token]) -> (&[Token], &[Token]) {
+    let semicolon = TokenKind::Symbol(Symbol::Semicolon);
+    let mut depth = 0_usize;
+    let mut start = 0;
+    for (at, token) in tokens.iter().enumerate().take(tokens.len().saturating_sub(1)) {
+        match &token.kind {
+            TokenKind::Symbol(Symbol::OpenParen | Symbol::OpenBracket | Symbol::OpenBrace) => depth += 1,
+            TokenKind::Symbol(Symbol::CloseParen | Symbol::CloseBracket | Symbol::CloseBrace) => {
+                depth = depth.saturating_sub(1);
+            }
+            kind if depth == 0 && *kind == semicolon => start = at + 1,
+            _ => {}
+        }
+    }
+    let is_item = ITEMS.iter().any(|item| tokens.get(start).is_some_and(|token| token.kind == word(item)));
+    tokens.split_at(if is_item { tokens.len() } else { start })
+}
+
+/// Every statement decided and every kernel written; kernels stand even beside errors, so that what calls them
+/// adds none.
+pub(crate) fn theory_checked(
+    mut theory: Theory,
+    mut diagnostics: Vec<Diagnostic>,
+    origin: &Origin,
+) -> TokenStream {
+    let verdicts = decide_all(&mut theory);
+    diagnostics.extend(
+        theory
+            .statements
+            .iter()
+            .zip(&verdicts)
+            .filter_map(|(statement, verdict)| objection(statement, verdict)),
+    );
+    let mut output = TokenStream::new();
+    for kernel in &theory.kernels {
+        match function(&theory, &verdicts, kernel, origin) {
+            Ok(function) => output.extend(function),
+            Err(message) => diagnostics.push(Diagnostic::new(kernel.span, message)),
+        }
+    }
+    output.extend(origin.errors(&diagnostics));
+    output
+}
+
+/// A kernel as a documented Rust function, its name on the user's own.
+fn function(
+    theory: &Theory,
+    verdicts: &[Verdict],
+    kernel: &Kernel,
+    origin: &Origin,
+) -> Result<TokenStream, String> {
+    let pool = &theory.pool;
+    let source = KernelSource {
+        name: kernel.name.clone(),
+        docs: kernel.docs.clone(),
+        public: kernel.public,
+        arguments: kernel.arguments.clone(),
+        outputs: kernel.outputs.clone(),
+        domain: kernel.domain.clone(),
+    };
+    let program = lower(pool, &source).map_err(|error| error.to_string())?.optimise();
+    let text = emit_rust(&program, &documentation(theory, verdicts, kernel));
+    let function = text.parse::<TokenStream>().map_err(|error| {
+        format!("the function generated for `{}` cannot be read by Rust: {error}", kernel.name)
+    })?;
+    Ok(named_at(function, &kernel.name, origin.place(kernel.span).0))
+}
+
+/// The formula, the proved statements it rests on, and the domain it is stated on.
+fn documentation(theory: &Theory, verdicts: &[Verdict], kernel: &Kernel) -> RustDocs {
+    let arguments: Vec<&str> =
+        kernel.arguments.iter().map(|&argument| theory.pool.symbol_name(argument)).collect();
+    let value = match kernel.formula.as_slice() {
+        [single] => single.clone(),
+        several => format!("({})", several.join(", ")),
+    };
+    let is_proved = |name: &&String| {
+        let mut decided = theory.statements.iter().zip(verdicts);
+        decided.any(|(statement, verdict)| statement.name == **name && matches!(verdict, Verdict::Proved(_)))
+    };
+    RustDocs {
+        formula: format!("{}({}) = {value}", kernel.name, arguments.join(", ")),
+        statements: kernel.statements.iter().filter(is_proved).cloned().collect(),
+        conditions: kernel.domain.iter().map(|condition| condition.text(&theory.pool)).collect(),
+        docs: kernel.docs.clone(),
+    }
+}
+
+/// The function with its name on the user's own, and the rest at the same place but marked as generated: a span
+/// of the whole body would be several lines long, which lints on layout take for the layout of each line.
+fn named_at(function: TokenStream, name: &str, place: proc_macro2::Span) -> TokenStream {
+    let generated = proc_macro2::Span::call_site().located_at(place);
+    let mut is_name = false;
+    let locate = |mut token: TokenTree| {
+        let names = is_name && matches!(&token, TokenTree::Ident(ident) if ident == name);
+        is_name = matches!(&token, TokenTree::Ident(ident) if ident == "fn");
+        if let TokenTree::Group(group) = token {
+            token = Group::new(group.delimiter(), named_at(group.stream(), name, place)).into();
+        }
+        token.set_span(if names { place } else { generated });
+        token
+    };
+    function.into_iter().map(locate).collect()
+}

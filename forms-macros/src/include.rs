@@ -1,0 +1,130 @@
+//! Files named in macros: where they are, what is in them, and how the compiler learns that they changed.
+
+use crate::expand::theory_checked;
+use crate::report::{Origin, compile_error};
+use forms_core::check::read_theory;
+use forms_core::syntax::Source;
+use proc_macro2::TokenStream;
+use quote::quote;
+use std::path::{Path, PathBuf};
+use syn::LitStr;
+
+/// A `.forms` file as a macro names it.
+pub(crate) struct Included {
+    /// Its text, under the name the user wrote.
+    pub(crate) source: Source,
+    /// The literal that names it.
+    pub(crate) place: proc_macro2::Span,
+    /// Where it was found.
+    path: PathBuf,
+}
+
+impl Included {
+    /// Reads the file a macro's argument names.
+    ///
+    /// # Errors
+    /// A `compile_error!`, if the argument is no path or the file cannot be read.
+    pub(crate) fn read(argument: TokenStream) -> Result<Self, TokenStream> {
+        let name: LitStr = syn::parse2(argument).map_err(|error| {
+            let message =
+                "expected the path of a `.forms` file in quotes, relative to the folder of Cargo.toml";
+            let place = error.span();
+            compile_error(place, place, message)
+        })?;
+        let path = folder().join(name.value());
+        match std::fs::read_to_string(&path) {
+            Ok(text) => Ok(Included { source: Source::new(name.value(), text), place: name.span(), path }),
+            Err(error) => {
+                let message = format!(
+                    "cannot read `{}`: {error}\nhelp: the path is relative to the folder of Cargo.toml",
+                    path.display()
+                );
+                Err(compile_error(name.span(), name.span(), &message))
+            }
+        }
+    }
+
+    /// An expression of the file's text, which also makes the compiler look at the file again when it changes.
+    pub(crate) fn text(&self) -> TokenStream {
+        let path = self.path.to_string_lossy();
+        quote! { ::core::include_str!(#path) }
+    }
+}
+
+/// The folder of the Cargo.toml of the crate that uses the macro.
+fn folder() -> PathBuf {
+    std::env::var_os("CARGO_MANIFEST_DIR").map_or_else(PathBuf::new, |folder| Path::new(&folder).to_owned())
+}
+
+/// `include_forms!("file.forms")`
+pub(crate) fn items(argument: TokenStream) -> TokenStream {
+    let included = match Included::read(argument) {
+        Ok(included) => included,
+        Err(error) => return error,
+    };
+    let text = included.text();
+    let (theory, diagnostics) = read_theory(&included.source.text);
+    let items = theory_checked(theory, diagnostics, &Origin::File(included.source, included.place));
+    quote! {
+        const _: &str = #text;
+        #items
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The messages of the `compile_error!`s of an expansion.
+    fn messages(expansion: &TokenStream) -> Vec<String> {
+        let text = expansion.to_string();
+        let literals =
+            text.split("compile_error ! {").skip(1).map(|rest| rest.split(" }").next().unwrap_or(rest));
+        literals
+            .map(|literal| syn::parse_str::<LitStr>(literal).expect("a message is a string").value())
+            .collect()
+    }
+
+    #[test]
+    fn a_file_that_is_not_there_is_named_in_full() {
+        let messages = messages(&items(quote! { "src/not_there.forms" }));
+        let path = folder().join("src/not_there.forms");
+        assert_eq!(messages.len(), 1);
+        assert!(messages[0].starts_with(&format!("cannot read `{}`: ", path.display())), "{messages:?}");
+    }
+
+    #[test]
+    fn every_mistake_of_a_file_is_quoted_with_its_place() {
+        let messages = messages(&items(quote! { "../tests/files/mistakes.forms" }));
+        let file = "../tests/files/mistakes.forms";
+        let heads: Vec<&str> = messages.iter().filter_map(|message| message.lines().next()).collect();
+        assert_eq!(
+            heads,
+            [
+                "expected `;` after the statement, found `x`",
+                "`unknown` is not declared",
+                "`wrong` is false: left - right = 1 in the coefficient of dx^dy",
+                "`y` is not an argument of the kernel",
+            ]
+        );
+        for (message, place) in messages.iter().zip(["3:10", "5:9", "6:1", "8:20"]) {
+            assert!(message.contains(&format!("--> {file}:{place}\n")), "{message}");
+        }
+        assert!(messages[1].contains(" 5 | let r = unknown + x;\n   |         ^^^^^^^\n"), "{}", messages[1]);
+    }
+
+    #[test]
+    fn a_file_with_mistakes_still_gives_the_kernels_that_have_none() {
+        let expansion = items(quote! { "../tests/files/mistakes.forms" }).to_string();
+        assert!(expansion.contains("fn double") && !expansion.contains("fn broken"), "{expansion}");
+    }
+
+    #[test]
+    fn an_included_file_is_watched_for_changes() {
+        let expansion = items(quote! { "../tests/files/theorems.forms" }).to_string();
+        assert!(
+            expansion.contains("include_str ! (") && messages(&items(quote! { 5 })).len() == 1,
+            "{expansion}"
+        );
+    }
+}

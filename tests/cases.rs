@@ -1,0 +1,23 @@
+//! Every statement of the case files as a test of its own, through the macro.
+
+macro_rules! case_files {
+    ($($name:ident $path:literal;)*) => {
+        $(mod $name {
+            forms::proof_tests!($path);
+        })*
+    };
+}
+
+case_files! {
+    change_of_variables "tests/cases/change_of_variables.forms";
+    etendue "tests/cases/etendue.forms";
+    exterior_derivative "tests/cases/exterior_derivative.forms";
+    half_vectors "tests/cases/half_vectors.forms";
+    integrals "tests/cases/integrals.forms";
+    lie_and_cartan "tests/cases/lie_and_cartan.forms";
+    solid_angle "tests/cases/solid_angle.forms";
+    sphere_pullbacks "tests/cases/sphere_pullbacks.forms";
+    symplectic "tests/cases/symplectic.forms";
+    triangle_gradient "tests/cases/triangle_gradient.forms";
+    wedge_and_interior "tests/cases/wedge_and_interior.forms";
+}

@@ -1,0 +1,97 @@
+//! The macros as their users meet them: kernels against formulas written by hand, claims against the prover.
+
+/// The bilinear patch, the solid angle and a phase function, all in one body.
+mod radiometry {
+    forms::forms! {
+        chart UV(u, v) where 0 <= u <= 1, 0 <= v <= 1;
+        chart R3(x, y, z) where x**2 + y**2 + z**2 > 0;
+        let r = sqrt(x**2 + y**2 + z**2);
+        form beta: 2 on R3 = (x*dy^dz + y*dz^dx + z*dx^dy)/r**3;
+        map plane: UV -> R3 = (u, v, 1);
+
+        prove closed: d(beta) == 0;
+        refute zero: beta == 0;
+
+        /// Solid angle per unit (u, v) of the plane z = 1 seen from the origin.
+        pub kernel density(u, v) = pullback(plane, beta)[du^dv];
+        pub kernel direction(x, y, z) = (x/r, y/r, z/r);
+        pub kernel phase(g, mu) = (1 - g**2)/(4*pi*(1 + g**2 - 2*g*mu)**(3/2)) where -1 < g < 1;
+        pub kernel ramp(t) = if t > 0 { t } else { 0 };
+        kernel one_third() = 1/3;
+    }
+
+    #[test]
+    fn a_private_kernel_is_seen_in_its_own_module() {
+        assert_eq!(one_third(), 1.0 / 3.0);
+    }
+}
+
+mod theorems {
+    forms::include_forms!("tests/files/theorems.forms");
+    forms::proof_tests!("tests/files/theorems.forms");
+}
+
+/// Points of a lattice that miss the origin.
+fn points() -> impl Iterator<Item = (f64, f64, f64)> {
+    let steps = [-2.0, -0.625, 0.125, 1.5];
+    steps
+        .into_iter()
+        .flat_map(move |x| steps.into_iter().flat_map(move |y| steps.into_iter().map(move |z| (x, y, z))))
+}
+
+#[track_caller]
+fn assert_close(a: f64, b: f64) {
+    assert!((a - b).abs() <= 1e-14 * b.abs().max(1.0), "{a} against {b}");
+}
+
+#[test]
+fn kernels_compute_what_the_hand_would_write() {
+    for (x, y, z) in points() {
+        let r = (x * x + y * y + z * z).sqrt();
+        assert_close(radiometry::density(x, y), (1.0 + x * x + y * y).powf(-1.5));
+        assert_close(theorems::cosine(x, y, z), z / r);
+        for (computed, component) in radiometry::direction(x, y, z).into_iter().zip([x, y, z]) {
+            assert_close(computed, component / r);
+        }
+        assert_eq!(radiometry::ramp(x), x.max(0.0));
+    }
+}
+
+#[test]
+fn a_kernel_is_nan_outside_its_domain() {
+    assert_close(radiometry::phase(0.0, 0.3), 0.25 / std::f64::consts::PI);
+    assert!(radiometry::phase(1.0, 0.3).is_nan() && radiometry::phase(-1.5, 0.3).is_nan());
+}
+
+#[test]
+fn one_kernel_may_stand_among_statements() {
+    forms::kernel! {
+        param n where n > 0;
+        let ratio = (n - 1)/(n + 1);
+        reflectance(n) = ratio**2
+    }
+    assert_close(reflectance(1.5), 0.04);
+}
+
+#[test]
+fn equations_are_proved_where_they_stand() {
+    forms::prove! { chart Line(t); sin(t)**2 + cos(t)**2 == 1 }
+    forms::prove! {
+        chart R4(p, q, r, s);
+        let omega = p*dq + r*ds;
+        let both = 2*dp^dq^dr^ds;
+        d(omega) ^ d(omega) == both
+    }
+}
+
+#[test]
+fn forms_are_evaluated_and_simplified() {
+    const AREA: forms::Form = forms::form! { chart Polar(r, t); chart Plane(x, y); map F: Polar -> Plane = (r*cos(t), r*sin(t)); pullback(F, dx^dy) };
+    assert_eq!((AREA.degree, AREA.terms), (2, [("dr^dt", "r")].as_slice()));
+    let scalar = forms::form! { chart Line(x); diff((x**2 - 1)/(x - 1), x) };
+    assert_eq!((scalar.degree, scalar.to_string().as_str()), (0, "1"));
+    let zero = forms::form! { chart Plane(x, y); d(x*dx + y*dy) };
+    assert_eq!((zero.degree, zero.terms.len(), zero.text), (2, 0, "0"));
+    let signs = forms::form! { chart Plane(x, y); (x + y)*dx - dy };
+    assert_eq!(signs.text, "(x + y)*dx - dy");
+}

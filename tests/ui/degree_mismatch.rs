@@ -1,0 +1,10 @@
+//! Sums of different degree, and a declared degree that is not the form's.
+
+forms::forms! {
+    chart Plane(x, y);
+    form mixed = dx + dx^dy;
+    form area: 1 = dx^dy;
+    prove compared: dx == dx^dy;
+}
+
+fn main() {}

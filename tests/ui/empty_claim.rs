@@ -1,0 +1,8 @@
+//! A statement that speaks of no point.
+
+forms::forms! {
+    chart Line(x);
+    prove nowhere: log(-x**2) == 5;
+}
+
+fn main() {}

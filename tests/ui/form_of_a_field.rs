@@ -1,0 +1,7 @@
+//! A field is no form; an error in the declarations.
+
+fn main() {
+    let _ = forms::form! { chart Line(x); x*@x };
+    let form = forms::form! { chart Line(x); d(y) };
+    assert_eq!(form.degree, 1);
+}

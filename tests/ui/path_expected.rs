@@ -1,0 +1,5 @@
+//! Something that is no path.
+
+forms::include_forms!(sphere.forms);
+
+fn main() {}
