@@ -16,7 +16,7 @@ pub(crate) use sign::Facts;
 use crate::expression::{Condition, Expr, Pool};
 use crate::normal::{Fraction, Obstacle, Sign, SignConstraint, Tower, Trigonometry, normalise};
 use crate::syntax::ast::Relation;
-use region::{Constraint, NoCases, Region};
+use region::{Constraint, MOST_FACTORS, NoCases, Region};
 
 /// How often the tower may be refined by what the assumptions bring in.
 const MOST_PASSES: usize = 16;
@@ -99,8 +99,7 @@ impl Assumptions {
             }
             let open = if prepared.open.is_empty() { knowledge.open.clone() } else { prepared.open };
             let wanted = simplest(tower, open);
-            let factors =
-                if wanted.is_empty() { given.iter().map(|g| g.0).collect() } else { wanted.clone() };
+            let factors = if wanted.is_empty() { knowledge.factors(given) } else { wanted.clone() };
             return Ok((assemble(tower, knowledge, given, factors), wanted));
         }
         Err(Obstacle::Refine)
@@ -183,12 +182,28 @@ impl Knowledge {
         }
         Knowledge { facts, constraints: Vec::new(), open: Vec::new() }
     }
+
+    /// The given factors and, unless there are too many, those the constraints speak of.
+    fn factors(&self, given: &[(usize, Sign)]) -> Vec<usize> {
+        let given: Vec<usize> = given.iter().map(|entry| entry.0).collect();
+        let mut all = given.clone();
+        for base in self.constraints.iter().flat_map(Constraint::bases) {
+            if !all.contains(&base) {
+                all.push(base);
+            }
+        }
+        if all.len() > MOST_FACTORS { given } else { all }
+    }
 }
 
 impl Constraint {
+    fn bases(&self) -> impl Iterator<Item = usize> {
+        self.product.odd.iter().chain(&self.product.other).copied()
+    }
+
     /// Whether one of its factors has been replaced by finer ones, which leaves it without meaning.
     fn speaks_of_retired(&self, tower: &Tower) -> bool {
-        self.product.odd.iter().chain(&self.product.other).any(|&base| tower.base(base).is_retired())
+        self.bases().any(|base| tower.base(base).is_retired())
     }
 }
 
@@ -225,8 +240,7 @@ fn assemble(tower: &Tower, knowledge: Knowledge, given: &[(usize, Sign)], factor
     for mut constraint in knowledge.constraints {
         constraint.product.odd.retain(|number| !is_number(number));
         constraint.product.other.retain(|number| !is_number(number));
-        let mentioned: Vec<usize> =
-            constraint.product.odd.iter().chain(&constraint.product.other).copied().collect();
+        let mentioned: Vec<usize> = constraint.bases().collect();
         let relevant = mentioned.is_empty() || mentioned.iter().any(|number| factors.contains(number));
         if relevant {
             factors
@@ -234,6 +248,9 @@ fn assemble(tower: &Tower, knowledge: Knowledge, given: &[(usize, Sign)], factor
             kept.push(constraint);
         }
     }
+    factors.retain(|number| !is_number(number));
+    let never_zero = |number: &&usize| knowledge.facts.never_zero(&tower.base(**number).polynomial);
+    kept.extend(factors.iter().filter(never_zero).map(|&number| Constraint::not_zero(number)));
     let sign_of = |number: usize| {
         let known = given.iter().find(|entry| entry.0 == number).map(|entry| entry.1);
         known.or_else(|| knowledge.facts.sign_of(&tower.base(number).polynomial))

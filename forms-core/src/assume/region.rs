@@ -7,7 +7,7 @@
 use crate::normal::{Sign, SignConstraint};
 
 /// More factors than this have too many strata.
-const MOST_FACTORS: usize = 8;
+pub(crate) const MOST_FACTORS: usize = 8;
 
 /// A product of factors that is positive, or not negative.
 #[derive(Clone, Debug)]
@@ -36,6 +36,12 @@ impl Constraint {
     /// The constraint that nothing meets.
     pub(crate) fn impossible() -> Self {
         let product = SignConstraint { negative: true, odd: Vec::new(), other: Vec::new() };
+        Constraint { product, strict: true }
+    }
+
+    /// g ≠ 0
+    pub(crate) fn not_zero(base: usize) -> Self {
+        let product = SignConstraint { negative: false, odd: Vec::new(), other: vec![base] };
         Constraint { product, strict: true }
     }
 }

@@ -134,6 +134,16 @@ impl Facts {
         None
     }
 
+    /// Whether a polynomial keeps away from zero: g − c ≥ 0 or −g − c ≥ 0 for its constant term ±c, c > 0.
+    pub(crate) fn never_zero(&self, polynomial: &Polynomial) -> bool {
+        let constant = polynomial.terms().find(|(monomial, _)| monomial.is_empty()).map(|(_, c)| c);
+        constant.is_some_and(|constant| {
+            let rest = polynomial.sub(&Polynomial::constant(constant.clone()));
+            let signed = if constant.is_negative() { rest.neg() } else { rest };
+            self.never_negative(&signed)
+        })
+    }
+
     fn never_negative(&self, polynomial: &Polynomial) -> bool {
         self.terms_are_never_negative(polynomial)
             || is_positive_semidefinite(polynomial)

@@ -40,6 +40,20 @@ pub fn recipe() -> impl Strategy<Value = Recipe> {
     ]
 }
 
+/// A component of a map: what is composed with it stays small.
+pub fn gentle() -> impl Strategy<Value = Recipe> {
+    let monomial = (prop_oneof![Just(-1), 1..=2i64], prop::collection::vec(0..4u8, 1..=2));
+    prop_oneof![
+        2 => prop::collection::vec(monomial, 1..=2).prop_map(Recipe::Polynomial),
+        1 => (any::<bool>(), [-1..=1i64, 1..=2i64]).prop_map(|(s, c)| Recipe::Wave((1, vec![]), s, c)),
+    ]
+}
+
+pub fn affine() -> impl Strategy<Value = Recipe> {
+    let monomial = (prop_oneof![Just(-1), 1..=2i64], prop::collection::vec(0..4u8, 0..=1));
+    prop::collection::vec(monomial, 1..=2).prop_map(Recipe::Polynomial)
+}
+
 impl World {
     pub fn build(&mut self, recipe: &Recipe) -> Expr {
         match recipe {

@@ -8,7 +8,9 @@ use super::scene::{Draft, draft};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
-const SCENES: usize = 40;
+/// How many scenes a mutant has to get through, and on how many the calculus is tried beside it.
+const SCENES: usize = 200;
+const SCENES_OF_THE_CALCULUS: usize = 20;
 
 /// The same scenes in every run.
 fn scenes() -> Vec<Draft> {
@@ -40,11 +42,14 @@ fn assert_broken(mutant: Mutant, laws: &[Law], map_laws: &[MapLaw]) {
     let scenes = scenes();
     for &law in laws {
         assert!(rejects(law, &mutant, &scenes), "{law:?} does not see {mutant:?}");
-        assert!(!rejects(law, &Genuine, &scenes), "{law:?} rejects the calculus");
+        assert!(!rejects(law, &Genuine, &scenes[..SCENES_OF_THE_CALCULUS]), "{law:?} rejects the calculus");
     }
     for &law in map_laws {
         assert!(rejects_map(law, &mutant, &scenes), "{law:?} does not see {mutant:?}");
-        assert!(!rejects_map(law, &Genuine, &scenes), "{law:?} rejects the calculus");
+        assert!(
+            !rejects_map(law, &Genuine, &scenes[..SCENES_OF_THE_CALCULUS]),
+            "{law:?} rejects the calculus"
+        );
     }
 }
 

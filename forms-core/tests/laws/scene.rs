@@ -1,6 +1,6 @@
 //! What a law speaks of: a patch with a few random forms, fields and maps on it.
 
-use super::coefficients::{Recipe, recipe};
+use super::coefficients::{Recipe, affine, gentle, recipe};
 use forms_core::calculus::{Blade, Coefficients, Coordinate, Field, Form, Structured};
 use forms_core::expression::{Expr, FunctionId, Pool, Symbol, SymbolKind};
 use proptest::prelude::*;
@@ -62,7 +62,7 @@ pub struct Draft {
     degrees: [u32; 2],
     forms: [Parts; 3],
     fields: [Parts; 3],
-    /// Two maps of the patch to itself.
+    /// Two maps of the patch to itself, the second affine.
     maps: [Vec<Recipe>; 2],
 }
 
@@ -71,10 +71,10 @@ fn parts(most: usize) -> impl Strategy<Value = Parts> {
 }
 
 pub fn draft() -> impl Strategy<Value = Draft> {
-    let map = || prop::collection::vec(recipe(), 4);
+    let maps = [prop::collection::vec(gentle().boxed(), 4), prop::collection::vec(affine().boxed(), 4)];
     let forms = [parts(2), parts(2), parts(2)];
     let fields = [parts(2), parts(2), parts(1)];
-    (2..=4u8, [0..=2u32, 1..=2u32], forms, fields, [map(), map()]).prop_map(
+    (2..=4u8, [0..=2u32, 1..=2u32], forms, fields, maps).prop_map(
         |(dimension, degrees, forms, fields, maps)| Draft { dimension, degrees, forms, fields, maps },
     )
 }
@@ -102,17 +102,19 @@ impl Draft {
     pub fn scene(&self, world: &mut World) -> Scene<Expr> {
         let coordinates = world.coordinates();
         let [a, b] = self.degrees;
-        let mut form = |world: &mut World, parts: &Parts, degree: u32| {
+        let form = |world: &mut World, parts: &Parts, degree: u32| {
             let blades = blades(&coordinates, degree);
-            let terms: Vec<(Blade, Expr)> = parts
-                .iter()
-                .map(|(number, recipe)| (blades[*number as usize % blades.len()], world.build(recipe)))
-                .filter(|(_, value)| !world.pool.is_zero(*value))
-                .collect();
+            let mut terms: Vec<(Blade, Expr)> = Vec::new();
+            for (number, recipe) in parts {
+                let value = world.build(recipe);
+                if !world.pool.is_zero(value) {
+                    terms.push((blades[*number as usize % blades.len()], value));
+                }
+            }
             Form::from_terms(degree, terms)
         };
-        let forms = [a, b, 1].iter().zip(&self.forms).map(|(degree, parts)| form(world, parts, *degree));
-        let [a, b, c]: [Form<Expr>; 3] = forms.collect::<Vec<_>>().try_into().unwrap();
+        let [for_a, for_b, for_c] = &self.forms;
+        let (a, b, c) = (form(world, for_a, a), form(world, for_b, b), form(world, for_c, 1));
         let fields = [0, 1, 2].map(|place| self.field(world, &self.fields[place]));
         Scene { coordinates: world.coordinates(), a, b, c, fields }
     }

@@ -40,12 +40,13 @@ fn assert_verdicts(expected: &str, statements: &[&str]) {
 
 /// Neither answer that would be wrong is given; `unknown` is no mistake.
 fn assert_never(wrong: &str, statements: &[&str]) {
-    for statement in statements {
-        let text = format!("{PREAMBLE} prove trap: {statement};");
+    for written in statements {
+        let text = format!("{PREAMBLE} prove trap: {written};");
         let (mut theory, errors) = resolve(&read(&text).0);
-        assert_eq!(errors, [], "{statement}");
-        let verdict = decide(&mut theory, &theory.statements[0].clone());
-        assert_ne!(verdict.name(), wrong, "{statement}: {verdict:?}");
+        assert_eq!(errors, [], "{written}");
+        let statement = theory.statements[0].clone();
+        let verdict = decide(&mut theory, &statement);
+        assert_ne!(verdict.name(), wrong, "{written}: {verdict:?}");
     }
 }
 
