@@ -6,7 +6,7 @@ use num_rational::Ratio;
 use rustc_hash::FxHashMap;
 
 /// Numbers beyond 2^(this) are not carried further: repeated squaring would not end.
-const LARGEST_BITS: u64 = 1 << 18;
+const LARGEST_BITS: u64 = 1 << 14;
 
 type Decided = Result<Enclosure, Undecided>;
 

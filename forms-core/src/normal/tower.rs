@@ -258,7 +258,7 @@ impl Tower {
 
     /// Counts the work of a product before it is done.
     pub(super) fn charge(&mut self, a: &Polynomial, b: &Polynomial) -> Result<(), Obstacle> {
-        self.work += (a.term_count() as u64).saturating_mul(b.term_count() as u64);
+        self.work += a.size().saturating_mul(b.size());
         if self.work > self.work_limit {
             return Err(Obstacle::TooLarge(format!(
                 "it takes more than {} products of terms",

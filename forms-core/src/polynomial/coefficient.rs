@@ -245,6 +245,14 @@ impl Coefficients {
         }
     }
 
+    /// The 64-bit words of the longest coefficient; 1 where it is a machine number.
+    pub(super) fn words(&self) -> u64 {
+        match self {
+            Coefficients::Small(_) | Coefficients::Wide(_) => 1,
+            Coefficients::Big(numbers) => numbers.iter().map(|n| n.bits().div_ceil(64)).max().unwrap_or(1),
+        }
+    }
+
     /// The coefficient at a position.
     pub(super) fn get(&self, index: usize) -> BigInt {
         match self {

@@ -107,6 +107,12 @@ impl Polynomial {
         self.coefficients.len()
     }
 
+    /// The number of terms, each counted as many times as the longest coefficient has 64-bit words: what a
+    /// product with it costs.
+    pub fn size(&self) -> u64 {
+        (self.term_count() as u64).saturating_mul(self.coefficients.words())
+    }
+
     /// The coefficient of the leading term; 0 for 0.
     pub fn leading_coefficient(&self) -> BigInt {
         if self.is_zero() { BigInt::zero() } else { self.coefficients.get(0) }
