@@ -1,8 +1,9 @@
 //! Files: the text of a file becomes a theory, or everything that is wrong with it.
 
+use forms::core::check::read_file;
 use forms::core::diagnostic::{Diagnostic, Span};
-use forms::core::resolve::{Theory, resolve};
-use forms::core::syntax::{self, Source, ast};
+use forms::core::resolve::Theory;
+use forms::core::syntax::{Source, ast};
 use std::fs::File;
 use std::io::Read;
 
@@ -75,10 +76,7 @@ fn bytes(path: &str) -> Result<Vec<u8>, String> {
 /// Parses and resolves a text; the errors are in the order of the text.
 pub(crate) fn from_text(name: &str, text: impl Into<String>) -> Result<TheoryFile, Vec<FileError>> {
     let source = Source::new(name, text);
-    let (tree, mut diagnostics) = syntax::read(&source.text);
-    let (theory, found) = resolve(&tree);
-    diagnostics.extend(found);
-    diagnostics.sort_by_key(|diagnostic| diagnostic.span);
+    let (tree, theory, diagnostics) = read_file(&source.text);
     if diagnostics.is_empty() {
         return Ok(TheoryFile { source, tree, theory });
     }

@@ -52,14 +52,22 @@ fn unread_names<'a>(tokens: &'a [Token], file: &File) -> FxHashSet<&'a str> {
     unread
 }
 
-/// Parses and resolves a text.
-pub fn read_theory(text: &str) -> (Theory, Vec<Diagnostic>) {
+/// Parses and resolves a text: what it says and what it means. Of two mistakes found at one place the first, which
+/// is of the parser, is told.
+pub fn read_file(text: &str) -> (File, Theory, Vec<Diagnostic>) {
     let (tokens, mut diagnostics) = lex(text);
     let (file, found) = parse(&tokens, end_of(text));
     diagnostics.extend(found);
     let (theory, found) = resolve_parsed(&tokens, &file);
     diagnostics.extend(found);
     diagnostics.sort_by_key(|diagnostic| diagnostic.span);
+    diagnostics.dedup_by_key(|diagnostic| diagnostic.span);
+    (file, theory, diagnostics)
+}
+
+/// Parses and resolves a text.
+pub fn read_theory(text: &str) -> (Theory, Vec<Diagnostic>) {
+    let (_, theory, diagnostics) = read_file(text);
     (theory, diagnostics)
 }
 

@@ -73,6 +73,8 @@ impl Bounds {
         let half = Rational::new(1.into(), 2.into());
         match (&self.lower, &self.upper) {
             (None, None) => free,
+            // a bound may belong to the range; the condition itself says so
+            (Some(bound), _) | (None, Some(bound)) if free.is_zero() => bound.clone(),
             (Some(lower), None) if free > *lower => free,
             (Some(lower), None) => short(&(lower + free.abs() + half)),
             (None, Some(upper)) if free < *upper => free,

@@ -6,6 +6,9 @@ use crate::enclosure::{Enclosure, Precision, Undecided, enclose};
 use crate::expression::{Expr, FunctionId, Node, Pool, Rational, Symbol};
 use rustc_hash::FxHashMap;
 
+/// Bits of numerator and denominator up to which an exact value is written in full.
+const LONGEST_EXACT: u64 = 256;
+
 /// Bits of the enclosures, tried in turn.
 const PRECISIONS: [u32; 3] = [80, 256, 1024];
 
@@ -107,8 +110,8 @@ impl<'a> Search<'a> {
                 return Ok(Found::Differs(Difference {
                     component: number,
                     point: self.named(point, &jets),
-                    left: pair[0].digits(),
-                    right: pair[1].digits(),
+                    left: value_text(&pair[0]),
+                    right: value_text(&pair[1]),
                 }));
             }
         }
@@ -151,6 +154,14 @@ impl<'a> Search<'a> {
         }
         let places: Vec<String> = jet.arguments.iter().map(Enclosure::digits).collect();
         format!("{head}({})", places.join(", "))
+    }
+}
+
+/// An exact value in full as long as it can be read, any other to the digits that are certain.
+fn value_text(value: &Enclosure) -> String {
+    match value.as_exact() {
+        Some(exact) if exact.numer().bits() + exact.denom().bits() <= LONGEST_EXACT => exact.to_string(),
+        _ => value.digits(),
     }
 }
 

@@ -12,23 +12,7 @@ use crate::calculus::{
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Expr, Operation, Substitution, Symbol};
 use crate::syntax::ast::{self, Argument, ExprKind, Name, Relation};
-
-/// Functions of the language that need a metric or a homotopy and are not part of this version.
-const NOT_AVAILABLE: &[&str] = &[
-    "hodge",
-    "codiff",
-    "laplace",
-    "flat",
-    "sharp",
-    "inner",
-    "norm",
-    "volume",
-    "grad",
-    "curl",
-    "div",
-    "potential",
-    "boundary_integral",
-];
+use crate::syntax::words::NOT_AVAILABLE;
 
 /// The error for a function the language has and this version does not.
 pub(super) fn not_available(name: &str, span: Span) -> Diagnostic {
