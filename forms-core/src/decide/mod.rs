@@ -54,15 +54,15 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
     }
     let outcome =
         if problem.components.is_empty() { Outcome::Zero } else { proof::prove(&mut theory.pool, &problem) };
-    match outcome {
-        Outcome::Empty(reason) if search.points == 0 => return Verdict::Empty { reason },
-        Outcome::Zero if search.points > 0 => return report::proved(theory, &problem),
-        _ => {}
+    if outcome == Outcome::Zero && search.points > 0 {
+        return report::proved(theory, &problem);
     }
-    if search.points == 0
-        && let Some(reason) = empty::contradiction(&mut theory.pool, &problem)
-    {
-        return Verdict::Empty { reason };
+    if search.points == 0 {
+        let contradiction = empty::contradiction(&mut theory.pool, &problem);
+        let known = if let Outcome::Empty(reason) = &outcome { Some(reason.clone()) } else { None };
+        if let Some(reason) = contradiction.or(known) {
+            return Verdict::Empty { reason };
+        }
     }
     search.enough = if outcome == Outcome::Zero { 1 } else { LAST_POINTS };
     search.look(theory, &problem, position, LAST_CANDIDATES);

@@ -28,20 +28,27 @@ pub(super) fn generate(palette: Palette, output: &mut dyn Write) -> io::Result<S
     };
     heading(2, "Kernels, generated from what was proved", palette, output)?;
     for line in wrap(
-        "The cost of each kernel, as its formula was written and as it is generated, in additions: a division \
-              counts as 4, a square root as 5, a function as 15 to 30.",
+        "The operations of each generated kernel, and what it costs in additions as its formula was written and as \
+              it is generated: a division counts as 4, a square root as 5, a function as 15 to 30.",
         2,
     ) {
         writeln!(output, "{line}")?;
     }
     writeln!(output)?;
-    let title = format!("  {:NAME$} {:>9} {:>9} {:>9}", "", "arguments", "written", "generated");
+    let title =
+        format!("  {:NAME$} {:>9} {:>10} {:>9} {:>9}", "", "arguments", "operations", "written", "generated");
     writeln!(output, "{}", palette.quiet(&title))?;
     for written in &programs {
         let generated = written.optimise();
         let (before, after) = (written.cost(), generated.cost());
         let arguments = written.arguments().len();
-        writeln!(output, "  {:NAME$} {arguments:>9} {before:>9} {after:>9}", written.name())?;
+        let count = generated.operations();
+        let operations = count.arithmetic() + count.function_calls;
+        writeln!(
+            output,
+            "  {:NAME$} {arguments:>9} {operations:>10} {before:>9} {after:>9}",
+            written.name()
+        )?;
     }
     let all = format!("{} kernels in {}", programs.len(), duration(start.elapsed()));
     writeln!(output, "\n  {all}; forms emit - --target rust prints them\n")?;
