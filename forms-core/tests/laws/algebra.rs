@@ -5,7 +5,7 @@ use forms_core::calculus::{self, Coefficients, Coordinate, Field, Form, Pullback
 use forms_core::expression::{Expr, Substitution};
 
 /// Exterior calculus on one patch.
-pub trait Algebra {
+pub(crate) trait Algebra {
     fn wedge<R: Coefficients>(
         &self,
         ring: &mut R,
@@ -65,11 +65,11 @@ pub trait Algebra {
     }
 }
 
-pub fn substitution(world: &World, map: &[Expr]) -> Substitution {
+pub(crate) fn substitution(world: &World, map: &[Expr]) -> Substitution {
     world.symbols.iter().copied().zip(map.iter().copied()).collect()
 }
 
 /// The calculus as it is.
-pub struct Genuine;
+pub(crate) struct Genuine;
 
 impl Algebra for Genuine {}

@@ -10,7 +10,7 @@ type Monomial = (i64, Vec<u8>);
 
 /// How a coefficient is made.
 #[derive(Clone, Debug)]
-pub enum Recipe {
+pub(crate) enum Recipe {
     Polynomial(Vec<Monomial>),
     /// p/(1 + q²)
     Quotient(Vec<Monomial>, Monomial),
@@ -30,7 +30,7 @@ fn polynomial() -> impl Strategy<Value = Vec<Monomial>> {
     prop::collection::vec(monomial(), 1..=3)
 }
 
-pub fn recipe() -> impl Strategy<Value = Recipe> {
+pub(crate) fn recipe() -> impl Strategy<Value = Recipe> {
     prop_oneof![
         3 => polynomial().prop_map(Recipe::Polynomial),
         1 => (polynomial(), monomial()).prop_map(|(p, q)| Recipe::Quotient(p, q)),
@@ -41,7 +41,7 @@ pub fn recipe() -> impl Strategy<Value = Recipe> {
 }
 
 /// A component of a map: what is composed with it stays small.
-pub fn gentle() -> impl Strategy<Value = Recipe> {
+pub(crate) fn gentle() -> impl Strategy<Value = Recipe> {
     let monomial = (prop_oneof![Just(-1), 1..=2i64], prop::collection::vec(0..4u8, 1..=2));
     prop_oneof![
         2 => prop::collection::vec(monomial, 1..=2).prop_map(Recipe::Polynomial),
@@ -49,13 +49,13 @@ pub fn gentle() -> impl Strategy<Value = Recipe> {
     ]
 }
 
-pub fn affine() -> impl Strategy<Value = Recipe> {
+pub(crate) fn affine() -> impl Strategy<Value = Recipe> {
     let monomial = (prop_oneof![Just(-1), 1..=2i64], prop::collection::vec(0..4u8, 0..=1));
     prop::collection::vec(monomial, 1..=2).prop_map(Recipe::Polynomial)
 }
 
 impl World {
-    pub fn build(&mut self, recipe: &Recipe) -> Expr {
+    pub(crate) fn build(&mut self, recipe: &Recipe) -> Expr {
         match recipe {
             Recipe::Polynomial(p) => self.sum(p),
             Recipe::Quotient(p, q) => {

@@ -13,7 +13,7 @@ fn tiny() -> Rational {
 }
 
 /// Whether every expression has the normal form zero.
-pub fn vanish_exactly(world: &World, expressions: &[Expr]) -> bool {
+pub(crate) fn vanish_exactly(world: &World, expressions: &[Expr]) -> bool {
     let mut tower = Tower::new(Trigonometry::Circle);
     let prepared =
         normalise(&mut tower, &world.pool, expressions).expect("the coefficients are in the class");
@@ -21,7 +21,7 @@ pub fn vanish_exactly(world: &World, expressions: &[Expr]) -> bool {
 }
 
 /// Whether every expression is zero, to many digits, at points where all are defined; nothing if none was found.
-pub fn vanish_numerically(world: &World, expressions: &[Expr]) -> Option<bool> {
+pub(crate) fn vanish_numerically(world: &World, expressions: &[Expr]) -> Option<bool> {
     let mut seen = false;
     for number in 1..=4 {
         let values = values_at(world, expressions, number);
@@ -61,7 +61,7 @@ fn values_at(world: &World, expressions: &[Expr], number: i64) -> Vec<Option<Enc
 }
 
 /// Both answers, which must be one.
-pub fn vanish(world: &World, expressions: &[Expr]) -> bool {
+pub(crate) fn vanish(world: &World, expressions: &[Expr]) -> bool {
     let exactly = vanish_exactly(world, expressions);
     if let Some(numerically) = vanish_numerically(world, expressions) {
         let texts = world.pool.texts(expressions);

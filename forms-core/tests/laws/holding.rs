@@ -116,17 +116,17 @@ fn pairing_is_the_sum_over_permutations() {
 
 #[test]
 fn the_pullback_of_a_product_is_the_product_of_pullbacks() {
-    holds_of_maps(MapLaw::PullbackOfAProduct);
+    holds_of_maps(MapLaw::Products);
 }
 
 #[test]
 fn the_pullback_commutes_with_d() {
-    holds_of_maps(MapLaw::PullbackCommutesWithDerivative);
+    holds_of_maps(MapLaw::Derivatives);
 }
 
 #[test]
 fn pulling_back_by_a_composition_is_pulling_back_twice() {
-    holds_of_maps(MapLaw::PullbackOfAComposition);
+    holds_of_maps(MapLaw::Compositions);
 }
 
 /// The normal form of da is d of the normal form of a, and likewise for L_X a.

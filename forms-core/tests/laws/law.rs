@@ -7,7 +7,7 @@ use forms_core::expression::Expr;
 
 /// A law over any ring of coefficients.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Law {
+pub(crate) enum Law {
     /// d d a = 0
     DerivativeSquaresToZero,
     /// d(a∧b) = da∧b + (−1)^|a| a∧db
@@ -41,7 +41,7 @@ fn difference<R: Coefficients>(
     right: &Form<R::Scalar>,
 ) -> Vec<R::Scalar> {
     let negated = right.negate(ring);
-    left.add(ring, &negated).terms().iter().map(|term| term.1.clone()).collect()
+    coefficients(&left.add(ring, &negated))
 }
 
 /// (−1)ⁿ w
@@ -49,98 +49,177 @@ fn signed<R: Coefficients>(ring: &mut R, n: u32, w: Form<R::Scalar>) -> Form<R::
     if n % 2 == 1 { w.negate(ring) } else { w }
 }
 
+/// All coefficients of a form.
+fn coefficients<S: Clone>(form: &Form<S>) -> Vec<S> {
+    form.terms().iter().map(|term| term.1.clone()).collect()
+}
+
+fn components<S: Clone>(field: &Field<S>) -> Vec<S> {
+    field.components().map(|component| component.1.clone()).collect()
+}
+
 impl Law {
     /// What vanishes if the law holds.
-    pub fn defects<R: Coefficients>(
+    pub(crate) fn defects<R: Coefficients>(
         self,
         ring: &mut R,
         algebra: &impl Algebra,
         scene: &Scene<R::Scalar>,
     ) -> Vec<R::Scalar> {
-        let Scene { coordinates: along, a, b, c, fields: [x, y, z] } = scene;
         match self {
-            Law::DerivativeSquaresToZero => {
-                let da = algebra.d(ring, a, along);
-                let dda = algebra.d(ring, &da, along);
-                dda.terms().iter().map(|term| term.1.clone()).collect()
+            Law::DerivativeSquaresToZero => derivative_squared(ring, algebra, scene),
+            Law::Leibniz => leibniz(ring, algebra, scene),
+            Law::GradedCommutativity => commutativity(ring, algebra, scene),
+            Law::Associativity => associativity(ring, algebra, scene),
+            Law::Cartan => cartan(ring, algebra, scene),
+            Law::LieAndInterior => lie_and_interior(ring, algebra, scene),
+            Law::InteriorIsAnAntiderivation => antiderivation(ring, algebra, scene),
+            Law::InteriorSquaresToZero => interior_squared(ring, algebra, scene),
+            Law::Jacobi => jacobi(ring, algebra, scene),
+            Law::LieCommutesWithDerivative => lie_and_derivative(ring, algebra, scene),
+            Law::BracketIsSkew => skewness(ring, algebra, scene),
+            Law::PairingIsThePermutationSum => {
+                let [x, y, _] = &scene.fields;
+                pairing_defect(ring, algebra, &scene.b, [x, y])
             }
-            Law::Leibniz => {
-                let product = algebra.wedge(ring, a, b);
-                let left = algebra.d(ring, &product, along);
-                let (da, db) = (algebra.d(ring, a, along), algebra.d(ring, b, along));
-                let (first, second) = (algebra.wedge(ring, &da, b), algebra.wedge(ring, a, &db));
-                let second = signed(ring, a.degree(), second);
-                let right = first.add(ring, &second);
-                difference(ring, &left, &right)
-            }
-            Law::GradedCommutativity => {
-                let (left, right) = (algebra.wedge(ring, a, b), algebra.wedge(ring, b, a));
-                let right = signed(ring, a.degree() * b.degree(), right);
-                difference(ring, &left, &right)
-            }
-            Law::Associativity => {
-                let (ab, bc) = (algebra.wedge(ring, a, b), algebra.wedge(ring, b, c));
-                let (left, right) = (algebra.wedge(ring, &ab, c), algebra.wedge(ring, a, &bc));
-                difference(ring, &left, &right)
-            }
-            Law::Cartan => {
-                let left = algebra.lie(ring, x, a, along);
-                let (ia, da) = (algebra.interior(ring, x, a), algebra.d(ring, a, along));
-                let mut right = algebra.interior(ring, x, &da);
-                if a.degree() > 0 {
-                    let outer = algebra.d(ring, &ia, along);
-                    right = outer.add(ring, &right);
-                }
-                difference(ring, &left, &right)
-            }
-            Law::LieAndInterior => {
-                let (ia, la) = (algebra.interior(ring, y, b), algebra.lie(ring, x, b, along));
-                let (first, second) = (algebra.lie(ring, x, &ia, along), algebra.interior(ring, y, &la));
-                let second = second.negate(ring);
-                let left = first.add(ring, &second);
-                let xy = algebra.bracket(ring, x, y);
-                let right = algebra.interior(ring, &xy, b);
-                difference(ring, &left, &right)
-            }
-            Law::InteriorIsAnAntiderivation => {
-                let product = algebra.wedge(ring, a, b);
-                let left = algebra.interior(ring, x, &product);
-                let ib = algebra.interior(ring, x, b);
-                let second = algebra.wedge(ring, a, &ib);
-                let mut right = signed(ring, a.degree(), second);
-                if a.degree() > 0 {
-                    let ia = algebra.interior(ring, x, a);
-                    let first = algebra.wedge(ring, &ia, b);
-                    right = first.add(ring, &right);
-                }
-                difference(ring, &left, &right)
-            }
-            Law::InteriorSquaresToZero => {
-                let once = algebra.interior(ring, x, b);
-                let twice = algebra.interior(ring, x, &once);
-                let terms = twice.terms().iter().map(|term| term.1.clone());
-                if b.degree() < 2 { vec![] } else { terms.collect() }
-            }
-            Law::Jacobi => {
-                let (yz, zx, xy) =
-                    (algebra.bracket(ring, y, z), algebra.bracket(ring, z, x), algebra.bracket(ring, x, y));
-                let first = algebra.bracket(ring, x, &yz);
-                let (second, third) = (algebra.bracket(ring, y, &zx), algebra.bracket(ring, z, &xy));
-                let sum = first.add(ring, &second).add(ring, &third);
-                sum.components().map(|component| component.1.clone()).collect()
-            }
-            Law::LieCommutesWithDerivative => {
-                let (da, la) = (algebra.d(ring, a, along), algebra.lie(ring, x, a, along));
-                let (left, right) = (algebra.lie(ring, x, &da, along), algebra.d(ring, &la, along));
-                difference(ring, &left, &right)
-            }
-            Law::BracketIsSkew => {
-                let (xy, yx) = (algebra.bracket(ring, x, y), algebra.bracket(ring, y, x));
-                xy.add(ring, &yx).components().map(|component| component.1.clone()).collect()
-            }
-            Law::PairingIsThePermutationSum => pairing_defect(ring, algebra, b, [x, y]),
         }
     }
+}
+
+fn derivative_squared<R: Coefficients>(
+    ring: &mut R,
+    algebra: &impl Algebra,
+    scene: &Scene<R::Scalar>,
+) -> Vec<R::Scalar> {
+    let da = algebra.d(ring, &scene.a, &scene.coordinates);
+    coefficients(&algebra.d(ring, &da, &scene.coordinates))
+}
+
+fn leibniz<R: Coefficients>(
+    ring: &mut R,
+    algebra: &impl Algebra,
+    scene: &Scene<R::Scalar>,
+) -> Vec<R::Scalar> {
+    let Scene { coordinates: along, a, b, .. } = scene;
+    let product = algebra.wedge(ring, a, b);
+    let left = algebra.d(ring, &product, along);
+    let (da, db) = (algebra.d(ring, a, along), algebra.d(ring, b, along));
+    let (first, second) = (algebra.wedge(ring, &da, b), algebra.wedge(ring, a, &db));
+    let second = signed(ring, a.degree(), second);
+    let right = first.add(ring, &second);
+    difference(ring, &left, &right)
+}
+
+fn commutativity<R: Coefficients>(
+    ring: &mut R,
+    algebra: &impl Algebra,
+    scene: &Scene<R::Scalar>,
+) -> Vec<R::Scalar> {
+    let Scene { a, b, .. } = scene;
+    let (left, right) = (algebra.wedge(ring, a, b), algebra.wedge(ring, b, a));
+    let right = signed(ring, a.degree() * b.degree(), right);
+    difference(ring, &left, &right)
+}
+
+fn associativity<R: Coefficients>(
+    ring: &mut R,
+    algebra: &impl Algebra,
+    scene: &Scene<R::Scalar>,
+) -> Vec<R::Scalar> {
+    let Scene { a, b, c, .. } = scene;
+    let (ab, bc) = (algebra.wedge(ring, a, b), algebra.wedge(ring, b, c));
+    let (left, right) = (algebra.wedge(ring, &ab, c), algebra.wedge(ring, a, &bc));
+    difference(ring, &left, &right)
+}
+
+fn cartan<R: Coefficients>(ring: &mut R, algebra: &impl Algebra, scene: &Scene<R::Scalar>) -> Vec<R::Scalar> {
+    let Scene { coordinates: along, a, fields: [x, ..], .. } = scene;
+    let left = algebra.lie(ring, x, a, along);
+    let da = algebra.d(ring, a, along);
+    let mut right = algebra.interior(ring, x, &da);
+    if a.degree() > 0 {
+        let inner = algebra.interior(ring, x, a);
+        right = algebra.d(ring, &inner, along).add(ring, &right);
+    }
+    difference(ring, &left, &right)
+}
+
+fn lie_and_interior<R: Coefficients>(
+    ring: &mut R,
+    algebra: &impl Algebra,
+    scene: &Scene<R::Scalar>,
+) -> Vec<R::Scalar> {
+    let Scene { coordinates: along, b, fields: [x, y, _], .. } = scene;
+    let (inner, dragged) = (algebra.interior(ring, y, b), algebra.lie(ring, x, b, along));
+    let first = algebra.lie(ring, x, &inner, along);
+    let second = algebra.interior(ring, y, &dragged).negate(ring);
+    let left = first.add(ring, &second);
+    let bracket = algebra.bracket(ring, x, y);
+    let right = algebra.interior(ring, &bracket, b);
+    difference(ring, &left, &right)
+}
+
+fn antiderivation<R: Coefficients>(
+    ring: &mut R,
+    algebra: &impl Algebra,
+    scene: &Scene<R::Scalar>,
+) -> Vec<R::Scalar> {
+    let Scene { a, b, fields: [x, ..], .. } = scene;
+    let product = algebra.wedge(ring, a, b);
+    let left = algebra.interior(ring, x, &product);
+    let inner = algebra.interior(ring, x, b);
+    let second = algebra.wedge(ring, a, &inner);
+    let mut right = signed(ring, a.degree(), second);
+    if a.degree() > 0 {
+        let inner = algebra.interior(ring, x, a);
+        right = algebra.wedge(ring, &inner, b).add(ring, &right);
+    }
+    difference(ring, &left, &right)
+}
+
+fn interior_squared<R: Coefficients>(
+    ring: &mut R,
+    algebra: &impl Algebra,
+    scene: &Scene<R::Scalar>,
+) -> Vec<R::Scalar> {
+    let Scene { b, fields: [x, ..], .. } = scene;
+    if b.degree() < 2 {
+        return vec![];
+    }
+    let once = algebra.interior(ring, x, b);
+    coefficients(&algebra.interior(ring, x, &once))
+}
+
+fn jacobi<R: Coefficients>(ring: &mut R, algebra: &impl Algebra, scene: &Scene<R::Scalar>) -> Vec<R::Scalar> {
+    let [x, y, z] = &scene.fields;
+    let mut sum = Field::zero();
+    for (first, second, third) in [(x, y, z), (y, z, x), (z, x, y)] {
+        let inner = algebra.bracket(ring, second, third);
+        let outer = algebra.bracket(ring, first, &inner);
+        sum = sum.add(ring, &outer);
+    }
+    components(&sum)
+}
+
+fn lie_and_derivative<R: Coefficients>(
+    ring: &mut R,
+    algebra: &impl Algebra,
+    scene: &Scene<R::Scalar>,
+) -> Vec<R::Scalar> {
+    let Scene { coordinates: along, a, fields: [x, ..], .. } = scene;
+    let (da, la) = (algebra.d(ring, a, along), algebra.lie(ring, x, a, along));
+    let (left, right) = (algebra.lie(ring, x, &da, along), algebra.d(ring, &la, along));
+    difference(ring, &left, &right)
+}
+
+fn skewness<R: Coefficients>(
+    ring: &mut R,
+    algebra: &impl Algebra,
+    scene: &Scene<R::Scalar>,
+) -> Vec<R::Scalar> {
+    let [x, y, _] = &scene.fields;
+    let (forward, backward) = (algebra.bracket(ring, x, y), algebra.bracket(ring, y, x));
+    components(&forward.add(ring, &backward))
 }
 
 /// i_Y i_X w − Σ w_ij (XⁱYʲ − XʲYⁱ) for a 2-form, i_X w − Σ w_i Xⁱ for a 1-form
@@ -177,34 +256,34 @@ fn pairing_defect<R: Coefficients>(
 
 /// A law about maps, which need coefficients that can be composed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MapLaw {
+pub(crate) enum MapLaw {
     /// φ*(a∧b) = φ*a∧φ*b
-    PullbackOfAProduct,
+    Products,
     /// φ*da = dφ*a
-    PullbackCommutesWithDerivative,
+    Derivatives,
     /// (φ∘ψ)*a = ψ*φ*a
-    PullbackOfAComposition,
+    Compositions,
 }
 
 impl MapLaw {
-    pub fn defects(self, world: &mut World, algebra: &impl Algebra, draft: &Draft) -> Vec<Expr> {
+    pub(crate) fn defects(self, world: &mut World, algebra: &impl Algebra, draft: &Draft) -> Vec<Expr> {
         let scene = draft.scene(world);
         let [phi, psi] = draft.maps(world);
         let Scene { coordinates: along, a, b, c, .. } = &scene;
         let (left, right) = match self {
-            MapLaw::PullbackOfAProduct => {
+            MapLaw::Products => {
                 let product = algebra.wedge(&mut world.ring(), b, c);
                 let left = algebra.pullback(world, &phi, &product);
                 let (pb, pc) = (algebra.pullback(world, &phi, b), algebra.pullback(world, &phi, c));
                 (left, algebra.wedge(&mut world.ring(), &pb, &pc))
             }
-            MapLaw::PullbackCommutesWithDerivative => {
+            MapLaw::Derivatives => {
                 let da = algebra.d(&mut world.ring(), a, along);
                 let left = algebra.pullback(world, &phi, &da);
                 let pulled = algebra.pullback(world, &phi, a);
                 (left, algebra.d(&mut world.ring(), &pulled, along))
             }
-            MapLaw::PullbackOfAComposition => {
+            MapLaw::Compositions => {
                 let both = algebra.compose(world, &phi, &psi);
                 let left = algebra.pullback(world, &both, c);
                 let inner = algebra.pullback(world, &phi, c);

@@ -7,7 +7,7 @@ use forms_core::expression::Expr;
 
 /// What is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mutant {
+pub(crate) enum Mutant {
     /// dx∧dy = dy∧dx
     WedgeWithoutSigns,
     /// The sign of moving a form past one of higher degree is lost.

@@ -22,7 +22,7 @@ fn permutations(k: usize) -> Vec<(i64, Vec<usize>)> {
             let mut order = shorter.clone();
             order.insert(place, k - 1);
             let swaps = k - 1 - place;
-            all.push((if swaps % 2 == 0 { sign } else { -sign }, order));
+            all.push((if swaps.is_multiple_of(2) { sign } else { -sign }, order));
         }
     }
     all

@@ -6,14 +6,14 @@ use forms_core::expression::{Expr, FunctionId, Pool, Symbol, SymbolKind};
 use proptest::prelude::*;
 
 /// A pool with coordinates and two unknown functions of them.
-pub struct World {
-    pub pool: Pool,
-    pub symbols: Vec<Symbol>,
-    pub functions: [FunctionId; 2],
+pub(crate) struct World {
+    pub(crate) pool: Pool,
+    pub(crate) symbols: Vec<Symbol>,
+    pub(crate) functions: [FunctionId; 2],
 }
 
 impl World {
-    pub fn new(dimension: u8) -> Self {
+    pub(crate) fn new(dimension: u8) -> Self {
         let mut pool = Pool::new();
         let symbols: Vec<Symbol> =
             (0..dimension).map(|i| pool.declare_symbol(format!("x{i}"), SymbolKind::Coordinate)).collect();
@@ -21,35 +21,35 @@ impl World {
         World { pool, symbols, functions }
     }
 
-    pub fn coordinates(&self) -> Vec<Coordinate> {
+    pub(crate) fn coordinates(&self) -> Vec<Coordinate> {
         (0..self.symbols.len() as u8).map(Coordinate).collect()
     }
 
     /// The coordinate of that number, counted around.
-    pub fn variable(&mut self, number: u8) -> Expr {
+    pub(crate) fn variable(&mut self, number: u8) -> Expr {
         let symbol = self.symbols[number as usize % self.symbols.len()];
         self.pool.symbol(symbol)
     }
 
-    pub fn unknown(&mut self, first: bool) -> Expr {
+    pub(crate) fn unknown(&mut self, first: bool) -> Expr {
         let arguments: Vec<Expr> = self.symbols.iter().map(|&symbol| self.pool.symbol(symbol)).collect();
         let orders = vec![0; arguments.len()];
         self.pool.jet(self.functions[usize::from(!first)], &orders, &arguments)
     }
 
-    pub fn ring(&mut self) -> Structured<'_> {
+    pub(crate) fn ring(&mut self) -> Structured<'_> {
         Structured { pool: &mut self.pool, coordinates: &self.symbols }
     }
 }
 
 /// Two forms of any degrees, a 1-form, a function and three fields.
 #[derive(Clone, Debug)]
-pub struct Scene<S> {
-    pub coordinates: Vec<Coordinate>,
-    pub a: Form<S>,
-    pub b: Form<S>,
-    pub c: Form<S>,
-    pub fields: [Field<S>; 3],
+pub(crate) struct Scene<S> {
+    pub(crate) coordinates: Vec<Coordinate>,
+    pub(crate) a: Form<S>,
+    pub(crate) b: Form<S>,
+    pub(crate) c: Form<S>,
+    pub(crate) fields: [Field<S>; 3],
 }
 
 /// Which basis forms or directions, with which coefficients.
@@ -57,8 +57,8 @@ type Parts = Vec<(u8, Recipe)>;
 
 /// A scene as it was drawn.
 #[derive(Clone, Debug)]
-pub struct Draft {
-    pub dimension: u8,
+pub(crate) struct Draft {
+    pub(crate) dimension: u8,
     degrees: [u32; 2],
     forms: [Parts; 3],
     fields: [Parts; 3],
@@ -70,7 +70,7 @@ fn parts(most: usize) -> impl Strategy<Value = Parts> {
     prop::collection::vec((any::<u8>(), recipe()), 1..=most)
 }
 
-pub fn draft() -> impl Strategy<Value = Draft> {
+pub(crate) fn draft() -> impl Strategy<Value = Draft> {
     let maps = [prop::collection::vec(gentle().boxed(), 4), prop::collection::vec(affine().boxed(), 4)];
     let forms = [parts(2), parts(2), parts(2)];
     let fields = [parts(2), parts(2), parts(1)];
@@ -80,7 +80,7 @@ pub fn draft() -> impl Strategy<Value = Draft> {
 }
 
 /// All basis forms of a degree.
-pub fn blades(coordinates: &[Coordinate], degree: u32) -> Vec<Blade> {
+pub(crate) fn blades(coordinates: &[Coordinate], degree: u32) -> Vec<Blade> {
     let mut all = vec![Blade::SCALAR];
     for &coordinate in coordinates {
         let raised: Vec<Blade> = all
@@ -95,11 +95,11 @@ pub fn blades(coordinates: &[Coordinate], degree: u32) -> Vec<Blade> {
 }
 
 impl Draft {
-    pub fn world(&self) -> World {
+    pub(crate) fn world(&self) -> World {
         World::new(self.dimension)
     }
 
-    pub fn scene(&self, world: &mut World) -> Scene<Expr> {
+    pub(crate) fn scene(&self, world: &mut World) -> Scene<Expr> {
         let coordinates = world.coordinates();
         let [a, b] = self.degrees;
         let form = |world: &mut World, parts: &Parts, degree: u32| {
@@ -131,7 +131,7 @@ impl Draft {
     }
 
     /// The components of the two maps.
-    pub fn maps(&self, world: &mut World) -> [Vec<Expr>; 2] {
+    pub(crate) fn maps(&self, world: &mut World) -> [Vec<Expr>; 2] {
         [0, 1].map(|place| {
             self.maps[place].iter().take(self.dimension as usize).map(|recipe| world.build(recipe)).collect()
         })
@@ -140,7 +140,7 @@ impl Draft {
 
 impl<S: Clone> Scene<S> {
     /// Every coefficient of the scene.
-    pub fn scalars(&self) -> Vec<S> {
+    pub(crate) fn scalars(&self) -> Vec<S> {
         let of_forms =
             [&self.a, &self.b, &self.c].into_iter().flat_map(|form| form.terms().iter().map(|t| t.1.clone()));
         let of_fields = self.fields.iter().flat_map(|field| field.components().map(|c| c.1.clone()));
@@ -148,7 +148,11 @@ impl<S: Clone> Scene<S> {
     }
 
     /// The scene over another ring, its coefficients in the order of [`Scene::scalars`].
-    pub fn over<T: Clone>(&self, ring: &mut impl Coefficients<Scalar = T>, scalars: Vec<T>) -> Scene<T> {
+    pub(crate) fn over<T: Clone>(
+        &self,
+        ring: &mut impl Coefficients<Scalar = T>,
+        scalars: Vec<T>,
+    ) -> Scene<T> {
         let mut next = scalars.into_iter();
         let mut form = |form: &Form<S>| {
             let terms: Vec<(Blade, T)> =
