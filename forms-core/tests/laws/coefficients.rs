@@ -45,12 +45,13 @@ pub(crate) fn gentle() -> impl Strategy<Value = Recipe> {
     let monomial = (prop_oneof![Just(-1), 1..=2i64], prop::collection::vec(0..4u8, 1..=2));
     prop_oneof![
         2 => prop::collection::vec(monomial, 1..=2).prop_map(Recipe::Polynomial),
-        1 => (any::<bool>(), [-1..=1i64, 1..=2i64]).prop_map(|(s, c)| Recipe::Wave((1, vec![]), s, c)),
+        1 => any::<bool>().prop_map(|is_sine| Recipe::Wave((1, vec![]), is_sine, [0, 1])),
     ]
 }
 
-pub(crate) fn affine() -> impl Strategy<Value = Recipe> {
-    let monomial = (prop_oneof![Just(-1), 1..=2i64], prop::collection::vec(0..4u8, 0..=1));
+/// A component of a linear map.
+pub(crate) fn linear() -> impl Strategy<Value = Recipe> {
+    let monomial = (prop_oneof![Just(-1), Just(1)], prop::collection::vec(0..4u8, 1));
     prop::collection::vec(monomial, 1..=2).prop_map(Recipe::Polynomial)
 }
 

@@ -1,6 +1,6 @@
 //! What a law speaks of: a patch with a few random forms, fields and maps on it.
 
-use super::coefficients::{Recipe, affine, gentle, recipe};
+use super::coefficients::{Recipe, gentle, linear, recipe};
 use forms_core::calculus::{Blade, Coefficients, Coordinate, Field, Form, Structured};
 use forms_core::expression::{Expr, FunctionId, Pool, Symbol, SymbolKind};
 use proptest::prelude::*;
@@ -62,7 +62,7 @@ pub(crate) struct Draft {
     degrees: [u32; 2],
     forms: [Parts; 3],
     fields: [Parts; 3],
-    /// Two maps of the patch to itself, the second affine.
+    /// Two maps of the patch to itself, the second linear.
     maps: [Vec<Recipe>; 2],
 }
 
@@ -71,7 +71,7 @@ fn parts(most: usize) -> impl Strategy<Value = Parts> {
 }
 
 pub(crate) fn draft() -> impl Strategy<Value = Draft> {
-    let maps = [prop::collection::vec(gentle().boxed(), 4), prop::collection::vec(affine().boxed(), 4)];
+    let maps = [prop::collection::vec(gentle().boxed(), 4), prop::collection::vec(linear().boxed(), 4)];
     let forms = [parts(2), parts(2), parts(2)];
     let fields = [parts(2), parts(2), parts(1)];
     (2..=4u8, [0..=2u32, 1..=2u32], forms, fields, maps).prop_map(
