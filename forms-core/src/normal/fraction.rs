@@ -90,11 +90,11 @@ fn exponent_of(factors: &[(FactorId, u32)], factor: FactorId) -> u32 {
 }
 
 /// The product of two factor lists.
-pub(super) fn merge_factors(a: &[(FactorId, u32)], b: &[(FactorId, u32)]) -> Vec<(FactorId, u32)> {
+fn merge_factors(a: &[(FactorId, u32)], b: &[(FactorId, u32)]) -> Vec<(FactorId, u32)> {
     let mut all: Vec<(FactorId, u32)> = a.to_vec();
     for &(factor, exponent) in b {
         match all.binary_search_by_key(&factor, |entry| entry.0) {
-            Ok(place) => all[place].1 += exponent,
+            Ok(place) => all[place].1 = all[place].1.saturating_add(exponent),
             Err(place) => all.insert(place, (factor, exponent)),
         }
     }
@@ -132,16 +132,18 @@ impl Tower {
         let mut raised = if by.is_one() { numerator.clone() } else { numerator.scale(by) };
         for &(factor, exponent) in factors {
             if let Some(variable) = self.factor_variable(factor) {
+                Self::check_exponent(raised.exponent_bound().saturating_add(exponent))?;
                 raised = raised.multiply_by_monomial(&[(variable, exponent)]);
                 continue;
             }
+            let polynomial = self.factor_polynomial(factor).clone();
+            Self::check_power(&polynomial, u64::from(exponent))?;
             for _ in 0..exponent {
-                let polynomial = self.factor_polynomial(factor).clone();
                 self.charge(&raised, &polynomial)?;
                 raised = raised.mul(&polynomial);
             }
         }
-        Ok(self.reduce(raised))
+        self.reduce(raised)
     }
 
     /// −a
@@ -166,9 +168,12 @@ impl Tower {
         let product = left.numerator.mul(&right.numerator);
         let divisor = &left.divisor * &right.divisor;
         let factors = merge_factors(&left.factors, &right.factors);
+        for &(_, exponent) in &factors {
+            Self::check_exponent(exponent)?;
+        }
         let bound = self.relations.iter().any(|relation| product.degree(relation.variable) >= relation.order);
         if bound {
-            let reduced = self.reduce(product);
+            let reduced = self.reduce(product)?;
             return Ok(self.cancel(reduced, divisor, factors));
         }
         Ok(Fraction { numerator: product, divisor, factors })
@@ -193,9 +198,11 @@ impl Tower {
     /// aⁿ
     pub fn integer_power(&mut self, a: &Fraction, exponent: i64) -> Result<Fraction, Obstacle> {
         if exponent < 0 {
-            let power = self.integer_power(a, -exponent)?;
-            return self.inverse_of_power(a, &power, -exponent);
+            // The inverse first keeps the denominator factored.
+            let inverse = self.inverse(a)?;
+            return self.integer_power(&inverse, -exponent);
         }
+        Self::check_power(&a.numerator, exponent.unsigned_abs())?;
         let mut result = Fraction::one();
         let mut square = a.clone();
         let mut rest = exponent;
@@ -209,15 +216,6 @@ impl Tower {
             }
         }
         Ok(result)
-    }
-
-    /// a⁻ⁿ as (1/a)ⁿ, which keeps the denominator factored; `power` = aⁿ is used where a is a number.
-    fn inverse_of_power(&mut self, a: &Fraction, power: &Fraction, n: i64) -> Result<Fraction, Obstacle> {
-        if a.as_number().is_some() {
-            return self.inverse(power);
-        }
-        let inverse = self.inverse(a)?;
-        self.integer_power(&inverse, n)
     }
 
     /// content · ∏ factors of a polynomial: generators that divide it, then known factors, then the rest.
@@ -285,6 +283,11 @@ impl Tower {
             return Fraction::zero();
         }
         for (factor, exponent) in &mut factors {
+            if let Some(variable) = self.factor_variable(*factor) {
+                let shared = numerator.least_exponent(variable).min(*exponent);
+                numerator = numerator.divide_by_monomial(&[(variable, shared)]).unwrap_or(numerator);
+                *exponent -= shared;
+            }
             while *exponent > 0 {
                 match self.divide_by_factor(&numerator, *factor) {
                     Some(quotient) => numerator = quotient,
