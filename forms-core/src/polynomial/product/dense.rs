@@ -20,7 +20,7 @@ const BLOCK: usize = 1 << 15;
 const ROOM: usize = 8;
 
 /// The most values of a run that the inner loop takes at a time.
-const STEP: usize = 4;
+const STEP: usize = 8;
 
 /// Whether a box may be full enough, as far as the number of variables tells: each at least doubles it.
 pub(super) fn may_fit(reach: &Reach, products: usize) -> bool {
@@ -274,11 +274,19 @@ fn add_block<C: Coefficient>(block: &mut [C], high: usize, left: &Image<C>, righ
                 for b in &right.runs[b_first..b_last] {
                     let target = &mut block[a.low + b.low..];
                     // Runs come by length, which keeps the branch predictable.
-                    match right.numbers[b.start..b.end] {
-                        [ref b0, ref b1, ref b2, ref b3] => add_run(target, numbers, [b0, b1, b2, b3]),
-                        [ref b0, ref b1, ref b2] => add_run(target, numbers, [b0, b1, b2]),
-                        [ref b0, ref b1] => add_run(target, numbers, [b0, b1]),
-                        [ref b0] => add_run(target, numbers, [b0]),
+                    match &right.numbers[b.start..b.end] {
+                        [b0, b1, b2, b3, b4, b5, b6, b7] => {
+                            add_run(target, numbers, [b0, b1, b2, b3, b4, b5, b6, b7]);
+                        }
+                        [b0, b1, b2, b3, b4, b5, b6] => {
+                            add_run(target, numbers, [b0, b1, b2, b3, b4, b5, b6]);
+                        }
+                        [b0, b1, b2, b3, b4, b5] => add_run(target, numbers, [b0, b1, b2, b3, b4, b5]),
+                        [b0, b1, b2, b3, b4] => add_run(target, numbers, [b0, b1, b2, b3, b4]),
+                        [b0, b1, b2, b3] => add_run(target, numbers, [b0, b1, b2, b3]),
+                        [b0, b1, b2] => add_run(target, numbers, [b0, b1, b2]),
+                        [b0, b1] => add_run(target, numbers, [b0, b1]),
+                        [b0] => add_run(target, numbers, [b0]),
                         _ => unreachable!("runs are cut at {STEP}"),
                     }
                 }
@@ -292,19 +300,19 @@ fn add_block<C: Coefficient>(block: &mut [C], high: usize, left: &Image<C>, righ
 /// place is read and written once for all of them.
 #[inline(always)]
 fn add_run<const N: usize, C: Coefficient>(target: &mut [C], a: &[C], b: [&C; N]) {
-    let target = &mut target[..a.len() + N - 1];
+    let (target, rest) = target[..a.len() + N - 1].split_at_mut(a.len());
     let mut open: [C; N] = std::array::from_fn(|_| C::zero());
-    for i in 0..a.len() {
+    for (a, target) in a.iter().zip(target) {
         for j in 0..N {
-            open[j].add_product(&a[i], b[j]);
+            open[j].add_product(a, b[j]);
         }
-        target[i] = target[i].plus(&open[0]);
+        *target = target.plus(&open[0]);
         for j in 1..N {
             open.swap(j - 1, j);
         }
         open[N - 1] = C::zero();
     }
-    for j in 0..N - 1 {
-        target[a.len() + j] = target[a.len() + j].plus(&open[j]);
+    for (target, open) in rest.iter_mut().zip(&open) {
+        *target = target.plus(open);
     }
 }
