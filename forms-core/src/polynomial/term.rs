@@ -109,16 +109,6 @@ impl Polynomial {
         union
     }
 
-    /// Writes the bitwise union of the monomials; words beyond the layout become 0.
-    pub(super) fn unite(&self, union: &mut [u64]) {
-        union.fill(0);
-        for monomial in self.monomials.chunks_exact(self.layout.words.max(1)) {
-            for (all, word) in union.iter_mut().zip(monomial) {
-                *all |= word;
-            }
-        }
-    }
-
     /// The bitwise union of the monomials on a layout at least as wide.
     pub(super) fn union_on(&self, layout: Layout) -> Vec<u64> {
         let union: Vec<u64> = (0..self.layout.words).map(|word| self.union_of_word(word)).collect();

@@ -273,21 +273,17 @@ fn add_block<C: Coefficient>(block: &mut [C], high: usize, left: &Image<C>, righ
                 let numbers = &left.numbers[a.start..a.end];
                 for b in &right.runs[b_first..b_last] {
                     let target = &mut block[a.low + b.low..];
+                    let factors = &right.numbers[b.start..b.end];
                     // Runs come by length, which keeps the branch predictable.
-                    match &right.numbers[b.start..b.end] {
-                        [b0, b1, b2, b3, b4, b5, b6, b7] => {
-                            add_run(target, numbers, [b0, b1, b2, b3, b4, b5, b6, b7]);
-                        }
-                        [b0, b1, b2, b3, b4, b5, b6] => {
-                            add_run(target, numbers, [b0, b1, b2, b3, b4, b5, b6]);
-                        }
-                        [b0, b1, b2, b3, b4, b5] => add_run(target, numbers, [b0, b1, b2, b3, b4, b5]),
-                        [b0, b1, b2, b3, b4] => add_run(target, numbers, [b0, b1, b2, b3, b4]),
-                        [b0, b1, b2, b3] => add_run(target, numbers, [b0, b1, b2, b3]),
-                        [b0, b1, b2] => add_run(target, numbers, [b0, b1, b2]),
-                        [b0, b1] => add_run(target, numbers, [b0, b1]),
-                        [b0] => add_run(target, numbers, [b0]),
-                        _ => unreachable!("runs are cut at {STEP}"),
+                    match factors.len() {
+                        1 => add_run::<1, C>(target, numbers, factors),
+                        2 => add_run::<2, C>(target, numbers, factors),
+                        3 => add_run::<3, C>(target, numbers, factors),
+                        4 => add_run::<4, C>(target, numbers, factors),
+                        5 => add_run::<5, C>(target, numbers, factors),
+                        6 => add_run::<6, C>(target, numbers, factors),
+                        7 => add_run::<7, C>(target, numbers, factors),
+                        _ => add_run::<STEP, C>(target, numbers, factors),
                     }
                 }
             }
@@ -296,15 +292,16 @@ fn add_block<C: Coefficient>(block: &mut [C], high: usize, left: &Image<C>, righ
     touched
 }
 
-/// target[i + j] += a[i]·b[j] for a few values of b: their open sums slide along the target, so that each
+/// target[i + j] += a[i]·b[j] for the N values of b: their open sums slide along the target, so that each
 /// place is read and written once for all of them.
 #[inline(always)]
-fn add_run<const N: usize, C: Coefficient>(target: &mut [C], a: &[C], b: [&C; N]) {
+fn add_run<const N: usize, C: Coefficient>(target: &mut [C], a: &[C], b: &[C]) {
+    let Some(b) = b.first_chunk::<N>() else { return };
     let (target, rest) = target[..a.len() + N - 1].split_at_mut(a.len());
     let mut open: [C; N] = std::array::from_fn(|_| C::zero());
     for (a, target) in a.iter().zip(target) {
         for j in 0..N {
-            open[j].add_product(a, b[j]);
+            open[j].add_product(a, &b[j]);
         }
         *target = target.plus(&open[0]);
         for j in 1..N {

@@ -23,14 +23,11 @@ impl Reach {
             operands = operands.join(a.layout).join(b.layout);
         }
         let mut bounds = vec![0; operands.words];
-        let (mut left, mut right) = (bounds.clone(), bounds.clone());
         for (_, a, b) in terms {
             // Both bounds are below the guards, so their sum does not carry into the next field.
             if a.layout.bits == operands.bits && b.layout.bits == operands.bits {
-                a.unite(&mut left);
-                b.unite(&mut right);
                 for (word, bound) in bounds.iter_mut().enumerate() {
-                    *bound |= left[word] + right[word];
+                    *bound |= a.union_of_word(word) + b.union_of_word(word);
                 }
             } else {
                 let (left, right) = (a.union_on(operands), b.union_on(operands));
