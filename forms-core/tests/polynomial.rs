@@ -245,3 +245,23 @@ fn sums_of_products_that_cancel_are_zero_and_others_are_not() {
     assert!(!Polynomial::sum_of_products_is_zero(&[(1, &f, &g), (1, &fg, &one)]));
     assert_eq!(Polynomial::sum_of_products(&[(2, &f, &g), (-1, &fg, &one)]), fg);
 }
+
+#[test]
+fn gcd_of_swelling_remainders_still_divides_both() {
+    // Numbers beyond the prime of the images leave only the remainder sequence, which swells.
+    let sum = |step: i64| {
+        (0..6).fold(Polynomial::integer(7 - step), |sum, variable| {
+            let number = BigInt::from((i64::from(variable) * step + 3) % 11 - 5) * (1i64 << 50) + step;
+            sum.add(&Polynomial::variable(variable).scale(&number))
+        })
+    };
+    let common = sum(2).pow(2).add(&sum(4)).add(&Polynomial::variable(1));
+    let (f, g) = (common.mul(&sum(3).pow(3).add(&sum(1))), common.mul(&sum(5).pow(3).sub(&sum(2).square())));
+    assert!(f.term_count() > 200 && g.term_count() > 200);
+    let found = f.gcd(&g);
+    assert!(f.divide_exact(&found).is_some() && g.divide_exact(&found).is_some());
+    let (content, factors) = f.square_free();
+    assert_eq!(Polynomial::from_factors(&content, &factors), f);
+    let basis = coprime_basis(&[f.clone(), g.clone()]);
+    assert!(f.factor_over(&basis).is_some() && g.factor_over(&basis).is_some());
+}

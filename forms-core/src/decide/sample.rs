@@ -6,6 +6,9 @@ use crate::syntax::ast::Relation;
 use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
 
+/// How long a chain of variables a < b < c … passes its bounds on.
+const CHAIN: usize = 4;
+
 /// Bounds of one variable by numbers; either may be missing.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Bounds {
@@ -29,7 +32,29 @@ pub(super) fn simple_bounds(pool: &Pool, conditions: &[Condition]) -> FxHashMap<
             bounds.entry(*symbol).or_default().restrict(mirrored(condition.relation), &value);
         }
     }
+    for _ in 0..CHAIN {
+        conditions.iter().for_each(|condition| pass_on(pool, condition, &mut bounds));
+    }
     bounds
+}
+
+/// For a < b every upper bound of b is one of a, and every lower bound of a is one of b.
+fn pass_on(pool: &Pool, condition: &Condition, bounds: &mut FxHashMap<Symbol, Bounds>) {
+    let (Node::Symbol(left), Node::Symbol(right)) = (pool.node(condition.left), pool.node(condition.right))
+    else {
+        return;
+    };
+    let (smaller, larger) = match condition.relation {
+        Relation::Less | Relation::LessEqual => (*left, *right),
+        Relation::Greater | Relation::GreaterEqual => (*right, *left),
+        Relation::NotEqual => return,
+    };
+    let upper = bounds.get(&larger).and_then(|known| known.upper.clone());
+    let lower = bounds.get(&smaller).and_then(|known| known.lower.clone());
+    let below = bounds.entry(smaller).or_default();
+    below.upper = below.upper.take().into_iter().chain(upper).min();
+    let above = bounds.entry(larger).or_default();
+    above.lower = above.lower.take().into_iter().chain(lower).max();
 }
 
 fn constant(pool: &Pool, expression: Expr) -> Option<Enclosure> {
@@ -68,13 +93,16 @@ impl Bounds {
         }
     }
 
+    /// One end of the range, if it has one.
+    fn end(&self) -> Option<Rational> {
+        self.lower.as_ref().or(self.upper.as_ref()).cloned()
+    }
+
     /// A number within the bounds, from one that knows none.
     fn place(&self, free: Rational) -> Rational {
         let half = Rational::new(1.into(), 2.into());
         match (&self.lower, &self.upper) {
             (None, None) => free,
-            // a bound may belong to the range; the condition itself says so
-            (Some(bound), _) | (None, Some(bound)) if free.is_zero() => bound.clone(),
             (Some(lower), None) if free > *lower => free,
             (Some(lower), None) => short(&(lower + free.abs() + half)),
             (None, Some(upper)) if free < *upper => free,
@@ -156,6 +184,8 @@ impl Sequence {
             .map(|symbol| {
                 let free = self.number(round);
                 let value = match bounds.get(symbol) {
+                    // a bound may belong to the range; the condition itself says so
+                    Some(bounds) if free.is_zero() && round % 2 == 1 => bounds.end().unwrap_or(free),
                     Some(bounds) => bounds.place(free),
                     None => free,
                 };

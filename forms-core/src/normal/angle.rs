@@ -101,20 +101,20 @@ impl Tower {
     fn multiple_angle(&mut self, unit: Unit, multiple: i64) -> Result<Point, Obstacle> {
         let times = multiple.unsigned_abs() as u32;
         let (cosine, sine) = match self.trigonometry {
-            Trigonometry::Circle => self.circle_multiple(unit, times),
+            Trigonometry::Circle => self.circle_multiple(unit, times)?,
             Trigonometry::HalfAngle => self.half_angle_multiple(unit, times)?,
         };
         let sine = if multiple < 0 { self.negate(&sine) } else { sine };
         Ok((cosine, sine))
     }
 
-    fn circle_multiple(&mut self, unit: Unit, times: u32) -> Point {
+    fn circle_multiple(&mut self, unit: Unit, times: u32) -> Result<Point, Obstacle> {
         let c = self.variable_of(Generator::Cosine(unit.clone()));
         let s = self.variable_of(Generator::Sine(unit));
         let c_squared = Polynomial::variable(c).square();
         self.bind(s, 2, Polynomial::one().sub(&c_squared));
         let (re, im) = complex_power(&Polynomial::variable(c), &Polynomial::variable(s), times);
-        (self.reduce(re).into(), self.reduce(im).into())
+        Ok((self.reduce(re)?.into(), self.reduce(im)?.into()))
     }
 
     fn half_angle_multiple(&mut self, unit: Unit, times: u32) -> Result<Point, Obstacle> {

@@ -68,7 +68,7 @@ impl Tower {
             if inner.is_zero() {
                 continue;
             }
-            let partial = self.reduce(polynomial.derivative(variable));
+            let partial = self.reduce(polynomial.derivative(variable))?;
             let term = self.multiply(&partial.into(), &inner)?;
             sum = self.add(&sum, &term)?;
         }
@@ -121,6 +121,19 @@ impl Tower {
                 self.derivative_of_opaque(operation, &arguments, by)
             }
         }
+    }
+
+    /// Σ ±a b without denominators, reduced once.
+    fn sum_of_polynomial_products(
+        &mut self,
+        terms: &[(i8, &Fraction, &Fraction)],
+    ) -> Result<Fraction, Obstacle> {
+        let mut products = Vec::with_capacity(terms.len());
+        for (sign, a, b) in terms {
+            self.charge(&a.numerator, &b.numerator)?;
+            products.push((i64::from(*sign), &a.numerator, &b.numerator));
+        }
+        Ok(self.reduce(Polynomial::sum_of_products(&products))?.into())
     }
 
     fn times_derivative_of_unit(
@@ -270,11 +283,9 @@ impl Coefficients for Normal<'_> {
     }
 
     fn sum_of_products(&mut self, terms: &[(i8, &Fraction, &Fraction)]) -> Fraction {
-        let plain = terms.iter().all(|(_, a, b)| a.is_polynomial() && b.is_polynomial());
-        if plain && self.tower.relations.is_empty() {
-            let products: Vec<(i64, &Polynomial, &Polynomial)> =
-                terms.iter().map(|(sign, a, b)| (i64::from(*sign), &a.numerator, &b.numerator)).collect();
-            return Polynomial::sum_of_products(&products).into();
+        if terms.iter().all(|(_, a, b)| a.is_polynomial() && b.is_polynomial()) {
+            let sum = self.tower.sum_of_polynomial_products(terms);
+            return self.keep(sum);
         }
         let mut sum = Fraction::zero();
         for &(sign, a, b) in terms {

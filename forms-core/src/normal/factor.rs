@@ -131,12 +131,9 @@ impl Tower {
             {
                 continue;
             }
-            let exponent = match self.conjugate(&known) {
+            let exponent = match self.conjugate(&known)? {
                 None => divide_out(rest, |rest| rest.divide_exact(&known)),
-                Some((conjugate, norm)) => {
-                    self.charge(rest, &conjugate)?;
-                    divide_out(rest, |rest| self.reduce(rest.mul(&conjugate)).divide_exact(&norm))
-                }
+                Some((conjugate, norm)) => self.divide_out_by_norm(rest, &conjugate, &norm)?,
             };
             if exponent > 0 {
                 powers.push(FactorPower { factor: FactorId(number as u32), exponent });
@@ -145,25 +142,42 @@ impl Tower {
         Ok(())
     }
 
+    /// Divides by F as often as it goes, as N/F = N G/n.
+    fn divide_out_by_norm(
+        &mut self,
+        rest: &mut Polynomial,
+        conjugate: &Polynomial,
+        norm: &Polynomial,
+    ) -> Result<i32, Obstacle> {
+        let mut exponent = 0;
+        while rest.as_constant().is_none() {
+            self.charge(rest, conjugate)?;
+            let Some(quotient) = self.reduce(rest.mul(conjugate))?.divide_exact(norm) else { break };
+            *rest = quotient;
+            exponent += 1;
+        }
+        Ok(exponent)
+    }
+
     /// For a factor F with square roots in it: G with F G = n free of roots, so that N/F = N G/n.
     /// One root after the other: (A + Bρ)(A − Bρ) = A² − B² f.
-    fn conjugate(&self, factor: &Polynomial) -> Option<(Polynomial, Polynomial)> {
+    fn conjugate(&mut self, factor: &Polynomial) -> Result<Option<(Polynomial, Polynomial)>, Obstacle> {
         let (mut conjugate, mut norm) = (Polynomial::one(), factor.clone());
         let mut found = false;
-        while let Some(relation) = self.relations.iter().rev().find(|r| norm.contains(r.variable)) {
+        while let Some(relation) = self.relations.iter().rev().find(|r| norm.contains(r.variable)).cloned() {
             if relation.order != 2 || self.is_trigonometric(relation.variable) {
-                return None;
+                return Ok(None);
             }
             let root = Polynomial::variable(relation.variable);
             let mirrored = norm.substitute(relation.variable, &root.neg());
-            conjugate = self.reduce(conjugate.mul(&mirrored));
-            norm = self.reduce(norm.mul(&mirrored));
+            conjugate = self.reduce(conjugate.mul(&mirrored))?;
+            norm = self.reduce(norm.mul(&mirrored))?;
             found = true;
             if conjugate.term_count() > LARGEST_CONJUGATE || norm.is_zero() {
-                return None;
+                return Ok(None);
             }
         }
-        found.then_some((conjugate, norm))
+        Ok(found.then_some((conjugate, norm)))
     }
 
     /// N / (d ∏ Fᵉ) with every factor divided out of N that divides it, and free generators multiplied in
@@ -184,6 +198,11 @@ impl Tower {
             {
                 numerator = numerator.multiply_by_monomial(&[(variable, power.exponent.unsigned_abs())]);
                 power.exponent = 0;
+            }
+            if let Some(variable) = self.factor_variable(power.factor) {
+                let shared = numerator.least_exponent(variable).min(power.exponent.max(0).unsigned_abs());
+                numerator = numerator.divide_by_monomial(&[(variable, shared)]).unwrap_or(numerator);
+                power.exponent -= shared as i32;
             }
             while power.exponent > 0 {
                 match self.divide_by_factor(&numerator, power.factor) {

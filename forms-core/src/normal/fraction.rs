@@ -110,16 +110,18 @@ impl Tower {
         for power in powers {
             let times = power.exponent.unsigned_abs();
             if let Some(variable) = self.factor_variable(power.factor) {
+                Self::check_exponent(raised.exponent_bound().saturating_add(times))?;
                 raised = raised.multiply_by_monomial(&[(variable, times)]);
                 continue;
             }
+            let polynomial = self.factor_polynomial(power.factor).clone();
+            Self::check_power(&polynomial, u64::from(times))?;
             for _ in 0..times {
-                let polynomial = self.factor_polynomial(power.factor).clone();
                 self.charge(&raised, &polynomial)?;
-                raised = self.reduce(raised.mul(&polynomial));
+                raised = self.reduce(raised.mul(&polynomial))?;
             }
         }
-        Ok(self.reduce(raised))
+        self.reduce(raised)
     }
 
     /// The same element with every factor above the line multiplied out.
@@ -161,8 +163,11 @@ impl Tower {
         let product = left.numerator.mul(&right.numerator);
         let divisor = &left.divisor * &right.divisor;
         let factors = merge_powers(&left.factors, &right.factors);
+        for power in &factors {
+            Self::check_exponent(power.exponent.unsigned_abs())?;
+        }
         let bound = self.relations.iter().any(|relation| product.degree(relation.variable) >= relation.order);
-        let reduced = if bound { self.reduce(product) } else { product };
+        let reduced = if bound { self.reduce(product)? } else { product };
         if bound || factors.iter().any(|power| power.exponent < 0) {
             return Ok(self.cancel(reduced, divisor, factors));
         }
@@ -210,6 +215,7 @@ impl Tower {
             let inverse = self.inverse(a)?;
             return self.integer_power(&inverse, -exponent);
         }
+        Self::check_power(&a.numerator, exponent.unsigned_abs())?;
         let mut result = Fraction::one();
         let mut square = a.clone();
         let mut rest = exponent;

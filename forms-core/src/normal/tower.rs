@@ -8,8 +8,15 @@ use crate::polynomial::Polynomial;
 use num_traits::Signed;
 use rustc_hash::FxHashMap;
 
-/// Term products one statement may cost before its normal form is given up, about ten seconds of work.
-const WORK_LIMIT: u64 = 400_000_000;
+/// Products of terms, weighted by the words of their coefficients, that one statement may cost before its normal
+/// form is given up: a few seconds of work.
+const WORK_LIMIT: u64 = 100_000_000;
+
+/// The largest exponent of a generator or a known factor.
+const LARGEST_EXPONENT: u32 = 1 << 20;
+
+/// The largest power of a sum that is multiplied out: beyond, its terms and their numbers exceed the work limit.
+const LARGEST_POWER_OF_SUM: u64 = 1 << 14;
 
 /// Why an expression has no normal form here.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -246,19 +253,59 @@ impl Tower {
     }
 
     /// Writes a polynomial in reduced form: every bound generator below the order of its relation.
-    pub(super) fn reduce(&self, polynomial: Polynomial) -> Polynomial {
+    pub(super) fn reduce(&mut self, polynomial: Polynomial) -> Result<Polynomial, Obstacle> {
         let mut reduced = polynomial;
         while let Some(relation) =
             self.relations.iter().rev().find(|relation| reduced.degree(relation.variable) >= relation.order)
         {
-            reduced = reduce_by(&reduced, relation);
+            let relation = relation.clone();
+            reduced = self.reduce_by(&reduced, &relation)?;
         }
-        reduced
+        Ok(reduced)
     }
 
-    /// Counts the work of a product before it is done.
+    /// Σ A_k ρᵏ with k = q n + r becomes Σ A_k f^q ρʳ.
+    fn reduce_by(&mut self, polynomial: &Polynomial, relation: &Relation) -> Result<Polynomial, Obstacle> {
+        let mut powers: Vec<Polynomial> = vec![Polynomial::one()];
+        let mut sum = Polynomial::zero();
+        Self::check_power(&relation.value, u64::from(polynomial.degree(relation.variable) / relation.order))?;
+        for (exponent, coefficient) in polynomial.coefficients_in(relation.variable) {
+            let (quotient, rest) = ((exponent / relation.order) as usize, exponent % relation.order);
+            while powers.len() <= quotient {
+                let last = &powers[powers.len() - 1];
+                self.charge(last, &relation.value)?;
+                powers.push(last.mul(&relation.value));
+            }
+            self.charge(&coefficient, &powers[quotient])?;
+            let term = coefficient.mul(&powers[quotient]);
+            let term = if rest > 0 { term.multiply_by_monomial(&[(relation.variable, rest)]) } else { term };
+            sum = sum.add(&term);
+        }
+        Ok(sum)
+    }
+
+    /// Refuses exponents beyond what is computed with.
+    pub(super) fn check_exponent(exponent: u32) -> Result<(), Obstacle> {
+        if exponent > LARGEST_EXPONENT {
+            return Err(Obstacle::TooLarge(format!("an exponent is beyond {LARGEST_EXPONENT}")));
+        }
+        Ok(())
+    }
+
+    /// Refuses powers of sums that are hopeless to multiply out.
+    pub(super) fn check_power(base: &Polynomial, exponent: u64) -> Result<(), Obstacle> {
+        if base.term_count() > 1 && exponent > LARGEST_POWER_OF_SUM {
+            return Err(Obstacle::TooLarge(format!("a power of a sum is beyond {LARGEST_POWER_OF_SUM}")));
+        }
+        Ok(())
+    }
+
+    /// Counts the work of a product, and looks at its exponents, before it is done.
     pub(super) fn charge(&mut self, a: &Polynomial, b: &Polynomial) -> Result<(), Obstacle> {
-        self.work += a.size().saturating_mul(b.size());
+        Self::check_exponent(a.exponent_bound().saturating_add(b.exponent_bound()))?;
+        let terms = (a.term_count() as u64).saturating_mul(b.term_count() as u64);
+        let words = a.coefficient_words().saturating_mul(b.coefficient_words());
+        self.work = self.work.saturating_add(terms.saturating_mul(words));
         if self.work > self.work_limit {
             return Err(Obstacle::TooLarge(format!(
                 "it takes more than {} products of terms",
@@ -267,20 +314,4 @@ impl Tower {
         }
         Ok(())
     }
-}
-
-/// Σ A_k ρᵏ with k = q n + r becomes Σ A_k f^q ρʳ.
-fn reduce_by(polynomial: &Polynomial, relation: &Relation) -> Polynomial {
-    let mut powers: Vec<Polynomial> = vec![Polynomial::one()];
-    let mut sum = Polynomial::zero();
-    for (exponent, coefficient) in polynomial.coefficients_in(relation.variable) {
-        let (quotient, rest) = ((exponent / relation.order) as usize, exponent % relation.order);
-        while powers.len() <= quotient {
-            powers.push(powers[powers.len() - 1].mul(&relation.value));
-        }
-        let term = coefficient.mul(&powers[quotient]);
-        let term = if rest > 0 { term.multiply_by_monomial(&[(relation.variable, rest)]) } else { term };
-        sum = sum.add(&term);
-    }
-    sum
 }

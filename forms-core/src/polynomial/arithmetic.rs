@@ -178,6 +178,7 @@ impl Coefficients {
     /// Divides every coefficient by a common divisor.
     pub(super) fn divided_by(&self, divisor: &BigInt) -> Coefficients {
         match (self, divisor.to_i64()) {
+            (_, Some(1)) => self.clone(),
             (Coefficients::Small(numbers), Some(divisor)) => {
                 // −2⁶³/(−1) is met nowhere: contents are positive.
                 Coefficients::Small(numbers.iter().map(|number| number / divisor).collect())

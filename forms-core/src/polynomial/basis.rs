@@ -5,6 +5,9 @@ use num_bigint::BigInt;
 
 /// Pairwise coprime, square-free, primitive polynomials with positive leading coefficients such that every
 /// input is a constant times a product of their powers. Zeros and constants contribute nothing.
+///
+/// Where a [`Polynomial::gcd`] on the way is not the greatest, some may share factors or hide squares; the
+/// inputs are products of their powers in any case.
 pub fn coprime_basis(polynomials: &[Polynomial]) -> Vec<Polynomial> {
     let mut basis = Vec::new();
     for polynomial in polynomials {

@@ -219,6 +219,12 @@ pub(super) struct Norms {
 impl Norms {
     /// A bound of the coefficients of f·g: the lesser of max|f|·‖g‖₁ and max|g|·‖f‖₁.
     pub(super) fn of_product(f: Norms, g: Norms) -> Option<u128> {
+        let narrow =
+            |norms: Norms| Some((u64::try_from(norms.largest?).ok()?, u64::try_from(norms.sum?).ok()?));
+        if let (Some((f_largest, f_sum)), Some((g_largest, g_sum))) = (narrow(f), narrow(g)) {
+            let left = u128::from(f_largest) * u128::from(g_sum);
+            return Some(left.min(u128::from(g_largest) * u128::from(f_sum)));
+        }
         let left = f.largest.zip(g.sum).and_then(|(largest, sum)| largest.checked_mul(sum));
         let right = g.largest.zip(f.sum).and_then(|(largest, sum)| largest.checked_mul(sum));
         match (left, right) {
@@ -245,14 +251,6 @@ impl Coefficients {
         }
     }
 
-    /// The 64-bit words of the longest coefficient; 1 where it is a machine number.
-    pub(super) fn words(&self) -> u64 {
-        match self {
-            Coefficients::Small(_) | Coefficients::Wide(_) => 1,
-            Coefficients::Big(numbers) => numbers.iter().map(|n| n.bits().div_ceil(64)).max().unwrap_or(1),
-        }
-    }
-
     /// The coefficient at a position.
     pub(super) fn get(&self, index: usize) -> BigInt {
         match self {
@@ -262,11 +260,29 @@ impl Coefficients {
         }
     }
 
+    /// Whether the coefficient at a position is a multiple of another one.
+    pub(super) fn is_multiple(&self, index: usize, divisors: &Coefficients, divisor: usize) -> bool {
+        match (self, divisors) {
+            // −2⁶³ is a multiple of −1 and wraps to remainder 0.
+            (Coefficients::Small(a), Coefficients::Small(b)) => a[index].wrapping_rem(b[divisor]) == 0,
+            _ => self.get(index).is_multiple_of(&divisors.get(divisor)),
+        }
+    }
+
     pub(super) fn is_negative(&self, index: usize) -> bool {
         match self {
             Coefficients::Small(numbers) => numbers[index] < 0,
             Coefficients::Wide(numbers) => numbers[index] < 0,
             Coefficients::Big(numbers) => numbers[index].is_negative(),
+        }
+    }
+
+    /// The 64-bit words of the longest coefficient, at least 1.
+    pub(super) fn words(&self) -> u64 {
+        match self {
+            Coefficients::Small(_) => 1,
+            Coefficients::Wide(_) => 2,
+            Coefficients::Big(numbers) => numbers.iter().map(BigInt::bits).max().unwrap_or(0).div_ceil(64),
         }
     }
 

@@ -7,7 +7,7 @@
 //! ```
 
 use super::Polynomial;
-use super::coefficient::{Coefficient, Rung, on_rung};
+use super::coefficient::{Coefficient, Coefficients, Rung, on_rung};
 use super::image::{coordinate, divides};
 use super::monomial::{Layout, compare};
 use super::product::Rest;
@@ -59,6 +59,14 @@ impl Polynomial {
         if divisor.to_i64() == Some(1) {
             return Some(self.clone());
         }
+        if let (Coefficients::Small(numbers), Some(divisor)) = (&self.coefficients, divisor.to_i64()) {
+            let quotients: Option<Vec<i64>> =
+                numbers.iter().map(|number| number.divided_by(&divisor)).collect();
+            // The quotient −2⁶³/(−1) is one rung higher.
+            if divisor != -1 {
+                return Some(Self::settle(self.layout, self.monomials.clone(), quotients?));
+            }
+        }
         let mut quotients = Vec::with_capacity(self.term_count());
         for number in BigInt::view(&self.coefficients).iter() {
             let (quotient, remainder) = number.div_rem(divisor);
@@ -78,8 +86,7 @@ impl Polynomial {
         for (i, j) in [(0, 0), (last(self), last(divisor))] {
             let a = &left[i * layout.words..(i + 1) * layout.words];
             let b = &right[j * layout.words..(j + 1) * layout.words];
-            let numbers = (self.coefficients.get(i), divisor.coefficients.get(j));
-            if !is_multiple(layout, a, b) || !numbers.0.is_multiple_of(&numbers.1) {
+            if !is_multiple(layout, a, b) || !self.coefficients.is_multiple(i, &divisor.coefficients, j) {
                 return false;
             }
         }
@@ -93,9 +100,10 @@ impl Polynomial {
                 main = Some((variable as u32, mine[variable]));
             }
         }
-        // Quotients of a few terms are found out as quickly as images.
         let Some((main, degree)) = main else { return true };
-        if degree > LONGEST_IMAGE || self.term_count() < 2 * divisor.term_count() {
+        // Quotients of a few terms are found out as quickly as images, unless they may have many after all.
+        let few = self.term_count() < 2 * divisor.term_count() && degree <= LONGEST_QUOTIENT;
+        if few || u64::from(degree) * u64::from(theirs[main as usize]) > LONGEST_IMAGE {
             return true;
         }
         let value = |variable| coordinate(u64::from(variable));
@@ -141,8 +149,11 @@ impl Polynomial {
     }
 }
 
-/// Images with more coefficients cost more than they save.
-const LONGEST_IMAGE: u32 = 1 << 10;
+/// Divisions of images that take more products cost more than they save.
+const LONGEST_IMAGE: u64 = 1 << 22;
+
+/// Sparse polynomials of a higher degree may have quotients of many terms.
+const LONGEST_QUOTIENT: u32 = 1 << 6;
 
 /// Whether the monomial b divides a: no field of the difference borrows into its guard.
 pub(super) fn is_multiple(layout: Layout, a: &[u64], b: &[u64]) -> bool {

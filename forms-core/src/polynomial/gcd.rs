@@ -1,12 +1,22 @@
-//! Greatest common divisors: contents first, then a cheap proof of coprimality by images, then remainders.
+//! Greatest common divisors: contents first, then a cheap proof of coprimality by images, then interpolation,
+//! then remainders as long as they stay small.
 
 use super::Polynomial;
 use super::image::{self, coordinate};
 use super::interpolation::gcd_by_interpolation;
 use num_integer::Integer;
 
+/// Products of terms, weighted by the words of their coefficients, that a remainder sequence may take.
+const REMAINDER_WORK: u64 = 1 << 20;
+
+/// The largest product of the degrees of two images of which the gcd is computed.
+const LONGEST_IMAGES: u64 = 1 << 24;
+
 impl Polynomial {
     /// The greatest common divisor over ℤ with positive leading coefficient; gcd(f, 0) = ±f.
+    ///
+    /// Where that takes too much work (large dense inputs whose gcd is not found from images) it is a common
+    /// divisor that need not be the greatest.
     pub fn gcd(&self, other: &Self) -> Self {
         if self.is_zero() || other.is_zero() {
             let rest = if self.is_zero() { other } else { self };
@@ -51,6 +61,9 @@ fn gcd_of_primitive(f: &Polynomial, g: &Polynomial) -> Polynomial {
     }
     if let Some(&variable) = g_variables.iter().find(|variable| !f_variables.contains(variable)) {
         return gcd_with_coefficients(f, g, variable);
+    }
+    if !images_are_short(f, g, &f_variables) {
+        return Polynomial::one();
     }
     let Some(degrees) = common_degrees(f, g, &f_variables) else { return gcd_by_remainders(f, g) };
     if degrees.iter().all(|&degree| degree == 0) {
@@ -112,7 +125,15 @@ fn common_degrees(f: &Polynomial, g: &Polynomial, variables: &[u32]) -> Option<V
     Some(degrees)
 }
 
-/// The primitive remainder sequence in the variable of least degree, contents apart.
+/// Whether Euclid's algorithm on the images in every variable is short.
+fn images_are_short(f: &Polynomial, g: &Polynomial, variables: &[u32]) -> bool {
+    variables.iter().all(|&variable| {
+        u64::from(f.degree(variable)).saturating_mul(u64::from(g.degree(variable))) <= LONGEST_IMAGES
+    })
+}
+
+/// The primitive remainder sequence in the variable of least degree, contents apart. Where remainders swell
+/// beyond the limit, only the contents are compared.
 fn gcd_by_remainders(f: &Polynomial, g: &Polynomial) -> Polynomial {
     let variables = f.variables();
     let degree = |&&variable: &&u32| f.degree(variable).min(g.degree(variable));
@@ -124,8 +145,11 @@ fn gcd_by_remainders(f: &Polynomial, g: &Polynomial) -> Polynomial {
     if f.degree(main) < g.degree(main) {
         std::mem::swap(&mut f, &mut g);
     }
+    let mut work = REMAINDER_WORK;
     loop {
-        let remainder = pseudo_remainder(&f, &g, main);
+        let Some(remainder) = pseudo_remainder(&f, &g, main, &mut work) else {
+            return content.primitive_part();
+        };
         if remainder.is_zero() {
             return g.mul(&content).primitive_part();
         }
@@ -138,15 +162,20 @@ fn gcd_by_remainders(f: &Polynomial, g: &Polynomial) -> Polynomial {
     }
 }
 
-/// lc(g)ᵏ f mod g in the main variable.
-fn pseudo_remainder(f: &Polynomial, g: &Polynomial, main: u32) -> Polynomial {
+/// lc(g)ᵏ f mod g in the main variable; `None` where it takes more than the work left.
+fn pseudo_remainder(f: &Polynomial, g: &Polynomial, main: u32, work: &mut u64) -> Option<Polynomial> {
     let degree = g.degree(main);
     let leading = g.coefficients_in(main).swap_remove(0).1;
     let mut rest = f.clone();
     while !rest.is_zero() && rest.degree(main) >= degree {
         let (exponent, coefficient) = rest.coefficients_in(main).swap_remove(0);
         let shifted = coefficient.multiply_by_monomial(&[(main, exponent - degree)]);
+        for (a, b) in [(&leading, &rest), (&shifted, g)] {
+            let terms = a.term_count() as u64 * b.term_count() as u64;
+            let words = a.coefficient_words() * b.coefficient_words();
+            *work = work.checked_sub(terms.saturating_mul(words))?;
+        }
         rest = Polynomial::sum_of_products(&[(1, &leading, &rest), (-1, &shifted, g)]);
     }
-    rest
+    Some(rest)
 }

@@ -10,7 +10,7 @@
 //! numbers from 0; terms are ordered lexicographically with variable 0 the greatest, the leading term first.
 //! A term takes room for every variable up to the polynomial's last, so variables are best numbered densely.
 //! Exponents reach 2³¹ − 1; callers that fear more, or more terms than fit in memory, ask
-//! [`Polynomial::product_size_bound`] and [`Polynomial::total_degree`] before they multiply.
+//! [`Polynomial::product_size_bound`] and [`Polynomial::exponent_bound`] before they multiply.
 
 mod arithmetic;
 mod basis;
@@ -107,12 +107,6 @@ impl Polynomial {
         self.coefficients.len()
     }
 
-    /// The number of terms, each counted as many times as the longest coefficient has 64-bit words: what a
-    /// product with it costs.
-    pub fn size(&self) -> u64 {
-        (self.term_count() as u64).saturating_mul(self.coefficients.words())
-    }
-
     /// The coefficient of the leading term; 0 for 0.
     pub fn leading_coefficient(&self) -> BigInt {
         if self.is_zero() { BigInt::zero() } else { self.coefficients.get(0) }
@@ -138,6 +132,19 @@ impl Polynomial {
             exponents.iter().map(|&(_, exponent)| u64::from(exponent)).sum::<u64>()
         });
         u32::try_from(degrees.max().unwrap_or(0)).unwrap_or(u32::MAX)
+    }
+
+    /// A bound of every exponent, which is exact from 2¹⁵ on and costs nothing below.
+    pub fn exponent_bound(&self) -> u32 {
+        if self.layout.bits < 32 {
+            return (1 << (self.layout.bits - 1)) - 1;
+        }
+        self.degrees().into_iter().max().unwrap_or(0)
+    }
+
+    /// The 64-bit words of the longest coefficient, at least 1.
+    pub fn coefficient_words(&self) -> u64 {
+        self.coefficients.words()
     }
 
     /// The variables that occur, in increasing order.

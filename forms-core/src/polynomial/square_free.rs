@@ -8,6 +8,9 @@ use num_traits::One;
 impl Polynomial {
     /// The content with the sign of the leading coefficient, and coprime square-free primitive factors with
     /// their multiplicities; a variable that divides is a factor of its own. 0 has the content 0.
+    ///
+    /// Where a [`Polynomial::gcd`] on the way is not the greatest, a factor may hide a square; the product of
+    /// all powers is the polynomial in any case.
     pub fn square_free(&self) -> (BigInt, Vec<(Polynomial, u32)>) {
         let mut content = self.content();
         if self.is_negative() {
@@ -26,7 +29,7 @@ impl Polynomial {
 }
 
 /// Splits the content in one variable off and goes on with it; the part that is primitive in the variable
-/// goes through Yun's algorithm.
+/// goes through Yun's algorithm, of which the answer is checked since a gcd need not be the greatest.
 fn split(f: Polynomial, factors: &mut Vec<(Polynomial, u32)>) {
     let mut rest = f;
     while !rest.is_constant() {
@@ -35,20 +38,26 @@ fn split(f: Polynomial, factors: &mut Vec<(Polynomial, u32)>) {
         let main = *variables.iter().min_by_key(degree).expect("it is not constant");
         let content = content_in(&rest, main);
         let primitive = rest.divide_exact(&content).expect("its own content divides");
-        yun(&primitive, main, factors);
+        let parts = yun(&primitive, main);
+        if Polynomial::from_factors(&BigInt::one(), &parts) == primitive {
+            factors.extend(parts);
+        } else {
+            factors.push((primitive, 1));
+        }
         rest = content;
     }
 }
 
 /// Yun: with f = ∏ aᵢ^i, g = gcd(f, f′), b = f/g, d = f′/g − b′, each aᵢ = gcd(b, d), then b/aᵢ, d/aᵢ − b′.
-fn yun(f: &Polynomial, main: u32, factors: &mut Vec<(Polynomial, u32)>) {
+fn yun(f: &Polynomial, main: u32) -> Vec<(Polynomial, u32)> {
+    let mut factors = Vec::new();
     let derivative = f.derivative(main);
     let common = f.gcd(&derivative);
     let exact = |a: &Polynomial, b: &Polynomial| a.divide_exact(b).expect("a gcd divides");
     let mut b = exact(f, &common);
     let mut d = exact(&derivative, &common).sub(&b.derivative(main));
     let mut multiplicity = 1;
-    while !b.is_constant() {
+    while !b.is_constant() && multiplicity <= f.degree(main) {
         let factor = if d.is_zero() { b.clone() } else { b.gcd(&d) };
         if !factor.is_constant() {
             factors.push((factor.primitive_part(), multiplicity));
@@ -57,6 +66,7 @@ fn yun(f: &Polynomial, main: u32, factors: &mut Vec<(Polynomial, u32)>) {
         d = exact(&d, &factor).sub(&b.derivative(main));
         multiplicity += 1;
     }
+    factors
 }
 
 impl Polynomial {

@@ -1,7 +1,7 @@
 //! Rearrangements: derivatives, substitution, and the polynomial as one in some of its variables.
 
 use super::Polynomial;
-use super::coefficient::{Coefficient, Rung, on_rung};
+use super::coefficient::{Coefficient, Coefficients, Rung, on_rung};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use std::collections::BTreeMap;
@@ -37,6 +37,16 @@ impl Polynomial {
 
     /// The positive greatest common divisor of the coefficients; 0 for 0.
     pub fn content(&self) -> BigInt {
+        if let Coefficients::Small(numbers) = &self.coefficients {
+            let mut content = 0;
+            for number in numbers {
+                content = number.unsigned_abs().gcd(&content);
+                if content == 1 {
+                    break;
+                }
+            }
+            return content.into();
+        }
         let mut content = BigInt::ZERO;
         for coefficient in BigInt::view(&self.coefficients).iter() {
             content = content.gcd(coefficient);
@@ -55,6 +65,13 @@ impl Polynomial {
             coefficients: self.coefficients.divided_by(&self.content()),
         };
         if positive.is_negative() { positive.neg() } else { positive }
+    }
+
+    /// The greatest power of a variable that divides every term; 0 for 0.
+    pub fn least_exponent(&self, variable: u32) -> u32 {
+        let exponents =
+            (0..self.term_count()).map(|term| self.layout.exponent(self.monomial(term), variable));
+        exponents.min().unwrap_or(0)
     }
 
     /// The greatest monomial that divides every term; 1 for 0.
@@ -114,7 +131,12 @@ impl Polynomial {
     /// f as a polynomial in some variables: the exponents of these (in the order given) with their
     /// coefficients, in decreasing lexicographic order of the exponents.
     pub fn split_by(&self, variables: &[u32]) -> Vec<(Vec<u32>, Polynomial)> {
-        let mut groups: BTreeMap<Vec<u32>, (Vec<u64>, Vec<BigInt>)> = BTreeMap::new();
+        on_rung!(self.coefficients.rung(), C => self.split_on_rung::<C>(variables))
+    }
+
+    fn split_on_rung<C: Coefficient>(&self, variables: &[u32]) -> Vec<(Vec<u32>, Polynomial)> {
+        let numbers = C::view(&self.coefficients);
+        let mut groups: BTreeMap<Vec<u32>, (Vec<u64>, Vec<C>)> = BTreeMap::new();
         for term in 0..self.term_count() {
             let monomial = self.monomial(term);
             let exponents =
@@ -127,7 +149,7 @@ impl Polynomial {
                     monomials[start + word] &= !(self.layout.mask() << shift);
                 }
             }
-            coefficients.push(self.coefficients.get(term));
+            coefficients.push(numbers[term].clone());
         }
         let parts = groups.into_iter().rev();
         parts

@@ -20,7 +20,7 @@ const BLOCK: usize = 1 << 15;
 const ROOM: usize = 8;
 
 /// The most values of a run that the inner loop takes at a time.
-const STEP: usize = 4;
+const STEP: usize = 8;
 
 /// Whether a box may be full enough, as far as the number of variables tells: each at least doubles it.
 pub(super) fn may_fit(reach: &Reach, products: usize) -> bool {
@@ -273,13 +273,17 @@ fn add_block<C: Coefficient>(block: &mut [C], high: usize, left: &Image<C>, righ
                 let numbers = &left.numbers[a.start..a.end];
                 for b in &right.runs[b_first..b_last] {
                     let target = &mut block[a.low + b.low..];
+                    let factors = &right.numbers[b.start..b.end];
                     // Runs come by length, which keeps the branch predictable.
-                    match right.numbers[b.start..b.end] {
-                        [ref b0, ref b1, ref b2, ref b3] => add_run(target, numbers, [b0, b1, b2, b3]),
-                        [ref b0, ref b1, ref b2] => add_run(target, numbers, [b0, b1, b2]),
-                        [ref b0, ref b1] => add_run(target, numbers, [b0, b1]),
-                        [ref b0] => add_run(target, numbers, [b0]),
-                        _ => unreachable!("runs are cut at {STEP}"),
+                    match factors.len() {
+                        1 => add_run::<1, C>(target, numbers, factors),
+                        2 => add_run::<2, C>(target, numbers, factors),
+                        3 => add_run::<3, C>(target, numbers, factors),
+                        4 => add_run::<4, C>(target, numbers, factors),
+                        5 => add_run::<5, C>(target, numbers, factors),
+                        6 => add_run::<6, C>(target, numbers, factors),
+                        7 => add_run::<7, C>(target, numbers, factors),
+                        _ => add_run::<STEP, C>(target, numbers, factors),
                     }
                 }
             }
@@ -288,23 +292,24 @@ fn add_block<C: Coefficient>(block: &mut [C], high: usize, left: &Image<C>, righ
     touched
 }
 
-/// target[i + j] += a[i]·b[j] for a few values of b: their open sums slide along the target, so that each
+/// target[i + j] += a[i]·b[j] for the N values of b: their open sums slide along the target, so that each
 /// place is read and written once for all of them.
 #[inline(always)]
-fn add_run<const N: usize, C: Coefficient>(target: &mut [C], a: &[C], b: [&C; N]) {
-    let target = &mut target[..a.len() + N - 1];
+fn add_run<const N: usize, C: Coefficient>(target: &mut [C], a: &[C], b: &[C]) {
+    let Some(b) = b.first_chunk::<N>() else { return };
+    let (target, rest) = target[..a.len() + N - 1].split_at_mut(a.len());
     let mut open: [C; N] = std::array::from_fn(|_| C::zero());
-    for i in 0..a.len() {
+    for (a, target) in a.iter().zip(target) {
         for j in 0..N {
-            open[j].add_product(&a[i], b[j]);
+            open[j].add_product(a, &b[j]);
         }
-        target[i] = target[i].plus(&open[0]);
+        *target = target.plus(&open[0]);
         for j in 1..N {
             open.swap(j - 1, j);
         }
         open[N - 1] = C::zero();
     }
-    for j in 0..N - 1 {
-        target[a.len() + j] = target[a.len() + j].plus(&open[j]);
+    for (target, open) in rest.iter_mut().zip(&open) {
+        *target = target.plus(open);
     }
 }

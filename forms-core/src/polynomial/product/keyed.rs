@@ -131,20 +131,25 @@ impl Fields {
 
     /// The keys of a polynomial's monomials.
     fn pack<K: Key>(&self, polynomial: &Polynomial, keys: &mut Vec<K>) {
-        keys.clear();
         let layout = polynomial.layout;
-        let (bits, per_word) = (layout.bits, layout.per_word());
+        let (bits, per_word, mask) = (layout.bits, layout.per_word(), layout.mask());
         let division = bits.trailing_zeros();
-        for term in 0..polynomial.term_count() {
+        keys.clear();
+        if layout.words == 0 {
+            keys.resize(polynomial.term_count(), K::ONE);
+            return;
+        }
+        keys.reserve(polynomial.term_count());
+        for monomial in polynomial.monomials.chunks_exact(layout.words) {
             let mut key = K::ONE;
-            for (index, &word) in polynomial.monomial(term).iter().enumerate() {
+            for (&word, shifts) in monomial.iter().zip(self.shifts.chunks_exact(per_word)) {
                 let mut rest = word;
                 while rest != 0 {
-                    let place = rest.leading_zeros() >> division;
-                    let shift = 64 - bits * (place + 1);
-                    let exponent = rest >> shift;
-                    rest ^= exponent << shift;
-                    key = key.plus(K::field(exponent, self.shifts[index * per_word + place as usize]));
+                    // Fields are counted from the low end, where the last variable of a word lies.
+                    let place = rest.trailing_zeros() >> division;
+                    let exponent = rest >> (place << division) & mask;
+                    rest ^= exponent << (place << division);
+                    key = key.plus(K::field(exponent, shifts[per_word - 1 - place as usize]));
                 }
             }
             keys.push(key);
@@ -164,21 +169,18 @@ impl Fields {
 
 /// Keys with their sums, in the order of arrival.
 struct Table<K, C> {
-    keys: Vec<K>,
-    numbers: Vec<C>,
+    entries: Vec<(K, C)>,
     /// Position + 1 of a key at the first free place after its hash; 0 is free.
     places: Vec<u32>,
-    /// The upper bits of a hash below this give the place.
+    /// The bits of a hash below those that give the place.
     shift: u32,
 }
 
 impl<K: Key, C: Coefficient> Table<K, C> {
     fn sum(fields: &Fields, terms: &[Term<'_>]) -> Self {
-        let products = count_products(terms);
-        let places = (2 * products.min(FIRST_PLACES)).next_power_of_two().max(2);
+        let places = (2 * count_products(terms).min(FIRST_PLACES)).next_power_of_two().max(2);
         let mut table = Table {
-            keys: Vec::with_capacity(places / 2),
-            numbers: Vec::with_capacity(places / 2),
+            entries: Vec::with_capacity(places / 2),
             places: vec![0; places],
             shift: u64::BITS - places.trailing_zeros(),
         };
@@ -199,27 +201,29 @@ impl<K: Key, C: Coefficient> Table<K, C> {
         for (&m, number) in left.iter().zip(a) {
             let scaled = number.times(factor);
             for (&n, number) in right.iter().zip(b) {
-                let key = m.plus(n);
-                let mask = self.places.len() - 1;
-                let mut place = (key.hash() >> self.shift) as usize;
-                loop {
-                    let position = self.places[place & mask] as usize;
-                    if position == 0 {
-                        self.places[place & mask] = self.keys.len() as u32 + 1;
-                        self.keys.push(key);
-                        self.numbers.push(scaled.times(number));
-                        if 2 * self.keys.len() > mask {
-                            self.grow();
-                        }
-                        break;
-                    }
-                    if self.keys[position - 1] == key {
-                        self.numbers[position - 1].add_product(&scaled, number);
-                        break;
-                    }
-                    place += 1;
-                }
+                self.add(m.plus(n), &scaled, number);
             }
+        }
+    }
+
+    /// Adds a·b at a key.
+    #[inline(always)]
+    fn add(&mut self, key: K, a: &C, b: &C) {
+        let places = &mut self.places[..];
+        let mask = places.len() - 1;
+        let mut place = (key.hash() >> self.shift) as usize;
+        loop {
+            let position = places[place & mask] as usize;
+            match self.entries.get_mut(position.wrapping_sub(1)) {
+                None => break,
+                Some(entry) if entry.0 == key => return entry.1.add_product(a, b),
+                Some(_) => place += 1,
+            }
+        }
+        self.entries.push((key, a.times(b)));
+        places[place & mask] = self.entries.len() as u32;
+        if 2 * self.entries.len() > mask {
+            self.grow();
         }
     }
 
@@ -229,7 +233,7 @@ impl<K: Key, C: Coefficient> Table<K, C> {
         let mask = 2 * self.places.len() - 1;
         self.places = vec![0; mask + 1];
         self.shift -= 1;
-        for (position, key) in self.keys.iter().enumerate() {
+        for (position, (key, _)) in self.entries.iter().enumerate() {
             let mut place = (key.hash() >> self.shift) as usize;
             while self.places[place & mask] != 0 {
                 place += 1;
@@ -239,22 +243,17 @@ impl<K: Key, C: Coefficient> Table<K, C> {
     }
 
     fn is_zero(&self) -> bool {
-        self.numbers.iter().all(C::is_zero)
+        self.entries.iter().all(|(_, number)| number.is_zero())
     }
 
     /// The sums that are not zero, sorted.
-    fn into_polynomial(self, fields: &Fields, layout: Layout) -> Polynomial {
-        let mut order: Vec<(K, u32)> = Vec::with_capacity(self.keys.len());
-        for (position, (&key, number)) in self.keys.iter().zip(&self.numbers).enumerate() {
-            if !number.is_zero() {
-                order.push((key, position as u32));
-            }
-        }
-        order.sort_unstable_by_key(|&(key, _)| std::cmp::Reverse(key));
+    fn into_polynomial(mut self, fields: &Fields, layout: Layout) -> Polynomial {
+        self.entries.retain(|(_, number)| !number.is_zero());
+        self.entries.sort_unstable_by_key(|&(key, _)| std::cmp::Reverse(key));
         let owners = fields.owners(layout);
-        let mut monomials = vec![0; order.len() * layout.words];
-        let mut numbers = Vec::with_capacity(order.len());
-        for (term, &(key, position)) in order.iter().enumerate() {
+        let mut monomials = vec![0; self.entries.len() * layout.words];
+        let mut numbers = Vec::with_capacity(self.entries.len());
+        for (term, (key, number)) in self.entries.into_iter().enumerate() {
             let monomial = &mut monomials[term * layout.words..(term + 1) * layout.words];
             let mut rest = key;
             while let Some(bit) = rest.lowest() {
@@ -262,7 +261,7 @@ impl<K: Key, C: Coefficient> Table<K, C> {
                 monomial[*word] |= rest.exponent(field) << shift;
                 rest = rest.without(field);
             }
-            numbers.push(self.numbers[position as usize].clone());
+            numbers.push(number);
         }
         Polynomial::settle(layout, monomials, numbers)
     }
