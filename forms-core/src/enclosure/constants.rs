@@ -5,15 +5,19 @@ use super::series::odd_reciprocals;
 use num_bigint::BigInt;
 use std::sync::OnceLock;
 
-/// The precision up to which the constants are computed once for all.
-const KEPT: u32 = 1280;
+/// The precisions at which the constants are computed once for all: one that is nearly always enough, as the
+/// other costs a millisecond.
+const KEPT: [u32; 2] = [320, 1280];
+
+/// A constant at each of these precisions.
+type Kept = [OnceLock<Range>; 2];
 
 /// Places that absorb the rounding of a few thousand terms.
 const GUARD: u32 = 24;
 
 /// Machin: π = 16 arctan(1/5) − 4 arctan(1/239)
 pub(super) fn pi(precision: u32) -> Range {
-    static KEPT_PI: OnceLock<Range> = OnceLock::new();
+    static KEPT_PI: Kept = [const { OnceLock::new() }; 2];
     constant(precision, &KEPT_PI, |p| {
         combination(&[(16, 5), (-4, 239)], p, |reciprocal| reciprocal.square().negate())
     })
@@ -21,13 +25,15 @@ pub(super) fn pi(precision: u32) -> Range {
 
 /// log 2 = 18 artanh(1/26) − 2 artanh(1/4801) + 8 artanh(1/8749)
 pub(super) fn log_two(precision: u32) -> Range {
-    static KEPT_LOG_TWO: OnceLock<Range> = OnceLock::new();
+    static KEPT_LOG_TWO: Kept = [const { OnceLock::new() }; 2];
     constant(precision, &KEPT_LOG_TWO, |p| combination(&[(18, 26), (-2, 4801), (8, 8749)], p, Range::square))
 }
 
-fn constant(precision: u32, kept: &OnceLock<Range>, compute: impl Fn(u32) -> Range) -> Range {
-    if precision + GUARD <= KEPT {
-        return kept.get_or_init(|| compute(KEPT)).rescaled(precision);
+fn constant(precision: u32, kept: &Kept, compute: impl Fn(u32) -> Range) -> Range {
+    for (place, known) in KEPT.into_iter().zip(kept) {
+        if precision + GUARD <= place {
+            return known.get_or_init(|| compute(place)).rescaled(precision);
+        }
     }
     compute(precision + GUARD).rescaled(precision)
 }
