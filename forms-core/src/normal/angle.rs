@@ -15,6 +15,9 @@ use num_traits::ToPrimitive;
 /// The largest multiple of one unit, and the finest unit, that are expanded.
 const LARGEST_MULTIPLE: u32 = 48;
 
+/// An angle of more parts is not expanded: its sine has twice the terms with each of them.
+const MOST_PARTS: usize = 6;
+
 /// cos and sin of one angle.
 type Point = (Fraction, Fraction);
 
@@ -59,6 +62,9 @@ impl Tower {
 
     /// (cos q, sin q)
     pub(super) fn circular(&mut self, argument: &Fraction) -> Result<Point, Obstacle> {
+        if argument.numerator.term_count() > MOST_PARTS {
+            return Err(Obstacle::Outside(format!("an angle of more than {MOST_PARTS} parts")));
+        }
         let mut point = (Fraction::one(), Fraction::zero());
         for (quantity, coefficient) in self.linear_parts(argument)? {
             let next = match self.turn(&quantity, &coefficient) {

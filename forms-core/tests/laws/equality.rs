@@ -15,14 +15,14 @@ fn tiny() -> Rational {
 /// Term products that a comparison may take: more are left to the enclosures.
 const WORK: u64 = 3_000_000;
 
-/// Whether every expression has the normal form zero; nothing if that is too large for a test.
+/// Whether every expression has the normal form zero; nothing if there is none, or none small enough for a test.
 pub(crate) fn vanish_exactly(world: &World, expressions: &[Expr]) -> Option<bool> {
     let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(WORK);
     let fractions = normalise(&mut tower, &world.pool, expressions)
         .and_then(|prepared| prepared.exact(&mut tower, &world.pool));
     match fractions {
         Ok(fractions) => Some(fractions.iter().all(Fraction::is_zero)),
-        Err(Obstacle::TooLarge(_)) => None,
+        Err(Obstacle::TooLarge(_) | Obstacle::Outside(_)) => None,
         Err(obstacle) => panic!("the coefficients are in the class: {obstacle:?}"),
     }
 }

@@ -240,6 +240,16 @@ fn a_statement_that_speaks_of_no_point_is_empty() {
 }
 
 #[test]
+fn a_sine_of_a_sine_beside_a_root_of_one_is_given_up_at_once() {
+    assert_never(
+        "refuted",
+        &[
+            "sin(x - x*z + cos(2*y - x))*sqrt(1 + cos(2*y - x)**2) == sqrt(1 + cos(x - 2*y)**2)*sin(x - z*x + cos(2*y - x))",
+        ],
+    );
+}
+
+#[test]
 fn an_integral_that_may_run_backwards_knows_no_sign_inside() {
     let text = format!("{PREAMBLE} refute backwards: integral(abs(u), u = 0..k) == k**2/2;");
     let (_, errors) = resolve(&read(&text).0);
