@@ -1,15 +1,13 @@
 //! Decides every statement of the files given and prints how long each took.
 
-use forms_core::{decide::decide, resolve::resolve, syntax};
+use forms_core::{check::read_theory, decide::decide, syntax};
 use std::time::Instant;
 
 fn main() {
     for name in std::env::args().skip(1) {
         let text = std::fs::read_to_string(&name).expect("the file can be read");
         let start = Instant::now();
-        let (file, mut errors) = syntax::read(&text);
-        let (mut theory, found) = resolve(&file);
-        errors.extend(found);
+        let (mut theory, errors) = read_theory(&text);
         let source = syntax::Source::new(&name, &text);
         for error in &errors {
             println!("{}", source.render(error));

@@ -21,6 +21,7 @@ pub mod kernel;
 pub mod normal;
 pub mod notation;
 pub mod polynomial;
+mod random;
 pub mod resolve;
 pub mod syntax;
 

@@ -2,6 +2,7 @@
 
 use crate::enclosure::{Enclosure, Precision, enclose};
 use crate::expression::{Condition, Expr, Node, Pool, Rational, Symbol};
+use crate::random::SplitMix;
 use crate::syntax::ast::Relation;
 use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
@@ -138,7 +139,7 @@ fn short_between(value: &Rational, lower: &Rational, upper: &Rational) -> Ration
 
 /// A fixed sequence of small exact numbers, the same for the same input.
 #[derive(Clone, Debug)]
-pub(super) struct Sequence(u64);
+pub(super) struct Sequence(SplitMix);
 
 /// Numbers people can check by hand, the first ones the most often used.
 const SIMPLE: &[(i64, i64)] =
@@ -146,20 +147,12 @@ const SIMPLE: &[(i64, i64)] =
 
 impl Sequence {
     pub(super) fn new(seed: u64) -> Self {
-        Sequence(seed)
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        Sequence(SplitMix(seed))
     }
 
     /// The next number: from the simple ones at first, then more and more varied.
     pub(super) fn number(&mut self, round: u32) -> Rational {
-        let random = self.next();
+        let random = self.0.next();
         if round < 8 || random.is_multiple_of(4) {
             let known = SIMPLE.len().min(3 + round as usize) as u64;
             let (p, q) = SIMPLE[((random >> 8) % known) as usize];

@@ -9,6 +9,7 @@ use super::normalise::Normalised;
 use super::tower::Tower;
 use crate::expression::{Expr, Node, Pool, Rational};
 use crate::polynomial::modular;
+use crate::random::SplitMix;
 use rustc_hash::FxHashMap;
 
 /// How many points are looked at for one at which every radicand is a square.
@@ -19,7 +20,7 @@ impl Normalised {
     /// was found: the filter may only fail to help.
     pub fn certainly_not_zero(&self, tower: &Tower, pool: &Pool) -> Vec<bool> {
         let mut found = vec![false; self.roots().len()];
-        let mut random = Random(0x9e37_79b9_7f4a_7c15);
+        let mut random = SplitMix(0x9e37_79b9_7f4a_7c15);
         let images = (0..TRIES).filter_map(|_| self.images_at_a_point(tower, pool, &mut random)).take(2);
         for image in images {
             for (known, value) in found.iter_mut().zip(image) {
@@ -29,7 +30,7 @@ impl Normalised {
         found
     }
 
-    fn images_at_a_point(&self, tower: &Tower, pool: &Pool, random: &mut Random) -> Option<Vec<u64>> {
+    fn images_at_a_point(&self, tower: &Tower, pool: &Pool, random: &mut SplitMix) -> Option<Vec<u64>> {
         let point = point(tower, random)?;
         let mut images: FxHashMap<Expr, u64> = FxHashMap::default();
         for &expression in self.order() {
@@ -44,7 +45,7 @@ impl Normalised {
 }
 
 /// Values of the generators that satisfy every relation, or nothing if a radicand is not a square there.
-fn point(tower: &Tower, random: &mut Random) -> Option<Vec<u64>> {
+fn point(tower: &Tower, random: &mut SplitMix) -> Option<Vec<u64>> {
     let mut values = vec![0; tower.generators.len()];
     for number in 0..values.len() {
         let variable = number as u32;
@@ -54,7 +55,7 @@ fn point(tower: &Tower, random: &mut Random) -> Option<Vec<u64>> {
             }
             (Generator::Sine(_), _) => values[number],
             (Generator::Cosine(unit), _) => {
-                let t = random.next();
+                let t = modular::reduce(random.next());
                 let (cosine, sine) = on_the_circle(t)?;
                 let partner = Generator::Sine(unit.clone());
                 if let Some(place) = tower.generators.iter().position(|g| *g == partner) {
@@ -62,7 +63,7 @@ fn point(tower: &Tower, random: &mut Random) -> Option<Vec<u64>> {
                 }
                 cosine
             }
-            _ => random.next(),
+            _ => modular::reduce(random.next()),
         };
     }
     Some(values)
@@ -118,17 +119,4 @@ fn image_of_node(node: &Node, images: &FxHashMap<Expr, u64>) -> Option<u64> {
 fn image_of_number(value: &Rational) -> Option<u64> {
     let denominator = modular::inverse(modular::from_integer(value.denom()))?;
     Some(modular::mul(modular::from_integer(value.numer()), denominator))
-}
-
-/// A fixed sequence of well-mixed numbers (SplitMix64), so that the same input takes the same path.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        modular::reduce(z ^ (z >> 31))
-    }
 }
