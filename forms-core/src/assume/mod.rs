@@ -55,7 +55,7 @@ impl Assumptions {
         expressions: &[Expr],
         given: &[(usize, Sign)],
     ) -> Result<Cases, Obstacle> {
-        let (region, wanted) = self.region(tower, pool, expressions, given)?;
+        let Survey { region, wanted, .. } = self.survey(tower, pool, expressions, given)?;
         let cases = match region.cases() {
             Ok(cases) => cases,
             Err(NoCases::Empty) => return Ok(Cases::Empty),
@@ -72,14 +72,28 @@ impl Assumptions {
         Ok(Cases::Signs(distinct))
     }
 
-    /// The factors whose signs matter, with all that is known of them; and those to be told apart.
-    fn region(
+    /// The factors that the cases rest on, those to be told apart first, and the bounds known of generators.
+    pub(crate) fn grounds(
         &self,
         tower: &mut Tower,
         pool: &Pool,
         expressions: &[Expr],
         given: &[(usize, Sign)],
-    ) -> Result<(Region, Vec<usize>), Obstacle> {
+    ) -> Result<(Vec<usize>, Facts), Obstacle> {
+        let Survey { region, mut wanted, facts } = self.survey(tower, pool, expressions, given)?;
+        let others = region.factors.iter().map(|factor| factor.0).filter(|factor| !wanted.contains(factor));
+        wanted.extend(others.collect::<Vec<_>>());
+        Ok((wanted, facts))
+    }
+
+    /// The factors whose signs matter, with all that is known of them; and those to be told apart.
+    fn survey(
+        &self,
+        tower: &mut Tower,
+        pool: &Pool,
+        expressions: &[Expr],
+        given: &[(usize, Sign)],
+    ) -> Result<Survey, Obstacle> {
         for _ in 0..MOST_PASSES {
             tower.fix_signs(given);
             let prepared = normalise(tower, pool, expressions)?;
@@ -100,7 +114,7 @@ impl Assumptions {
             let open = if prepared.open.is_empty() { knowledge.open.clone() } else { prepared.open };
             let wanted = simplest(tower, open);
             let factors = if wanted.is_empty() { knowledge.factors(given) } else { wanted.clone() };
-            return Ok((assemble(tower, knowledge, given, factors), wanted));
+            return Ok(assemble(tower, knowledge, given, factors, wanted));
         }
         Err(Obstacle::Refine)
     }
@@ -160,6 +174,13 @@ pub(crate) fn is_at_most(pool: &mut Pool, a: Expr, b: Expr, conditions: &[Condit
     let Ok(difference) = known else { return false };
     let sign = difference.as_polynomial().map(|polynomial| knowledge.facts.sign_of(polynomial));
     difference.is_zero() || sign.flatten() == Some(Sign::Positive)
+}
+
+/// The region, its factors to be told apart, and what is known of generators.
+struct Survey {
+    region: Region,
+    wanted: Vec<usize>,
+    facts: Facts,
 }
 
 /// What conditions say while some signs are given.
@@ -233,7 +254,13 @@ fn constraint(
 }
 
 /// The factors that matter and those that share a constraint with one.
-fn assemble(tower: &Tower, knowledge: Knowledge, given: &[(usize, Sign)], factors: Vec<usize>) -> Region {
+fn assemble(
+    tower: &Tower,
+    knowledge: Knowledge,
+    given: &[(usize, Sign)],
+    factors: Vec<usize>,
+    wanted: Vec<usize>,
+) -> Survey {
     let is_number = |number: &usize| tower.base(*number).polynomial.as_constant().is_some();
     let mut factors: Vec<usize> = factors;
     let mut kept: Vec<Constraint> = Vec::new();
@@ -256,5 +283,5 @@ fn assemble(tower: &Tower, knowledge: Knowledge, given: &[(usize, Sign)], factor
         known.or_else(|| knowledge.facts.sign_of(&tower.base(number).polynomial))
     };
     let factors = factors.into_iter().map(|number| (number, sign_of(number))).collect();
-    Region { factors, constraints: kept }
+    Survey { region: Region { factors, constraints: kept }, wanted, facts: knowledge.facts }
 }

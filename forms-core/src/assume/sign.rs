@@ -123,6 +123,11 @@ impl Facts {
         }
     }
 
+    /// The bounds known of a generator, from below and from above.
+    pub(crate) fn bounds(&self, variable: u32) -> (Option<&BigRational>, Option<&BigRational>) {
+        (self.lower.get(&variable), self.upper.get(&variable))
+    }
+
     /// The sign of a polynomial, if it can be shown.
     pub(crate) fn sign_of(&self, polynomial: &Polynomial) -> Option<Sign> {
         if self.never_negative(polynomial) {

@@ -2,6 +2,7 @@
 
 use super::problem::Problem;
 use super::proof::{Outcome, prove_zero};
+use crate::certificate::Unobserved;
 use crate::assume::Facts;
 use crate::expression::Pool;
 use crate::normal::{Sign, Tower, Trigonometry, normalise};
@@ -44,7 +45,7 @@ pub(super) fn contradiction(pool: &mut Pool, problem: &Problem) -> Option<String
         return Some("its conditions contradict each other".to_string());
     }
     let one = pool.integer(1);
-    match prove_zero(pool, problem, vec![one]) {
+    match prove_zero(pool, problem, vec![one], &mut Unobserved) {
         Outcome::Empty(reason) => Some(reason),
         _ => None,
     }

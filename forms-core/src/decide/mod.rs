@@ -21,6 +21,7 @@ mod witness;
 pub use report::simplified;
 pub use verdict::{Theorem, Verdict, Witness};
 
+use crate::certificate::{Observer, Unobserved};
 use crate::resolve::{Statement, Theory};
 use problem::Problem;
 use proof::Outcome;
@@ -53,7 +54,7 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
         return report::refuted(theory, &problem, &difference);
     }
     let outcome =
-        if problem.components.is_empty() { Outcome::Zero } else { proof::prove(&mut theory.pool, &problem) };
+        if problem.components.is_empty() { Outcome::Zero } else { proof::prove(&mut theory.pool, &problem, &mut Unobserved) };
     if outcome == Outcome::Zero && search.points > 0 {
         return report::proved(theory, &problem);
     }
@@ -80,6 +81,16 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
         },
         Outcome::Outside(reason) | Outcome::Empty(reason) => Verdict::Unknown { reason },
     }
+}
+
+/// Proves a statement again, telling an observer how; whether it is proved.
+pub(crate) fn retrace(theory: &mut Theory, statement: &Statement, observer: &mut dyn Observer) -> bool {
+    let problem = Problem::new(theory, statement);
+    if problem.components.is_empty() {
+        observer.trivial();
+        return true;
+    }
+    proof::prove(&mut theory.pool, &problem, observer) == Outcome::Zero
 }
 
 /// What looking at points has shown so far.

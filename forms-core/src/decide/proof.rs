@@ -2,6 +2,7 @@
 
 use super::problem::Problem;
 use crate::assume::{Assumptions, Cases};
+use crate::certificate::Observer;
 use crate::expression::{Expr, Pool};
 use crate::normal::{Fraction, Obstacle, Sign, Tower, Trigonometry, normalise};
 
@@ -22,16 +23,21 @@ pub(super) enum Outcome {
 const MOST_CASES: usize = 512;
 
 /// Tries to prove that every component vanishes.
-pub(super) fn prove(pool: &mut Pool, problem: &Problem) -> Outcome {
+pub(super) fn prove(pool: &mut Pool, problem: &Problem, observer: &mut dyn Observer) -> Outcome {
     let differences = problem.differences();
-    prove_zero(pool, problem, differences)
+    prove_zero(pool, problem, differences, observer)
 }
 
 /// Tries to prove that the expressions vanish wherever the problem's assumptions hold.
-pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>) -> Outcome {
+pub(super) fn prove_zero(
+    pool: &mut Pool,
+    problem: &Problem,
+    differences: Vec<Expr>,
+    observer: &mut dyn Observer,
+) -> Outcome {
     let assumptions = Assumptions::new(pool, &problem.assumptions);
     let mut tower = Tower::new(Trigonometry::Circle);
-    let mut proof = Proof { pool, tower: &mut tower, differences, assumptions, cases: 0 };
+    let mut proof = Proof { pool, tower: &mut tower, differences, assumptions, cases: 0, observer };
     match proof.explore(&[]) {
         Ok(outcome) => outcome,
         Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
@@ -51,6 +57,7 @@ struct Proof<'a> {
     differences: Vec<Expr>,
     assumptions: Assumptions,
     cases: usize,
+    observer: &'a mut dyn Observer,
 }
 
 impl Proof<'_> {
@@ -58,13 +65,23 @@ impl Proof<'_> {
     fn explore(&mut self, given: &[(usize, Sign)]) -> Result<Outcome, Obstacle> {
         self.cases += 1;
         match self.settle(given) {
-            Ok(Some(Outcome::Zero)) => return Ok(Outcome::Zero),
+            Ok(Some(Outcome::Zero)) => {
+                self.observer.zero(self.tower, &self.differences);
+                return Ok(Outcome::Zero);
+            }
             Ok(_) => {}
-            Err(Obstacle::DivisionByZero) => return Ok(Outcome::Empty(DIVIDES_BY_ZERO.into())),
+            Err(Obstacle::DivisionByZero) => {
+                self.observer.undefined(self.tower);
+                return Ok(Outcome::Empty(DIVIDES_BY_ZERO.into()));
+            }
             Err(obstacle) => return Err(obstacle),
         }
         let cases = match self.assumptions.cases(self.tower, self.pool, &self.differences, given)? {
-            Cases::Empty => return Ok(Outcome::Empty("no point meets its conditions".into())),
+            Cases::Empty => {
+                self.observe(given, &[]);
+                self.observer.end();
+                return Ok(Outcome::Empty("no point meets its conditions".into()));
+            }
             Cases::Signs(cases) if cases.iter().all(Vec::is_empty) => return Ok(Outcome::NotZero),
             Cases::Signs(cases) if self.cases + cases.len() <= MOST_CASES => cases,
             Cases::Signs(_) | Cases::TooMany => {
@@ -72,7 +89,9 @@ impl Proof<'_> {
             }
         };
         let mut together: Option<Outcome> = None;
+        self.observe(given, &cases);
         for case in cases {
+            self.observer.case(&case);
             let signs: Vec<(usize, Sign)> = given.iter().copied().chain(case).collect();
             together = match (self.explore(&signs)?, together) {
                 (failure @ (Outcome::NotZero | Outcome::Outside(_)), _) => return Ok(failure),
@@ -81,7 +100,18 @@ impl Proof<'_> {
                 (Outcome::Zero, _) => Some(Outcome::Zero),
             };
         }
+        self.observer.end();
         Ok(together.unwrap_or(Outcome::NotZero))
+    }
+
+    /// Tells whoever writes the proof down what the cases rest on.
+    fn observe(&mut self, given: &[(usize, Sign)], cases: &[Vec<(usize, Sign)>]) {
+        if self.observer.is_writing()
+            && let Ok((factors, facts)) =
+                self.assumptions.grounds(self.tower, self.pool, &self.differences, given)
+        {
+            self.observer.split(self.tower, &factors, &facts, cases);
+        }
     }
 
     /// The filter first, then the exact normal forms; nothing where they depend on an open sign.

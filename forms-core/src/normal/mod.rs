@@ -17,6 +17,7 @@ mod factor;
 mod filter;
 mod fraction;
 mod generator;
+mod ingredients;
 mod normalise;
 mod quotient_rule;
 mod raise;

@@ -1,0 +1,346 @@
+//! Expressions as fractions: roots by bases, sines and exponentials by units, the rest as generators.
+
+use crate::expression::Operation::{Add, Divide, Function, Jet, Multiply, Number, Pi, Power, Variable};
+use crate::expression::{Expr, Pool, rational};
+use crate::field::{Field, Fraction, Generator, Kind};
+use crate::polynomial::Polynomial;
+use crate::{Stop, rejected};
+use num_bigint::BigInt;
+use num_rational::{BigRational, Ratio};
+use std::collections::BTreeMap;
+
+/// cos and sin of an angle.
+type Point = (Fraction, Fraction);
+
+/// c ∏ gᵉ over the bases g, and whether g itself, apart from its roots, occurs to an odd power.
+pub(crate) struct Factored {
+    pub(crate) constant: BigRational,
+    pub(crate) powers: BTreeMap<usize, (Ratio<i64>, bool)>,
+}
+
+fn one() -> Fraction {
+    Fraction::number(rational(1, 1))
+}
+
+fn gcd(a: i64, b: i64) -> i64 {
+    if b == 0 { a.abs() } else { gcd(b, a % b) }
+}
+
+impl Field {
+    /// The element an expression stands for.
+    pub(crate) fn element(&mut self, pool: &Pool, expr: Expr) -> Result<Fraction, Stop> {
+        for part in pool.parts(&[expr]) {
+            if !self.elements.contains_key(&part) {
+                let (operation, operands) = pool.node(part);
+                let a: Vec<Fraction> = operands.iter().map(|operand| self.elements[operand].clone()).collect();
+                let element = match operation {
+                    Number(value) => Fraction::number(value.clone()),
+                    Pi => self.generator(Generator::Pi)?,
+                    Variable(v) => self.generator(Generator::Variable(*v))?,
+                    Jet(f, orders) => self.generator(Generator::Jet((*f, orders.clone()), a))?,
+                    Add => self.add(&a[0], &a[1])?,
+                    Multiply => self.multiply(&a[0], &a[1])?,
+                    Divide => self.quotient(&a[0], &a[1])?,
+                    Power(p, 1) => self.integer_power(&a[0], *p)?,
+                    Power(p, q) => {
+                        let exponent = Fraction::number(rational(*p, *q));
+                        let known = self.magnitude(&a[0], Ratio::new(*p, *q));
+                        self.or_opaque(known, "root", vec![a[0].clone(), exponent])?
+                    }
+                    Function(name) => {
+                        let known = self.function(name, &a);
+                        self.or_opaque(known, name, a)?
+                    }
+                };
+                self.elements.insert(part, element);
+            }
+        }
+        Ok(self.elements[&expr].clone())
+    }
+
+    /// A generator: the one known with equal arguments, or another.
+    fn generator(&mut self, generator: Generator) -> Result<Fraction, Stop> {
+        for number in 0..self.generators.len() {
+            let (a, b) = match (&self.generators[number], &generator) {
+                (Generator::Variable(v), Generator::Variable(w)) if v == w => (vec![], vec![]),
+                (Generator::Pi, Generator::Pi) => (vec![], vec![]),
+                (Generator::Jet(f, a), Generator::Jet(g, b)) if f == g => (a.clone(), b.clone()),
+                (Generator::Opaque(f, a), Generator::Opaque(g, b)) if f == g => (a.clone(), b.clone()),
+                _ => continue,
+            };
+            let mut same = true;
+            for (x, y) in a.iter().zip(&b) {
+                same = same && self.equal(x, y)?;
+            }
+            if same {
+                return Ok(Polynomial::generator(number, 1).into());
+            }
+        }
+        Ok(Polynomial::generator(self.new_generator(generator), 1).into())
+    }
+
+    /// A function for which the certificate declares nothing is known by its arguments only.
+    fn or_opaque(
+        &mut self,
+        known: Result<Fraction, Stop>,
+        name: &'static str,
+        a: Vec<Fraction>,
+    ) -> Result<Fraction, Stop> {
+        match known {
+            Err(Stop::Rejected(_)) => self.generator(Generator::Opaque(name, a)),
+            other => other,
+        }
+    }
+
+    fn function(&mut self, name: &str, a: &[Fraction]) -> Result<Fraction, Stop> {
+        match name {
+            "sin" => Ok(self.circular(&a[0])?.1),
+            "cos" => Ok(self.circular(&a[0])?.0),
+            "tan" => self.tangent(&a[0]),
+            "exp" => self.exponential(&a[0]),
+            "abs" => self.magnitude(&a[0], Ratio::from_integer(1)),
+            "sinh" | "cosh" | "tanh" => {
+                let up = self.exponential(&a[0])?;
+                let down = self.inverse(&up)?;
+                let (sum, difference) = (self.add(&up, &down)?, self.subtract(&up, &down)?);
+                match name {
+                    "sinh" => Ok(difference.scale(&rational(1, 2))),
+                    "cosh" => Ok(sum.scale(&rational(1, 2))),
+                    _ => self.quotient(&difference, &sum),
+                }
+            }
+            "asin" | "atan" if a[0].numerator.is_zero() => Ok(Fraction::default()),
+            "log" if self.equal(&a[0], &one())? => Ok(Fraction::default()),
+            _ => rejected("nothing is known of it"),
+        }
+    }
+
+    /// |q|^r = |c|^r ∏ |g|^(e r)
+    pub(crate) fn magnitude(&mut self, q: &Fraction, r: Ratio<i64>) -> Result<Fraction, Stop> {
+        if q.numerator.is_zero() {
+            return if r > Ratio::from_integer(0) { Ok(Fraction::default()) } else { Err(Stop::Undefined) };
+        }
+        let Factored { constant, powers } = self.factored(q)?;
+        let mut result = self.number_power(&constant, r)?;
+        for (base, (exponent, _)) in powers {
+            let power = self.base_power(base, exponent * r)?;
+            result = self.multiply(&result, &power)?;
+        }
+        Ok(result)
+    }
+
+    /// An element over the bases, which has to leave nothing but a number.
+    pub(crate) fn factored(&mut self, q: &Fraction) -> Result<Factored, Stop> {
+        let mut found = Factored { constant: rational(1, 1), powers: BTreeMap::new() };
+        let below = q.factors.iter().map(|(factor, n)| (self.factor(*factor).clone(), -i64::from(*n)));
+        for (mut rest, times) in std::iter::once((q.numerator.clone(), 1)).chain(below.collect::<Vec<_>>()) {
+            for (number, base) in self.bases.iter().enumerate() {
+                let mut raise = |by: Ratio<i64>, is_whole: bool| {
+                    let entry = found.powers.entry(number).or_insert((Ratio::from_integer(0), false));
+                    *entry = (entry.0 + by * times, entry.1 ^ (is_whole && times % 2 != 0));
+                };
+                let root = base.root.map(|root| (Polynomial::generator(root, 1), Ratio::new(1, base.order)));
+                let itself = Some((base.polynomial.clone(), Ratio::from_integer(1)));
+                for (divisor, exponent) in [root, itself].into_iter().flatten() {
+                    while divisor.as_constant().is_none() && rest.as_constant().is_none() {
+                        let Some(quotient) = rest.divide(&divisor) else { break };
+                        rest = quotient;
+                        raise(exponent, exponent.is_integer());
+                    }
+                }
+            }
+            let Some(constant) = rest.as_constant() else {
+                return rejected("a radicand is not a product of the bases");
+            };
+            found.constant *= constant.pow(times as i32);
+        }
+        Ok(found)
+    }
+
+    fn number_power(&mut self, c: &BigRational, r: Ratio<i64>) -> Result<Fraction, Stop> {
+        let mut rest = if *c < rational(0, 1) { -c } else { c.clone() };
+        if r.is_integer() {
+            return Ok(Fraction::number(rest.pow(*r.numer() as i32)));
+        }
+        let mut result = one();
+        for number in 0..self.bases.len() {
+            let Some(prime) = self.bases[number].polynomial.as_constant().filter(|p| *p > rational(1, 1)) else {
+                continue;
+            };
+            let mut exponent = 0_i64;
+            for (step, by) in [(1, prime.clone()), (-1, rational(1, 1) / prime)] {
+                let divides = |rest: &BigRational| {
+                    let part = if step > 0 { rest.numer() } else { rest.denom() };
+                    let quotient = rest / &by;
+                    let shrunk = if step > 0 { quotient.numer() } else { quotient.denom() };
+                    *part != BigInt::from(1) && shrunk < part
+                };
+                while divides(&rest) {
+                    rest /= &by;
+                    exponent += step;
+                }
+            }
+            let power = self.base_power(number, r * exponent)?;
+            result = self.multiply(&result, &power)?;
+        }
+        if rest == rational(1, 1) { Ok(result) } else { rejected("a number under a root is no product of bases") }
+    }
+
+    /// |g|ᵉ: by g itself for integers, by its root otherwise
+    fn base_power(&mut self, number: usize, exponent: Ratio<i64>) -> Result<Fraction, Stop> {
+        let base = &mut self.bases[number];
+        let itself: Fraction = base.polynomial.clone().into();
+        if exponent.is_integer() && exponent.numer() % 2 == 0 {
+            return self.integer_power(&itself, *exponent.numer());
+        }
+        let Some(sign) = base.sign else { return rejected(format!("the sign of base {} matters", number + 1)) };
+        base.used = base.used / gcd(base.used, *exponent.denom()) * exponent.denom();
+        let signed = itself.scale(&rational(sign, 1));
+        if exponent.is_integer() {
+            return self.integer_power(&signed, *exponent.numer());
+        }
+        let times = exponent * base.order;
+        let Some(order) = u16::try_from(base.order).ok().filter(|_| times.is_integer()) else {
+            return rejected(format!("base {} lacks a root", number + 1));
+        };
+        let root = match base.root {
+            Some(root) => root,
+            None => {
+                let root = self.new_generator(Generator::Chosen);
+                self.bases[number].root = Some(root);
+                self.bind(root, order, signed.numerator);
+                root
+            }
+        };
+        self.integer_power(&Polynomial::generator(root, 1).into(), times.to_integer())
+    }
+
+    /// The terms of an angle or exponent, each a number times a quantity.
+    fn terms(&mut self, a: &Fraction) -> Vec<(Fraction, BigRational)> {
+        let term = |(monomial, c): (&Vec<u16>, &BigRational)| {
+            let numerator = Polynomial(BTreeMap::from([(monomial.clone(), rational(1, 1))]));
+            (Fraction { numerator, factors: a.factors.clone() }, c.clone())
+        };
+        a.numerator.0.iter().map(term).collect()
+    }
+
+    /// The unit that c·quantity is an integer multiple of, and the multiple; with halves if asked for.
+    fn multiple(&mut self, quantity: &Fraction, c: &BigRational, exponent: bool) -> Result<(usize, i64), Stop> {
+        for number in 0..self.units.len() {
+            let unit = self.units[number].value.clone();
+            if (self.units[number].kind == Kind::Exponent) != exponent {
+                continue;
+            }
+            let scale = rational(1, 1) / unit.numerator.leading();
+            if self.equal(&unit.scale(&scale), quantity)? {
+                let times = c * scale;
+                let Some(n) = i64::try_from(times.numer()).ok().filter(|n| times.is_integer() && n.abs() < 256)
+                else {
+                    return rejected("an angle or exponent is no multiple of its unit");
+                };
+                self.units[number].used = gcd(self.units[number].used, n);
+                return Ok((number, n));
+            }
+        }
+        rejected("an angle or exponent has no unit")
+    }
+
+    fn circular(&mut self, angle: &Fraction) -> Result<Point, Stop> {
+        let mut point = (one(), Fraction::default());
+        for (quantity, c) in self.terms(angle) {
+            let (step, times) = self.step(&quantity, &c)?;
+            let sine = step.1.scale(&rational(times.signum(), 1));
+            for _ in 0..times.abs() {
+                point = self.turned(&point, &(step.0.clone(), sine.clone()))?;
+            }
+        }
+        Ok(point)
+    }
+
+    /// cos(a + b) = cos a cos b − sin a sin b, sin(a + b) = sin a cos b + cos a sin b
+    fn turned(&mut self, a: &Point, b: &Point) -> Result<Point, Stop> {
+        let (cc, ss) = (self.multiply(&a.0, &b.0)?, self.multiply(&a.1, &b.1)?);
+        let (sc, cs) = (self.multiply(&a.1, &b.0)?, self.multiply(&a.0, &b.1)?);
+        Ok((self.subtract(&cc, &ss)?, self.add(&sc, &cs)?))
+    }
+
+    /// The point of an angle that c·quantity is a multiple of: a quarter turn, an inverse function, a unit.
+    fn step(&mut self, quantity: &Fraction, c: &BigRational) -> Result<(Point, i64), Stop> {
+        let generator = (0..self.generators.len())
+            .find(|g| quantity.factors.is_empty() && quantity.numerator == Polynomial::generator(*g, 1));
+        let quarters = c * rational(2, 1);
+        match generator.map(|g| self.generators[g].clone()) {
+            Some(Generator::Pi) if quarters.is_integer() => {
+                let rest = i64::try_from(quarters.numer() % BigInt::from(4)).unwrap_or(0);
+                return Ok(((Fraction::default(), one()), rest));
+            }
+            Some(Generator::Opaque(name @ ("asin" | "acos" | "atan" | "atan2"), a)) if c.is_integer() => {
+                let times = i64::try_from(c.numer()).ok().filter(|n| n.abs() < 256);
+                let Some(times) = times else { return rejected("so large a multiple of an angle") };
+                return Ok((self.inverse_point(name, &a)?, times));
+            }
+            _ => {}
+        }
+        let (number, times) = self.multiple(quantity, c, false)?;
+        let unit = self.units[number].clone();
+        let first = Polynomial::generator(unit.generator, 1).into();
+        if unit.kind == Kind::Circle {
+            return Ok(((first, Polynomial::generator(unit.generator + 1, 1).into()), times));
+        }
+        // ((1 − t²)/(1 + t²), 2t/(1 + t²))
+        let square = self.multiply(&first, &first)?;
+        let (below, above) = (self.add(&one(), &square)?, self.subtract(&one(), &square)?);
+        let cosine = self.quotient(&above, &below)?;
+        let sine = self.quotient(&first.scale(&rational(2, 1)), &below)?;
+        Ok(((cosine, sine), times))
+    }
+
+    /// cos and sin of asin q, acos q, atan q, atan2(y, x)
+    fn inverse_point(&mut self, name: &str, a: &[Fraction]) -> Result<Point, Stop> {
+        let square = self.multiply(&a[0], &a[0])?;
+        let half = Ratio::new(1, 2);
+        if name == "asin" || name == "acos" {
+            let rest = self.subtract(&one(), &square)?;
+            let other = self.magnitude(&rest, half)?;
+            return Ok(if name == "asin" { (other, a[0].clone()) } else { (a[0].clone(), other) });
+        }
+        let x = a.get(1).cloned().unwrap_or_else(one);
+        let other = self.multiply(&x, &x)?;
+        let sum = self.add(&square, &other)?;
+        let r = self.magnitude(&sum, half)?;
+        Ok((self.quotient(&x, &r)?, self.quotient(&a[0], &r)?))
+    }
+
+    /// tan(u/2) of a unit is its generator; any other is sine over cosine.
+    fn tangent(&mut self, angle: &Fraction) -> Result<Fraction, Stop> {
+        for number in 0..self.units.len() {
+            let unit = self.units[number].clone();
+            if unit.kind == Kind::Tangent && self.equal(&angle.scale(&rational(2, 1)), &unit.value)? {
+                return Ok(Polynomial::generator(unit.generator, 1).into());
+            }
+        }
+        let (cosine, sine) = self.circular(angle)?;
+        self.quotient(&sine, &cosine)
+    }
+
+    /// exp of Σ nₖ uₖ + Σ rₖ log qₖ is ∏ exp(uₖ)^nₖ ∏ qₖ^rₖ.
+    fn exponential(&mut self, exponent: &Fraction) -> Result<Fraction, Stop> {
+        let mut product = one();
+        for (quantity, c) in self.terms(exponent) {
+            let logarithm = self.generators.iter().enumerate().find_map(|(g, generator)| match generator {
+                Generator::Opaque("log", q) if quantity.numerator == Polynomial::generator(g, 1) => Some(q[0].clone()),
+                _ => None,
+            });
+            let rational_exponent = [c.numer(), c.denom()].map(|part| i64::try_from(part).ok());
+            let power = match (logarithm, rational_exponent) {
+                (Some(q), [Some(n), Some(d)]) if quantity.factors.is_empty() => self.magnitude(&q, Ratio::new(n, d))?,
+                _ => {
+                    let (number, times) = self.multiple(&quantity, &c, true)?;
+                    self.integer_power(&Polynomial::generator(self.units[number].generator, 1).into(), times)?
+                }
+            };
+            product = self.multiply(&product, &power)?;
+        }
+        Ok(product)
+    }
+}

@@ -1,0 +1,203 @@
+//! A proof as lines: at each step the bases and units it uses, each after what it is written with.
+
+use super::Observer;
+use super::reason::reason;
+use crate::assume::Facts;
+use crate::expression::{Expr, Pool};
+use crate::normal::{Fraction, Generator, Sign, Tower, Unit};
+use crate::polynomial::Polynomial;
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::fmt::Write;
+
+/// Writes what it is told.
+pub(super) struct Writer {
+    pool: Pool,
+    lines: String,
+    /// What could not be written.
+    gap: Option<String>,
+    /// For bases in the cases around this place: why they have their signs.
+    reasons: FxHashMap<usize, (Sign, String)>,
+    /// For each split around this place, whether it was left out because its only case is certain.
+    left_out: Vec<bool>,
+}
+
+/// What one step of the proof has declared.
+#[derive(Default)]
+struct Declared {
+    bases: Vec<usize>,
+    seen: FxHashSet<u32>,
+}
+
+impl Writer {
+    /// A writer with the expressions of the theory.
+    pub(super) fn new(pool: Pool) -> Self {
+        let (lines, reasons) = (String::new(), FxHashMap::default());
+        Writer { pool, lines, gap: None, reasons, left_out: Vec::new() }
+    }
+
+    /// The lines, or what could not be written.
+    pub(super) fn finish(self) -> Result<String, String> {
+        self.gap.map_or(Ok(self.lines), Err)
+    }
+
+    fn line(&mut self, keyword: &str, rest: &str) {
+        let depth = 2 * self.left_out.iter().filter(|left_out| !**left_out).count();
+        let end = if rest.is_empty() { String::new() } else { format!(" {rest}") };
+        let _ = writeln!(self.lines, "{:depth$}{keyword}{end}", "");
+    }
+
+    fn text(&mut self, tower: &Tower, fraction: &Fraction) -> String {
+        let raised = tower.raise(&mut self.pool, fraction);
+        let text = self.pool.text(raised);
+        if text.contains('<') {
+            self.gap = Some("a base or unit of the proof is too long to be written".into());
+        }
+        text
+    }
+
+    fn polynomial(&mut self, tower: &Tower, polynomial: &Polynomial) -> String {
+        self.text(tower, &Fraction::from(polynomial.clone()))
+    }
+
+    fn declare_fraction(&mut self, tower: &Tower, fraction: &Fraction, declared: &mut Declared) {
+        for variable in tower.variables_of(fraction) {
+            self.declare(tower, variable, declared);
+        }
+    }
+
+    /// Declares what a generator is, after what it is written with.
+    fn declare(&mut self, tower: &Tower, variable: u32, declared: &mut Declared) {
+        if !declared.seen.insert(variable) {
+            return;
+        }
+        match tower.generator(variable).clone() {
+            Generator::Variable(_) | Generator::Pi => {}
+            Generator::Jet { arguments, .. } | Generator::Opaque { arguments, .. } => {
+                arguments.iter().for_each(|argument| self.declare_fraction(tower, argument, declared));
+            }
+            Generator::Cosine(unit) | Generator::Sine(unit) => {
+                let both = [Generator::Cosine(unit.clone()), Generator::Sine(unit.clone())];
+                let known = (0..tower.generator_count()).filter(|v| both.contains(tower.generator(*v)));
+                declared.seen.extend(known);
+                self.unit(tower, "circle", &unit, declared);
+            }
+            Generator::HalfTangent(unit) => self.unit(tower, "tangent", &unit, declared),
+            Generator::Exponential(unit) => self.unit(tower, "exponent", &unit, declared),
+            Generator::Root { base, .. } => self.base(tower, base, declared),
+        }
+    }
+
+    fn unit(&mut self, tower: &Tower, keyword: &str, unit: &Unit, declared: &mut Declared) {
+        let value = tower.unit_value(unit);
+        self.declare_fraction(tower, &value, declared);
+        let text = self.text(tower, &value);
+        self.line(keyword, &text);
+    }
+
+    fn base(&mut self, tower: &Tower, number: usize, declared: &mut Declared) {
+        if declared.bases.contains(&number) {
+            return;
+        }
+        let base = tower.base(number).clone();
+        self.declare_fraction(tower, &base.polynomial.clone().into(), declared);
+        declared.bases.push(number);
+        let text = self.polynomial(tower, &base.polynomial);
+        self.line("base", &text);
+        if base.order() > 1 {
+            self.line("root", &base.order().to_string());
+        }
+        if base.polynomial.as_constant().is_some() {
+            return;
+        }
+        let known = self.reasons.get(&number).cloned();
+        let given = base.sign.map(|sign| (sign, self.polynomial(tower, &signed(&base.polynomial, sign))));
+        match known.or(given) {
+            Some((Sign::Positive, reason)) => self.line("positive", &reason),
+            Some((Sign::Negative, reason)) => self.line("negative", &reason),
+            None => {}
+        }
+    }
+
+    /// Notes why bases have the signs that are known of them.
+    fn find_reasons(&mut self, tower: &Tower, factors: &[usize], facts: &Facts) {
+        for &number in factors {
+            let polynomial = tower.base(number).polynomial.clone();
+            for sign in [Sign::Positive, Sign::Negative] {
+                let side = signed(&polynomial, sign);
+                let names: FxHashMap<u32, String> = side
+                    .variables()
+                    .into_iter()
+                    .map(|v| (v, self.polynomial(tower, &Polynomial::variable(v))))
+                    .collect();
+                if let Some(reason) = reason(&side, facts, &|v| names[&v].clone()) {
+                    self.reasons.insert(number, (sign, reason));
+                }
+            }
+        }
+    }
+}
+
+fn signed(polynomial: &Polynomial, sign: Sign) -> Polynomial {
+    if sign == Sign::Positive { polynomial.clone() } else { polynomial.neg() }
+}
+
+impl Observer for Writer {
+    fn is_writing(&self) -> bool {
+        true
+    }
+
+    fn trivial(&mut self) {
+        self.line("zero", "");
+    }
+
+    fn zero(&mut self, tower: &Tower, differences: &[Expr]) {
+        let mut declared = Declared::default();
+        for part in self.pool.reachable(differences) {
+            if let Some(element) = tower.element_of(part) {
+                self.declare_fraction(tower, &element.clone(), &mut declared);
+            }
+        }
+        for number in tower.bases().map(|(number, _)| number).collect::<Vec<_>>() {
+            self.base(tower, number, &mut declared);
+        }
+        self.line("zero", "");
+    }
+
+    fn undefined(&mut self, tower: &Tower) {
+        self.zero(tower, &[]);
+        self.lines.truncate(self.lines.len() - "zero\n".len());
+        self.line("undefined", "");
+    }
+
+    fn split(&mut self, tower: &Tower, factors: &[usize], facts: &Facts, cases: &[Vec<(usize, Sign)>]) {
+        self.find_reasons(tower, factors, facts);
+        let is_certain =
+            |(base, sign): &(usize, Sign)| self.reasons.get(base).is_some_and(|known| known.0 == *sign);
+        let certain = cases.len() == 1 && cases[0].iter().all(is_certain);
+        if !certain {
+            let mut declared = Declared::default();
+            for &number in factors {
+                self.base(tower, number, &mut declared);
+            }
+            let place = |number: &usize| declared.bases.iter().position(|base| base == number);
+            let numbers: Vec<String> =
+                factors.iter().filter_map(place).map(|place| (place + 1).to_string()).collect();
+            self.line("split", &numbers.join(" "));
+        }
+        self.left_out.push(certain);
+    }
+
+    fn case(&mut self, signs: &[(usize, Sign)]) {
+        if self.left_out.last() == Some(&false) {
+            let sign = |entry: &(usize, Sign)| if entry.1 == Sign::Positive { '+' } else { '-' };
+            let signs: String = signs.iter().map(sign).collect();
+            self.line("case", &signs);
+        }
+    }
+
+    fn end(&mut self) {
+        if self.left_out.pop() == Some(false) {
+            self.line("end", "");
+        }
+    }
+}

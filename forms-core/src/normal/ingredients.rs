@@ -1,0 +1,38 @@
+//! What elements are made of, for whoever writes a proof down: generators, units, bases of radicands.
+
+use super::fraction::Fraction;
+use super::generator::Unit;
+use super::root::Base;
+use super::tower::Tower;
+use crate::expression::Expr;
+
+impl Base {
+    /// The order of its root, 1 if none was asked for.
+    pub(crate) fn order(&self) -> u32 {
+        self.order
+    }
+}
+
+impl Tower {
+    /// The generators a fraction is written with.
+    pub(crate) fn variables_of(&self, fraction: &Fraction) -> Vec<u32> {
+        let factors = fraction.factors.iter().map(|power| self.factor_polynomial(power.factor));
+        let mut all: Vec<u32> =
+            std::iter::once(fraction.numerator()).chain(factors).flat_map(|p| p.variables()).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
+    /// The unit as a fraction.
+    pub(crate) fn unit_value(&self, unit: &Unit) -> Fraction {
+        let mut quantity = self.quantity(&unit.quantity);
+        quantity.divisor *= unit.divisor;
+        quantity
+    }
+
+    /// The element of an expression, if it has been computed.
+    pub(crate) fn element_of(&self, expression: Expr) -> Option<&Fraction> {
+        self.elements.get(&expression)
+    }
+}
