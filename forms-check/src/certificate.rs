@@ -29,7 +29,10 @@ fn lines(text: &str) -> Result<Vec<Line>, Stop> {
 }
 
 /// Checks every entry; `read` gives the text of a file by the name in the certificate.
-pub(crate) fn check(text: &str, read: &mut dyn FnMut(&str) -> Result<String, String>) -> Result<Vec<Checked>, Stop> {
+pub(crate) fn check(
+    text: &str,
+    read: &mut dyn FnMut(&str) -> Result<String, String>,
+) -> Result<Vec<Checked>, Stop> {
     let lines = lines(text)?;
     let mut checked: Vec<Checked> = Vec::new();
     let mut sections = lines.split(|line| line.0 == "file");

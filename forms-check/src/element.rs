@@ -3,7 +3,7 @@
 use crate::expression::Operation::{Add, Divide, Function, Jet, Multiply, Number, Pi, Power, Variable};
 use crate::expression::{Expr, Pool, rational};
 use crate::field::{Field, Fraction, Generator, Kind};
-use crate::polynomial::Polynomial;
+use crate::polynomial::{MOST_GENERATORS, Polynomial};
 use crate::{Stop, rejected};
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
@@ -32,7 +32,8 @@ impl Field {
         for part in pool.parts(&[expr]) {
             if !self.elements.contains_key(&part) {
                 let (operation, operands) = pool.node(part);
-                let a: Vec<Fraction> = operands.iter().map(|operand| self.elements[operand].clone()).collect();
+                let a: Vec<Fraction> =
+                    operands.iter().map(|operand| self.elements[operand].clone()).collect();
                 let element = match operation {
                     Number(value) => Fraction::number(value.clone()),
                     Pi => self.generator(Generator::Pi)?,
@@ -43,9 +44,12 @@ impl Field {
                     Divide => self.quotient(&a[0], &a[1])?,
                     Power(p, 1) => self.integer_power(&a[0], *p)?,
                     Power(p, q) => {
-                        let exponent = Fraction::number(rational(*p, *q));
                         let known = self.magnitude(&a[0], Ratio::new(*p, *q));
-                        self.or_opaque(known, "root", vec![a[0].clone(), exponent])?
+                        if let Err(Stop::Rejected(_)) = known {
+                            self.free_root(&a[0], *p, *q)?
+                        } else {
+                            known?
+                        }
                     }
                     Function(name) => {
                         let known = self.function(name, &a);
@@ -76,7 +80,7 @@ impl Field {
                 return Ok(Polynomial::generator(number, 1).into());
             }
         }
-        Ok(Polynomial::generator(self.new_generator(generator), 1).into())
+        Ok(Polynomial::generator(self.new_generator(generator)?, 1).into())
     }
 
     /// A function for which the certificate declares nothing is known by its arguments only.
@@ -90,6 +94,19 @@ impl Field {
             Err(Stop::Rejected(_)) => self.generator(Generator::Opaque(name, a)),
             other => other,
         }
+    }
+
+    /// a^(p/q) = ρᵖ with ρ^q = a
+    fn free_root(&mut self, a: &Fraction, p: i64, q: i64) -> Result<Fraction, Stop> {
+        let count = self.generators.len();
+        let root =
+            self.generator(Generator::Opaque("root", vec![a.clone(), Fraction::number(rational(1, q))]))?;
+        if let Some(order) =
+            u8::try_from(q).ok().filter(|_| self.generators.len() > count && a.factors.is_empty())
+        {
+            self.bind(count, order, a.numerator.clone());
+        }
+        self.integer_power(&root, p)
     }
 
     fn function(&mut self, name: &str, a: &[Fraction]) -> Result<Fraction, Stop> {
@@ -164,7 +181,8 @@ impl Field {
         }
         let mut result = one();
         for number in 0..self.bases.len() {
-            let Some(prime) = self.bases[number].polynomial.as_constant().filter(|p| *p > rational(1, 1)) else {
+            let Some(prime) = self.bases[number].polynomial.as_constant().filter(|p| *p > rational(1, 1))
+            else {
                 continue;
             };
             let mut exponent = 0_i64;
@@ -183,7 +201,11 @@ impl Field {
             let power = self.base_power(number, r * exponent)?;
             result = self.multiply(&result, &power)?;
         }
-        if rest == rational(1, 1) { Ok(result) } else { rejected("a number under a root is no product of bases") }
+        if rest == rational(1, 1) {
+            Ok(result)
+        } else {
+            rejected("a number under a root is no product of bases")
+        }
     }
 
     /// |g|ᵉ: by g itself for integers, by its root otherwise
@@ -193,20 +215,22 @@ impl Field {
         if exponent.is_integer() && exponent.numer() % 2 == 0 {
             return self.integer_power(&itself, *exponent.numer());
         }
-        let Some(sign) = base.sign else { return rejected(format!("the sign of base {} matters", number + 1)) };
+        let Some(sign) = base.sign else {
+            return rejected(format!("the sign of base {} matters", number + 1));
+        };
         base.used = base.used / gcd(base.used, *exponent.denom()) * exponent.denom();
         let signed = itself.scale(&rational(sign, 1));
         if exponent.is_integer() {
             return self.integer_power(&signed, *exponent.numer());
         }
         let times = exponent * base.order;
-        let Some(order) = u16::try_from(base.order).ok().filter(|_| times.is_integer()) else {
+        let Some(order) = u8::try_from(base.order).ok().filter(|_| times.is_integer()) else {
             return rejected(format!("base {} lacks a root", number + 1));
         };
         let root = match base.root {
             Some(root) => root,
             None => {
-                let root = self.new_generator(Generator::Chosen);
+                let root = self.new_generator(Generator::Chosen)?;
                 self.bases[number].root = Some(root);
                 self.bind(root, order, signed.numerator);
                 root
@@ -217,15 +241,20 @@ impl Field {
 
     /// The terms of an angle or exponent, each a number times a quantity.
     fn terms(&mut self, a: &Fraction) -> Vec<(Fraction, BigRational)> {
-        let term = |(monomial, c): (&Vec<u16>, &BigRational)| {
-            let numerator = Polynomial(BTreeMap::from([(monomial.clone(), rational(1, 1))]));
+        let term = |(monomial, c): (&[u8; MOST_GENERATORS], &BigRational)| {
+            let numerator = Polynomial(BTreeMap::from([(*monomial, rational(1, 1))]));
             (Fraction { numerator, factors: a.factors.clone() }, c.clone())
         };
         a.numerator.0.iter().map(term).collect()
     }
 
     /// The unit that c·quantity is an integer multiple of, and the multiple; with halves if asked for.
-    fn multiple(&mut self, quantity: &Fraction, c: &BigRational, exponent: bool) -> Result<(usize, i64), Stop> {
+    fn multiple(
+        &mut self,
+        quantity: &Fraction,
+        c: &BigRational,
+        exponent: bool,
+    ) -> Result<(usize, i64), Stop> {
         for number in 0..self.units.len() {
             let unit = self.units[number].value.clone();
             if (self.units[number].kind == Kind::Exponent) != exponent {
@@ -234,7 +263,8 @@ impl Field {
             let scale = rational(1, 1) / unit.numerator.leading();
             if self.equal(&unit.scale(&scale), quantity)? {
                 let times = c * scale;
-                let Some(n) = i64::try_from(times.numer()).ok().filter(|n| times.is_integer() && n.abs() < 256)
+                let Some(n) =
+                    i64::try_from(times.numer()).ok().filter(|n| times.is_integer() && n.abs() < 256)
                 else {
                     return rejected("an angle or exponent is no multiple of its unit");
                 };
@@ -328,12 +358,16 @@ impl Field {
         let mut product = one();
         for (quantity, c) in self.terms(exponent) {
             let logarithm = self.generators.iter().enumerate().find_map(|(g, generator)| match generator {
-                Generator::Opaque("log", q) if quantity.numerator == Polynomial::generator(g, 1) => Some(q[0].clone()),
+                Generator::Opaque("log", q) if quantity.numerator == Polynomial::generator(g, 1) => {
+                    Some(q[0].clone())
+                }
                 _ => None,
             });
             let rational_exponent = [c.numer(), c.denom()].map(|part| i64::try_from(part).ok());
             let power = match (logarithm, rational_exponent) {
-                (Some(q), [Some(n), Some(d)]) if quantity.factors.is_empty() => self.magnitude(&q, Ratio::new(n, d))?,
+                (Some(q), [Some(n), Some(d)]) if quantity.factors.is_empty() => {
+                    self.magnitude(&q, Ratio::new(n, d))?
+                }
                 _ => {
                     let (number, times) = self.multiple(&quantity, &c, true)?;
                     self.integer_power(&Polynomial::generator(self.units[number].generator, 1).into(), times)?

@@ -162,7 +162,8 @@ impl Pool {
                 self.negate(quotient)
             }
             Power(p, 1) => {
-                let (factor, lowered) = (self.number(rational(*p, 1)), self.make(Power(p - 1, 1), vec![a[0]]));
+                let (factor, lowered) =
+                    (self.number(rational(*p, 1)), self.make(Power(p - 1, 1), vec![a[0]]));
                 self.make(Multiply, vec![factor, lowered])
             }
             Power(p, q) => {

@@ -4,7 +4,7 @@
 //! from a quotient of the statement. Nothing rests on relations being complete or factors irreducible.
 
 use crate::expression::{Expr, rational};
-use crate::polynomial::Polynomial;
+use crate::polynomial::{MOST_GENERATORS, Polynomial};
 use crate::{Stop, uncovered};
 use num_rational::BigRational;
 use std::collections::{BTreeMap, HashMap};
@@ -12,14 +12,17 @@ use std::collections::{BTreeMap, HashMap};
 /// Products of terms that one node of a proof may cost.
 const MOST_WORK: usize = 100_000_000;
 
+/// A factor of more terms is not looked for in numerators.
+const MOST_TERMS: usize = 40;
+
 /// The largest exponent of a generator.
-const LARGEST_EXPONENT: u16 = 4096;
+const LARGEST_EXPONENT: u8 = 120;
 
 /// numerator / ∏ factorᵉ
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Fraction {
     pub(crate) numerator: Polynomial,
-    pub(crate) factors: BTreeMap<usize, u16>,
+    pub(crate) factors: BTreeMap<usize, u8>,
 }
 
 /// What a generator stands for, where that is looked up again.
@@ -73,7 +76,7 @@ pub(crate) struct Unit {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Field {
     pub(crate) generators: Vec<Generator>,
-    relations: Vec<(usize, u16, Polynomial)>,
+    relations: Vec<(usize, u8, Polynomial)>,
     factors: Vec<Polynomial>,
     pub(crate) bases: Vec<Base>,
     pub(crate) units: Vec<Unit>,
@@ -101,13 +104,16 @@ impl Fraction {
 }
 
 impl Field {
-    pub(crate) fn new_generator(&mut self, generator: Generator) -> usize {
+    pub(crate) fn new_generator(&mut self, generator: Generator) -> Result<usize, Stop> {
+        if self.generators.len() == MOST_GENERATORS {
+            return uncovered(format!("more than {MOST_GENERATORS} generators"));
+        }
         self.generators.push(generator);
-        self.generators.len() - 1
+        Ok(self.generators.len() - 1)
     }
 
     /// Binds a generator by gⁿ = value in generators before it.
-    pub(crate) fn bind(&mut self, generator: usize, order: u16, value: Polynomial) {
+    pub(crate) fn bind(&mut self, generator: usize, order: u8, value: Polynomial) {
         self.relations.push((generator, order, value));
     }
 
@@ -122,7 +128,8 @@ impl Field {
             let times = usize::from(polynomial.degree(Some(*generator)) / order);
             let cost = polynomial.0.len().saturating_mul(value.0.len().saturating_pow(times.min(8) as u32));
             self.work = self.work.saturating_add(cost);
-            if self.work > MOST_WORK || times > 256 {
+            let degree = usize::from(value.degree(None)) * times + usize::from(polynomial.degree(None));
+            if self.work > MOST_WORK || degree > 255 {
                 return uncovered("so much work");
             }
             polynomial = polynomial.reduce(*generator, *order, value);
@@ -139,9 +146,9 @@ impl Field {
     }
 
     /// N / ∏ Fᵉ with every factor taken out that divides N; for a root also by ρⁿ = f.
-    fn cancel(&mut self, mut numerator: Polynomial, mut factors: BTreeMap<usize, u16>) -> Fraction {
+    fn cancel(&mut self, mut numerator: Polynomial, mut factors: BTreeMap<usize, u8>) -> Fraction {
         for (number, exponent) in &mut factors {
-            while *exponent > 0 {
+            while *exponent > 0 && self.factors[*number].0.len() <= MOST_TERMS {
                 let factor = &self.factors[*number];
                 let relation = self.relations.iter().find(|r| *factor == Polynomial::generator(r.0, 1));
                 let by_root = || {
@@ -162,12 +169,15 @@ impl Field {
             let entry = common.entry(*factor).or_default();
             *entry = (*entry).max(*exponent);
         }
+        // the longest first, while the numerator is short
+        let mut ordered: Vec<(&usize, &u8)> = common.iter().collect();
+        ordered.sort_by_key(|(factor, _)| std::cmp::Reverse(self.factors[**factor].0.len()));
         let mut sum = Polynomial::default();
         for side in [a, b] {
             let mut raised = side.numerator.clone();
-            for (factor, exponent) in &common {
-                for _ in side.factors.get(factor).copied().unwrap_or(0)..*exponent {
-                    raised = self.product(&raised, &self.factors[*factor].clone())?;
+            for (factor, exponent) in &ordered {
+                for _ in side.factors.get(factor).copied().unwrap_or(0)..**exponent {
+                    raised = self.product(&raised, &self.factors[**factor].clone())?;
                 }
             }
             sum = sum.add(&raised);
@@ -187,7 +197,10 @@ impl Field {
         let left = self.cancel(a.numerator.clone(), b.factors.clone());
         let right = self.cancel(b.numerator.clone(), a.factors.clone());
         let mut factors = left.factors;
-        right.factors.into_iter().for_each(|(factor, exponent)| *factors.entry(factor).or_default() += exponent);
+        right
+            .factors
+            .into_iter()
+            .for_each(|(factor, exponent)| *factors.entry(factor).or_default() += exponent);
         let product = self.product(&left.numerator, &right.numerator)?;
         Ok(self.cancel(product, factors))
     }
@@ -207,7 +220,9 @@ impl Field {
             }
         }
         for number in 0..self.factors.len() {
-            while let Some(quotient) = rest.divide(&self.factors[number]).filter(|_| rest.as_constant().is_none()) {
+            while let Some(quotient) =
+                rest.divide(&self.factors[number]).filter(|_| rest.as_constant().is_none())
+            {
                 rest = quotient;
                 *below.entry(number).or_default() += 1;
             }

@@ -49,7 +49,10 @@ pub struct Checked {
 ///
 /// # Errors
 /// What is malformed: the certificate, or a file that cannot be read or is not the one that was certified.
-pub fn check(certificate: &str, mut read: impl FnMut(&str) -> Result<String, String>) -> Result<Vec<Checked>, String> {
+pub fn check(
+    certificate: &str,
+    mut read: impl FnMut(&str) -> Result<String, String>,
+) -> Result<Vec<Checked>, String> {
     certificate::check(certificate, &mut read).map_err(|stop| match stop {
         Stop::Malformed(what) | Stop::Rejected(what) | Stop::Uncovered(what) => what,
         Stop::Undefined => "division by zero".into(),

@@ -4,42 +4,40 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::collections::{BTreeMap, HashMap};
 
-/// The exponents by generator, without zeros at the end: compared lexicographically, which products respect.
-type Monomial = Vec<u16>;
+/// The most generators of one proof.
+pub(crate) const MOST_GENERATORS: usize = 32;
+
+/// The exponent of each generator. Products respect the lexicographic order; who multiplies bounds exponents.
+type Monomial = [u8; MOST_GENERATORS];
 
 /// Σ c m without zero coefficients; the last term leads.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Polynomial(pub(crate) BTreeMap<Monomial, BigRational>);
 
 fn zero() -> BigRational {
     BigRational::from_integer(BigInt::from(0))
 }
 
-fn trimmed(mut monomial: Monomial) -> Monomial {
-    while monomial.last() == Some(&0) {
-        monomial.pop();
+/// sum + a b, for integers without a common divisor to look for
+fn plus_product(sum: &BigRational, a: &BigRational, b: &BigRational) -> BigRational {
+    if [sum, a, b].iter().all(|c| c.is_integer()) {
+        return BigRational::from_integer(sum.numer() + a.numer() * b.numer());
     }
-    monomial
+    sum + a * b
 }
 
-fn product_of(a: &[u16], b: &[u16]) -> Monomial {
-    let (long, short) = if a.len() < b.len() { (b, a) } else { (a, b) };
-    let mut product = long.to_vec();
-    product.iter_mut().zip(short).for_each(|(sum, exponent)| *sum += exponent);
-    product
-}
-
-fn quotient_of(a: &[u16], b: &[u16]) -> Option<Monomial> {
-    let mut quotient = a.to_vec();
+fn quotient_of(a: &Monomial, b: &Monomial) -> Option<Monomial> {
+    let mut quotient = *a;
     for (rest, exponent) in quotient.iter_mut().zip(b) {
         *rest = rest.checked_sub(*exponent)?;
     }
-    (b.len() <= a.len()).then(|| trimmed(quotient))
+    Some(quotient)
 }
 
 impl Polynomial {
     pub(crate) fn constant(value: BigRational) -> Self {
-        Polynomial(if value == zero() { BTreeMap::new() } else { BTreeMap::from([(vec![], value)]) })
+        let is_zero = value == zero();
+        Polynomial(if is_zero { BTreeMap::new() } else { BTreeMap::from([([0; MOST_GENERATORS], value)]) })
     }
 
     pub(crate) fn integer(value: i64) -> Self {
@@ -47,10 +45,10 @@ impl Polynomial {
     }
 
     /// gᵉ
-    pub(crate) fn generator(number: usize, exponent: u16) -> Self {
-        let mut monomial = vec![0; number + 1];
+    pub(crate) fn generator(number: usize, exponent: u8) -> Self {
+        let mut monomial = [0; MOST_GENERATORS];
         monomial[number] = exponent;
-        Polynomial(BTreeMap::from([(trimmed(monomial), BigRational::from_integer(1.into()))]))
+        Polynomial(BTreeMap::from([(monomial, BigRational::from_integer(1.into()))]))
     }
 
     pub(crate) fn is_zero(&self) -> bool {
@@ -58,15 +56,15 @@ impl Polynomial {
     }
 
     pub(crate) fn as_constant(&self) -> Option<BigRational> {
-        match self.0.iter().next() {
+        match self.0.last_key_value() {
             None => Some(zero()),
-            Some((monomial, value)) => (self.0.len() == 1 && monomial.is_empty()).then(|| value.clone()),
+            Some((monomial, value)) => (*monomial == [0; MOST_GENERATORS]).then(|| value.clone()),
         }
     }
 
     /// The largest exponent of a generator, or of all.
-    pub(crate) fn degree(&self, generator: Option<usize>) -> u16 {
-        let of = |m: &Monomial| generator.map_or(m.iter().max(), |g| m.get(g)).copied();
+    pub(crate) fn degree(&self, generator: Option<usize>) -> u8 {
+        let of = |m: &Monomial| generator.map_or(m.iter().max().copied(), |g| Some(m[g]));
         self.0.keys().filter_map(of).max().unwrap_or(0)
     }
 
@@ -79,7 +77,7 @@ impl Polynomial {
         for (monomial, value) in &other.0 {
             let sum = self.0.remove(monomial).unwrap_or_else(zero) + value;
             if sum != zero() {
-                self.0.insert(monomial.clone(), sum);
+                self.0.insert(*monomial, sum);
             }
         }
         self
@@ -94,7 +92,10 @@ impl Polynomial {
         let mut sums: HashMap<Monomial, BigRational> = HashMap::new();
         for (m, a) in &self.0 {
             for (n, b) in &other.0 {
-                *sums.entry(product_of(m, n)).or_insert_with(zero) += a * b;
+                let mut product = *m;
+                product.iter_mut().zip(n).for_each(|(exponent, more)| *exponent += more);
+                let sum = sums.entry(product).or_insert_with(zero);
+                *sum = plus_product(sum, a, b);
             }
         }
         Polynomial(sums.into_iter().filter(|term| term.1 != zero()).collect())
@@ -116,27 +117,24 @@ impl Polynomial {
         Some(quotient.scale(&-BigRational::from_integer(1.into())))
     }
 
-    /// The terms by their power of one generator, that power taken out.
-    pub(crate) fn by_power(&self, generator: usize) -> BTreeMap<u16, Polynomial> {
-        let mut parts: BTreeMap<u16, Polynomial> = BTreeMap::new();
-        for (monomial, value) in &self.0 {
-            let mut rest = monomial.clone();
-            let exponent = rest.get_mut(generator).map_or(0, std::mem::take);
-            parts.entry(exponent).or_default().0.insert(trimmed(rest), value.clone());
+    /// The remainder by gⁿ = value: gᵏ becomes value^⌊k/n⌋ g^(k mod n).
+    pub(crate) fn reduce(&self, generator: usize, order: u8, value: &Polynomial) -> Self {
+        let (mut sum, mut parts) = (Polynomial::default(), BTreeMap::<u8, Polynomial>::new());
+        for (monomial, c) in &self.0 {
+            let mut rest = *monomial;
+            rest[generator] %= order;
+            let part = if rest == *monomial {
+                &mut sum
+            } else {
+                parts.entry(monomial[generator] / order).or_default()
+            };
+            part.0.insert(rest, c.clone());
         }
-        parts
-    }
-
-    /// The remainder by gⁿ = value: aₖ gᵏ becomes aₖ value^⌊k/n⌋ g^(k mod n).
-    pub(crate) fn reduce(&self, generator: usize, order: u16, value: &Polynomial) -> Self {
-        let mut sum = Polynomial::default();
-        let mut powers = vec![Polynomial::integer(1)];
-        for (exponent, part) in self.by_power(generator) {
-            while powers.len() <= (exponent / order) as usize {
-                powers.push(powers[powers.len() - 1].multiply(value));
-            }
-            let rest = Polynomial::generator(generator, exponent % order);
-            sum = sum.add(&part.multiply(&powers[(exponent / order) as usize]).multiply(&rest));
+        let (mut power, mut reached) = (Polynomial::integer(1), 0);
+        for (times, part) in parts {
+            power = (reached..times).fold(power, |power, _| power.multiply(value));
+            reached = times;
+            sum = sum.add(&part.multiply(&power));
         }
         sum
     }

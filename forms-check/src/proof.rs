@@ -24,6 +24,8 @@ impl Proof<'_> {
         let mut bases: Vec<Expr> = Vec::new();
         let conditions = [&self.statement.conditions[..], given].concat();
         while let Some((keyword, rest)) = self.lines.next() {
+            // what was opaque may be known by the next declaration
+            field.elements.clear();
             match keyword.as_str() {
                 "base" => {
                     bases.push(self.theory.expression(rest)?);
@@ -52,7 +54,9 @@ impl Proof<'_> {
     fn base(&mut self, field: &mut Field, expr: Expr) -> Result<(), Stop> {
         let element = field.element(&self.theory.pool, expr)?;
         let constant = element.numerator.as_constant();
-        if !element.factors.is_empty() || constant.as_ref().is_some_and(|c| *c <= rational(1, 1) || !c.is_integer()) {
+        if !element.factors.is_empty()
+            || constant.as_ref().is_some_and(|c| *c <= rational(1, 1) || !c.is_integer())
+        {
             return rejected("a base is no polynomial, nor an integer above 1");
         }
         let sign = constant.map(|_| 1);
@@ -61,7 +65,13 @@ impl Proof<'_> {
     }
 
     /// The reason is the base, or minus the base, written so that it is visibly not negative.
-    fn sign(&mut self, field: &mut Field, positive: bool, reason: &str, known: &[Condition]) -> Result<(), Stop> {
+    fn sign(
+        &mut self,
+        field: &mut Field,
+        positive: bool,
+        reason: &str,
+        known: &[Condition],
+    ) -> Result<(), Stop> {
         let expr = self.theory.expression(reason)?;
         let element = field.element(&self.theory.pool, expr)?;
         let sign = if positive { 1 } else { -1 };
@@ -83,9 +93,9 @@ impl Proof<'_> {
         if value.numerator.0.len() != 1 {
             return rejected("a unit is no number times a quantity");
         }
-        let generator = field.new_generator(Generator::Chosen);
+        let generator = field.new_generator(Generator::Chosen)?;
         if kind == Kind::Circle {
-            let sine = field.new_generator(Generator::Chosen);
+            let sine = field.new_generator(Generator::Chosen)?;
             let square = Polynomial::generator(generator, 2).scale(&rational(-1, 1));
             field.bind(sine, 2, square.add(&Polynomial::constant(rational(1, 1))));
         }
@@ -94,7 +104,9 @@ impl Proof<'_> {
     }
 
     fn zero(&mut self, field: &mut Field) -> Result<(), Stop> {
-        for (component, [left, right]) in self.statement.components.iter().filter(|sides| sides.1[0] != sides.1[1]) {
+        for (component, [left, right]) in
+            self.statement.components.iter().filter(|sides| sides.1[0] != sides.1[1])
+        {
             let left = field.element(&self.theory.pool, *left)?;
             let right = field.element(&self.theory.pool, *right)?;
             if !field.equal(&left, &right)? {
@@ -102,10 +114,12 @@ impl Proof<'_> {
             }
         }
         let idle_base = field.bases.iter().position(|base| base.order != base.used);
-        let idle_unit = field.units.iter().position(|unit| unit.used != 1);
+        let idle_unit = field.units.iter().position(|unit| unit.used == 0);
         match (idle_base, idle_unit) {
-            (Some(number), _) => rejected(format!("base {} has a root of another order than used", number + 1)),
-            (_, Some(number)) => rejected(format!("unit {} is not the one used", number + 1)),
+            (Some(number), _) => {
+                rejected(format!("base {} has a root of another order than used", number + 1))
+            }
+            (_, Some(number)) => rejected(format!("unit {} is not used", number + 1)),
             _ => Ok(()),
         }
     }
@@ -145,7 +159,8 @@ impl Proof<'_> {
                     for (sign, base) in signs.iter().zip(&split) {
                         let (factor, pool) = (rational(*sign, 1), &mut self.theory.pool);
                         let factor = pool.number(factor);
-                        let signed = pool.make(crate::expression::Operation::Multiply, vec![factor, bases[*base]]);
+                        let signed =
+                            pool.make(crate::expression::Operation::Multiply, vec![factor, bases[*base]]);
                         known.push((signed, Relation::NotNegative));
                     }
                     self.check(&known, depth + 1)?;

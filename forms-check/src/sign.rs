@@ -103,7 +103,12 @@ impl Field {
             let front = if factored.constant < rational(0, 1) { -1 } else { 1 };
             factored.powers.retain(|_, (exponent, odd)| *odd || *exponent.numer() != 0);
             let odd = factored.powers.iter().filter(|power| power.1.1).map(|power| *power.0).collect();
-            found.push(Constraint { relation: *relation, front, odd, all: factored.powers.into_keys().collect() });
+            found.push(Constraint {
+                relation: *relation,
+                front,
+                odd,
+                all: factored.powers.into_keys().collect(),
+            });
         }
         found
     }
@@ -124,10 +129,12 @@ impl Field {
         for number in 0..3_usize.pow(split.len() as u32) {
             let digit = |place: usize| (number / 3_usize.pow(place as u32) % 3) as i64 - 1;
             let stratum: Vec<i64> = (0..split.len()).map(digit).collect();
-            let known = |place: usize| self.bases[split[place]].sign.unwrap_or(stratum[place]) * stratum[place] >= 0;
+            let known =
+                |place: usize| self.bases[split[place]].sign.unwrap_or(stratum[place]) * stratum[place] >= 0;
             let is_possible = (0..split.len()).all(known)
                 && constraints.iter().all(|constraint| self.allows(constraint, split, &stratum));
-            let touches = |case: &Vec<i64>| case.iter().zip(&stratum).all(|(sign, at)| *at == 0 || at == sign);
+            let touches =
+                |case: &Vec<i64>| case.iter().zip(&stratum).all(|(sign, at)| *at == 0 || at == sign);
             if is_possible && !cases.iter().any(touches) {
                 return rejected(format!("no case for the signs {stratum:?}"));
             }

@@ -14,8 +14,8 @@ pub(crate) enum Token {
 }
 
 const SIGNS: [&str; 25] = [
-    "**", "==", "<=", ">=", "!=", "->", "..", "+", "-", "*", "/", "^", "(", ")", "[", "]", "{", "}", ",", ";",
-    ":", "=", "<", ">", "@",
+    "**", "==", "<=", ">=", "!=", "->", "..", "+", "-", "*", "/", "^", "(", ")", "[", "]", "{", "}", ",",
+    ";", ":", "=", "<", ">", "@",
 ];
 
 /// A place in a text.
@@ -41,7 +41,9 @@ impl Reader {
             let (word, after) = rest.split_at(length);
             rest = after;
             if first.is_ascii_digit() {
-                tokens.push(Token::Number(number(word).ok_or_else(|| malformed(format!("the number {word}")))?));
+                tokens.push(Token::Number(
+                    number(word).ok_or_else(|| malformed(format!("the number {word}")))?,
+                ));
             } else if is_word(first) {
                 tokens.push(Token::Name(word.to_string()));
             } else if word.is_empty() {
@@ -145,5 +147,8 @@ fn number(text: &str) -> Option<BigRational> {
     let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     let exponent: i32 = exponent.parse().ok().filter(|e: &i32| e.abs() <= 4096)?;
     let digits: BigInt = format!("{whole}{part}").parse().ok()?;
-    Some(BigRational::from_integer(digits) * BigRational::from_integer(10.into()).pow(exponent - part.len() as i32))
+    Some(
+        BigRational::from_integer(digits)
+            * BigRational::from_integer(10.into()).pow(exponent - part.len() as i32),
+    )
 }

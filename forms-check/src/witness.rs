@@ -22,7 +22,8 @@ pub(crate) fn check(theory: &mut Theory, statement: &Statement, lines: &[Line]) 
     for (keyword, rest) in lines {
         match keyword.as_str() {
             "at" => {
-                let (name, value) = rest.split_once(" = ").ok_or_else(|| malformed("a point without a value"))?;
+                let (name, value) =
+                    rest.split_once(" = ").ok_or_else(|| malformed("a point without a value"))?;
                 let (place, value) = (theory.expression(name)?, number(theory, value)?);
                 point.set(&theory.pool, place, value)?;
             }
@@ -52,7 +53,11 @@ pub(crate) fn check(theory: &mut Theory, statement: &Statement, lines: &[Line]) 
     if a.low <= b.high && b.low <= a.high {
         return rejected("the sides are not told apart at the point");
     }
-    if is_rounded(&a, left, left_text) && is_rounded(&b, right, right_text) { Ok(()) } else { rejected("other values") }
+    if is_rounded(&a, left, left_text) && is_rounded(&b, right, right_text) {
+        Ok(())
+    } else {
+        rejected("other values")
+    }
 }
 
 fn number(theory: &mut Theory, text: &str) -> Result<BigRational, Stop> {
@@ -74,7 +79,10 @@ impl Point {
             (Variable(v), _) => self.variables.insert(*v, value).is_none(),
             (Jet(f, orders), arguments) => {
                 let mut known = HashMap::new();
-                let at = arguments.iter().map(|a| self.value(pool, *a, &mut known)).collect::<Result<Vec<_>, _>>()?;
+                let at = arguments
+                    .iter()
+                    .map(|a| self.value(pool, *a, &mut known))
+                    .collect::<Result<Vec<_>, _>>()?;
                 let is_new = self.find(*f, orders, &at, &rational(3, 1)).next().is_none();
                 self.jets.push((*f, orders.clone(), at, value));
                 is_new
@@ -116,9 +124,13 @@ impl Point {
                 Divide => a[0].divide(&a[1]),
                 Power(p, q) => a[0].power(*p, *q),
                 Function(name) => Interval::function(name, &a),
-                Jet(f, orders) => self.find(*f, orders, &a, &rational(1, 1)).next().cloned().map(Interval::number),
+                Jet(f, orders) => {
+                    self.find(*f, orders, &a, &rational(1, 1)).next().cloned().map(Interval::number)
+                }
             };
-            let Some(value) = value else { return rejected(format!("no certain value of {operation:?} at the point")) };
+            let Some(value) = value else {
+                return rejected(format!("no certain value of {operation:?} at the point"));
+            };
             known.insert(part, value);
         }
         Ok(known[&expr].clone())

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! arguments ─▶ commands ─┬─ prove    ─▶ verdicts       (theory_file, verdict_line, json)
+//!                        ├─ check    ─▶ certificates   (certificate)
 //!                        ├─ show     ─▶ notation       (mathml)
 //!                        ├─ eval     ─▶ numbers        (decimal, kernel)
 //!                        ├─ emit     ─▶ Rust source
@@ -12,6 +13,7 @@
 //! computed here that the libraries do not compute.
 
 mod arguments;
+mod certificate;
 mod commands;
 mod decimal;
 mod json;

@@ -6,7 +6,7 @@ use forms_core::check::read_theory;
 use forms_core::decide::decide;
 
 /// The certificate of a text.
-pub fn certificate(source: &str) -> String {
+pub(crate) fn certificate(source: &str) -> String {
     let (mut theory, errors) = read_theory(source);
     assert!(errors.is_empty(), "{errors:?}");
     let mut lines = HEADER.to_string() + &file_lines("it.forms", source);
@@ -18,11 +18,17 @@ pub fn certificate(source: &str) -> String {
 }
 
 /// What becomes of a certificate of a text.
-pub fn checked(certificate: &str, source: &str) -> Result<Vec<Checked>, String> {
+pub(crate) fn checked(certificate: &str, source: &str) -> Result<Vec<Checked>, String> {
     check(certificate, |_| Ok(source.to_string()))
 }
 
 /// Whether all entries of a certificate are accepted.
-pub fn is_accepted(certificate: &str, source: &str) -> bool {
+pub(crate) fn is_accepted(certificate: &str, source: &str) -> bool {
     checked(certificate, source).is_ok_and(|all| all.iter().all(|one| one.outcome == Outcome::Accepted))
+}
+
+/// A case file of the repository.
+pub(crate) fn case_file(name: &str) -> String {
+    let path = format!("{}/../tests/cases/{name}.forms", env!("CARGO_MANIFEST_DIR"));
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"))
 }

@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+mod check;
 mod emit;
 mod eval;
 mod kernels;
@@ -15,7 +16,10 @@ use std::io::{self, Write};
 pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<Status> {
     match &arguments.command {
         None => tour::tour(output),
-        Some(Command::Prove { files, json }) => prove::prove(files, *json, output),
+        Some(Command::Prove { files, json, certificate }) => {
+            prove::prove(files, *json, certificate.as_deref(), output)
+        }
+        Some(Command::Check { file, allow_uncovered }) => check::check(file, *allow_uncovered, output),
         Some(Command::Show { file, name, notation }) => show::show(file, name, *notation, output),
         Some(Command::Eval { file, kernel, precision, tier }) => {
             eval::eval(file, kernel, precision, *tier, output)

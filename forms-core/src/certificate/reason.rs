@@ -46,7 +46,8 @@ fn powers(monomial: &[(u32, u32)], facts: &Facts, name: &dyn Fn(u32) -> String) 
 fn sum(terms: &[Term]) -> String {
     let product = |term: &Term| {
         let powers = term.parts.iter().filter(|part| part.1 > 0);
-        let powers = powers.map(|(part, n, _)| if *n == 1 { format!("({part})") } else { format!("({part})**{n}") });
+        let powers =
+            powers.map(|(part, n, _)| if *n == 1 { format!("({part})") } else { format!("({part})**{n}") });
         std::iter::once(format!("({})", term.c)).chain(powers).collect::<Vec<_>>().join("*")
     };
     terms.iter().map(product).collect::<Vec<_>>().join(" + ")
@@ -85,7 +86,10 @@ fn squares(polynomial: &Polynomial, name: &dyn Fn(u32) -> String) -> Option<Stri
             let y = variables.get(j).map_or("1".to_string(), |&v| name(v));
             format!("({})*({y})", &row[j] / &row[k])
         });
-        terms.push(Term { c: row[k].clone(), parts: vec![(linear.collect::<Vec<_>>().join(" + "), 2, false)] });
+        terms.push(Term {
+            c: row[k].clone(),
+            parts: vec![(linear.collect::<Vec<_>>().join(" + "), 2, false)],
+        });
         for i in k + 1..=size {
             let factor = &matrix[i][k] / &row[k];
             for j in k..=size {
@@ -122,7 +126,8 @@ fn distances(polynomial: &Polynomial, facts: &Facts, name: &dyn Fn(u32) -> Strin
         }
         let mut finer = Vec::new();
         for (coefficients, term) in terms {
-            for (k, (c, part)) in moved(&coefficients, v, degree, from, to, direction).into_iter().enumerate() {
+            for (k, (c, part)) in moved(&coefficients, v, degree, from, to, direction).into_iter().enumerate()
+            {
                 let mut parts_of = term.parts.iter().map(|p| (p.0.clone(), p.1, true)).collect::<Vec<_>>();
                 parts_of.extend(parts[0].clone().map(|p| (p, k as u32, true)));
                 parts_of.extend(parts[1].clone().map(|p| (p, degree - k as u32, true)));
@@ -161,7 +166,9 @@ fn moved(
     let start = Polynomial::constant(whole(from));
     let (above, below) = match to {
         Some(to) => (start.add(&w.scale(&whole(to))), Polynomial::one().add(&w).scale(&scale)),
-        None => (start.add(&w.scale(&(&scale * BigInt::from(direction)))), Polynomial::constant(scale.clone())),
+        None => {
+            (start.add(&w.scale(&(&scale * BigInt::from(direction)))), Polynomial::constant(scale.clone()))
+        }
     };
     let mut sum = Polynomial::zero();
     for (exponent, coefficient) in polynomial.coefficients_in(v) {

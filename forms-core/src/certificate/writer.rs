@@ -152,12 +152,11 @@ impl Observer for Writer {
 
     fn zero(&mut self, tower: &Tower, differences: &[Expr]) {
         let mut declared = Declared::default();
-        for part in self.pool.reachable(differences) {
-            if let Some(element) = tower.element_of(part) {
-                self.declare_fraction(tower, &element.clone(), &mut declared);
-            }
+        let parts = self.pool.reachable(differences);
+        for element in parts.iter().filter_map(|part| tower.element_of(*part)) {
+            self.declare_fraction(tower, element, &mut declared);
         }
-        for number in tower.bases().map(|(number, _)| number).collect::<Vec<_>>() {
+        for number in tower.bases_of(&self.pool, &parts) {
             self.base(tower, number, &mut declared);
         }
         self.line("zero", "");

@@ -2,8 +2,8 @@
 
 use super::problem::Problem;
 use super::proof::{Outcome, prove_zero};
-use crate::certificate::Unobserved;
 use crate::assume::Facts;
+use crate::certificate::Unobserved;
 use crate::expression::Pool;
 use crate::normal::{Sign, Tower, Trigonometry, normalise};
 use crate::syntax::ast::Relation;

@@ -53,8 +53,11 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
     if let Some(difference) = search.difference.take() {
         return report::refuted(theory, &problem, &difference);
     }
-    let outcome =
-        if problem.components.is_empty() { Outcome::Zero } else { proof::prove(&mut theory.pool, &problem, &mut Unobserved) };
+    let outcome = if problem.components.is_empty() {
+        Outcome::Zero
+    } else {
+        proof::prove(&mut theory.pool, &problem, &mut Unobserved)
+    };
     if outcome == Outcome::Zero && search.points > 0 {
         return report::proved(theory, &problem);
     }
