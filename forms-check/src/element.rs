@@ -151,7 +151,7 @@ impl Field {
         let mut found = Factored { constant: rational(1, 1), powers: BTreeMap::new() };
         let below = q.factors.iter().map(|(factor, n)| (self.factor(*factor).clone(), -i64::from(*n)));
         for (mut rest, times) in std::iter::once((q.numerator.clone(), 1)).chain(below.collect::<Vec<_>>()) {
-            for (number, base) in self.bases.iter().enumerate() {
+            for (number, base) in self.bases.iter_mut().enumerate() {
                 let mut raise = |by: Ratio<i64>, is_whole: bool| {
                     let entry = found.powers.entry(number).or_insert((Ratio::from_integer(0), false));
                     *entry = (entry.0 + by * times, entry.1 ^ (is_whole && times % 2 != 0));
@@ -162,6 +162,7 @@ impl Field {
                     while divisor.as_constant().is_none() && rest.as_constant().is_none() {
                         let Some(quotient) = rest.divide(&divisor) else { break };
                         rest = quotient;
+                        base.used = base.used.max(1);
                         raise(exponent, exponent.is_integer());
                     }
                 }
@@ -198,6 +199,7 @@ impl Field {
                     exponent += step;
                 }
             }
+            self.bases[number].used = self.bases[number].used.max(i64::from(exponent != 0));
             let power = self.base_power(number, r * exponent)?;
             result = self.multiply(&result, &power)?;
         }
@@ -218,7 +220,7 @@ impl Field {
         let Some(sign) = base.sign else {
             return rejected(format!("the sign of base {} matters", number + 1));
         };
-        base.used = base.used / gcd(base.used, *exponent.denom()) * exponent.denom();
+        base.used = base.used.max(1) / gcd(base.used.max(1), *exponent.denom()) * exponent.denom();
         let signed = itself.scale(&rational(sign, 1));
         if exponent.is_integer() {
             return self.integer_power(&signed, *exponent.numer());

@@ -60,7 +60,7 @@ impl Proof<'_> {
             return rejected("a base is no polynomial, nor an integer above 1");
         }
         let sign = constant.map(|_| 1);
-        field.bases.push(Base { polynomial: element.numerator, order: 1, used: 1, sign, root: None });
+        field.bases.push(Base { polynomial: element.numerator, order: 1, used: 0, sign, root: None });
         Ok(())
     }
 
@@ -117,7 +117,7 @@ impl Proof<'_> {
         let idle_unit = field.units.iter().position(|unit| unit.used == 0);
         match (idle_base, idle_unit) {
             (Some(number), _) => {
-                rejected(format!("base {} has a root of another order than used", number + 1))
+                rejected(format!("base {} is not used, or has a root of another order", number + 1))
             }
             (_, Some(number)) => rejected(format!("unit {} is not used", number + 1)),
             _ => Ok(()),

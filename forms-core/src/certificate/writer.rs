@@ -156,7 +156,7 @@ impl Observer for Writer {
         for element in parts.iter().filter_map(|part| tower.element_of(*part)) {
             self.declare_fraction(tower, element, &mut declared);
         }
-        for number in tower.bases_of(&self.pool, &parts) {
+        for number in tower.bases_of(&parts) {
             self.base(tower, number, &mut declared);
         }
         self.line("zero", "");

@@ -4,7 +4,7 @@ use super::fraction::Fraction;
 use super::generator::Unit;
 use super::root::Base;
 use super::tower::Tower;
-use crate::expression::{Expr, Node, Operation, Pool};
+use crate::expression::Expr;
 
 impl Base {
     /// The order of its root, 1 if none was asked for.
@@ -31,15 +31,10 @@ impl Tower {
         quantity
     }
 
-    /// The bases that the roots and signs among some expressions are written with.
-    pub(crate) fn bases_of(&self, pool: &Pool, parts: &[Expr]) -> Vec<usize> {
-        let is_magnitude = |part: &Expr| matches!(pool.node(*part), Node::Apply(Operation::Abs, _));
-        if parts.iter().any(is_magnitude) {
-            return self.bases().map(|(number, _)| number).collect();
-        }
-        let constraints = parts.iter().filter_map(|part| self.constraint_of(*part));
-        let bases = constraints.flat_map(|constraint| constraint.odd.iter().chain(&constraint.other));
-        let mut all: Vec<usize> = bases.copied().filter(|base| !self.base(*base).is_retired()).collect();
+    /// The bases that the roots and magnitudes among some expressions are factored over.
+    pub(crate) fn bases_of(&self, parts: &[Expr]) -> Vec<usize> {
+        let met = parts.iter().filter_map(|part| self.met_by.get(part)).flatten();
+        let mut all: Vec<usize> = met.copied().filter(|base| !self.base(*base).is_retired()).collect();
         all.sort_unstable();
         all.dedup();
         all

@@ -117,6 +117,7 @@ impl Tower {
         let mut factored = self.factor_radicand(q)?;
         let constraint = factored.constraint();
         self.factor_constant(&mut factored, &q.divisor);
+        self.met.extend(factored.powers.iter().map(|power| power.base));
         let mut result = Fraction::one();
         for Power { base, exponent, .. } in factored.powers {
             let power = self.base_power(base, exponent * r)?;

@@ -60,6 +60,9 @@ pub struct Tower {
     /// The bases whose signs were asked for by the element being computed.
     asked: Vec<usize>,
     asked_by: FxHashMap<Expr, Vec<usize>>,
+    /// The bases that the element being computed is factored over, and those of the elements known.
+    pub(super) met: Vec<usize>,
+    pub(super) met_by: FxHashMap<Expr, Vec<usize>>,
     pub(super) divisors: FxHashMap<Quantity, u32>,
     pub(super) trigonometry: Trigonometry,
     pub(super) elements: FxHashMap<Expr, Fraction>,
@@ -80,6 +83,8 @@ impl Tower {
             bases: Vec::new(),
             asked: Vec::new(),
             asked_by: FxHashMap::default(),
+            met: Vec::new(),
+            met_by: FxHashMap::default(),
             divisors: FxHashMap::default(),
             trigonometry,
             elements: FxHashMap::default(),
@@ -149,8 +154,12 @@ impl Tower {
         std::mem::take(&mut self.asked)
     }
 
-    /// Remembers the signs that an expression itself depends on.
+    /// Remembers the signs that an expression itself depends on, and the bases it is factored over.
     pub(super) fn note_signs_asked(&mut self, expression: Expr) {
+        let met = std::mem::take(&mut self.met);
+        if !met.is_empty() {
+            self.met_by.insert(expression, met);
+        }
         let mut asked = self.take_signs_asked();
         if !asked.is_empty() {
             asked.sort_unstable();
@@ -171,6 +180,8 @@ impl Tower {
         self.constraints.clear();
         self.asked.clear();
         self.asked_by.clear();
+        self.met.clear();
+        self.met_by.clear();
         self.bases.iter_mut().for_each(|base| base.sign_needed = false);
     }
 
