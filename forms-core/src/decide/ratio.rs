@@ -83,7 +83,7 @@ fn is_simple(pool: &Pool, factor: Expr) -> bool {
             Node::Multiply(a, b) | Node::Divide(a, b) => pending.extend([*a, *b]),
             Node::Number(value) if value.is_one() => {}
             Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Apply(Sin | Cos | Tan | Exp, _) => {
-                parts += 1
+                parts += 1;
             }
             Node::Add(..) if is_norm(pool, part) => parts += 1,
             Node::Add(..) | Node::Apply(..) | Node::Jet { .. } | Node::Select { .. } => return false,
