@@ -11,6 +11,7 @@
 mod dense;
 mod insertion;
 mod keyed;
+mod lanes;
 mod reach;
 mod rest;
 mod sparse;
