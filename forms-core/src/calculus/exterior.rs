@@ -11,20 +11,17 @@ pub fn exterior_derivative<R: Coefficients>(
     w: &Form<R::Scalar>,
     along: &[Coordinate],
 ) -> Form<R::Scalar> {
-    let mut contributions: BTreeMap<Blade, Vec<(i8, R::Scalar)>> = BTreeMap::new();
+    let mut contributions: BTreeMap<Blade, Vec<(i8, &R::Scalar, Coordinate)>> = BTreeMap::new();
     for (blade, value) in w.terms() {
         for &coordinate in along {
             if let Some((raised, sign)) = Blade::of(coordinate).wedge(*blade) {
-                let partial = ring.derivative(value, coordinate);
-                if !ring.is_zero(&partial) {
-                    contributions.entry(raised).or_default().push((sign, partial));
-                }
+                contributions.entry(raised).or_default().push((sign, value, coordinate));
             }
         }
     }
     let mut terms = Vec::with_capacity(contributions.len());
     for (blade, group) in contributions {
-        let value = ring.sum(&group);
+        let value = ring.sum_of_derivatives(&group);
         if !ring.is_zero(&value) {
             terms.push((blade, value));
         }
