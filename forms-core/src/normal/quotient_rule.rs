@@ -36,18 +36,9 @@ impl Tower {
         }
         let variables: Vec<u32> =
             terms.iter().map(|term| self.variable_of(Generator::Variable(term.2))).collect();
-        let (mut dependent, mut factors) = (Vec::new(), Vec::new());
-        for power in &first.factors {
-            let Some(plain) = self.plain_factor(*power) else { return Ok(None) };
-            let depends = variables.iter().any(|&x| plain.polynomial.contains(x));
-            let exponent = power.exponent + if depends { plain.order as i32 } else { 0 };
-            if exponent != 0 {
-                factors.push(FactorPower { exponent, ..*power });
-            }
-            if depends {
-                dependent.push(plain);
-            }
-        }
+        let Some((dependent, factors)) = self.raised_factors(&first.factors, &variables) else {
+            return Ok(None);
+        };
         let mut numerators = Vec::with_capacity(terms.len());
         let mut own = Polynomial::zero();
         for (&(sign, a, _), &x) in terms.iter().zip(&variables) {
@@ -65,6 +56,27 @@ impl Tower {
             return Ok(Some(Fraction::zero()));
         }
         Ok(Some(Fraction { numerator, divisor: &first.divisor * order, factors }))
+    }
+
+    /// The factors that depend on one of the variables, and all factors with the exponents of a derivative.
+    fn raised_factors(
+        &self,
+        powers: &[FactorPower],
+        variables: &[u32],
+    ) -> Option<(Vec<Plain>, Vec<FactorPower>)> {
+        let (mut dependent, mut factors) = (Vec::new(), Vec::new());
+        for power in powers {
+            let plain = self.plain_factor(*power)?;
+            let depends = variables.iter().any(|&x| plain.polynomial.contains(x));
+            let exponent = power.exponent + if depends { plain.order as i32 } else { 0 };
+            if exponent != 0 {
+                factors.push(FactorPower { exponent, ..*power });
+            }
+            if depends {
+                dependent.push(plain);
+            }
+        }
+        Some((dependent, factors))
     }
 
     /// n ∏G Σ ±∂ᵢNᵢ − Σ ±Nᵢ n Lᵢ with n the common order.

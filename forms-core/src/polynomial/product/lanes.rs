@@ -38,9 +38,9 @@ impl Scattered {
         let mut terms = Vec::with_capacity(numbers.len());
         for group in &image.groups {
             for run in &image.runs[group.runs.clone()] {
-                for index in run.start..run.end {
-                    let place = u32::try_from(run.low + index - run.start).ok()?;
-                    terms.push((place, i32::try_from(numbers[index]).ok()?));
+                for (offset, &number) in numbers[run.start..run.end].iter().enumerate() {
+                    let place = u32::try_from(run.low + offset).ok()?;
+                    terms.push((place, i32::try_from(number).ok()?));
                 }
             }
             let apart = |place: u32| (place % LANES as u32, place % LONGEST as u32, place);
