@@ -108,7 +108,7 @@ fn walk(
 ) -> Result<(), Obstacle> {
     tower.take_signs_asked();
     let elements = std::mem::take(&mut tower.elements);
-    let mut walk = Walk { tower, pool, elements };
+    let mut walk = Walk { tower, pool, elements, inverses: FxHashMap::default() };
     let result = walk.run(order, wanted);
     tower.elements = walk.elements;
     result
@@ -136,6 +136,8 @@ struct Walk<'a> {
     tower: &'a mut Tower,
     pool: &'a Pool,
     elements: FxHashMap<Expr, Fraction>,
+    /// The inverses of divisors: the coefficients of a form are often divided by the same.
+    inverses: FxHashMap<Expr, Fraction>,
 }
 
 impl Walk<'_> {
@@ -163,8 +165,11 @@ impl Walk<'_> {
             Node::Negate(a) => Ok(self.tower.negate(&self.elements[a])),
             Node::Multiply(a, b) => self.tower.multiply(&self.elements[a], &self.elements[b]),
             Node::Divide(a, b) => {
-                let inverse = self.tower.inverse(&self.elements[b])?;
-                self.tower.multiply(&self.elements[a], &inverse)
+                if !self.inverses.contains_key(b) {
+                    let inverse = self.tower.inverse(&self.elements[b])?;
+                    self.inverses.insert(*b, inverse);
+                }
+                self.tower.multiply(&self.elements[a], &self.inverses[b])
             }
             Node::Power(a, exponent) => self.power(*a, *exponent),
             Node::Apply(operation, arguments) => self.function(*operation, arguments),

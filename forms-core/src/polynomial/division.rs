@@ -41,7 +41,7 @@ impl Polynomial {
             let (monomial, number) = divisor.terms().next()?;
             return self.divide_by_monomial(&monomial)?.divide_by_integer(&number);
         }
-        if !self.may_be_divisible_by(divisor) {
+        if self.term_count() == 1 || !self.may_be_divisible_by(divisor) {
             return None;
         }
         let mut rung = self.coefficients.rung().max(divisor.coefficients.rung());
