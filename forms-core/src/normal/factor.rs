@@ -201,8 +201,10 @@ impl Tower {
             }
             if let Some(variable) = self.factor_variable(power.factor) {
                 let shared = numerator.least_exponent(variable).min(power.exponent.max(0).unsigned_abs());
-                numerator = numerator.divide_by_monomial(&[(variable, shared)]).unwrap_or(numerator);
-                power.exponent -= shared as i32;
+                if shared > 0 {
+                    numerator = numerator.divide_by_monomial(&[(variable, shared)]).unwrap_or(numerator);
+                    power.exponent -= shared as i32;
+                }
             }
             while power.exponent > 0 {
                 match self.divide_by_factor(&numerator, power.factor) {

@@ -104,7 +104,11 @@ fn image_of_fraction(tower: &Tower, fraction: &Fraction, point: &[u64]) -> Optio
         let side = if power.exponent < 0 { &mut numerator } else { &mut denominator };
         *side = modular::mul(*side, raised);
     }
-    Some(modular::mul(numerator, modular::inverse(denominator)?))
+    if denominator == 1 {
+        Some(numerator)
+    } else {
+        Some(modular::mul(numerator, modular::inverse(denominator)?))
+    }
 }
 
 fn image_of_node(node: &Node, images: &Images) -> Option<u64> {

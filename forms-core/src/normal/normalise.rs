@@ -61,8 +61,10 @@ impl Normalised {
         let mut provisional: FxHashSet<Expr> = FxHashSet::default();
         for &expression in &order {
             let missing = wanted(expression) && !tower.elements.contains_key(&expression);
-            let node = pool.node(expression);
-            let inherited = missing || node.operands().iter().any(|operand| provisional.contains(operand));
+            let mut inherited = missing;
+            if !provisional.is_empty() {
+                pool.node(expression).for_each_operand(|operand| inherited |= provisional.contains(&operand));
+            }
             let asked = tower.open_signs(expression);
             if !inherited {
                 open.extend(asked.iter().filter(|base| !open.contains(*base)).copied().collect::<Vec<_>>());
@@ -124,11 +126,12 @@ fn is_atom(pool: &Pool, expression: Expr) -> bool {
 }
 
 fn arguments_of_atoms(pool: &Pool, order: &[Expr]) -> FxHashSet<Expr> {
-    let arguments: Vec<Expr> = order
-        .iter()
-        .filter(|&&expression| is_atom(pool, expression))
-        .flat_map(|&expression| pool.node(expression).operands())
-        .collect();
+    let mut arguments: Vec<Expr> = Vec::new();
+    for &expression in order {
+        if is_atom(pool, expression) {
+            pool.node(expression).for_each_operand(|operand| arguments.push(operand));
+        }
+    }
     pool.reachable(&arguments).into_iter().collect()
 }
 
@@ -142,6 +145,7 @@ struct Walk<'a> {
 
 impl Walk<'_> {
     fn run(&mut self, order: &[Expr], wanted: impl Fn(Expr) -> bool) -> Result<(), Obstacle> {
+        self.elements.reserve(order.len().saturating_sub(self.elements.len()));
         for &expression in order {
             if !self.elements.contains_key(&expression) && wanted(expression) {
                 let element = self.element(expression)?;

@@ -102,6 +102,14 @@ impl Polynomial {
         self.is_constant().then(|| self.leading_coefficient())
     }
 
+    /// The value of a constant other than 0 that fits 64 bits.
+    fn as_small_constant(&self) -> Option<i64> {
+        match &self.coefficients {
+            Coefficients::Small(numbers) if self.is_constant() => numbers.first().copied(),
+            _ => None,
+        }
+    }
+
     /// The number of terms.
     pub fn term_count(&self) -> usize {
         self.coefficients.len()

@@ -98,7 +98,8 @@ pub fn lex(text: &str) -> (Vec<Token>, Vec<Diagnostic>) {
         let message = format!("a text has at most {} bytes", u32::MAX);
         return (Vec::new(), vec![Diagnostic::new(Span::default(), message)]);
     }
-    let mut lexer = Lexer { text, position: 0, tokens: Vec::new(), diagnostics: Vec::new() };
+    let mut lexer =
+        Lexer { text, position: 0, tokens: Vec::with_capacity(text.len() / 4), diagnostics: Vec::new() };
     lexer.skip_byte_order_mark();
     while lexer.position < text.len() {
         lexer.step();
