@@ -239,6 +239,9 @@ impl Tower {
             return Some(quotient);
         }
         let relation = self.relation_of(variable)?;
+        if numerator.term_count() == 1 && relation.value.term_count() > 1 {
+            return None;
+        }
         let mut quotient = Polynomial::zero();
         for (exponent, coefficient) in numerator.coefficients_in(variable) {
             let (lowered, coefficient) = match exponent {

@@ -227,7 +227,9 @@ fn starts_number(text: &str) -> bool {
 
 /// The longest symbol a text begins with.
 fn symbol(text: &str) -> Option<Symbol> {
-    Symbol::ALL.iter().copied().find(|symbol| text.starts_with(symbol.text()))
+    let first = text.as_bytes().first()?;
+    let begins = |symbol: &&Symbol| symbol.text().as_bytes()[0] == *first && text.starts_with(symbol.text());
+    Symbol::ALL.iter().find(begins).copied()
 }
 
 fn begins_something(c: char, rest: &str) -> bool {
