@@ -2,7 +2,7 @@
 
 use super::operation::Operation;
 use crate::syntax::ast::Relation;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::collections::hash_map::Entry;
 use std::hash::{Hash, Hasher};
 
@@ -134,7 +134,7 @@ impl Node {
 }
 
 /// The owner of all nodes, symbols and unknown functions of one file or macro body.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Pool {
     nodes: Vec<Node>,
     index: FxHashMap<Node, Expr>,
@@ -143,6 +143,22 @@ pub struct Pool {
     pub(super) derivatives: FxHashMap<(Expr, Symbol), Expr>,
     /// The numbers that building has asked for by their integer values.
     pub(super) integers: FxHashMap<i64, Expr>,
+}
+
+/// Room for the nodes of a short statement, so that its tables need not grow.
+const FIRST_NODES: usize = 256;
+
+impl Default for Pool {
+    fn default() -> Self {
+        Pool {
+            nodes: Vec::with_capacity(FIRST_NODES),
+            index: FxHashMap::with_capacity_and_hasher(FIRST_NODES, FxBuildHasher),
+            symbols: Vec::new(),
+            functions: Vec::new(),
+            derivatives: FxHashMap::default(),
+            integers: FxHashMap::default(),
+        }
+    }
 }
 
 impl Pool {

@@ -242,6 +242,10 @@ impl Tower {
         if numerator.term_count() == 1 && relation.value.term_count() > 1 {
             return None;
         }
+        if !numerator.contains(variable) {
+            let quotient = numerator.divide_exact(&relation.value)?;
+            return Some(quotient.multiply_by_monomial(&[(variable, relation.order - 1)]));
+        }
         let mut quotient = Polynomial::zero();
         for (exponent, coefficient) in numerator.coefficients_in(variable) {
             let (lowered, coefficient) = match exponent {

@@ -187,6 +187,9 @@ impl Tower {
         if b.is_polynomial() {
             return a.numerator.clone().into();
         }
+        if a.factors.is_empty() {
+            return self.cancel(a.numerator.clone(), b.divisor.clone(), b.factors.clone());
+        }
         let settled =
             |power: &FactorPower| a.factors.iter().any(|own| own.factor == power.factor && own.exponent > 0);
         let (kept, open): (Vec<FactorPower>, Vec<FactorPower>) =

@@ -35,7 +35,9 @@ pub fn normalise(tower: &mut Tower, pool: &Pool, roots: &[Expr]) -> Result<Norma
     let order = pool.reachable(roots);
     let within_atoms = arguments_of_atoms(pool, &order);
     for _ in 0..MOST_REFINEMENTS {
-        let wanted = |expression| within_atoms.contains(&expression) || is_atom(pool, expression);
+        let is_within =
+            |expression: Expr| within_atoms.get(expression.0 as usize).is_some_and(|within| *within);
+        let wanted = |expression| is_within(expression) || is_atom(pool, expression);
         match walk(tower, pool, &order, wanted) {
             Err(Obstacle::Refine) => tower.start_again(),
             result => {
@@ -125,14 +127,19 @@ fn is_atom(pool: &Pool, expression: Expr) -> bool {
     }
 }
 
-fn arguments_of_atoms(pool: &Pool, order: &[Expr]) -> FxHashSet<Expr> {
+/// Whether each expression, by its number, is part of an atom's argument.
+fn arguments_of_atoms(pool: &Pool, order: &[Expr]) -> Vec<bool> {
     let mut arguments: Vec<Expr> = Vec::new();
     for &expression in order {
         if is_atom(pool, expression) {
             pool.node(expression).for_each_operand(|operand| arguments.push(operand));
         }
     }
-    pool.reachable(&arguments).into_iter().collect()
+    let mut within = vec![false; arguments.iter().max().map_or(0, |last| last.0 as usize + 1)];
+    for expression in pool.reachable(&arguments) {
+        within[expression.0 as usize] = true;
+    }
+    within
 }
 
 struct Walk<'a> {
