@@ -16,6 +16,7 @@ pub mod decide;
 pub mod diagnostic;
 pub mod enclosure;
 pub mod expression;
+pub mod generation;
 mod integral;
 pub mod kernel;
 pub mod normal;

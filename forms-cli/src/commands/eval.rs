@@ -3,7 +3,7 @@
 use crate::arguments::Tier;
 use crate::commands::refuse;
 use crate::decimal::nearest;
-use crate::kernel::{files, find, program};
+use crate::kernel::{files, find, generated};
 use crate::status::Status;
 use crate::theory_file::complain;
 use forms::core::kernel::Program;
@@ -40,9 +40,9 @@ pub(crate) fn eval(
         Ok(found) => found,
         Err(message) => return Ok(refuse(&format!("{message} (in {file})"))),
     };
-    let program = match program(file, kernel) {
-        Ok(program) if tier == Tier::Stable => program.optimise(),
-        Ok(program) => program,
+    let program = match generated(file, kernel) {
+        Ok(generated) if tier == Tier::Stable => generated.optimised,
+        Ok(generated) => generated.written,
         Err(errors) => {
             complain(&errors);
             return Ok(Status::Error);

@@ -1,12 +1,11 @@
 //! Verdicts in the user's notation: the conditions a theorem rests on, what is left of a false equation.
 
 use super::problem::Problem;
-use super::verdict::{Theorem, Verdict, Witness};
+use super::verdict::{Theorem, Witness};
 use super::witness::Difference;
 use crate::assume::Facts;
 use crate::expression::{Condition, Expr, Node, Operation, Pool};
 use crate::normal::{Sign, Tower, Trigonometry, normalise};
-use crate::resolve::Theory;
 use crate::syntax::ast::Relation;
 use num_traits::{Signed, Zero};
 use rustc_hash::FxHashMap;
@@ -14,21 +13,23 @@ use rustc_hash::FxHashMap;
 /// Products of terms that a simplification for the eye may cost; a proof may cost more.
 const SIMPLIFICATION_WORK: u64 = 20_000;
 
-pub(super) fn proved(theory: &mut Theory, problem: &Problem) -> Verdict {
-    Verdict::Proved(Theorem { conditions: conditions(&mut theory.pool, problem) })
+/// The theorem that the problem's equations are.
+pub(super) fn theorem(pool: &mut Pool, problem: &Problem) -> Theorem {
+    Theorem { conditions: conditions(pool, problem) }
 }
 
-pub(super) fn refuted(theory: &mut Theory, problem: &Problem, difference: &Difference) -> Verdict {
+/// The point at which one of them fails.
+pub(super) fn witness(pool: &mut Pool, problem: &Problem, difference: &Difference) -> Witness {
     let component = &problem.components[difference.component];
-    let simple = simplified(&mut theory.pool, component.difference);
-    Verdict::Refuted(Witness {
-        conditions: conditions(&mut theory.pool, problem),
+    let simple = simplified(pool, component.difference);
+    Witness {
+        conditions: conditions(pool, problem),
         point: difference.point.clone(),
         component: component.label.clone(),
         left: difference.left.clone(),
         right: difference.right.clone(),
-        difference: theory.pool.text(simple),
-    })
+        difference: pool.text(simple),
+    }
 }
 
 /// The expression through its normal form, or itself where it has none that reads better.

@@ -39,6 +39,15 @@ pub struct Unknown {
     pub arguments: Vec<Symbol>,
 }
 
+/// What the author of a piecewise expression says of the boundary between its pieces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Seam {
+    /// The pieces agree there.
+    Agrees,
+    /// They may differ: `if jump`.
+    Jumps,
+}
+
 /// One operation on earlier expressions.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
@@ -81,6 +90,8 @@ pub enum Node {
         then: Expr,
         /// The value where it does not.
         otherwise: Expr,
+        /// Whether the two are to agree where the relation changes.
+        seam: Seam,
     },
 }
 
