@@ -1,6 +1,7 @@
 //! The program, run as its users run it: exit statuses, both kinds of output, and what it says of mistakes.
 
 mod process;
+mod readme;
 
 use process::{Folder, forms, forms_on};
 
@@ -240,18 +241,4 @@ fn help_and_version_are_there() {
     }
     let version = forms(&folder, &["--version"]);
     assert_eq!(version.output.trim_end(), format!("forms {}", env!("CARGO_PKG_VERSION")));
-}
-
-#[test]
-fn the_tour_proves_generates_and_paints() {
-    let folder = Folder::with(&[]);
-    let run = forms(&folder, &[]);
-    assert_eq!((run.status, run.errors.as_str()), (0, ""), "{}", run.output);
-    for part in ["eq28_closed", "Wrong as printed", "solid_angle_density_patch", "floor_centre", "5.39"] {
-        assert!(run.output.contains(part), "{part}: {}", run.output);
-    }
-    let picture = folder.read("forms-output/cornell_box.png");
-    assert!(picture.starts_with(b"\x89PNG"));
-    let widest = run.output.lines().map(|line| line.chars().count()).max();
-    assert!(widest <= Some(80), "{widest:?}");
 }

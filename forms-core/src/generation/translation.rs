@@ -185,7 +185,7 @@ mod tests {
             "kernel k(x) = atan(x + 1)*log(2 + x**2);",
         ] {
             let found = with_a_sign_lost(source);
-            assert!(!found.is_empty() || source.contains("x - y"), "{source}");
+            assert!(!found.is_empty(), "{source}");
             let refuted = |translation: &Translation| matches!(translation, Translation::Refuted(_));
             assert!(found.iter().all(refuted), "{source}: {found:?}");
         }

@@ -47,6 +47,7 @@ mod program;
 mod quotients;
 mod raise;
 mod rust;
+mod sharing;
 mod signs;
 mod sums;
 mod tally;

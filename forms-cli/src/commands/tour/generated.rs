@@ -52,7 +52,7 @@ pub(super) fn generate(palette: Palette, output: &mut dyn Write) -> io::Result<S
     }
     let proved = programs.iter().filter(|generated| generated.translation.is_proved()).count();
     let (all, time) = (programs.len(), duration(start.elapsed()));
-    let all = format!("{all} kernels, {proved} of them proved equal to their formulas, in {time}");
-    writeln!(output, "\n  {all}; forms emit - --target rust prints them\n")?;
+    writeln!(output, "\n  {all} kernels in {time}, {proved} of them proved equal to their formulas")?;
+    writeln!(output, "  forms emit - --target rust prints them\n")?;
     Ok(Status::AsStated)
 }
