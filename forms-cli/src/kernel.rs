@@ -31,7 +31,8 @@ pub(crate) fn find<'a>(files: &'a [TheoryFile], name: &str) -> Result<(&'a Theor
 
 /// The kernel as programs, or everything that is wrong with it. Its source is to be pasted elsewhere: it is public.
 pub(crate) fn generated(file: &TheoryFile, kernel: &Kernel) -> Result<Generated, Vec<FileError>> {
-    let kernel = Kernel { public: true, ..kernel.clone() };
+    let mut kernel = kernel.clone();
+    kernel.public = true;
     generate(&mut file.theory.pool.clone(), &kernel)
         .map_err(|errors| errors.iter().map(|error| FileError::at(&file.source, error)).collect())
 }

@@ -242,3 +242,42 @@ fn help_and_version_are_there() {
     let version = forms(&folder, &["--version"]);
     assert_eq!(version.output.trim_end(), format!("forms {}", env!("CARGO_PKG_VERSION")));
 }
+
+#[test]
+fn a_file_with_errors_is_not_called_as_stated() {
+    let folder = Folder::with(&[("good.forms", THEORY), ("bad.forms", "chart L(x)")]);
+    let alone = forms(&folder, &["prove", "bad.forms"]);
+    assert_eq!((alone.status, alone.output.as_str()), (2, "1 file with errors, not decided\n"));
+    let both = forms(&folder, &["prove", "bad.forms", "good.forms"]).output;
+    assert!(both.contains("1 file with errors, not decided\n2 statements: 1 proved, 1 refuted"), "{both}");
+}
+
+#[test]
+fn a_kernel_without_arguments_has_one_row() {
+    let folder = Folder::with(&[("pi.forms", "kernel tau() = 2*pi; kernel pair() = (1, 1/2);")]);
+    assert_eq!(forms(&folder, &["eval", "pi.forms", "tau"]).output, "tau\n6.2831853071795862e0\n");
+    let pair = forms(&folder, &["eval", "pi.forms", "pair"]).output;
+    assert_eq!(pair, "pair_0,pair_1\n1.0000000000000000e0,5.0000000000000000e-1\n");
+}
+
+#[test]
+fn a_kernel_that_jumps_unsaid_is_neither_evaluated_nor_emitted() {
+    let folder = Folder::with(&[("jump.forms", "kernel k(u) = if u > 0 { 1 } else { 0 };")]);
+    for arguments in [&["eval", "jump.forms", "k"][..], &["emit", "jump.forms", "--target", "rust"]] {
+        let run = forms(&folder, arguments);
+        assert_eq!((run.status, run.output.as_str()), (2, ""), "{arguments:?}");
+        assert!(run.errors.contains("differ at the seam u = 0 of `k`"), "{}", run.errors);
+        assert!(run.errors.contains("jump.forms:1:1") && run.errors.contains("say `jump`"), "{}", run.errors);
+    }
+}
+
+#[test]
+fn emitted_source_says_whether_it_is_proved() {
+    let text = "kernel k(x) = x**3 + x; kernel l(a) = sqrt(a + sqrt(a**2 - 1)) - (sqrt(a + 1) + sqrt(a - 1))/sqrt(2);";
+    let folder = Folder::with(&[("k.forms", text)]);
+    let run = forms(&folder, &["emit", "k.forms", "--target", "rust"]).output;
+    let count = |part: &str| run.matches(part).count();
+    let proved = count("/// Proved equal to its formula wherever both are defined.");
+    let compared = count("/// Not proved equal to its formula, only compared with it at");
+    assert!(proved >= 1 && proved + compared == 2, "{run}");
+}

@@ -66,12 +66,12 @@ fn nested_choices_are_compared_where_they_are_reached() {
     is_refused(
         "kernel k(u) = if u > 1 { 2*u } else if u > 0 { u**2 } else { 0 };",
         "the branches of `if u > 1` differ at the seam u = 1 of `k`: their difference is 1\n\
-         at u = 1: 2 where it holds, 1 where not",
+         at u = 1: 2 from the side where it holds, 1 from the other",
     );
     is_refused(
         "kernel k(u) = if u > 1 { u } else if u > 0 { u**2 } else { 5 };",
         "the branches of `if u > 0` differ at the seam u = 0 of `k`: their difference is -5\n\
-         at u = 0: 0 where it holds, 5 where not",
+         at u = 0: 0 from the side where it holds, 5 from the other",
     );
 }
 
@@ -83,7 +83,7 @@ fn the_domain_of_the_kernel_bounds_its_seams() {
     is_refused(
         "kernel k(u) = if u > 0 { u } else { 7 } where u > -1;",
         "the branches of `if u > 0` differ at the seam u = 0 of `k`: their difference is -7\n\
-         at u = 0: 0 where it holds, 7 where not",
+         at u = 0: 0 from the side where it holds, 7 from the other",
     );
 }
 
@@ -92,7 +92,7 @@ fn branches_that_differ_are_refused_with_a_point_of_the_seam() {
     is_refused(
         "kernel k(u) = if u > 0 { u + 1 } else { 0 };",
         "the branches of `if u > 0` differ at the seam u = 0 of `k`: their difference is 1\n\
-         at u = 0: 1 where it holds, 0 where not",
+         at u = 0: 1 from the side where it holds, 0 from the other",
     );
     let message = generated("kernel k(u, v) = if u > 2*v { u**2 } else { v };").unwrap_err();
     assert!(message.contains("at the seam u = 2*v of `k`: their difference is"), "{message}");
@@ -121,7 +121,7 @@ fn a_jump_is_not_looked_at() {
     is_refused(
         "kernel k(u) = if jump u > 1 { 7 } else if u > 0 { 1 } else { 0 };",
         "the branches of `if u > 0` differ at the seam u = 0 of `k`: their difference is 1\n\
-         at u = 0: 1 where it holds, 0 where not",
+         at u = 0: 1 from the side where it holds, 0 from the other",
     );
 }
 

@@ -48,7 +48,19 @@ pub(crate) fn eval(
             return Ok(Status::Error);
         }
     };
+    if program.arguments().is_empty() {
+        return constant(&program, output);
+    }
     rows(&program, io::stdin().lock(), output)
+}
+
+/// A kernel without arguments has one row, and needs no input for it.
+fn constant(program: &Program, output: &mut dyn Write) -> io::Result<Status> {
+    let mut writer = csv::Writer::from_writer(output);
+    writer.write_record(header(program))?;
+    writer.write_record(program.interpret(&[]).into_iter().map(digits))?;
+    writer.flush()?;
+    Ok(Status::AsStated)
 }
 
 /// Reads rows and writes them with their values until one of them is malformed.

@@ -196,5 +196,10 @@ fn compare(pool: &mut Pool, left: Expr, right: Expr, conditions: &[Condition]) -
 /// The point, and the value of each branch there.
 fn values(witness: &Witness) -> String {
     let point: Vec<String> = witness.point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-    format!("at {}: {} where it holds, {} where not", point.join(", "), witness.left, witness.right)
+    format!(
+        "at {}: {} from the side where it holds, {} from the other",
+        point.join(", "),
+        witness.left,
+        witness.right
+    )
 }
