@@ -254,10 +254,10 @@ fn a_file_with_errors_is_not_called_as_stated() {
 
 #[test]
 fn a_kernel_without_arguments_has_one_row() {
-    let folder = Folder::with(&[("pi.forms", "kernel tau() = 2*pi; kernel pair() = (1, 1/2);")]);
+    let folder = Folder::with(&[("pi.forms", "kernel tau() = 2*pi; kernel both() = (1, 1/2);")]);
     assert_eq!(forms(&folder, &["eval", "pi.forms", "tau"]).output, "tau\n6.2831853071795862e0\n");
-    let pair = forms(&folder, &["eval", "pi.forms", "pair"]).output;
-    assert_eq!(pair, "pair_0,pair_1\n1.0000000000000000e0,5.0000000000000000e-1\n");
+    let pair = forms(&folder, &["eval", "pi.forms", "both"]).output;
+    assert_eq!(pair, "both_0,both_1\n1.0000000000000000e0,5.0000000000000000e-1\n");
 }
 
 #[test]

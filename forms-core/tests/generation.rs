@@ -1,7 +1,7 @@
 //! Kernels as they are generated: seams that agree, that do not, that cannot be decided; translations.
 
 use forms_core::check::read_theory;
-use forms_core::generation::{Generated, generate};
+use forms_core::generation::{Generated, Translation, generate};
 use forms_core::syntax::Source;
 
 /// The last kernel of a source, or what is said of it.
@@ -101,6 +101,8 @@ fn branches_that_differ_are_refused_with_a_point_of_the_seam() {
     assert!(message.contains("differ at the seam x**2 + y**2 = 1"), "{message}");
     let message = generated("kernel k(x) = if abs(x) < 1 { x } else { 1 };").unwrap_err();
     assert!(message.contains("differ at the seam x = -1 of"), "{message}");
+    let message = generated("kernel k(u, v) = if u - v > 1 { u - v } else { 0 };").unwrap_err();
+    assert!(message.contains("\nat u = v + 1, v = 2: 1 from"), "{message}");
     // a switch to a series is a jump, however small
     let series = "kernel k(x) = if abs(x) > 1e-4 { sin(x)/x } else { 1 - x**2/6 };";
     assert!(generated(series).unwrap_err().contains("differ at the seam x = "));
@@ -158,4 +160,13 @@ fn kernels_inside_the_class_are_proved_to_compute_their_formulas() {
         let translation = generated(text).expect("a kernel").translation;
         assert!(translation.is_proved(), "{text}: {translation}");
     }
+}
+
+#[test]
+fn what_takes_too_much_work_is_compared_at_points_and_not_called_proved() {
+    let text = "kernel k(x, y, z, s, t) = (1 + x + y + z + s + t)**30*x + (1 + x + y + z + s + t)**30*y;";
+    let translation = generated(text).expect("a kernel").translation;
+    let Translation::Unknown { reason, points: 12 } = &translation else { panic!("{translation:?}") };
+    assert!(reason.contains("too large"), "{reason}");
+    assert!(translation.to_string().contains("only compared with it at 12 points: "), "{translation}");
 }

@@ -6,7 +6,7 @@
 
 use super::boundary::{Sheet, Solution, sheets};
 use super::pieces::{negated, pieces};
-use crate::decide::{Effort, Equations, Finding, Witness, contradiction};
+use crate::decide::{Effort, Equations, Finding, Witness, contradiction, simplified};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Condition, Expr, Node, Pool, Seam};
 use crate::resolve::Kernel;
@@ -145,7 +145,8 @@ impl Choice {
             match compare(pool, replaced[0], replaced[1], &conditions) {
                 Agreement::Agrees => {}
                 Agreement::Differs(mut witness) => {
-                    witness.point.insert(0, (pool.text(solution.part), pool.text(*value)));
+                    let value = simplified(pool, *value);
+                    witness.point.insert(0, (pool.text(solution.part), pool.text(value)));
                     return Agreement::Differs(witness);
                 }
                 undecided => return undecided,
