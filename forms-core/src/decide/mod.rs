@@ -10,19 +10,25 @@
 //! few points are looked at first, since a false statement is refuted by almost any point; a proved one needs
 //! a point as well, to show that it speaks of something.
 
+mod account;
 mod empty;
 mod finding;
 mod problem;
 mod proof;
+mod ratio;
 mod report;
 mod sample;
 mod verdict;
 mod witness;
 
+pub use account::{Account, Bound, Cancellation, Case, account};
 pub(crate) use finding::{Effort, Equations, Finding, contradiction};
-pub use report::simplified;
+pub use ratio::Ratio;
+pub(crate) use report::simplified;
+pub use report::simplified_where;
 pub use verdict::{Theorem, Verdict, Witness};
 
+use crate::expression::Condition;
 use crate::resolve::{Statement, Theory};
 use problem::Problem;
 
@@ -44,8 +50,17 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
             reason: "no point was found at which both sides are defined and every condition holds".into(),
         },
         Finding::Equal { .. } => Verdict::Proved(report::theorem(&mut theory.pool, &problem)),
-        Finding::Different(witness) => Verdict::Refuted(witness),
+        Finding::Different(witness) => {
+            let ratio = ratio::ratio(theory, &problem);
+            Verdict::Refuted(Witness { ratio, ..witness })
+        }
         Finding::Empty(reason) => Verdict::Empty { reason },
         Finding::Unknown { reason, .. } => Verdict::Unknown { reason },
     }
+}
+
+/// What a verdict on a statement assumes, the texts of which it carries.
+pub fn conditions(theory: &mut Theory, statement: &Statement) -> Vec<Condition> {
+    let problem = Problem::new(theory, statement);
+    report::conditions(&mut theory.pool, &problem)
 }

@@ -19,6 +19,8 @@ pub(super) struct Component {
 pub(super) struct Problem {
     /// The components whose sides are not the same expression.
     pub(super) components: Vec<Component>,
+    /// The common sides of the other components.
+    pub(super) identical: Vec<Expr>,
     /// The `where`s, then where both sides are defined.
     pub(super) assumptions: Vec<Condition>,
     /// How many of the assumptions come from a `where`.
@@ -46,13 +48,15 @@ impl Problem {
         conditions: &[Condition],
         domain: &[Condition],
     ) -> Self {
-        let components = sides
-            .into_iter()
-            .filter_map(|(label, left, right)| {
-                let difference = pool.subtract(left, right);
-                (!pool.is_zero(difference)).then_some(Component { label, left, right, difference })
-            })
-            .collect();
+        let (mut components, mut identical) = (Vec::new(), Vec::new());
+        for (label, left, right) in sides {
+            let difference = pool.subtract(left, right);
+            if pool.is_zero(difference) {
+                identical.push(left);
+            } else {
+                components.push(Component { label, left, right, difference });
+            }
+        }
         let mut assumptions: Vec<Condition> = Vec::new();
         for condition in conditions {
             if !assumptions.contains(condition) {
@@ -61,7 +65,7 @@ impl Problem {
         }
         let stated = assumptions.len();
         assumptions.extend(domain.iter().filter(|condition| !conditions.contains(condition)));
-        Problem { components, assumptions, stated }
+        Problem { components, identical, assumptions, stated }
     }
 
     pub(super) fn differences(&self) -> Vec<Expr> {
