@@ -6,6 +6,9 @@
 //!      └ normal forms, zero in every case                  ─▶ Proved
 //!                                                     else ─▶ Unknown
 //! ```
+//! A glance in machine words comes first: where it is certain of a point at which the sides may agree, the normal
+//! forms are asked before any other point is looked at.
+//!
 //! A proof never rests on a sample, a refutation never on a normal form: each has an argument of its own. A
 //! few points are looked at first, since a false statement is refuted by almost any point; a proved one needs
 //! a point as well, to show that it speaks of something.

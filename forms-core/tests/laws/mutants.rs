@@ -55,6 +55,55 @@ impl Algebra for WedgeKeepingSquares {
     }
 }
 
+/// γ_m(w) for m! γ_m(w)
+#[derive(Debug)]
+pub(crate) struct PowerTakingEachSetOnce;
+
+impl Algebra for PowerTakingEachSetOnce {
+    fn power<R: Coefficients>(&self, ring: &mut R, w: &Form<R::Scalar>, exponent: u32) -> Form<R::Scalar> {
+        if !is_even(w) {
+            return Genuine.power(ring, w, exponent);
+        }
+        repeated(
+            ring,
+            w,
+            exponent,
+            |left, right| {
+                if first(left) < first(right) { left.wedge(right) } else { None }
+            },
+        )
+    }
+}
+
+/// Sets whose blades interleave are left out.
+#[derive(Debug)]
+pub(crate) struct PowerOfNeighboursAlone;
+
+impl Algebra for PowerOfNeighboursAlone {
+    fn power<R: Coefficients>(&self, ring: &mut R, w: &Form<R::Scalar>, exponent: u32) -> Form<R::Scalar> {
+        if !is_even(w) {
+            return Genuine.power(ring, w, exponent);
+        }
+        repeated(ring, w, exponent, |left, right| {
+            let apart = last(left) < first(right) || last(right) < first(left);
+            if apart { left.wedge(right) } else { None }
+        })
+    }
+}
+
+/// The terms of a form of odd degree are taken to commute.
+#[derive(Debug)]
+pub(crate) struct PowerOfOddFormsAsOfEvenOnes;
+
+impl Algebra for PowerOfOddFormsAsOfEvenOnes {
+    fn power<R: Coefficients>(&self, ring: &mut R, w: &Form<R::Scalar>, exponent: u32) -> Form<R::Scalar> {
+        if w.degree() % 2 == 0 {
+            return Genuine.power(ring, w, exponent);
+        }
+        repeated(ring, w, exponent, |left, right| left.wedge(right).map(|(blade, _)| (blade, 1)))
+    }
+}
+
 /// The last coordinate is not differentiated by.
 #[derive(Debug)]
 pub(crate) struct DerivativeSkippingACoordinate;
@@ -249,4 +298,26 @@ fn field_along<R: Coefficients>(
     y: &Field<R::Scalar>,
 ) -> Field<R::Scalar> {
     y.map(ring, |ring, component| derivative_along(ring, x, component))
+}
+
+/// w·(w·(…)) with products put where a rule says.
+fn repeated<R: Coefficients>(
+    ring: &mut R,
+    w: &Form<R::Scalar>,
+    exponent: u32,
+    rule: impl Fn(Blade, Blade) -> Option<(Blade, i8)>,
+) -> Form<R::Scalar> {
+    (1..exponent).fold(w.clone(), |product, _| wedge_by(ring, w, &product, &rule))
+}
+
+fn is_even<S: Clone>(w: &Form<S>) -> bool {
+    w.degree() > 0 && w.degree() % 2 == 0
+}
+
+fn first(blade: Blade) -> Option<Coordinate> {
+    blade.coordinates().next()
+}
+
+fn last(blade: Blade) -> Option<Coordinate> {
+    blade.coordinates().last()
 }
