@@ -311,7 +311,7 @@ fn repeated<R: Coefficients>(
 }
 
 fn is_even<S: Clone>(w: &Form<S>) -> bool {
-    w.degree() > 0 && w.degree() % 2 == 0
+    w.degree() > 0 && w.degree().is_multiple_of(2)
 }
 
 fn first(blade: Blade) -> Option<Coordinate> {
