@@ -4,6 +4,7 @@
 //! arguments ─▶ commands ─┬─ prove    ─▶ verdicts       (theory_file, verdict_line, json)
 //!                        ├─ check    ─▶ certificates   (certificate)
 //!                        ├─ show     ─▶ notation       (mathml)
+//!                        ├─ derive   ─▶ steps          (mathml)
 //!                        ├─ eval     ─▶ numbers        (decimal, kernel)
 //!                        ├─ emit     ─▶ Rust source
 //!                        ├─ kernels  ─▶ the library

@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 mod check;
+mod derive;
 mod emit;
 mod eval;
 mod kernels;
@@ -21,6 +22,7 @@ pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<S
         }
         Some(Command::Check { file, allow_uncovered }) => check::check(file, *allow_uncovered, output),
         Some(Command::Show { file, name, notation }) => show::show(file, name, *notation, output),
+        Some(Command::Derive { file, name, notation }) => derive::derive(file, name, *notation, output),
         Some(Command::Eval { file, kernel, precision, tier }) => {
             eval::eval(file, kernel, precision, *tier, output)
         }

@@ -64,12 +64,10 @@ pub fn entry(theory: &mut Theory, statement: &Statement, verdict: &Verdict) -> S
 pub(crate) trait Observer {
     /// Whether anything is made of what is told.
     fn is_writing(&self) -> bool;
-    /// Both sides are the same expressions.
-    fn trivial(&mut self);
     /// The differences are zero in this case.
     fn zero(&mut self, tower: &Tower, differences: &[Expr]);
     /// In this case a side divides by zero everywhere.
-    fn undefined(&mut self, tower: &Tower);
+    fn undefined(&mut self);
     /// The proof goes on by cases; the factors they rest on, those told apart first.
     fn split(&mut self, tower: &Tower, factors: &[usize], facts: &Facts, cases: &[Vec<(usize, Sign)>]);
     /// One of the cases begins.
@@ -85,9 +83,8 @@ impl Observer for Unobserved {
     fn is_writing(&self) -> bool {
         false
     }
-    fn trivial(&mut self) {}
     fn zero(&mut self, _: &Tower, _: &[Expr]) {}
-    fn undefined(&mut self, _: &Tower) {}
+    fn undefined(&mut self) {}
     fn split(&mut self, _: &Tower, _: &[usize], _: &Facts, _: &[Vec<(usize, Sign)>]) {}
     fn case(&mut self, _: &[(usize, Sign)]) {}
     fn end(&mut self) {}

@@ -146,10 +146,6 @@ impl Observer for Writer {
         true
     }
 
-    fn trivial(&mut self) {
-        self.line("zero", "");
-    }
-
     fn zero(&mut self, tower: &Tower, differences: &[Expr]) {
         let mut declared = Declared::default();
         let parts = self.pool.reachable(differences);
@@ -162,9 +158,7 @@ impl Observer for Writer {
         self.line("zero", "");
     }
 
-    fn undefined(&mut self, tower: &Tower) {
-        self.zero(tower, &[]);
-        self.lines.truncate(self.lines.len() - "zero\n".len());
+    fn undefined(&mut self) {
         self.line("undefined", "");
     }
 

@@ -1,7 +1,7 @@
 //! A statement taken apart: one difference a component, and the conditions its points satisfy.
 
 use crate::calculus::Blade;
-use crate::expression::{Condition, Expr};
+use crate::expression::{Condition, Expr, Pool};
 use crate::resolve::{Statement, Theory, Value};
 use std::collections::BTreeMap;
 
@@ -19,6 +19,8 @@ pub(super) struct Component {
 pub(super) struct Problem {
     /// The components whose sides are not the same expression.
     pub(super) components: Vec<Component>,
+    /// The common sides of the other components.
+    pub(super) identical: Vec<Expr>,
     /// The `where`s, then where both sides are defined.
     pub(super) assumptions: Vec<Condition>,
     /// How many of the assumptions come from a `where`.
@@ -27,23 +29,43 @@ pub(super) struct Problem {
 
 impl Problem {
     pub(super) fn new(theory: &mut Theory, statement: &Statement) -> Self {
-        let components = paired(theory, &statement.left, &statement.right)
-            .into_iter()
-            .filter_map(|(label, left, right)| {
-                let difference = theory.pool.subtract(left, right);
-                (!theory.pool.is_zero(difference)).then_some(Component { label, left, right, difference })
-            })
-            .collect();
+        let sides = paired(theory, &statement.left, &statement.right);
+        Problem::of_components(&mut theory.pool, sides, &statement.conditions, &statement.domain)
+    }
+
+    /// Equations between scalars, wherever both sides are defined and the conditions hold.
+    pub(super) fn of_scalars(pool: &mut Pool, sides: &[(Expr, Expr)], conditions: &[Condition]) -> Self {
+        let mut expressions: Vec<Expr> = conditions.iter().flat_map(|c| [c.left, c.right]).collect();
+        expressions.extend(sides.iter().flat_map(|&(left, right)| [left, right]));
+        let domain = pool.domain(&expressions);
+        let sides = sides.iter().map(|&(left, right)| (String::new(), left, right)).collect();
+        Problem::of_components(pool, sides, conditions, &domain)
+    }
+
+    fn of_components(
+        pool: &mut Pool,
+        sides: Vec<(String, Expr, Expr)>,
+        conditions: &[Condition],
+        domain: &[Condition],
+    ) -> Self {
+        let (mut components, mut identical) = (Vec::new(), Vec::new());
+        for (label, left, right) in sides {
+            let difference = pool.subtract(left, right);
+            if pool.is_zero(difference) {
+                identical.push(left);
+            } else {
+                components.push(Component { label, left, right, difference });
+            }
+        }
         let mut assumptions: Vec<Condition> = Vec::new();
-        for condition in &statement.conditions {
+        for condition in conditions {
             if !assumptions.contains(condition) {
                 assumptions.push(*condition);
             }
         }
         let stated = assumptions.len();
-        assumptions
-            .extend(statement.domain.iter().filter(|condition| !statement.conditions.contains(condition)));
-        Problem { components, assumptions, stated }
+        assumptions.extend(domain.iter().filter(|condition| !conditions.contains(condition)));
+        Problem { components, identical, assumptions, stated }
     }
 
     pub(super) fn differences(&self) -> Vec<Expr> {

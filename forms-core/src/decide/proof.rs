@@ -2,7 +2,7 @@
 
 use super::problem::Problem;
 use crate::assume::{Assumptions, Cases};
-use crate::certificate::Observer;
+use crate::certificate::{Observer, Unobserved};
 use crate::expression::{Expr, Pool};
 use crate::normal::{Fraction, Obstacle, Sign, Tower, Trigonometry, normalise};
 
@@ -23,21 +23,20 @@ pub(super) enum Outcome {
 const MOST_CASES: usize = 512;
 
 /// Tries to prove that every component vanishes.
-pub(super) fn prove(pool: &mut Pool, problem: &Problem, observer: &mut dyn Observer) -> Outcome {
-    let differences = problem.differences();
-    prove_zero(pool, problem, differences, observer)
+pub(super) fn outcome(pool: &mut Pool, problem: &Problem, work: u64) -> Outcome {
+    if problem.components.is_empty() {
+        return Outcome::Zero;
+    }
+    prove_zero(pool, problem, problem.differences(), work)
 }
 
 /// Tries to prove that the expressions vanish wherever the problem's assumptions hold.
-pub(super) fn prove_zero(
-    pool: &mut Pool,
-    problem: &Problem,
-    differences: Vec<Expr>,
-    observer: &mut dyn Observer,
-) -> Outcome {
+pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>, work: u64) -> Outcome {
     let assumptions = Assumptions::new(pool, &problem.assumptions);
-    let mut tower = Tower::new(Trigonometry::Circle);
-    let mut proof = Proof { pool, tower: &mut tower, differences, assumptions, cases: 0, observer };
+    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(work);
+    let observer = &mut Unobserved;
+    let mut proof =
+        Proof { pool, tower: &mut tower, differences, assumptions, cases: 0, settled: Vec::new(), observer };
     match proof.explore(&[]) {
         Ok(outcome) => outcome,
         Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
@@ -49,6 +48,21 @@ pub(super) fn prove_zero(
     }
 }
 
+/// The cases in which the normal forms are zero, by the signs that tell them apart; nothing if that is no proof.
+/// An observer is told how it goes.
+pub(super) fn settled_cases(
+    pool: &mut Pool,
+    problem: &Problem,
+    tower: &mut Tower,
+    observer: &mut dyn Observer,
+) -> Option<Vec<Vec<(usize, Sign)>>> {
+    let assumptions = Assumptions::new(pool, &problem.assumptions);
+    let differences = problem.differences();
+    let mut proof = Proof { pool, tower, differences, assumptions, cases: 0, settled: Vec::new(), observer };
+    let outcome = proof.explore(&[]);
+    (outcome == Ok(Outcome::Zero)).then_some(proof.settled)
+}
+
 const DIVIDES_BY_ZERO: &str = "it divides by zero everywhere";
 
 struct Proof<'a> {
@@ -57,6 +71,8 @@ struct Proof<'a> {
     differences: Vec<Expr>,
     assumptions: Assumptions,
     cases: usize,
+    /// The signs of the cases in which everything is zero.
+    settled: Vec<Vec<(usize, Sign)>>,
     observer: &'a mut dyn Observer,
 }
 
@@ -67,11 +83,12 @@ impl Proof<'_> {
         match self.settle(given) {
             Ok(Some(Outcome::Zero)) => {
                 self.observer.zero(self.tower, &self.differences);
+                self.settled.push(given.to_vec());
                 return Ok(Outcome::Zero);
             }
             Ok(_) => {}
             Err(Obstacle::DivisionByZero) => {
-                self.observer.undefined(self.tower);
+                self.observer.undefined();
                 return Ok(Outcome::Empty(DIVIDES_BY_ZERO.into()));
             }
             Err(obstacle) => return Err(obstacle),

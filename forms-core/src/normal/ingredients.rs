@@ -14,16 +14,6 @@ impl Base {
 }
 
 impl Tower {
-    /// The generators a fraction is written with.
-    pub(crate) fn variables_of(&self, fraction: &Fraction) -> Vec<u32> {
-        let factors = fraction.factors.iter().map(|power| self.factor_polynomial(power.factor));
-        let mut all: Vec<u32> =
-            std::iter::once(fraction.numerator()).chain(factors).flat_map(|p| p.variables()).collect();
-        all.sort_unstable();
-        all.dedup();
-        all
-    }
-
     /// The unit as a fraction.
     pub(crate) fn unit_value(&self, unit: &Unit) -> Fraction {
         let mut quantity = self.quantity(&unit.quantity);

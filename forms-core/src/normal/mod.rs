@@ -12,6 +12,7 @@
 //! zero needs no greatest common divisor.
 
 mod angle;
+mod common;
 mod derivation;
 mod factor;
 mod filter;
@@ -25,10 +26,12 @@ mod root;
 mod terms;
 mod tower;
 
+pub use common::Together;
 pub use derivation::Normal;
 pub use fraction::Fraction;
 pub use generator::{Generator, Unit};
 pub use normalise::{Normalised, normalise};
 pub use root::{Base, Sign, SignConstraint};
 pub use terms::{Term, Terms};
+pub(crate) use tower::WORK_LIMIT;
 pub use tower::{Obstacle, Tower, Trigonometry};

@@ -15,7 +15,7 @@ const LONGEST: u64 = 20_000;
 
 /// How tightly the outermost operator binds.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Binding {
+pub(super) enum Binding {
     Sum,
     Product,
     Fraction,
@@ -23,18 +23,18 @@ enum Binding {
     Atom,
 }
 
-struct Written {
-    latex: String,
-    binding: Binding,
+pub(super) struct Written {
+    pub(super) latex: String,
+    pub(super) binding: Binding,
 }
 
 impl Written {
-    fn within(&self, needed: Binding) -> String {
+    pub(super) fn within(&self, needed: Binding) -> String {
         if self.binding >= needed { self.latex.clone() } else { bracketed(&self.latex) }
     }
 }
 
-fn bracketed(latex: &str) -> String {
+pub(super) fn bracketed(latex: &str) -> String {
     format!("\\left({latex}\\right)")
 }
 
@@ -112,7 +112,7 @@ impl Writer<'_> {
             Node::Power(a, exponent) => self.power(*a, *exponent),
             Node::Apply(operation, arguments) => self.function(*operation, arguments, ""),
             Node::Jet { function, orders, arguments } => self.jet(*function, orders, arguments),
-            Node::Select { left, relation, right, then, otherwise } => {
+            Node::Select { left, relation, right, then, otherwise, .. } => {
                 let [left, right, then, otherwise] =
                     [left, right, then, otherwise].map(|operand| self.of(*operand, Binding::Sum));
                 let relation = latex_of_relation(*relation);
@@ -208,7 +208,7 @@ fn raised(order: u32) -> String {
     if order == 1 { String::new() } else { format!("^{{{order}}}") }
 }
 
-fn number(value: &Rational) -> (String, Binding) {
+pub(super) fn number(value: &Rational) -> (String, Binding) {
     let magnitude = value.abs();
     let (latex, binding) = if value.denom().is_one() {
         (magnitude.to_string(), Binding::Atom)

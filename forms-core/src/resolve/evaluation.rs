@@ -6,9 +6,10 @@ use super::theory::{Named, Theory};
 use super::value::Value;
 use crate::calculus::{Blade, Coordinate, Field, Form, Structured};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::expression::{Condition, Expr, FunctionId, Symbol};
-use crate::syntax::ast::{self, Binary, ExprKind, Name, Relation};
+use crate::expression::{Condition, Expr, FunctionId, Seam, Symbol};
+use crate::syntax::ast::{self, Binary, ExprKind, Name};
 use num_traits::Zero;
+use rustc_hash::FxHashMap;
 
 /// The most nodes the expressions of a file may have.
 const MOST_NODES: usize = 1_000_000;
@@ -22,11 +23,16 @@ pub(super) struct Evaluator<'a> {
     pub(super) scope: Scope,
     /// The conditions each param and unknown function was declared with.
     pub(super) declared: &'a super::items::Declarations,
+    /// What each part of the source was evaluated to, where that is wanted.
+    pub(super) trace: Option<Trace>,
 }
+
+/// The value of each expression of a source, by its place.
+pub type Trace = FxHashMap<Span, Value>;
 
 impl<'a> Evaluator<'a> {
     pub(super) fn new(theory: &'a mut Theory, declared: &'a super::items::Declarations) -> Self {
-        Evaluator { theory, scope: Scope::default(), declared }
+        Evaluator { theory, scope: Scope::default(), declared, trace: None }
     }
 
     pub(super) fn ring(&mut self) -> Structured<'_> {
@@ -37,13 +43,9 @@ impl<'a> Evaluator<'a> {
         self.theory.pool.integer(0)
     }
 
-    /// Requires `left relation 0`.
-    pub(super) fn require(&mut self, left: Expr, relation: Relation) {
-        let right = self.zero();
-        if self.theory.pool.as_number(left).is_some_and(|value| holds(value, relation)) {
-            return;
-        }
-        self.scope.require(Condition { left, relation, right });
+    /// Requires what an operation is defined under, if anything.
+    pub(super) fn require(&mut self, condition: Option<Condition>) {
+        condition.into_iter().for_each(|condition| self.scope.require(condition));
     }
 
     /// The value of an expression; chains of operators are followed in a loop, only brackets recurse.
@@ -58,6 +60,9 @@ impl<'a> Evaluator<'a> {
         while let Some((operator, place, left_span, right)) = spine.pop() {
             value = self.binary(operator, place, (value, left_span), right)?;
             self.check_size(place)?;
+        }
+        if let Some(trace) = &mut self.trace {
+            trace.insert(expression.span, value.clone());
         }
         Ok(value)
     }
@@ -89,7 +94,10 @@ impl<'a> Evaluator<'a> {
                 Ok(value)
             }
             ExprKind::Index { base, index } => self.coefficient(base, index),
-            ExprKind::Select { condition, then, otherwise, .. } => self.select(condition, then, otherwise),
+            ExprKind::Select { condition, then, otherwise, jump } => {
+                let seam = if *jump { Seam::Jumps } else { Seam::Agrees };
+                self.select(condition, then, otherwise, seam)
+            }
             ExprKind::Binary(operator, place, left, right) => {
                 let value = self.value(left)?;
                 self.binary(*operator, *place, (value, left.span), right)
@@ -276,13 +284,14 @@ impl<'a> Evaluator<'a> {
         condition: &ast::Condition,
         then: &ast::Expr,
         otherwise: &ast::Expr,
+        seam: Seam,
     ) -> Evaluated<Value> {
         let conditions = self.conditions(condition)?;
         let then = self.scalar(then)?;
         let otherwise = self.scalar(otherwise)?;
         let mut value = then;
         for Condition { left, relation, right } in conditions.into_iter().rev() {
-            value = self.theory.pool.select((left, relation, right), value, otherwise);
+            value = self.theory.pool.select((left, relation, right), value, otherwise, seam);
         }
         Ok(Value::Scalar(value))
     }
@@ -307,14 +316,3 @@ fn poisoned(span: Span) -> Diagnostic {
 
 /// Marks errors that only follow from another; they are not shown beside it.
 pub(super) const POISONED: &str = "this depends on a declaration with an error in it";
-
-fn holds(value: &crate::expression::Rational, relation: Relation) -> bool {
-    let zero = crate::expression::Rational::zero();
-    match relation {
-        Relation::Less => *value < zero,
-        Relation::LessEqual => *value <= zero,
-        Relation::Greater => *value > zero,
-        Relation::GreaterEqual => *value >= zero,
-        Relation::NotEqual => *value != zero,
-    }
-}
