@@ -73,7 +73,12 @@ pub(crate) fn check(
 }
 
 fn entry(theory: &mut Theory, head: &Line, name: &str, body: &[Line]) -> Result<Outcome, Stop> {
-    let result = theory.statement(name).and_then(|statement| match head.0.as_str() {
+    // the prover has read the source: what the checker cannot read there is beyond it
+    let statement = match theory.statement(name) {
+        Err(Stop::Malformed(what)) => return Ok(Outcome::NotCovered(what)),
+        other => other,
+    };
+    let result = statement.and_then(|statement| match head.0.as_str() {
         "proved" => {
             let mut proof = Proof { theory, statement: &statement, lines: body.iter() };
             proof.check(&[], 0)?;

@@ -1,8 +1,8 @@
 //! Expressions as fractions: roots by bases, sines and exponentials by units, the rest as generators.
 
 use crate::expression::Operation::{Add, Divide, Function, Jet, Multiply, Number, Pi, Power, Variable};
-use crate::expression::{Expr, Pool, rational};
-use crate::field::{Field, Fraction, Generator, Kind};
+use crate::expression::{Expr, Operation, Pool, rational};
+use crate::field::{Field, Fraction, Kind};
 use crate::polynomial::{MOST_GENERATORS, Polynomial};
 use crate::{Stop, rejected};
 use num_bigint::BigInt;
@@ -36,9 +36,7 @@ impl Field {
                     operands.iter().map(|operand| self.elements[operand].clone()).collect();
                 let element = match operation {
                     Number(value) => Fraction::number(value.clone()),
-                    Pi => self.generator(Generator::Pi)?,
-                    Variable(v) => self.generator(Generator::Variable(*v))?,
-                    Jet(f, orders) => self.generator(Generator::Jet((*f, orders.clone()), a))?,
+                    Pi | Variable(_) | Jet(..) => self.generator(operation, &a)?,
                     Add => self.add(&a[0], &a[1])?,
                     Multiply => self.multiply(&a[0], &a[1])?,
                     Divide => self.quotient(&a[0], &a[1])?,
@@ -51,10 +49,11 @@ impl Field {
                             known?
                         }
                     }
-                    Function(name) => {
-                        let known = self.function(name, &a);
-                        self.or_opaque(known, name, a)?
-                    }
+                    Function(name) => match self.function(name, &a) {
+                        // only its arguments are known
+                        Err(Stop::Rejected(_)) => self.generator(operation, &a)?,
+                        known => known?,
+                    },
                 };
                 self.elements.insert(part, element);
             }
@@ -62,48 +61,28 @@ impl Field {
         Ok(self.elements[&expr].clone())
     }
 
-    /// A generator: the one known with equal arguments, or another.
-    fn generator(&mut self, generator: Generator) -> Result<Fraction, Stop> {
+    /// The generator of an operation at arguments: the one known for equal arguments, or another.
+    fn generator(&mut self, operation: &Operation, a: &[Fraction]) -> Result<Fraction, Stop> {
         for number in 0..self.generators.len() {
-            let (a, b) = match (&self.generators[number], &generator) {
-                (Generator::Variable(v), Generator::Variable(w)) if v == w => (vec![], vec![]),
-                (Generator::Pi, Generator::Pi) => (vec![], vec![]),
-                (Generator::Jet(f, a), Generator::Jet(g, b)) if f == g => (a.clone(), b.clone()),
-                (Generator::Opaque(f, a), Generator::Opaque(g, b)) if f == g => (a.clone(), b.clone()),
-                _ => continue,
-            };
+            let known = self.generators[number].clone().filter(|known| known.0 == *operation);
+            let Some((_, arguments)) = known else { continue };
             let mut same = true;
-            for (x, y) in a.iter().zip(&b) {
+            for (x, y) in arguments.iter().zip(a) {
                 same = same && self.equal(x, y)?;
             }
             if same {
                 return Ok(Polynomial::generator(number, 1).into());
             }
         }
-        Ok(Polynomial::generator(self.new_generator(generator)?, 1).into())
-    }
-
-    /// A function for which the certificate declares nothing is known by its arguments only.
-    fn or_opaque(
-        &mut self,
-        known: Result<Fraction, Stop>,
-        name: &'static str,
-        a: Vec<Fraction>,
-    ) -> Result<Fraction, Stop> {
-        match known {
-            Err(Stop::Rejected(_)) => self.generator(Generator::Opaque(name, a)),
-            other => other,
-        }
+        Ok(Polynomial::generator(self.new_generator(Some((operation.clone(), a.to_vec())))?, 1).into())
     }
 
     /// a^(p/q) = ρᵖ with ρ^q = a
     fn free_root(&mut self, a: &Fraction, p: i64, q: i64) -> Result<Fraction, Stop> {
         let count = self.generators.len();
-        let root =
-            self.generator(Generator::Opaque("root", vec![a.clone(), Fraction::number(rational(1, q))]))?;
-        if let Some(order) =
-            u8::try_from(q).ok().filter(|_| self.generators.len() > count && a.factors.is_empty())
-        {
+        let root = self.generator(&Power(1, q), std::slice::from_ref(a))?;
+        let order = u8::try_from(q).ok().filter(|_| self.generators.len() > count && a.factors.is_empty());
+        if let Some(order) = order {
             self.bind(count, order, a.numerator.clone());
         }
         self.integer_power(&root, p)
@@ -116,16 +95,6 @@ impl Field {
             "tan" => self.tangent(&a[0]),
             "exp" => self.exponential(&a[0]),
             "abs" => self.magnitude(&a[0], Ratio::from_integer(1)),
-            "sinh" | "cosh" | "tanh" => {
-                let up = self.exponential(&a[0])?;
-                let down = self.inverse(&up)?;
-                let (sum, difference) = (self.add(&up, &down)?, self.subtract(&up, &down)?);
-                match name {
-                    "sinh" => Ok(difference.scale(&rational(1, 2))),
-                    "cosh" => Ok(sum.scale(&rational(1, 2))),
-                    _ => self.quotient(&difference, &sum),
-                }
-            }
             "asin" | "atan" if a[0].numerator.is_zero() => Ok(Fraction::default()),
             "log" if self.equal(&a[0], &one())? => Ok(Fraction::default()),
             _ => rejected("nothing is known of it"),
@@ -232,7 +201,7 @@ impl Field {
         let root = match base.root {
             Some(root) => root,
             None => {
-                let root = self.new_generator(Generator::Chosen)?;
+                let root = self.new_generator(None)?;
                 self.bases[number].root = Some(root);
                 self.bind(root, order, signed.numerator);
                 root
@@ -242,12 +211,13 @@ impl Field {
     }
 
     /// The terms of an angle or exponent, each a number times a quantity.
-    fn terms(&mut self, a: &Fraction) -> Vec<(Fraction, BigRational)> {
+    fn terms(&mut self, a: &Fraction) -> Result<Vec<(Fraction, BigRational)>, Stop> {
+        let a = self.expanded(a)?;
         let term = |(monomial, c): (&[u8; MOST_GENERATORS], &BigRational)| {
             let numerator = Polynomial(BTreeMap::from([(*monomial, rational(1, 1))]));
             (Fraction { numerator, factors: a.factors.clone() }, c.clone())
         };
-        a.numerator.0.iter().map(term).collect()
+        Ok(a.numerator.0.iter().map(term).collect())
     }
 
     /// The unit that c·quantity is an integer multiple of, and the multiple; with halves if asked for.
@@ -279,7 +249,7 @@ impl Field {
 
     fn circular(&mut self, angle: &Fraction) -> Result<Point, Stop> {
         let mut point = (one(), Fraction::default());
-        for (quantity, c) in self.terms(angle) {
+        for (quantity, c) in self.terms(angle)? {
             let (step, times) = self.step(&quantity, &c)?;
             let sine = step.1.scale(&rational(times.signum(), 1));
             for _ in 0..times.abs() {
@@ -301,15 +271,15 @@ impl Field {
         let generator = (0..self.generators.len())
             .find(|g| quantity.factors.is_empty() && quantity.numerator == Polynomial::generator(*g, 1));
         let quarters = c * rational(2, 1);
-        match generator.map(|g| self.generators[g].clone()) {
-            Some(Generator::Pi) if quarters.is_integer() => {
+        match generator.and_then(|g| self.generators[g].clone()) {
+            Some((Pi, _)) if quarters.is_integer() => {
                 let rest = i64::try_from(quarters.numer() % BigInt::from(4)).unwrap_or(0);
                 return Ok(((Fraction::default(), one()), rest));
             }
-            Some(Generator::Opaque(name @ ("asin" | "acos" | "atan" | "atan2"), a)) if c.is_integer() => {
+            Some((Function(name @ ("asin" | "atan")), a)) if c.is_integer() => {
                 let times = i64::try_from(c.numer()).ok().filter(|n| n.abs() < 256);
                 let Some(times) = times else { return rejected("so large a multiple of an angle") };
-                return Ok((self.inverse_point(name, &a)?, times));
+                return Ok((self.inverse_point(name, &a[0])?, times));
             }
             _ => {}
         }
@@ -327,20 +297,16 @@ impl Field {
         Ok(((cosine, sine), times))
     }
 
-    /// cos and sin of asin q, acos q, atan q, atan2(y, x)
-    fn inverse_point(&mut self, name: &str, a: &[Fraction]) -> Result<Point, Stop> {
-        let square = self.multiply(&a[0], &a[0])?;
-        let half = Ratio::new(1, 2);
-        if name == "asin" || name == "acos" {
-            let rest = self.subtract(&one(), &square)?;
-            let other = self.magnitude(&rest, half)?;
-            return Ok(if name == "asin" { (other, a[0].clone()) } else { (a[0].clone(), other) });
+    /// cos and sin of asin q and atan q
+    fn inverse_point(&mut self, name: &str, q: &Fraction) -> Result<Point, Stop> {
+        let sign = rational(if name == "asin" { -1 } else { 1 }, 1);
+        let square = self.multiply(q, q)?.scale(&sign);
+        let sum = self.add(&one(), &square)?;
+        let root = self.magnitude(&sum, Ratio::new(1, 2))?;
+        if name == "asin" {
+            return Ok((root, q.clone()));
         }
-        let x = a.get(1).cloned().unwrap_or_else(one);
-        let other = self.multiply(&x, &x)?;
-        let sum = self.add(&square, &other)?;
-        let r = self.magnitude(&sum, half)?;
-        Ok((self.quotient(&x, &r)?, self.quotient(&a[0], &r)?))
+        Ok((self.inverse(&root)?, self.quotient(q, &root)?))
     }
 
     /// tan(u/2) of a unit is its generator; any other is sine over cosine.
@@ -358,22 +324,22 @@ impl Field {
     /// exp of Σ nₖ uₖ + Σ rₖ log qₖ is ∏ exp(uₖ)^nₖ ∏ qₖ^rₖ.
     fn exponential(&mut self, exponent: &Fraction) -> Result<Fraction, Stop> {
         let mut product = one();
-        for (quantity, c) in self.terms(exponent) {
+        for (quantity, c) in self.terms(exponent)? {
             let logarithm = self.generators.iter().enumerate().find_map(|(g, generator)| match generator {
-                Generator::Opaque("log", q) if quantity.numerator == Polynomial::generator(g, 1) => {
+                Some((Function("log"), q)) if quantity.numerator == Polynomial::generator(g, 1) => {
                     Some(q[0].clone())
                 }
                 _ => None,
             });
             let rational_exponent = [c.numer(), c.denom()].map(|part| i64::try_from(part).ok());
-            let power = match (logarithm, rational_exponent) {
-                (Some(q), [Some(n), Some(d)]) if quantity.factors.is_empty() => {
+            let power = match (self.multiple(&quantity, &c, true), logarithm, rational_exponent) {
+                (Ok((number, n)), ..) => {
+                    self.integer_power(&Polynomial::generator(self.units[number].generator, 1).into(), n)?
+                }
+                (Err(_), Some(q), [Some(n), Some(d)]) if quantity.factors.is_empty() => {
                     self.magnitude(&q, Ratio::new(n, d))?
                 }
-                _ => {
-                    let (number, times) = self.multiple(&quantity, &c, true)?;
-                    self.integer_power(&Polynomial::generator(self.units[number].generator, 1).into(), times)?
-                }
+                (Err(stop), ..) => return Err(stop),
             };
             product = self.multiply(&product, &power)?;
         }

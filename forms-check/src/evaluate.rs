@@ -3,7 +3,7 @@
 use crate::calculus::{Value, order};
 use crate::expression::Operation::{Divide, Function, Jet, Multiply, Pi, Power, Variable};
 use crate::expression::{Expr, rational};
-use crate::theory::{Condition, FUNCTIONS, Named, Relation, Scope, Theory};
+use crate::theory::{Condition, DERIVED, FUNCTIONS, Named, Relation, Scope, Theory};
 use crate::tokens::{Reader, Token};
 use crate::{Stop, malformed, uncovered};
 use std::collections::{BTreeSet, HashMap};
@@ -228,11 +228,19 @@ impl Theory {
             let values = self.scalars(reader, self.functions[f].0.len())?;
             return Ok(Value::of(0, self.unknown(f, values)));
         }
-        if let Some((function, slopes, _)) = FUNCTIONS.iter().find(|row| row.0 == name) {
-            let values = self.scalars(reader, slopes.len())?;
-            let domain = self.domains.get(function).cloned().unwrap_or_default();
-            self.require_at(&domain, &values.iter().copied().enumerate().collect());
-            return Ok(Value::of(0, self.pool.make(Function(function), values)));
+        let plain = FUNCTIONS.iter().find(|row| row.0 == name).map(|row| row.0);
+        let derived = DERIVED.iter().find(|row| row.0 == name);
+        if plain.is_some() || derived.is_some() {
+            let values = self.scalars(reader, derived.map_or(1, |row| row.1))?;
+            let images = values.iter().copied().enumerate().collect();
+            self.require_at(&self.domains.get(name).cloned().unwrap_or_default(), &images);
+            return Ok(Value::of(
+                0,
+                match plain {
+                    Some(function) => self.pool.make(Function(function), values),
+                    None => self.pool.substitute(self.pool.templates[name], &images),
+                },
+            ));
         }
         if name == "sqrt" {
             let (q, half) = (self.scalars(reader, 1)?[0], self.pool.number(rational(1, 2)));

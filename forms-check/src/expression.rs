@@ -35,8 +35,8 @@ use Operation::{Add, Divide, Function, Jet, Multiply, Number, Power, Variable};
 pub(crate) struct Pool {
     nodes: Vec<(Operation, Vec<Expr>)>,
     numbers: HashMap<(Operation, Vec<Expr>), Expr>,
-    /// The derivative of each function by each argument, in the variables 0 and 1.
-    pub(crate) slopes: HashMap<&'static str, Vec<Expr>>,
+    /// The derivative of each function, or what it is, in its arguments as the variables 0 and 1.
+    pub(crate) templates: HashMap<&'static str, Expr>,
 }
 
 pub(crate) fn rational(p: i64, q: i64) -> BigRational {
@@ -176,8 +176,8 @@ impl Pool {
                 self.make(Jet(*f, raised), a.to_vec())
             }
             Function(name) => {
-                let slope = self.slopes.get(name).map_or(one, |slopes| slopes[place]);
-                self.substitute(slope, &a.iter().copied().enumerate().collect())
+                let slope = self.templates.get(name).copied().unwrap_or(one);
+                self.substitute(slope, &HashMap::from([(0, a[0])]))
             }
             _ => one,
         }

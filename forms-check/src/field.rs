@@ -3,11 +3,11 @@
 //! That a numerator reduces to zero is a proof wherever no factor below vanishes, and a factor comes below only
 //! from a quotient of the statement. Nothing rests on relations being complete or factors irreducible.
 
-use crate::expression::{Expr, rational};
+use crate::expression::{Expr, Operation, rational};
 use crate::polynomial::{MOST_GENERATORS, Polynomial};
 use crate::{Stop, uncovered};
 use num_rational::BigRational;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Products of terms that one node of a proof may cost.
 const MOST_WORK: usize = 100_000_000;
@@ -18,25 +18,16 @@ const MOST_TERMS: usize = 40;
 /// The largest exponent of a generator.
 const LARGEST_EXPONENT: u8 = 120;
 
-/// numerator / ∏ factorᵉ
+/// numerator / ∏ factorᵉ; a factor above (e < 0) stays one until a sum needs it multiplied out.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Fraction {
     pub(crate) numerator: Polynomial,
-    pub(crate) factors: BTreeMap<usize, u8>,
+    pub(crate) factors: BTreeMap<usize, i16>,
 }
 
-/// What a generator stands for, where that is looked up again.
-#[derive(Clone, Debug)]
-pub(crate) enum Generator {
-    Variable(usize),
-    Pi,
-    /// An unknown function's derivative at arguments.
-    Jet((usize, Vec<u32>), Vec<Fraction>),
-    /// A function of which only the arguments are known.
-    Opaque(&'static str, Vec<Fraction>),
-    /// A root, or a function of a unit.
-    Chosen,
-}
+/// What a generator stands for: a variable, π, an unknown function or one of which only the arguments are known,
+/// a root that no base provides; nothing for what the certificate declares.
+pub(crate) type Generator = Option<(Operation, Vec<Fraction>)>;
 
 /// A factor of radicands that the certificate declares.
 #[derive(Clone, Debug)]
@@ -146,7 +137,7 @@ impl Field {
     }
 
     /// N / ∏ Fᵉ with every factor taken out that divides N; for a root also by ρⁿ = f.
-    fn cancel(&mut self, mut numerator: Polynomial, mut factors: BTreeMap<usize, u8>) -> Fraction {
+    fn cancel(&mut self, mut numerator: Polynomial, mut factors: BTreeMap<usize, i16>) -> Fraction {
         for (number, exponent) in &mut factors {
             while *exponent > 0 && self.factors[*number].0.len() <= MOST_TERMS {
                 let factor = &self.factors[*number];
@@ -159,30 +150,40 @@ impl Field {
                 (numerator, *exponent) = (quotient, *exponent - 1);
             }
         }
-        factors.retain(|_, exponent| *exponent > 0 && !numerator.is_zero());
+        factors.retain(|_, exponent| *exponent != 0 && !numerator.is_zero());
         Fraction { numerator, factors }
     }
 
     pub(crate) fn add(&mut self, a: &Fraction, b: &Fraction) -> Result<Fraction, Stop> {
-        let mut common = a.factors.clone();
-        for (factor, exponent) in &b.factors {
-            let entry = common.entry(*factor).or_default();
-            *entry = (*entry).max(*exponent);
-        }
+        let exponent = |side: &Fraction, factor: &usize| side.factors.get(factor).copied().unwrap_or(0);
+        let all: BTreeSet<usize> = a.factors.keys().chain(b.factors.keys()).copied().collect();
+        let mut common: Vec<(usize, i16)> =
+            all.into_iter().map(|factor| (factor, exponent(a, &factor).max(exponent(b, &factor)))).collect();
         // the longest first, while the numerator is short
-        let mut ordered: Vec<(&usize, &u8)> = common.iter().collect();
-        ordered.sort_by_key(|(factor, _)| std::cmp::Reverse(self.factors[**factor].0.len()));
+        common.sort_by_key(|(factor, _)| std::cmp::Reverse(self.factors[*factor].0.len()));
         let mut sum = Polynomial::default();
-        for side in [a, b] {
+        for side in [a, b].into_iter().filter(|side| !side.numerator.is_zero()) {
             let mut raised = side.numerator.clone();
-            for (factor, exponent) in &ordered {
-                for _ in side.factors.get(factor).copied().unwrap_or(0)..**exponent {
-                    raised = self.product(&raised, &self.factors[**factor].clone())?;
+            for (factor, larger) in &common {
+                for _ in exponent(side, factor)..*larger {
+                    raised = self.product(&raised, &self.factors[*factor].clone())?;
                 }
             }
             sum = sum.add(&raised);
         }
-        Ok(self.cancel(sum, common))
+        Ok(self.cancel(sum, common.into_iter().collect()))
+    }
+
+    /// The same with no factor above.
+    pub(crate) fn expanded(&mut self, a: &Fraction) -> Result<Fraction, Stop> {
+        let mut numerator = a.numerator.clone();
+        for (factor, exponent) in &a.factors {
+            for _ in *exponent..0 {
+                numerator = self.product(&numerator, &self.factors[*factor].clone())?;
+            }
+        }
+        let below = a.factors.iter().filter(|entry| *entry.1 > 0);
+        Ok(self.cancel(numerator, below.map(|(factor, exponent)| (*factor, *exponent)).collect()))
     }
 
     pub(crate) fn subtract(&mut self, a: &Fraction, b: &Fraction) -> Result<Fraction, Stop> {
@@ -201,6 +202,9 @@ impl Field {
             .factors
             .into_iter()
             .for_each(|(factor, exponent)| *factors.entry(factor).or_default() += exponent);
+        if factors.values().any(|exponent| exponent.unsigned_abs() > u16::from(LARGEST_EXPONENT)) {
+            return uncovered("so large a power");
+        }
         let product = self.product(&left.numerator, &right.numerator)?;
         Ok(self.cancel(product, factors))
     }
@@ -210,13 +214,14 @@ impl Field {
         if a.numerator.is_zero() {
             return Err(Stop::Undefined);
         }
-        let (mut rest, mut below) = (a.numerator.clone(), BTreeMap::new());
+        let (mut rest, mut below) = (a.numerator.clone(), BTreeMap::<usize, i16>::new());
         let generators = (0..self.generators.len()).map(|g| (Polynomial::generator(g, 1), g, 1));
         let radicands = self.relations.iter().map(|(g, order, value)| (value.clone(), *g, *order));
         for (value, generator, order) in generators.chain(radicands).collect::<Vec<_>>() {
             while let Some(quotient) = rest.divide(&value).filter(|_| value.as_constant().is_none()) {
                 rest = quotient;
-                *below.entry(self.factor_number(&Polynomial::generator(generator, 1))).or_default() += order;
+                *below.entry(self.factor_number(&Polynomial::generator(generator, 1))).or_default() +=
+                    i16::from(order);
             }
         }
         for number in 0..self.factors.len() {
@@ -231,13 +236,10 @@ impl Field {
         if rest.as_constant().is_none() {
             *below.entry(self.factor_number(&rest.scale(&content))).or_default() += 1;
         }
-        let mut above = Polynomial::constant(content);
         for (factor, exponent) in &a.factors {
-            for _ in 0..*exponent {
-                above = self.product(&above, &self.factors[*factor].clone())?;
-            }
+            *below.entry(*factor).or_default() -= exponent;
         }
-        Ok(self.cancel(above, below))
+        Ok(self.cancel(Polynomial::constant(content), below))
     }
 
     fn factor_number(&mut self, factor: &Polynomial) -> usize {

@@ -191,9 +191,8 @@ impl Interval {
     }
 
     /// A function of the language at arguments, where it is certain.
-    pub(crate) fn function(name: &str, a: &[Interval]) -> Option<Self> {
+    pub(crate) fn function(name: &str, x: &Interval) -> Option<Self> {
         let one = Interval::number(rational(1, 1));
-        let x = &a[0];
         match name {
             "exp" => x.exponential(),
             "log" => x.logarithm(),
@@ -205,23 +204,9 @@ impl Interval {
                 let [cosine, sine] = x.circular()?;
                 sine.divide(&cosine)
             }
-            "sinh" | "cosh" | "tanh" => {
-                let up = x.exponential()?;
-                let down = one.divide(&up)?;
-                let (sum, difference) = (up.add(&down), up.subtract(&down));
-                match name {
-                    "sinh" => Some(difference.scale(&rational(1, 2))),
-                    "cosh" => Some(sum.scale(&rational(1, 2))),
-                    _ => difference.divide(&sum),
-                }
-            }
+            // asin x = atan(x/√(1 − x²))
             "asin" => x.divide(&one.subtract(&x.multiply(x)).power(1, 2)?)?.arctangent(),
-            "acos" => Some(Interval::pi().scale(&rational(1, 2)).subtract(&Interval::function("asin", a)?)),
-            _ => {
-                // atan2(y, x) = 2 atan(y/(√(x² + y²) + x)) off its cut
-                let r = x.multiply(x).add(&a[1].multiply(&a[1])).power(1, 2)?;
-                Some(x.divide(&r.add(&a[1]))?.arctangent()?.scale(&rational(2, 1)))
-            }
+            _ => None,
         }
     }
 }

@@ -53,10 +53,7 @@ pub fn check(
     certificate: &str,
     mut read: impl FnMut(&str) -> Result<String, String>,
 ) -> Result<Vec<Checked>, String> {
-    certificate::check(certificate, &mut read).map_err(|stop| match stop {
-        Stop::Malformed(what) | Stop::Rejected(what) | Stop::Uncovered(what) => what,
-        Stop::Undefined => "division by zero".into(),
-    })
+    certificate::check(certificate, &mut read).map_err(Stop::into_text)
 }
 
 /// Why a check ends early.
@@ -67,6 +64,15 @@ pub(crate) enum Stop {
     Uncovered(String),
     /// Something divides by zero everywhere.
     Undefined,
+}
+
+impl Stop {
+    fn into_text(self) -> String {
+        match self {
+            Stop::Malformed(what) | Stop::Rejected(what) | Stop::Uncovered(what) => what,
+            Stop::Undefined => "division by zero".into(),
+        }
+    }
 }
 
 fn malformed(what: impl Into<String>) -> Stop {

@@ -2,7 +2,7 @@
 
 use crate::certificate::Line;
 use crate::expression::{Expr, rational};
-use crate::field::{Base, Field, Generator, Kind, Unit};
+use crate::field::{Base, Field, Kind, Unit};
 use crate::polynomial::Polynomial;
 use crate::theory::{Condition, Relation, Statement, Theory};
 use crate::{Stop, malformed, rejected};
@@ -53,6 +53,7 @@ impl Proof<'_> {
 
     fn base(&mut self, field: &mut Field, expr: Expr) -> Result<(), Stop> {
         let element = field.element(&self.theory.pool, expr)?;
+        let element = field.expanded(&element)?;
         let constant = element.numerator.as_constant();
         if !element.factors.is_empty()
             || constant.as_ref().is_some_and(|c| *c <= rational(1, 1) || !c.is_integer())
@@ -90,12 +91,13 @@ impl Proof<'_> {
     fn unit(&mut self, field: &mut Field, kind: Kind, text: &str) -> Result<(), Stop> {
         let expr = self.theory.expression(text)?;
         let value = field.element(&self.theory.pool, expr)?;
+        let value = field.expanded(&value)?;
         if value.numerator.0.len() != 1 {
             return rejected("a unit is no number times a quantity");
         }
-        let generator = field.new_generator(Generator::Chosen)?;
+        let generator = field.new_generator(None)?;
         if kind == Kind::Circle {
-            let sine = field.new_generator(Generator::Chosen)?;
+            let sine = field.new_generator(None)?;
             let square = Polynomial::generator(generator, 2).scale(&rational(-1, 1));
             field.bind(sine, 2, square.add(&Polynomial::constant(rational(1, 1))));
         }
@@ -152,8 +154,11 @@ impl Proof<'_> {
             match self.lines.next() {
                 Some((keyword, signs)) if keyword == "case" => {
                     let signs: Vec<i64> = signs.chars().map(|c| if c == '-' { -1 } else { 1 }).collect();
-                    if signs.len() != split.len() || cases.contains(&signs) {
-                        return Err(malformed("a case needs one sign for each base, and stands once"));
+                    let length = cases.first().map_or(signs.len(), Vec::len);
+                    if signs.len() != length || length > split.len() || cases.contains(&signs) {
+                        return Err(malformed(
+                            "cases have as many signs, for the first bases, and stand once",
+                        ));
                     }
                     let mut known = given.to_vec();
                     for (sign, base) in signs.iter().zip(&split) {

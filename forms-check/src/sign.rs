@@ -2,7 +2,7 @@
 
 use crate::expression::Operation::{Add, Divide, Function, Multiply, Number, Pi, Power};
 use crate::expression::{Expr, Pool, rational};
-use crate::field::{Base, Field, Fraction, Generator, Kind};
+use crate::field::{Base, Field, Fraction, Kind};
 use crate::polynomial::Polynomial;
 use crate::theory::{Condition, Relation};
 use crate::{Stop, rejected, uncovered};
@@ -24,7 +24,7 @@ impl Field {
     fn signed(&mut self, q: &Fraction) -> Result<Polynomial, Stop> {
         let mut product = q.numerator.clone();
         for (factor, exponent) in &q.factors {
-            if exponent % 2 == 1 {
+            if exponent % 2 != 0 {
                 product = self.product(&product, &self.factor(*factor).clone())?;
             }
         }
@@ -51,7 +51,7 @@ impl Field {
                 facts.extend::<[Fraction; 2]>(bounds(generator, rational(-1, 1), rational(1, 1)));
             }
         }
-        if let Some(pi) = self.generators.iter().position(|generator| matches!(generator, Generator::Pi)) {
+        if let Some(pi) = self.generators.iter().position(|generator| matches!(generator, Some((Pi, _)))) {
             facts.extend::<[Fraction; 2]>(bounds(pi, rational(333, 106), rational(22, 7)));
         }
         facts.iter().map(|fact| self.signed(fact)).collect()
@@ -71,7 +71,7 @@ impl Field {
             let all = operands.iter().all(|operand| visible[operand]);
             let seen = match &operation {
                 Number(value) => *value >= rational(0, 1),
-                Pi | Function("exp" | "cosh" | "abs") => true,
+                Pi | Function("exp" | "abs") => true,
                 Multiply => all || operands[0] == operands[1],
                 Add | Divide => all,
                 Power(p, q) => all || p % 2 == 0 || *q > 1,

@@ -48,21 +48,25 @@ pub(crate) struct Statement {
     pub(crate) conditions: Vec<Condition>,
 }
 
-/// The functions of the language: derivatives by the arguments a and b, and where each is real.
-pub(crate) const FUNCTIONS: [(&str, &[&str], &str); 13] = [
-    ("sin", &["cos(a)"], ""),
-    ("cos", &["-sin(a)"], ""),
-    ("tan", &["1 + tan(a)**2"], "cos(a) != 0"),
-    ("asin", &["1/sqrt(1 - a**2)"], "1 - a**2 >= 0"),
-    ("acos", &["-1/sqrt(1 - a**2)"], "1 - a**2 >= 0"),
-    ("atan", &["1/(1 + a**2)"], ""),
-    ("atan2", &["b/(a**2 + b**2)", "-a/(a**2 + b**2)"], "sqrt(a**2 + b**2) + b > 0"),
-    ("exp", &["exp(a)"], ""),
-    ("log", &["1/a"], "a > 0"),
-    ("sinh", &["cosh(a)"], ""),
-    ("cosh", &["sinh(a)"], ""),
-    ("tanh", &["1 - tanh(a)**2"], ""),
-    ("abs", &["abs(a)/a"], ""),
+/// The functions of the language of the arguments a and b: the derivative, and where it is real.
+pub(crate) const FUNCTIONS: [(&str, &str, &str); 8] = [
+    ("sin", "cos(a)", ""),
+    ("cos", "-sin(a)", ""),
+    ("tan", "1 + tan(a)**2", "cos(a) != 0"),
+    ("asin", "1/sqrt(1 - a**2)", "1 - a**2 >= 0"),
+    ("atan", "1/(1 + a**2)", ""),
+    ("exp", "exp(a)", ""),
+    ("log", "1/a", "a > 0"),
+    ("abs", "abs(a)/a", ""),
+];
+
+/// Functions written with those: how many arguments, what it is, and where it is real.
+pub(crate) const DERIVED: [(&str, usize, &str, &str); 5] = [
+    ("acos", 1, "pi/2 - asin(a)", "1 - a**2 >= 0"),
+    ("atan2", 2, "2*atan(a/(sqrt(a**2 + b**2) + b))", "sqrt(a**2 + b**2) + b > 0"),
+    ("sinh", 1, "(exp(a) - exp(-a))/2", ""),
+    ("cosh", 1, "(exp(a) + exp(-a))/2", ""),
+    ("tanh", 1, "(exp(a) - exp(-a))/(exp(a) + exp(-a))", ""),
 ];
 
 /// A file.
@@ -88,10 +92,9 @@ impl Theory {
         for name in ["a", "b"] {
             theory.new_variable(name, false);
         }
-        for (name, slopes, domain) in FUNCTIONS {
-            let slopes = slopes.iter().map(|slope| theory.scalar(&mut Reader::new(slope)?));
-            let slopes = slopes.collect::<Result<Vec<_>, Stop>>()?;
-            theory.pool.slopes.insert(name, slopes);
+        for (name, text, domain) in FUNCTIONS.into_iter().chain(DERIVED.map(|row| (row.0, row.2, row.3))) {
+            let expr = theory.scalar(&mut Reader::new(text)?)?;
+            theory.pool.templates.insert(name, expr);
             if !domain.is_empty() {
                 let conditions = theory.relations(&mut Reader::new(domain)?)?;
                 theory.domains.insert(name, conditions);
@@ -180,18 +183,12 @@ impl Theory {
             }
             other => return Err(malformed(format!("an item cannot begin with `{other}`"))),
         };
-        // what uses an operation that is not covered is an obstacle only to what uses it in turn
-        let named = match named {
-            Err(Stop::Uncovered(what)) => {
-                reader.place = start;
-                reader.pass_item();
-                Named::Uncovered(what)
-            }
-            other => {
-                reader.expect(";")?;
-                other?
-            }
-        };
+        // a declaration that is not understood is an obstacle only to what uses it
+        let named = named.and_then(|named| reader.expect(";").map(|()| named)).unwrap_or_else(|stop| {
+            reader.place = start;
+            reader.pass_item();
+            Named::Uncovered(stop.into_text())
+        });
         self.names.insert(name, named);
         Ok(())
     }

@@ -123,7 +123,7 @@ impl Point {
                 Multiply => Some(a[0].multiply(&a[1])),
                 Divide => a[0].divide(&a[1]),
                 Power(p, q) => a[0].power(*p, *q),
-                Function(name) => Interval::function(name, &a),
+                Function(name) => Interval::function(name, &a[0]),
                 Jet(f, orders) => {
                     self.find(*f, orders, &a, &rational(1, 1)).next().cloned().map(Interval::number)
                 }

@@ -16,9 +16,20 @@ pub(super) struct Writer {
     /// What could not be written.
     gap: Option<String>,
     /// For bases in the cases around this place: why they have their signs.
-    reasons: FxHashMap<usize, (Sign, String)>,
-    /// For each split around this place, whether it was left out because its only case is certain.
-    left_out: Vec<bool>,
+    reasons: Reasons,
+    splits: Vec<Split>,
+}
+
+/// Why bases have their signs.
+type Reasons = FxHashMap<usize, (Sign, String)>;
+
+/// A split around the present place.
+struct Split {
+    /// Whether it was left out because its only case is certain.
+    left_out: bool,
+    /// The reasons known before it, and those known in each of its cases.
+    outer: Reasons,
+    inner: Reasons,
 }
 
 /// What one step of the proof has declared.
@@ -32,7 +43,7 @@ impl Writer {
     /// A writer with the expressions of the theory.
     pub(super) fn new(pool: Pool) -> Self {
         let (lines, reasons) = (String::new(), FxHashMap::default());
-        Writer { pool, lines, gap: None, reasons, left_out: Vec::new() }
+        Writer { pool, lines, gap: None, reasons, splits: Vec::new() }
     }
 
     /// The lines, or what could not be written.
@@ -41,7 +52,7 @@ impl Writer {
     }
 
     fn line(&mut self, keyword: &str, rest: &str) {
-        let depth = 2 * self.left_out.iter().filter(|left_out| !**left_out).count();
+        let depth = 2 * self.splits.iter().filter(|split| !split.left_out).count();
         let end = if rest.is_empty() { String::new() } else { format!(" {rest}") };
         let _ = writeln!(self.lines, "{:depth$}{keyword}{end}", "");
     }
@@ -109,7 +120,8 @@ impl Writer {
         if base.polynomial.as_constant().is_some() {
             return;
         }
-        let known = self.reasons.get(&number).cloned();
+        let agrees = |known: &&(Sign, String)| base.sign.is_none_or(|sign| sign == known.0);
+        let known = self.reasons.get(&number).filter(agrees).cloned();
         let given = base.sign.map(|sign| (sign, self.polynomial(tower, &signed(&base.polynomial, sign))));
         match known.or(given) {
             Some((Sign::Positive, reason)) => self.line("positive", &reason),
@@ -163,6 +175,7 @@ impl Observer for Writer {
     }
 
     fn split(&mut self, tower: &Tower, factors: &[usize], facts: &Facts, cases: &[Vec<(usize, Sign)>]) {
+        let outer = self.reasons.clone();
         self.find_reasons(tower, factors, facts);
         let is_certain =
             |(base, sign): &(usize, Sign)| self.reasons.get(base).is_some_and(|known| known.0 == *sign);
@@ -177,11 +190,13 @@ impl Observer for Writer {
                 factors.iter().filter_map(place).map(|place| (place + 1).to_string()).collect();
             self.line("split", &numbers.join(" "));
         }
-        self.left_out.push(certain);
+        self.splits.push(Split { left_out: certain, outer, inner: self.reasons.clone() });
     }
 
     fn case(&mut self, signs: &[(usize, Sign)]) {
-        if self.left_out.last() == Some(&false) {
+        let Some(split) = self.splits.last() else { return };
+        self.reasons = split.inner.clone();
+        if !split.left_out {
             let sign = |entry: &(usize, Sign)| if entry.1 == Sign::Positive { '+' } else { '-' };
             let signs: String = signs.iter().map(sign).collect();
             self.line("case", &signs);
@@ -189,8 +204,11 @@ impl Observer for Writer {
     }
 
     fn end(&mut self) {
-        if self.left_out.pop() == Some(false) {
-            self.line("end", "");
+        if let Some(split) = self.splits.pop() {
+            self.reasons = split.outer;
+            if !split.left_out {
+                self.line("end", "");
+            }
         }
     }
 }
