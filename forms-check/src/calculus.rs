@@ -58,7 +58,7 @@ impl Value {
         let mut product = Value { is_field: self.is_field || other.is_field, ..Value::default() };
         for (a, x) in &self.terms {
             for (b, y) in &other.terms {
-                if let Some(sign) = order(*a, *b) {
+                if let Some(sign) = order(*a, *b).filter(|_| !pool.is_full()) {
                     let c = pool.make(Operation::Multiply, vec![*x, *y]);
                     product.accumulate(pool, a | b, sign, c);
                 }

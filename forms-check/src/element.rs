@@ -4,10 +4,13 @@ use crate::expression::Operation::{Add, Divide, Function, Jet, Multiply, Number,
 use crate::expression::{Expr, Operation, Pool, rational};
 use crate::field::{Field, Fraction, Kind};
 use crate::polynomial::{MOST_GENERATORS, Polynomial};
-use crate::{Stop, rejected};
+use crate::{Stop, rejected, uncovered};
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use std::collections::BTreeMap;
+
+/// The largest numerator and denominator of an exponent.
+const LARGEST_ROOT: i64 = 4096;
 
 /// cos and sin of an angle.
 type Point = (Fraction, Fraction);
@@ -106,6 +109,9 @@ impl Field {
         if q.numerator.is_zero() {
             return if r > Ratio::from_integer(0) { Ok(Fraction::default()) } else { Err(Stop::Undefined) };
         }
+        if *r.denom() > LARGEST_ROOT || r.numer().abs() > LARGEST_ROOT {
+            return uncovered("so large a power");
+        }
         let Factored { constant, powers } = self.factored(q)?;
         let mut result = self.number_power(&constant, r)?;
         for (base, (exponent, _)) in powers {
@@ -189,15 +195,16 @@ impl Field {
         let Some(sign) = base.sign else {
             return rejected(format!("the sign of base {} matters", number + 1));
         };
-        base.used = base.used.max(1) / gcd(base.used.max(1), *exponent.denom()) * exponent.denom();
         let signed = itself.scale(&rational(sign, 1));
         if exponent.is_integer() {
+            base.used = base.used.max(1);
             return self.integer_power(&signed, *exponent.numer());
         }
         let times = exponent * base.order;
         let Some(order) = u8::try_from(base.order).ok().filter(|_| times.is_integer()) else {
             return rejected(format!("base {} lacks a root", number + 1));
         };
+        base.used = base.used.max(1) / gcd(base.used.max(1), *exponent.denom()) * exponent.denom();
         let root = match base.root {
             Some(root) => root,
             None => {

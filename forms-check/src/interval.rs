@@ -5,13 +5,16 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 /// Ends are multiples of 2^−BITS.
-const BITS: u32 = 224;
+const BITS: u32 = 160;
 
 /// Terms of a series whose ratio is at most a half.
-const TERMS: i64 = 230;
+const TERMS: i64 = 170;
 
 /// The largest angle, and the largest logarithm, that are enclosed.
 const LARGEST: i64 = 4096;
+
+/// Numerators of more bits are not computed with.
+const LARGEST_BITS: u64 = 1 << 16;
 
 /// All numbers from `low` to `high`.
 #[derive(Clone, Debug)]
@@ -83,7 +86,7 @@ impl Interval {
             return None;
         }
         for _ in 0..n.abs() {
-            power = power.multiply(self);
+            power = Some(power.multiply(self)).filter(|p| p.magnitude().numer().bits() < LARGEST_BITS)?;
         }
         if n < 0 { Interval::number(rational(1, 1)).divide(&power) } else { Some(power) }
     }
@@ -182,9 +185,8 @@ impl Interval {
             return Some(self.scale(&rational(-1, 1)).arctangent()?.scale(&rational(-1, 1)));
         }
         if self.high > rational(1, 1) {
-            let turned = one.divide(self)?;
-            let small = turned.magnitude() <= rational(1, 1);
-            return Some(Interval::pi().multiply(&half).subtract(&turned.arctangent().filter(|_| small)?));
+            let turned = Some(one.divide(self)?).filter(|turned| turned.high <= rational(1, 1))?;
+            return Some(Interval::pi().multiply(&half).subtract(&turned.arctangent()?));
         }
         let w = self.subtract(&half).divide(&one.add(&self.multiply(&half)))?;
         Some(half.odd_series(-1).add(&w.odd_series(-1)))

@@ -6,6 +6,9 @@ use crate::tokens::Reader;
 use crate::{Stop, malformed, rejected, uncovered};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
+/// The most coordinates and params of a file: each coordinate is a bit of a blade.
+const MOST_VARIABLES: usize = 128;
+
 /// What is required of a condition's expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Relation {
@@ -90,7 +93,7 @@ impl Theory {
     pub(crate) fn read(text: &str) -> Result<Self, Stop> {
         let mut theory = Theory::default();
         for name in ["a", "b"] {
-            theory.new_variable(name, false);
+            theory.new_variable(name, false)?;
         }
         for (name, text, domain) in FUNCTIONS.into_iter().chain(DERIVED.map(|row| (row.0, row.2, row.3))) {
             let expr = theory.scalar(&mut Reader::new(text)?)?;
@@ -204,10 +207,7 @@ impl Theory {
         } else {
             reader.expect("(")?;
             for name in reader.names(",")? {
-                let number = self.variable(&name).unwrap_or_else(|_| self.new_variable(&name, true));
-                if number >= 128 {
-                    return Err(malformed("more than 128 variables"));
-                }
+                let number = self.variable(&name).or_else(|_| self.new_variable(&name, true))?;
                 self.names.insert(format!("d{name}"), Named::Differential(number));
                 coordinates.push(number);
             }
@@ -225,10 +225,13 @@ impl Theory {
         }
     }
 
-    fn new_variable(&mut self, name: &str, is_coordinate: bool) -> usize {
+    fn new_variable(&mut self, name: &str, is_coordinate: bool) -> Result<usize, Stop> {
+        if self.variables.len() == MOST_VARIABLES {
+            return Err(malformed(format!("more than {MOST_VARIABLES} variables")));
+        }
         self.variables.push((name.to_string(), is_coordinate));
         self.names.insert(name.to_string(), Named::Variable(self.variables.len() - 1));
-        self.variables.len() - 1
+        Ok(self.variables.len() - 1)
     }
 
     pub(crate) fn variable(&self, name: &str) -> Result<usize, Stop> {
@@ -241,7 +244,8 @@ impl Theory {
     /// Params with the conditions that bind them, directly or through others of the same declaration.
     fn parameters(&mut self, reader: &mut Reader) -> Result<(), Stop> {
         let names = reader.names(",")?;
-        let numbers: Vec<usize> = names.iter().map(|name| self.new_variable(name, false)).collect();
+        let numbers: Vec<usize> =
+            names.iter().map(|name| self.new_variable(name, false)).collect::<Result<_, _>>()?;
         let conditions = self.domain(reader)?;
         for number in &numbers {
             let (mut reached, mut found): (_, Vec<Condition>) = (BTreeSet::from([*number]), vec![]);

@@ -68,8 +68,10 @@ fn number(theory: &mut Theory, text: &str) -> Result<BigRational, Stop> {
 /// Whether a decimal is the value to its last place; a fraction has to be the value.
 fn is_rounded(value: &Interval, number: &BigRational, text: &str) -> bool {
     let places = text.split_once('.').map_or(0, |(_, digits)| digits.len());
-    let exact = rational(1, 1) / rational(10, 1).pow(60);
-    let half = if places == 0 { exact } else { rational(1, 2) / rational(10, 1).pow(places as i32) };
+    // enclosures are not wider than 10⁻³⁶
+    let width = rational(1, 1) / rational(10, 1).pow(36);
+    let unit = if places == 0 { rational(0, 1) } else { rational(1, 10).pow(places.min(4096) as i32) };
+    let half = unit / rational(2, 1) + width;
     value.low >= number - &half && value.high <= number + half
 }
 

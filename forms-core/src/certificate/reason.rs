@@ -90,12 +90,9 @@ fn squares(polynomial: &Polynomial, name: &dyn Fn(u32) -> String) -> Option<Stri
             c: row[k].clone(),
             parts: vec![(linear.collect::<Vec<_>>().join(" + "), 2, false)],
         });
-        for i in k + 1..=size {
-            let factor = &matrix[i][k] / &row[k];
-            for j in k..=size {
-                let step = &factor * &row[j];
-                matrix[i][j] -= step;
-            }
+        for below in &mut matrix[k + 1..] {
+            let factor = &below[k] / &row[k];
+            below.iter_mut().zip(&row).skip(k).for_each(|(entry, above)| *entry -= &factor * above);
         }
     }
     Some(sum(&terms))
