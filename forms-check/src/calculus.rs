@@ -21,7 +21,7 @@ pub(crate) fn coordinates(blade: Blade) -> impl Iterator<Item = usize> {
 /// The sign of putting a, then b, in order; nothing if they share a differential.
 pub(crate) fn order(a: Blade, b: Blade) -> Option<i64> {
     let swaps: u32 = coordinates(b).map(|v| (a >> v).count_ones()).sum();
-    (a & b == 0).then_some(if swaps % 2 == 0 { 1 } else { -1 })
+    (a & b == 0).then_some(if swaps.is_multiple_of(2) { 1 } else { -1 })
 }
 
 impl Value {

@@ -37,6 +37,8 @@ struct Split {
 struct Declared {
     bases: Vec<usize>,
     seen: FxHashSet<u32>,
+    /// The bases whose roots do not occur.
+    rootless: FxHashSet<usize>,
 }
 
 impl Writer {
@@ -114,7 +116,7 @@ impl Writer {
         declared.bases.push(number);
         let text = self.polynomial(tower, &base.polynomial);
         self.line("base", &text);
-        if base.order() > 1 {
+        if base.order() > 1 && !declared.rootless.contains(&number) {
             self.line("root", &base.order().to_string());
         }
         if base.polynomial.as_constant().is_some() {
@@ -161,7 +163,16 @@ impl Observer for Writer {
     fn zero(&mut self, tower: &Tower, differences: &[Expr]) {
         let mut declared = Declared::default();
         let parts = self.pool.reachable(differences);
-        for element in parts.iter().filter_map(|part| tower.element_of(*part)) {
+        let elements: Vec<&Fraction> = parts.iter().filter_map(|part| tower.element_of(*part)).collect();
+        let occurring: FxHashSet<u32> =
+            elements.iter().flat_map(|element| tower.variables_of(element)).collect();
+        let roots = occurring.iter().filter_map(|variable| match tower.generator(*variable) {
+            Generator::Root { base, .. } => Some(*base),
+            _ => None,
+        });
+        let rooted: FxHashSet<usize> = roots.collect();
+        declared.rootless.extend(tower.bases().map(|base| base.0).filter(|base| !rooted.contains(base)));
+        for element in elements {
             self.declare_fraction(tower, element, &mut declared);
         }
         for number in tower.bases_of(&parts) {
