@@ -8,9 +8,12 @@
 //! Everything that is said about real expressions under conditions, proofs and integrals alike, goes through
 //! the cases found here.
 
+mod arc;
+mod range;
 mod region;
 mod sign;
 
+pub(crate) use range::Range;
 pub(crate) use sign::Facts;
 
 use crate::expression::{Condition, Expr, Pool};
@@ -105,6 +108,34 @@ impl Assumptions {
         Err(Obstacle::Refine)
     }
 
+    /// Where an angle lies once some signs are given; nothing where that is not known.
+    pub(crate) fn range(
+        &self,
+        tower: &mut Tower,
+        pool: &Pool,
+        angle: Expr,
+        given: &[(usize, Sign)],
+    ) -> Result<Range, Obstacle> {
+        for _ in 0..MOST_PASSES {
+            tower.fix_signs(given);
+            let prepared = normalise(tower, pool, &[angle])?;
+            let mut knowledge = Knowledge::of(tower, given);
+            match self.assume(tower, pool, &mut knowledge) {
+                Err(Obstacle::Refine) => {
+                    tower.start_again();
+                    continue;
+                }
+                result => result?,
+            }
+            if !prepared.is_unconditional() {
+                break;
+            }
+            let value = prepared.exact(tower, pool)?.remove(0);
+            return knowledge.facts.range(tower, &value);
+        }
+        Ok(Range::default())
+    }
+
     /// What the conditions say. One without a normal form, or whose normal form depends on an open sign, is
     /// left out, which only leaves more cases.
     fn assume(&self, tower: &mut Tower, pool: &Pool, knowledge: &mut Knowledge) -> Result<(), Obstacle> {
@@ -124,9 +155,12 @@ impl Assumptions {
                 Err(_) => continue,
             };
             knowledge.facts.learn(tower, &difference, condition.relation);
-            if let Some(constraint) = constraint(tower, &difference, condition)? {
-                knowledge.constraints.push(constraint);
+            let constraint = constraint(tower, &difference, condition)?;
+            let open = tower.open_signs_asked();
+            if open.is_empty() {
+                knowledge.constraints.extend(constraint);
             }
+            knowledge.open.extend(open);
         }
         knowledge.facts.learn_half_tangents(tower);
         knowledge.open.sort_unstable();
@@ -178,7 +212,9 @@ impl Knowledge {
                 Sign::Positive => Relation::GreaterEqual,
                 Sign::Negative => Relation::LessEqual,
             };
-            facts.learn(tower, &tower.base(base).polynomial.clone().into(), relation);
+            let polynomial = tower.base(base).polynomial.clone();
+            facts.learn(tower, &polynomial.clone().into(), relation);
+            facts.give(polynomial, sign);
         }
         Knowledge { facts, constraints: Vec::new(), open: Vec::new() }
     }

@@ -2,13 +2,14 @@
 //!
 //! Never sampled. An answer σ means σ·g ≥ 0 wherever the assumptions hold.
 
+use super::range::Ranges;
 use crate::normal::{Fraction, Generator, Sign, Tower};
 use crate::polynomial::Polynomial;
 use crate::syntax::ast::Relation;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 
 /// A polynomial with more variables than this is not tried as a sum of squares.
 const MOST_SQUARES: usize = 12;
@@ -21,7 +22,9 @@ const HIGHEST_DEGREE: u32 = 12;
 pub(crate) struct Facts {
     lower: FxHashMap<u32, BigRational>,
     upper: FxHashMap<u32, BigRational>,
-    below_pi: FxHashSet<u32>,
+    ranges: Ranges,
+    /// Other polynomials whose signs are given.
+    given: Vec<(Polynomial, Sign)>,
 }
 
 impl Facts {
@@ -49,6 +52,7 @@ impl Facts {
 
     /// Learns from `difference relation 0` if it bounds one generator by a number, or from above by π.
     pub(crate) fn learn(&mut self, tower: &Tower, difference: &Fraction, relation: Relation) {
+        self.ranges.learn(tower.pi(), difference, relation);
         let Some(difference) = difference.as_polynomial() else { return };
         let up = matches!(relation, Relation::Greater | Relation::GreaterEqual);
         if relation == Relation::NotEqual {
@@ -68,32 +72,29 @@ impl Facts {
             let bound = BigRational::new(-&constant, slope.clone());
             self.bound(*variable, up == slope.is_positive(), bound);
         }
-        // a v + b π > 0 with a < 0 says v < −(b/a) π
-        if let [(v, a), (w, b)] = linear.as_slice()
-            && constant.is_zero()
-        {
-            let is_pi = |variable: u32| *tower.generator(variable) == Generator::Pi;
-            let (variable, a, b) = if is_pi(*w) { (v, a, b) } else { (w, b, a) };
-            let is_angle = is_pi(*v) != is_pi(*w);
-            if is_angle && up == a.is_negative() && BigRational::new(-b, a.clone()) <= BigRational::one() {
-                self.below_pi.insert(*variable);
-            }
-        }
     }
 
-    /// For 0 < θ < π the half-angle tangent of u = θ/d is positive, and at most 1 if d > 1.
+    /// Half-angle tangents keep between the tangents of the ends of their angles, as far as these stay between
+    /// −π/2 and π/2.
     pub(crate) fn learn_half_tangents(&mut self, tower: &Tower) {
         for variable in 0..tower.generator_count() {
             let Generator::HalfTangent(unit) = tower.generator(variable) else { continue };
-            let Some(angle) = unit.as_variable() else { continue };
-            let positive = self.lower.get(&angle).is_some_and(|lower| !lower.is_negative());
-            if positive && self.below_pi.contains(&angle) {
-                self.at_least(variable, BigRational::zero());
-                if unit.divisor() > 1 {
-                    self.at_most(variable, BigRational::one());
-                }
-            }
+            let Some(monomial) = unit.as_monomial() else { continue };
+            let part = BigRational::new(1.into(), (2 * unit.divisor()).into());
+            let (lower, upper) = self.ranges.of([(monomial.to_vec(), part)]).tangents();
+            lower.into_iter().for_each(|lower| self.at_least(variable, lower));
+            upper.into_iter().for_each(|upper| self.at_most(variable, upper));
         }
+    }
+
+    /// What is known of combinations of quantities.
+    pub(crate) fn ranges(&self) -> &Ranges {
+        &self.ranges
+    }
+
+    /// Remembers the sign of a polynomial.
+    pub(crate) fn give(&mut self, polynomial: Polynomial, sign: Sign) {
+        self.given.push((polynomial, sign));
     }
 
     /// A generator whose bounds leave no value, if there is one.
@@ -125,6 +126,9 @@ impl Facts {
 
     /// The sign of a polynomial, if it can be shown.
     pub(crate) fn sign_of(&self, polynomial: &Polynomial) -> Option<Sign> {
+        if let Some((_, sign)) = self.given.iter().find(|entry| entry.0 == *polynomial) {
+            return Some(*sign);
+        }
         if self.never_negative(polynomial) {
             return Some(Sign::Positive);
         }

@@ -10,6 +10,7 @@
 //! few points are looked at first, since a false statement is refuted by almost any point; a proved one needs
 //! a point as well, to show that it speaks of something.
 
+mod angle;
 mod empty;
 mod problem;
 mod proof;

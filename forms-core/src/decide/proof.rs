@@ -1,5 +1,6 @@
 //! The proof: every difference has the normal form zero, in every case of the signs that matter.
 
+use super::angle;
 use super::problem::Problem;
 use crate::assume::{Assumptions, Cases};
 use crate::expression::{Expr, Pool};
@@ -21,17 +22,30 @@ pub(super) enum Outcome {
 /// More cases than this are not gone through.
 const MOST_CASES: usize = 512;
 
-/// Tries to prove that every component vanishes.
+/// Tries to prove that every component vanishes: by normal forms or, where these are not zero, as angles.
 pub(super) fn prove(pool: &mut Pool, problem: &Problem) -> Outcome {
     let differences = problem.differences();
-    prove_zero(pool, problem, differences)
+    match prove_zero(pool, problem, differences.clone()) {
+        Outcome::NotZero => angle::prove(pool, problem, &differences),
+        outcome => outcome,
+    }
 }
 
 /// Tries to prove that the expressions vanish wherever the problem's assumptions hold.
 pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>) -> Outcome {
+    prove_with(pool, problem, differences, None)
+}
+
+/// The same, and that an angle keeps within (−2π, 2π) if one is given.
+pub(super) fn prove_with(
+    pool: &mut Pool,
+    problem: &Problem,
+    differences: Vec<Expr>,
+    angle: Option<Expr>,
+) -> Outcome {
     let assumptions = Assumptions::new(pool, &problem.assumptions);
     let mut tower = Tower::new(Trigonometry::Circle);
-    let mut proof = Proof { pool, tower: &mut tower, differences, assumptions, cases: 0 };
+    let mut proof = Proof { pool, tower: &mut tower, differences, angle, assumptions, cases: 0 };
     match proof.explore(&[]) {
         Ok(outcome) => outcome,
         Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
@@ -49,6 +63,7 @@ struct Proof<'a> {
     pool: &'a Pool,
     tower: &'a mut Tower,
     differences: Vec<Expr>,
+    angle: Option<Expr>,
     assumptions: Assumptions,
     cases: usize,
 }
@@ -95,6 +110,13 @@ impl Proof<'_> {
             return Ok(Some(Outcome::NotZero));
         }
         let zero = prepared.exact(self.tower, self.pool)?.iter().all(Fraction::is_zero);
-        Ok(Some(if zero { Outcome::Zero } else { Outcome::NotZero }))
+        let proved = zero && self.angle_keeps_within_a_turn(given)?;
+        Ok(Some(if proved { Outcome::Zero } else { Outcome::NotZero }))
+    }
+
+    fn angle_keeps_within_a_turn(&mut self, given: &[(usize, Sign)]) -> Result<bool, Obstacle> {
+        let Some(angle) = self.angle else { return Ok(true) };
+        let range = self.assumptions.range(self.tower, self.pool, angle, given)?;
+        Ok(range.is_within(2, 1))
     }
 }

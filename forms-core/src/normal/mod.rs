@@ -12,18 +12,21 @@
 //! zero needs no greatest common divisor.
 
 mod angle;
+mod arc;
 mod derivation;
 mod factor;
 mod filter;
 mod fraction;
 mod generator;
 mod normalise;
+mod polygon;
 mod quotient_rule;
 mod raise;
 mod root;
 mod terms;
 mod tower;
 
+pub(crate) use arc::is_arc;
 pub use derivation::Normal;
 pub use fraction::Fraction;
 pub use generator::{Generator, Unit};

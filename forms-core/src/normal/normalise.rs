@@ -191,10 +191,7 @@ impl Walk<'_> {
         match operation {
             Operation::Sin => Ok(self.tower.circular(&argument)?.1),
             Operation::Cos => Ok(self.tower.circular(&argument)?.0),
-            Operation::Tan => {
-                let (cosine, sine) = self.tower.circular(&argument)?;
-                self.quotient(&sine, &cosine)
-            }
+            Operation::Tan => self.tower.tangent(&argument),
             Operation::Exp => self.tower.exponential(&argument),
             Operation::Sinh => Ok(self.tower.hyperbolic(&argument)?.1),
             Operation::Cosh => Ok(self.tower.hyperbolic(&argument)?.0),

@@ -153,7 +153,7 @@ impl Tower {
 
     /// Whether −g is the positive one; asks for the sign unless an even power makes it irrelevant.
     fn base_is_negative(&mut self, base: usize, exponent: Ratio<i64>) -> bool {
-        if self.bases[base].polynomial.as_constant().is_some() {
+        if self.is_manifestly_positive(&self.bases[base].polynomial) {
             return false;
         }
         if exponent.is_integer() && exponent.numer().is_even() {
@@ -251,6 +251,10 @@ impl Tower {
         factored: &mut Factored,
     ) -> Result<(), Obstacle> {
         if let Generator::Root { base, order, .. } = *self.generator(variable) {
+            // the root is that of g only as long as g is taken to be positive
+            if self.bases[base].sign.is_none() && !self.is_manifestly_positive(&self.bases[base].polynomial) {
+                self.ask_for_sign(base);
+            }
             factored.raise_root(base, exponent / Ratio::from_integer(i64::from(order)));
             return Ok(());
         }

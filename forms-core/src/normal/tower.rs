@@ -149,6 +149,12 @@ impl Tower {
         std::mem::take(&mut self.asked)
     }
 
+    /// The open ones among the signs asked for since the last call.
+    pub(crate) fn open_signs_asked(&mut self) -> Vec<usize> {
+        let asked = self.take_signs_asked();
+        asked.into_iter().filter(|&base| self.bases[base].sign.is_none()).collect()
+    }
+
     /// Remembers the signs that an expression itself depends on.
     pub(super) fn note_signs_asked(&mut self, expression: Expr) {
         let mut asked = self.take_signs_asked();
@@ -197,6 +203,11 @@ impl Tower {
         self.generators.push(generator.clone());
         self.numbers.insert(generator, fresh);
         fresh
+    }
+
+    /// The polynomial variable that is π, if it occurs.
+    pub(crate) fn pi(&self) -> Option<u32> {
+        self.numbers.get(&Generator::Pi).copied()
     }
 
     /// A generator as a fraction.

@@ -1,0 +1,79 @@
+//! Equations between angles: combinations of inverse trigonometric functions that vanish.
+//!
+//! ```text
+//! difference D = Σ nₖ αₖ + rest, αₖ inverse functions, nₖ integers
+//!    sin D = 0 and cos D = 1, algebraically   ─▶ D is a multiple of 2π at every point
+//!    −2π < D < 2π, from principal values      ─▶ the multiple is 0
+//! ```
+//! The sine and cosine of an inverse function are algebraic in its argument, so the first step is an identity
+//! between normal forms; the second is exact arithmetic with ends a + bπ. Neither needs continuity, so the argument
+//! holds on regions of any shape: atan x + atan 1/x = π/2 is proved for x > 0, and for x < 0, where cos D = −1, it
+//! is not. This is the addition theorem with the branch accounted for, as in Abramowitz and Stegun, 4.4.34.
+
+use super::problem::Problem;
+use super::proof::{Outcome, prove_with, prove_zero};
+use crate::expression::{Expr, Node, Operation, Pool, Rational};
+use crate::normal::{Fraction, Obstacle, Tower, Trigonometry, is_arc, normalise};
+
+/// Tries to prove that the expressions vanish, those with inverse functions in them as angles.
+pub(super) fn prove(pool: &mut Pool, problem: &Problem, differences: &[Expr]) -> Outcome {
+    if !differences.iter().any(|&difference| has_arc(pool, difference)) {
+        return Outcome::NotZero;
+    }
+    for &difference in differences {
+        let outcome = match prove_zero(pool, problem, vec![difference]) {
+            Outcome::NotZero => prove_component(pool, problem, difference),
+            outcome => outcome,
+        };
+        if outcome != Outcome::Zero {
+            return outcome;
+        }
+    }
+    Outcome::Zero
+}
+
+fn has_arc(pool: &Pool, expression: Expr) -> bool {
+    let arc = |part: Expr| matches!(pool.node(part), Node::Apply(operation, _) if is_arc(*operation));
+    pool.reachable(&[expression]).into_iter().any(arc)
+}
+
+fn prove_component(pool: &mut Pool, problem: &Problem, difference: Expr) -> Outcome {
+    let angles = match angles_in(pool, difference) {
+        Ok(Some(angles)) => angles,
+        Ok(None) | Err(_) => return Outcome::NotZero,
+    };
+    for angle in angles {
+        let (sine, cosine) = (pool.apply(Operation::Sin, &[angle]), pool.apply(Operation::Cos, &[angle]));
+        let one = pool.integer(1);
+        let versine = pool.subtract(one, cosine);
+        match prove_with(pool, problem, vec![sine, versine], Some(angle)) {
+            Outcome::Zero => {}
+            outcome => return outcome,
+        }
+    }
+    Outcome::Zero
+}
+
+/// Combinations with integers at the inverse functions, whose vanishing makes the expression vanish.
+fn angles_in(pool: &mut Pool, difference: Expr) -> Result<Option<Vec<Expr>>, Obstacle> {
+    let mut tower = Tower::new(Trigonometry::Circle);
+    let prepared = normalise(&mut tower, pool, &[difference])?;
+    let value = prepared.exact(&mut tower, pool)?.remove(0);
+    let Some(combinations) = tower.combinations_of_arcs(&value)? else { return Ok(None) };
+    if let [combination] = combinations.as_slice()
+        && let Some(factor) = quotient(&mut tower, combination, &value)?
+    {
+        let factor = pool.number(factor);
+        return Ok(Some(vec![pool.multiply(factor, difference)]));
+    }
+    if !prepared.is_unconditional() {
+        return Ok(None);
+    }
+    Ok(Some(combinations.iter().map(|combination| tower.raise(pool, combination)).collect()))
+}
+
+/// The number that a quotient is, if it is one.
+fn quotient(tower: &mut Tower, a: &Fraction, b: &Fraction) -> Result<Option<Rational>, Obstacle> {
+    let inverse = tower.inverse(b)?;
+    Ok(tower.multiply(a, &inverse)?.as_number())
+}
