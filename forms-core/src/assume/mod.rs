@@ -58,7 +58,9 @@ impl Assumptions {
         expressions: &[Expr],
         given: &[(usize, Sign)],
     ) -> Result<Cases, Obstacle> {
-        let (region, wanted) = self.region(tower, pool, expressions, given)?;
+        let Some((region, wanted)) = self.region(tower, pool, expressions, given)? else {
+            return Ok(Cases::Empty);
+        };
         let cases = match region.cases() {
             Ok(cases) => cases,
             Err(NoCases::Empty) => return Ok(Cases::Empty),
@@ -75,14 +77,15 @@ impl Assumptions {
         Ok(Cases::Signs(distinct))
     }
 
-    /// The factors whose signs matter, with all that is known of them; and those to be told apart.
+    /// The factors whose signs matter, with all that is known of them; and those to be told apart. Nothing if the
+    /// given signs leave some generator no value.
     fn region(
         &self,
         tower: &mut Tower,
         pool: &Pool,
         expressions: &[Expr],
         given: &[(usize, Sign)],
-    ) -> Result<(Region, Vec<usize>), Obstacle> {
+    ) -> Result<Option<(Region, Vec<usize>)>, Obstacle> {
         for _ in 0..MOST_PASSES {
             tower.fix_signs(given);
             let prepared = normalise(tower, pool, expressions)?;
@@ -94,6 +97,9 @@ impl Assumptions {
                 }
                 result => result?,
             }
+            if knowledge.facts.contradiction() {
+                return Ok(None);
+            }
             let radicands = prepared.constraints.into_iter();
             knowledge.constraints.extend(radicands.map(|product| Constraint { product, strict: false }));
             if knowledge.constraints.iter().any(|constraint| constraint.speaks_of_retired(tower)) {
@@ -103,7 +109,7 @@ impl Assumptions {
             let open = if prepared.open.is_empty() { knowledge.open.clone() } else { prepared.open };
             let wanted = simplest(tower, open);
             let factors = if wanted.is_empty() { knowledge.factors(given) } else { wanted.clone() };
-            return Ok((assemble(tower, knowledge, given, factors), wanted));
+            return Ok(Some((assemble(tower, knowledge, given, factors), wanted)));
         }
         Err(Obstacle::Refine)
     }

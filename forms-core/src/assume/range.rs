@@ -172,20 +172,32 @@ struct Linear {
     turns: BigRational,
 }
 
+impl Linear {
+    fn of(pi: Option<u32>, terms: impl IntoIterator<Item = (Monomial, BigRational)>) -> Self {
+        let mut linear = Linear::default();
+        for (monomial, coefficient) in terms {
+            match monomial.as_slice() {
+                [] => linear.rational += coefficient,
+                [(variable, 1)] if Some(*variable) == pi => linear.turns += coefficient,
+                _ => linear.terms.push((monomial, coefficient)),
+            }
+        }
+        linear.terms.sort_by(|a, b| a.0.cmp(&b.0));
+        linear
+    }
+}
+
 /// What the conditions say of rational combinations of quantities.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ranges {
-    /// The generator that is π, if there is one.
-    pi: Option<u32>,
     /// Combinations that are positive, or, if the flag is not set, not negative.
     known: Vec<(Linear, bool)>,
 }
 
 impl Ranges {
-    /// Learns `difference relation 0`, for a difference that is a polynomial over a positive number, and which
-    /// generator is π.
+    /// Learns `difference relation 0`, for a difference that is a polynomial over a positive number. `pi` says which
+    /// generator is π, if one is.
     pub(crate) fn learn(&mut self, pi: Option<u32>, difference: &Fraction, relation: Relation) {
-        self.pi = self.pi.or(pi);
         let Some(polynomial) = difference.as_polynomial() else { return };
         let sign: i64 = match relation {
             Relation::Greater | Relation::GreaterEqual => 1,
@@ -194,46 +206,37 @@ impl Ranges {
         };
         let open = matches!(relation, Relation::Greater | Relation::Less);
         let terms = polynomial.terms().map(|(monomial, c)| (monomial, BigRational::from_integer(c * sign)));
-        let linear = self.linear(terms);
+        let linear = Linear::of(pi, terms);
         if !linear.terms.is_empty() {
             self.known.push((linear, open));
         }
     }
 
-    fn linear(&self, terms: impl IntoIterator<Item = (Monomial, BigRational)>) -> Linear {
-        let mut linear = Linear::default();
-        for (monomial, coefficient) in terms {
-            match monomial.as_slice() {
-                [] => linear.rational += coefficient,
-                [(variable, 1)] if Some(*variable) == self.pi => linear.turns += coefficient,
-                _ => linear.terms.push((monomial, coefficient)),
-            }
-        }
-        linear.terms.sort_by(|a, b| a.0.cmp(&b.0));
-        linear
-    }
-
     /// Where a rational combination of quantities lies.
-    pub(crate) fn of(&self, terms: impl IntoIterator<Item = (Monomial, BigRational)>) -> Range {
-        let linear = self.linear(terms);
+    pub(crate) fn of(
+        &self,
+        pi: Option<u32>,
+        terms: impl IntoIterator<Item = (Monomial, BigRational)>,
+    ) -> Range {
+        let linear = Linear::of(pi, terms);
         let constant = Range::only(&linear.rational, &linear.turns);
-        constant.add(&self.of_terms(&linear.terms))
+        constant.add(&self.of_terms(pi, &linear.terms))
     }
 
     /// By a condition on the whole combination, else term by term.
-    fn of_terms(&self, terms: &[(Monomial, BigRational)]) -> Range {
+    fn of_terms(&self, pi: Option<u32>, terms: &[(Monomial, BigRational)]) -> Range {
         if terms.is_empty() {
             return Range::only(&BigRational::zero(), &BigRational::zero());
         }
         let mut range = self.of_conditions(terms);
         if range.lower.is_none() && range.upper.is_none() {
-            range = self.without_pi(terms);
+            range = pi.map_or_else(Range::default, |pi| self.without_pi(pi, terms));
         }
         if (range.lower.is_none() || range.upper.is_none()) && terms.len() > 1 {
             let zero = Range::only(&BigRational::zero(), &BigRational::zero());
             let apart = terms
                 .iter()
-                .fold(zero, |sum, term| sum.add(&self.of_terms(std::slice::from_ref(term))));
+                .fold(zero, |sum, term| sum.add(&self.of_terms(pi, std::slice::from_ref(term))));
             range = Range { lower: range.lower.or(apart.lower), upper: range.upper.or(apart.upper) };
         }
         range
@@ -257,8 +260,7 @@ impl Ranges {
     }
 
     /// π Σ c m where the sum lies between numbers.
-    fn without_pi(&self, terms: &[(Monomial, BigRational)]) -> Range {
-        let Some(pi) = self.pi else { return Range::default() };
+    fn without_pi(&self, pi: u32, terms: &[(Monomial, BigRational)]) -> Range {
         let divided = |(monomial, c): &(Monomial, BigRational)| {
             let place = monomial.iter().position(|factor| *factor == (pi, 1))?;
             let mut rest = monomial.clone();
@@ -272,7 +274,7 @@ impl Ranges {
             end.filter(|end| end.turns.is_zero())
                 .map(|end| End { rational: BigRational::zero(), turns: end.rational, open: end.open })
         };
-        let range = self.of_terms(&divided);
+        let range = self.of_terms(Some(pi), &divided);
         Range { lower: turned(range.lower), upper: turned(range.upper) }
     }
 }
@@ -302,7 +304,7 @@ mod tests {
         // 2 v₁ − π v₂ + π/2 ∈ (−π/2, 5π/2)
         let terms =
             [(vec![(1, 1)], rational(2, 1)), (vec![(0, 1), (2, 1)], rational(-1, 1)), (vec![(0, 1)], rational(1, 2))];
-        let range = ranges().of(terms);
+        let range = ranges().of(Some(0), terms);
         assert_eq!(range, Range::of_pi((-1, 2, true), (5, 2, true)));
     }
 
@@ -321,8 +323,8 @@ mod tests {
         ranges.learn(Some(0), &sum.clone().into(), Relation::GreaterEqual);
         ranges.learn(Some(0), &sum.sub(&Polynomial::variable(0)).into(), Relation::Less);
         let both = [(vec![(1, 1)], rational(1, 1)), (vec![(2, 1)], rational(1, 1))];
-        assert_eq!(ranges.of(both.clone()), Range::of_pi((0, 1, false), (1, 1, true)));
-        assert_eq!(ranges.of([both[0].clone()]), Range::default());
+        assert_eq!(ranges.of(Some(0), both.clone()), Range::of_pi((0, 1, false), (1, 1, true)));
+        assert_eq!(ranges.of(Some(0), [both[0].clone()]), Range::default());
     }
 
     #[test]

@@ -81,7 +81,7 @@ impl Facts {
             let Generator::HalfTangent(unit) = tower.generator(variable) else { continue };
             let Some(monomial) = unit.as_monomial() else { continue };
             let part = BigRational::new(1.into(), (2 * unit.divisor()).into());
-            let (lower, upper) = self.ranges.of([(monomial.to_vec(), part)]).tangents();
+            let (lower, upper) = self.ranges.of(tower.pi(), [(monomial.to_vec(), part)]).tangents();
             lower.into_iter().for_each(|lower| self.at_least(variable, lower));
             upper.into_iter().for_each(|upper| self.at_most(variable, upper));
         }

@@ -11,7 +11,7 @@
 //! is not. This is the addition theorem with the branch accounted for, as in Abramowitz and Stegun, 4.4.34.
 
 use super::problem::Problem;
-use super::proof::{Outcome, prove_with, prove_zero};
+use super::proof::{Outcome, Turn, prove_full_turn, prove_zero};
 use crate::expression::{Expr, Node, Operation, Pool, Rational};
 use crate::normal::{Fraction, Obstacle, Tower, Trigonometry, is_arc, normalise};
 
@@ -43,15 +43,40 @@ fn prove_component(pool: &mut Pool, problem: &Problem, difference: Expr) -> Outc
         Ok(None) | Err(_) => return Outcome::NotZero,
     };
     for angle in angles {
-        let (sine, cosine) = (pool.apply(Operation::Sin, &[angle]), pool.apply(Operation::Cos, &[angle]));
-        let one = pool.integer(1);
-        let versine = pool.subtract(one, cosine);
-        match prove_with(pool, problem, vec![sine, versine], Some(angle)) {
+        match prove_angle(pool, problem, angle) {
             Outcome::Zero => {}
             outcome => return outcome,
         }
     }
     Outcome::Zero
+}
+
+/// Tries to prove that an angle D vanishes: as it is, with the signs of all arguments told apart, and twice it, whose
+/// sine and cosine have fewer roots in them.
+fn prove_angle(pool: &mut Pool, problem: &Problem, angle: Expr) -> Outcome {
+    let two = pool.integer(2);
+    let twice = pool.multiply(two, angle);
+    let arguments = arguments_of_arcs(pool, angle);
+    let magnitudes: Vec<Expr> = arguments.iter().map(|&q| pool.apply(Operation::Abs, &[q])).collect();
+    let mut last = Outcome::NotZero;
+    for (angle, signs) in [(angle, &[] as &[Expr]), (twice, &[]), (angle, &magnitudes), (twice, &magnitudes)] {
+        let (sine, cosine) = (pool.apply(Operation::Sin, &[angle]), pool.apply(Operation::Cos, &[angle]));
+        let one = pool.integer(1);
+        let versine = pool.subtract(one, cosine);
+        last = prove_full_turn(pool, problem, vec![sine, versine], Turn { angle, signs: signs.to_vec() });
+        if last == Outcome::Zero {
+            break;
+        }
+    }
+    last
+}
+
+fn arguments_of_arcs(pool: &Pool, angle: Expr) -> Vec<Expr> {
+    let arguments = |part: Expr| match pool.node(part) {
+        Node::Apply(operation, arguments) if is_arc(*operation) => arguments.to_vec(),
+        _ => vec![],
+    };
+    pool.reachable(&[angle]).into_iter().flat_map(arguments).collect()
 }
 
 /// Combinations with integers at the inverse functions, whose vanishing makes the expression vanish.

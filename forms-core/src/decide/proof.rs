@@ -33,19 +33,34 @@ pub(super) fn prove(pool: &mut Pool, problem: &Problem) -> Outcome {
 
 /// Tries to prove that the expressions vanish wherever the problem's assumptions hold.
 pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>) -> Outcome {
-    prove_with(pool, problem, differences, None)
+    prove_in_all_cases(pool, problem, differences, None)
 }
 
-/// The same, and that an angle keeps within (−2π, 2π) if one is given.
-pub(super) fn prove_with(
+/// An angle that has to keep within (−2π, 2π), and expressions whose signs are told apart for that.
+pub(super) struct Turn {
+    pub(super) angle: Expr,
+    pub(super) signs: Vec<Expr>,
+}
+
+/// The same, and that an angle keeps within a turn either way.
+pub(super) fn prove_full_turn(
     pool: &mut Pool,
     problem: &Problem,
     differences: Vec<Expr>,
-    angle: Option<Expr>,
+    turn: Turn,
+) -> Outcome {
+    prove_in_all_cases(pool, problem, differences, Some(turn))
+}
+
+fn prove_in_all_cases(
+    pool: &mut Pool,
+    problem: &Problem,
+    differences: Vec<Expr>,
+    turn: Option<Turn>,
 ) -> Outcome {
     let assumptions = Assumptions::new(pool, &problem.assumptions);
     let mut tower = Tower::new(Trigonometry::Circle);
-    let mut proof = Proof { pool, tower: &mut tower, differences, angle, assumptions, cases: 0 };
+    let mut proof = Proof { pool, tower: &mut tower, differences, turn, assumptions, cases: 0 };
     match proof.explore(&[]) {
         Ok(outcome) => outcome,
         Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
@@ -63,7 +78,7 @@ struct Proof<'a> {
     pool: &'a Pool,
     tower: &'a mut Tower,
     differences: Vec<Expr>,
-    angle: Option<Expr>,
+    turn: Option<Turn>,
     assumptions: Assumptions,
     cases: usize,
 }
@@ -78,7 +93,7 @@ impl Proof<'_> {
             Err(Obstacle::DivisionByZero) => return Ok(Outcome::Empty(DIVIDES_BY_ZERO.into())),
             Err(obstacle) => return Err(obstacle),
         }
-        let cases = match self.assumptions.cases(self.tower, self.pool, &self.differences, given)? {
+        let cases = match self.assumptions.cases(self.tower, self.pool, &self.expressions(), given)? {
             Cases::Empty => return Ok(Outcome::Empty("no point meets its conditions".into())),
             Cases::Signs(cases) if cases.iter().all(Vec::is_empty) => return Ok(Outcome::NotZero),
             Cases::Signs(cases) if self.cases + cases.len() <= MOST_CASES => cases,
@@ -102,21 +117,28 @@ impl Proof<'_> {
     /// The filter first, then the exact normal forms; nothing where they depend on an open sign.
     fn settle(&mut self, given: &[(usize, Sign)]) -> Result<Option<Outcome>, Obstacle> {
         self.tower.fix_signs(given);
-        let prepared = normalise(self.tower, self.pool, &self.differences)?;
+        let prepared = normalise(self.tower, self.pool, &self.expressions())?;
         if !prepared.open.is_empty() {
             return Ok(None);
         }
-        if prepared.certainly_not_zero(self.tower, self.pool).contains(&true) {
+        let count = self.differences.len();
+        if prepared.certainly_not_zero(self.tower, self.pool)[..count].contains(&true) {
             return Ok(Some(Outcome::NotZero));
         }
-        let zero = prepared.exact(self.tower, self.pool)?.iter().all(Fraction::is_zero);
+        let zero = prepared.exact(self.tower, self.pool)?[..count].iter().all(Fraction::is_zero);
         let proved = zero && self.angle_keeps_within_a_turn(given)?;
         Ok(Some(if proved { Outcome::Zero } else { Outcome::NotZero }))
     }
 
     fn angle_keeps_within_a_turn(&mut self, given: &[(usize, Sign)]) -> Result<bool, Obstacle> {
-        let Some(angle) = self.angle else { return Ok(true) };
-        let range = self.assumptions.range(self.tower, self.pool, angle, given)?;
+        let Some(turn) = &self.turn else { return Ok(true) };
+        let range = self.assumptions.range(self.tower, self.pool, turn.angle, given)?;
         Ok(range.is_within(2, 1))
+    }
+
+    /// The differences, then what else has to have known signs.
+    fn expressions(&self) -> Vec<Expr> {
+        let signs = self.turn.iter().flat_map(|turn| &turn.signs);
+        self.differences.iter().chain(signs).copied().collect()
     }
 }

@@ -52,6 +52,12 @@ impl Tower {
         if halvings > MOST_HALVINGS || *coefficient.denom() != (1u32 << halvings).into() {
             return Err(outside());
         }
+        if multiple.is_even() && halvings == 0 {
+            let double = self.point_of_twice_the_arc(operation, &arguments)?;
+            let (cosine, sine) = self.repeated(&double, multiple / 2)?;
+            let sine = if coefficient.is_negative() { self.negate(&sine) } else { sine };
+            return Ok((cosine, sine));
+        }
         let mut point = self.point_of_arc(operation, &arguments)?;
         for _ in 0..halvings {
             point = self.halved(&point)?;
@@ -70,6 +76,28 @@ impl Tower {
             Operation::Atan => self.direction(&Fraction::one(), q),
             _ => self.direction(&arguments[1], q),
         }
+    }
+
+    /// The same for twice the arc, without roots for an arc tangent: ((x² − y²)/r², 2xy/r²).
+    fn point_of_twice_the_arc(
+        &mut self,
+        operation: Operation,
+        arguments: &[Fraction],
+    ) -> Result<Point, Obstacle> {
+        let (y, x) = match operation {
+            Operation::Atan => (&arguments[0], Fraction::one()),
+            Operation::Atan2 => (&arguments[0], arguments[1].clone()),
+            _ => {
+                let point = self.point_of_arc(operation, arguments)?;
+                return self.angle_sum(&point, &point);
+            }
+        };
+        let (x_squared, y_squared, area) =
+            (self.multiply(&x, &x)?, self.multiply(y, y)?, self.multiply(&x, y)?);
+        let square = self.add(&x_squared, &y_squared)?;
+        let inverse = self.inverse(&square)?;
+        let (across, along) = (self.subtract(&x_squared, &y_squared)?, self.add(&area, &area)?);
+        Ok((self.multiply(&across, &inverse)?, self.multiply(&along, &inverse)?))
     }
 
     /// √(1 − q²)

@@ -182,7 +182,9 @@ impl Walk<'_> {
             return if exponent.is_positive() { Ok(base) } else { Err(Obstacle::DivisionByZero) };
         }
         let (power, constraint) = self.tower.magnitude_power(&base, exponent)?;
-        self.tower.constrain(operand, constraint);
+        if let Some(constraint) = constraint {
+            self.tower.constrain(operand, constraint);
+        }
         Ok(power)
     }
 

@@ -108,14 +108,15 @@ impl Factored {
 }
 
 impl Tower {
-    /// |q|^r for q ≠ 0, with the sign constraint of q itself.
+    /// |q|^r for q ≠ 0, with the sign constraint of q itself unless that depends on an open sign.
     pub(super) fn magnitude_power(
         &mut self,
         q: &Fraction,
         r: Ratio<i64>,
-    ) -> Result<(Fraction, SignConstraint), Obstacle> {
+    ) -> Result<(Fraction, Option<SignConstraint>), Obstacle> {
+        let before = self.signs_asked();
         let mut factored = self.factor_radicand(q)?;
-        let constraint = factored.constraint();
+        let constraint = (self.signs_asked() == before).then(|| factored.constraint());
         self.factor_constant(&mut factored, &q.divisor);
         let mut result = Fraction::one();
         for Power { base, exponent, .. } in factored.powers {

@@ -144,6 +144,11 @@ impl Tower {
         self.asked.push(base);
     }
 
+    /// How many signs have been asked for since they were last taken.
+    pub(super) fn signs_asked(&self) -> usize {
+        self.asked.len()
+    }
+
     /// The signs asked for since the last call.
     pub(super) fn take_signs_asked(&mut self) -> Vec<usize> {
         std::mem::take(&mut self.asked)
