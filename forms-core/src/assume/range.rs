@@ -104,6 +104,17 @@ impl Range {
         if by.is_negative() { Range { lower: upper, upper: lower } } else { Range { lower, upper } }
     }
 
+    /// The range of x − kπ − (p/q)π with the integer k that brings its middle nearest to 0.
+    pub(crate) fn modulo_pi(&self, (p, q): (i64, i64)) -> Range {
+        let (Some(lower), Some(upper)) = (&self.lower, &self.upper) else { return self.clone() };
+        let shift = BigRational::new(p.into(), q.into());
+        let half = BigRational::new(1.into(), 2.into());
+        let middle = lower.add(upper).scaled(&half).enclosure(PRECISION).lower();
+        let pi = Enclosure::pi(PRECISION).lower();
+        let whole = (middle / pi - &shift).round();
+        self.add(&Range::only(&BigRational::zero(), &-(whole + shift)))
+    }
+
     /// Whether −π p/q < x < π p/q throughout.
     pub(crate) fn is_within(&self, p: i64, q: i64) -> bool {
         let inside = |end: &Option<End>, sign: i64, outside: Ordering| {

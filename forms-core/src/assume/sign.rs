@@ -74,14 +74,19 @@ impl Facts {
         }
     }
 
-    /// Half-angle tangents keep between the tangents of the ends of their angles, as far as these stay between
-    /// −π/2 and π/2.
+    /// Half-angle tangents keep between the tangents of the ends of their angles, as far as these stay between two
+    /// poles; where the angle is nearer to a pole than to a zero, t² ≥ 1.
     pub(crate) fn learn_half_tangents(&mut self, tower: &Tower) {
         for variable in 0..tower.generator_count() {
             let Generator::HalfTangent(unit) = tower.generator(variable) else { continue };
             let Some(monomial) = unit.as_monomial() else { continue };
             let part = BigRational::new(1.into(), (2 * unit.divisor()).into());
-            let (lower, upper) = self.ranges.of(tower.pi(), [(monomial.to_vec(), part)]).tangents();
+            let range = self.ranges.of(tower.pi(), [(monomial.to_vec(), part)]);
+            if range.modulo_pi((1, 2)).is_within(1, 4) {
+                let square = Polynomial::variable(variable).square();
+                self.give(square.sub(&Polynomial::one()), Sign::Positive);
+            }
+            let (lower, upper) = range.modulo_pi((0, 1)).tangents();
             lower.into_iter().for_each(|lower| self.at_least(variable, lower));
             upper.into_iter().for_each(|upper| self.at_most(variable, upper));
         }
