@@ -60,7 +60,7 @@ fn prove_in_all_cases(
 ) -> Outcome {
     let assumptions = Assumptions::new(pool, &problem.assumptions);
     let mut tower = Tower::new(Trigonometry::Circle);
-    let mut proof = Proof { pool, tower: &mut tower, differences, turn, assumptions, cases: 0 };
+    let mut proof = Proof::new(pool, &mut tower, assumptions, differences, turn);
     match proof.explore(&[]) {
         Ok(outcome) => outcome,
         Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
@@ -72,6 +72,19 @@ fn prove_in_all_cases(
     }
 }
 
+/// The cases in which the normal forms are zero, by the signs that tell them apart; nothing if that is no proof.
+pub(super) fn settled_cases(
+    pool: &mut Pool,
+    problem: &Problem,
+    tower: &mut Tower,
+) -> Option<Vec<Vec<(usize, Sign)>>> {
+    let assumptions = Assumptions::new(pool, &problem.assumptions);
+    let differences = problem.differences();
+    let mut proof = Proof::new(pool, tower, assumptions, differences, None);
+    let outcome = proof.explore(&[]);
+    (outcome == Ok(Outcome::Zero)).then_some(proof.settled)
+}
+
 const DIVIDES_BY_ZERO: &str = "it divides by zero everywhere";
 
 struct Proof<'a> {
@@ -81,14 +94,29 @@ struct Proof<'a> {
     turn: Option<Turn>,
     assumptions: Assumptions,
     cases: usize,
+    /// The signs of the cases in which everything is zero.
+    settled: Vec<Vec<(usize, Sign)>>,
 }
 
-impl Proof<'_> {
+impl<'a> Proof<'a> {
+    fn new(
+        pool: &'a Pool,
+        tower: &'a mut Tower,
+        assumptions: Assumptions,
+        differences: Vec<Expr>,
+        turn: Option<Turn>,
+    ) -> Self {
+        Proof { pool, tower, differences, turn, assumptions, cases: 0, settled: Vec::new() }
+    }
+
     /// Decides where the given signs hold, going through the cases of those that are open.
     fn explore(&mut self, given: &[(usize, Sign)]) -> Result<Outcome, Obstacle> {
         self.cases += 1;
         match self.settle(given) {
-            Ok(Some(Outcome::Zero)) => return Ok(Outcome::Zero),
+            Ok(Some(Outcome::Zero)) => {
+                self.settled.push(given.to_vec());
+                return Ok(Outcome::Zero);
+            }
             Ok(_) => {}
             Err(Obstacle::DivisionByZero) => return Ok(Outcome::Empty(DIVIDES_BY_ZERO.into())),
             Err(obstacle) => return Err(obstacle),

@@ -13,6 +13,7 @@
 
 mod angle;
 mod arc;
+mod common;
 mod derivation;
 mod factor;
 mod filter;
@@ -27,6 +28,7 @@ mod terms;
 mod tower;
 
 pub(crate) use arc::is_arc;
+pub use common::Together;
 pub use derivation::Normal;
 pub use fraction::Fraction;
 pub use generator::{Generator, Unit};
