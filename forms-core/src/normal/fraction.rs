@@ -100,7 +100,7 @@ impl Tower {
     }
 
     /// The numerator brought over a larger denominator.
-    fn raised(
+    pub(super) fn raised(
         &mut self,
         numerator: &Polynomial,
         by: &BigInt,

@@ -1,5 +1,6 @@
 //! The tower: the generators in use, the relations that bind some of them, and the known factors.
 
+use super::factor::FactorPower;
 use super::fraction::Fraction;
 use super::generator::{FactorId, Generator, Quantity};
 use super::root::{Base, Sign, SignConstraint};
@@ -61,6 +62,10 @@ pub struct Tower {
     asked: Vec<usize>,
     asked_by: FxHashMap<Expr, Vec<usize>>,
     pub(super) divisors: FxHashMap<Quantity, u32>,
+    /// Into how many parts the exponents are divided.
+    pub(super) exponent_divisors: FxHashMap<Quantity, u32>,
+    /// The denominator that all exponents are brought over.
+    pub(super) exponent_denominator: Vec<FactorPower>,
     pub(super) trigonometry: Trigonometry,
     pub(super) elements: FxHashMap<Expr, Fraction>,
     constraints: FxHashMap<Expr, SignConstraint>,
@@ -81,6 +86,8 @@ impl Tower {
             asked: Vec::new(),
             asked_by: FxHashMap::default(),
             divisors: FxHashMap::default(),
+            exponent_divisors: FxHashMap::default(),
+            exponent_denominator: Vec::new(),
             trigonometry,
             elements: FxHashMap::default(),
             constraints: FxHashMap::default(),
