@@ -8,6 +8,7 @@
 //! Everything that is said about real expressions under conditions, proofs and integrals alike, goes through
 //! the cases found here.
 
+mod linear;
 mod region;
 mod sign;
 
@@ -55,7 +56,9 @@ impl Assumptions {
         expressions: &[Expr],
         given: &[(usize, Sign)],
     ) -> Result<Cases, Obstacle> {
-        let (region, wanted) = self.region(tower, pool, expressions, given)?;
+        let Some((region, wanted)) = self.region(tower, pool, expressions, given)? else {
+            return Ok(Cases::Empty);
+        };
         let cases = match region.cases() {
             Ok(cases) => cases,
             Err(NoCases::Empty) => return Ok(Cases::Empty),
@@ -72,14 +75,15 @@ impl Assumptions {
         Ok(Cases::Signs(distinct))
     }
 
-    /// The factors whose signs matter, with all that is known of them; and those to be told apart.
+    /// The factors whose signs matter, with all that is known of them; and those to be told apart. Nothing if the
+    /// conditions contradict each other.
     fn region(
         &self,
         tower: &mut Tower,
         pool: &Pool,
         expressions: &[Expr],
         given: &[(usize, Sign)],
-    ) -> Result<(Region, Vec<usize>), Obstacle> {
+    ) -> Result<Option<(Region, Vec<usize>)>, Obstacle> {
         for _ in 0..MOST_PASSES {
             tower.fix_signs(given);
             let prepared = normalise(tower, pool, expressions)?;
@@ -91,6 +95,9 @@ impl Assumptions {
                 }
                 result => result?,
             }
+            if knowledge.facts.contradiction() {
+                return Ok(None);
+            }
             let radicands = prepared.constraints.into_iter();
             knowledge.constraints.extend(radicands.map(|product| Constraint { product, strict: false }));
             if knowledge.constraints.iter().any(|constraint| constraint.speaks_of_retired(tower)) {
@@ -100,7 +107,7 @@ impl Assumptions {
             let open = if prepared.open.is_empty() { knowledge.open.clone() } else { prepared.open };
             let wanted = simplest(tower, open);
             let factors = if wanted.is_empty() { knowledge.factors(given) } else { wanted.clone() };
-            return Ok((assemble(tower, knowledge, given, factors), wanted));
+            return Ok(Some((assemble(tower, knowledge, given, factors), wanted)));
         }
         Err(Obstacle::Refine)
     }
@@ -128,7 +135,7 @@ impl Assumptions {
                 knowledge.constraints.push(constraint);
             }
         }
-        knowledge.facts.learn_half_tangents(tower);
+        knowledge.facts.learn_functions(tower);
         knowledge.open.sort_unstable();
         knowledge.open.dedup();
         Ok(())

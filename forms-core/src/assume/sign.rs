@@ -1,8 +1,11 @@
-//! Signs of polynomials, proved: by bounds of the generators, by terms that cannot be negative, by squares.
+//! Signs of polynomials, proved: by bounds of the generators, by terms that cannot be negative, by squares, by
+//! combinations of what is known, by norms.
 //!
-//! Never sampled. An answer σ means σ·g ≥ 0 wherever the assumptions hold.
+//! Never sampled. An answer σ means σ·g ≥ 0 wherever the assumptions hold. With a root ρ of f,
+//! A + Bρ ≥ 0 follows from A, B ≥ 0, from A ≥ 0 and A² − B² f ≥ 0, and from B ≥ 0 and A² − B² f ≤ 0.
 
-use crate::normal::{Fraction, Generator, Sign, Tower};
+use super::linear::{Inequality, contradict, follows};
+use crate::normal::{Fraction, Generator, Sign, Tower, Unit};
 use crate::polynomial::Polynomial;
 use crate::syntax::ast::Relation;
 use num_bigint::BigInt;
@@ -16,35 +19,75 @@ const MOST_SQUARES: usize = 12;
 /// Moving bounds to zero multiplies terms; beyond this degree it is not tried.
 const HIGHEST_DEGREE: u32 = 12;
 
-/// Bounds of generators by numbers.
+/// Polynomials of more terms are not written as combinations, taken apart by roots, or factored.
+const MOST_TERMS: usize = 40;
+
+/// How many roots a sign may be traced through.
+const MOST_ROOTS: u32 = 4;
+
+/// Decimal digits to which the root of a number is enclosed.
+const DIGITS_OF_ROOTS: usize = 12;
+
+/// ρⁿ = f
+#[derive(Clone, Debug)]
+struct Root {
+    order: u32,
+    radicand: Polynomial,
+}
+
+/// Bounds of generators by numbers, inequalities between them, and the radicands of roots.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Facts {
     lower: FxHashMap<u32, BigRational>,
     upper: FxHashMap<u32, BigRational>,
     below_pi: FxHashSet<u32>,
+    inequalities: Vec<Inequality>,
+    roots: FxHashMap<u32, Root>,
 }
 
 impl Facts {
     /// What holds of every generator by its nature: roots and exponentials are positive.
     pub(crate) fn of(tower: &Tower) -> Self {
         let mut facts = Facts::default();
+        facts.learn_nature(tower);
+        facts
+    }
+
+    fn learn_nature(&mut self, tower: &Tower) {
         for variable in 0..tower.generator_count() {
             match tower.generator(variable) {
-                Generator::Root { .. } | Generator::Exponential(_) => {
-                    facts.at_least(variable, BigRational::zero());
+                Generator::Root { base, .. } => {
+                    self.at_least(variable, BigRational::zero());
+                    let radicand = tower.radicand_of(variable);
+                    if let Some((order, radicand)) = radicand
+                        && (radicand.as_constant().is_some() || tower.base(*base).sign.is_some())
+                    {
+                        self.learn_root(variable, order, radicand);
+                    }
                 }
+                Generator::Exponential(_) => self.at_least(variable, BigRational::zero()),
                 Generator::Pi => {
-                    facts.at_least(variable, BigRational::new(333.into(), 106.into()));
-                    facts.at_most(variable, BigRational::new(22.into(), 7.into()));
+                    self.at_least(variable, BigRational::new(333.into(), 106.into()));
+                    self.at_most(variable, BigRational::new(22.into(), 7.into()));
                 }
                 Generator::Cosine(_) | Generator::Sine(_) => {
-                    facts.at_least(variable, -BigRational::one());
-                    facts.at_most(variable, BigRational::one());
+                    self.at_least(variable, -BigRational::one());
+                    self.at_most(variable, BigRational::one());
                 }
                 _ => {}
             }
         }
-        facts
+    }
+
+    /// The root of a number lies between two decimals, that of anything else is bound by its radicand.
+    fn learn_root(&mut self, variable: u32, order: u32, radicand: &Polynomial) {
+        if let Some(number) = radicand.as_constant() {
+            let scale = num_traits::pow(BigInt::from(10), DIGITS_OF_ROOTS);
+            let floor = (number * num_traits::pow(scale.clone(), order as usize)).nth_root(order);
+            self.at_least(variable, BigRational::new(floor.clone(), scale.clone()));
+            self.at_most(variable, BigRational::new(floor + 1, scale));
+        }
+        self.roots.insert(variable, Root { order, radicand: radicand.clone() });
     }
 
     /// Learns from `difference relation 0` if it bounds one generator by a number, or from above by π.
@@ -54,6 +97,9 @@ impl Facts {
         if relation == Relation::NotEqual {
             return;
         }
+        let polynomial = if up { difference.clone() } else { difference.neg() };
+        let strict = matches!(relation, Relation::Greater | Relation::Less);
+        self.inequalities.push(Inequality { polynomial, strict });
         let mut linear: Vec<(u32, BigInt)> = Vec::new();
         let mut constant = BigInt::zero();
         for (monomial, coefficient) in difference.terms() {
@@ -81,24 +127,84 @@ impl Facts {
         }
     }
 
-    /// For 0 < θ < π the half-angle tangent of u = θ/d is positive, and at most 1 if d > 1.
-    pub(crate) fn learn_half_tangents(&mut self, tower: &Tower) {
+    /// Learns of functions what follows from the signs of their arguments.
+    pub(crate) fn learn_functions(&mut self, tower: &Tower) {
+        self.learn_nature(tower);
         for variable in 0..tower.generator_count() {
-            let Generator::HalfTangent(unit) = tower.generator(variable) else { continue };
-            let Some(angle) = unit.as_variable() else { continue };
-            let positive = self.lower.get(&angle).is_some_and(|lower| !lower.is_negative());
-            if positive && self.below_pi.contains(&angle) {
-                self.at_least(variable, BigRational::zero());
-                if unit.divisor() > 1 {
-                    self.at_most(variable, BigRational::one());
+            match tower.generator(variable) {
+                Generator::HalfTangent(unit) => self.learn_half_tangent(variable, unit),
+                Generator::Exponential(_) => self.learn_exponential(tower, variable),
+                Generator::Logarithm { base } => {
+                    self.learn_logarithm(variable, &tower.base(*base).polynomial)
                 }
+                _ => {}
             }
         }
     }
 
-    /// A generator whose bounds leave no value, if there is one.
+    /// For 0 < θ < π the half-angle tangent of u = θ/d is positive, and at most 1 if d > 1.
+    fn learn_half_tangent(&mut self, variable: u32, unit: &Unit) {
+        let Some(angle) = unit.as_variable() else { return };
+        let positive = self.lower.get(&angle).is_some_and(|lower| !lower.is_negative());
+        if positive && self.below_pi.contains(&angle) {
+            self.at_least(variable, BigRational::zero());
+            if unit.divisor() > 1 {
+                self.at_most(variable, BigRational::one());
+            }
+        }
+    }
+
+    /// exp u ≥ 1 where u ≥ 0, exp u ≤ 1 where u ≤ 0
+    fn learn_exponential(&mut self, tower: &Tower, variable: u32) {
+        match tower.exponent_polynomial(variable).and_then(|exponent| self.sign_of(&exponent)) {
+            Some(Sign::Positive) => self.at_least(variable, BigRational::one()),
+            Some(Sign::Negative) => self.at_most(variable, BigRational::one()),
+            None => {}
+        }
+    }
+
+    /// log g ≥ 0 where g ≥ 1, log |g| ≤ 0 where 0 ≤ g ≤ 1
+    fn learn_logarithm(&mut self, variable: u32, argument: &Polynomial) {
+        let above_one = argument.sub(&Polynomial::one());
+        if self.never_negative(&above_one) {
+            self.at_least(variable, BigRational::zero());
+        } else if self.never_negative(argument) && self.never_negative(&above_one.neg()) {
+            self.at_most(variable, BigRational::zero());
+        }
+    }
+
+    /// Whether the bounds leave no value for a generator, or the inequalities no point.
     pub(crate) fn contradiction(&self) -> bool {
-        self.lower.iter().any(|(variable, lower)| self.upper.get(variable).is_some_and(|upper| lower > upper))
+        let empty = |(variable, lower): (&u32, &BigRational)| {
+            self.upper.get(variable).is_some_and(|upper| lower > upper)
+        };
+        self.lower.iter().any(empty)
+            || (!self.inequalities.is_empty()
+                && contradict(&self.known(), |monomial| self.is_never_negative(monomial)))
+    }
+
+    /// The inequalities, the bounds of what occurs in them among them.
+    fn known(&self) -> Vec<Inequality> {
+        let mut known = self.inequalities.clone();
+        let mut variables: Vec<u32> =
+            self.inequalities.iter().flat_map(|inequality| inequality.polynomial.variables()).collect();
+        variables.sort_unstable();
+        variables.dedup();
+        for variable in variables {
+            let times = |bound: &BigRational| Polynomial::variable(variable).scale(bound.denom());
+            let number = |bound: &BigRational| Polynomial::constant(bound.numer().clone());
+            let above = self.lower.get(&variable).map(|lower| times(lower).sub(&number(lower)));
+            let below = self.upper.get(&variable).map(|upper| number(upper).sub(&times(upper)));
+            let bounds = above.into_iter().chain(below);
+            known.extend(bounds.map(|polynomial| Inequality { polynomial, strict: false }));
+        }
+        known
+    }
+
+    /// Whether a monomial consists of squares and variables that are not negative.
+    fn is_never_negative(&self, monomial: &[(u32, u32)]) -> bool {
+        let positive = |variable: &u32| self.lower.get(variable).is_some_and(|lower| !lower.is_negative());
+        monomial.iter().all(|(variable, exponent)| exponent % 2 == 0 || positive(variable))
     }
 
     fn bound(&mut self, variable: u32, from_below: bool, bound: BigRational) {
@@ -145,15 +251,92 @@ impl Facts {
     }
 
     fn never_negative(&self, polynomial: &Polynomial) -> bool {
-        self.terms_are_never_negative(polynomial)
+        self.never_negative_through(polynomial, MOST_ROOTS)
+    }
+
+    fn never_negative_through(&self, polynomial: &Polynomial, roots: u32) -> bool {
+        if self.terms_are_never_negative(polynomial)
             || is_positive_semidefinite(polynomial)
-            || self.moved_to_zero(polynomial).is_some_and(|moved| terms_never_negative(&moved, |_| true))
+            || self.moved_to_zero(polynomial).is_some_and(|moved| self.bounded_terms_never_negative(&moved))
+        {
+            return true;
+        }
+        polynomial.term_count() <= MOST_TERMS
+            && (self.is_combination(polynomial)
+                || self.norm_shows(polynomial, roots)
+                || self.factors_show(polynomial, roots))
+    }
+
+    fn is_combination(&self, polynomial: &Polynomial) -> bool {
+        !self.inequalities.is_empty()
+            && follows(polynomial, &self.known(), |monomial| self.is_never_negative(monomial))
+    }
+
+    /// A + Bρᵏ ≥ 0 with ρ²ᵏ = f: both parts are, or the larger one is, as the norm tells.
+    fn norm_shows(&self, polynomial: &Polynomial, roots: u32) -> bool {
+        let last = polynomial.variables().into_iter().rev().find_map(|v| Some((v, self.roots.get(&v)?)));
+        let Some((variable, root)) = last.filter(|_| roots > 0) else { return false };
+        let (mut rational, mut slope) = (Polynomial::zero(), Polynomial::zero());
+        for (exponent, coefficient) in polynomial.coefficients_in(variable) {
+            match exponent {
+                0 => rational = coefficient,
+                _ if 2 * exponent == root.order => slope = coefficient,
+                _ => return false,
+            }
+        }
+        let shown = |p: &Polynomial| self.never_negative_through(p, roots - 1);
+        let (above, rising) = (shown(&rational), shown(&slope));
+        if above && rising {
+            return true;
+        }
+        let norm = self.reduced(rational.square().sub(&slope.square().mul(&root.radicand)));
+        norm.term_count() <= MOST_TERMS && (above && shown(&norm) || rising && shown(&norm.neg()))
+    }
+
+    /// The polynomial with powers of roots replaced by their radicands.
+    fn reduced(&self, polynomial: Polynomial) -> Polynomial {
+        let mut reduced = polynomial;
+        for variable in reduced.variables().into_iter().rev() {
+            let Some(root) = self.roots.get(&variable) else { continue };
+            reduced = reduced.coefficients_in(variable).into_iter().fold(
+                Polynomial::zero(),
+                |sum, (exponent, coefficient)| {
+                    let rest = coefficient.multiply_by_monomial(&[(variable, exponent % root.order)]);
+                    sum.add(&rest.mul(&root.radicand.pow(exponent / root.order)))
+                },
+            );
+        }
+        reduced
+    }
+
+    /// Squares do not matter, and the other factors have signs whose product is positive.
+    fn factors_show(&self, polynomial: &Polynomial, roots: u32) -> bool {
+        let (content, factors) = polynomial.square_free();
+        let odd: Vec<&Polynomial> =
+            factors.iter().filter(|(_, n)| n % 2 == 1).map(|(part, _)| part).collect();
+        let is_new = factors.len() > 1 || factors.iter().any(|(_, n)| *n > 1);
+        if !is_new || roots == 0 {
+            return false;
+        }
+        let mut negative = content.is_negative();
+        for part in odd {
+            if self.never_negative_through(&part.neg(), roots - 1) {
+                negative = !negative;
+            } else if !self.never_negative_through(part, roots - 1) {
+                return false;
+            }
+        }
+        !negative
     }
 
     fn terms_are_never_negative(&self, polynomial: &Polynomial) -> bool {
         terms_never_negative(polynomial, |variable| {
             self.lower.get(&variable).is_some_and(|lower| !lower.is_negative())
         })
+    }
+
+    fn bounded_terms_never_negative(&self, moved: &Polynomial) -> bool {
+        terms_never_negative(moved, |v| self.lower.contains_key(&v) || self.upper.contains_key(&v))
     }
 
     /// Bounded variables replaced by ones that are only known to be positive:
@@ -165,7 +348,7 @@ impl Facts {
         let mut moved = polynomial.clone();
         for variable in polynomial.variables() {
             moved = match (self.lower.get(&variable), self.upper.get(&variable)) {
-                (None, None) => return None,
+                (None, None) => moved,
                 (Some(lower), None) => moebius(&moved, variable, lower, None, 1),
                 (None, Some(upper)) => moebius(&moved, variable, upper, None, -1),
                 (Some(lower), Some(upper)) => moebius(&moved, variable, lower, Some(upper), 1),

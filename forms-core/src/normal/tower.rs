@@ -190,6 +190,22 @@ impl Tower {
         self.constraints.insert(radicand, constraint);
     }
 
+    /// n and f for a root ρⁿ = f of the case at hand.
+    pub fn radicand_of(&self, variable: u32) -> Option<(u32, &Polynomial)> {
+        let relation = self.relation_of(variable).filter(|_| self.is_current_root(variable))?;
+        Some((relation.order, &relation.value))
+    }
+
+    /// A polynomial with the sign of the exponent u of exp u, if u is a monomial.
+    pub fn exponent_polynomial(&self, variable: u32) -> Option<Polynomial> {
+        let Generator::Exponential(unit) = self.generator(variable) else { return None };
+        let quantity = self.quantity(&unit.quantity);
+        let below = quantity.factors.iter().filter(|power| power.exponent % 2 != 0);
+        Some(below.fold(quantity.numerator.clone(), |product, power| {
+            product.mul(self.factor_polynomial(power.factor))
+        }))
+    }
+
     /// What a polynomial variable stands for.
     pub fn generator(&self, variable: u32) -> &Generator {
         &self.generators[variable as usize]
