@@ -1,12 +1,13 @@
 //! Linear certificates: a polynomial as a combination of known inequalities with positive coefficients.
 //!
 //! ```text
-//! p = Σ λᵢ cᵢ + Σ μⱼ mⱼ + λ₀,   λ, μ ≥ 0        shows p ≥ 0 wherever every cᵢ ≥ 0
-//! 0 = Σ λᵢ cᵢ + Σ μⱼ mⱼ + λ₀,   Σ λ > 0         over strict cᵢ > 0 and λ₀: nothing meets them
+//! p = Σ λᵢ cᵢ + Σ μⱼ σⱼ mⱼ + λ₀,   λ, μ ≥ 0        shows p ≥ 0 wherever every cᵢ ≥ 0
+//! 0 = Σ λᵢ cᵢ + Σ μⱼ σⱼ mⱼ + λ₀,   Σ λ > 0         over strict cᵢ > 0 and λ₀: nothing meets them
 //! ```
-//! The mⱼ are monomials that are never negative. Both are linear programs in λ and μ, with one equation for each
+//! The mⱼ are monomials of a known sign σⱼ. Both are linear programs in λ and μ, with one equation for each
 //! monomial, solved exactly (Farkas' lemma says that nothing is missed among combinations of this kind).
 
+use crate::normal::Sign;
 use crate::polynomial::Polynomial;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -32,28 +33,28 @@ type Monomial = Vec<(u32, u32)>;
 pub(super) fn follows(
     target: &Polynomial,
     known: &[Inequality],
-    never_negative: impl Fn(&Monomial) -> bool,
+    sign_of: impl Fn(&Monomial) -> Option<Sign>,
 ) -> bool {
-    let mut program = Program::new(known, target, never_negative);
+    let mut program = Program::new(known, target, sign_of);
     program.solvable(target, None)
 }
 
 /// Whether no point meets the inequalities.
-pub(super) fn contradict(known: &[Inequality], never_negative: impl Fn(&Monomial) -> bool) -> bool {
+pub(super) fn contradict(known: &[Inequality], sign_of: impl Fn(&Monomial) -> Option<Sign>) -> bool {
     let zero = Polynomial::zero();
-    let mut program = Program::new(known, &zero, never_negative);
+    let mut program = Program::new(known, &zero, sign_of);
     let strict: Vec<bool> = known.iter().map(|inequality| inequality.strict).collect();
     program.solvable(&zero, Some(&strict))
 }
 
-/// The columns of a program: inequalities first, then 1, then monomials that are never negative.
+/// The columns of a program: inequalities first, then 1, then monomials of a known sign.
 struct Program {
     rows: Vec<Monomial>,
     columns: Vec<BTreeMap<usize, BigRational>>,
 }
 
 impl Program {
-    fn new(known: &[Inequality], target: &Polynomial, never_negative: impl Fn(&Monomial) -> bool) -> Self {
+    fn new(known: &[Inequality], target: &Polynomial, sign_of: impl Fn(&Monomial) -> Option<Sign>) -> Self {
         let mut places: BTreeMap<Monomial, usize> = BTreeMap::new();
         let mut rows: Vec<Monomial> = Vec::new();
         let all = known.iter().map(|inequality| &inequality.polynomial).chain([target]);
@@ -67,10 +68,14 @@ impl Program {
             p.terms().map(|(m, c)| (places[&m], BigRational::from_integer(c))).collect()
         };
         let mut columns: Vec<_> = known.iter().map(|inequality| column(&inequality.polynomial)).collect();
-        let alone = |row: usize| BTreeMap::from([(row, BigRational::one())]);
-        columns.push(alone(places[&Vec::new()]));
-        let signed = rows.iter().enumerate().filter(|(_, m)| !m.is_empty() && never_negative(m));
-        columns.extend(signed.map(|(row, _)| alone(row)));
+        let alone = |row: usize, value: BigRational| BTreeMap::from([(row, value)]);
+        columns.push(alone(places[&Vec::new()], BigRational::one()));
+        for (row, monomial) in rows.iter().enumerate().filter(|(_, monomial)| !monomial.is_empty()) {
+            columns.extend(sign_of(monomial).map(|sign| match sign {
+                Sign::Positive => alone(row, BigRational::one()),
+                Sign::Negative => alone(row, -BigRational::one()),
+            }));
+        }
         Program { rows, columns }
     }
 
@@ -168,26 +173,26 @@ mod tests {
     #[test]
     fn a_chain_orders_its_ends_and_nothing_else() {
         let known = chain(&[(0, 1), (1, 2)], false);
-        assert!(follows(&difference(0, 2), &known, |_| false));
-        assert!(!follows(&difference(2, 0), &known, |_| false));
-        assert!(!follows(&difference(0, 3), &known, |_| false));
+        assert!(follows(&difference(0, 2), &known, |_| None));
+        assert!(!follows(&difference(2, 0), &known, |_| None));
+        assert!(!follows(&difference(0, 3), &known, |_| None));
     }
 
     #[test]
     fn a_closed_chain_contradicts_itself_exactly_if_it_is_strict() {
         let pairs = [(0, 1), (1, 2), (2, 0)];
-        assert!(contradict(&chain(&pairs, true), |_| false));
-        assert!(!contradict(&chain(&pairs, false), |_| false));
-        assert!(!contradict(&chain(&pairs[..2], true), |_| false));
+        assert!(contradict(&chain(&pairs, true), |_| None));
+        assert!(!contradict(&chain(&pairs, false), |_| None));
+        assert!(!contradict(&chain(&pairs[..2], true), |_| None));
     }
 
     #[test]
-    fn monomials_that_are_never_negative_may_be_added() {
+    fn monomials_of_known_sign_may_be_added() {
         // 1 − x² − y² ≥ 0 shows 1 − x² ≥ 0, and not 1 − 2x² ≥ 0
         let square = |v: u32| Polynomial::variable(v).square();
         let disk = Polynomial::one().sub(&square(0)).sub(&square(1));
         let known = [Inequality { polynomial: disk, strict: false }];
-        let even = |m: &Monomial| m.iter().all(|&(_, exponent)| exponent % 2 == 0);
+        let even = |m: &Monomial| m.iter().all(|&(_, n)| n % 2 == 0).then_some(Sign::Positive);
         assert!(follows(&Polynomial::one().sub(&square(0)), &known, even));
         assert!(!follows(&Polynomial::one().sub(&square(0).scale(&2.into())), &known, even));
     }

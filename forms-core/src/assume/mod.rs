@@ -8,11 +8,12 @@
 //! Everything that is said about real expressions under conditions, proofs and integrals alike, goes through
 //! the cases found here.
 
+mod facts;
 mod linear;
 mod region;
 mod sign;
 
-pub(crate) use sign::Facts;
+pub(crate) use facts::Facts;
 
 use crate::expression::{Condition, Expr, Pool};
 use crate::normal::{Fraction, Obstacle, Sign, SignConstraint, Tower, Trigonometry, normalise};
@@ -56,10 +57,10 @@ impl Assumptions {
         expressions: &[Expr],
         given: &[(usize, Sign)],
     ) -> Result<Cases, Obstacle> {
-        let Some((region, wanted)) = self.region(tower, pool, expressions, given)? else {
+        let Some((region, wanted, facts)) = self.region(tower, pool, expressions, given)? else {
             return Ok(Cases::Empty);
         };
-        let cases = match region.cases() {
+        let cases = match region.cases(|signs| facts.allow(tower, signs)) {
             Ok(cases) => cases,
             Err(NoCases::Empty) => return Ok(Cases::Empty),
             Err(NoCases::TooMany) => return Ok(Cases::TooMany),
@@ -83,7 +84,7 @@ impl Assumptions {
         pool: &Pool,
         expressions: &[Expr],
         given: &[(usize, Sign)],
-    ) -> Result<Option<(Region, Vec<usize>)>, Obstacle> {
+    ) -> Result<Option<(Region, Vec<usize>, Facts)>, Obstacle> {
         for _ in 0..MOST_PASSES {
             tower.fix_signs(given);
             let prepared = normalise(tower, pool, expressions)?;
@@ -107,7 +108,8 @@ impl Assumptions {
             let open = if prepared.open.is_empty() { knowledge.open.clone() } else { prepared.open };
             let wanted = simplest(tower, open);
             let factors = if wanted.is_empty() { knowledge.factors(given) } else { wanted.clone() };
-            return Ok(Some((assemble(tower, knowledge, given, factors), wanted)));
+            let facts = knowledge.facts.clone();
+            return Ok(Some((assemble(tower, knowledge, given, factors), wanted, facts)));
         }
         Err(Obstacle::Refine)
     }

@@ -4,14 +4,13 @@
 //! Never sampled. An answer σ means σ·g ≥ 0 wherever the assumptions hold. With a root ρ of f,
 //! A + Bρ ≥ 0 follows from A, B ≥ 0, from A ≥ 0 and A² − B² f ≥ 0, and from B ≥ 0 and A² − B² f ≤ 0.
 
-use super::linear::{Inequality, contradict, follows};
-use crate::normal::{Fraction, Generator, Sign, Tower, Unit};
+use super::facts::Facts;
+use super::linear::follows;
+use crate::normal::Sign;
 use crate::polynomial::Polynomial;
-use crate::syntax::ast::Relation;
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
-use rustc_hash::{FxHashMap, FxHashSet};
+use num_traits::{Signed, Zero};
 
 /// A polynomial with more variables than this is not tried as a sum of squares.
 const MOST_SQUARES: usize = 12;
@@ -25,210 +24,7 @@ const MOST_TERMS: usize = 40;
 /// How many roots a sign may be traced through.
 const MOST_ROOTS: u32 = 4;
 
-/// Decimal digits to which the root of a number is enclosed.
-const DIGITS_OF_ROOTS: usize = 12;
-
-/// ρⁿ = f
-#[derive(Clone, Debug)]
-struct Root {
-    order: u32,
-    radicand: Polynomial,
-}
-
-/// Bounds of generators by numbers, inequalities between them, and the radicands of roots.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Facts {
-    lower: FxHashMap<u32, BigRational>,
-    upper: FxHashMap<u32, BigRational>,
-    below_pi: FxHashSet<u32>,
-    inequalities: Vec<Inequality>,
-    roots: FxHashMap<u32, Root>,
-}
-
 impl Facts {
-    /// What holds of every generator by its nature: roots and exponentials are positive.
-    pub(crate) fn of(tower: &Tower) -> Self {
-        let mut facts = Facts::default();
-        facts.learn_nature(tower);
-        facts
-    }
-
-    fn learn_nature(&mut self, tower: &Tower) {
-        for variable in 0..tower.generator_count() {
-            match tower.generator(variable) {
-                Generator::Root { base, .. } => {
-                    self.at_least(variable, BigRational::zero());
-                    let radicand = tower.radicand_of(variable);
-                    if let Some((order, radicand)) = radicand
-                        && (radicand.as_constant().is_some() || tower.base(*base).sign.is_some())
-                    {
-                        self.learn_root(variable, order, radicand);
-                    }
-                }
-                Generator::Exponential(_) => self.at_least(variable, BigRational::zero()),
-                Generator::Pi => {
-                    self.at_least(variable, BigRational::new(333.into(), 106.into()));
-                    self.at_most(variable, BigRational::new(22.into(), 7.into()));
-                }
-                Generator::Cosine(_) | Generator::Sine(_) => {
-                    self.at_least(variable, -BigRational::one());
-                    self.at_most(variable, BigRational::one());
-                }
-                _ => {}
-            }
-        }
-    }
-
-    /// The root of a number lies between two decimals, that of anything else is bound by its radicand.
-    fn learn_root(&mut self, variable: u32, order: u32, radicand: &Polynomial) {
-        if let Some(number) = radicand.as_constant() {
-            let scale = num_traits::pow(BigInt::from(10), DIGITS_OF_ROOTS);
-            let floor = (number * num_traits::pow(scale.clone(), order as usize)).nth_root(order);
-            self.at_least(variable, BigRational::new(floor.clone(), scale.clone()));
-            self.at_most(variable, BigRational::new(floor + 1, scale));
-        }
-        self.roots.insert(variable, Root { order, radicand: radicand.clone() });
-    }
-
-    /// Learns from `difference relation 0` if it bounds one generator by a number, or from above by π.
-    pub(crate) fn learn(&mut self, tower: &Tower, difference: &Fraction, relation: Relation) {
-        let Some(difference) = difference.as_polynomial() else { return };
-        let up = matches!(relation, Relation::Greater | Relation::GreaterEqual);
-        if relation == Relation::NotEqual {
-            return;
-        }
-        let polynomial = if up { difference.clone() } else { difference.neg() };
-        let strict = matches!(relation, Relation::Greater | Relation::Less);
-        self.inequalities.push(Inequality { polynomial, strict });
-        let mut linear: Vec<(u32, BigInt)> = Vec::new();
-        let mut constant = BigInt::zero();
-        for (monomial, coefficient) in difference.terms() {
-            match monomial.as_slice() {
-                [] => constant = coefficient,
-                [(variable, 1)] => linear.push((*variable, coefficient)),
-                _ => return,
-            }
-        }
-        // a v + c > 0
-        if let [(variable, slope)] = linear.as_slice() {
-            let bound = BigRational::new(-&constant, slope.clone());
-            self.bound(*variable, up == slope.is_positive(), bound);
-        }
-        // a v + b π > 0 with a < 0 says v < −(b/a) π
-        if let [(v, a), (w, b)] = linear.as_slice()
-            && constant.is_zero()
-        {
-            let is_pi = |variable: u32| *tower.generator(variable) == Generator::Pi;
-            let (variable, a, b) = if is_pi(*w) { (v, a, b) } else { (w, b, a) };
-            let is_angle = is_pi(*v) != is_pi(*w);
-            if is_angle && up == a.is_negative() && BigRational::new(-b, a.clone()) <= BigRational::one() {
-                self.below_pi.insert(*variable);
-            }
-        }
-    }
-
-    /// Learns of functions what follows from the signs of their arguments.
-    pub(crate) fn learn_functions(&mut self, tower: &Tower) {
-        self.learn_nature(tower);
-        for variable in 0..tower.generator_count() {
-            match tower.generator(variable) {
-                Generator::HalfTangent(unit) => self.learn_half_tangent(variable, unit),
-                Generator::Exponential(_) => self.learn_exponential(tower, variable),
-                Generator::Logarithm { base } => {
-                    self.learn_logarithm(variable, &tower.base(*base).polynomial)
-                }
-                _ => {}
-            }
-        }
-    }
-
-    /// For 0 < θ < π the half-angle tangent of u = θ/d is positive, and at most 1 if d > 1.
-    fn learn_half_tangent(&mut self, variable: u32, unit: &Unit) {
-        let Some(angle) = unit.as_variable() else { return };
-        let positive = self.lower.get(&angle).is_some_and(|lower| !lower.is_negative());
-        if positive && self.below_pi.contains(&angle) {
-            self.at_least(variable, BigRational::zero());
-            if unit.divisor() > 1 {
-                self.at_most(variable, BigRational::one());
-            }
-        }
-    }
-
-    /// exp u ≥ 1 where u ≥ 0, exp u ≤ 1 where u ≤ 0
-    fn learn_exponential(&mut self, tower: &Tower, variable: u32) {
-        match tower.exponent_polynomial(variable).and_then(|exponent| self.sign_of(&exponent)) {
-            Some(Sign::Positive) => self.at_least(variable, BigRational::one()),
-            Some(Sign::Negative) => self.at_most(variable, BigRational::one()),
-            None => {}
-        }
-    }
-
-    /// log g ≥ 0 where g ≥ 1, log |g| ≤ 0 where 0 ≤ g ≤ 1
-    fn learn_logarithm(&mut self, variable: u32, argument: &Polynomial) {
-        let above_one = argument.sub(&Polynomial::one());
-        if self.never_negative(&above_one) {
-            self.at_least(variable, BigRational::zero());
-        } else if self.never_negative(argument) && self.never_negative(&above_one.neg()) {
-            self.at_most(variable, BigRational::zero());
-        }
-    }
-
-    /// Whether the bounds leave no value for a generator, or the inequalities no point.
-    pub(crate) fn contradiction(&self) -> bool {
-        let empty = |(variable, lower): (&u32, &BigRational)| {
-            self.upper.get(variable).is_some_and(|upper| lower > upper)
-        };
-        self.lower.iter().any(empty)
-            || (!self.inequalities.is_empty()
-                && contradict(&self.known(), |monomial| self.is_never_negative(monomial)))
-    }
-
-    /// The inequalities, the bounds of what occurs in them among them.
-    fn known(&self) -> Vec<Inequality> {
-        let mut known = self.inequalities.clone();
-        let mut variables: Vec<u32> =
-            self.inequalities.iter().flat_map(|inequality| inequality.polynomial.variables()).collect();
-        variables.sort_unstable();
-        variables.dedup();
-        for variable in variables {
-            let times = |bound: &BigRational| Polynomial::variable(variable).scale(bound.denom());
-            let number = |bound: &BigRational| Polynomial::constant(bound.numer().clone());
-            let above = self.lower.get(&variable).map(|lower| times(lower).sub(&number(lower)));
-            let below = self.upper.get(&variable).map(|upper| number(upper).sub(&times(upper)));
-            let bounds = above.into_iter().chain(below);
-            known.extend(bounds.map(|polynomial| Inequality { polynomial, strict: false }));
-        }
-        known
-    }
-
-    /// Whether a monomial consists of squares and variables that are not negative.
-    fn is_never_negative(&self, monomial: &[(u32, u32)]) -> bool {
-        let positive = |variable: &u32| self.lower.get(variable).is_some_and(|lower| !lower.is_negative());
-        monomial.iter().all(|(variable, exponent)| exponent % 2 == 0 || positive(variable))
-    }
-
-    fn bound(&mut self, variable: u32, from_below: bool, bound: BigRational) {
-        if from_below {
-            self.at_least(variable, bound);
-        } else {
-            self.at_most(variable, bound);
-        }
-    }
-
-    fn at_least(&mut self, variable: u32, bound: BigRational) {
-        let entry = self.lower.entry(variable).or_insert_with(|| bound.clone());
-        if bound > *entry {
-            *entry = bound;
-        }
-    }
-
-    fn at_most(&mut self, variable: u32, bound: BigRational) {
-        let entry = self.upper.entry(variable).or_insert_with(|| bound.clone());
-        if bound < *entry {
-            *entry = bound;
-        }
-    }
-
     /// The sign of a polynomial, if it can be shown.
     pub(crate) fn sign_of(&self, polynomial: &Polynomial) -> Option<Sign> {
         if self.never_negative(polynomial) {
@@ -250,7 +46,7 @@ impl Facts {
         })
     }
 
-    fn never_negative(&self, polynomial: &Polynomial) -> bool {
+    pub(super) fn never_negative(&self, polynomial: &Polynomial) -> bool {
         self.never_negative_through(polynomial, MOST_ROOTS)
     }
 
@@ -269,7 +65,7 @@ impl Facts {
 
     fn is_combination(&self, polynomial: &Polynomial) -> bool {
         !self.inequalities.is_empty()
-            && follows(polynomial, &self.known(), |monomial| self.is_never_negative(monomial))
+            && follows(polynomial, &self.known(), |monomial| self.sign_of_monomial(monomial))
     }
 
     /// A + Bρᵏ ≥ 0 with ρ²ᵏ = f: both parts are, or the larger one is, as the norm tells.
@@ -450,6 +246,7 @@ fn pivots_are_not_negative(mut matrix: Vec<Vec<BigRational>>) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use num_traits::One;
 
     fn polynomial(terms: &[(&[(u32, u32)], i64)]) -> Polynomial {
         Polynomial::from_terms(terms.iter().map(|(m, c)| (m.to_vec(), BigInt::from(*c))))

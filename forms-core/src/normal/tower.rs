@@ -196,14 +196,21 @@ impl Tower {
         Some((relation.order, &relation.value))
     }
 
-    /// A polynomial with the sign of the exponent u of exp u, if u is a monomial.
-    pub fn exponent_polynomial(&self, variable: u32) -> Option<Polynomial> {
+    /// A polynomial with the sign of the exponent u of the generator exp u.
+    pub fn sign_of_exponent(&self, variable: u32) -> Option<Polynomial> {
         let Generator::Exponential(unit) = self.generator(variable) else { return None };
         let quantity = self.quantity(&unit.quantity);
         let below = quantity.factors.iter().filter(|power| power.exponent % 2 != 0);
         Some(below.fold(quantity.numerator.clone(), |product, power| {
             product.mul(self.factor_polynomial(power.factor))
         }))
+    }
+
+    /// m and d of the generator exp(m/d), if m is a polynomial.
+    pub fn exponent(&self, variable: u32) -> Option<(Polynomial, u32)> {
+        let Generator::Exponential(unit) = self.generator(variable) else { return None };
+        let quantity = self.quantity(&unit.quantity);
+        quantity.is_polynomial().then_some((quantity.numerator, unit.divisor))
     }
 
     /// What a polynomial variable stands for.
