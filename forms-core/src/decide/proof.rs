@@ -32,17 +32,24 @@ pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Ex
     let assumptions = Assumptions::new(pool, &problem.assumptions);
     let mut tower = Tower::new(Trigonometry::Circle);
     let mut proof = Proof { pool, tower: &mut tower, differences, assumptions, cases: 0 };
-    match proof.explore(&[]) {
+    let explored = proof.explore(&[]);
+    match explored {
+        Ok(Outcome::NotZero) => match tower.nested_radical() {
+            Some(radical) => {
+                let radical = tower.raise(pool, &radical);
+                Outcome::Outside(format!("{OUTSIDE}: the nested radical {}", pool.text(radical)))
+            }
+            None => Outcome::NotZero,
+        },
         Ok(outcome) => outcome,
         Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
-        Err(Obstacle::Outside(part)) => {
-            Outcome::Outside(format!("outside the class that is decided: {part}"))
-        }
+        Err(Obstacle::Outside(part)) => Outcome::Outside(format!("{OUTSIDE}: {part}")),
         Err(Obstacle::TooLarge(limit)) => Outcome::Outside(format!("the normal form is too large: {limit}")),
         Err(Obstacle::Refine) => Outcome::Outside("its radicands could not be factored".into()),
     }
 }
 
+const OUTSIDE: &str = "outside the class that is decided";
 const DIVIDES_BY_ZERO: &str = "it divides by zero everywhere";
 
 struct Proof<'a> {

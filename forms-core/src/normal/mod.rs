@@ -12,6 +12,7 @@
 //! zero needs no greatest common divisor.
 
 mod angle;
+mod cube;
 mod derivation;
 mod exponential;
 mod factor;

@@ -6,11 +6,13 @@
 //! A + Bρ = n / (A − Bρ)                          where the conjugate is a factor already
 //! A + Bρ = (A + m + Bρ)² / (2 (A + m))           where n = m²: √(3 + 2√2) = (4 + 2√2)/√8 = 1 + √2
 //! A + Bρ = s² / g                                where its product with a known factor g is a square s²
+//! A + Bρ = h³                                    where numbers A and B make it a cube
 //! ```
 //! Each is an identity of the field, so it serves roots and logarithms alike. What it divides by has to have a norm
 //! other than zero, down to an element without roots: that shows it not to be zero in disguise. A factor to which
 //! none applies joins the basis.
 
+use super::cube::cube_root;
 use super::fraction::Fraction;
 use super::generator::Generator;
 use super::root::{Factored, prime_powers};
@@ -82,6 +84,7 @@ impl Tower {
                 factored.denested += 1;
                 if self.by_conjugate(&split, exponent, factored)?
                     || self.denest(&split, exponent, factored)?
+                    || self.by_cube(&split, exponent, factored)?
                 {
                     return Ok(());
                 }
@@ -138,6 +141,26 @@ impl Tower {
         self.raise_fraction(&whole, exponent * two, factored)?;
         self.raise_fraction(&sum, -exponent, factored)?;
         self.multiply_constant(factored, &2.into(), -exponent);
+        Ok(true)
+    }
+
+    /// (A + Bρ)ᵉ = h³ᵉ for numbers A and B
+    fn by_cube(
+        &mut self,
+        split: &Split,
+        exponent: Ratio<i64>,
+        factored: &mut Factored,
+    ) -> Result<bool, Obstacle> {
+        let norm = self.norm(split)?;
+        let (Some(a), Some(norm)) = (split.rational.as_constant(), norm.as_constant()) else {
+            return Ok(false);
+        };
+        let is_number = split.slope.as_constant().is_some();
+        let Some((shift, below)) = cube_root(&a, &norm).filter(|_| is_number) else { return Ok(false) };
+        let above = split.rational.add(&split.irrational()).add(&Polynomial::constant(shift));
+        let three = Ratio::from_integer(3);
+        self.factor_polynomial_into(&above, exponent * three, factored)?;
+        self.multiply_constant(factored, &below, -exponent * three);
         Ok(true)
     }
 
@@ -317,6 +340,17 @@ impl Tower {
     fn roots_in(&self, polynomial: &Polynomial) -> Vec<u32> {
         let is_root = |variable: &u32| matches!(self.generator(*variable), Generator::Root { .. });
         polynomial.variables().into_iter().filter(is_root).collect()
+    }
+
+    /// A root of a radicand that contains roots, if one is in use: it may depend on others in ways unknown here.
+    pub fn nested_radical(&self) -> Option<Fraction> {
+        let nested = |&variable: &u32| {
+            self.is_current_root(variable)
+                && self
+                    .relation_of(variable)
+                    .is_some_and(|relation| !self.roots_in(&relation.value).is_empty())
+        };
+        (0..self.generator_count()).find(nested).map(|variable| Polynomial::variable(variable).into())
     }
 
     fn is_stale_root(&self, variable: u32) -> bool {
