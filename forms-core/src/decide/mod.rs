@@ -10,17 +10,22 @@
 //! few points are looked at first, since a false statement is refuted by almost any point; a proved one needs
 //! a point as well, to show that it speaks of something.
 
+mod account;
 mod empty;
 mod problem;
 mod proof;
+mod ratio;
 mod report;
 mod sample;
 mod verdict;
 mod witness;
 
-pub use report::simplified;
+pub use account::{Account, Bound, Cancellation, Case, account};
+pub use ratio::Ratio;
+pub use report::simplified_where;
 pub use verdict::{Theorem, Verdict, Witness};
 
+use crate::expression::Condition;
 use crate::resolve::{Statement, Theory};
 use problem::Problem;
 use proof::Outcome;
@@ -80,6 +85,12 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
         },
         Outcome::Outside(reason) | Outcome::Empty(reason) => Verdict::Unknown { reason },
     }
+}
+
+/// What a verdict on a statement assumes, the texts of which it carries.
+pub fn conditions(theory: &mut Theory, statement: &Statement) -> Vec<Condition> {
+    let problem = Problem::new(theory, statement);
+    report::conditions(&mut theory.pool, &problem)
 }
 
 /// What looking at points has shown so far.

@@ -31,7 +31,8 @@ pub(super) fn prove(pool: &mut Pool, problem: &Problem) -> Outcome {
 pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>) -> Outcome {
     let assumptions = Assumptions::new(pool, &problem.assumptions);
     let mut tower = Tower::new(Trigonometry::Circle);
-    let mut proof = Proof { pool, tower: &mut tower, differences, assumptions, cases: 0 };
+    let mut proof =
+        Proof { pool, tower: &mut tower, differences, assumptions, cases: 0, settled: Vec::new() };
     let explored = proof.explore(&[]);
     match explored {
         Ok(Outcome::NotZero) => match tower.nested_radical() {
@@ -50,6 +51,20 @@ pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Ex
 }
 
 const OUTSIDE: &str = "outside the class that is decided";
+
+/// The cases in which the normal forms are zero, by the signs that tell them apart; nothing if that is no proof.
+pub(super) fn settled_cases(
+    pool: &mut Pool,
+    problem: &Problem,
+    tower: &mut Tower,
+) -> Option<Vec<Vec<(usize, Sign)>>> {
+    let assumptions = Assumptions::new(pool, &problem.assumptions);
+    let differences = problem.differences();
+    let mut proof = Proof { pool, tower, differences, assumptions, cases: 0, settled: Vec::new() };
+    let outcome = proof.explore(&[]);
+    (outcome == Ok(Outcome::Zero)).then_some(proof.settled)
+}
+
 const DIVIDES_BY_ZERO: &str = "it divides by zero everywhere";
 
 struct Proof<'a> {
@@ -58,6 +73,8 @@ struct Proof<'a> {
     differences: Vec<Expr>,
     assumptions: Assumptions,
     cases: usize,
+    /// The signs of the cases in which everything is zero.
+    settled: Vec<Vec<(usize, Sign)>>,
 }
 
 impl Proof<'_> {
@@ -65,7 +82,10 @@ impl Proof<'_> {
     fn explore(&mut self, given: &[(usize, Sign)]) -> Result<Outcome, Obstacle> {
         self.cases += 1;
         match self.settle(given) {
-            Ok(Some(Outcome::Zero)) => return Ok(Outcome::Zero),
+            Ok(Some(Outcome::Zero)) => {
+                self.settled.push(given.to_vec());
+                return Ok(Outcome::Zero);
+            }
             Ok(_) => {}
             Err(Obstacle::DivisionByZero) => return Ok(Outcome::Empty(DIVIDES_BY_ZERO.into())),
             Err(obstacle) => return Err(obstacle),

@@ -12,6 +12,7 @@
 //! zero needs no greatest common divisor.
 
 mod angle;
+mod common;
 mod cube;
 mod derivation;
 mod exponential;
@@ -27,6 +28,7 @@ mod root;
 mod terms;
 mod tower;
 
+pub use common::Together;
 pub use derivation::Normal;
 pub use fraction::Fraction;
 pub use generator::{Generator, Unit};
