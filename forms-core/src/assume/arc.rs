@@ -1,7 +1,7 @@
 //! Where sums of inverse trigonometric functions lie: principal values, narrowed by the signs of arguments.
 
 use super::range::Range;
-use super::sign::Facts;
+use super::facts::Facts;
 use crate::expression::Operation;
 use crate::normal::{Fraction, Obstacle, Sign, Tower};
 use crate::polynomial::Polynomial;
@@ -21,7 +21,7 @@ impl Facts {
                 (None, None) => return Ok(Range::default()),
             }
         }
-        Ok(range.add(&self.ranges().of(tower.pi(), rest)))
+        Ok(range.add(&self.ranges.of(tower.pi(), rest)))
     }
 
     /// atan q ∈ (−π/2, π/2), asin q ∈ [−π/2, π/2], acos q ∈ [0, π], atan2(y, x) ∈ (−π, π) off its cut, each in

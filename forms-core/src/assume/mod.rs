@@ -9,12 +9,14 @@
 //! the cases found here.
 
 mod arc;
+mod facts;
+mod linear;
 mod range;
 mod region;
 mod sign;
 
+pub(crate) use facts::Facts;
 pub(crate) use range::Range;
-pub(crate) use sign::Facts;
 
 use crate::expression::{Condition, Expr, Pool};
 use crate::normal::{Fraction, Obstacle, Sign, SignConstraint, Tower, Trigonometry, normalise};
@@ -58,10 +60,10 @@ impl Assumptions {
         expressions: &[Expr],
         given: &[(usize, Sign)],
     ) -> Result<Cases, Obstacle> {
-        let Some((region, wanted)) = self.region(tower, pool, expressions, given)? else {
+        let Some((region, wanted, facts)) = self.region(tower, pool, expressions, given)? else {
             return Ok(Cases::Empty);
         };
-        let cases = match region.cases() {
+        let cases = match region.cases(|signs| facts.allow(tower, signs)) {
             Ok(cases) => cases,
             Err(NoCases::Empty) => return Ok(Cases::Empty),
             Err(NoCases::TooMany) => return Ok(Cases::TooMany),
@@ -78,14 +80,14 @@ impl Assumptions {
     }
 
     /// The factors whose signs matter, with all that is known of them; and those to be told apart. Nothing if the
-    /// given signs leave some generator no value.
+    /// conditions contradict each other.
     fn region(
         &self,
         tower: &mut Tower,
         pool: &Pool,
         expressions: &[Expr],
         given: &[(usize, Sign)],
-    ) -> Result<Option<(Region, Vec<usize>)>, Obstacle> {
+    ) -> Result<Option<(Region, Vec<usize>, Facts)>, Obstacle> {
         for _ in 0..MOST_PASSES {
             tower.fix_signs(given);
             let prepared = normalise(tower, pool, expressions)?;
@@ -109,7 +111,8 @@ impl Assumptions {
             let open = if prepared.open.is_empty() { knowledge.open.clone() } else { prepared.open };
             let wanted = simplest(tower, open);
             let factors = if wanted.is_empty() { knowledge.factors(given) } else { wanted.clone() };
-            return Ok(Some((assemble(tower, knowledge, given, factors), wanted)));
+            let facts = knowledge.facts.clone();
+            return Ok(Some((assemble(tower, knowledge, given, factors), wanted, facts)));
         }
         Err(Obstacle::Refine)
     }
@@ -168,7 +171,7 @@ impl Assumptions {
             }
             knowledge.open.extend(open);
         }
-        knowledge.facts.learn_half_tangents(tower);
+        knowledge.facts.learn_functions(tower);
         knowledge.open.sort_unstable();
         knowledge.open.dedup();
         Ok(())
@@ -218,9 +221,7 @@ impl Knowledge {
                 Sign::Positive => Relation::GreaterEqual,
                 Sign::Negative => Relation::LessEqual,
             };
-            let polynomial = tower.base(base).polynomial.clone();
-            facts.learn(tower, &polynomial.clone().into(), relation);
-            facts.give(polynomial, sign);
+            facts.learn(tower, &tower.base(base).polynomial.clone().into(), relation);
         }
         Knowledge { facts, constraints: Vec::new(), open: Vec::new() }
     }

@@ -15,14 +15,17 @@ use super::proof::{Outcome, Turn, prove_full_turn, prove_zero};
 use crate::expression::{Expr, Node, Operation, Pool, Rational};
 use crate::normal::{Fraction, Obstacle, Tower, Trigonometry, is_arc, normalise};
 
+/// Whether inverse functions occur in expressions.
+pub(super) fn occur_in(pool: &Pool, expressions: &[Expr]) -> bool {
+    let is_arc = |part: Expr| matches!(pool.node(part), Node::Apply(operation, _) if is_arc(*operation));
+    pool.reachable(expressions).into_iter().any(is_arc)
+}
+
 /// Tries to prove that the expressions vanish, those with inverse functions in them as angles.
 pub(super) fn prove(pool: &mut Pool, problem: &Problem, differences: &[Expr]) -> Outcome {
-    if !differences.iter().any(|&difference| has_arc(pool, difference)) {
-        return Outcome::NotZero;
-    }
     for &difference in differences {
         let outcome = match prove_zero(pool, problem, vec![difference]) {
-            Outcome::NotZero => prove_component(pool, problem, difference),
+            Outcome::NotZero | Outcome::Outside(_) => prove_component(pool, problem, difference),
             outcome => outcome,
         };
         if outcome != Outcome::Zero {
@@ -30,11 +33,6 @@ pub(super) fn prove(pool: &mut Pool, problem: &Problem, differences: &[Expr]) ->
         }
     }
     Outcome::Zero
-}
-
-fn has_arc(pool: &Pool, expression: Expr) -> bool {
-    let arc = |part: Expr| matches!(pool.node(part), Node::Apply(operation, _) if is_arc(*operation));
-    pool.reachable(&[expression]).into_iter().any(arc)
 }
 
 fn prove_component(pool: &mut Pool, problem: &Problem, difference: Expr) -> Outcome {

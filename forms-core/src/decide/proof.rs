@@ -26,7 +26,12 @@ const MOST_CASES: usize = 512;
 pub(super) fn prove(pool: &mut Pool, problem: &Problem) -> Outcome {
     let differences = problem.differences();
     match prove_zero(pool, problem, differences.clone()) {
-        Outcome::NotZero => angle::prove(pool, problem, &differences),
+        outcome @ (Outcome::NotZero | Outcome::Outside(_)) if angle::occur_in(pool, &differences) => {
+            match angle::prove(pool, problem, &differences) {
+                Outcome::Zero => Outcome::Zero,
+                _ => outcome,
+            }
+        }
         outcome => outcome,
     }
 }
@@ -61,16 +66,24 @@ fn prove_in_all_cases(
     let assumptions = Assumptions::new(pool, &problem.assumptions);
     let mut tower = Tower::new(Trigonometry::Circle);
     let mut proof = Proof::new(pool, &mut tower, assumptions, differences, turn);
-    match proof.explore(&[]) {
+    let explored = proof.explore(&[]);
+    match explored {
+        Ok(Outcome::NotZero) => match tower.nested_radical() {
+            Some(radical) => {
+                let radical = tower.raise(pool, &radical);
+                Outcome::Outside(format!("{OUTSIDE}: the nested radical {}", pool.text(radical)))
+            }
+            None => Outcome::NotZero,
+        },
         Ok(outcome) => outcome,
         Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
-        Err(Obstacle::Outside(part)) => {
-            Outcome::Outside(format!("outside the class that is decided: {part}"))
-        }
+        Err(Obstacle::Outside(part)) => Outcome::Outside(format!("{OUTSIDE}: {part}")),
         Err(Obstacle::TooLarge(limit)) => Outcome::Outside(format!("the normal form is too large: {limit}")),
         Err(Obstacle::Refine) => Outcome::Outside("its radicands could not be factored".into()),
     }
 }
+
+const OUTSIDE: &str = "outside the class that is decided";
 
 /// The cases in which the normal forms are zero, by the signs that tell them apart; nothing if that is no proof.
 pub(super) fn settled_cases(

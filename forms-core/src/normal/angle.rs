@@ -1,4 +1,4 @@
-//! Sines, cosines and exponentials of rational combinations of quantities.
+//! Sines and cosines of rational combinations of quantities.
 //!
 //! An argument Σ qₖ mₖ with rational qₖ is written in units uₖ = mₖ/dₖ, so that every sine and cosine in one
 //! comparison is a polynomial in the functions of integer multiples of the same units.
@@ -115,27 +115,6 @@ impl Tower {
             self.cancel(numerator, 1.into(), vec![FactorPower { factor: norm, exponent: times as i32 }])
         };
         Ok((over(re), over(im)))
-    }
-
-    /// exp q as a product of integer powers of generators.
-    pub(super) fn exponential(&mut self, argument: &Fraction) -> Result<Fraction, Obstacle> {
-        let mut product = Fraction::one();
-        for (quantity, coefficient) in self.linear_parts(argument)? {
-            let (unit, multiple) = self.multiple(&quantity, &coefficient)?;
-            let generator = self.element(Generator::Exponential(unit));
-            let power = self.integer_power(&generator, multiple)?;
-            product = self.multiply(&product, &power)?;
-        }
-        Ok(product)
-    }
-
-    /// sinh, cosh: (e^q ∓ e^−q)/2
-    pub(super) fn hyperbolic(&mut self, argument: &Fraction) -> Result<Point, Obstacle> {
-        let up = self.exponential(argument)?;
-        let down = self.inverse(&up)?;
-        let half = Fraction::number(&Rational::new(1.into(), 2.into()));
-        let (sum, difference) = (self.add(&up, &down)?, self.subtract(&up, &down)?);
-        Ok((self.multiply(&half, &sum)?, self.multiply(&half, &difference)?))
     }
 }
 

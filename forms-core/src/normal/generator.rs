@@ -85,6 +85,11 @@ pub enum Generator {
         /// Whether the root is of −g.
         negated: bool,
     },
+    /// log |g| for the base g of that number
+    Logarithm {
+        /// The base's number.
+        base: usize,
+    },
     /// A function of the op table that nothing more is known of.
     Opaque {
         /// The function.

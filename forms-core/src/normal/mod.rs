@@ -3,7 +3,7 @@
 //! ```text
 //! structured expressions ── normalise ──▶ Fraction = polynomial / known factors
 //!                              │  tower of generators: variables, jets, roots, circle or half-angle
-//!                              │  functions, exponentials, opaque atoms
+//!                              │  functions, exponentials, logarithms, opaque atoms
 //!                              └─ filter: the same walk modulo a prime, at random points
 //! ```
 //! A generator is either free or bound by one relation ρⁿ = f with f in earlier generators. An expression is
@@ -14,11 +14,14 @@
 mod angle;
 mod arc;
 mod common;
+mod cube;
 mod derivation;
+mod exponential;
 mod factor;
 mod filter;
 mod fraction;
 mod generator;
+mod nested;
 mod normalise;
 mod polygon;
 mod quotient_rule;

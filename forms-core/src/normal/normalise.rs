@@ -7,7 +7,7 @@ use super::fraction::Fraction;
 use super::generator::Generator;
 use super::root::SignConstraint;
 use super::tower::{Obstacle, Tower};
-use crate::expression::{Expr, FunctionId, Node, Operation, Pool, Rational};
+use crate::expression::{Expr, FunctionId, Node, Operation, Pool};
 use num_rational::Ratio;
 use num_traits::{One, Signed};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -204,10 +204,8 @@ impl Walk<'_> {
             Operation::Abs if argument.is_zero() => Ok(argument),
             Operation::Abs => Ok(self.tower.magnitude_power(&argument, Ratio::one())?.0),
             Operation::Asin | Operation::Atan if argument.is_zero() => Ok(argument),
-            Operation::Log if argument.as_number().is_some_and(|value| value == Rational::one()) => {
-                Ok(Fraction::zero())
-            }
-            Operation::Asin | Operation::Acos | Operation::Atan | Operation::Atan2 | Operation::Log => {
+            Operation::Log => self.tower.logarithm(&argument),
+            Operation::Asin | Operation::Acos | Operation::Atan | Operation::Atan2 => {
                 self.opaque(operation, arguments)
             }
         }

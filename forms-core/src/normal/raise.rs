@@ -2,6 +2,7 @@
 
 use super::fraction::Fraction;
 use super::generator::{Generator, Unit};
+use super::root::{Base, Sign};
 use super::tower::Tower;
 use crate::expression::{Expr, Operation, Pool, Rational};
 use crate::polynomial::Polynomial;
@@ -98,6 +99,16 @@ impl Tower {
                 let radicand = if negated { polynomial.neg() } else { polynomial.clone() };
                 let radicand = self.raise_polynomial(pool, &radicand);
                 return pool.power(radicand, n / Ratio::from_integer(i64::from(order)));
+            }
+            Generator::Logarithm { base } => {
+                let Base { polynomial, sign, .. } = &self.bases[base];
+                let argument = match sign {
+                    Some(Sign::Negative) => self.raise_polynomial(pool, &polynomial.neg()),
+                    _ => self.raise_polynomial(pool, polynomial),
+                };
+                let is_positive = sign.is_some() || polynomial.as_constant().is_some();
+                let magnitude = if is_positive { argument } else { pool.apply(Operation::Abs, &[argument]) };
+                pool.apply(Operation::Log, &[magnitude])
             }
             Generator::Opaque { operation, arguments } => {
                 let arguments: Vec<Expr> = arguments.iter().map(|a| self.raise(pool, a)).collect();

@@ -117,7 +117,7 @@ impl Tower {
             | Generator::Sine(unit)
             | Generator::HalfTangent(unit)
             | Generator::Exponential(unit) => self.fraction_depends(&self.quantity(&unit.quantity), symbol),
-            Generator::Root { base, .. } => {
+            Generator::Root { base, .. } | Generator::Logarithm { base } => {
                 let polynomial = &self.bases[*base].polynomial;
                 polynomial.variables().into_iter().any(|v| self.depends(v, symbol))
             }
