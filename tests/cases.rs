@@ -9,15 +9,22 @@ macro_rules! case_files {
 }
 
 case_files! {
+    angles "tests/cases/angles.forms";
     change_of_variables "tests/cases/change_of_variables.forms";
     etendue "tests/cases/etendue.forms";
     exterior_derivative "tests/cases/exterior_derivative.forms";
     half_vectors "tests/cases/half_vectors.forms";
     integrals "tests/cases/integrals.forms";
+    inverse_trigonometry "tests/cases/inverse_trigonometry.forms";
     lie_and_cartan "tests/cases/lie_and_cartan.forms";
+    not_identities "tests/cases/not_identities.forms";
+    pullbacks "tests/cases/pullbacks.forms";
+    radicals "tests/cases/radicals.forms";
+    sampling_densities "tests/cases/sampling_densities.forms";
     solid_angle "tests/cases/solid_angle.forms";
     sphere_pullbacks "tests/cases/sphere_pullbacks.forms";
     symplectic "tests/cases/symplectic.forms";
     triangle_gradient "tests/cases/triangle_gradient.forms";
+    trigonometry "tests/cases/trigonometry.forms";
     wedge_and_interior "tests/cases/wedge_and_interior.forms";
 }

@@ -1,7 +1,7 @@
 //! Where sums of inverse trigonometric functions lie: principal values, narrowed by the signs of arguments.
 
-use super::range::Range;
 use super::facts::Facts;
+use super::range::Range;
 use crate::expression::Operation;
 use crate::normal::{Fraction, Obstacle, Sign, Tower};
 use crate::polynomial::Polynomial;

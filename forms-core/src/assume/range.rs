@@ -136,9 +136,8 @@ impl Range {
             })
         };
         let below = |end: &Option<End>| {
-            end.as_ref().is_some_and(|end| {
-                matches!(end.compare(&quarter(1)), Some(Ordering::Less | Ordering::Equal))
-            })
+            end.as_ref()
+                .is_some_and(|end| matches!(end.compare(&quarter(1)), Some(Ordering::Less | Ordering::Equal)))
         };
         if !above(&self.lower) || !below(&self.upper) {
             return (None, None);
@@ -149,11 +148,8 @@ impl Range {
     }
 
     fn narrow(&mut self, from_below: bool, end: End) {
-        let (place, better) = if from_below {
-            (&mut self.lower, Ordering::Greater)
-        } else {
-            (&mut self.upper, Ordering::Less)
-        };
+        let (place, better) =
+            if from_below { (&mut self.lower, Ordering::Greater) } else { (&mut self.upper, Ordering::Less) };
         let replaces = place.as_ref().is_none_or(|known| match end.compare(known) {
             Some(Ordering::Equal) => end.open && !known.open,
             order => order == Some(better),
@@ -167,7 +163,9 @@ impl Range {
 /// tan of an end that is not a pole, exact at multiples of π/4.
 fn tangent(end: &End) -> Option<Enclosure> {
     let quarters = &end.turns * BigRational::from_integer(4.into());
-    if end.rational.is_zero() && quarters.is_integer() && quarters.abs() <= BigRational::from_integer(1.into())
+    if end.rational.is_zero()
+        && quarters.is_integer()
+        && quarters.abs() <= BigRational::from_integer(1.into())
     {
         return Some(Enclosure::exact(&quarters, TANGENT_PRECISION));
     }
@@ -245,9 +243,8 @@ impl Ranges {
         }
         if (range.lower.is_none() || range.upper.is_none()) && terms.len() > 1 {
             let zero = Range::only(&BigRational::zero(), &BigRational::zero());
-            let apart = terms
-                .iter()
-                .fold(zero, |sum, term| sum.add(&self.of_terms(pi, std::slice::from_ref(term))));
+            let apart =
+                terms.iter().fold(zero, |sum, term| sum.add(&self.of_terms(pi, std::slice::from_ref(term))));
             range = Range { lower: range.lower.or(apart.lower), upper: range.upper.or(apart.upper) };
         }
         range
@@ -282,8 +279,11 @@ impl Ranges {
             return Range::default();
         };
         let turned = |end: Option<End>| {
-            end.filter(|end| end.turns.is_zero())
-                .map(|end| End { rational: BigRational::zero(), turns: end.rational, open: end.open })
+            end.filter(|end| end.turns.is_zero()).map(|end| End {
+                rational: BigRational::zero(),
+                turns: end.rational,
+                open: end.open,
+            })
         };
         let range = self.of_terms(Some(pi), &divided);
         Range { lower: turned(range.lower), upper: turned(range.upper) }
@@ -313,8 +313,11 @@ mod tests {
     #[test]
     fn a_combination_lies_between_the_sums_of_its_bounds() {
         // 2 v₁ − π v₂ + π/2 ∈ (−π/2, 5π/2)
-        let terms =
-            [(vec![(1, 1)], rational(2, 1)), (vec![(0, 1), (2, 1)], rational(-1, 1)), (vec![(0, 1)], rational(1, 2))];
+        let terms = [
+            (vec![(1, 1)], rational(2, 1)),
+            (vec![(0, 1), (2, 1)], rational(-1, 1)),
+            (vec![(0, 1)], rational(1, 2)),
+        ];
         let range = ranges().of(Some(0), terms);
         assert_eq!(range, Range::of_pi((-1, 2, true), (5, 2, true)));
     }

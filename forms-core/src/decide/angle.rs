@@ -57,7 +57,8 @@ fn prove_angle(pool: &mut Pool, problem: &Problem, angle: Expr) -> Outcome {
     let arguments = arguments_of_arcs(pool, angle);
     let magnitudes: Vec<Expr> = arguments.iter().map(|&q| pool.apply(Operation::Abs, &[q])).collect();
     let mut last = Outcome::NotZero;
-    for (angle, signs) in [(angle, &[] as &[Expr]), (twice, &[]), (angle, &magnitudes), (twice, &magnitudes)] {
+    for (angle, signs) in [(angle, &[] as &[Expr]), (twice, &[]), (angle, &magnitudes), (twice, &magnitudes)]
+    {
         let (sine, cosine) = (pool.apply(Operation::Sin, &[angle]), pool.apply(Operation::Cos, &[angle]));
         let one = pool.integer(1);
         let versine = pool.subtract(one, cosine);
