@@ -9,9 +9,11 @@
 //! between normal forms; the second is exact arithmetic with ends a + bπ. Neither needs continuity, so the argument
 //! holds on regions of any shape: atan x + atan 1/x = π/2 is proved for x > 0, and for x < 0, where cos D = −1, it
 //! is not. This is the addition theorem with the branch accounted for, as in Abramowitz and Stegun, 4.4.34.
+//! Where D is no such combination, relations between its inverse functions are looked for first.
 
 use super::problem::Problem;
 use super::proof::{Outcome, Turn, prove_full_turn, prove_zero};
+use super::relation;
 use crate::expression::{Expr, Node, Operation, Pool, Rational};
 use crate::normal::{Fraction, Obstacle, Tower, Trigonometry, is_arc, normalise};
 
@@ -26,6 +28,13 @@ pub(super) fn prove(pool: &mut Pool, problem: &Problem, differences: &[Expr]) ->
     for &difference in differences {
         let outcome = match prove_zero(pool, problem, vec![difference]) {
             Outcome::NotZero | Outcome::Outside(_) => prove_component(pool, problem, difference),
+            outcome => outcome,
+        };
+        let outcome = match outcome {
+            Outcome::NotZero | Outcome::Outside(_) => {
+                let reduced = relation::eliminated(pool, problem, difference);
+                if reduced == difference { outcome } else { prove_zero(pool, problem, vec![reduced]) }
+            }
             outcome => outcome,
         };
         if outcome != Outcome::Zero {
@@ -51,7 +60,7 @@ fn prove_component(pool: &mut Pool, problem: &Problem, difference: Expr) -> Outc
 
 /// Tries to prove that an angle D vanishes: as it is, with the signs of all arguments told apart, and twice it, whose
 /// sine and cosine have fewer roots in them.
-fn prove_angle(pool: &mut Pool, problem: &Problem, angle: Expr) -> Outcome {
+pub(super) fn prove_angle(pool: &mut Pool, problem: &Problem, angle: Expr) -> Outcome {
     let two = pool.integer(2);
     let twice = pool.multiply(two, angle);
     let arguments = arguments_of_arcs(pool, angle);

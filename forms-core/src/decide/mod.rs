@@ -16,6 +16,7 @@ mod empty;
 mod problem;
 mod proof;
 mod ratio;
+mod relation;
 mod report;
 mod sample;
 mod verdict;

@@ -22,6 +22,16 @@ impl Pool {
         expressions.iter().map(|expression| images[expression]).collect()
     }
 
+    /// The expression with one part replaced by another, wherever it occurs.
+    pub fn replace(&mut self, expression: Expr, part: Expr, by: Expr) -> Expr {
+        let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
+        for inner in self.reachable(&[expression]) {
+            let image = if inner == part { by } else { self.image(inner, &Substitution::default(), &images) };
+            images.insert(inner, image);
+        }
+        images[&expression]
+    }
+
     fn image(&mut self, expression: Expr, values: &Substitution, images: &FxHashMap<Expr, Expr>) -> Expr {
         let of = |operand: &Expr| images[operand];
         match self.node(expression).clone() {
