@@ -23,7 +23,10 @@ pub(super) enum Outcome {
 const MOST_CASES: usize = 512;
 
 /// Tries to prove that every component vanishes: by normal forms or, where these are not zero, as angles.
-pub(super) fn prove(pool: &mut Pool, problem: &Problem) -> Outcome {
+pub(super) fn outcome(pool: &mut Pool, problem: &Problem) -> Outcome {
+    if problem.components.is_empty() {
+        return Outcome::Zero;
+    }
     let differences = problem.differences();
     match prove_zero(pool, problem, differences.clone()) {
         outcome @ (Outcome::NotZero | Outcome::Outside(_)) if angle::occur_in(pool, &differences) => {
