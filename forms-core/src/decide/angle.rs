@@ -16,6 +16,7 @@ use super::proof::{Outcome, Turn, prove_full_turn, prove_zero};
 use super::relation;
 use crate::expression::{Expr, Node, Operation, Pool, Rational};
 use crate::normal::{Fraction, Obstacle, Tower, Trigonometry, is_arc, normalise};
+use crate::resolve::{Statement, Theory};
 
 /// Whether inverse functions occur in expressions.
 pub(super) fn occur_in(pool: &Pool, expressions: &[Expr]) -> bool {
@@ -23,16 +24,30 @@ pub(super) fn occur_in(pool: &Pool, expressions: &[Expr]) -> bool {
     pool.reachable(expressions).into_iter().any(is_arc)
 }
 
-/// Tries to prove that the expressions vanish, those with inverse functions in them as angles.
-pub(super) fn prove(pool: &mut Pool, problem: &Problem, differences: &[Expr]) -> Outcome {
+/// The angles of a proof: each vanishes since its sine is 0, its cosine is 1, and it lies within (−2π, 2π). None
+/// if that does not prove the statement, or if normal forms do without.
+pub fn vanishing_angles(theory: &mut Theory, statement: &Statement) -> Vec<Expr> {
+    let problem = Problem::new(theory, statement);
+    let mut shown = Vec::new();
+    let outcome = prove(&mut theory.pool, &problem, &problem.differences(), &mut shown);
+    if outcome == Outcome::Zero { shown } else { vec![] }
+}
+
+/// Tries to prove that the expressions vanish, those with inverse functions in them as angles, which are noted.
+pub(super) fn prove(
+    pool: &mut Pool,
+    problem: &Problem,
+    differences: &[Expr],
+    shown: &mut Vec<Expr>,
+) -> Outcome {
     for &difference in differences {
         let outcome = match prove_zero(pool, problem, vec![difference]) {
-            Outcome::NotZero | Outcome::Outside(_) => prove_component(pool, problem, difference),
+            Outcome::NotZero | Outcome::Outside(_) => prove_component(pool, problem, difference, shown),
             outcome => outcome,
         };
         let outcome = match outcome {
             Outcome::NotZero | Outcome::Outside(_) => {
-                let reduced = relation::eliminated(pool, problem, difference);
+                let reduced = relation::eliminated(pool, problem, difference, shown);
                 if reduced == difference { outcome } else { prove_zero(pool, problem, vec![reduced]) }
             }
             outcome => outcome,
@@ -44,13 +59,13 @@ pub(super) fn prove(pool: &mut Pool, problem: &Problem, differences: &[Expr]) ->
     Outcome::Zero
 }
 
-fn prove_component(pool: &mut Pool, problem: &Problem, difference: Expr) -> Outcome {
+fn prove_component(pool: &mut Pool, problem: &Problem, difference: Expr, shown: &mut Vec<Expr>) -> Outcome {
     let angles = match angles_in(pool, difference) {
         Ok(Some(angles)) => angles,
         Ok(None) | Err(_) => return Outcome::NotZero,
     };
     for angle in angles {
-        match prove_angle(pool, problem, angle) {
+        match prove_angle(pool, problem, angle, shown) {
             Outcome::Zero => {}
             outcome => return outcome,
         }
@@ -60,7 +75,7 @@ fn prove_component(pool: &mut Pool, problem: &Problem, difference: Expr) -> Outc
 
 /// Tries to prove that an angle D vanishes: as it is, with the signs of all arguments told apart, and twice it, whose
 /// sine and cosine have fewer roots in them.
-pub(super) fn prove_angle(pool: &mut Pool, problem: &Problem, angle: Expr) -> Outcome {
+pub(super) fn prove_angle(pool: &mut Pool, problem: &Problem, angle: Expr, shown: &mut Vec<Expr>) -> Outcome {
     let two = pool.integer(2);
     let twice = pool.multiply(two, angle);
     let arguments = arguments_of_arcs(pool, angle);
@@ -73,6 +88,7 @@ pub(super) fn prove_angle(pool: &mut Pool, problem: &Problem, angle: Expr) -> Ou
         let versine = pool.subtract(one, cosine);
         last = prove_full_turn(pool, problem, vec![sine, versine], Turn { angle, signs: signs.to_vec() });
         if last == Outcome::Zero {
+            shown.push(angle);
             break;
         }
     }

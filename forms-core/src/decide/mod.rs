@@ -26,6 +26,7 @@ mod verdict;
 mod witness;
 
 pub use account::{Account, Bound, Cancellation, Case, account};
+pub use angle::vanishing_angles;
 pub use ratio::Ratio;
 pub use report::simplified_where;
 pub use verdict::{Theorem, Verdict, Witness};

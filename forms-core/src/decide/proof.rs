@@ -30,7 +30,7 @@ pub(super) fn outcome(pool: &mut Pool, problem: &Problem) -> Outcome {
     let differences = problem.differences();
     match prove_zero(pool, problem, differences.clone()) {
         outcome @ (Outcome::NotZero | Outcome::Outside(_)) if angle::occur_in(pool, &differences) => {
-            match angle::prove(pool, problem, &differences) {
+            match angle::prove(pool, problem, &differences, &mut Vec::new()) {
                 Outcome::Zero => Outcome::Zero,
                 _ => outcome,
             }

@@ -28,7 +28,12 @@ const MULTIPLES: &[(i64, i64)] = &[(1, 1), (1, -1), (2, 1), (2, -1)];
 const PARTS: i64 = 12;
 
 /// The expression with inverse functions that depend on others replaced.
-pub(super) fn eliminated(pool: &mut Pool, problem: &Problem, expression: Expr) -> Expr {
+pub(super) fn eliminated(
+    pool: &mut Pool,
+    problem: &Problem,
+    expression: Expr,
+    shown: &mut Vec<Expr>,
+) -> Expr {
     let mut arcs = arcs_in(pool, expression);
     if arcs.len() > MOST_ARCS {
         return expression;
@@ -37,7 +42,7 @@ pub(super) fn eliminated(pool: &mut Pool, problem: &Problem, expression: Expr) -
     let mut reduced = expression;
     let mut kept: Vec<(Expr, Enclosure)> = Vec::new();
     for (arc, value) in arcs.drain(..).zip(values) {
-        let replacement = replacement(pool, problem, (arc, &value), &kept);
+        let replacement = replacement(pool, problem, (arc, &value), &kept, shown);
         match replacement {
             Some(other) => reduced = pool.replace(reduced, arc, other),
             None => kept.push((arc, value)),
@@ -57,9 +62,10 @@ fn replacement(
     problem: &Problem,
     (arc, value): (Expr, &Enclosure),
     kept: &[(Expr, Enclosure)],
+    shown: &mut Vec<Expr>,
 ) -> Option<Expr> {
     if let Some(angle) = part_of_pi(pool, value)
-        && holds(pool, problem, arc, angle)
+        && holds(pool, problem, arc, angle, shown)
     {
         return Some(angle);
     }
@@ -74,7 +80,7 @@ fn replacement(
             let multiple = pool.multiply(m, *other);
             let difference = pool.subtract(angle, multiple);
             let candidate = pool.multiply(n, difference);
-            if holds(pool, problem, arc, candidate) {
+            if holds(pool, problem, arc, candidate, shown) {
                 return Some(candidate);
             }
         }
@@ -82,9 +88,9 @@ fn replacement(
     None
 }
 
-fn holds(pool: &mut Pool, problem: &Problem, arc: Expr, candidate: Expr) -> bool {
+fn holds(pool: &mut Pool, problem: &Problem, arc: Expr, candidate: Expr, shown: &mut Vec<Expr>) -> bool {
     let angle = pool.subtract(arc, candidate);
-    prove_angle(pool, problem, angle) == Outcome::Zero
+    prove_angle(pool, problem, angle, shown) == Outcome::Zero
 }
 
 /// (k/12)π, if a value may be one.
