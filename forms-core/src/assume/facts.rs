@@ -2,7 +2,7 @@
 
 use super::linear::{Inequality, contradict};
 use super::range::Ranges;
-use crate::normal::{Fraction, Generator, Sign, Tower, Unit};
+use crate::normal::{Fraction, Generator, Sign, Tower, Unit, chord_bounds};
 use crate::polynomial::Polynomial;
 use crate::syntax::ast::Relation;
 use num_bigint::BigInt;
@@ -54,6 +54,11 @@ impl Facts {
                     }
                 }
                 Generator::Exponential(_) => self.at_least(variable, BigRational::zero()),
+                Generator::Chord { sides, sine } => {
+                    let (lower, upper) = chord_bounds(*sides, *sine);
+                    self.at_least(variable, lower);
+                    self.at_most(variable, upper);
+                }
                 Generator::Pi => {
                     self.at_least(variable, BigRational::new(333.into(), 106.into()));
                     self.at_most(variable, BigRational::new(22.into(), 7.into()));

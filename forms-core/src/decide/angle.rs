@@ -41,14 +41,11 @@ pub(super) fn prove(
     shown: &mut Vec<Expr>,
 ) -> Outcome {
     for &difference in differences {
-        let outcome = match prove_zero(pool, problem, vec![difference]) {
-            Outcome::NotZero | Outcome::Outside(_) => prove_component(pool, problem, difference, shown),
-            outcome => outcome,
-        };
+        let outcome = prove_difference(pool, problem, difference, shown);
         let outcome = match outcome {
             Outcome::NotZero | Outcome::Outside(_) => {
                 let reduced = relation::eliminated(pool, problem, difference, shown);
-                if reduced == difference { outcome } else { prove_zero(pool, problem, vec![reduced]) }
+                if reduced == difference { outcome } else { prove_difference(pool, problem, reduced, shown) }
             }
             outcome => outcome,
         };
@@ -57,6 +54,14 @@ pub(super) fn prove(
         }
     }
     Outcome::Zero
+}
+
+/// By normal form, else as an angle.
+fn prove_difference(pool: &mut Pool, problem: &Problem, difference: Expr, shown: &mut Vec<Expr>) -> Outcome {
+    match prove_zero(pool, problem, vec![difference]) {
+        Outcome::NotZero | Outcome::Outside(_) => prove_component(pool, problem, difference, shown),
+        outcome => outcome,
+    }
 }
 
 fn prove_component(pool: &mut Pool, problem: &Problem, difference: Expr, shown: &mut Vec<Expr>) -> Outcome {

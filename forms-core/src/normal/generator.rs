@@ -68,6 +68,13 @@ pub enum Generator {
         /// Where it is taken.
         arguments: Vec<Fraction>,
     },
+    /// 2 cos(2π/q) or 2 sin(2π/q), bound by its minimal polynomial
+    Chord {
+        /// q
+        sides: u32,
+        /// Whether it is the sine.
+        sine: bool,
+    },
     /// cos u
     Cosine(Unit),
     /// sin u, bound by sin² u = 1 − cos² u

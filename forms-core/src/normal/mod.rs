@@ -13,6 +13,7 @@
 
 mod angle;
 mod arc;
+mod chord;
 mod common;
 mod cube;
 mod derivation;
@@ -31,6 +32,7 @@ mod terms;
 mod tower;
 
 pub(crate) use arc::is_arc;
+pub(crate) use chord::chord_bounds;
 pub use common::Together;
 pub use derivation::Normal;
 pub use fraction::Fraction;

@@ -1,12 +1,13 @@
-//! Sines and cosines of rational multiples of π, by square roots where regular polygons are constructible.
+//! Sines and cosines of rational multiples of π, as algebraic numbers.
 //!
-//! p/q with q = 2ᵃ 3ᵇ 5ᶜ, b, c ≤ 1, is split into partial fractions, and e^{iπp/q} into the product of powers of
+//! p/q is split into partial fractions over the prime powers in q, and e^{iπp/q} into the product of powers of
 //!
 //! ```text
 //! e^{iπ/2ᵃ}: halving from e^{iπ/2} = i      e^{iπ/3} = (1 + i√3)/2      e^{iπ/10} = (√(10 + 2√5) + i(√5 − 1))/4
 //! ```
-//! so that every such number is a polynomial in few roots, all of manifestly positive radicands. A polygon whose
-//! number of sides has another odd factor (7, 9, 11, …) is outside.
+//! so that the corners of polygons that are constructible by few square roots are polynomials in these, all of
+//! manifestly positive radicands. For any other prime power q the chord δ = 2 cos(2π/q) is a generator, bound by its
+//! minimal polynomial, and 2 sin(2π/q) is another (see [`super::chord`]).
 
 use super::angle::Point;
 use super::fraction::Fraction;
@@ -22,6 +23,9 @@ use num_traits::{Signed, ToPrimitive};
 /// π is halved at most this often.
 const MOST_HALVINGS: u32 = 6;
 
+/// The largest odd prime power that a polygon's number of sides may contain.
+const LARGEST_ODD_PART: u32 = 31;
+
 impl Tower {
     /// Whether a quantity is π.
     pub(super) fn is_pi(&self, quantity: &Quantity) -> bool {
@@ -32,14 +36,10 @@ impl Tower {
     pub(super) fn corner(&mut self, r: &Rational) -> Result<Point, Obstacle> {
         let outside = || Obstacle::Outside(format!("an angle of {r} times pi"));
         let sides = r.denom().to_u32().ok_or_else(outside)?;
-        let halvings = sides.trailing_zeros();
-        let odd = sides >> halvings;
-        if halvings > MOST_HALVINGS || !matches!(odd, 1 | 3 | 5 | 15) {
-            return Err(outside());
-        }
+        let parts = prime_powers(sides).ok_or_else(outside)?;
         let mut rest = r.clone();
         let mut point = (Fraction::one(), Fraction::zero());
-        for part in [1 << halvings, 3, 5].into_iter().filter(|part| sides.is_multiple_of(*part)) {
+        for part in parts {
             let share = share_of(r, part);
             rest -= Rational::new(share.into(), part.into());
             let corner = self.corner_of_part(part, share)?;
@@ -52,7 +52,7 @@ impl Tower {
         Ok(point)
     }
 
-    /// e^{iπ share/part} for a part that is 3, 5 or a power of two.
+    /// e^{iπ share/part} for a prime power.
     fn corner_of_part(&mut self, part: u32, share: u32) -> Result<Point, Obstacle> {
         let (first, times) = match part {
             3 => {
@@ -60,7 +60,8 @@ impl Tower {
                 ((ratio(1, 2), self.multiply(&ratio(1, 2), &height)?), share)
             }
             5 => (self.tenth()?, 2 * share),
-            _ => (self.halved_turn(part.trailing_zeros())?, share),
+            _ if part.is_power_of_two() => (self.halved_turn(part.trailing_zeros())?, share),
+            _ => return self.corner_by_chord(part, share),
         };
         self.repeated(&first, times)
     }
@@ -102,14 +103,14 @@ impl Tower {
         let positive = |&(variable, _): &(u32, u32)| {
             matches!(
                 self.generator(variable),
-                Generator::Pi | Generator::Root { .. } | Generator::Exponential(_)
+                Generator::Pi | Generator::Root { .. } | Generator::Exponential(_) | Generator::Chord { .. }
             )
         };
         polynomial.terms().all(|(monomial, c)| c.is_positive() && monomial.iter().all(positive))
     }
 }
 
-fn ratio(p: i64, q: i64) -> Fraction {
+pub(super) fn ratio(p: i64, q: i64) -> Fraction {
     Fraction::number(&Rational::new(p.into(), q.into()))
 }
 
@@ -119,4 +120,23 @@ fn share_of(r: &Rational, part: u32) -> u32 {
     let cofactor = r.denom() / &part;
     let inverse = cofactor.extended_gcd(&part).x;
     (r.numer() * inverse).mod_floor(&part).to_u32().unwrap_or(0)
+}
+
+/// The prime powers whose product a number is, as long as each is small.
+fn prime_powers(number: u32) -> Option<Vec<u32>> {
+    let halvings = number.trailing_zeros();
+    let mut rest = number >> halvings;
+    let mut parts = if halvings > 0 { vec![1 << halvings] } else { vec![] };
+    for prime in (3..=LARGEST_ODD_PART).step_by(2) {
+        let mut part = 1;
+        while rest.is_multiple_of(prime) {
+            rest /= prime;
+            part *= prime;
+        }
+        if part > LARGEST_ODD_PART {
+            return None;
+        }
+        parts.extend((part > 1).then_some(part));
+    }
+    (rest == 1 && halvings <= MOST_HALVINGS).then_some(parts)
 }
