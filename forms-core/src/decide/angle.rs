@@ -65,10 +65,7 @@ fn prove_difference(pool: &mut Pool, problem: &Problem, difference: Expr, shown:
 }
 
 fn prove_component(pool: &mut Pool, problem: &Problem, difference: Expr, shown: &mut Vec<Expr>) -> Outcome {
-    let angles = match angles_in(pool, difference) {
-        Ok(Some(angles)) => angles,
-        Ok(None) | Err(_) => return Outcome::NotZero,
-    };
+    let Ok(Some(angles)) = angles_in(pool, difference) else { return Outcome::NotZero };
     for angle in angles {
         match prove_angle(pool, problem, angle, shown) {
             Outcome::Zero => {}
