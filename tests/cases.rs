@@ -11,10 +11,16 @@ macro_rules! case_files {
 case_files! {
     change_of_variables "tests/cases/change_of_variables.forms";
     etendue "tests/cases/etendue.forms";
+    exponentials "tests/cases/exponentials.forms";
     exterior_derivative "tests/cases/exterior_derivative.forms";
     half_vectors "tests/cases/half_vectors.forms";
     integrals "tests/cases/integrals.forms";
     lie_and_cartan "tests/cases/lie_and_cartan.forms";
+    logarithms "tests/cases/logarithms.forms";
+    magnitudes "tests/cases/magnitudes.forms";
+    nested_radicals "tests/cases/nested_radicals.forms";
+    pullbacks "tests/cases/pullbacks.forms";
+    radicals "tests/cases/radicals.forms";
     solid_angle "tests/cases/solid_angle.forms";
     sphere_pullbacks "tests/cases/sphere_pullbacks.forms";
     symplectic "tests/cases/symplectic.forms";

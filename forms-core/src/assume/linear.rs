@@ -27,6 +27,12 @@ pub(super) struct Inequality {
     pub(super) strict: bool,
 }
 
+impl Inequality {
+    pub(super) fn degree(&self) -> u32 {
+        self.polynomial.total_degree()
+    }
+}
+
 type Monomial = Vec<(u32, u32)>;
 
 /// Whether p ≥ 0 follows.

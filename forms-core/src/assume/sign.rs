@@ -5,7 +5,7 @@
 //! A + Bρ ≥ 0 follows from A, B ≥ 0, from A ≥ 0 and A² − B² f ≥ 0, and from B ≥ 0 and A² − B² f ≤ 0.
 
 use super::facts::Facts;
-use super::linear::follows;
+use super::linear::{Inequality, follows};
 use crate::normal::Sign;
 use crate::polynomial::Polynomial;
 use num_bigint::BigInt;
@@ -20,6 +20,9 @@ const HIGHEST_DEGREE: u32 = 12;
 
 /// Polynomials of more terms are not written as combinations, taken apart by roots, or factored.
 const MOST_TERMS: usize = 40;
+
+/// Of more inequalities no products are formed.
+const MOST_MULTIPLIED: usize = 8;
 
 /// How many roots a sign may be traced through.
 const MOST_ROOTS: u32 = 4;
@@ -63,9 +66,31 @@ impl Facts {
                 || self.factors_show(polynomial, roots))
     }
 
+    /// Whether known inequalities, or for a target of higher degree also products of two, add up to it.
     fn is_combination(&self, polynomial: &Polynomial) -> bool {
-        !self.inequalities.is_empty()
-            && follows(polynomial, &self.known(), |monomial| self.sign_of_monomial(monomial))
+        if self.inequalities.is_empty() {
+            return false;
+        }
+        let mut known = self.known();
+        let degree = polynomial.total_degree();
+        let variables = polynomial.variables();
+        let speaks_of_it = |inequality: &&Inequality| {
+            inequality.polynomial.variables().iter().all(|variable| variables.contains(variable))
+        };
+        let mut single: Vec<Inequality> = Vec::new();
+        for inequality in known.iter().filter(speaks_of_it) {
+            if single.iter().all(|other| other.polynomial != inequality.polynomial) {
+                single.push(inequality.clone());
+            }
+        }
+        if degree > 1 && single.len() <= MOST_MULTIPLIED {
+            for (place, a) in single.iter().enumerate() {
+                for b in single[..=place].iter().filter(|b| b.degree() + a.degree() <= degree) {
+                    known.push(Inequality { polynomial: a.polynomial.mul(&b.polynomial), strict: false });
+                }
+            }
+        }
+        follows(polynomial, &known, |monomial| self.sign_of_monomial(monomial))
     }
 
     /// A + Bρᵏ ≥ 0 with ρ²ᵏ = f: both parts are, or the larger one is, as the norm tells.
