@@ -61,9 +61,30 @@ impl Facts {
             return true;
         }
         polynomial.term_count() <= MOST_TERMS
-            && (self.is_combination(polynomial)
+            && (self.exponents_show(polynomial, roots)
+                || self.is_combination(polynomial)
                 || self.norm_shows(polynomial, roots)
                 || self.factors_show(polynomial, roots))
+    }
+
+    /// b exp u − c exp v ≥ 0 where b ≥ c > 0 and u ≥ v, with products of exponentials
+    fn exponents_show(&self, polynomial: &Polynomial, roots: u32) -> bool {
+        let mut terms: Vec<(Vec<(u32, u32)>, BigInt)> = polynomial.terms().collect();
+        terms.sort_by(|a, b| b.1.cmp(&a.1));
+        let [(above, b), (below, c)] = terms.as_slice() else { return false };
+        if roots == 0 || !c.is_negative() || *b < -c {
+            return false;
+        }
+        let scale = self.exponents.values().fold(1, |scale, (_, divisor)| num_integer::lcm(scale, *divisor));
+        let exponent = |monomial: &[(u32, u32)]| {
+            monomial.iter().try_fold(Polynomial::zero(), |sum, (variable, times)| {
+                let (exponent, divisor) = self.exponents.get(variable)?;
+                let parts = BigInt::from(*times) * (scale / divisor);
+                Some(sum.add(&exponent.scale(&parts)))
+            })
+        };
+        let (Some(u), Some(v)) = (exponent(above), exponent(below)) else { return false };
+        self.never_negative_through(&u.sub(&v), roots - 1)
     }
 
     /// Whether known inequalities, or for a target of higher degree also products of two, add up to it.

@@ -3,6 +3,7 @@
 mod algebra;
 mod coefficients;
 mod equality;
+mod functions;
 mod holding;
 mod identities;
 mod law;
