@@ -4,7 +4,7 @@
 //! coefficients (structured expressions or normal forms)
 //!        │
 //!        ▼
-//!   Form, Field ── wedge  exterior  interior  lie  pullback ──▶ Form, Field
+//!   Form, Field ── wedge  power  exterior  interior  lie  pullback ──▶ Form, Field
 //! ```
 //! One definition of each operation serves both kinds of coefficients. Conventions (orientation, signs) are
 //! those of `docs/conventions.md`; no operation here knows a metric.
@@ -16,6 +16,7 @@ mod field;
 mod form;
 mod interior;
 mod lie;
+mod power;
 mod pullback;
 mod wedge;
 
@@ -26,5 +27,6 @@ pub use field::{Field, bracket, derivative_along};
 pub use form::Form;
 pub use interior::{interior, pairing};
 pub use lie::{lie_of_form, lie_of_scalar};
+pub use power::power;
 pub use pullback::{Pullback, pullback};
 pub use wedge::wedge;

@@ -38,7 +38,7 @@ impl Derivation {
                 match line {
                     Line::Words(words) => latex.push_str(&format!("\\noindent {}\\par\n", escaped(words))),
                     Line::Formula(formula) => {
-                        latex.push_str(&format!("\\[ \\fitted{{{}}} \\]\n", formula.latex))
+                        latex.push_str(&format!("\\[ \\fitted{{{}}} \\]\n", formula.latex));
                     }
                 }
             }

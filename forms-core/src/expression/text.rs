@@ -1,10 +1,10 @@
 //! Expressions written back in the language they came from.
 
-use super::node::{Expr, FunctionId, Node, Pool, Rational};
-use crate::syntax::ast::Relation;
+use super::node::{Expr, FunctionId, Node, Pool, Rational, Seam};
 use num_rational::Ratio;
 use num_traits::{One, Signed};
 use rustc_hash::FxHashMap;
+use std::borrow::Cow;
 
 /// Written out, an expression may grow exponentially over its shared form; past this many nodes it is cut.
 const LONGEST: u64 = 20_000;
@@ -26,20 +26,11 @@ struct Written {
 
 impl Written {
     /// The text, in brackets if it binds less tightly than its place needs.
-    fn within(&self, needed: Binding) -> String {
-        if self.binding >= needed { self.text.clone() } else { format!("({})", self.text) }
-    }
-}
-
-impl Relation {
-    /// How it is written.
-    pub fn text(self) -> &'static str {
-        match self {
-            Relation::Less => "<",
-            Relation::LessEqual => "<=",
-            Relation::Greater => ">",
-            Relation::GreaterEqual => ">=",
-            Relation::NotEqual => "!=",
+    fn within(&self, needed: Binding) -> Cow<'_, str> {
+        if self.binding >= needed {
+            Cow::Borrowed(&self.text)
+        } else {
+            Cow::Owned(format!("({})", self.text))
         }
     }
 }
@@ -55,8 +46,8 @@ impl Pool {
         let mut sizes: FxHashMap<Expr, u64> = FxHashMap::default();
         let mut written: FxHashMap<Expr, Written> = FxHashMap::default();
         for expression in self.reachable(expressions) {
-            let operands = self.node(expression).operands();
-            let size = operands.iter().fold(1u64, |sum, operand| sum.saturating_add(sizes[operand]));
+            let mut size = 1u64;
+            self.node(expression).for_each_operand(|operand| size = size.saturating_add(sizes[&operand]));
             sizes.insert(expression, size);
             let text = if size > LONGEST {
                 Written { text: format!("<{size} terms and operators>"), binding: Binding::Atom }
@@ -92,18 +83,22 @@ impl Pool {
             }
             Node::Power(a, exponent) => write_power(&written[a], *exponent),
             Node::Apply(operation, arguments) => {
-                let list: Vec<String> = arguments.iter().map(|a| of(a, Binding::Sum)).collect();
+                let list: Vec<Cow<str>> = arguments.iter().map(|a| of(a, Binding::Sum)).collect();
                 (format!("{}({})", operation.row().name, list.join(", ")), Binding::Atom)
             }
             Node::Jet { function, orders, arguments } => {
-                let list: Vec<String> = arguments.iter().map(|a| of(a, Binding::Sum)).collect();
+                let list: Vec<Cow<str>> = arguments.iter().map(|a| of(a, Binding::Sum)).collect();
                 (self.write_jet(*function, orders, arguments, &list), Binding::Atom)
             }
-            Node::Select { left, relation, right, then, otherwise } => {
+            Node::Select { left, relation, right, then, otherwise, seam } => {
                 let [left, right, then, otherwise] =
                     [left, right, then, otherwise].map(|operand| of(operand, Binding::Sum));
                 let relation = relation.text();
-                (format!("(if {left} {relation} {right} {{ {then} }} else {{ {otherwise} }})"), Binding::Atom)
+                let jump = if *seam == Seam::Jumps { "jump " } else { "" };
+                (
+                    format!("(if {jump}{left} {relation} {right} {{ {then} }} else {{ {otherwise} }})"),
+                    Binding::Atom,
+                )
             }
         };
         Written { text, binding }
@@ -115,7 +110,7 @@ impl Pool {
         function: FunctionId,
         orders: &[u32],
         arguments: &[Expr],
-        written: &[String],
+        written: &[Cow<str>],
     ) -> String {
         let unknown = self.function(function);
         let mut head = unknown.name.clone();
