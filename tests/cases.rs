@@ -12,11 +12,15 @@ case_files! {
     angles "tests/cases/angles.forms";
     change_of_variables "tests/cases/change_of_variables.forms";
     etendue "tests/cases/etendue.forms";
+    exponentials "tests/cases/exponentials.forms";
     exterior_derivative "tests/cases/exterior_derivative.forms";
     half_vectors "tests/cases/half_vectors.forms";
     integrals "tests/cases/integrals.forms";
     inverse_trigonometry "tests/cases/inverse_trigonometry.forms";
     lie_and_cartan "tests/cases/lie_and_cartan.forms";
+    logarithms "tests/cases/logarithms.forms";
+    magnitudes "tests/cases/magnitudes.forms";
+    nested_radicals "tests/cases/nested_radicals.forms";
     not_identities "tests/cases/not_identities.forms";
     pullbacks "tests/cases/pullbacks.forms";
     radicals "tests/cases/radicals.forms";

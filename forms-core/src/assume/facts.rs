@@ -10,7 +10,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
 
-/// More exponentials or logarithms than this are not compared with each other.
+/// More logarithms than this are not compared with each other.
 const MOST_ORDERED: usize = 6;
 
 /// Decimal digits to which the root of a number is enclosed.
@@ -31,6 +31,8 @@ pub(crate) struct Facts {
     pub(super) ranges: Ranges,
     pub(super) inequalities: Vec<Inequality>,
     pub(super) roots: FxHashMap<u32, Root>,
+    /// m and d of generators exp(m/d) with a polynomial m.
+    pub(super) exponents: FxHashMap<u32, (Polynomial, u32)>,
 }
 
 impl Facts {
@@ -53,7 +55,10 @@ impl Facts {
                         self.learn_root(variable, order, radicand);
                     }
                 }
-                Generator::Exponential(_) => self.at_least(variable, BigRational::zero()),
+                Generator::Exponential(_) => {
+                    self.at_least(variable, BigRational::zero());
+                    self.exponents.extend(tower.exponent(variable).map(|exponent| (variable, exponent)));
+                }
                 Generator::Chord { sides, sine } => {
                     let (lower, upper) = chord_bounds(*sides, *sine);
                     self.at_least(variable, lower);
@@ -126,29 +131,18 @@ impl Facts {
         self.learn_order(tower);
     }
 
-    /// exp u ≥ exp v where u ≥ v, log g ≥ log h where g ≥ h ≥ 0
+    /// log g ≥ log h where g ≥ h ≥ 0
     fn learn_order(&mut self, tower: &Tower) {
-        let all = 0..tower.generator_count();
-        let exponents: Vec<(u32, Polynomial, u32)> = all
-            .clone()
-            .filter_map(|v| tower.exponent(v).map(|(exponent, divisor)| (v, exponent, divisor)))
-            .collect();
-        let logarithms: Vec<(u32, &Polynomial)> = all
+        let logarithms: Vec<(u32, &Polynomial)> = (0..tower.generator_count())
             .filter_map(|v| match tower.generator(v) {
                 Generator::Logarithm { base } => Some((v, &tower.base(*base).polynomial)),
                 _ => None,
             })
             .collect();
-        if exponents.len().max(logarithms.len()) > MOST_ORDERED {
+        if logarithms.len() > MOST_ORDERED {
             return;
         }
         let mut ordered: Vec<(u32, u32)> = Vec::new();
-        for (v, u, d) in &exponents {
-            for (w, x, e) in exponents.iter().filter(|(w, ..)| w != v) {
-                let difference = u.scale(&BigInt::from(*e)).sub(&x.scale(&BigInt::from(*d)));
-                ordered.extend(self.never_negative(&difference).then_some((*v, *w)));
-            }
-        }
         for (v, g) in &logarithms {
             for (w, h) in logarithms.iter().filter(|(w, h)| w != v && self.never_negative(h)) {
                 ordered.extend(self.never_negative(&g.sub(h)).then_some((*v, *w)));

@@ -9,6 +9,7 @@
 
 use crate::normal::Sign;
 use crate::polynomial::Polynomial;
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use std::collections::BTreeMap;
@@ -27,6 +28,12 @@ pub(super) struct Inequality {
     pub(super) strict: bool,
 }
 
+impl Inequality {
+    pub(super) fn degree(&self) -> u32 {
+        self.polynomial.total_degree()
+    }
+}
+
 type Monomial = Vec<(u32, u32)>;
 
 /// Whether p ≥ 0 follows.
@@ -35,14 +42,21 @@ pub(super) fn follows(
     known: &[Inequality],
     sign_of: impl Fn(&Monomial) -> Option<Sign>,
 ) -> bool {
-    let mut program = Program::new(known, target, sign_of);
-    program.solvable(target, None)
+    let reachable = |(monomial, coefficient): (Monomial, BigInt)| {
+        let positive = coefficient.is_positive();
+        let by_itself = if monomial.is_empty() { Some(Sign::Positive) } else { sign_of(&monomial) };
+        by_itself.is_some_and(|sign| (sign == Sign::Positive) == positive)
+            || known.iter().any(|inequality| {
+                inequality.polynomial.terms().any(|(m, c)| m == monomial && c.is_positive() == positive)
+            })
+    };
+    target.terms().all(reachable) && Program::new(known, target, &sign_of).solvable(target, None)
 }
 
 /// Whether no point meets the inequalities.
 pub(super) fn contradict(known: &[Inequality], sign_of: impl Fn(&Monomial) -> Option<Sign>) -> bool {
     let zero = Polynomial::zero();
-    let mut program = Program::new(known, &zero, sign_of);
+    let program = Program::new(known, &zero, sign_of);
     let strict: Vec<bool> = known.iter().map(|inequality| inequality.strict).collect();
     program.solvable(&zero, Some(&strict))
 }
@@ -80,7 +94,7 @@ impl Program {
     }
 
     /// Whether the target is such a combination; `strict` asks that the strict inequalities and 1 have the sum 1.
-    fn solvable(&mut self, target: &Polynomial, strict: Option<&[bool]>) -> bool {
+    fn solvable(&self, target: &Polynomial, strict: Option<&[bool]>) -> bool {
         if self.rows.len() > MOST_ROWS || self.columns.len() > MOST_COLUMNS {
             return false;
         }
@@ -104,8 +118,48 @@ impl Program {
             last[strict.len()] = BigRational::one();
             last[width] = BigRational::one();
         }
-        has_solution(table)
+        presolved(table).is_some_and(has_solution)
     }
+}
+
+/// The program without the unknowns that have to be zero, as they stand with one sign in an equation whose right
+/// side is zero; nothing if a right side is out of reach.
+fn presolved(mut table: Vec<Vec<BigRational>>) -> Option<Vec<Vec<BigRational>>> {
+    let width = table.first().map_or(0, |row| row.len() - 1);
+    let mut kept = vec![true; width];
+    loop {
+        let mut dropped = false;
+        for row in &table {
+            let entries = |positive: bool| {
+                let alike =
+                    move |place: &usize| row[*place].is_positive() == positive && !row[*place].is_zero();
+                (0..width).filter(alike)
+            };
+            let occurs = |positive: bool| entries(positive).any(|place| kept[place]);
+            let (up, down) = (occurs(true), occurs(false));
+            let needed = &row[width];
+            if needed.is_positive() && !up || needed.is_negative() && !down {
+                return None;
+            }
+            if needed.is_zero() && up != down {
+                let places: Vec<usize> = entries(up).filter(|&place| kept[place]).collect();
+                places.into_iter().for_each(|place| kept[place] = false);
+                dropped = true;
+            }
+        }
+        if !dropped {
+            break;
+        }
+    }
+    for row in &mut table {
+        let mut place = 0;
+        row.retain(|_| {
+            place += 1;
+            place > width || kept[place - 1]
+        });
+    }
+    table.retain(|row| row.iter().any(|entry| !entry.is_zero()));
+    Some(table)
 }
 
 /// Whether A x = b has a solution with x ≥ 0; the last column is b. The simplex method minimises the sum of what

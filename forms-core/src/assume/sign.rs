@@ -5,7 +5,7 @@
 //! A + Bρ ≥ 0 follows from A, B ≥ 0, from A ≥ 0 and A² − B² f ≥ 0, and from B ≥ 0 and A² − B² f ≤ 0.
 
 use super::facts::Facts;
-use super::linear::follows;
+use super::linear::{Inequality, follows};
 use crate::normal::Sign;
 use crate::polynomial::Polynomial;
 use num_bigint::BigInt;
@@ -20,6 +20,9 @@ const HIGHEST_DEGREE: u32 = 12;
 
 /// Polynomials of more terms are not written as combinations, taken apart by roots, or factored.
 const MOST_TERMS: usize = 40;
+
+/// Of more inequalities no products are formed.
+const MOST_MULTIPLIED: usize = 8;
 
 /// How many roots a sign may be traced through.
 const MOST_ROOTS: u32 = 4;
@@ -58,14 +61,57 @@ impl Facts {
             return true;
         }
         polynomial.term_count() <= MOST_TERMS
-            && (self.is_combination(polynomial)
+            && (self.exponents_show(polynomial, roots)
+                || self.is_combination(polynomial)
                 || self.norm_shows(polynomial, roots)
                 || self.factors_show(polynomial, roots))
     }
 
+    /// b exp u − c exp v ≥ 0 where b ≥ c > 0 and u ≥ v, with products of exponentials
+    fn exponents_show(&self, polynomial: &Polynomial, roots: u32) -> bool {
+        let mut terms: Vec<(Vec<(u32, u32)>, BigInt)> = polynomial.terms().collect();
+        terms.sort_by(|a, b| b.1.cmp(&a.1));
+        let [(above, b), (below, c)] = terms.as_slice() else { return false };
+        if roots == 0 || !c.is_negative() || *b < -c {
+            return false;
+        }
+        let scale = self.exponents.values().fold(1, |scale, (_, divisor)| num_integer::lcm(scale, *divisor));
+        let exponent = |monomial: &[(u32, u32)]| {
+            monomial.iter().try_fold(Polynomial::zero(), |sum, (variable, times)| {
+                let (exponent, divisor) = self.exponents.get(variable)?;
+                let parts = BigInt::from(*times) * (scale / divisor);
+                Some(sum.add(&exponent.scale(&parts)))
+            })
+        };
+        let (Some(u), Some(v)) = (exponent(above), exponent(below)) else { return false };
+        self.never_negative_through(&u.sub(&v), roots - 1)
+    }
+
+    /// Whether known inequalities, or for a target of higher degree also products of two, add up to it.
     fn is_combination(&self, polynomial: &Polynomial) -> bool {
-        !self.inequalities.is_empty()
-            && follows(polynomial, &self.known(), |monomial| self.sign_of_monomial(monomial))
+        if self.inequalities.is_empty() {
+            return false;
+        }
+        let mut known = self.known();
+        let degree = polynomial.total_degree();
+        let variables = polynomial.variables();
+        let speaks_of_it = |inequality: &&Inequality| {
+            inequality.polynomial.variables().iter().all(|variable| variables.contains(variable))
+        };
+        let mut single: Vec<Inequality> = Vec::new();
+        for inequality in known.iter().filter(speaks_of_it) {
+            if single.iter().all(|other| other.polynomial != inequality.polynomial) {
+                single.push(inequality.clone());
+            }
+        }
+        if degree > 1 && single.len() <= MOST_MULTIPLIED {
+            for (place, a) in single.iter().enumerate() {
+                for b in single[..=place].iter().filter(|b| b.degree() + a.degree() <= degree) {
+                    known.push(Inequality { polynomial: a.polynomial.mul(&b.polynomial), strict: false });
+                }
+            }
+        }
+        follows(polynomial, &known, |monomial| self.sign_of_monomial(monomial))
     }
 
     /// A + Bρᵏ ≥ 0 with ρ²ᵏ = f: both parts are, or the larger one is, as the norm tells.

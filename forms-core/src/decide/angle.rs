@@ -12,10 +12,10 @@
 //! Where D is no such combination, relations between its inverse functions are looked for first.
 
 use super::problem::Problem;
-use super::proof::{Outcome, Turn, prove_full_turn, prove_zero};
+use super::proof::{Outcome, Task, Turn, prove_full_turn, prove_zero};
 use super::relation;
 use crate::expression::{Expr, Node, Operation, Pool, Rational};
-use crate::normal::{Fraction, Obstacle, Tower, Trigonometry, is_arc, normalise};
+use crate::normal::{Fraction, Obstacle, Tower, Trigonometry, WORK_LIMIT, is_arc, normalise};
 use crate::resolve::{Statement, Theory};
 
 /// Whether inverse functions occur in expressions.
@@ -28,24 +28,20 @@ pub(super) fn occur_in(pool: &Pool, expressions: &[Expr]) -> bool {
 /// if that does not prove the statement, or if normal forms do without.
 pub fn vanishing_angles(theory: &mut Theory, statement: &Statement) -> Vec<Expr> {
     let problem = Problem::new(theory, statement);
+    let task = Task { problem: &problem, work: WORK_LIMIT };
     let mut shown = Vec::new();
-    let outcome = prove(&mut theory.pool, &problem, &problem.differences(), &mut shown);
+    let outcome = prove(&mut theory.pool, task, &problem.differences(), &mut shown);
     if outcome == Outcome::Zero { shown } else { vec![] }
 }
 
 /// Tries to prove that the expressions vanish, those with inverse functions in them as angles, which are noted.
-pub(super) fn prove(
-    pool: &mut Pool,
-    problem: &Problem,
-    differences: &[Expr],
-    shown: &mut Vec<Expr>,
-) -> Outcome {
+pub(super) fn prove(pool: &mut Pool, task: Task, differences: &[Expr], shown: &mut Vec<Expr>) -> Outcome {
     for &difference in differences {
-        let outcome = prove_difference(pool, problem, difference, shown);
+        let outcome = prove_difference(pool, task, difference, shown);
         let outcome = match outcome {
             Outcome::NotZero | Outcome::Outside(_) => {
-                let reduced = relation::eliminated(pool, problem, difference, shown);
-                if reduced == difference { outcome } else { prove_difference(pool, problem, reduced, shown) }
+                let reduced = relation::eliminated(pool, task, difference, shown);
+                if reduced == difference { outcome } else { prove_difference(pool, task, reduced, shown) }
             }
             outcome => outcome,
         };
@@ -57,17 +53,17 @@ pub(super) fn prove(
 }
 
 /// By normal form, else as an angle.
-fn prove_difference(pool: &mut Pool, problem: &Problem, difference: Expr, shown: &mut Vec<Expr>) -> Outcome {
-    match prove_zero(pool, problem, vec![difference]) {
-        Outcome::NotZero | Outcome::Outside(_) => prove_component(pool, problem, difference, shown),
+fn prove_difference(pool: &mut Pool, task: Task, difference: Expr, shown: &mut Vec<Expr>) -> Outcome {
+    match prove_zero(pool, task.problem, vec![difference], task.work) {
+        Outcome::NotZero | Outcome::Outside(_) => prove_component(pool, task, difference, shown),
         outcome => outcome,
     }
 }
 
-fn prove_component(pool: &mut Pool, problem: &Problem, difference: Expr, shown: &mut Vec<Expr>) -> Outcome {
+fn prove_component(pool: &mut Pool, task: Task, difference: Expr, shown: &mut Vec<Expr>) -> Outcome {
     let Ok(Some(angles)) = angles_in(pool, difference) else { return Outcome::NotZero };
     for angle in angles {
-        match prove_angle(pool, problem, angle, shown) {
+        match prove_angle(pool, task, angle, shown) {
             Outcome::Zero => {}
             outcome => return outcome,
         }
@@ -77,7 +73,7 @@ fn prove_component(pool: &mut Pool, problem: &Problem, difference: Expr, shown: 
 
 /// Tries to prove that an angle D vanishes: as it is, with the signs of all arguments told apart, and twice it, whose
 /// sine and cosine have fewer roots in them.
-pub(super) fn prove_angle(pool: &mut Pool, problem: &Problem, angle: Expr, shown: &mut Vec<Expr>) -> Outcome {
+pub(super) fn prove_angle(pool: &mut Pool, task: Task, angle: Expr, shown: &mut Vec<Expr>) -> Outcome {
     let two = pool.integer(2);
     let twice = pool.multiply(two, angle);
     let arguments = arguments_of_arcs(pool, angle);
@@ -88,7 +84,7 @@ pub(super) fn prove_angle(pool: &mut Pool, problem: &Problem, angle: Expr, shown
         let (sine, cosine) = (pool.apply(Operation::Sin, &[angle]), pool.apply(Operation::Cos, &[angle]));
         let one = pool.integer(1);
         let versine = pool.subtract(one, cosine);
-        last = prove_full_turn(pool, problem, vec![sine, versine], Turn { angle, signs: signs.to_vec() });
+        last = prove_full_turn(pool, task, vec![sine, versine], Turn { angle, signs: signs.to_vec() });
         if last == Outcome::Zero {
             shown.push(angle);
             break;

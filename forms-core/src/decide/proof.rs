@@ -22,15 +22,22 @@ pub(super) enum Outcome {
 /// More cases than this are not gone through.
 const MOST_CASES: usize = 512;
 
+/// What is to be proved of: a problem, and the products of terms that one normal form may cost.
+#[derive(Clone, Copy)]
+pub(super) struct Task<'a> {
+    pub(super) problem: &'a Problem,
+    pub(super) work: u64,
+}
+
 /// Tries to prove that every component vanishes: by normal forms or, where these are not zero, as angles.
-pub(super) fn outcome(pool: &mut Pool, problem: &Problem) -> Outcome {
+pub(super) fn outcome(pool: &mut Pool, problem: &Problem, work: u64) -> Outcome {
     if problem.components.is_empty() {
         return Outcome::Zero;
     }
     let differences = problem.differences();
-    match prove_zero(pool, problem, differences.clone()) {
+    match prove_zero(pool, problem, differences.clone(), work) {
         outcome @ (Outcome::NotZero | Outcome::Outside(_)) if angle::occur_in(pool, &differences) => {
-            match angle::prove(pool, problem, &differences, &mut Vec::new()) {
+            match angle::prove(pool, Task { problem, work }, &differences, &mut Vec::new()) {
                 Outcome::Zero => Outcome::Zero,
                 _ => outcome,
             }
@@ -40,8 +47,8 @@ pub(super) fn outcome(pool: &mut Pool, problem: &Problem) -> Outcome {
 }
 
 /// Tries to prove that the expressions vanish wherever the problem's assumptions hold.
-pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>) -> Outcome {
-    prove_in_all_cases(pool, problem, differences, None)
+pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>, work: u64) -> Outcome {
+    prove_in_all_cases(pool, Task { problem, work }, differences, None)
 }
 
 /// An angle that has to keep within (−2π, 2π), and expressions whose signs are told apart for that.
@@ -51,23 +58,13 @@ pub(super) struct Turn {
 }
 
 /// The same, and that an angle keeps within a turn either way.
-pub(super) fn prove_full_turn(
-    pool: &mut Pool,
-    problem: &Problem,
-    differences: Vec<Expr>,
-    turn: Turn,
-) -> Outcome {
-    prove_in_all_cases(pool, problem, differences, Some(turn))
+pub(super) fn prove_full_turn(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn: Turn) -> Outcome {
+    prove_in_all_cases(pool, task, differences, Some(turn))
 }
 
-fn prove_in_all_cases(
-    pool: &mut Pool,
-    problem: &Problem,
-    differences: Vec<Expr>,
-    turn: Option<Turn>,
-) -> Outcome {
-    let assumptions = Assumptions::new(pool, &problem.assumptions);
-    let mut tower = Tower::new(Trigonometry::Circle);
+fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn: Option<Turn>) -> Outcome {
+    let assumptions = Assumptions::new(pool, &task.problem.assumptions);
+    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(task.work);
     let mut proof = Proof::new(pool, &mut tower, assumptions, differences, turn);
     let explored = proof.explore(&[]);
     match explored {

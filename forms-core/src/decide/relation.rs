@@ -7,7 +7,7 @@
 
 use super::angle::prove_angle;
 use super::problem::Problem;
-use super::proof::Outcome;
+use super::proof::{Outcome, Task};
 use super::sample::{Sequence, simple_bounds};
 use crate::enclosure::{Enclosure, Precision, enclose};
 use crate::expression::{Expr, Node, Pool, Rational};
@@ -28,23 +28,22 @@ const MULTIPLES: &[(i64, i64)] = &[(1, 1), (1, -1), (2, 1), (2, -1)];
 const PARTS: i64 = 12;
 
 /// The expression with inverse functions that depend on others replaced.
-pub(super) fn eliminated(
-    pool: &mut Pool,
-    problem: &Problem,
-    expression: Expr,
-    shown: &mut Vec<Expr>,
-) -> Expr {
+pub(super) fn eliminated(pool: &mut Pool, task: Task, expression: Expr, shown: &mut Vec<Expr>) -> Expr {
     let mut arcs = arcs_in(pool, expression);
     if arcs.len() > MOST_ARCS {
         return expression;
     }
-    let Some(values) = values_at_a_point(pool, problem, &arcs) else { return expression };
+    let Some(values) = values_at_a_point(pool, task.problem, &arcs) else { return expression };
     let mut reduced = expression;
     let mut kept: Vec<(Expr, Enclosure)> = Vec::new();
     for (arc, value) in arcs.drain(..).zip(values) {
-        let replacement = replacement(pool, problem, (arc, &value), &kept, shown);
+        let replacement = replacement(pool, task, (arc, &value), &kept, shown);
         match replacement {
-            Some(other) => reduced = pool.replace(reduced, arc, other),
+            Some(other) => {
+                let wanted = pool.node(arc).clone();
+                let replaced = |node: &Node, _: &_| (*node == wanted).then_some(other);
+                reduced = pool.replace_all(&[reduced], replaced)[0];
+            }
             None => kept.push((arc, value)),
         }
     }
@@ -59,13 +58,13 @@ fn arcs_in(pool: &Pool, expression: Expr) -> Vec<Expr> {
 /// What a function is by one of the kept ones, or as a part of π.
 fn replacement(
     pool: &mut Pool,
-    problem: &Problem,
+    task: Task,
     (arc, value): (Expr, &Enclosure),
     kept: &[(Expr, Enclosure)],
     shown: &mut Vec<Expr>,
 ) -> Option<Expr> {
     if let Some(angle) = part_of_pi(pool, value)
-        && holds(pool, problem, arc, angle, shown)
+        && holds(pool, task, arc, angle, shown)
     {
         return Some(angle);
     }
@@ -80,7 +79,7 @@ fn replacement(
             let multiple = pool.multiply(m, *other);
             let difference = pool.subtract(angle, multiple);
             let candidate = pool.multiply(n, difference);
-            if holds(pool, problem, arc, candidate, shown) {
+            if holds(pool, task, arc, candidate, shown) {
                 return Some(candidate);
             }
         }
@@ -88,9 +87,9 @@ fn replacement(
     None
 }
 
-fn holds(pool: &mut Pool, problem: &Problem, arc: Expr, candidate: Expr, shown: &mut Vec<Expr>) -> bool {
+fn holds(pool: &mut Pool, task: Task, arc: Expr, candidate: Expr, shown: &mut Vec<Expr>) -> bool {
     let angle = pool.subtract(arc, candidate);
-    prove_angle(pool, problem, angle, shown) == Outcome::Zero
+    prove_angle(pool, task, angle, shown) == Outcome::Zero
 }
 
 /// (k/12)π, if a value may be one.

@@ -14,29 +14,33 @@ impl Pool {
 
     /// The same for several expressions that share nodes.
     pub fn substitute_all(&mut self, expressions: &[Expr], values: &Substitution) -> Vec<Expr> {
+        self.replace_all(expressions, |node, _| match node {
+            Node::Symbol(symbol) => values.get(symbol).copied(),
+            _ => None,
+        })
+    }
+
+    /// The expressions with nodes replaced wherever they occur, operands first: `replaced` is given a node and the
+    /// images of the expressions below it, and answers with what is to stand for it, if that is to change.
+    pub(crate) fn replace_all(
+        &mut self,
+        expressions: &[Expr],
+        mut replaced: impl FnMut(&Node, &FxHashMap<Expr, Expr>) -> Option<Expr>,
+    ) -> Vec<Expr> {
         let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
         for expression in self.reachable(expressions) {
-            let image = self.image(expression, values, &images);
+            let node = self.node(expression).clone();
+            let image = replaced(&node, &images).unwrap_or_else(|| self.image(expression, node, &images));
             images.insert(expression, image);
         }
         expressions.iter().map(|expression| images[expression]).collect()
     }
 
-    /// The expression with one part replaced by another, wherever it occurs.
-    pub fn replace(&mut self, expression: Expr, part: Expr, by: Expr) -> Expr {
-        let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
-        for inner in self.reachable(&[expression]) {
-            let image = if inner == part { by } else { self.image(inner, &Substitution::default(), &images) };
-            images.insert(inner, image);
-        }
-        images[&expression]
-    }
-
-    fn image(&mut self, expression: Expr, values: &Substitution, images: &FxHashMap<Expr, Expr>) -> Expr {
+    /// The same operation on the images of its operands.
+    fn image(&mut self, expression: Expr, node: Node, images: &FxHashMap<Expr, Expr>) -> Expr {
         let of = |operand: &Expr| images[operand];
-        match self.node(expression).clone() {
-            Node::Number(_) | Node::Pi => expression,
-            Node::Symbol(symbol) => values.get(&symbol).copied().unwrap_or(expression),
+        match node {
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => expression,
             Node::Add(a, b) => self.add(of(&a), of(&b)),
             Node::Negate(a) => self.negate(of(&a)),
             Node::Multiply(a, b) => self.multiply(of(&a), of(&b)),
@@ -50,8 +54,8 @@ impl Pool {
                 let arguments: Vec<Expr> = arguments.iter().map(of).collect();
                 self.jet(function, &orders, &arguments)
             }
-            Node::Select { left, relation, right, then, otherwise } => {
-                self.select((of(&left), relation, of(&right)), of(&then), of(&otherwise))
+            Node::Select { left, relation, right, then, otherwise, seam } => {
+                self.select((of(&left), relation, of(&right)), of(&then), of(&otherwise), seam)
             }
         }
     }

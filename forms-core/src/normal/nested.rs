@@ -72,6 +72,14 @@ impl Tower {
             self.factor_polynomial_into(&common, exponent, factored)?;
             return self.factor_polynomial_into(&rest, exponent, factored);
         }
+        let (_, powers) = part.square_free();
+        if powers.iter().any(|(_, multiplicity)| *multiplicity > 1) {
+            for (factor, multiplicity) in powers {
+                let power = exponent * Ratio::from_integer(i64::from(multiplicity));
+                self.factor_polynomial_into(&factor, power, factored)?;
+            }
+            return Ok(());
+        }
         for &variable in &roots {
             if let Some(rest) = self.divide_by_generator(part, variable) {
                 self.factor_polynomial_into(&Polynomial::variable(variable), exponent, factored)?;

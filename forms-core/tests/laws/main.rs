@@ -4,6 +4,7 @@ mod algebra;
 mod angles;
 mod coefficients;
 mod equality;
+mod functions;
 mod holding;
 mod identities;
 mod law;
