@@ -1,6 +1,7 @@
 //! Functions of the language at their arguments: the op table, the calculus, unknown functions.
 
 use super::evaluation::{Evaluated, Evaluator};
+use super::metric::METRIC_OPERATIONS;
 use super::names::describe;
 use super::scope::Scope;
 use super::theory::{Map, Named};
@@ -12,13 +13,6 @@ use crate::calculus::{
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Expr, Operation, Substitution, Symbol};
 use crate::syntax::ast::{self, Argument, ExprKind, Name, Relation};
-use crate::syntax::words::NOT_AVAILABLE;
-
-/// The error for a function the language has and this version does not.
-pub(super) fn not_available(name: &str, span: Span) -> Diagnostic {
-    Diagnostic::new(span, format!("`{name}` is not available in this version"))
-        .with_help("d, ^, interior, lie, bracket, pair, pullback, diff and integral are")
-}
 
 impl Evaluator<'_> {
     pub(super) fn call(
@@ -29,13 +23,13 @@ impl Evaluator<'_> {
         span: Span,
     ) -> Evaluated<Value> {
         let name = function.text.as_str();
-        if NOT_AVAILABLE.contains(&name) {
-            return Err(not_available(name, function.span));
-        }
         if name == "integral" {
             return self.integral(arguments, span);
         }
         let plain = plain_arguments(arguments)?;
+        if METRIC_OPERATIONS.contains(&name) {
+            return self.metric_operation(function, index, &plain, span);
+        }
         match (name, index) {
             ("d", _) => self.exterior(index, &plain, span),
             (_, Some(index)) => Err(Diagnostic::new(index.span, format!("`{name}` takes no `[…]`"))),
@@ -107,7 +101,7 @@ impl Evaluator<'_> {
             .collect()
     }
 
-    fn field(&mut self, argument: &ast::Expr) -> Evaluated<Field<Expr>> {
+    pub(super) fn field(&mut self, argument: &ast::Expr) -> Evaluated<Field<Expr>> {
         match self.value(argument)? {
             Value::Field(field) => Ok(field),
             Value::Zero => Ok(Field::zero()),
@@ -368,7 +362,7 @@ fn plain_arguments(arguments: &[Argument]) -> Evaluated<Vec<&ast::Expr>> {
         .collect()
 }
 
-fn exactly<'e, const N: usize>(
+pub(super) fn exactly<'e, const N: usize>(
     arguments: &[&'e ast::Expr],
     name: &str,
     span: Span,

@@ -210,7 +210,7 @@ impl<'a> Evaluator<'a> {
         if let ExprKind::Name(name) = &*base.kind
             && name == "volume"
         {
-            return Err(super::call::not_available("volume", base.span));
+            return self.volume(index);
         }
         let value = self.value(base)?;
         match value {

@@ -15,12 +15,14 @@ mod call;
 mod evaluation;
 mod integration;
 mod items;
+mod metric;
 mod names;
+mod quadratic;
 mod scope;
 mod statement;
 mod theory;
 mod value;
 
 pub use items::resolve;
-pub use theory::{Chart, Kernel, Map, Named, Object, Statement, Theory};
+pub use theory::{Chart, Kernel, Map, Named, NamedMetric, Object, Statement, Theory};
 pub use value::Value;

@@ -20,25 +20,9 @@ const INSIDE: &[&str] = &["pub", "where", "on", "if", "else", "jump", "effects",
 
 /// The functions of the language, and its constant.
 pub const FUNCTIONS: &[&str] = &[
-    "d", "interior", "lie", "bracket", "pair", "pullback", "diff", "integral", "sqrt", "sin", "cos", "tan",
+    "d", "interior", "lie", "bracket", "pair", "pullback", "diff", "hodge", "codiff", "laplace", "flat", "sharp",
+    "inner", "norm", "volume", "grad", "curl", "div", "potential", "integral", "boundary_integral", "sqrt", "sin", "cos", "tan",
     "asin", "acos", "atan", "atan2", "exp", "log", "sinh", "cosh", "tanh", "abs", "pi",
-];
-
-/// Functions of the language that need a metric or a homotopy and are not part of this version.
-pub const NOT_AVAILABLE: &[&str] = &[
-    "hodge",
-    "codiff",
-    "laplace",
-    "flat",
-    "sharp",
-    "inner",
-    "norm",
-    "volume",
-    "grad",
-    "curl",
-    "div",
-    "potential",
-    "boundary_integral",
 ];
 
 /// The strict and reserved keywords of every Rust edition, and the wildcard.
@@ -54,7 +38,7 @@ const RUST: &[&str] = &[
 pub fn reserved(text: &str) -> Option<Word> {
     if ITEMS.contains(&text) || INSIDE.contains(&text) {
         Some(Word::Item)
-    } else if FUNCTIONS.contains(&text) || NOT_AVAILABLE.contains(&text) {
+    } else if FUNCTIONS.contains(&text) {
         Some(Word::Function)
     } else if RUST.contains(&text) {
         Some(Word::Rust)
