@@ -22,6 +22,20 @@ impl Pool {
         expressions.iter().map(|expression| images[expression]).collect()
     }
 
+    /// The expression with some of its parts replaced by others.
+    pub fn replace(&mut self, expression: Expr, parts: &FxHashMap<Expr, Expr>) -> Expr {
+        let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
+        let none = Substitution::default();
+        for part in self.reachable(&[expression]) {
+            let image = match parts.get(&part) {
+                Some(&replacement) => replacement,
+                None => self.image(part, &none, &images),
+            };
+            images.insert(part, image);
+        }
+        images[&expression]
+    }
+
     fn image(&mut self, expression: Expr, values: &Substitution, images: &FxHashMap<Expr, Expr>) -> Expr {
         let of = |operand: &Expr| images[operand];
         match self.node(expression).clone() {

@@ -23,6 +23,7 @@ mod raise;
 mod root;
 mod terms;
 mod tower;
+mod univariate;
 
 pub use derivation::Normal;
 pub use fraction::Fraction;
@@ -31,3 +32,4 @@ pub use normalise::{Normalised, normalise};
 pub use root::{Base, Sign, SignConstraint};
 pub use terms::{Term, Terms};
 pub use tower::{Obstacle, Tower, Trigonometry};
+pub(crate) use univariate::{RationalFunction, Univariate};

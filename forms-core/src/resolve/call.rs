@@ -26,12 +26,16 @@ impl Evaluator<'_> {
         if name == "integral" {
             return self.integral(arguments, span);
         }
+        if name == "boundary_integral" {
+            return self.boundary_integral(arguments, span);
+        }
         let plain = plain_arguments(arguments)?;
         if METRIC_OPERATIONS.contains(&name) {
             return self.metric_operation(function, index, &plain, span);
         }
         match (name, index) {
             ("d", _) => self.exterior(index, &plain, span),
+            ("potential", _) => self.potential(index, &plain, span),
             (_, Some(index)) => Err(Diagnostic::new(index.span, format!("`{name}` takes no `[…]`"))),
             ("interior", _) => self.interior_product(&plain, span),
             ("lie", _) => self.lie_derivative(&plain, span),
@@ -71,7 +75,7 @@ impl Evaluator<'_> {
         Ok(Value::Form(exterior_derivative(&mut self.ring(), &form, &along)))
     }
 
-    fn chart_coordinates(&self, chart: &ast::Expr) -> Evaluated<Vec<Coordinate>> {
+    pub(super) fn chart_coordinates(&self, chart: &ast::Expr) -> Evaluated<Vec<Coordinate>> {
         let ExprKind::Name(text) = &*chart.kind else {
             return Err(Diagnostic::new(chart.span, "expected the name of a chart"));
         };
@@ -170,7 +174,7 @@ impl Evaluator<'_> {
     }
 
     /// `pullback(F, w)`; what `w` needs is needed at the image points.
-    fn pull(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
+    pub(super) fn pull(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
         let [map, argument] = exactly::<2>(arguments, "pullback", span)?;
         let map = self.map(map)?;
         let outer = std::mem::take(&mut self.scope);
@@ -202,7 +206,7 @@ impl Evaluator<'_> {
     }
 
     /// The coefficients composed with the map, all at once so that they keep sharing their parts.
-    fn composed_form(&mut self, w: &Form<Expr>, images: &Substitution) -> Form<Expr> {
+    pub(super) fn composed_form(&mut self, w: &Form<Expr>, images: &Substitution) -> Form<Expr> {
         let values: Vec<Expr> = w.terms().iter().map(|term| term.1).collect();
         let composed = self.theory.pool.substitute_all(&values, images);
         Form::from_terms(w.degree(), w.terms().iter().map(|term| term.0).zip(composed))
@@ -230,7 +234,7 @@ impl Evaluator<'_> {
         map.used.iter().for_each(|symbol| self.scope.touch(*symbol));
     }
 
-    fn map(&mut self, argument: &ast::Expr) -> Evaluated<Map> {
+    pub(super) fn map(&mut self, argument: &ast::Expr) -> Evaluated<Map> {
         let ExprKind::Name(text) = &*argument.kind else {
             return Err(Diagnostic::new(argument.span, "expected the name of a map"));
         };

@@ -3,18 +3,20 @@
 use super::evaluation::{Evaluated, Evaluator};
 use super::value::Value;
 use crate::assume::is_at_most;
-use crate::calculus::Blade;
+use crate::calculus::{Blade, Form};
 use crate::diagnostic::{Diagnostic, Span};
+use super::scope::Scope;
 use crate::expression::{Condition, Expr, Symbol};
-use crate::integral::definite_integral;
+use crate::integral::Region;
 use crate::syntax::ast::{self, Argument, ExprKind, Name, Relation};
 
 /// One range of an integral.
-struct Range {
-    name: Name,
-    symbol: Symbol,
-    from: Expr,
-    to: Expr,
+#[derive(Clone)]
+pub(super) struct Range {
+    pub(super) name: Name,
+    pub(super) symbol: Symbol,
+    pub(super) from: Expr,
+    pub(super) to: Expr,
 }
 
 impl Evaluator<'_> {
@@ -26,18 +28,53 @@ impl Evaluator<'_> {
             return Err(Diagnostic::new(span, "`integral` needs at least one range, as in `u = 0..1`"));
         }
         let ranges = ranges.iter().map(|range| self.range(range)).collect::<Evaluated<Vec<_>>>()?;
+        let (value, inner) = self.apart(|evaluator| evaluator.value(integrand))?;
+        let coefficient = self.integrand(value, &ranges, integrand.span)?;
+        let integral = self.iterated(coefficient, &ranges, inner.conditions(), integrand.span)?;
+        self.keep_outside(&inner, &ranges);
+        Ok(Value::Scalar(integral))
+    }
+
+    /// Evaluates with a scope of its own, which is given back.
+    pub(super) fn apart<T>(
+        &mut self,
+        body: impl FnOnce(&mut Self) -> Evaluated<T>,
+    ) -> Evaluated<(T, Scope)> {
         let outer = std::mem::take(&mut self.scope);
-        let value = self.value(integrand);
+        let value = body(self);
         let inner = std::mem::replace(&mut self.scope, outer);
-        let mut integral = self.integrand(value?, &ranges, integrand.span)?;
-        let assumptions = self.assumptions(inner.conditions(), &ranges);
-        for range in ranges.iter().rev() {
-            let (name, pool) = (&range.name.text, &mut self.theory.pool);
-            integral = definite_integral(pool, integral, range.symbol, (range.from, range.to), &assumptions)
-                .map_err(|reason| {
-                    Diagnostic::new(integrand.span, format!("cannot integrate over `{name}`: {reason}"))
-                })?;
+        Ok((value?, inner))
+    }
+
+    /// Integrates over the innermost range first; `defined` says where the integrand is.
+    pub(super) fn iterated(
+        &mut self,
+        integrand: Expr,
+        ranges: &[Range],
+        defined: &[Condition],
+        span: Span,
+    ) -> Evaluated<Expr> {
+        let mut region = self.region(defined, ranges);
+        if let Some(condition) = region.unmet(&mut self.theory.pool, defined) {
+            let text = condition.text(&self.theory.pool);
+            let message = format!("cannot integrate: it is not known that `{text}` holds all over the range");
+            return Err(Diagnostic::new(span, message));
         }
+        let mut integral = integrand;
+        for range in ranges.iter().rev() {
+            let found = region.integral(&mut self.theory.pool, integral).map_err(|reason| {
+                Diagnostic::new(span, format!("cannot integrate over `{}`: {reason}", range.name.text))
+            })?;
+            found.conditions.into_iter().for_each(|condition| self.scope.require(condition));
+            integral = found.value;
+            region.ranges.pop();
+        }
+        Ok(integral)
+    }
+
+    /// What was needed or used inside, as far as it does not speak of the variables of the ranges.
+    pub(super) fn keep_outside(&mut self, inner: &Scope, ranges: &[Range]) {
+        inner.mentioned().iter().for_each(|name| self.scope.mention(name));
         for condition in inner.conditions().iter().copied() {
             let symbols = self.theory.pool.symbols_in(&[condition.left, condition.right]);
             if !ranges.iter().any(|range| symbols.contains(&range.symbol)) {
@@ -49,10 +86,9 @@ impl Evaluator<'_> {
                 self.scope.touch(symbol);
             }
         }
-        Ok(Value::Scalar(integral))
     }
 
-    fn range(&mut self, argument: &Argument) -> Evaluated<Range> {
+    pub(super) fn range(&mut self, argument: &Argument) -> Evaluated<Range> {
         let Argument::Range { variable, from, to } = argument else {
             let span = if let Argument::Value(value) = argument { value.span } else { Span::default() };
             return Err(Diagnostic::new(span, "expected a range such as `u = 0..1`"));
@@ -80,32 +116,52 @@ impl Evaluator<'_> {
                 format!("a {}-form needs {} ranges, found {}", form.degree(), form.degree(), ranges.len()),
             ));
         }
-        let mut blade = (Blade::SCALAR, 1);
+        let blade = self.blade_of(ranges)?;
+        Ok(self.signed_coefficient(&form, blade))
+    }
+
+    /// The differentials in the order of the ranges, with the sign of putting them in order.
+    pub(super) fn blade_of(&self, ranges: &[Range]) -> Evaluated<(Blade, i8)> {
+        let mut product = (Blade::SCALAR, 1);
         for range in ranges {
             let coordinate = self.coordinate(&range.name)?;
-            blade = match blade.0.wedge(Blade::of(coordinate)) {
-                Some((wedge, sign)) => (wedge, sign * blade.1),
+            product = match product.0.wedge(Blade::of(coordinate)) {
+                Some((wedge, sign)) => (wedge, sign * product.1),
                 None => return Err(Diagnostic::new(range.name.span, "this variable has a range already")),
             };
         }
-        let zero = self.zero();
-        let coefficient = form.coefficient(blade.0).copied().unwrap_or(zero);
-        Ok(if blade.1 < 0 { self.theory.pool.negate(coefficient) } else { coefficient })
+        Ok(product)
     }
 
-    /// What may be used about the integrand: where it is defined, its charts' domains, and the ranges that are
-    /// known not to run backwards.
-    fn assumptions(&mut self, inner: &[Condition], ranges: &[Range]) -> Vec<Condition> {
-        let mut all: Vec<Condition> = inner.to_vec();
-        all.extend(self.scope.conditions());
+    pub(super) fn signed_coefficient(&mut self, form: &Form<Expr>, (blade, sign): (Blade, i8)) -> Expr {
+        let zero = self.zero();
+        let coefficient = form.coefficient(blade).copied().unwrap_or(zero);
+        if sign < 0 { self.theory.pool.negate(coefficient) } else { coefficient }
+    }
+
+    /// The ranges, and what may be assumed: what binds everything outside, and that a variable lies in its range if
+    /// that is known not to run backwards.
+    fn region(&mut self, defined: &[Condition], ranges: &[Range]) -> Region {
+        let mut conditions: Vec<Condition> = self.scope.conditions().to_vec();
+        for condition in defined {
+            let symbols = self.theory.pool.symbols_in(&[condition.left, condition.right]);
+            if !ranges.iter().any(|range| symbols.contains(&range.symbol)) {
+                conditions.push(*condition);
+            }
+        }
         for range in ranges {
-            if !is_at_most(&mut self.theory.pool, range.from, range.to, &all) {
+            if !is_at_most(&mut self.theory.pool, range.from, range.to, &conditions) {
                 continue;
             }
             let variable = self.theory.pool.symbol(range.symbol);
-            all.push(Condition { left: variable, relation: Relation::GreaterEqual, right: range.from });
-            all.push(Condition { left: variable, relation: Relation::LessEqual, right: range.to });
+            conditions.push(Condition {
+                left: variable,
+                relation: Relation::GreaterEqual,
+                right: range.from,
+            });
+            conditions.push(Condition { left: variable, relation: Relation::LessEqual, right: range.to });
         }
-        all
+        let ranges = ranges.iter().map(|range| (range.symbol, range.from, range.to)).collect();
+        Region { ranges, conditions }
     }
 }

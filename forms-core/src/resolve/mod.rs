@@ -11,12 +11,14 @@
 //! that one mistake is reported once.
 
 mod arithmetic;
+mod boundary;
 mod call;
 mod evaluation;
 mod integration;
 mod items;
 mod metric;
 mod names;
+mod potential;
 mod quadratic;
 mod scope;
 mod statement;

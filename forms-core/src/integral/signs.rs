@@ -1,0 +1,387 @@
+//! Signs over the range of an integral, proved: the variables of the ranges run over [0, 1] in Bernstein's basis, the
+//! parameters have the signs that the conditions give.
+//!
+//! A polynomial Σ βᵢ C(n,i) τⁱ(1−τ)ⁿ⁻ⁱ lies between the least and the greatest βᵢ, and its values at 0 and 1 are β₀ and
+//! βₙ. What is not polynomial is enclosed on smaller and smaller boxes where no parameter occurs.
+
+use super::normal_form;
+use crate::assume::is_at_most;
+use crate::enclosure::{Enclosure, Precision, enclose};
+use crate::expression::{Condition, Expr, Nature, Pool, Rational, Substitution, Symbol, SymbolKind};
+use crate::normal::{Fraction, Generator, Tower, Trigonometry};
+use crate::polynomial::Polynomial;
+use crate::syntax::ast::Relation;
+use num_bigint::BigInt;
+use num_integer::{Integer, binomial};
+use num_traits::{Signed, Zero};
+
+/// How often the range is halved for a polynomial.
+const MOST_HALVINGS: u32 = 6;
+
+/// How many boxes are looked at for what is not polynomial.
+const MOST_BOXES: usize = 400;
+
+/// How often a known condition is subtracted from a polynomial in search of terms of one sign.
+const MOST_REWRITES: u32 = 3;
+
+/// Whether a sign excludes zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Strictness {
+    /// Zero may occur.
+    Weak,
+    /// It does not.
+    Strict,
+}
+
+/// A sign and whether it excludes zero: (true, _) is positive.
+pub(super) type KnownSign = (bool, Strictness);
+
+/// The ranges, outermost first, and what is assumed of everything else.
+pub(crate) struct Region {
+    /// Variable, lower and upper bound.
+    pub(crate) ranges: Vec<(Symbol, Expr, Expr)>,
+    pub(crate) conditions: Vec<Condition>,
+}
+
+impl Region {
+    /// The sign that an expression has all over the ranges.
+    pub(super) fn sign(&self, pool: &mut Pool, q: Expr) -> Option<KnownSign> {
+        let negated = pool.negate(q);
+        let mut seen = None;
+        for (positive, value) in [(true, q), (false, negated)] {
+            match pool.nature(value) {
+                Nature::Positive => return Some((positive, Strictness::Strict)),
+                Nature::NotNegative => seen = Some((positive, Strictness::Weak)),
+                Nature::Open => {}
+            }
+        }
+        let (on_box, sides) = self.on_box(pool, q);
+        let found = self.algebraic_sign(pool, on_box, &sides).or_else(|| enclosed_sign(pool, on_box, &sides));
+        if found.is_some_and(|sign| sign.1 == Strictness::Strict) {
+            return found;
+        }
+        seen.or(found).or_else(|| {
+            let zero = pool.integer(0);
+            if is_at_most(pool, zero, q, &self.conditions) {
+                return Some((true, Strictness::Weak));
+            }
+            is_at_most(pool, q, zero, &self.conditions).then_some((false, Strictness::Weak))
+        })
+    }
+
+    /// The expression with x = a + (b − a) τ for every range, and the variables τ.
+    fn on_box(&self, pool: &mut Pool, q: Expr) -> (Expr, Vec<Symbol>) {
+        let (mut value, mut sides) = (q, Vec::new());
+        for (symbol, from, to) in self.ranges.iter().rev() {
+            if !pool.symbols_in(&[value]).contains(symbol) {
+                continue;
+            }
+            let tau = pool.declare_symbol("tau", SymbolKind::Local);
+            let side = pool.symbol(tau);
+            let length = pool.subtract(*to, *from);
+            let step = pool.multiply(length, side);
+            let image = pool.add(*from, step);
+            let values: Substitution = [(*symbol, image)].into_iter().collect();
+            value = pool.substitute(value, &values);
+            sides.push(tau);
+        }
+        (value, sides)
+    }
+
+    fn algebraic_sign(&self, pool: &mut Pool, q: Expr, sides: &[Symbol]) -> Option<KnownSign> {
+        let mut tower = Tower::new(Trigonometry::Circle);
+        let outside = |symbol: &Symbol| self.ranges.iter().any(|range| range.0 == *symbol);
+        let free: Vec<Condition> = self
+            .conditions
+            .iter()
+            .copied()
+            .filter(|c| !pool.symbols_in(&[c.left, c.right]).iter().any(outside))
+            .collect();
+        let mut known = free.clone();
+        let (zero, one) = (pool.integer(0), pool.integer(1));
+        for &side in sides {
+            let left = pool.symbol(side);
+            known.push(Condition { left, relation: Relation::GreaterEqual, right: zero });
+            known.push(Condition { left, relation: Relation::LessEqual, right: one });
+        }
+        let value = normal_form(pool, &mut tower, q, &known).ok()?;
+        let mut knowledge = Knowledge { facts: Vec::new() };
+        for condition in &free {
+            let difference = pool.subtract(condition.left, condition.right);
+            let Ok(difference) = normal_form(pool, &mut tower, difference, &known) else { continue };
+            knowledge.learn(&tower, &difference, condition.relation);
+        }
+        let mut variables = Vec::new();
+        for &side in sides {
+            variables.push(tower.variable_number(side));
+        }
+        knowledge.sign_of_fraction(&tower, &value, &variables)
+    }
+}
+
+/// Polynomials that are known not to be negative.
+struct Knowledge {
+    facts: Vec<(Polynomial, Strictness)>,
+}
+
+impl Knowledge {
+    fn learn(&mut self, tower: &Tower, difference: &Fraction, relation: Relation) {
+        let Some(polynomial) = difference.as_polynomial().filter(|p| p.as_constant().is_none()) else { return };
+        let (polynomial, strictness) = match relation {
+            Relation::Greater => (polynomial.clone(), Strictness::Strict),
+            Relation::GreaterEqual => (polynomial.clone(), Strictness::Weak),
+            Relation::Less => (polynomial.neg(), Strictness::Strict),
+            Relation::LessEqual => (polynomial.neg(), Strictness::Weak),
+            // q ≠ 0 and q ≥ 0 is q > 0
+            Relation::NotEqual => {
+                match self.polynomial_sign(tower, polynomial, &[]) {
+                    Some((true, _)) => (polynomial.clone(), Strictness::Strict),
+                    Some((false, _)) => (polynomial.neg(), Strictness::Strict),
+                    None => return,
+                }
+            }
+        };
+        self.facts.push((polynomial, strictness));
+    }
+
+    fn sign_of_fraction(&self, tower: &Tower, value: &Fraction, sides: &[u32]) -> Option<KnownSign> {
+        if value.is_zero() {
+            return None;
+        }
+        let mut sign = self.polynomial_sign(tower, value.numerator(), sides)?;
+        for (factor, exponent) in tower.factors_of(value) {
+            // what is divided by is not zero, or the value is not defined
+            let (positive, strictness) = if exponent % 2 == 0 {
+                let own = self.polynomial_sign(tower, factor, sides);
+                (true, own.map_or(Strictness::Weak, |sign| sign.1))
+            } else {
+                self.polynomial_sign(tower, factor, sides)?
+            };
+            sign = (sign.0 == positive, sign.1.min(strictness));
+        }
+        Some(sign)
+    }
+
+    /// The sign of a polynomial where the sides run over [0, 1].
+    fn polynomial_sign(&self, tower: &Tower, polynomial: &Polynomial, sides: &[u32]) -> Option<KnownSign> {
+        match sides.iter().find(|side| polynomial.contains(**side)) {
+            None => self.sign_of_constant(tower, polynomial),
+            Some(&side) => self.bernstein_sign(tower, &bernstein(polynomial, side), sides, MOST_HALVINGS),
+        }
+    }
+
+    fn bernstein_sign(
+        &self,
+        tower: &Tower,
+        coefficients: &[Polynomial],
+        sides: &[u32],
+        halvings: u32,
+    ) -> Option<KnownSign> {
+        let signs: Vec<Option<KnownSign>> = coefficients
+            .iter()
+            .map(|c| if c.is_zero() { None } else { self.polynomial_sign(tower, c, sides) })
+            .collect();
+        let unknown = coefficients.iter().zip(&signs).any(|(c, sign)| !c.is_zero() && sign.is_none());
+        let positive = signs.iter().flatten().map(|sign| sign.0).collect::<Vec<_>>();
+        let agree = positive.windows(2).all(|pair| pair[0] == pair[1]);
+        if !unknown && agree && !positive.is_empty() {
+            let strict = |sign: &Option<KnownSign>| sign.is_some_and(|s| s.1 == Strictness::Strict);
+            let ends = strict(&signs[0]) && strict(&signs[signs.len() - 1]);
+            let strictness = if ends { Strictness::Strict } else { Strictness::Weak };
+            return Some((positive[0], strictness));
+        }
+        if halvings == 0 {
+            return None;
+        }
+        let (left, right) = halves(coefficients);
+        let first = self.bernstein_sign(tower, &left, sides, halvings - 1)?;
+        let second = self.bernstein_sign(tower, &right, sides, halvings - 1)?;
+        (first.0 == second.0).then_some((first.0, first.1.min(second.1)))
+    }
+
+    /// The sign of a polynomial in parameters.
+    fn sign_of_constant(&self, tower: &Tower, polynomial: &Polynomial) -> Option<KnownSign> {
+        let mut rest = polynomial.clone();
+        let mut sign: KnownSign = (true, Strictness::Strict);
+        for (fact, strictness) in &self.facts {
+            while fact.term_count() > 1 && let Some(quotient) = rest.divide_exact(fact) {
+                rest = quotient;
+                sign.1 = sign.1.min(*strictness);
+            }
+        }
+        let own = match self.terms_sign(tower, &rest, MOST_REWRITES) {
+            Some(strictness) => (true, strictness),
+            None => (false, self.terms_sign(tower, &rest.neg(), MOST_REWRITES)?),
+        };
+        Some((sign.0 == own.0, sign.1.min(own.1)))
+    }
+
+    /// Whether every term is not negative, perhaps once multiples of known conditions are taken away.
+    fn terms_sign(&self, tower: &Tower, polynomial: &Polynomial, rewrites: u32) -> Option<Strictness> {
+        let mut best = Strictness::Weak;
+        let mut negative = None;
+        for (monomial, coefficient) in polynomial.terms() {
+            match self.monomial_sign(tower, &monomial) {
+                Some((positive, strictness)) if positive == coefficient.is_positive() => {
+                    best = best.max(strictness);
+                }
+                _ => negative = negative.or(Some((monomial, coefficient))),
+            }
+        }
+        let Some((monomial, coefficient)) = negative else { return Some(best) };
+        if rewrites == 0 {
+            return None;
+        }
+        self.facts.iter().find_map(|(fact, strictness)| {
+            let (multiple, own) = self.multiple_with(tower, fact, &monomial, &coefficient)?;
+            let scale = multiple.0;
+            let rest = polynomial.scale(&scale).sub(&multiple.1);
+            let rest = self.terms_sign(tower, &rest, rewrites - 1)?;
+            Some(rest.max(own.min(*strictness)))
+        })
+    }
+
+    /// A number s > 0 and a multiple of a fact, by a monomial that is not negative, that has s times the given term.
+    fn multiple_with(
+        &self,
+        tower: &Tower,
+        fact: &Polynomial,
+        monomial: &[(u32, u32)],
+        coefficient: &BigInt,
+    ) -> Option<((BigInt, Polynomial), Strictness)> {
+        for (own, number) in fact.terms() {
+            if number.is_positive() != coefficient.is_positive() || own.is_empty() {
+                continue;
+            }
+            let Some(quotient) = monomial_quotient(monomial, &own) else { continue };
+            let Some((true, strictness)) = self.monomial_sign(tower, &quotient) else { continue };
+            let multiple = fact.multiply_by_monomial(&quotient).scale(&coefficient.abs());
+            return Some(((number.abs(), multiple), strictness));
+        }
+        None
+    }
+
+    fn monomial_sign(&self, tower: &Tower, monomial: &[(u32, u32)]) -> Option<KnownSign> {
+        let mut sign = (true, Strictness::Strict);
+        for &(variable, exponent) in monomial {
+            let own = self.generator_sign(tower, variable);
+            if exponent % 2 == 0 {
+                sign.1 = sign.1.min(own.map_or(Strictness::Weak, |known| known.1));
+            } else {
+                let own = own?;
+                sign = (sign.0 == own.0, sign.1.min(own.1));
+            }
+        }
+        Some(sign)
+    }
+
+    fn generator_sign(&self, tower: &Tower, variable: u32) -> Option<KnownSign> {
+        let itself = Polynomial::variable(variable);
+        match tower.generator(variable) {
+            Generator::Pi | Generator::Exponential(_) => return Some((true, Strictness::Strict)),
+            Generator::Root { .. } => {
+                let radicand = tower.radicand(variable).map(|(radicand, _)| radicand);
+                let strict = radicand.and_then(|p| self.terms_sign(tower, &p, 0));
+                return Some((true, strict.unwrap_or(Strictness::Weak)));
+            }
+            _ => {}
+        }
+        let bounds = self.facts.iter().filter_map(|(fact, strictness)| {
+            let linear = fact.total_degree() == 1 && fact.variables() == [variable];
+            let mut parts = fact.coefficients_in(variable).into_iter().filter(|_| linear);
+            let slope = parts.find(|part| part.0 == 1)?.1.as_constant()?;
+            let constant = fact.sub(&itself.scale(&slope)).as_constant()?;
+            // s v + c ≥ 0: v ≥ −c/s for s > 0, which says v ≥ 0 if c ≤ 0; v ≤ c/|s| for s < 0, likewise
+            match constant.sign() {
+                num_bigint::Sign::Plus => None,
+                num_bigint::Sign::NoSign => Some((slope.is_positive(), *strictness)),
+                num_bigint::Sign::Minus => Some((slope.is_positive(), Strictness::Strict)),
+            }
+        });
+        bounds.max_by_key(|sign| sign.1)
+    }
+}
+
+/// m / n for monomials, if n divides m.
+fn monomial_quotient(m: &[(u32, u32)], n: &[(u32, u32)]) -> Option<Vec<(u32, u32)>> {
+    let mut quotient = m.to_vec();
+    for &(variable, exponent) in n {
+        let entry = quotient.iter_mut().find(|entry| entry.0 == variable)?;
+        entry.1 = entry.1.checked_sub(exponent)?;
+    }
+    quotient.retain(|entry| entry.1 > 0);
+    Some(quotient)
+}
+
+/// The coefficients in Bernstein's basis times a positive number: βᵢ = Σⱼ C(i,j)/C(n,j) cⱼ.
+fn bernstein(polynomial: &Polynomial, variable: u32) -> Vec<Polynomial> {
+    let n = polynomial.degree(variable);
+    let parts = polynomial.coefficients_in(variable);
+    let big = |a: u32, b: u32| binomial(BigInt::from(a), BigInt::from(b));
+    let common = (0..=n).fold(BigInt::from(1), |all, j| all.lcm(&big(n, j)));
+    (0..=n)
+        .map(|i| {
+            let terms = parts.iter().filter(|(j, _)| *j <= i);
+            terms.fold(Polynomial::zero(), |sum, (j, c)| {
+                sum.add(&c.scale(&(&common / big(n, *j) * big(i, *j))))
+            })
+        })
+        .collect()
+}
+
+/// De Casteljau: the coefficients on both halves, times 2ⁿ.
+fn halves(coefficients: &[Polynomial]) -> (Vec<Polynomial>, Vec<Polynomial>) {
+    let n = coefficients.len() - 1;
+    let (mut left, mut right) = (Vec::new(), Vec::new());
+    let mut row = coefficients.to_vec();
+    for step in 0..=n {
+        let scale = BigInt::from(1) << (n - step);
+        left.push(row[0].scale(&scale));
+        right.push(row[row.len() - 1].scale(&scale));
+        row = row.windows(2).map(|pair| pair[0].add(&pair[1])).collect();
+    }
+    right.reverse();
+    (left, right)
+}
+
+/// The strict sign of an expression without parameters, by enclosures on boxes that cover [0, 1]ᵐ.
+fn enclosed_sign(pool: &Pool, q: Expr, sides: &[Symbol]) -> Option<KnownSign> {
+    if pool.symbols_in(&[q]).iter().any(|symbol| !sides.contains(symbol)) {
+        return None;
+    }
+    let unit = (Rational::zero(), Rational::from_integer(1.into()));
+    let mut boxes = vec![vec![unit; sides.len()]];
+    let mut sign: Option<bool> = None;
+    let mut looked_at = 0;
+    while let Some(part) = boxes.pop() {
+        looked_at += 1;
+        if looked_at > MOST_BOXES {
+            return None;
+        }
+        let value = |symbol: Symbol| {
+            let place = sides.iter().position(|side| *side == symbol)?;
+            Some(Enclosure::between(&part[place].0, &part[place].1, Precision(64)))
+        };
+        let enclosed = enclose(pool, &[q], &value, &mut |_, _, _| None, Precision(64)).remove(0).ok();
+        let here = enclosed.as_ref().and_then(|enclosed| {
+            if enclosed.is_positive() { Some(true) } else { enclosed.is_negative().then_some(false) }
+        });
+        match here {
+            Some(positive) if sign.is_none_or(|known| known == positive) => sign = Some(positive),
+            Some(_) => return None,
+            None => boxes.extend(halved(part)?),
+        }
+    }
+    sign.map(|positive| (positive, Strictness::Strict))
+}
+
+/// The two halves of a box along its longest side.
+fn halved(part: Vec<(Rational, Rational)>) -> Option<[Vec<(Rational, Rational)>; 2]> {
+    let length = |side: &(Rational, Rational)| &side.1 - &side.0;
+    let place = (0..part.len()).max_by_key(|&place| length(&part[place]))?;
+    let middle = (&part[place].0 + &part[place].1) / Rational::from_integer(2.into());
+    let (mut lower, mut upper) = (part.clone(), part);
+    lower[place].1 = middle.clone();
+    upper[place].0 = middle;
+    Some([lower, upper])
+}
