@@ -9,6 +9,7 @@
 //! continuity show. Continuous on the closed range and differentiable inside, with A′ = f, it gives the integral, the
 //! improper one too.
 
+mod ends;
 mod exponential;
 mod harmonic;
 mod moments;
@@ -43,8 +44,23 @@ impl From<&str> for Failure {
     }
 }
 
-/// The normal form where the conditions hold; roots in it must have one sign only.
+/// The normal form where the conditions hold; roots in it must have one sign only, and none of a sine or cosine may be
+/// left.
 fn normal_form(
+    pool: &mut Pool,
+    tower: &mut Tower,
+    expression: Expr,
+    conditions: &[Condition],
+) -> Result<Fraction, Failure> {
+    let normal = any_normal_form(pool, tower, expression, conditions)?;
+    if tower.trigonometry() != Trigonometry::Circle {
+        return Err("a root of a trigonometric expression remains".into());
+    }
+    Ok(normal)
+}
+
+/// The same, perhaps in half-angle tangents.
+fn any_normal_form(
     pool: &mut Pool,
     tower: &mut Tower,
     expression: Expr,
@@ -63,8 +79,5 @@ fn normal_form(
             _ => return Err("the sign of something under a root is not known".into()),
         }
     };
-    if tower.trigonometry() != Trigonometry::Circle {
-        return Err("a root of a trigonometric expression remains".into());
-    }
     Ok(prepared.exact(tower, pool)?.remove(0))
 }

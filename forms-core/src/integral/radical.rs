@@ -22,26 +22,65 @@ struct Quadratic {
 }
 
 impl Search<'_> {
-    /// An antiderivative, if one root of a linear or quadratic polynomial is all that is not rational.
+    /// An antiderivative, if one root of a linear or quadratic polynomial is all that is not rational; two square roots
+    /// of linear polynomials count as one where they occur together.
     pub(super) fn radical(&mut self, integrand: &mut Integrand) -> Computed<Option<Expr>> {
         let roots = integrand.such_that(|generator| matches!(generator, Generator::Root { .. }));
-        let [root] = roots[..] else { return Ok(None) };
         let x = integrand.tower.variable_number(integrand.symbol);
-        if integrand.generators.iter().any(|&generator| generator != x && generator != root) {
+        if integrand.generators.iter().any(|generator| *generator != x && !roots.contains(generator)) {
             return Ok(None);
         }
-        let Some((radicand, order)) = integrand.tower.radicand(root) else { return Ok(None) };
-        let others = radicand.variables();
-        let depends = |v: &u32| *v != x && integrand.generators.contains(v);
-        if others.iter().any(depends) {
-            return Ok(None);
+        let mut radicands = Vec::new();
+        for &root in &roots {
+            let Some((radicand, order)) = integrand.tower.radicand(root) else { return Ok(None) };
+            if radicand.variables().iter().any(|v| *v != x && integrand.generators.contains(v)) {
+                return Ok(None);
+            }
+            radicands.push((integrand.tower.univariate(&radicand, x), order));
         }
-        let radicand = integrand.tower.univariate(&radicand, x);
-        match (radicand.degree(), order) {
-            (1, _) => self.under_linear(integrand, root, &radicand, order).map(Some),
-            (2, 2) => self.under_quadratic(integrand, root, &radicand),
+        match (&roots[..], &radicands[..]) {
+            ([root], [(radicand, order)]) if radicand.degree() == 1 => {
+                self.under_linear(integrand, *root, radicand, *order).map(Some)
+            }
+            ([root], [(radicand, 2)]) if radicand.degree() == 2 => {
+                let Some(terms) = integrand.tower.laurent_terms(&integrand.normal, &[*root]) else {
+                    return Ok(None);
+                };
+                let terms = terms.into_iter().map(|(powers, part)| (powers[0], part)).collect();
+                self.under_quadratic(integrand, radicand, terms)
+            }
+            ([_, _], [(first, 2), (second, 2)]) if first.degree() == 1 && second.degree() == 1 => {
+                self.under_two(integrand, &roots, (first, second))
+            }
             _ => Ok(None),
         }
+    }
+
+    /// ρ₁ⁱρ₂ʲ with odd i and j is (ρ₁ρ₂)ᵖ times powers of the radicands, p the smaller of them.
+    fn under_two(
+        &mut self,
+        integrand: &mut Integrand,
+        roots: &[u32],
+        (first, second): (&Univariate, &Univariate),
+    ) -> Computed<Option<Expr>> {
+        let tower = &mut *integrand.tower;
+        let Some(terms) = tower.laurent_terms(&integrand.normal, roots) else { return Ok(None) };
+        let x: Fraction = Polynomial::variable(tower.variable_number(integrand.symbol)).into();
+        let values = [tower.univariate_at(first, &x)?, tower.univariate_at(second, &x)?];
+        let mut joined = Vec::new();
+        for (powers, mut part) in terms {
+            let least = powers[0].min(powers[1]);
+            for (power, value) in powers.iter().zip(&values) {
+                if (power - least) % 2 != 0 {
+                    return Ok(None);
+                }
+                let factor = tower.integer_power(value, i64::from(power - least) / 2)?;
+                part = tower.multiply(&part, &factor)?;
+            }
+            joined.push((least, part));
+        }
+        let radicand = tower.univariate_product(first, second)?;
+        self.under_quadratic(integrand, &radicand, joined)
     }
 
     /// x = (yⁿ − b)/a, dx = n yⁿ⁻¹/a dy
@@ -77,13 +116,13 @@ impl Search<'_> {
         self.pool.substitute(expression, &values)
     }
 
+    /// Σ Rₖ(x) ρᵏ dx, each coefficient free of roots of the variable.
     fn under_quadratic(
         &mut self,
         integrand: &mut Integrand,
-        root: u32,
         radicand: &Univariate,
+        terms: Vec<(i32, Fraction)>,
     ) -> Computed<Option<Expr>> {
-        let Some(terms) = integrand.tower.laurent_terms(&integrand.normal, &[root]) else { return Ok(None) };
         let tower = &mut *integrand.tower;
         // q = a (x + b/2a)² + c − b²/4a
         let a = radicand.coefficient(2);
@@ -97,42 +136,31 @@ impl Search<'_> {
         if c.is_zero() {
             return Ok(None);
         }
-        let value = tower.raise(self.pool, &Polynomial::variable(root).into());
-        let quadratic = Quadratic { a, c, shift, root: value };
+        let x = tower.variable_number(integrand.symbol);
+        let q = tower.univariate_at(radicand, &Polynomial::variable(x).into())?;
+        let q = tower.raise(self.pool, &q);
+        let quadratic = Quadratic { a, c, shift, root: self.pool.sqrt(q) };
         let mut sum = self.pool.integer(0);
-        for (powers, coefficient) in terms {
-            let power = powers[0];
-            // ρᵏ = q^((k−1)/2) ρ for odd k, q^(k/2) for even k
-            let odd = power.rem_euclid(2) == 1;
-            let factor: Fraction = self.radicand_power(integrand, radicand, (power - i32::from(odd)) / 2)?;
-            let rest = integrand.tower.multiply(&coefficient, &factor)?;
-            let term = if odd {
-                self.times_root(integrand, &rest, &quadratic)?
+        for (power, coefficient) in terms {
+            let term = if power % 2 == 0 {
+                let factor = self.pool.power(q, i64::from(power / 2).into());
+                let rest = integrand.tower.raise(self.pool, &coefficient);
+                let rational = self.pool.multiply(rest, factor);
+                self.antiderivative(rational, integrand.symbol, integrand.conditions, 0)?
             } else {
-                self.rational(integrand.tower, &rest, integrand.symbol)?
+                self.times_root(integrand, &coefficient, power, &quadratic)?
             };
             sum = self.pool.add(sum, term);
         }
         Ok(Some(sum))
     }
 
-    /// qⁿ as an element without roots of the variable.
-    fn radicand_power(
-        &mut self,
-        integrand: &mut Integrand,
-        radicand: &Univariate,
-        n: i32,
-    ) -> Computed<Fraction> {
-        let x = integrand.tower.variable_number(integrand.symbol);
-        let q = integrand.tower.univariate_at(radicand, &Polynomial::variable(x).into())?;
-        Ok(integrand.tower.integer_power(&q, n.into())?)
-    }
-
-    /// ∫ R(x) ρ dx
+    /// ∫ R(x) ρᵖ dx for odd p
     fn times_root(
         &mut self,
         integrand: &mut Integrand,
         rational: &Fraction,
+        power: i32,
         quadratic: &Quadratic,
     ) -> Computed<Expr> {
         let tower = &mut *integrand.tower;
@@ -149,16 +177,19 @@ impl Search<'_> {
         let difference = tower.subtract(&square, &quadratic.c)?;
         let s_squared = tower.multiply(&difference, &inverse_a)?;
         let odd = tower.replaced(&odd, &[(x, s_squared)])?;
-        let jacobian = tower.multiply(&square, &inverse_a)?;
+        let raised = tower.integer_power(&itself, i64::from(power) + 1)?;
+        let jacobian = tower.multiply(&raised, &inverse_a)?;
         let odd = tower.multiply(&odd, &jacobian)?;
-        // even: s² = C y²/(1 − a y²), ρ ds = ρ⁴/C dy = C/(1 − a y²)² dy
+        // even: s² = C y²/(1 − a y²), ρᵖ ds = ρᵖ⁺³/C dy
         let product = tower.multiply(&quadratic.a, &square)?;
         let below = tower.subtract(&Fraction::one(), &product)?;
         let inverse = tower.inverse(&below)?;
         let over = tower.multiply(&quadratic.c, &inverse)?;
         let s_squared = tower.multiply(&square, &over)?;
         let even = tower.replaced(&even, &[(x, s_squared)])?;
-        let jacobian = tower.multiply(&over, &inverse)?;
+        let raised = tower.integer_power(&over, i64::from(power + 3) / 2)?;
+        let inverse_c = tower.inverse(&quadratic.c)?;
+        let jacobian = tower.multiply(&raised, &inverse_c)?;
         let even = tower.multiply(&even, &jacobian)?;
         let odd = self.rational(integrand.tower, &odd, y)?;
         let odd = self.at(odd, y, quadratic.root);

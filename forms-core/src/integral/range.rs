@@ -3,11 +3,12 @@
 use super::moments::by_moments;
 use super::search::Search;
 use super::signs::{Region, Strictness};
-use super::{Failure, normal_form};
+use super::{Failure, any_normal_form, normal_form};
 use crate::expression::{Condition, Expr, Node, Operation, Pool, Substitution, Symbol};
 use crate::normal::{Tower, Trigonometry};
 use crate::syntax::ast::Relation;
 use num_traits::Signed;
+use rustc_hash::FxHashMap;
 
 /// An integral and the conditions on parameters under which it has this value.
 #[derive(Clone, Debug)]
@@ -43,6 +44,12 @@ impl Region {
             self.conditions.push(condition);
         }
         None
+    }
+
+    /// Leaves the innermost range, once it has been integrated over, and what is assumed of its variable.
+    pub(crate) fn forget_innermost(&mut self, pool: &Pool) {
+        let Some((symbol, ..)) = self.ranges.pop() else { return };
+        self.conditions.retain(|c| !pool.symbols_in(&[c.left, c.right]).contains(&symbol));
     }
 
     /// The integral over the innermost range.
@@ -119,37 +126,45 @@ impl Region {
         };
         let mut search = Search { pool, region: self };
         let found = search.antiderivative(integrand, variable, &self.conditions, super::search::DEPTH)?;
-        let antiderivative = self.without_magnitudes(pool, found);
-        let derivative = pool.derivative(antiderivative, variable);
-        let difference = pool.subtract(derivative, integrand);
-        let mut tower = Tower::new(Trigonometry::Circle);
-        if !normal_form(pool, &mut tower, difference, &self.conditions)?.is_zero() {
+        let antiderivative = self.without_magnitudes(pool, found, variable)?;
+        if !is_antiderivative(pool, antiderivative, integrand, variable, &self.conditions)? {
             return Err(format!("no antiderivative of `{}` was found", pool.text(integrand)).into());
         }
         let conditions = self.where_continuous(pool, antiderivative, variable)?;
-        let at = |pool: &mut Pool, place: Expr| {
-            let values: Substitution = [(variable, place)].into_iter().collect();
-            pool.substitute(antiderivative, &values)
-        };
-        let (upper, lower) = (at(pool, to), at(pool, from));
+        let upper = self.value_at(pool, antiderivative, variable, to);
+        let lower = self.value_at(pool, antiderivative, variable, from);
         Ok(Integral { value: pool.subtract(upper, lower), conditions })
     }
 
     /// log|q| as log q or log(−q), by the sign of q over the range.
-    fn without_magnitudes(&self, pool: &mut Pool, expression: Expr) -> Expr {
-        let mut images: rustc_hash::FxHashMap<Expr, Expr> = rustc_hash::FxHashMap::default();
+    fn without_magnitudes(
+        &self,
+        pool: &mut Pool,
+        expression: Expr,
+        variable: Symbol,
+    ) -> Result<Expr, Failure> {
+        let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
         for part in pool.reachable(&[expression]) {
             let Node::Apply(Operation::Log, arguments) = pool.node(part) else { continue };
             let Node::Apply(Operation::Abs, inner) = pool.node(arguments[0]).clone() else { continue };
             let argument = match self.sign(pool, inner[0]) {
                 Some((true, _)) => inner[0],
                 Some((false, _)) => pool.negate(inner[0]),
+                None if self.varies(pool, inner[0]) => {
+                    return Err(not_known(pool, inner[0], Relation::NotEqual, variable));
+                }
                 None => continue,
             };
             let logarithm = pool.apply(Operation::Log, &[argument]);
             images.insert(part, logarithm);
         }
-        pool.replace(expression, &images)
+        Ok(pool.replace(expression, &images))
+    }
+
+    /// Whether an expression depends on a variable of a range.
+    fn varies(&self, pool: &Pool, expression: Expr) -> bool {
+        let symbols = pool.symbols_in(&[expression]);
+        self.ranges.iter().any(|range| symbols.contains(&range.0))
     }
 
     /// That every part of an antiderivative is defined and continuous over the closed range. What does not depend on
@@ -163,6 +178,9 @@ impl Region {
         let mut conditions = Vec::new();
         let zero = pool.integer(0);
         for part in pool.reachable(&[antiderivative]) {
+            if matches!(pool.node(part), Node::Apply(Operation::Atan2, _) | Node::Select { .. }) {
+                return Err(format!("`{}` may jump", pool.text(part)).into());
+            }
             for (left, relation) in needs(pool, part) {
                 let sign = self.sign(pool, left);
                 let holds = match relation {
@@ -173,25 +191,39 @@ impl Region {
                 if holds {
                     continue;
                 }
-                let varying = self.ranges.iter().any(|range| pool.symbols_in(&[left]).contains(&range.0));
-                if varying {
-                    let name = pool.symbol_name(variable).to_string();
-                    return Err(format!(
-                        "it is not known that `{}` {} all over the range of `{name}`",
-                        pool.text(left),
-                        match relation {
-                            Relation::GreaterEqual => "is not negative",
-                            Relation::Greater => "is positive",
-                            _ => "is not zero",
-                        }
-                    )
-                    .into());
+                if self.varies(pool, left) {
+                    return Err(not_known(pool, left, relation, variable));
                 }
                 conditions.push(Condition { left, relation, right: zero });
             }
         }
         Ok(conditions)
     }
+}
+
+/// What stands in the way of continuity.
+fn not_known(pool: &Pool, left: Expr, relation: Relation, variable: Symbol) -> Failure {
+    let claim = match relation {
+        Relation::GreaterEqual => "is not negative",
+        Relation::Greater => "is positive",
+        _ => "is not zero",
+    };
+    let (left, name) = (pool.text(left), pool.symbol_name(variable));
+    format!("it is not known that `{left}` {claim} all over the range of `{name}`").into()
+}
+
+/// Whether A′ = f wherever the conditions hold.
+pub(super) fn is_antiderivative(
+    pool: &mut Pool,
+    candidate: Expr,
+    integrand: Expr,
+    variable: Symbol,
+    conditions: &[Condition],
+) -> Result<bool, Failure> {
+    let derivative = pool.derivative(candidate, variable);
+    let difference = pool.subtract(derivative, integrand);
+    let mut tower = Tower::new(Trigonometry::Circle);
+    Ok(any_normal_form(pool, &mut tower, difference, conditions)?.is_zero())
 }
 
 /// What has to hold for one operation to be defined and continuous: `left relation 0`.
@@ -210,11 +242,6 @@ fn needs(pool: &mut Pool, part: Expr) -> Vec<(Expr, Relation)> {
             let square = pool.power(q[0], 2.into());
             let one = pool.integer(1);
             vec![(pool.subtract(one, square), Relation::GreaterEqual)]
-        }
-        // continuous off its cut only, and where a piece ends
-        Node::Apply(Operation::Atan2, _) | Node::Select { .. } => {
-            let minus_one = pool.integer(-1);
-            vec![(minus_one, Relation::Greater)]
         }
         _ => vec![],
     }

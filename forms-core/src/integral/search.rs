@@ -43,7 +43,14 @@ impl Search<'_> {
         depth: u32,
     ) -> Result<Expr, Failure> {
         let mut tower = Tower::new(Trigonometry::Circle);
-        let normal = normal_form(self.pool, &mut tower, expression, conditions)?;
+        let normal = match normal_form(self.pool, &mut tower, expression, conditions) {
+            Ok(normal) => normal,
+            Err(failure) if depth > 0 => {
+                let found = self.through_circle(expression, symbol, conditions, depth - 1);
+                return found.ok_or(failure);
+            }
+            Err(failure) => return Err(failure),
+        };
         let generators = tower.generators_in(&normal, symbol);
         let mut integrand =
             Integrand { expression, normal, tower: &mut tower, symbol, generators, conditions };

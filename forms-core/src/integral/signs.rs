@@ -111,12 +111,20 @@ impl Region {
             let Ok(difference) = normal_form(pool, &mut tower, difference, &known) else { continue };
             knowledge.learn(&tower, &difference, condition.relation);
         }
-        let mut variables = Vec::new();
-        for &side in sides {
-            variables.push(tower.variable_number(side));
-        }
-        knowledge.sign_of_fraction(&tower, &value, &variables)
+        let mut variables: Vec<u32> = sides.iter().map(|&side| tower.variable_number(side)).collect();
+        let circular = |variable: &u32| {
+            matches!(tower.generator(*variable), Generator::Cosine(_) | Generator::Sine(_))
+        };
+        let circular: Vec<u32> = (0..tower.generator_count()).filter(circular).collect();
+        variables.extend(&circular);
+        knowledge.sign_of_fraction(&tower, &value, &Box { sides: variables, circular })
     }
+}
+
+/// The variables that run over [0, 1], and those among them that stand for sines and cosines.
+struct Box {
+    sides: Vec<u32>,
+    circular: Vec<u32>,
 }
 
 /// Polynomials that are known not to be negative.
@@ -134,7 +142,7 @@ impl Knowledge {
             Relation::LessEqual => (polynomial.neg(), Strictness::Weak),
             // q ≠ 0 and q ≥ 0 is q > 0
             Relation::NotEqual => {
-                match self.polynomial_sign(tower, polynomial, &[]) {
+                match self.polynomial_sign(tower, polynomial, &Box { sides: vec![], circular: vec![] }) {
                     Some((true, _)) => (polynomial.clone(), Strictness::Strict),
                     Some((false, _)) => (polynomial.neg(), Strictness::Strict),
                     None => return,
@@ -144,7 +152,7 @@ impl Knowledge {
         self.facts.push((polynomial, strictness));
     }
 
-    fn sign_of_fraction(&self, tower: &Tower, value: &Fraction, sides: &[u32]) -> Option<KnownSign> {
+    fn sign_of_fraction(&self, tower: &Tower, value: &Fraction, sides: &Box) -> Option<KnownSign> {
         if value.is_zero() {
             return None;
         }
@@ -163,10 +171,36 @@ impl Knowledge {
     }
 
     /// The sign of a polynomial where the sides run over [0, 1].
-    fn polynomial_sign(&self, tower: &Tower, polynomial: &Polynomial, sides: &[u32]) -> Option<KnownSign> {
-        match sides.iter().find(|side| polynomial.contains(**side)) {
+    fn polynomial_sign(&self, tower: &Tower, polynomial: &Polynomial, sides: &Box) -> Option<KnownSign> {
+        self.plain_sign(tower, polynomial, sides).or_else(|| self.sign_with_root(tower, polynomial, sides))
+    }
+
+    /// The sign of α + βρ with ρ² = g: where |α| and |β|ρ differ, that of the larger one.
+    fn sign_with_root(&self, tower: &Tower, polynomial: &Polynomial, sides: &Box) -> Option<KnownSign> {
+        let root = polynomial.variables().into_iter().rev().find(|&v| {
+            polynomial.degree(v) == 1 && tower.radicand(v).is_some_and(|(_, order)| order == 2)
+        })?;
+        let (radicand, _) = tower.radicand(root)?;
+        let parts = polynomial.coefficients_in(root);
+        let part = |power: u32| {
+            parts.iter().find(|entry| entry.0 == power).map_or_else(Polynomial::zero, |entry| entry.1.clone())
+        };
+        let (alpha, beta) = (part(0), part(1));
+        let difference = alpha.square().sub(&beta.square().mul(&radicand));
+        let (first_is_larger, strictness) = self.polynomial_sign(tower, &difference, sides)?;
+        let larger = if first_is_larger { &alpha } else { &beta };
+        let sign = self.polynomial_sign(tower, larger, sides)?;
+        Some((sign.0, strictness))
+    }
+
+    fn plain_sign(&self, tower: &Tower, polynomial: &Polynomial, sides: &Box) -> Option<KnownSign> {
+        match sides.sides.iter().find(|side| polynomial.contains(**side)) {
             None => self.sign_of_constant(tower, polynomial),
-            Some(&side) => self.bernstein_sign(tower, &bernstein(polynomial, side), sides, MOST_HALVINGS),
+            Some(&side) => {
+                let on_unit =
+                    if sides.circular.contains(&side) { from_circle(polynomial, side) } else { polynomial.clone() };
+                self.bernstein_sign(tower, &bernstein(&on_unit, side), &sides.after(side), MOST_HALVINGS)
+            }
         }
     }
 
@@ -174,7 +208,7 @@ impl Knowledge {
         &self,
         tower: &Tower,
         coefficients: &[Polynomial],
-        sides: &[u32],
+        sides: &Box,
         halvings: u32,
     ) -> Option<KnownSign> {
         let signs: Vec<Option<KnownSign>> = coefficients
@@ -201,6 +235,9 @@ impl Knowledge {
 
     /// The sign of a polynomial in parameters.
     fn sign_of_constant(&self, tower: &Tower, polynomial: &Polynomial) -> Option<KnownSign> {
+        if polynomial.is_zero() {
+            return None;
+        }
         let mut rest = polynomial.clone();
         let mut sign: KnownSign = (true, Strictness::Strict);
         for (fact, strictness) in &self.facts {
@@ -300,6 +337,26 @@ impl Knowledge {
         });
         bounds.max_by_key(|sign| sign.1)
     }
+}
+
+impl Box {
+    /// The box without one side.
+    fn after(&self, side: u32) -> Box {
+        let sides = self.sides.iter().copied().filter(|other| *other != side).collect();
+        Box { sides, circular: self.circular.clone() }
+    }
+}
+
+/// A polynomial in c with −1 ≤ c ≤ 1 as one in σ over [0, 1]: c² = σ where only even powers occur, else c = 2σ − 1.
+fn from_circle(polynomial: &Polynomial, variable: u32) -> Polynomial {
+    let parts = polynomial.coefficients_in(variable);
+    let is_even = parts.iter().all(|(exponent, _)| exponent % 2 == 0);
+    let sigma = Polynomial::variable(variable);
+    let line = sigma.scale(&2.into()).sub(&Polynomial::one());
+    parts.into_iter().fold(Polynomial::zero(), |sum, (exponent, coefficient)| {
+        let power = if is_even { sigma.pow(exponent / 2) } else { line.pow(exponent) };
+        sum.add(&coefficient.mul(&power))
+    })
 }
 
 /// m / n for monomials, if n divides m.

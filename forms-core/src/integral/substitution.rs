@@ -1,8 +1,9 @@
 //! Substitutions: ∫ h(g(x)) g′(x) dx = H(g(x)), with g a cosine, sine, exponential or square that occurs.
 
+use super::range::is_antiderivative;
 use super::search::{Integrand, Search};
 use super::{Failure, normal_form};
-use crate::expression::{Condition, Expr, Operation, Substitution, Symbol, SymbolKind};
+use crate::expression::{Condition, Expr, Node, Operation, Substitution, Symbol, SymbolKind};
 use crate::normal::{Fraction, Generator, Tower, Trigonometry};
 use crate::polynomial::Polynomial;
 use crate::syntax::ast::Relation;
@@ -24,11 +25,20 @@ impl Search<'_> {
                 }
                 _ => continue,
             };
-            if let Some(found) = self.substituted(integrand, inner, &kind, depth) {
+            if let Some(found) = self.substituted(integrand, inner, &kind, depth)
+                && self.is_right(found, integrand)
+            {
                 return Ok(Some(found));
             }
         }
-        Ok(self.through_square(integrand, depth))
+        let found = self.through_square(integrand, depth);
+        Ok(found.filter(|&found| self.is_right(found, integrand)))
+    }
+
+    /// Whether the derivative is the integrand; a substitution may have lost a sign.
+    fn is_right(&mut self, found: Expr, integrand: &Integrand) -> bool {
+        let Integrand { expression, symbol, conditions, .. } = *integrand;
+        is_antiderivative(self.pool, found, expression, symbol, conditions) == Ok(true)
     }
 
     /// ∫ f dx with y = g(x): f/g′ must be a function of y.
@@ -102,6 +112,63 @@ impl Search<'_> {
             .iter()
             .map(|&(relation, bound)| Condition { left, relation, right: self.pool.integer(bound) })
             .collect()
+    }
+
+    /// y = cos u or sin u of an expression as it is written, with the other one √(1 − y²), for roots of sines and cosines.
+    pub(super) fn through_circle(
+        &mut self,
+        expression: Expr,
+        symbol: Symbol,
+        conditions: &[Condition],
+        depth: u32,
+    ) -> Option<Expr> {
+        let angles: Vec<Expr> = self
+            .pool
+            .reachable(&[expression])
+            .into_iter()
+            .filter_map(|part| match self.pool.node(part) {
+                Node::Apply(Operation::Sin | Operation::Cos, q) => Some(q[0]),
+                _ => None,
+            })
+            .filter(|angle| self.pool.symbols_in(&[*angle]).contains(&symbol))
+            .collect();
+        let angle = *angles.first()?;
+        for (main, other) in [(Operation::Cos, Operation::Sin), (Operation::Sin, Operation::Cos)] {
+            let inner = self.pool.apply(main, &[angle]);
+            let cofunction = self.pool.apply(other, &[angle]);
+            let y = self.pool.declare_symbol("y", SymbolKind::Local);
+            let value = self.pool.symbol(y);
+            let square = self.pool.power(value, 2.into());
+            let one = self.pool.integer(1);
+            let rest = self.pool.subtract(one, square);
+            let images: FxHashMap<Expr, Expr> =
+                [(inner, value), (cofunction, self.pool.sqrt(rest))].into_iter().collect();
+            let derivative = self.pool.derivative(inner, symbol);
+            let quotient = self.pool.divide(expression, derivative);
+            let outer = self.pool.replace(quotient, &images);
+            if self.pool.symbols_in(&[outer]).contains(&symbol) {
+                continue;
+            }
+            let minus_one = self.pool.integer(-1);
+            let mut known = vec![
+                Condition { left: value, relation: Relation::Greater, right: minus_one },
+                Condition { left: value, relation: Relation::Less, right: one },
+            ];
+            for condition in conditions {
+                let sides = [condition.left, condition.right].map(|side| self.pool.replace(side, &images));
+                if !self.pool.symbols_in(&sides).contains(&symbol) {
+                    known.push(Condition { left: sides[0], relation: condition.relation, right: sides[1] });
+                }
+            }
+            if let Ok(found) = self.antiderivative(outer, y, &known, depth) {
+                let values: Substitution = [(y, inner)].into_iter().collect();
+                let found = self.pool.substitute(found, &values);
+                if is_antiderivative(self.pool, found, expression, symbol, conditions) == Ok(true) {
+                    return Some(found);
+                }
+            }
+        }
+        None
     }
 
     /// y = x²: f/2x must be even. It is looked at for x > 0, which decides it for x < 0.

@@ -177,10 +177,11 @@ impl Evaluator<'_> {
     pub(super) fn pull(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
         let [map, argument] = exactly::<2>(arguments, "pullback", span)?;
         let map = self.map(map)?;
-        let outer = std::mem::take(&mut self.scope);
-        let value = self.value(argument);
-        let inner = std::mem::replace(&mut self.scope, outer);
-        let value = value?;
+        // what is said of this point is not said of its image
+        let given = std::mem::take(&mut self.given);
+        let result = self.apart(|evaluator| evaluator.value(argument));
+        self.given = given;
+        let (value, inner) = result?;
         let target = self.theory.charts[map.target].clone();
         let source = self.theory.charts[map.source].coordinates.clone();
         let symbols: Vec<Symbol> =

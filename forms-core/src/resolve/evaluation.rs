@@ -22,11 +22,13 @@ pub(super) struct Evaluator<'a> {
     pub(super) scope: Scope,
     /// The conditions each param and unknown function was declared with.
     pub(super) declared: &'a super::items::Declarations,
+    /// What the statement says of the points that it speaks of.
+    pub(super) given: Vec<Condition>,
 }
 
 impl<'a> Evaluator<'a> {
     pub(super) fn new(theory: &'a mut Theory, declared: &'a super::items::Declarations) -> Self {
-        Evaluator { theory, scope: Scope::default(), declared }
+        Evaluator { theory, scope: Scope::default(), declared, given: Vec::new() }
     }
 
     pub(super) fn ring(&mut self) -> Structured<'_> {

@@ -67,7 +67,7 @@ impl Evaluator<'_> {
             })?;
             found.conditions.into_iter().for_each(|condition| self.scope.require(condition));
             integral = found.value;
-            region.ranges.pop();
+            region.forget_innermost(&self.theory.pool);
         }
         Ok(integral)
     }
@@ -142,13 +142,12 @@ impl Evaluator<'_> {
     /// The ranges, and what may be assumed: what binds everything outside, and that a variable lies in its range if
     /// that is known not to run backwards.
     fn region(&mut self, defined: &[Condition], ranges: &[Range]) -> Region {
-        let mut conditions: Vec<Condition> = self.scope.conditions().to_vec();
-        for condition in defined {
+        let outside = |condition: &&Condition| {
             let symbols = self.theory.pool.symbols_in(&[condition.left, condition.right]);
-            if !ranges.iter().any(|range| symbols.contains(&range.symbol)) {
-                conditions.push(*condition);
-            }
-        }
+            !ranges.iter().any(|range| symbols.contains(&range.symbol))
+        };
+        let known = self.scope.conditions().iter().chain(&self.given).chain(defined);
+        let mut conditions: Vec<Condition> = known.filter(outside).copied().collect();
         for range in ranges {
             if !is_at_most(&mut self.theory.pool, range.from, range.to, &conditions) {
                 continue;

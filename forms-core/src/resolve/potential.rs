@@ -85,7 +85,7 @@ impl Evaluator<'_> {
         let power = pool.power(at, i64::from(degree - 1).into());
         let integrand = pool.multiply(power, composed);
         let defined: Vec<Condition> = self.scope.conditions().to_vec();
-        let mut conditions = defined.clone();
+        let mut conditions: Vec<Condition> = defined.iter().chain(&self.given).copied().collect();
         conditions.push(Condition { left: at, relation: Relation::Greater, right: zero });
         if let Some(integral) = power_integral(pool, integrand, t, &conditions)? {
             return Ok(integral);
