@@ -132,8 +132,28 @@ impl Rational<'_> {
                 self.power_or_logarithm(&slope, factor, j, parts)
             }
             2 => self.over_quadratic(digit, factor, j, parts),
-            degree => Err(format!("a denominator of degree {degree} that was not factored").into()),
+            _ => self.over_higher_degree(digit, factor, j, parts),
         }
+    }
+
+    /// ∫ c p′/pʲ is known for p of any degree.
+    fn over_higher_degree(
+        &mut self,
+        digit: &Univariate,
+        p: &Univariate,
+        j: u32,
+        parts: &mut Vec<Part>,
+    ) -> Computed<()> {
+        let mut derivative = Vec::new();
+        for (k, coefficient) in p.coefficients().iter().enumerate().skip(1) {
+            derivative.push(self.tower.multiply(coefficient, &Polynomial::integer(k as i64).into())?);
+        }
+        let (share, rest) = self.tower.univariate_division(digit, &Univariate::new(derivative))?;
+        if share.degree() > 0 || !rest.is_zero() {
+            let degree = p.degree();
+            return Err(format!("a denominator of degree {degree} that was not factored").into());
+        }
+        self.power_or_logarithm(&share.coefficient(0), p, j, parts)
     }
 
     /// ∫ c p′/pʲ = c log|p| or −c/((j−1) pʲ⁻¹)

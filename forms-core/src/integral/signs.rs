@@ -7,16 +7,20 @@
 use super::normal_form;
 use crate::assume::is_at_most;
 use crate::enclosure::{Enclosure, Precision, enclose};
-use crate::expression::{Condition, Expr, Nature, Pool, Rational, Substitution, Symbol, SymbolKind};
+use crate::expression::{Condition, Expr, Nature, Node, Pool, Rational, Substitution, Symbol, SymbolKind};
 use crate::normal::{Fraction, Generator, Tower, Trigonometry};
 use crate::polynomial::Polynomial;
 use crate::syntax::ast::Relation;
 use num_bigint::BigInt;
 use num_integer::{Integer, binomial};
 use num_traits::{Signed, Zero};
+use std::cell::Cell;
 
 /// How often the range is halved for a polynomial.
 const MOST_HALVINGS: u32 = 6;
+
+/// How many signs of polynomials one question may lead to.
+const MOST_QUESTIONS: u32 = 1000;
 
 /// How many boxes are looked at for what is not polynomial.
 const MOST_BOXES: usize = 400;
@@ -56,7 +60,7 @@ impl Region {
             }
         }
         let (on_box, sides) = self.on_box(pool, q);
-        let found = self.algebraic_sign(pool, on_box, &sides).or_else(|| enclosed_sign(pool, on_box, &sides));
+        let found = self.algebraic_sign(pool, on_box, &sides).or_else(|| self.enclosed_sign(pool, on_box, &sides));
         if found.is_some_and(|sign| sign.1 == Strictness::Strict) {
             return found;
         }
@@ -105,7 +109,7 @@ impl Region {
             known.push(Condition { left, relation: Relation::LessEqual, right: one });
         }
         let value = normal_form(pool, &mut tower, q, &known).ok()?;
-        let mut knowledge = Knowledge { facts: Vec::new() };
+        let mut knowledge = Knowledge { facts: Vec::new(), questions: Cell::new(0) };
         for condition in &free {
             let difference = pool.subtract(condition.left, condition.right);
             let Ok(difference) = normal_form(pool, &mut tower, difference, &known) else { continue };
@@ -130,6 +134,8 @@ struct Box {
 /// Polynomials that are known not to be negative.
 struct Knowledge {
     facts: Vec<(Polynomial, Strictness)>,
+    /// How many signs of polynomials have been asked for.
+    questions: Cell<u32>,
 }
 
 impl Knowledge {
@@ -172,7 +178,15 @@ impl Knowledge {
 
     /// The sign of a polynomial where the sides run over [0, 1].
     fn polynomial_sign(&self, tower: &Tower, polynomial: &Polynomial, sides: &Box) -> Option<KnownSign> {
-        self.plain_sign(tower, polynomial, sides).or_else(|| self.sign_with_root(tower, polynomial, sides))
+        self.questions.set(self.questions.get() + 1);
+        if self.questions.get() > MOST_QUESTIONS {
+            return None;
+        }
+        let plain = self.plain_sign(tower, polynomial, sides);
+        if plain.is_some_and(|sign| sign.1 == Strictness::Strict) {
+            return plain;
+        }
+        self.sign_with_root(tower, polynomial, sides).or(plain)
     }
 
     /// The sign of α + βρ with ρ² = g: where |α| and |β|ρ differ, that of the larger one.
@@ -224,7 +238,9 @@ impl Knowledge {
             let strictness = if ends { Strictness::Strict } else { Strictness::Weak };
             return Some((positive[0], strictness));
         }
-        if halvings == 0 {
+        let ends = [signs[0], signs[signs.len() - 1]].map(|sign| sign.map(|known| known.0));
+        let changes = matches!(ends, [Some(first), Some(last)] if first != last);
+        if halvings == 0 || changes {
             return None;
         }
         let (left, right) = halves(coefficients);
@@ -401,35 +417,66 @@ fn halves(coefficients: &[Polynomial]) -> (Vec<Polynomial>, Vec<Polynomial>) {
     (left, right)
 }
 
-/// The strict sign of an expression without parameters, by enclosures on boxes that cover [0, 1]ᵐ.
-fn enclosed_sign(pool: &Pool, q: Expr, sides: &[Symbol]) -> Option<KnownSign> {
-    if pool.symbols_in(&[q]).iter().any(|symbol| !sides.contains(symbol)) {
-        return None;
-    }
-    let unit = (Rational::zero(), Rational::from_integer(1.into()));
-    let mut boxes = vec![vec![unit; sides.len()]];
-    let mut sign: Option<bool> = None;
-    let mut looked_at = 0;
-    while let Some(part) = boxes.pop() {
-        looked_at += 1;
-        if looked_at > MOST_BOXES {
-            return None;
+impl Region {
+    /// The strict sign of an expression by enclosures on boxes that cover the sides and the bounds of the parameters.
+    fn enclosed_sign(&self, pool: &Pool, q: Expr, sides: &[Symbol]) -> Option<KnownSign> {
+        let symbols = pool.symbols_in(&[q]);
+        let mut whole = Vec::new();
+        for symbol in &symbols {
+            whole.push(if sides.contains(symbol) {
+                (Rational::zero(), Rational::from_integer(1.into()))
+            } else {
+                self.numeric_bounds(pool, *symbol)?
+            });
         }
-        let value = |symbol: Symbol| {
-            let place = sides.iter().position(|side| *side == symbol)?;
-            Some(Enclosure::between(&part[place].0, &part[place].1, Precision(64)))
-        };
-        let enclosed = enclose(pool, &[q], &value, &mut |_, _, _| None, Precision(64)).remove(0).ok();
-        let here = enclosed.as_ref().and_then(|enclosed| {
-            if enclosed.is_positive() { Some(true) } else { enclosed.is_negative().then_some(false) }
-        });
-        match here {
-            Some(positive) if sign.is_none_or(|known| known == positive) => sign = Some(positive),
-            Some(_) => return None,
-            None => boxes.extend(halved(part)?),
+        let mut boxes = vec![whole];
+        let mut sign: Option<bool> = None;
+        let mut looked_at = 0;
+        while let Some(part) = boxes.pop() {
+            looked_at += 1;
+            if looked_at > MOST_BOXES {
+                return None;
+            }
+            let value = |symbol: Symbol| {
+                let place = symbols.iter().position(|other| *other == symbol)?;
+                Some(Enclosure::between(&part[place].0, &part[place].1, Precision(64)))
+            };
+            let enclosed = enclose(pool, &[q], &value, &mut |_, _, _| None, Precision(64)).remove(0).ok();
+            let here = enclosed.as_ref().and_then(|enclosed| {
+                if enclosed.is_positive() { Some(true) } else { enclosed.is_negative().then_some(false) }
+            });
+            match here {
+                Some(positive) if sign.is_none_or(|known| known == positive) => sign = Some(positive),
+                Some(_) => return None,
+                None => boxes.extend(halved(part)?),
+            }
         }
+        sign.map(|positive| (positive, Strictness::Strict))
     }
-    sign.map(|positive| (positive, Strictness::Strict))
+
+    /// Numbers that conditions put a parameter between.
+    fn numeric_bounds(&self, pool: &Pool, symbol: Symbol) -> Option<(Rational, Rational)> {
+        let (mut lower, mut upper) = (None, None);
+        for condition in &self.conditions {
+            let is_symbol = |side: Expr| *pool.node(side) == Node::Symbol(symbol);
+            let below = matches!(condition.relation, Relation::Less | Relation::LessEqual);
+            let (bound, is_upper) = match (is_symbol(condition.left), is_symbol(condition.right)) {
+                (true, false) => (pool.as_number(condition.right), below),
+                (false, true) => (pool.as_number(condition.left), !below),
+                _ => continue,
+            };
+            if condition.relation == Relation::NotEqual {
+                continue;
+            }
+            let Some(bound) = bound.cloned() else { continue };
+            if is_upper {
+                upper = Some(upper.map_or(bound.clone(), |known: Rational| known.min(bound)));
+            } else {
+                lower = Some(lower.map_or(bound.clone(), |known: Rational| known.max(bound)));
+            }
+        }
+        lower.zip(upper)
+    }
 }
 
 /// The two halves of a box along its longest side.
