@@ -9,11 +9,7 @@ use super::metric::{Metric, Quotients};
 use super::musical::{flat, sharp};
 
 /// grad f = (df)♯
-pub fn gradient<R: Quotients>(
-    ring: &mut R,
-    metric: &Metric<R::Scalar>,
-    f: &R::Scalar,
-) -> Field<R::Scalar> {
+pub fn gradient<R: Quotients>(ring: &mut R, metric: &Metric<R::Scalar>, f: &R::Scalar) -> Field<R::Scalar> {
     let scalar = Form::scalar(ring, f.clone());
     let derivative = exterior_derivative(ring, &scalar, metric.coordinates());
     sharp(ring, metric, &derivative)
@@ -32,11 +28,7 @@ pub fn curl<R: Quotients>(
 }
 
 /// div X with L_X vol = div X vol: Σ ∂ᵢXⁱ + X(log √|g|)
-pub fn divergence<R: Quotients>(
-    ring: &mut R,
-    metric: &Metric<R::Scalar>,
-    x: &Field<R::Scalar>,
-) -> R::Scalar {
+pub fn divergence<R: Quotients>(ring: &mut R, metric: &Metric<R::Scalar>, x: &Field<R::Scalar>) -> R::Scalar {
     let mut sum = ring.zero();
     for (coordinate, component) in x.components() {
         let partial = ring.derivative(component, coordinate);

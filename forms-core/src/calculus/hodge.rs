@@ -18,11 +18,7 @@ pub fn volume<R: Coefficients>(ring: &mut R, metric: &Metric<R::Scalar>) -> Form
 }
 
 /// ⋆w, a form of degree n − k.
-pub fn hodge<R: Quotients>(
-    ring: &mut R,
-    metric: &Metric<R::Scalar>,
-    w: &Form<R::Scalar>,
-) -> Form<R::Scalar> {
+pub fn hodge<R: Quotients>(ring: &mut R, metric: &Metric<R::Scalar>, w: &Form<R::Scalar>) -> Form<R::Scalar> {
     let star = bare_star(ring, metric, w);
     let factor = ring.divide(metric.sign(), metric.density());
     star.scale(ring, &factor)

@@ -1,14 +1,15 @@
 //! The values of an antiderivative at the ends of the range, inverse functions of special values in π.
 
-use super::signs::Region;
 use super::normal_form;
+use super::signs::Region;
 use crate::expression::{Expr, Node, Operation, Pool, Rational, Substitution, Symbol};
 use crate::normal::{Tower, Trigonometry};
 use num_traits::Signed;
 use rustc_hash::FxHashMap;
 
 /// q² and atan q/π for q ≥ 0
-const TANGENTS: &[((i64, i64), (i64, i64))] = &[((0, 1), (0, 1)), ((1, 3), (1, 6)), ((1, 1), (1, 4)), ((3, 1), (1, 3))];
+const TANGENTS: &[((i64, i64), (i64, i64))] =
+    &[((0, 1), (0, 1)), ((1, 3), (1, 6)), ((1, 1), (1, 4)), ((3, 1), (1, 3))];
 
 /// q² and asin q/π for q ≥ 0
 const SINES: &[((i64, i64), (i64, i64))] =

@@ -32,7 +32,9 @@ impl Search<'_> {
             let Some(slope) = slope(integrand.tower, generator, x) else { return Ok(None) };
             slopes.push(slope);
         }
-        let Some(terms) = integrand.tower.laurent_terms(&integrand.normal, &generators) else { return Ok(None) };
+        let Some(terms) = integrand.tower.laurent_terms(&integrand.normal, &generators) else {
+            return Ok(None);
+        };
         let mut sum = self.pool.integer(0);
         for (exponents, coefficient) in terms {
             let Some(term) = self.product(integrand, &generators, &slopes, &exponents, coefficient)? else {

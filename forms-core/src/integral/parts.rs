@@ -14,7 +14,9 @@ impl Search<'_> {
     ) -> Result<Option<Expr>, Failure> {
         let opaque = integrand.such_that(|generator| matches!(generator, Generator::Opaque { .. }));
         let Some(&function) = opaque.first() else { return Ok(None) };
-        let Some(terms) = integrand.tower.laurent_terms(&integrand.normal, &[function]) else { return Ok(None) };
+        let Some(terms) = integrand.tower.laurent_terms(&integrand.normal, &[function]) else {
+            return Ok(None);
+        };
         let share = |power: i32, pool: &mut Pool| {
             let term = terms.iter().find(|(exponents, _)| exponents[0] == power);
             integrand.tower.raise(pool, term.map_or(&Fraction::zero(), |(_, coefficient)| coefficient))

@@ -194,7 +194,11 @@ impl Region {
                 if self.varies(pool, left) {
                     return Err(not_known(pool, left, relation, variable));
                 }
-                conditions.push(Condition { left, relation, right: zero });
+                let factors = match relation {
+                    Relation::NotEqual => pool.factors_that_may_vanish(left),
+                    _ => vec![left],
+                };
+                conditions.extend(factors.into_iter().map(|left| Condition { left, relation, right: zero }));
             }
         }
         Ok(conditions)
@@ -231,7 +235,11 @@ fn needs(pool: &mut Pool, part: Expr) -> Vec<(Expr, Relation)> {
     match pool.node(part).clone() {
         Node::Divide(_, b) => vec![(b, Relation::NotEqual)],
         Node::Power(a, r) if r.is_integer() => {
-            if r.is_negative() { vec![(a, Relation::NotEqual)] } else { vec![] }
+            if r.is_negative() {
+                vec![(a, Relation::NotEqual)]
+            } else {
+                vec![]
+            }
         }
         Node::Power(a, r) => {
             vec![(a, if r.is_negative() { Relation::Greater } else { Relation::GreaterEqual })]

@@ -309,9 +309,9 @@ impl Rational<'_> {
     fn split_by_root(&mut self, p: &Univariate) -> Computed<Option<(Univariate, Univariate)>> {
         let numbers: Option<Vec<_>> = p.coefficients().iter().map(Fraction::as_number).collect();
         let Some(numbers) = numbers else { return Ok(None) };
-        let common = numbers.iter().fold(num_bigint::BigInt::from(1), |all, number| {
-            num_integer::Integer::lcm(&all, number.denom())
-        });
+        let common = numbers
+            .iter()
+            .fold(num_bigint::BigInt::from(1), |all, number| num_integer::Integer::lcm(&all, number.denom()));
         let integer = |k: usize| (numbers[k].clone() * &common).to_integer();
         let divisors = |number: num_bigint::BigInt| {
             let number = number.abs();
@@ -340,9 +340,8 @@ impl Rational<'_> {
         let (a, b, c) = (p.coefficient(4), p.coefficient(2), p.coefficient(0));
         let in_square = Univariate::new(vec![c.clone(), b.clone(), a.clone()]);
         if let Some((one, other)) = self.split_quadratic(&in_square)? {
-            let spread = |p: &Univariate| {
-                Univariate::new(vec![p.coefficient(0), Fraction::zero(), p.coefficient(1)])
-            };
+            let spread =
+                |p: &Univariate| Univariate::new(vec![p.coefficient(0), Fraction::zero(), p.coefficient(1)]);
             return Ok(Some((spread(&one), spread(&other))));
         }
         let inverse = self.tower.inverse(&a)?;

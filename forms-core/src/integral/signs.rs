@@ -60,7 +60,8 @@ impl Region {
             }
         }
         let (on_box, sides) = self.on_box(pool, q);
-        let found = self.algebraic_sign(pool, on_box, &sides).or_else(|| self.enclosed_sign(pool, on_box, &sides));
+        let found =
+            self.algebraic_sign(pool, on_box, &sides).or_else(|| self.enclosed_sign(pool, on_box, &sides));
         if found.is_some_and(|sign| sign.1 == Strictness::Strict) {
             return found;
         }
@@ -116,9 +117,8 @@ impl Region {
             knowledge.learn(&tower, &difference, condition.relation);
         }
         let mut variables: Vec<u32> = sides.iter().map(|&side| tower.variable_number(side)).collect();
-        let circular = |variable: &u32| {
-            matches!(tower.generator(*variable), Generator::Cosine(_) | Generator::Sine(_))
-        };
+        let circular =
+            |variable: &u32| matches!(tower.generator(*variable), Generator::Cosine(_) | Generator::Sine(_));
         let circular: Vec<u32> = (0..tower.generator_count()).filter(circular).collect();
         variables.extend(&circular);
         knowledge.sign_of_fraction(&tower, &value, &Box { sides: variables, circular })
@@ -140,7 +140,9 @@ struct Knowledge {
 
 impl Knowledge {
     fn learn(&mut self, tower: &Tower, difference: &Fraction, relation: Relation) {
-        let Some(polynomial) = difference.as_polynomial().filter(|p| p.as_constant().is_none()) else { return };
+        let Some(polynomial) = difference.as_polynomial().filter(|p| p.as_constant().is_none()) else {
+            return;
+        };
         let (polynomial, strictness) = match relation {
             Relation::Greater => (polynomial.clone(), Strictness::Strict),
             Relation::GreaterEqual => (polynomial.clone(), Strictness::Weak),
@@ -191,9 +193,10 @@ impl Knowledge {
 
     /// The sign of α + βρ with ρ² = g: where |α| and |β|ρ differ, that of the larger one.
     fn sign_with_root(&self, tower: &Tower, polynomial: &Polynomial, sides: &Box) -> Option<KnownSign> {
-        let root = polynomial.variables().into_iter().rev().find(|&v| {
-            polynomial.degree(v) == 1 && tower.radicand(v).is_some_and(|(_, order)| order == 2)
-        })?;
+        let root =
+            polynomial.variables().into_iter().rev().find(|&v| {
+                polynomial.degree(v) == 1 && tower.radicand(v).is_some_and(|(_, order)| order == 2)
+            })?;
         let (radicand, _) = tower.radicand(root)?;
         let parts = polynomial.coefficients_in(root);
         let part = |power: u32| {
@@ -211,8 +214,11 @@ impl Knowledge {
         match sides.sides.iter().find(|side| polynomial.contains(**side)) {
             None => self.sign_of_constant(tower, polynomial),
             Some(&side) => {
-                let on_unit =
-                    if sides.circular.contains(&side) { from_circle(polynomial, side) } else { polynomial.clone() };
+                let on_unit = if sides.circular.contains(&side) {
+                    from_circle(polynomial, side)
+                } else {
+                    polynomial.clone()
+                };
                 self.bernstein_sign(tower, &bernstein(&on_unit, side), &sides.after(side), MOST_HALVINGS)
             }
         }
@@ -257,7 +263,9 @@ impl Knowledge {
         let mut rest = polynomial.clone();
         let mut sign: KnownSign = (true, Strictness::Strict);
         for (fact, strictness) in &self.facts {
-            while fact.term_count() > 1 && let Some(quotient) = rest.divide_exact(fact) {
+            while fact.term_count() > 1
+                && let Some(quotient) = rest.divide_exact(fact)
+            {
                 rest = quotient;
                 sign.1 = sign.1.min(*strictness);
             }

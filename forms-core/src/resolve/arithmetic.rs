@@ -146,7 +146,11 @@ impl Evaluator<'_> {
         }
     }
 
-    pub(super) fn power(&mut self, (base, base_span): (Value, Span), exponent: &ast::Expr) -> Evaluated<Value> {
+    pub(super) fn power(
+        &mut self,
+        (base, base_span): (Value, Span),
+        exponent: &ast::Expr,
+    ) -> Evaluated<Value> {
         let base = match base {
             Value::Zero => self.zero(),
             Value::Scalar(base) => base,

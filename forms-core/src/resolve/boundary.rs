@@ -2,18 +2,18 @@
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::integration::Range;
-use super::scope::Scope;
 use super::value::Value;
 use crate::calculus::{Coordinate, Form, Pullback, pullback};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Condition, Expr, Substitution};
 use crate::syntax::ast::Argument;
 
-/// The form pulled back to the box, and the coordinates of the chart the map starts from.
+/// The form pulled back to the box, the coordinates of the chart that the map starts from.
 struct OnBox {
     form: Form<Expr>,
     source: Vec<Coordinate>,
-    scope: Scope,
+    /// Where the form and the bounds are defined.
+    defined: Vec<Condition>,
 }
 
 impl Evaluator<'_> {
@@ -27,7 +27,7 @@ impl Evaluator<'_> {
         if ranges.is_empty() {
             return Err(Diagnostic::new(span, "`boundary_integral` needs at least one range"));
         }
-        let ranges = ranges.iter().map(|range| self.range(range)).collect::<Evaluated<Vec<_>>>()?;
+        let (ranges, bounds) = self.ranges(ranges)?;
         let chart = self.map(map)?.source;
         self.check_ranges(chart, &ranges)?;
         let (value, scope) = self.apart(|evaluator| evaluator.pull(&[map, form], span))?;
@@ -48,7 +48,8 @@ impl Evaluator<'_> {
             return Err(Diagnostic::new(arguments_span(arguments, span), message));
         }
         let source = self.theory.charts[chart].coordinates.clone();
-        let on_box = OnBox { form, source, scope };
+        let defined = bounds.conditions().iter().chain(scope.conditions()).copied().collect();
+        let on_box = OnBox { form, source, defined };
         let mut sum = zero;
         for place in 0..ranges.len() {
             for upper in [true, false] {
@@ -58,7 +59,8 @@ impl Evaluator<'_> {
                 sum = self.theory.pool.add(sum, signed);
             }
         }
-        self.keep_outside(&on_box.scope, &ranges);
+        self.keep_outside(&bounds, &ranges);
+        self.keep_outside(&scope, &ranges);
         Ok(Value::Scalar(sum))
     }
 
@@ -104,7 +106,7 @@ impl Evaluator<'_> {
             .collect();
         let blade = self.blade_of(&rest)?;
         let coefficient = self.signed_coefficient(&on_face, blade);
-        let conditions = on_box.scope.conditions().iter();
+        let conditions = on_box.defined.iter();
         let defined: Vec<Condition> =
             conditions.map(|condition| condition.substitute(&mut self.theory.pool, &at_face)).collect();
         self.iterated(coefficient, &rest, &defined, span)

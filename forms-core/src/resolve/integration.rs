@@ -1,12 +1,12 @@
 //! `integral(w, u = a..b, v = c..e)`: the innermost range last, the form's coefficient in the order written.
 
 use super::evaluation::{Evaluated, Evaluator};
+use super::scope::Scope;
 use super::value::Value;
 use crate::assume::is_at_most;
 use crate::calculus::{Blade, Form};
 use crate::diagnostic::{Diagnostic, Span};
-use super::scope::Scope;
-use crate::expression::{Condition, Expr, Symbol};
+use crate::expression::{Condition, Expr, Symbol, SymbolKind};
 use crate::integral::Region;
 use crate::syntax::ast::{self, Argument, ExprKind, Name, Relation};
 
@@ -27,19 +27,39 @@ impl Evaluator<'_> {
         if ranges.is_empty() {
             return Err(Diagnostic::new(span, "`integral` needs at least one range, as in `u = 0..1`"));
         }
-        let ranges = ranges.iter().map(|range| self.range(range)).collect::<Evaluated<Vec<_>>>()?;
+        let (ranges, bounds) = self.ranges(ranges)?;
         let (value, inner) = self.apart(|evaluator| evaluator.value(integrand))?;
         let coefficient = self.integrand(value, &ranges, integrand.span)?;
-        let integral = self.iterated(coefficient, &ranges, inner.conditions(), integrand.span)?;
+        let defined: Vec<Condition> = bounds.conditions().iter().chain(inner.conditions()).copied().collect();
+        let integral = self.iterated(coefficient, &ranges, &defined, integrand.span)?;
+        self.keep_outside(&bounds, &ranges);
         self.keep_outside(&inner, &ranges);
         Ok(Value::Scalar(integral))
     }
 
+    /// The ranges, outermost first, and where their bounds are defined. A bound may mention outer variables only.
+    pub(super) fn ranges(&mut self, arguments: &[Argument]) -> Evaluated<(Vec<Range>, Scope)> {
+        let (ranges, scope) = self.apart(|evaluator| {
+            arguments.iter().map(|argument| evaluator.range(argument)).collect::<Evaluated<Vec<_>>>()
+        })?;
+        for (place, range) in ranges.iter().enumerate() {
+            let mentioned = self.theory.pool.symbols_in(&[range.from, range.to]);
+            if let Some(inner) = ranges[place..].iter().find(|inner| mentioned.contains(&inner.symbol)) {
+                let (own, other) = (&range.name.text, &inner.name.text);
+                return Err(Diagnostic::new(
+                    range.name.span,
+                    format!("the bounds of `{own}` mention `{other}`, which has no value outside its range"),
+                )
+                .with_help(
+                    "ranges are written outermost first; a bound may mention the variables before it",
+                ));
+            }
+        }
+        Ok((ranges, scope))
+    }
+
     /// Evaluates with a scope of its own, which is given back.
-    pub(super) fn apart<T>(
-        &mut self,
-        body: impl FnOnce(&mut Self) -> Evaluated<T>,
-    ) -> Evaluated<(T, Scope)> {
+    pub(super) fn apart<T>(&mut self, body: impl FnOnce(&mut Self) -> Evaluated<T>) -> Evaluated<(T, Scope)> {
         let outer = std::mem::take(&mut self.scope);
         let value = body(self);
         let inner = std::mem::replace(&mut self.scope, outer);
@@ -54,7 +74,7 @@ impl Evaluator<'_> {
         defined: &[Condition],
         span: Span,
     ) -> Evaluated<Expr> {
-        let mut region = self.region(defined, ranges);
+        let mut region = self.region(integrand, defined, ranges);
         if let Some(condition) = region.unmet(&mut self.theory.pool, defined) {
             let text = condition.text(&self.theory.pool);
             let message = format!("cannot integrate: it is not known that `{text}` holds all over the range");
@@ -88,7 +108,7 @@ impl Evaluator<'_> {
         }
     }
 
-    pub(super) fn range(&mut self, argument: &Argument) -> Evaluated<Range> {
+    fn range(&mut self, argument: &Argument) -> Evaluated<Range> {
         let Argument::Range { variable, from, to } = argument else {
             let span = if let Argument::Value(value) = argument { value.span } else { Span::default() };
             return Err(Diagnostic::new(span, "expected a range such as `u = 0..1`"));
@@ -96,7 +116,6 @@ impl Evaluator<'_> {
         let name = ast::Expr { kind: Box::new(ExprKind::Name(variable.text.clone())), span: variable.span };
         let symbol = self.variable_named(&name)?;
         let bounds = (self.scalar(from)?, self.scalar(to)?);
-        self.scope.forget(symbol);
         Ok(Range { name: variable.clone(), symbol, from: bounds.0, to: bounds.1 })
     }
 
@@ -139,9 +158,31 @@ impl Evaluator<'_> {
         if sign < 0 { self.theory.pool.negate(coefficient) } else { coefficient }
     }
 
+    /// Requires the domains of charts as far as they speak of nothing but free coordinates of these expressions, since
+    /// they bind every statement that uses them.
+    pub(super) fn require_domains(&mut self, written: &[Expr], bound: &[Symbol]) {
+        let theory = &self.theory;
+        let free: Vec<Symbol> =
+            theory.pool.symbols_in(written).into_iter().filter(|symbol| !bound.contains(symbol)).collect();
+        let is_free = |symbol: &Symbol| {
+            theory.pool.symbol_kind(*symbol) != SymbolKind::Coordinate || free.contains(symbol)
+        };
+        let speaks_of = |condition: &&Condition| {
+            let symbols = theory.pool.symbols_in(&[condition.left, condition.right]);
+            symbols.iter().any(|symbol| free.contains(symbol)) && symbols.iter().all(is_free)
+        };
+        let conditions = theory.charts.iter().flat_map(|chart| &chart.conditions);
+        let found: Vec<Condition> = conditions.filter(speaks_of).copied().collect();
+        found.into_iter().for_each(|condition| self.scope.require(condition));
+    }
+
     /// The ranges, and what may be assumed: what binds everything outside, and that a variable lies in its range if
     /// that is known not to run backwards.
-    fn region(&mut self, defined: &[Condition], ranges: &[Range]) -> Region {
+    fn region(&mut self, integrand: Expr, defined: &[Condition], ranges: &[Range]) -> Region {
+        let mut written = vec![integrand];
+        written.extend(ranges.iter().flat_map(|range| [range.from, range.to]));
+        let variables: Vec<Symbol> = ranges.iter().map(|range| range.symbol).collect();
+        self.require_domains(&written, &variables);
         let outside = |condition: &&Condition| {
             let symbols = self.theory.pool.symbols_in(&[condition.left, condition.right]);
             !ranges.iter().any(|range| symbols.contains(&range.symbol))

@@ -9,17 +9,16 @@ use super::theory::{Named, NamedMetric};
 use super::value::Value;
 use crate::assume::vanishes;
 use crate::calculus::{
-    Coordinate, Form, Metric, codifferential, curl, divergence, flat, gradient, hodge,
-    inner_of_fields, inner_of_forms, laplacian, sharp, volume,
+    Coordinate, Form, Metric, codifferential, curl, divergence, flat, gradient, hodge, inner_of_fields,
+    inner_of_forms, laplacian, sharp, volume,
 };
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Condition, Expr};
 use crate::syntax::ast::{self, ExprKind, Name, Relation};
 
 /// The functions written with a metric in square brackets.
-pub(super) const METRIC_OPERATIONS: &[&str] = &[
-    "hodge", "codiff", "laplace", "flat", "sharp", "inner", "norm", "volume", "grad", "curl", "div",
-];
+pub(super) const METRIC_OPERATIONS: &[&str] =
+    &["hodge", "codiff", "laplace", "flat", "sharp", "inner", "norm", "volume", "grad", "curl", "div"];
 
 /// Coordinates that one metric may couple with each other: of more there are too many minors.
 const LARGEST_BLOCK: u32 = 8;
@@ -98,10 +97,7 @@ impl Evaluator<'_> {
         let right = self.zero();
         let factors = blocks.iter().flat_map(|&block| self.theory.pool.factors_that_may_vanish(block));
         let factors: Vec<Expr> = factors.collect();
-        Ok(factors
-            .into_iter()
-            .map(|left| Condition { left, relation: Relation::NotEqual, right })
-            .collect())
+        Ok(factors.into_iter().map(|left| Condition { left, relation: Relation::NotEqual, right }).collect())
     }
 
     /// The metric of that name, with what it depends on noted.
@@ -115,10 +111,9 @@ impl Evaluator<'_> {
                 Ok(named)
             }
             Some(Named::Poisoned) => Err(Diagnostic::new(span, super::evaluation::POISONED)),
-            Some(other) => Err(Diagnostic::new(
-                span,
-                format!("expected a metric, but `{text}` is {}", describe(other)),
-            )),
+            Some(other) => {
+                Err(Diagnostic::new(span, format!("expected a metric, but `{text}` is {}", describe(other))))
+            }
             None => Err(self.theory.names.unknown(text, span)),
         }
     }
@@ -243,7 +238,11 @@ impl Evaluator<'_> {
             }
             (a, b) => Err(Diagnostic::new(
                 span,
-                format!("`inner` takes two forms of one degree or two fields, found {} and {}", a.kind(), b.kind()),
+                format!(
+                    "`inner` takes two forms of one degree or two fields, found {} and {}",
+                    a.kind(),
+                    b.kind()
+                ),
             )
             .with_help("`flat[g](X)` makes a 1-form of a field, `sharp[g](w)` a field of a 1-form")),
         }

@@ -20,10 +20,6 @@ impl Evaluator<'_> {
     ) -> Evaluated<Value> {
         let [argument] = exactly::<1>(arguments, "potential", span)?;
         let value = self.value(argument)?;
-        let coordinates = match index {
-            Some(chart) => self.chart_coordinates(chart)?,
-            None => self.coordinates_of(&value, argument.span)?,
-        };
         let form = match value {
             Value::Zero | Value::Scalar(_) => return Ok(Value::Zero),
             Value::Form(form) => form,
@@ -33,6 +29,10 @@ impl Evaluator<'_> {
                     "`potential` takes a form, and this is a vector field",
                 ));
             }
+        };
+        let coordinates = match index {
+            Some(chart) => self.chart_coordinates(chart)?,
+            None => self.coordinates_of(&form, argument.span)?,
         };
         let t = self.theory.pool.declare_symbol("t", SymbolKind::Local);
         let mut terms = Vec::with_capacity(form.terms().len());
@@ -71,6 +71,7 @@ impl Evaluator<'_> {
     ) -> Result<Expr, String> {
         let symbols: Vec<Symbol> =
             coordinates.iter().map(|c| self.theory.coordinates[c.0 as usize]).collect();
+        self.require_domains(&[coefficient], &[]);
         let pool = &mut self.theory.pool;
         let at = pool.symbol(t);
         let dilated: Substitution = symbols
@@ -95,7 +96,10 @@ impl Evaluator<'_> {
         let along: Vec<Condition> =
             defined.iter().map(|condition| condition.substitute(pool, &dilated)).collect();
         if let Some(condition) = region.unmet(pool, &along) {
-            return Err(format!("it is not known that `{}` holds on the way from the origin", condition.text(pool)));
+            return Err(format!(
+                "it is not known that `{}` holds on the way from the origin",
+                condition.text(pool)
+            ));
         }
         let found = region.integral(pool, integrand)?;
         found.conditions.into_iter().for_each(|condition| self.scope.require(condition));
@@ -104,16 +108,14 @@ impl Evaluator<'_> {
 
     /// The coordinates of the form's chart: the one chart with exactly the coordinates that occur, or else the one
     /// that has them all.
-    fn coordinates_of(&mut self, value: &Value, span: Span) -> Evaluated<Vec<Coordinate>> {
-        let mut occurring = self.coordinates_in(&value.scalars());
-        if let Value::Form(form) = value {
-            occurring.extend(form.terms().iter().flat_map(|term| term.0.coordinates()));
-        }
+    fn coordinates_of(&mut self, form: &Form<Expr>, span: Span) -> Evaluated<Vec<Coordinate>> {
+        let coefficients: Vec<Expr> = form.terms().iter().map(|term| term.1).collect();
+        let mut occurring = self.coordinates_in(&coefficients);
+        occurring.extend(form.terms().iter().flat_map(|term| term.0.coordinates()));
         occurring.sort_unstable();
         occurring.dedup();
         let charts = &self.theory.charts;
-        let has_all =
-            |number: &usize| occurring.iter().all(|c| charts[*number].coordinates.contains(c));
+        let has_all = |number: &usize| occurring.iter().all(|c| charts[*number].coordinates.contains(c));
         let fitting: Vec<usize> = (0..charts.len()).filter(has_all).collect();
         let exact: Vec<usize> = fitting
             .iter()

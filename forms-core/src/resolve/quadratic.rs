@@ -69,9 +69,8 @@ impl Evaluator<'_> {
             ExprKind::Negate(inner) => {
                 let tensor = self.tensor(inner)?;
                 let minus_one = self.theory.pool.integer(-1);
-                return self.scaled(tensor, |evaluator, value| {
-                    Ok(evaluator.theory.pool.multiply(minus_one, value))
-                });
+                return self
+                    .scaled(tensor, |evaluator, value| Ok(evaluator.theory.pool.multiply(minus_one, value)));
             }
             ExprKind::Name(name) if matches!(self.theory.named(name), Some(Named::Metric(_))) => {
                 let named = self.metric_named(name, expression.span)?;
@@ -107,9 +106,8 @@ impl Evaluator<'_> {
             Binary::Add => self.tensor_sum(left, other, place),
             Binary::Subtract => {
                 let minus_one = self.theory.pool.integer(-1);
-                let negated = self.scaled(other, |evaluator, value| {
-                    Ok(evaluator.theory.pool.multiply(minus_one, value))
-                })?;
+                let negated = self
+                    .scaled(other, |evaluator, value| Ok(evaluator.theory.pool.multiply(minus_one, value)))?;
                 self.tensor_sum(left, negated, place)
             }
             Binary::Divide => {
@@ -225,9 +223,10 @@ impl Evaluator<'_> {
                 }
                 Ok(Tensor::Quadratic(self.symmetric_product(&form, &form)))
             }
-            Tensor::Quadratic(_) => {
-                Err(Diagnostic::new(span, "a power of a quadratic form is not quadratic in the differentials"))
-            }
+            Tensor::Quadratic(_) => Err(Diagnostic::new(
+                span,
+                "a power of a quadratic form is not quadratic in the differentials",
+            )),
         }
     }
 }
