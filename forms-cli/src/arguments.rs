@@ -36,6 +36,18 @@ pub(crate) enum Command {
         #[arg(long = "as", value_enum, default_value_t = Notation::Text, value_name = "NOTATION")]
         notation: Notation,
     },
+    /// Print the steps that decide one statement
+    ///
+    /// Exit status: 0 if the statement is as stated, 1 if it is not, 2 if the file has errors.
+    Derive {
+        /// A file of the forms language, or - for the library
+        file: String,
+        /// The name of a statement in it
+        name: String,
+        /// The notation; latex is a document, mathml a page
+        #[arg(long = "as", value_enum, default_value_t = Notation::Text, value_name = "NOTATION")]
+        notation: Notation,
+    },
     /// Evaluate a kernel on rows of CSV from standard input
     ///
     /// The first row names the kernel's arguments, in any order. A row outside the kernel's domain gives NaN.

@@ -3,6 +3,7 @@
 //! ```text
 //! arguments ─▶ commands ─┬─ prove    ─▶ verdicts       (theory_file, verdict_line, json)
 //!                        ├─ show     ─▶ notation       (mathml)
+//!                        ├─ derive   ─▶ steps          (mathml)
 //!                        ├─ eval     ─▶ numbers        (decimal, kernel)
 //!                        ├─ emit     ─▶ Rust source
 //!                        ├─ kernels  ─▶ the library

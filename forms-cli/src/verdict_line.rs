@@ -67,11 +67,17 @@ impl Decided<'_> {
         let text = match &self.verdict {
             Verdict::Proved(theorem) if theorem.conditions.is_empty() => return vec![],
             Verdict::Proved(theorem) => format!("where {}", listed(&theorem.conditions)),
-            Verdict::Refuted(witness) => in_short(witness).to_string(),
+            Verdict::Refuted(witness) => refutation(witness),
             Verdict::Unknown { reason } | Verdict::Empty { reason } => reason.clone(),
         };
         wrap(&text, INDENT).iter().map(|line| palette.quiet(line)).collect()
     }
+}
+
+/// The witness and, where the sides differ by a simple factor, that factor.
+fn refutation(witness: &Witness) -> String {
+    let point = in_short(witness).to_string();
+    witness.ratio.as_ref().map_or(point.clone(), |ratio| format!("{point}; {ratio}"))
 }
 
 /// The witness with the first figures of both sides.

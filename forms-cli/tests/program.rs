@@ -255,3 +255,23 @@ fn the_tour_proves_generates_and_paints() {
     let widest = run.output.lines().map(|line| line.chars().count()).max();
     assert!(widest <= Some(80), "{widest:?}");
 }
+
+#[test]
+fn a_derivation_is_printed_in_every_notation_and_its_status_tells_the_verdict() {
+    let folder =
+        Folder::with(&[("good.forms", THEORY), ("false.forms", "chart L(x); prove wrong: x == 2*x;")]);
+    let text = forms(&folder, &["derive", "good.forms", "square"]);
+    assert_eq!((text.status, text.errors.as_str()), (0, ""));
+    assert!(text.output.contains("1. Claimed to hold") && text.output.contains("Proved"), "{}", text.output);
+    let latex = forms(&folder, &["derive", "good.forms", "square", "--as", "latex"]);
+    assert!(latex.output.contains("\\left(x + 1\\right)^{2} = x^{2} + 2\\,x + 1"), "{}", latex.output);
+    let page = forms(&folder, &["derive", "good.forms", "square", "--as", "mathml"]);
+    assert!(page.output.starts_with("<!doctype html>") && page.output.contains("<math"), "{}", page.output);
+    assert!(!page.output.contains("<merror"), "{}", page.output);
+    let wrong = forms(&folder, &["derive", "false.forms", "wrong"]);
+    assert_eq!(wrong.status, 1);
+    assert!(wrong.output.contains("left/right = 1/2"), "{}", wrong.output);
+    let missing = forms(&folder, &["derive", "good.forms", "nothing"]);
+    assert_eq!(missing.status, 2);
+    assert!(missing.errors.contains("it has square, shifted"), "{}", missing.errors);
+}

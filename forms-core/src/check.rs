@@ -115,8 +115,9 @@ fn contradiction(witness: &Witness) -> String {
     };
     let point: Vec<String> = witness.point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
     let place = if point.is_empty() { "everywhere".to_owned() } else { format!("at {}", point.join(", ")) };
+    let ratio = witness.ratio.as_ref().map_or(String::new(), |ratio| format!("\n{ratio}"));
     format!(
-        "left - right = {}{component}\n{place}: left = {}, right = {}",
+        "left - right = {}{component}\n{place}: left = {}, right = {}{ratio}",
         witness.difference, witness.left, witness.right
     )
 }

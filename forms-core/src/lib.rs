@@ -13,6 +13,7 @@ mod assume;
 pub mod calculus;
 pub mod check;
 pub mod decide;
+pub mod derivation;
 pub mod diagnostic;
 pub mod enclosure;
 pub mod expression;

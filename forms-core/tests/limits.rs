@@ -48,3 +48,15 @@ fn what_would_not_fit_is_unknown() {
         }
     }
 }
+
+#[test]
+fn a_false_power_beyond_every_limit_is_refuted_where_its_base_is_small() {
+    for statement in ["(x + 1)**1000000 == 0", "x**1000000 == 0", "(x*y + z)**999999 == 7"] {
+        assert_eq!(verdict(statement).name(), "refuted", "{statement}");
+    }
+}
+
+#[test]
+fn a_power_too_large_at_every_point_is_unknown() {
+    assert_eq!(verdict("(x**2 + 3)**1000000 == 0").name(), "unknown");
+}

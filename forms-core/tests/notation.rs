@@ -43,7 +43,7 @@ fn values_are_simplified_and_written_in_the_language() {
     ];
     for (expression, expected) in cases {
         let (mut theory, value) = value(expression);
-        let simplified = simplify(&mut theory, &value);
+        let simplified = simplify(&mut theory, &[], &value);
         assert_eq!(text(&theory, &simplified), expected, "{expression}");
     }
 }

@@ -52,6 +52,19 @@ fn crowded() -> impl Strategy<Value = Vec<Term>> {
     prop::collection::vec((monomial, number), 10..24)
 }
 
+/// Terms in long rows, with numbers at both ends of a range and within.
+fn rows(largest: i64) -> impl Strategy<Value = Vec<Term>> {
+    let number = prop_oneof![4 => -9i64..=9, 1 => Just(largest), 1 => Just(-largest - 1)];
+    let row = (0..3u32, 0..3u32, prop::collection::vec(number, 1..24));
+    prop::collection::vec(row, 1..4).prop_map(|rows| {
+        let row = |(a, b, numbers): (u32, u32, Vec<i64>)| {
+            let term = move |(c, number)| (vec![(0, a), (5, b), (6, c as u32)], BigInt::from(number));
+            numbers.into_iter().enumerate().map(term).collect::<Vec<Term>>()
+        };
+        rows.into_iter().flat_map(row).collect()
+    })
+}
+
 /// The product by the definition, on maps from exponents to numbers.
 fn schoolbook(left: &[Term], right: &[Term]) -> BTreeMap<Vec<(u32, u32)>, BigInt> {
     let mut product = BTreeMap::new();
@@ -75,6 +88,24 @@ fn map(polynomial: &Polynomial) -> BTreeMap<Vec<(u32, u32)>, BigInt> {
 
 fn x(index: u32) -> Polynomial {
     Polynomial::variable(index)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
+
+    #[test]
+    fn products_of_long_rows_are_schoolbook_products(
+        within in (rows(9), rows(i64::from(i32::MAX))),
+        beyond in rows(i64::from(i32::MAX) + 1),
+        factor in prop_oneof![-3i64..=3, Just(i64::from(i32::MIN)), Just(1 << 33)],
+    ) {
+        let polynomials = [&within.0, &within.1, &beyond].map(|terms| Polynomial::from_terms(terms.clone()));
+        let [f, g, h] = &polynomials;
+        prop_assert_eq!(map(&(f * g)), schoolbook(&within.0, &within.1));
+        prop_assert_eq!(map(&(f * h)), schoolbook(&within.0, &beyond));
+        let sum = Polynomial::sum_of_products(&[(factor, f, f), (1, g, f), (-1, f, h)]);
+        prop_assert_eq!(sum, &(&(f * f).scale(&factor.into()) + &(f * g)) - &(f * h));
+    }
 }
 
 proptest! {

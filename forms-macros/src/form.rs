@@ -7,7 +7,7 @@
 use crate::expand::{Resolved, resolved, theory_checked};
 use crate::tokens::Body;
 use forms_core::calculus::Blade;
-use forms_core::decide::simplified;
+use forms_core::decide::simplified_where;
 use forms_core::diagnostic::{Diagnostic, Span};
 use forms_core::expression::{Expr, Node, Pool};
 use forms_core::resolve::{Named, Theory, Value};
@@ -56,7 +56,7 @@ fn written(theory: &mut Theory, span: Span) -> Result<TokenStream, Option<Diagno
     };
     let pool = &mut theory.pool;
     let mut terms: Vec<(Blade, Expr)> =
-        terms.into_iter().map(|(blade, value)| (blade, simplified(pool, value))).collect();
+        terms.into_iter().map(|(blade, value)| (blade, simplified_where(pool, &[], value))).collect();
     terms.retain(|(_, value)| !pool.is_zero(*value));
     let text = text(theory, &terms);
     let pairs = terms.iter().map(|(blade, value)| {

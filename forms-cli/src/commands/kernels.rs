@@ -48,7 +48,7 @@ fn describe(
         writeln!(output, "{}", palette.quiet(&line))?;
     }
     for &formula in &kernel.outputs {
-        let simplified = simplify_expression(&mut file.theory.pool, formula);
+        let simplified = simplify_expression(&mut file.theory.pool, &[], formula);
         let formula = text(&file.theory, &Value::Scalar(simplified));
         let formula = if formula.len() <= LONGEST_FORMULA {
             format!("= {formula}")

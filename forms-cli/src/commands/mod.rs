@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+mod derive;
 mod emit;
 mod eval;
 mod kernels;
@@ -17,6 +18,7 @@ pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<S
         None => tour::tour(output),
         Some(Command::Prove { files, json }) => prove::prove(files, *json, output),
         Some(Command::Show { file, name, notation }) => show::show(file, name, *notation, output),
+        Some(Command::Derive { file, name, notation }) => derive::derive(file, name, *notation, output),
         Some(Command::Eval { file, kernel, precision, tier }) => {
             eval::eval(file, kernel, precision, *tier, output)
         }

@@ -95,7 +95,7 @@ impl Writer<'_> {
     }
 
     fn value(&mut self, value: &Value) -> String {
-        let simplified = simplify(self.theory, value);
+        let simplified = simplify(self.theory, &[], value);
         if self.is_text() { text(self.theory, &simplified) } else { latex(self.theory, &simplified) }
     }
 
@@ -134,8 +134,8 @@ impl Writer<'_> {
     }
 
     fn condition(&mut self, condition: &Condition) -> String {
-        let [left, right] =
-            [condition.left, condition.right].map(|side| simplify_expression(&mut self.theory.pool, side));
+        let [left, right] = [condition.left, condition.right]
+            .map(|side| simplify_expression(&mut self.theory.pool, &[], side));
         let (left, right) = (Value::Scalar(left), Value::Scalar(right));
         if self.is_text() {
             let (left, right) = (text(self.theory, &left), text(self.theory, &right));

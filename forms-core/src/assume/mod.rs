@@ -159,7 +159,7 @@ pub(crate) fn is_at_most(pool: &mut Pool, a: Expr, b: Expr, conditions: &[Condit
     if !prepared.is_unconditional() || assumptions.assume(&mut tower, pool, &mut knowledge).is_err() {
         return false;
     }
-    let known = prepared.exact(&mut tower, pool).map(|mut fractions| fractions.remove(0));
+    let known = prepared.exact(&mut tower, pool).and_then(|fractions| tower.expanded(&fractions[0]));
     let Ok(difference) = known else { return false };
     let sign = difference.as_polynomial().map(|polynomial| knowledge.facts.sign_of(polynomial));
     difference.is_zero() || sign.flatten() == Some(Sign::Positive)

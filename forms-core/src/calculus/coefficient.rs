@@ -38,6 +38,18 @@ pub trait Coefficients {
         sum
     }
 
+    /// Σ ±∂a/∂x, where a ring that can is faster than by single derivatives.
+    fn sum_of_derivatives(&mut self, terms: &[(i8, &Self::Scalar, Coordinate)]) -> Self::Scalar {
+        let mut partials = Vec::with_capacity(terms.len());
+        for &(sign, a, by) in terms {
+            let partial = self.derivative(a, by);
+            if !self.is_zero(&partial) {
+                partials.push((sign, partial));
+            }
+        }
+        self.sum(&partials)
+    }
+
     /// Σ ±a
     fn sum(&mut self, terms: &[(i8, Self::Scalar)]) -> Self::Scalar {
         let mut sum = self.zero();

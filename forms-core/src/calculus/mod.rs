@@ -4,8 +4,8 @@
 //! coefficients (structured expressions or normal forms)
 //!        │
 //!        ▼
-//!   Form, Field ── wedge  exterior  interior  lie  pullback ──▶ Form, Field
-//!   Metric ─────── hodge  musical  gradient ─────────────────────▶ Form, Field
+//!   Form, Field ── wedge  power  exterior  interior  lie  pullback ──▶ Form, Field
+//!   Metric ─────── hodge  musical  gradient ────────────────────────────▶ Form, Field
 //! ```
 //! One definition of each operation serves both kinds of coefficients. Conventions (orientation, signs) are
 //! those of `docs/conventions.md`; only `metric`, `hodge`, `musical` and `gradient` know lengths.
@@ -21,6 +21,7 @@ mod interior;
 mod lie;
 mod metric;
 mod musical;
+mod power;
 mod pullback;
 mod wedge;
 
@@ -35,5 +36,6 @@ pub use interior::{interior, pairing};
 pub use lie::{lie_of_form, lie_of_scalar};
 pub use metric::{Metric, Quotients};
 pub use musical::{flat, inner_of_fields, inner_of_forms, sharp};
+pub use power::power;
 pub use pullback::{Pullback, pullback};
 pub use wedge::wedge;

@@ -17,8 +17,9 @@ pub(super) fn contradiction(pool: &mut Pool, problem: &Problem) -> Option<String
         let Ok(prepared) = normalise(&mut tower, pool, &[side]) else { continue };
         if prepared.is_unconditional()
             && let Ok(mut difference) = prepared.exact(&mut tower, pool)
+            && let Ok(difference) = tower.expanded(&difference.remove(0))
         {
-            known.push((condition, difference.remove(0)));
+            known.push((condition, difference));
         }
     }
     let mut facts = Facts::of(&tower);

@@ -6,21 +6,29 @@
 //!      └ normal forms, zero in every case                  ─▶ Proved
 //!                                                     else ─▶ Unknown
 //! ```
+//! A glance in machine words comes first: where it is certain of a point at which the sides may agree, the normal
+//! forms are asked before any other point is looked at.
+//!
 //! A proof never rests on a sample, a refutation never on a normal form: each has an argument of its own. A
 //! few points are looked at first, since a false statement is refuted by almost any point; a proved one needs
 //! a point as well, to show that it speaks of something.
 
+mod account;
 mod empty;
 mod problem;
 mod proof;
+mod ratio;
 mod report;
 mod sample;
 mod verdict;
 mod witness;
 
-pub use report::simplified;
+pub use account::{Account, Bound, Cancellation, Case, account};
+pub use ratio::Ratio;
+pub use report::simplified_where;
 pub use verdict::{Theorem, Verdict, Witness};
 
+use crate::expression::Condition;
 use crate::resolve::{Statement, Theory};
 use problem::Problem;
 use proof::Outcome;
@@ -47,13 +55,17 @@ const LAST_POINTS: usize = 40;
 /// ```
 pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
     let problem = Problem::new(theory, statement);
+    let seems_true = Search::new(&theory.pool, &problem, 0).sees_agreement(FIRST_CANDIDATES);
+    let early = seems_true.then(|| proof::outcome(&mut theory.pool, &problem));
+    if early == Some(Outcome::Zero) {
+        return report::proved(theory, &problem);
+    }
     let mut search = Survey::default();
     let position = search.look(theory, &problem, 0, FIRST_CANDIDATES);
     if let Some(difference) = search.difference.take() {
         return report::refuted(theory, &problem, &difference);
     }
-    let outcome =
-        if problem.components.is_empty() { Outcome::Zero } else { proof::prove(&mut theory.pool, &problem) };
+    let outcome = early.unwrap_or_else(|| proof::outcome(&mut theory.pool, &problem));
     if outcome == Outcome::Zero && search.points > 0 {
         return report::proved(theory, &problem);
     }
@@ -80,6 +92,12 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
         },
         Outcome::Outside(reason) | Outcome::Empty(reason) => Verdict::Unknown { reason },
     }
+}
+
+/// What a verdict on a statement assumes, the texts of which it carries.
+pub fn conditions(theory: &mut Theory, statement: &Statement) -> Vec<Condition> {
+    let problem = Problem::new(theory, statement);
+    report::conditions(&mut theory.pool, &problem)
 }
 
 /// What looking at points has shown so far.

@@ -19,6 +19,8 @@ pub(super) struct Component {
 pub(super) struct Problem {
     /// The components whose sides are not the same expression.
     pub(super) components: Vec<Component>,
+    /// The common sides of the other components.
+    pub(super) identical: Vec<Expr>,
     /// The `where`s, then where both sides are defined.
     pub(super) assumptions: Vec<Condition>,
     /// How many of the assumptions come from a `where`.
@@ -27,13 +29,15 @@ pub(super) struct Problem {
 
 impl Problem {
     pub(super) fn new(theory: &mut Theory, statement: &Statement) -> Self {
-        let components = paired(theory, &statement.left, &statement.right)
-            .into_iter()
-            .filter_map(|(label, left, right)| {
-                let difference = theory.pool.subtract(left, right);
-                (!theory.pool.is_zero(difference)).then_some(Component { label, left, right, difference })
-            })
-            .collect();
+        let (mut components, mut identical) = (Vec::new(), Vec::new());
+        for (label, left, right) in paired(theory, &statement.left, &statement.right) {
+            let difference = theory.pool.subtract(left, right);
+            if theory.pool.is_zero(difference) {
+                identical.push(left);
+            } else {
+                components.push(Component { label, left, right, difference });
+            }
+        }
         let mut assumptions: Vec<Condition> = Vec::new();
         for condition in &statement.conditions {
             if !assumptions.contains(condition) {
@@ -43,7 +47,7 @@ impl Problem {
         let stated = assumptions.len();
         assumptions
             .extend(statement.domain.iter().filter(|condition| !statement.conditions.contains(condition)));
-        Problem { components, assumptions, stated }
+        Problem { components, identical, assumptions, stated }
     }
 
     pub(super) fn differences(&self) -> Vec<Expr> {

@@ -22,16 +22,19 @@ pub(super) enum Outcome {
 const MOST_CASES: usize = 512;
 
 /// Tries to prove that every component vanishes.
-pub(super) fn prove(pool: &mut Pool, problem: &Problem) -> Outcome {
-    let differences = problem.differences();
-    prove_zero(pool, problem, differences)
+pub(super) fn outcome(pool: &mut Pool, problem: &Problem) -> Outcome {
+    if problem.components.is_empty() {
+        return Outcome::Zero;
+    }
+    prove_zero(pool, problem, problem.differences())
 }
 
 /// Tries to prove that the expressions vanish wherever the problem's assumptions hold.
 pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>) -> Outcome {
     let assumptions = Assumptions::new(pool, &problem.assumptions);
     let mut tower = Tower::new(Trigonometry::Circle);
-    let mut proof = Proof { pool, tower: &mut tower, differences, assumptions, cases: 0 };
+    let mut proof =
+        Proof { pool, tower: &mut tower, differences, assumptions, cases: 0, settled: Vec::new() };
     match proof.explore(&[]) {
         Ok(outcome) => outcome,
         Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
@@ -43,6 +46,19 @@ pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Ex
     }
 }
 
+/// The cases in which the normal forms are zero, by the signs that tell them apart; nothing if that is no proof.
+pub(super) fn settled_cases(
+    pool: &mut Pool,
+    problem: &Problem,
+    tower: &mut Tower,
+) -> Option<Vec<Vec<(usize, Sign)>>> {
+    let assumptions = Assumptions::new(pool, &problem.assumptions);
+    let differences = problem.differences();
+    let mut proof = Proof { pool, tower, differences, assumptions, cases: 0, settled: Vec::new() };
+    let outcome = proof.explore(&[]);
+    (outcome == Ok(Outcome::Zero)).then_some(proof.settled)
+}
+
 const DIVIDES_BY_ZERO: &str = "it divides by zero everywhere";
 
 struct Proof<'a> {
@@ -51,6 +67,8 @@ struct Proof<'a> {
     differences: Vec<Expr>,
     assumptions: Assumptions,
     cases: usize,
+    /// The signs of the cases in which everything is zero.
+    settled: Vec<Vec<(usize, Sign)>>,
 }
 
 impl Proof<'_> {
@@ -58,7 +76,10 @@ impl Proof<'_> {
     fn explore(&mut self, given: &[(usize, Sign)]) -> Result<Outcome, Obstacle> {
         self.cases += 1;
         match self.settle(given) {
-            Ok(Some(Outcome::Zero)) => return Ok(Outcome::Zero),
+            Ok(Some(Outcome::Zero)) => {
+                self.settled.push(given.to_vec());
+                return Ok(Outcome::Zero);
+            }
             Ok(_) => {}
             Err(Obstacle::DivisionByZero) => return Ok(Outcome::Empty(DIVIDES_BY_ZERO.into())),
             Err(obstacle) => return Err(obstacle),

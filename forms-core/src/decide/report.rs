@@ -1,11 +1,12 @@
 //! Verdicts in the user's notation: the conditions a theorem rests on, what is left of a false equation.
 
 use super::problem::Problem;
+use super::ratio::ratio;
 use super::verdict::{Theorem, Verdict, Witness};
 use super::witness::Difference;
-use crate::assume::Facts;
+use crate::assume::{Assumptions, Cases, Facts};
 use crate::expression::{Condition, Expr, Nature, Node, Pool};
-use crate::normal::{Sign, Tower, Trigonometry, normalise};
+use crate::normal::{Fraction, Sign, Tower, Trigonometry, normalise};
 use crate::resolve::Theory;
 use crate::syntax::ast::Relation;
 use num_traits::Zero;
@@ -13,25 +14,29 @@ use num_traits::Zero;
 /// Products of terms that a simplification for the eye may cost; a proof may cost more.
 const SIMPLIFICATION_WORK: u64 = 20_000;
 
+/// Signs within signs (√(|x| − 1)) deeper than this are not told apart for the eye.
+const DEEPEST_SIGN: usize = 8;
+
 pub(super) fn proved(theory: &mut Theory, problem: &Problem) -> Verdict {
-    Verdict::Proved(Theorem { conditions: conditions(&mut theory.pool, problem) })
+    Verdict::Proved(Theorem { conditions: texts(&mut theory.pool, problem) })
 }
 
 pub(super) fn refuted(theory: &mut Theory, problem: &Problem, difference: &Difference) -> Verdict {
     let component = &problem.components[difference.component];
     let simple = simplified(&mut theory.pool, component.difference);
     Verdict::Refuted(Witness {
-        conditions: conditions(&mut theory.pool, problem),
+        conditions: texts(&mut theory.pool, problem),
         point: difference.point.clone(),
         component: component.label.clone(),
         left: difference.left.clone(),
         right: difference.right.clone(),
         difference: theory.pool.text(simple),
+        ratio: ratio(theory, problem),
     })
 }
 
 /// The expression through its normal form, or itself where it has none that reads better.
-pub fn simplified(pool: &mut Pool, expression: Expr) -> Expr {
+pub(super) fn simplified(pool: &mut Pool, expression: Expr) -> Expr {
     let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(SIMPLIFICATION_WORK);
     let Ok(prepared) = normalise(&mut tower, pool, &[expression]) else { return expression };
     let open_sign =
@@ -45,6 +50,50 @@ pub fn simplified(pool: &mut Pool, expression: Expr) -> Expr {
     }
 }
 
+/// The same where conditions hold, as far as they leave one case of the signs that matter.
+pub fn simplified_where(pool: &mut Pool, conditions: &[Condition], expression: Expr) -> Expr {
+    let assumptions = Assumptions::new(pool, conditions);
+    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(SIMPLIFICATION_WORK);
+    let Some(signs) = only_case(pool, &mut tower, &assumptions, expression) else {
+        return simplified(pool, expression);
+    };
+    tower.fix_signs(&signs);
+    let Ok(prepared) = normalise(&mut tower, pool, &[expression]) else { return expression };
+    match prepared.exact(&mut tower, pool) {
+        Ok(fractions) if is_readable(&tower, &fractions[0]) => tower.raise(pool, &fractions[0]),
+        Ok(_) => simplified(pool, expression),
+        Err(_) => expression,
+    }
+}
+
+/// The signs of all factors that the expression depends on, if the conditions leave no choice.
+fn only_case(
+    pool: &Pool,
+    tower: &mut Tower,
+    assumptions: &Assumptions,
+    expression: Expr,
+) -> Option<Vec<(usize, Sign)>> {
+    let mut signs: Vec<(usize, Sign)> = Vec::new();
+    for _ in 0..DEEPEST_SIGN {
+        tower.fix_signs(&signs);
+        if normalise(tower, pool, &[expression]).ok()?.open.is_empty() {
+            return Some(signs);
+        }
+        match assumptions.cases(tower, pool, &[expression], &signs) {
+            Ok(Cases::Signs(mut cases)) if cases.len() == 1 && !cases[0].is_empty() => {
+                signs.append(&mut cases[0]);
+            }
+            _ => return None,
+        }
+    }
+    None
+}
+
+/// Whether nothing is written by half angles, which nobody wrote.
+fn is_readable(tower: &Tower, fraction: &Fraction) -> bool {
+    tower.trigonometry() == Trigonometry::Circle || !tower.mentions_trigonometry(fraction)
+}
+
 /// Whether every radicand factor whose sign was needed is positive by its nature or as the whole radicand.
 fn signs_are_known(tower: &Tower) -> bool {
     let facts = Facts::of(tower);
@@ -55,29 +104,39 @@ fn signs_are_known(tower: &Tower) -> bool {
 }
 
 /// What is assumed: every stated condition, then where the sides are defined as far as that says more.
-fn conditions(pool: &mut Pool, problem: &Problem) -> Vec<String> {
+pub(super) fn conditions(pool: &mut Pool, problem: &Problem) -> Vec<Condition> {
     let (stated, domain) = problem.assumptions.split_at(problem.stated);
+    let mut told: Vec<Condition> = Vec::new();
     let mut texts: Vec<String> = Vec::new();
     let known: Vec<(Expr, bool)> = stated.iter().map(|condition| core(pool, condition)).collect();
+    let mut tell = |pool: &Pool, condition: Condition| {
+        let text = condition.text(pool);
+        if !texts.contains(&text) {
+            texts.push(text);
+            told.push(condition);
+        }
+    };
     for condition in stated {
-        push_new(&mut texts, condition.text(pool));
+        tell(pool, *condition);
+    }
+    let mut positive: Vec<Expr> = Vec::new();
+    for condition in domain.iter().filter(|condition| condition.relation == Relation::Greater) {
+        positive.push(core(pool, condition).0);
     }
     for condition in domain {
         let (essence, strict) = core(pool, condition);
-        let follows = known.iter().any(|(known, sharp)| *known == essence && (*sharp || !strict));
+        let weaker = condition.relation != Relation::Greater && positive.contains(&essence);
+        let follows = weaker || known.iter().any(|(known, sharp)| *known == essence && (*sharp || !strict));
         if !follows && !holds_by_nature(pool, essence, strict) {
-            let zero = pool.integer(0);
-            let simple = Condition { left: essence, relation: condition.relation, right: zero };
-            push_new(&mut texts, simple.text(pool));
+            let right = pool.integer(0);
+            tell(pool, Condition { left: essence, relation: condition.relation, right });
         }
     }
-    texts
+    told
 }
 
-fn push_new(texts: &mut Vec<String>, text: String) {
-    if !texts.contains(&text) {
-        texts.push(text);
-    }
+fn texts(pool: &mut Pool, problem: &Problem) -> Vec<String> {
+    conditions(pool, problem).iter().map(|condition| condition.text(pool)).collect()
 }
 
 /// The expression a condition speaks of, without powers around it, and whether it excludes zero.

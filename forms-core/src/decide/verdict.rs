@@ -1,5 +1,6 @@
 //! The three answers, and the error of a statement that speaks of no point.
 
+use super::ratio::Ratio;
 use crate::syntax::ast::Claim;
 use std::fmt;
 
@@ -44,6 +45,8 @@ pub struct Witness {
     pub right: String,
     /// What is left of left − right, simplified, in the language's notation.
     pub difference: String,
+    /// The factor by which the sides differ, if it is a simple one.
+    pub ratio: Option<Ratio>,
 }
 
 impl Verdict {

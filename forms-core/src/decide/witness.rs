@@ -2,7 +2,7 @@
 
 use super::problem::Problem;
 use super::sample::{Bounds, Sequence, jet_value, simple_bounds};
-use crate::enclosure::{Enclosure, Precision, Undecided, enclose};
+use crate::enclosure::{Enclosure, Precision, Undecided, WordRange, enclose, word_ranges};
 use crate::expression::{Expr, FunctionId, Node, Pool, Rational, Symbol};
 use rustc_hash::FxHashMap;
 
@@ -59,15 +59,58 @@ impl<'a> Search<'a> {
         self.round
     }
 
-    /// Looks at the next candidate.
-    pub(super) fn next(&mut self) -> Found {
+    /// The next candidate with its seed.
+    fn candidate(&mut self) -> (FxHashMap<Symbol, Rational>, u64) {
         let seed = u64::from(self.round).wrapping_mul(0xa076_1d64_78bd_642f) + 1;
         let point = Sequence::new(seed).point(&self.symbols, &self.bounds, self.round);
         self.round += 1;
+        (point, seed)
+    }
+
+    /// Whether some of the next candidates is certainly a point at which everything holds and is defined, and at
+    /// which no difference is certain, as far as machine words tell.
+    pub(super) fn sees_agreement(&mut self, candidates: usize) -> bool {
+        for _ in 0..candidates {
+            let (point, _) = self.candidate();
+            match self.glance(&point) {
+                Ok(Some(agrees)) => return agrees,
+                Ok(None) | Err(Undecided::Undefined) => {}
+                Err(_) => return false,
+            }
+        }
+        false
+    }
+
+    /// Whether the sides may agree at a point; nothing where some condition fails.
+    fn glance(&self, point: &FxHashMap<Symbol, Rational>) -> Result<Option<bool>, Undecided> {
+        let expressions = self.expressions();
+        let values = word_ranges(self.pool, &expressions, |symbol| {
+            point.get(&symbol).map_or(Err(Undecided::Unknown), WordRange::rational)
+        })?;
+        let (conditions, sides) = values.split_at(2 * self.problem.assumptions.len());
+        for (condition, pair) in self.problem.assumptions.iter().zip(conditions.chunks(2)) {
+            match pair[0].decide(condition.relation, pair[1]) {
+                Some(true) => {}
+                Some(false) => return Ok(None),
+                None => return Err(Undecided::Unknown),
+            }
+        }
+        Ok(Some(sides.chunks(2).all(|pair| pair[0].intersects(pair[1]))))
+    }
+
+    /// Both sides of every condition, then of every component.
+    fn expressions(&self) -> Vec<Expr> {
+        let conditions = self.problem.assumptions.iter().flat_map(|c| [c.left, c.right]);
+        conditions.chain(self.problem.components.iter().flat_map(|c| [c.left, c.right])).collect()
+    }
+
+    /// Looks at the next candidate.
+    pub(super) fn next(&mut self) -> Found {
+        let (point, seed) = self.candidate();
         for precision in PRECISIONS {
             match self.look(&point, seed, Precision(precision)) {
                 Ok(found) => return found,
-                Err(Undecided::Undefined) => return Found::NoPoint,
+                Err(Undecided::Undefined | Undecided::TooLarge) => return Found::NoPoint,
                 Err(Undecided::Unknown) => {}
             }
         }
@@ -83,10 +126,7 @@ impl<'a> Search<'a> {
     ) -> Result<Found, Undecided> {
         let mut jets =
             Jets { seed, round: self.round, bounds: &self.jet_bounds, known: Vec::new(), mixed: false };
-        let mut expressions: Vec<Expr> =
-            self.problem.assumptions.iter().flat_map(|c| [c.left, c.right]).collect();
-        let sides = expressions.len();
-        expressions.extend(self.problem.components.iter().flat_map(|c| [c.left, c.right]));
+        let (expressions, sides) = (self.expressions(), 2 * self.problem.assumptions.len());
         let values = enclose(
             self.pool,
             &expressions,

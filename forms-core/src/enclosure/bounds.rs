@@ -15,7 +15,9 @@ pub struct Precision(pub u32);
 pub enum Undecided {
     /// Not real anywhere in the enclosures given: no precision helps.
     Undefined,
-    /// Not decided at this precision, or too large to be worth computing.
+    /// Too large to be worth computing, at this precision and any other.
+    TooLarge,
+    /// Not decided at this precision.
     Unknown,
 }
 
@@ -142,6 +144,17 @@ impl Enclosure {
         match &self.0 {
             Value::Exact(value, _) => (value.numer().bits() + 1).saturating_sub(value.denom().bits()),
             Value::Range(range) => range.magnitude_bits(),
+        }
+    }
+
+    /// n with |x| ≥ 2ⁿ⁻¹ throughout, or 0.
+    pub(super) fn least_magnitude_bits(&self) -> u64 {
+        match &self.0 {
+            Value::Exact(value, _) => value.numer().bits().saturating_sub(value.denom().bits()),
+            Value::Range(range) if range.contains_zero() => 0,
+            Value::Range(range) => {
+                range.lower.bits().min(range.upper.bits()).saturating_sub(u64::from(range.precision))
+            }
         }
     }
 

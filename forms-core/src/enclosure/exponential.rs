@@ -80,7 +80,8 @@ impl Enclosure {
             return Ok(GUARD);
         }
         if self.magnitude_bits() > LARGEST_EXPONENT_BITS {
-            return Err(Undecided::Unknown);
+            let certain = self.least_magnitude_bits() > LARGEST_EXPONENT_BITS;
+            return Err(if certain { Undecided::TooLarge } else { Undecided::Unknown });
         }
         let bits = self.upper().ceil().to_integer().to_u32().ok_or(Undecided::Unknown)?;
         Ok(GUARD + 3 * bits / 2 + 1)

@@ -59,13 +59,17 @@ pub fn enclose(
 
 /// Refuses what has become too large to compute with.
 fn bounded(value: Enclosure) -> Decided {
-    if value.magnitude_bits() > LARGEST_BITS { Err(Undecided::Unknown) } else { Ok(value) }
+    if value.magnitude_bits() <= LARGEST_BITS {
+        return Ok(value);
+    }
+    let certain = value.least_magnitude_bits() > LARGEST_BITS;
+    Err(if certain { Undecided::TooLarge } else { Undecided::Unknown })
 }
 
-/// The values of several operands, undefined if one is, else unknown if one is.
+/// The values of several operands, or the worst of what stands in the way.
 fn all(operands: &[Expr], known: &FxHashMap<Expr, Decided>) -> Result<Vec<Enclosure>, Undecided> {
-    if operands.iter().any(|operand| known[operand] == Err(Undecided::Undefined)) {
-        return Err(Undecided::Undefined);
+    if let Some(worst) = operands.iter().filter_map(|operand| known[operand].as_ref().err()).min() {
+        return Err(*worst);
     }
     operands.iter().map(|operand| known[operand].clone()).collect()
 }
@@ -73,8 +77,8 @@ fn all(operands: &[Expr], known: &FxHashMap<Expr, Decided>) -> Result<Vec<Enclos
 fn evaluate(node: &Node, known: &FxHashMap<Expr, Decided>, precision: Precision) -> Decided {
     let both = |a: &Expr, b: &Expr| match (&known[a], &known[b]) {
         (Ok(a), Ok(b)) => Ok((a, b)),
-        (Err(Undecided::Undefined), _) | (_, Err(Undecided::Undefined)) => Err(Undecided::Undefined),
-        _ => Err(Undecided::Unknown),
+        (Err(a), Err(b)) => Err(*a.min(b)),
+        (Err(why), Ok(_)) | (Ok(_), Err(why)) => Err(*why),
     };
     let one = |a: &Expr| known[a].as_ref().map_err(|&why| why);
     match node {
@@ -103,7 +107,7 @@ fn evaluate(node: &Node, known: &FxHashMap<Expr, Decided>, precision: Precision)
 fn either(a: &Decided, b: &Decided) -> Decided {
     match (a, b) {
         (Ok(a), Ok(b)) => Ok(a.hull(b)),
-        (Err(Undecided::Undefined), Err(Undecided::Undefined)) => Err(Undecided::Undefined),
+        (Err(a), Err(b)) => Err(*a.max(b)),
         _ => Err(Undecided::Unknown),
     }
 }

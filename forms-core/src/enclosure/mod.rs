@@ -6,6 +6,8 @@
 //!                                     ├ an exact rational, while it stays short
 //!                                     └ [lower, upper]·2⁻ᵖ, every operation rounded outward
 //! ```
+//! Before that, ranges in machine words decide what a glance can decide.
+//!
 //! The true value always lies in the enclosure; a higher precision p makes the enclosure narrower. Nothing
 //! here is computed in floating point; `f64` appears only where a result leaves the module.
 
@@ -22,6 +24,8 @@ mod range;
 mod series;
 #[cfg(test)]
 mod tests;
+mod word;
 
 pub use bounds::{Enclosure, Precision, Undecided};
 pub use graph::enclose;
+pub(crate) use word::{WordRange, word_ranges};

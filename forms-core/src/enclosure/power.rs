@@ -11,6 +11,9 @@ use num_traits::{One, Signed, Zero};
 /// No intermediate integer of a power is longer than this many bits.
 const LONGEST_POWER_BITS: u64 = 1 << 18;
 
+/// The precision at which a power is first looked at.
+const ROUGH_PRECISION: u32 = 64;
+
 /// Roots of a higher degree are taken through the logarithm.
 const LARGEST_DEGREE: u64 = 64;
 
@@ -92,22 +95,30 @@ impl Enclosure {
         }
     }
 
-    /// aʳ = e^(r log a)
+    /// aʳ = e^(r log a), at a low precision first: that shows whether the power is too large or rounds to zero.
     fn power_by_logarithm(&self, exponent: Ratio<i64>) -> Result<Enclosure, Undecided> {
-        let precision = self.precision();
-        let working = Precision(precision.0.saturating_mul(2).saturating_add(64));
         if !self.is_positive() {
             return Err(Undecided::Unknown);
         }
         let exponent = Rational::new((*exponent.numer()).into(), (*exponent.denom()).into());
-        let logarithm = self.at(working).log()?;
-        Ok(logarithm.mul(&Enclosure::exact(&exponent, working)).exp()?.at(precision))
+        let power = |working: Precision| {
+            self.at(working).log().and_then(|log| log.mul(&Enclosure::exact(&exponent, working)).exp())
+        };
+        let precision = self.precision();
+        let rough = power(Precision(ROUGH_PRECISION.min(precision.0)));
+        match rough {
+            Err(Undecided::TooLarge) => Err(Undecided::TooLarge),
+            _ => Ok(power(Precision(precision.0.saturating_mul(2).saturating_add(64)))?.at(precision)),
+        }
     }
 }
 
 /// The power itself, if it is rational and short.
 fn exact_power(value: &Rational, exponent: Exponent, longest: u64) -> Option<Rational> {
     let Exponent { numerator, degree, inverted } = exponent;
+    if value.is_zero() || value.is_one() {
+        return (!(inverted && value.is_zero())).then(|| value.clone());
+    }
     let bits = value.numer().bits().max(value.denom().bits());
     if bits.checked_mul(numerator)? > longest.checked_mul(degree)? || degree > LARGEST_DEGREE {
         return None;

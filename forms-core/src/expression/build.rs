@@ -4,7 +4,7 @@ use super::node::{Expr, FunctionId, Node, Pool, Rational, Symbol};
 use super::operation::Operation;
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
 /// Powers of numbers are folded up to this many bits of result; larger ones stay as written.
 const FOLDED_POWER_BITS: u64 = 4096;
@@ -17,7 +17,12 @@ impl Pool {
 
     /// An integer.
     pub fn integer(&mut self, value: i64) -> Expr {
-        self.number(Rational::from_integer(value.into()))
+        if let Some(&known) = self.integers.get(&value) {
+            return known;
+        }
+        let number = self.number(Rational::from_integer(value.into()));
+        self.integers.insert(value, number);
+        number
     }
 
     /// p/q
@@ -115,8 +120,8 @@ impl Pool {
                 let product = self.multiply(a, y);
                 self.negate(product)
             }
-            (Node::Number(p), _) if p == &-Rational::one() => self.negate(b),
-            (_, Node::Number(q)) if q == &-Rational::one() => self.negate(a),
+            (Node::Number(p), _) if is_minus_one(p) => self.negate(b),
+            (_, Node::Number(q)) if is_minus_one(q) => self.negate(a),
             _ => self.intern(Node::Multiply(a, b)),
         }
     }
@@ -199,6 +204,10 @@ impl Pool {
         }
         self.intern(Node::Select { left, relation, right, then, otherwise })
     }
+}
+
+fn is_minus_one(value: &Rational) -> bool {
+    value.is_negative() && value.denom().is_one() && value.numer().magnitude().is_one()
 }
 
 fn integer_power(value: &Rational, exponent: i64) -> Option<Rational> {

@@ -9,7 +9,9 @@ impl Pool {
         if let Some(&known) = self.derivatives.get(&(expression, by)) {
             return known;
         }
-        for node in self.reachable(&[expression]) {
+        let order = self.reachable(&[expression]);
+        self.derivatives.reserve(order.len());
+        for node in order {
             if !self.derivatives.contains_key(&(node, by)) {
                 let value = self.derivative_of_node(node, by);
                 self.derivatives.insert((node, by), value);

@@ -2,7 +2,9 @@
 
 use super::operation::Operation;
 use crate::syntax::ast::Relation;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxBuildHasher, FxHashMap};
+use std::collections::hash_map::Entry;
+use std::hash::{Hash, Hasher};
 
 /// An exact rational number of any size.
 pub type Rational = num_rational::BigRational;
@@ -40,7 +42,7 @@ pub struct Unknown {
 }
 
 /// One operation on earlier expressions.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Node {
     /// An exact number.
     Number(Rational),
@@ -84,6 +86,26 @@ pub enum Node {
     },
 }
 
+/// Numbers and exponents are in lowest terms, so their parts are hashed as they are: `Ratio` would divide.
+impl Hash for Node {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        std::mem::discriminant(self).hash(state);
+        match self {
+            Node::Number(value) => (value.numer(), value.denom()).hash(state),
+            Node::Pi => {}
+            Node::Symbol(symbol) => symbol.hash(state),
+            Node::Negate(a) => a.hash(state),
+            Node::Add(a, b) | Node::Multiply(a, b) | Node::Divide(a, b) => (a, b).hash(state),
+            Node::Power(a, exponent) => (a, exponent.numer(), exponent.denom()).hash(state),
+            Node::Apply(operation, arguments) => (operation, arguments).hash(state),
+            Node::Jet { function, orders, arguments } => (function, orders, arguments).hash(state),
+            Node::Select { left, relation, right, then, otherwise } => {
+                (left, relation, right, then, otherwise).hash(state);
+            }
+        }
+    }
+}
+
 impl Node {
     /// The expressions it is computed from.
     pub fn operands(&self) -> Vec<Expr> {
@@ -112,13 +134,31 @@ impl Node {
 }
 
 /// The owner of all nodes, symbols and unknown functions of one file or macro body.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Pool {
     nodes: Vec<Node>,
     index: FxHashMap<Node, Expr>,
     symbols: Vec<(String, SymbolKind)>,
     functions: Vec<Unknown>,
     pub(super) derivatives: FxHashMap<(Expr, Symbol), Expr>,
+    /// The numbers that building has asked for by their integer values.
+    pub(super) integers: FxHashMap<i64, Expr>,
+}
+
+/// Room for the nodes of a short statement, so that its tables need not grow.
+const FIRST_NODES: usize = 256;
+
+impl Default for Pool {
+    fn default() -> Self {
+        Pool {
+            nodes: Vec::with_capacity(FIRST_NODES),
+            index: FxHashMap::with_capacity_and_hasher(FIRST_NODES, FxBuildHasher),
+            symbols: Vec::new(),
+            functions: Vec::new(),
+            derivatives: FxHashMap::default(),
+            integers: FxHashMap::default(),
+        }
+    }
 }
 
 impl Pool {
@@ -143,13 +183,14 @@ impl Pool {
     }
 
     pub(super) fn intern(&mut self, node: Node) -> Expr {
-        if let Some(&known) = self.index.get(&node) {
-            return known;
-        }
         let fresh = Expr(u32::try_from(self.nodes.len()).expect("a pool holds fewer than 2³² nodes"));
-        self.nodes.push(node.clone());
-        self.index.insert(node, fresh);
-        fresh
+        match self.index.entry(node) {
+            Entry::Occupied(known) => *known.get(),
+            Entry::Vacant(place) => {
+                self.nodes.push(place.key().clone());
+                *place.insert(fresh)
+            }
+        }
     }
 
     /// A new variable; the same name twice gives two variables.

@@ -5,6 +5,7 @@ use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 use num_traits::{One, Signed};
 use rustc_hash::FxHashMap;
+use std::borrow::Cow;
 
 /// Written out, an expression may grow exponentially over its shared form; past this many nodes it is cut.
 const LONGEST: u64 = 20_000;
@@ -26,8 +27,12 @@ struct Written {
 
 impl Written {
     /// The text, in brackets if it binds less tightly than its place needs.
-    fn within(&self, needed: Binding) -> String {
-        if self.binding >= needed { self.text.clone() } else { format!("({})", self.text) }
+    fn within(&self, needed: Binding) -> Cow<'_, str> {
+        if self.binding >= needed {
+            Cow::Borrowed(&self.text)
+        } else {
+            Cow::Owned(format!("({})", self.text))
+        }
     }
 }
 
@@ -55,8 +60,8 @@ impl Pool {
         let mut sizes: FxHashMap<Expr, u64> = FxHashMap::default();
         let mut written: FxHashMap<Expr, Written> = FxHashMap::default();
         for expression in self.reachable(expressions) {
-            let operands = self.node(expression).operands();
-            let size = operands.iter().fold(1u64, |sum, operand| sum.saturating_add(sizes[operand]));
+            let mut size = 1u64;
+            self.node(expression).for_each_operand(|operand| size = size.saturating_add(sizes[&operand]));
             sizes.insert(expression, size);
             let text = if size > LONGEST {
                 Written { text: format!("<{size} terms and operators>"), binding: Binding::Atom }
@@ -92,11 +97,11 @@ impl Pool {
             }
             Node::Power(a, exponent) => write_power(&written[a], *exponent),
             Node::Apply(operation, arguments) => {
-                let list: Vec<String> = arguments.iter().map(|a| of(a, Binding::Sum)).collect();
+                let list: Vec<Cow<str>> = arguments.iter().map(|a| of(a, Binding::Sum)).collect();
                 (format!("{}({})", operation.row().name, list.join(", ")), Binding::Atom)
             }
             Node::Jet { function, orders, arguments } => {
-                let list: Vec<String> = arguments.iter().map(|a| of(a, Binding::Sum)).collect();
+                let list: Vec<Cow<str>> = arguments.iter().map(|a| of(a, Binding::Sum)).collect();
                 (self.write_jet(*function, orders, arguments, &list), Binding::Atom)
             }
             Node::Select { left, relation, right, then, otherwise } => {
@@ -115,7 +120,7 @@ impl Pool {
         function: FunctionId,
         orders: &[u32],
         arguments: &[Expr],
-        written: &[String],
+        written: &[Cow<str>],
     ) -> String {
         let unknown = self.function(function);
         let mut head = unknown.name.clone();

@@ -18,7 +18,7 @@ impl Tower {
     /// # Errors
     /// Where the derivative grows beyond the limit, or an opaque function without a rule occurs.
     pub fn derivative(&mut self, a: &Fraction, by: Symbol) -> Result<Fraction, Obstacle> {
-        if let Some(derivative) = self.plain_derivative(a, by)? {
+        if let Some(derivative) = self.plain_divergence(&[(1, a, by)])? {
             return Ok(derivative);
         }
         let numerator = self.derivative_of_polynomial(&a.numerator, by)?;
@@ -259,6 +259,22 @@ impl Coefficients for Normal<'_> {
     fn derivative(&mut self, a: &Fraction, by: Coordinate) -> Fraction {
         let derivative = self.tower.derivative(a, self.coordinates[by.0 as usize]);
         self.keep(derivative)
+    }
+
+    fn sum_of_derivatives(&mut self, terms: &[(i8, &Fraction, Coordinate)]) -> Fraction {
+        let coordinates = self.coordinates;
+        let symbols: Vec<_> =
+            terms.iter().map(|&(sign, a, by)| (sign, a, coordinates[by.0 as usize])).collect();
+        match self.tower.plain_divergence(&symbols) {
+            Ok(Some(sum)) => return self.tower.cancel(sum.numerator, sum.divisor, sum.factors),
+            Ok(None) => {}
+            Err(obstacle) => return self.keep(Err(obstacle)),
+        }
+        let mut partials = Vec::with_capacity(terms.len());
+        for &(sign, a, by) in terms {
+            partials.push((sign, self.derivative(a, by)));
+        }
+        self.sum(&partials)
     }
 
     fn sum(&mut self, terms: &[(i8, Fraction)]) -> Fraction {

@@ -201,8 +201,10 @@ impl Tower {
             }
             if let Some(variable) = self.factor_variable(power.factor) {
                 let shared = numerator.least_exponent(variable).min(power.exponent.max(0).unsigned_abs());
-                numerator = numerator.divide_by_monomial(&[(variable, shared)]).unwrap_or(numerator);
-                power.exponent -= shared as i32;
+                if shared > 0 {
+                    numerator = numerator.divide_by_monomial(&[(variable, shared)]).unwrap_or(numerator);
+                    power.exponent -= shared as i32;
+                }
             }
             while power.exponent > 0 {
                 match self.divide_by_factor(&numerator, power.factor) {
@@ -237,6 +239,13 @@ impl Tower {
             return Some(quotient);
         }
         let relation = self.relation_of(variable)?;
+        if numerator.term_count() == 1 && relation.value.term_count() > 1 {
+            return None;
+        }
+        if !numerator.contains(variable) {
+            let quotient = numerator.divide_exact(&relation.value)?;
+            return Some(quotient.multiply_by_monomial(&[(variable, relation.order - 1)]));
+        }
         let mut quotient = Polynomial::zero();
         for (exponent, coefficient) in numerator.coefficients_in(variable) {
             let (lowered, coefficient) = match exponent {

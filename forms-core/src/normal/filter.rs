@@ -10,7 +10,6 @@ use super::tower::Tower;
 use crate::expression::{Expr, Node, Pool, Rational};
 use crate::polynomial::modular;
 use crate::random::SplitMix;
-use rustc_hash::FxHashMap;
 
 /// How many points are looked at for one at which every radicand is a square.
 const TRIES: u64 = 32;
@@ -21,26 +20,33 @@ impl Normalised {
     pub fn certainly_not_zero(&self, tower: &Tower, pool: &Pool) -> Vec<bool> {
         let mut found = vec![false; self.roots().len()];
         let mut random = SplitMix(0x9e37_79b9_7f4a_7c15);
-        let images = (0..TRIES).filter_map(|_| self.images_at_a_point(tower, pool, &mut random)).take(2);
-        for image in images {
-            for (known, value) in found.iter_mut().zip(image) {
-                *known |= value != 0;
-            }
+        let image = (0..TRIES).find_map(|_| self.images_at_a_point(tower, pool, &mut random));
+        for (known, value) in found.iter_mut().zip(image.unwrap_or_default()) {
+            *known = value != 0;
         }
         found
     }
 
     fn images_at_a_point(&self, tower: &Tower, pool: &Pool, random: &mut SplitMix) -> Option<Vec<u64>> {
         let point = point(tower, random)?;
-        let mut images: FxHashMap<Expr, u64> = FxHashMap::default();
+        let mut images = Images(vec![0; self.order().last()?.0 as usize + 1]);
         for &expression in self.order() {
             let image = match tower.elements.get(&expression) {
                 Some(atom) => image_of_fraction(tower, atom, &point)?,
                 None => image_of_node(pool.node(expression), &images)?,
             };
-            images.insert(expression, image);
+            images.0[expression.0 as usize] = image;
         }
-        Some(self.roots().iter().map(|root| images[root]).collect())
+        Some(self.roots().iter().map(|&root| images.of(root)).collect())
+    }
+}
+
+/// The images of expressions by their numbers.
+struct Images(Vec<u64>);
+
+impl Images {
+    fn of(&self, expression: Expr) -> u64 {
+        self.0[expression.0 as usize]
     }
 }
 
@@ -98,18 +104,22 @@ fn image_of_fraction(tower: &Tower, fraction: &Fraction, point: &[u64]) -> Optio
         let side = if power.exponent < 0 { &mut numerator } else { &mut denominator };
         *side = modular::mul(*side, raised);
     }
-    Some(modular::mul(numerator, modular::inverse(denominator)?))
+    if denominator == 1 {
+        Some(numerator)
+    } else {
+        Some(modular::mul(numerator, modular::inverse(denominator)?))
+    }
 }
 
-fn image_of_node(node: &Node, images: &FxHashMap<Expr, u64>) -> Option<u64> {
+fn image_of_node(node: &Node, images: &Images) -> Option<u64> {
     match node {
         Node::Number(value) => image_of_number(value),
-        Node::Add(a, b) => Some(modular::add(images[a], images[b])),
-        Node::Negate(a) => Some(modular::neg(images[a])),
-        Node::Multiply(a, b) => Some(modular::mul(images[a], images[b])),
-        Node::Divide(a, b) => Some(modular::mul(images[a], modular::inverse(images[b])?)),
+        Node::Add(a, b) => Some(modular::add(images.of(*a), images.of(*b))),
+        Node::Negate(a) => Some(modular::neg(images.of(*a))),
+        Node::Multiply(a, b) => Some(modular::mul(images.of(*a), images.of(*b))),
+        Node::Divide(a, b) => Some(modular::mul(images.of(*a), modular::inverse(images.of(*b))?)),
         Node::Power(a, exponent) if exponent.is_integer() => {
-            let power = modular::pow(images[a], exponent.numer().unsigned_abs());
+            let power = modular::pow(images.of(*a), exponent.numer().unsigned_abs());
             if *exponent.numer() < 0 { modular::inverse(power) } else { Some(power) }
         }
         _ => None,

@@ -100,7 +100,7 @@ impl Tower {
     }
 
     /// The numerator brought over a larger denominator.
-    fn raised(
+    pub(super) fn raised(
         &mut self,
         numerator: &Polynomial,
         by: &BigInt,
@@ -125,7 +125,10 @@ impl Tower {
     }
 
     /// The same element with every factor above the line multiplied out.
-    pub(super) fn expanded(&mut self, a: &Fraction) -> Result<Fraction, Obstacle> {
+    ///
+    /// # Errors
+    /// [`Obstacle::TooLarge`] where the work passes the tower's limit.
+    pub(crate) fn expanded(&mut self, a: &Fraction) -> Result<Fraction, Obstacle> {
         let (above, below): (Vec<FactorPower>, Vec<FactorPower>) =
             a.factors.iter().partition(|power| power.exponent < 0);
         if above.is_empty() {
@@ -157,8 +160,12 @@ impl Tower {
         if a.is_zero() || b.is_zero() {
             return Ok(Fraction::zero());
         }
-        let left = self.cancel(a.numerator.clone(), b.divisor.clone(), b.factors.clone());
-        let right = self.cancel(b.numerator.clone(), a.divisor.clone(), a.factors.clone());
+        if a.is_polynomial() && b.is_polynomial() {
+            self.charge(&a.numerator, &b.numerator)?;
+            return Ok(self.reduce(a.numerator.mul(&b.numerator))?.into());
+        }
+        let left = self.cancel_in_product(a, b);
+        let right = self.cancel_in_product(b, a);
         self.charge(&left.numerator, &right.numerator)?;
         let product = left.numerator.mul(&right.numerator);
         let divisor = &left.divisor * &right.divisor;
@@ -172,6 +179,39 @@ impl Tower {
             return Ok(self.cancel(reduced, divisor, factors));
         }
         Ok(Fraction { numerator: reduced, divisor, factors })
+    }
+
+    /// The numerator of `a` over the denominator of `b`. A factor that `a` itself has below the line does not
+    /// divide its numerator, so it is not tried again.
+    fn cancel_in_product(&mut self, a: &Fraction, b: &Fraction) -> Fraction {
+        if b.is_polynomial() {
+            return a.numerator.clone().into();
+        }
+        if a.factors.is_empty() {
+            return self.cancel(a.numerator.clone(), b.divisor.clone(), b.factors.clone());
+        }
+        let settled =
+            |power: &FactorPower| a.factors.iter().any(|own| own.factor == power.factor && own.exponent > 0);
+        let (kept, open): (Vec<FactorPower>, Vec<FactorPower>) =
+            b.factors.iter().partition(|power| settled(power));
+        let mut over = self.cancel(a.numerator.clone(), b.divisor.clone(), open);
+        over.factors = merge_powers(&over.factors, &kept);
+        over
+    }
+
+    /// aⁿ for a product of generators without a number, by its exponents.
+    fn power_of_generators(&mut self, a: &Fraction, n: u64) -> Result<Option<Fraction>, Obstacle> {
+        if !a.is_polynomial() || a.numerator.term_count() != 1 || !a.numerator.leading_coefficient().is_one()
+        {
+            return Ok(None);
+        }
+        let mut monomial = a.numerator.monomial_content();
+        for (_, exponent) in &mut monomial {
+            let raised = u64::from(*exponent).saturating_mul(n);
+            *exponent = u32::try_from(raised).unwrap_or(u32::MAX);
+            Self::check_exponent(*exponent)?;
+        }
+        Ok(Some(self.reduce(Polynomial::from_terms([(monomial, BigInt::one())]))?.into()))
     }
 
     /// 1/a, whose numerator becomes one or more known factors.
@@ -216,18 +256,24 @@ impl Tower {
             return self.integer_power(&inverse, -exponent);
         }
         Self::check_power(&a.numerator, exponent.unsigned_abs())?;
-        let mut result = Fraction::one();
+        if let Some(power) = self.power_of_generators(a, exponent.unsigned_abs())? {
+            return Ok(power);
+        }
+        let mut result: Option<Fraction> = None;
         let mut square = a.clone();
         let mut rest = exponent;
         while rest > 0 {
             if rest % 2 == 1 {
-                result = self.multiply(&result, &square)?;
+                result = Some(match result {
+                    Some(result) => self.multiply(&result, &square)?,
+                    None => square.clone(),
+                });
             }
             rest /= 2;
             if rest > 0 {
                 square = self.multiply(&square, &square.clone())?;
             }
         }
-        Ok(result)
+        Ok(result.unwrap_or_else(Fraction::one))
     }
 }

@@ -12,6 +12,7 @@
 //! zero needs no greatest common divisor.
 
 mod angle;
+mod common;
 mod derivation;
 mod factor;
 mod filter;
@@ -25,6 +26,7 @@ mod terms;
 mod tower;
 mod univariate;
 
+pub use common::Together;
 pub use derivation::Normal;
 pub use fraction::Fraction;
 pub use generator::{Generator, Unit};

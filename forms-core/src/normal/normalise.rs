@@ -35,7 +35,9 @@ pub fn normalise(tower: &mut Tower, pool: &Pool, roots: &[Expr]) -> Result<Norma
     let order = pool.reachable(roots);
     let within_atoms = arguments_of_atoms(pool, &order);
     for _ in 0..MOST_REFINEMENTS {
-        let wanted = |expression| within_atoms.contains(&expression) || is_atom(pool, expression);
+        let is_within =
+            |expression: Expr| within_atoms.get(expression.0 as usize).is_some_and(|within| *within);
+        let wanted = |expression| is_within(expression) || is_atom(pool, expression);
         match walk(tower, pool, &order, wanted) {
             Err(Obstacle::Refine) => tower.start_again(),
             result => {
@@ -61,8 +63,10 @@ impl Normalised {
         let mut provisional: FxHashSet<Expr> = FxHashSet::default();
         for &expression in &order {
             let missing = wanted(expression) && !tower.elements.contains_key(&expression);
-            let node = pool.node(expression);
-            let inherited = missing || node.operands().iter().any(|operand| provisional.contains(operand));
+            let mut inherited = missing;
+            if !provisional.is_empty() {
+                pool.node(expression).for_each_operand(|operand| inherited |= provisional.contains(&operand));
+            }
             let asked = tower.open_signs(expression);
             if !inherited {
                 open.extend(asked.iter().filter(|base| !open.contains(*base)).copied().collect::<Vec<_>>());
@@ -108,7 +112,7 @@ fn walk(
 ) -> Result<(), Obstacle> {
     tower.take_signs_asked();
     let elements = std::mem::take(&mut tower.elements);
-    let mut walk = Walk { tower, pool, elements };
+    let mut walk = Walk { tower, pool, elements, inverses: FxHashMap::default() };
     let result = walk.run(order, wanted);
     tower.elements = walk.elements;
     result
@@ -123,23 +127,32 @@ fn is_atom(pool: &Pool, expression: Expr) -> bool {
     }
 }
 
-fn arguments_of_atoms(pool: &Pool, order: &[Expr]) -> FxHashSet<Expr> {
-    let arguments: Vec<Expr> = order
-        .iter()
-        .filter(|&&expression| is_atom(pool, expression))
-        .flat_map(|&expression| pool.node(expression).operands())
-        .collect();
-    pool.reachable(&arguments).into_iter().collect()
+/// Whether each expression, by its number, is part of an atom's argument.
+fn arguments_of_atoms(pool: &Pool, order: &[Expr]) -> Vec<bool> {
+    let mut arguments: Vec<Expr> = Vec::new();
+    for &expression in order {
+        if is_atom(pool, expression) {
+            pool.node(expression).for_each_operand(|operand| arguments.push(operand));
+        }
+    }
+    let mut within = vec![false; arguments.iter().max().map_or(0, |last| last.0 as usize + 1)];
+    for expression in pool.reachable(&arguments) {
+        within[expression.0 as usize] = true;
+    }
+    within
 }
 
 struct Walk<'a> {
     tower: &'a mut Tower,
     pool: &'a Pool,
     elements: FxHashMap<Expr, Fraction>,
+    /// The inverses of divisors: the coefficients of a form are often divided by the same.
+    inverses: FxHashMap<Expr, Fraction>,
 }
 
 impl Walk<'_> {
     fn run(&mut self, order: &[Expr], wanted: impl Fn(Expr) -> bool) -> Result<(), Obstacle> {
+        self.elements.reserve(order.len().saturating_sub(self.elements.len()));
         for &expression in order {
             if !self.elements.contains_key(&expression) && wanted(expression) {
                 let element = self.element(expression)?;
@@ -163,8 +176,11 @@ impl Walk<'_> {
             Node::Negate(a) => Ok(self.tower.negate(&self.elements[a])),
             Node::Multiply(a, b) => self.tower.multiply(&self.elements[a], &self.elements[b]),
             Node::Divide(a, b) => {
-                let inverse = self.tower.inverse(&self.elements[b])?;
-                self.tower.multiply(&self.elements[a], &inverse)
+                if !self.inverses.contains_key(b) {
+                    let inverse = self.tower.inverse(&self.elements[b])?;
+                    self.inverses.insert(*b, inverse);
+                }
+                self.tower.multiply(&self.elements[a], &self.inverses[b])
             }
             Node::Power(a, exponent) => self.power(*a, *exponent),
             Node::Apply(operation, arguments) => self.function(*operation, arguments),

@@ -1,8 +1,11 @@
 //! The quotient rule in one step, for fractions whose generators are variables and roots of their polynomials.
 //!
-//! D(N ∏ Gⱼ^(−eⱼ/nⱼ)) = (DN ∏G − N Σ (eⱼ/nⱼ) DGⱼ ∏_{i≠j} Gᵢ) ∏ Gⱼ^(−eⱼ/nⱼ−1), the product over the factors that
-//! depend on the variable. All partial derivatives of one fraction get the same denominator, so that their sum
-//! in a divergence is a sum of numerators, and only the sum is looked at for common factors.
+//! With a = N ∏ Gⱼ^(−eⱼ/nⱼ), the product over the factors that depend on a variable xᵢ,
+//! ```text
+//! Σᵢ ±∂ᵢaᵢ = (∏G Σᵢ ±∂ᵢNᵢ − Σᵢ ±Nᵢ Lᵢ) ∏ Gⱼ^(−eⱼ/nⱼ−1),    Lᵢ = Σⱼ (eⱼ/nⱼ) ∂ᵢGⱼ ∏_{k≠j} G_k
+//! ```
+//! for fractions over one denominator, as the coefficients of a form mostly are. Their partial derivatives are summed
+//! before they are multiplied by ∏G, and only the sum is looked at for common factors.
 
 use super::factor::FactorPower;
 use super::fraction::Fraction;
@@ -14,83 +17,123 @@ use crate::polynomial::Polynomial;
 /// A factor Fᵉ, as G^(e/n) with a polynomial G in variables only.
 struct Plain {
     polynomial: Polynomial,
-    derivative: Polynomial,
-    power: FactorPower,
+    exponent: i32,
     order: u32,
 }
 
 impl Tower {
-    /// The derivative by the quotient rule, or nothing if a generator needs a chain rule of its own.
-    pub(super) fn plain_derivative(
+    /// Σ ±∂a/∂x by the quotient rule, not looked at for common factors; nothing if denominators differ or a generator
+    /// needs a chain rule of its own.
+    pub(super) fn plain_divergence(
         &mut self,
-        a: &Fraction,
-        by: Symbol,
+        terms: &[(i8, &Fraction, Symbol)],
     ) -> Result<Option<Fraction>, Obstacle> {
-        if !self.is_plain(&a.numerator) {
+        let Some(&(_, first, _)) = terms.first() else { return Ok(None) };
+        for (_, a, _) in terms {
+            if a.factors != first.factors || a.divisor != first.divisor || !self.is_plain(&a.numerator) {
+                return Ok(None);
+            }
+        }
+        let variables: Vec<u32> =
+            terms.iter().map(|term| self.variable_of(Generator::Variable(term.2))).collect();
+        let Some((dependent, factors)) = self.raised_factors(&first.factors, &variables) else {
             return Ok(None);
+        };
+        let mut numerators = Vec::with_capacity(terms.len());
+        let mut own = Polynomial::zero();
+        for (&(sign, a, _), &x) in terms.iter().zip(&variables) {
+            let partial = a.numerator.derivative(x);
+            own = if sign < 0 { own.sub(&partial) } else { own.add(&partial) };
+            numerators.push((i64::from(sign), &a.numerator, x));
         }
-        let x = self.variable_of(Generator::Variable(by));
-        let (mut dependent, mut factors) = (Vec::new(), Vec::new());
-        for power in &a.factors {
-            let Some(plain) = self.plain_factor(*power, x) else { return Ok(None) };
-            let raised = power.exponent + plain.order as i32;
-            let exponent = if plain.derivative.is_zero() { power.exponent } else { raised };
-            if exponent != 0 {
-                factors.push(FactorPower { exponent, ..*power });
-            }
-            if !plain.derivative.is_zero() {
-                dependent.push(plain);
-            }
-        }
-        let own = a.numerator.derivative(x);
         let order = dependent.iter().fold(1, |all, plain| num_integer::lcm(all, i64::from(plain.order)));
-        let numerator = match dependent.as_slice() {
-            [] => own,
-            [plain] => self.one_factor(&a.numerator, &own, plain)?,
-            several => self.several_factors(&a.numerator, &own, several, order)?,
+        let numerator = if dependent.is_empty() {
+            own
+        } else {
+            self.over_one_denominator(&own, &numerators, &dependent, order)?
         };
         if numerator.is_zero() {
             return Ok(Some(Fraction::zero()));
         }
-        Ok(Some(Fraction { numerator, divisor: &a.divisor * order, factors }))
+        Ok(Some(Fraction { numerator, divisor: &first.divisor * order, factors }))
     }
 
-    /// n DN G − e N DG
-    fn one_factor(
-        &mut self,
-        n: &Polynomial,
-        own: &Polynomial,
-        plain: &Plain,
-    ) -> Result<Polynomial, Obstacle> {
-        self.charge(own, &plain.polynomial)?;
-        self.charge(n, &plain.derivative)?;
-        let (order, exponent) = (i64::from(plain.order), i64::from(plain.power.exponent));
-        Ok(Polynomial::sum_of_products(&[(order, own, &plain.polynomial), (-exponent, n, &plain.derivative)]))
+    /// The factors that depend on one of the variables, and all factors with the exponents of a derivative.
+    fn raised_factors(
+        &self,
+        powers: &[FactorPower],
+        variables: &[u32],
+    ) -> Option<(Vec<Plain>, Vec<FactorPower>)> {
+        let (mut dependent, mut factors) = (Vec::new(), Vec::new());
+        for power in powers {
+            let plain = self.plain_factor(*power)?;
+            let depends = variables.iter().any(|&x| plain.polynomial.contains(x));
+            let exponent = power.exponent + if depends { plain.order as i32 } else { 0 };
+            if exponent != 0 {
+                factors.push(FactorPower { exponent, ..*power });
+            }
+            if depends {
+                dependent.push(plain);
+            }
+        }
+        Some((dependent, factors))
     }
 
-    fn several_factors(
+    /// n ∏G Σ ±∂ᵢNᵢ − Σ ±Nᵢ n Lᵢ with n the common order.
+    fn over_one_denominator(
         &mut self,
-        n: &Polynomial,
         own: &Polynomial,
+        numerators: &[(i64, &Polynomial, u32)],
         factors: &[Plain],
         order: i64,
     ) -> Result<Polynomial, Obstacle> {
-        let mut all = Polynomial::one();
-        let mut logarithmic = Polynomial::zero();
-        for plain in factors {
-            let share = order / i64::from(plain.order) * i64::from(plain.power.exponent);
-            let term = all.mul(&plain.derivative).scale(&share.into());
-            self.charge(&logarithmic, &plain.polynomial)?;
-            logarithmic = logarithmic.mul(&plain.polynomial).add(&term);
+        let mut all = factors[0].polynomial.clone();
+        for plain in &factors[1..] {
             self.charge(&all, &plain.polynomial)?;
             all = all.mul(&plain.polynomial);
         }
+        let mut logarithmic = Vec::with_capacity(numerators.len());
+        for (_, numerator, x) in numerators {
+            let sum = self.logarithmic_derivative(factors, order, *x)?;
+            self.charge(numerator, &sum)?;
+            logarithmic.push(sum);
+        }
         self.charge(own, &all)?;
-        self.charge(n, &logarithmic)?;
-        Ok(Polynomial::sum_of_products(&[(order, own, &all), (-1, n, &logarithmic)]))
+        let mut products = vec![(order, own, &all)];
+        for ((sign, numerator, _), sum) in numerators.iter().zip(&logarithmic) {
+            products.push((-sign, numerator, sum));
+        }
+        Ok(Polynomial::sum_of_products(&products))
     }
 
-    fn plain_factor(&self, power: FactorPower, x: u32) -> Option<Plain> {
+    /// n L = Σⱼ (n eⱼ/nⱼ) ∂Gⱼ ∏_{k≠j} G_k
+    fn logarithmic_derivative(
+        &mut self,
+        factors: &[Plain],
+        order: i64,
+        x: u32,
+    ) -> Result<Polynomial, Obstacle> {
+        let mut sum = Polynomial::zero();
+        let mut before = Polynomial::one();
+        for (place, plain) in factors.iter().enumerate() {
+            let share = order / i64::from(plain.order) * i64::from(plain.exponent);
+            let inner = plain.polynomial.derivative(x).scale(&share.into());
+            if place == 0 {
+                sum = inner;
+            } else {
+                self.charge(&sum, &plain.polynomial)?;
+                self.charge(&before, &inner)?;
+                sum = Polynomial::sum_of_products(&[(1, &sum, &plain.polynomial), (1, &before, &inner)]);
+            }
+            if place + 1 < factors.len() {
+                self.charge(&before, &plain.polynomial)?;
+                before = before.mul(&plain.polynomial);
+            }
+        }
+        Ok(sum)
+    }
+
+    fn plain_factor(&self, power: FactorPower) -> Option<Plain> {
         let factor = self.factor_polynomial(power.factor);
         let relation = self.factor_variable(power.factor).and_then(|variable| self.relation_of(variable));
         let (polynomial, order) = match relation {
@@ -99,12 +142,8 @@ impl Tower {
             }
             _ => (factor, 1),
         };
-        self.is_plain(polynomial).then(|| Plain {
-            polynomial: polynomial.clone(),
-            derivative: polynomial.derivative(x),
-            power,
-            order,
-        })
+        let plain = Plain { polynomial: polynomial.clone(), exponent: power.exponent, order };
+        self.is_plain(polynomial).then_some(plain)
     }
 
     fn is_plain(&self, polynomial: &Polynomial) -> bool {

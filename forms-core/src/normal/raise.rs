@@ -108,10 +108,16 @@ impl Tower {
     }
 
     fn raise_function(&self, pool: &mut Pool, operation: Operation, unit: &Unit, halves: u32) -> Expr {
-        let mut quantity = self.quantity(&unit.quantity);
-        quantity.divisor *= BigInt::from(unit.divisor * halves);
-        let argument = self.raise(pool, &quantity);
+        let unit = Unit { divisor: unit.divisor * halves, ..unit.clone() };
+        let argument = self.raise_unit(pool, &unit);
         pool.apply(operation, &[argument])
+    }
+
+    /// The angle or exponent that a generator is a function of.
+    pub fn raise_unit(&self, pool: &mut Pool, unit: &Unit) -> Expr {
+        let mut quantity = self.quantity(&unit.quantity);
+        quantity.divisor *= BigInt::from(unit.divisor);
+        self.raise(pool, &quantity)
     }
 }
 

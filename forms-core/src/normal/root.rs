@@ -4,6 +4,7 @@
 //! |c ∏ gᵢ^eᵢ|^r = |c|^r ∏ (σᵢ gᵢ)^(r eᵢ), and (σᵢ gᵢ)^(1/n) is a generator. A factor whose sign matters and
 //! is not known is reported; whoever decides goes through the cases.
 
+use super::factor::FactorPower;
 use super::fraction::Fraction;
 use super::generator::Generator;
 use super::tower::{Obstacle, Tower, Trigonometry};
@@ -148,7 +149,24 @@ impl Tower {
         }
         let root = self.root(base, order, negative);
         let times = (exponent * Ratio::from_integer(i64::from(order))).to_integer();
-        self.integer_power(&root, times)
+        self.root_power(root, order, times)
+    }
+
+    /// ρᵏ. Where ρⁿ is a sum, a power from n on is kept as a known factor, so that the sum is multiplied out only
+    /// where another sum needs it.
+    fn root_power(&mut self, root: u32, order: u32, times: i64) -> Result<Fraction, Obstacle> {
+        let radicand_terms = self.relation_of(root).map_or(1, |relation| relation.value.term_count());
+        let exponent = match i32::try_from(times) {
+            Ok(exponent) if radicand_terms > 1 && times >= i64::from(order) => exponent,
+            _ => return self.integer_power(&Polynomial::variable(root).into(), times),
+        };
+        Self::check_exponent(exponent.unsigned_abs())?;
+        let factor = self.factor(Polynomial::variable(root));
+        Ok(Fraction {
+            numerator: Polynomial::one(),
+            divisor: BigInt::one(),
+            factors: vec![FactorPower { factor, exponent: -exponent }],
+        })
     }
 
     /// Whether −g is the positive one; asks for the sign unless an even power makes it irrelevant.
@@ -163,12 +181,13 @@ impl Tower {
         self.bases[base].sign == Some(Sign::Negative)
     }
 
-    fn root(&mut self, base: usize, order: u32, negated: bool) -> Fraction {
+    /// The generator ρ with ρⁿ = ±g.
+    fn root(&mut self, base: usize, order: u32, negated: bool) -> u32 {
         let polynomial = &self.bases[base].polynomial;
         let value = if negated { polynomial.neg() } else { polynomial.clone() };
         let variable = self.variable_of(Generator::Root { base, order, negated });
         self.bind(variable, order, value);
-        Polynomial::variable(variable).into()
+        variable
     }
 
     /// Whether a generator is the root of ±g with the sign that g has here. One of another case is imaginary.

@@ -7,6 +7,7 @@ use crate::expression::Expr;
 use crate::polynomial::Polynomial;
 use num_traits::Signed;
 use rustc_hash::FxHashMap;
+use std::collections::BTreeSet;
 
 /// Products of terms, weighted by the words of their coefficients, that one statement may cost before its normal
 /// form is given up: a few seconds of work.
@@ -116,12 +117,15 @@ impl Tower {
         self.trigonometry
     }
 
+    /// The generators that occur in a fraction.
+    pub fn variables_of(&self, fraction: &Fraction) -> BTreeSet<u32> {
+        let factors = fraction.factors.iter().map(|power| self.factor_polynomial(power.factor));
+        std::iter::once(&fraction.numerator).chain(factors).flat_map(Polynomial::variables).collect()
+    }
+
     /// Whether a sine, cosine or half-angle tangent occurs in a fraction.
     pub fn mentions_trigonometry(&self, fraction: &Fraction) -> bool {
-        let factors = fraction.factors.iter().map(|power| self.factor_polynomial(power.factor));
-        std::iter::once(&fraction.numerator)
-            .chain(factors)
-            .any(|polynomial| polynomial.variables().into_iter().any(|v| self.is_trigonometric(v)))
+        self.variables_of(fraction).into_iter().any(|variable| self.is_trigonometric(variable))
     }
 
     /// Fixes the signs that bases of radicands have in the region considered; all others are open, and taken
@@ -203,6 +207,14 @@ impl Tower {
     pub fn element(&mut self, generator: Generator) -> Fraction {
         let variable = self.variable_of(generator);
         Fraction::from(Polynomial::variable(variable))
+    }
+
+    /// The generators in the order in which they came, each with n and f where a relation ρⁿ = f binds it.
+    pub fn generators(&self) -> impl Iterator<Item = (u32, &Generator, Option<(u32, &Polynomial)>)> {
+        self.generators.iter().enumerate().map(|(number, generator)| {
+            let relation = self.relation_of(number as u32);
+            (number as u32, generator, relation.map(|relation| (relation.order, &relation.value)))
+        })
     }
 
     /// Binds a generator by ρⁿ = value, once.

@@ -15,7 +15,7 @@ const LONGEST: u64 = 20_000;
 
 /// How tightly the outermost operator binds.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Binding {
+pub(super) enum Binding {
     Sum,
     Product,
     Fraction,
@@ -23,18 +23,18 @@ enum Binding {
     Atom,
 }
 
-struct Written {
-    latex: String,
-    binding: Binding,
+pub(super) struct Written {
+    pub(super) latex: String,
+    pub(super) binding: Binding,
 }
 
 impl Written {
-    fn within(&self, needed: Binding) -> String {
+    pub(super) fn within(&self, needed: Binding) -> String {
         if self.binding >= needed { self.latex.clone() } else { bracketed(&self.latex) }
     }
 }
 
-fn bracketed(latex: &str) -> String {
+pub(super) fn bracketed(latex: &str) -> String {
     format!("\\left({latex}\\right)")
 }
 
@@ -208,7 +208,7 @@ fn raised(order: u32) -> String {
     if order == 1 { String::new() } else { format!("^{{{order}}}") }
 }
 
-fn number(value: &Rational) -> (String, Binding) {
+pub(super) fn number(value: &Rational) -> (String, Binding) {
     let magnitude = value.abs();
     let (latex, binding) = if value.denom().is_one() {
         (magnitude.to_string(), Binding::Atom)

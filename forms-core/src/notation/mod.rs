@@ -3,6 +3,7 @@
 //! ```text
 //! Value ── simplify (normal form and back) ──▶ Value ─┬─ text  ──▶ the language itself
 //!                                                     └─ latex ──▶ typeset mathematics
+//! ast::Expr ─ written ─▶ typeset mathematics, as its author wrote it
 //! ```
 //! Notation only shows: nothing is decided here, and no kernel is lowered from what has been simplified.
 
@@ -11,7 +12,9 @@ mod name;
 mod simplify;
 mod sum;
 mod text;
+mod written;
 
 pub use latex::{latex, latex_of_expression, latex_of_name, latex_of_relation};
 pub use simplify::{simplify, simplify_expression};
 pub use text::text;
+pub use written::{latex_as_written, latex_of_condition};

@@ -38,7 +38,7 @@ impl Polynomial {
         }
     }
 
-    fn scale_small(&self, factor: i64) -> Self {
+    pub(super) fn scale_small(&self, factor: i64) -> Self {
         if factor == 0 {
             return Self::zero();
         }

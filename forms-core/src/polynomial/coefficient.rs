@@ -75,6 +75,14 @@ pub(super) trait Coefficient: Clone + PartialEq + From<i64> + 'static {
     fn holds(bound: Option<u128>) -> bool;
     /// The coefficients as numbers of this type; they must fit, which the bound of the result ensures.
     fn view(coefficients: &Coefficients) -> Cow<'_, [Self]>;
+    /// The numbers as machine words, on the lowest rung.
+    fn words(_: &[Self]) -> Option<&[i64]> {
+        None
+    }
+    /// The same to be written to.
+    fn words_mut(_: &mut [Self]) -> Option<&mut [i64]> {
+        None
+    }
     /// The coefficients on the lowest rung that holds them.
     fn settle(numbers: Vec<Self>) -> Coefficients;
 }
@@ -132,6 +140,14 @@ impl Coefficient for i64 {
                 numbers.iter().map(|number| number.to_i64().expect("the bound fits 64 bits")).collect()
             }
         }
+    }
+
+    fn words(numbers: &[i64]) -> Option<&[i64]> {
+        Some(numbers)
+    }
+
+    fn words_mut(numbers: &mut [i64]) -> Option<&mut [i64]> {
+        Some(numbers)
     }
 
     fn settle(numbers: Vec<i64>) -> Coefficients {

@@ -41,6 +41,12 @@ impl Polynomial {
             let (monomial, number) = divisor.terms().next()?;
             return self.divide_by_monomial(&monomial)?.divide_by_integer(&number);
         }
+        if self.term_count() == 1 {
+            return None;
+        }
+        if self.layout == divisor.layout && self.monomial(0) == divisor.monomial(0) {
+            return self.divide_by_multiple(divisor);
+        }
         if !self.may_be_divisible_by(divisor) {
             return None;
         }
@@ -53,6 +59,16 @@ impl Polynomial {
                 Outcome::Beyond => rung = Rung::Big,
             }
         }
+    }
+
+    /// f/g for leading terms that differ by a number: that number is the quotient or there is none.
+    fn divide_by_multiple(&self, divisor: &Self) -> Option<Self> {
+        if self.monomials != divisor.monomials {
+            return None;
+        }
+        let (factor, remainder) = self.leading_coefficient().div_rem(&divisor.leading_coefficient());
+        let multiple = remainder == BigInt::ZERO && *self == divisor.scale(&factor);
+        multiple.then(|| Self::constant(factor))
     }
 
     fn divide_by_integer(&self, divisor: &BigInt) -> Option<Self> {

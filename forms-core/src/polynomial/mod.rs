@@ -102,6 +102,14 @@ impl Polynomial {
         self.is_constant().then(|| self.leading_coefficient())
     }
 
+    /// The value of a constant other than 0 that fits 64 bits.
+    fn as_small_constant(&self) -> Option<i64> {
+        match &self.coefficients {
+            Coefficients::Small(numbers) if self.is_constant() => numbers.first().copied(),
+            _ => None,
+        }
+    }
+
     /// The number of terms.
     pub fn term_count(&self) -> usize {
         self.coefficients.len()
@@ -172,10 +180,17 @@ impl Polynomial {
     /// The greatest exponent of each field of the layout.
     fn degrees(&self) -> Vec<u32> {
         let mut degrees = vec![0; self.layout.fields()];
+        let (bits, mask) = (self.layout.bits, self.layout.mask());
         for term in 0..self.term_count() {
-            for (variable, exponent) in self.layout.unpack(self.monomial(term)) {
-                let degree: &mut u32 = &mut degrees[variable as usize];
-                *degree = (*degree).max(exponent);
+            for (word, fields) in self.monomial(term).iter().zip(degrees.chunks_mut(self.layout.per_word())) {
+                let mut rest = *word;
+                while rest != 0 {
+                    let field = rest.leading_zeros() / bits;
+                    let shift = 64 - bits * (field + 1);
+                    let degree: &mut u32 = &mut fields[field as usize];
+                    *degree = (*degree).max((rest >> shift & mask) as u32);
+                    rest &= !(mask << shift);
+                }
             }
         }
         degrees

@@ -97,7 +97,24 @@ impl Polynomial {
     /// # Panics
     /// If an exponent of the product is beyond 2³¹ − 1.
     pub fn multiply_by_monomial(&self, monomial: &[(u32, u32)]) -> Self {
-        self.mul(&Self::from_terms([(monomial.to_vec(), BigInt::from(1))]))
+        self.shifted_in_place(monomial)
+            .unwrap_or_else(|| self.mul(&Self::from_terms([(monomial.to_vec(), BigInt::from(1))])))
+    }
+
+    /// f·m on the layout of f, where every exponent stays below its guard.
+    fn shifted_in_place(&self, monomial: &[(u32, u32)]) -> Option<Self> {
+        let mut monomials = self.monomials.clone();
+        for &(variable, exponent) in monomial {
+            let (word, shift) = self.layout.field(variable)?;
+            let (mask, exponent) = (self.layout.mask(), u64::from(exponent));
+            for place in monomials.iter_mut().skip(word).step_by(self.layout.words) {
+                if 2 * ((*place >> shift & mask) + exponent) > mask {
+                    return None;
+                }
+                *place += exponent << shift;
+            }
+        }
+        Some(Polynomial { layout: self.layout, monomials, coefficients: self.coefficients.clone() })
     }
 
     /// f/m, where m divides every term.

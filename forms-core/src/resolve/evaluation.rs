@@ -9,6 +9,7 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Condition, Expr, FunctionId, Symbol};
 use crate::syntax::ast::{self, Binary, ExprKind, Name, Relation};
 use num_traits::Zero;
+use rustc_hash::FxHashMap;
 
 /// The most nodes the expressions of a file may have.
 const MOST_NODES: usize = 1_000_000;
@@ -24,11 +25,16 @@ pub(super) struct Evaluator<'a> {
     pub(super) declared: &'a super::items::Declarations,
     /// What the statement says of the points that it speaks of.
     pub(super) given: Vec<Condition>,
+    /// What each part of the source was evaluated to, where that is wanted.
+    pub(super) trace: Option<Trace>,
 }
+
+/// The value of each expression of a source, by its place.
+pub type Trace = FxHashMap<Span, Value>;
 
 impl<'a> Evaluator<'a> {
     pub(super) fn new(theory: &'a mut Theory, declared: &'a super::items::Declarations) -> Self {
-        Evaluator { theory, scope: Scope::default(), declared, given: Vec::new() }
+        Evaluator { theory, scope: Scope::default(), declared, given: Vec::new(), trace: None }
     }
 
     pub(super) fn ring(&mut self) -> Structured<'_> {
@@ -60,6 +66,9 @@ impl<'a> Evaluator<'a> {
         while let Some((operator, place, left_span, right)) = spine.pop() {
             value = self.binary(operator, place, (value, left_span), right)?;
             self.check_size(place)?;
+        }
+        if let Some(trace) = &mut self.trace {
+            trace.insert(expression.span, value.clone());
         }
         Ok(value)
     }

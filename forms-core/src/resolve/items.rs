@@ -1,6 +1,6 @@
 //! The items of a file in order: each declares a name or makes a claim.
 
-use super::evaluation::{Evaluated, Evaluator, POISONED};
+use super::evaluation::{Evaluated, Evaluator, POISONED, Trace};
 use super::theory::{Chart, Map, Named, Object, Theory};
 use super::value::Value;
 use crate::calculus::{Coordinate, MAXIMUM_COORDINATES};
@@ -28,23 +28,36 @@ impl Declarations {
 
 /// Resolves a whole file: what it declares and claims, and everything that is wrong with it.
 pub fn resolve(file: &ast::File) -> (Theory, Vec<Diagnostic>) {
-    let mut resolver =
-        Resolver { theory: Theory::default(), declared: Declarations::default(), errors: vec![] };
-    for item in &file.items {
-        resolver.item(item);
-    }
-    resolver.attribute_statements();
-    resolver.errors.retain(|error| error.message != POISONED);
+    let mut resolver = Resolver::default();
+    resolver.file(file);
     (resolver.theory, resolver.errors)
 }
 
+/// Resolves a whole file and notes what each of its expressions is evaluated to.
+pub fn resolve_traced(file: &ast::File) -> (Theory, Trace) {
+    let mut resolver = Resolver { trace: Some(Trace::default()), ..Resolver::default() };
+    resolver.file(file);
+    (resolver.theory, resolver.trace.unwrap_or_default())
+}
+
+#[derive(Default)]
 pub(super) struct Resolver {
     pub(super) theory: Theory,
     pub(super) declared: Declarations,
     pub(super) errors: Vec<Diagnostic>,
+    /// The values of all expressions so far, where they are wanted.
+    trace: Option<Trace>,
 }
 
 impl Resolver {
+    fn file(&mut self, file: &ast::File) {
+        for item in &file.items {
+            self.item(item);
+        }
+        self.attribute_statements();
+        self.errors.retain(|error| error.message != POISONED);
+    }
+
     fn item(&mut self, item: &Item) {
         let result = match &item.kind {
             ItemKind::Chart { name, coordinates, conditions } => self.chart(name, coordinates, conditions),
@@ -74,8 +87,11 @@ impl Resolver {
         body: impl FnOnce(&mut Evaluator) -> Evaluated<T>,
     ) -> Evaluated<(T, Vec<Condition>, Vec<Symbol>)> {
         let mut evaluator = Evaluator::new(&mut self.theory, &self.declared);
-        let result = body(&mut evaluator)?;
-        let (domain, used) = evaluator.scope.into_parts();
+        evaluator.trace = self.trace.take();
+        let result = body(&mut evaluator);
+        let Evaluator { scope, trace, .. } = evaluator;
+        self.trace = trace;
+        let (result, (domain, used)) = (result?, scope.into_parts());
         Ok((result, domain, used))
     }
 
@@ -307,7 +323,8 @@ impl Resolver {
             let (source, target) = (evaluator.chart(source)?, evaluator.chart(target)?);
             let values: Vec<Expr> =
                 components.iter().map(|component| evaluator.scalar(component)).collect::<Evaluated<_>>()?;
-            Ok(Map { source, target, components: values, domain: vec![], used: vec![] })
+            let name = name.text.clone();
+            Ok(Map { name, source, target, components: values, domain: vec![], used: vec![] })
         })?;
         self.check_map(&map, name, components)?;
         (map.domain, map.used) = (domain, used);

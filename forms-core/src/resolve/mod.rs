@@ -25,6 +25,7 @@ mod statement;
 mod theory;
 mod value;
 
-pub use items::resolve;
+pub use evaluation::Trace;
+pub use items::{resolve, resolve_traced};
 pub use theory::{Chart, Kernel, Map, Named, NamedMetric, Object, Statement, Theory};
 pub use value::Value;

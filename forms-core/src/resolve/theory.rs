@@ -21,6 +21,8 @@ pub struct Chart {
 /// A map from one chart to another.
 #[derive(Clone, Debug)]
 pub struct Map {
+    /// Its name.
+    pub name: String,
     /// The number of the chart it starts from.
     pub source: usize,
     /// The number of the chart it ends in.

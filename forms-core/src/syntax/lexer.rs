@@ -98,7 +98,8 @@ pub fn lex(text: &str) -> (Vec<Token>, Vec<Diagnostic>) {
         let message = format!("a text has at most {} bytes", u32::MAX);
         return (Vec::new(), vec![Diagnostic::new(Span::default(), message)]);
     }
-    let mut lexer = Lexer { text, position: 0, tokens: Vec::new(), diagnostics: Vec::new() };
+    let mut lexer =
+        Lexer { text, position: 0, tokens: Vec::with_capacity(text.len() / 4), diagnostics: Vec::new() };
     lexer.skip_byte_order_mark();
     while lexer.position < text.len() {
         lexer.step();
@@ -226,7 +227,9 @@ fn starts_number(text: &str) -> bool {
 
 /// The longest symbol a text begins with.
 fn symbol(text: &str) -> Option<Symbol> {
-    Symbol::ALL.iter().copied().find(|symbol| text.starts_with(symbol.text()))
+    let first = text.as_bytes().first()?;
+    let begins = |symbol: &&Symbol| symbol.text().as_bytes()[0] == *first && text.starts_with(symbol.text());
+    Symbol::ALL.iter().find(begins).copied()
 }
 
 fn begins_something(c: char, rest: &str) -> bool {

@@ -1,5 +1,8 @@
 //! The words that are not free to be names, in one table.
 
+use rustc_hash::FxHashMap;
+use std::sync::OnceLock;
+
 /// Why a word is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Word {
@@ -69,13 +72,12 @@ const RUST: &[&str] = &[
 
 /// Why `text` cannot be a name; `None` if it can. Words of both languages count as words of this one.
 pub fn reserved(text: &str) -> Option<Word> {
-    if ITEMS.contains(&text) || INSIDE.contains(&text) {
-        Some(Word::Item)
-    } else if FUNCTIONS.contains(&text) {
-        Some(Word::Function)
-    } else if RUST.contains(&text) {
-        Some(Word::Rust)
-    } else {
-        None
-    }
+    static WORDS: OnceLock<FxHashMap<&str, Word>> = OnceLock::new();
+    let words = WORDS.get_or_init(|| {
+        let lists =
+            [(RUST, Word::Rust), (FUNCTIONS, Word::Function), (INSIDE, Word::Item), (ITEMS, Word::Item)];
+        let pairs = lists.into_iter().flat_map(|(list, word)| list.iter().map(move |text| (*text, word)));
+        pairs.collect()
+    });
+    words.get(text).copied()
 }

@@ -15,6 +15,10 @@ pub(crate) trait Algebra {
         calculus::wedge(ring, a, b)
     }
 
+    fn power<R: Coefficients>(&self, ring: &mut R, w: &Form<R::Scalar>, exponent: u32) -> Form<R::Scalar> {
+        calculus::power(ring, w, exponent)
+    }
+
     fn d<R: Coefficients>(&self, ring: &mut R, w: &Form<R::Scalar>, along: &[Coordinate]) -> Form<R::Scalar> {
         calculus::exterior_derivative(ring, w, along)
     }

@@ -75,6 +75,11 @@ fn the_wedge_product_is_associative() {
 }
 
 #[test]
+fn powers_are_repeated_products() {
+    holds(Law::PowerIsTheRepeatedProduct);
+}
+
+#[test]
 fn the_lie_derivative_by_components_is_that_of_cartan() {
     holds(Law::Cartan);
 }

@@ -16,6 +16,8 @@ pub(crate) enum Law {
     GradedCommutativity,
     /// (a∧b)∧c = a∧(b∧c)
     Associativity,
+    /// wᵐ = w∧…∧w
+    PowerIsTheRepeatedProduct,
     /// L_X a = d i_X a + i_X da
     Cartan,
     /// L_X i_Y a − i_Y L_X a = i_[X,Y] a
@@ -71,6 +73,7 @@ impl Law {
             Law::Leibniz => leibniz(ring, algebra, scene),
             Law::GradedCommutativity => commutativity(ring, algebra, scene),
             Law::Associativity => associativity(ring, algebra, scene),
+            Law::PowerIsTheRepeatedProduct => powers(ring, algebra, scene),
             Law::Cartan => cartan(ring, algebra, scene),
             Law::LieAndInterior => lie_and_interior(ring, algebra, scene),
             Law::InteriorIsAnAntiderivation => antiderivation(ring, algebra, scene),
@@ -130,6 +133,21 @@ fn associativity<R: Coefficients>(
     let (ab, bc) = (algebra.wedge(ring, a, b), algebra.wedge(ring, b, c));
     let (left, right) = (algebra.wedge(ring, &ab, c), algebra.wedge(ring, a, &bc));
     difference(ring, &left, &right)
+}
+
+/// For the forms of the scene and for dc, whose terms meet more often.
+fn powers<R: Coefficients>(ring: &mut R, algebra: &impl Algebra, scene: &Scene<R::Scalar>) -> Vec<R::Scalar> {
+    let dc = algebra.d(ring, &scene.c, &scene.coordinates);
+    let mut defects = Vec::new();
+    for w in [&scene.a, &scene.b, &dc] {
+        let mut product = w.clone();
+        for exponent in 2..=3 {
+            product = algebra.wedge(ring, &product, w);
+            let power = algebra.power(ring, w, exponent);
+            defects.extend(difference(ring, &power, &product));
+        }
+    }
+    defects
 }
 
 fn cartan<R: Coefficients>(ring: &mut R, algebra: &impl Algebra, scene: &Scene<R::Scalar>) -> Vec<R::Scalar> {

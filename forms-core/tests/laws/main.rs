@@ -9,6 +9,7 @@ mod law;
 mod mutants;
 mod normal_forms;
 mod permutations;
+mod quotients;
 mod rejecting;
 mod scene;
 mod traps;

@@ -14,6 +14,12 @@ pub(crate) enum Mutant {
     WedgeLosingOneSign,
     /// dx∧dx is not zero; it stands at another basis form of its degree.
     WedgeKeepingSquares,
+    /// γ_m(w) for m! γ_m(w)
+    PowerTakingEachSetOnce,
+    /// Sets whose blades interleave are left out.
+    PowerOfNeighboursAlone,
+    /// The terms of a form of odd degree are taken to commute.
+    PowerOfOddFormsAsOfEvenOnes,
     /// The last coordinate is not differentiated by.
     DerivativeSkippingACoordinate,
     /// ∂ᵢw_I goes to dx_I∪i without a sign.
@@ -88,6 +94,28 @@ impl Algebra for Mutant {
                 left.wedge(right).or_else(|| crowded(left, right).map(|blade| (blade, 1)))
             }),
             _ => Genuine.wedge(ring, a, b),
+        }
+    }
+
+    fn power<R: Coefficients>(&self, ring: &mut R, w: &Form<R::Scalar>, exponent: u32) -> Form<R::Scalar> {
+        let first = |blade: Blade| blade.coordinates().next();
+        let last = |blade: Blade| blade.coordinates().last();
+        let even = w.degree() > 0 && w.degree() % 2 == 0;
+        let repeated = |ring: &mut R, rule: &dyn Fn(Blade, Blade) -> Option<(Blade, i8)>| {
+            (1..exponent).fold(w.clone(), |product, _| wedge_by(ring, w, &product, rule))
+        };
+        match self {
+            Mutant::PowerTakingEachSetOnce if even => repeated(ring, &|left, right| {
+                if first(left) < first(right) { left.wedge(right) } else { None }
+            }),
+            Mutant::PowerOfNeighboursAlone if even => repeated(ring, &|left, right| {
+                let apart = last(left) < first(right) || last(right) < first(left);
+                if apart { left.wedge(right) } else { None }
+            }),
+            Mutant::PowerOfOddFormsAsOfEvenOnes if w.degree() % 2 == 1 => {
+                repeated(ring, &|left, right| left.wedge(right).map(|(blade, _)| (blade, 1)))
+            }
+            _ => Genuine.power(ring, w, exponent),
         }
     }
 

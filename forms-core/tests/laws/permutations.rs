@@ -2,9 +2,9 @@
 //! shared with the calculus but the coefficients.
 
 use super::equality::vanish;
-use super::scene::{World, draft};
-use forms_core::calculus::{Blade, Coordinate, Form, exterior_derivative, wedge};
-use forms_core::expression::Expr;
+use super::scene::{World, blades, draft};
+use forms_core::calculus::{Blade, Coordinate, Form, exterior_derivative, power, wedge};
+use forms_core::expression::{Expr, SymbolKind};
 use proptest::prelude::*;
 use std::collections::HashMap;
 
@@ -121,6 +121,78 @@ proptest! {
         let defects = differences(&mut world, &fast, &slow);
         prop_assert!(vanish(&world, &defects));
     }
+}
+
+/// Σ w_I dx_I over all basis forms of a degree, each coefficient a parameter of its own.
+fn generic_form(world: &mut World, degree: u32) -> Form<Expr> {
+    let blades = blades(&world.coordinates(), degree);
+    let terms = blades.into_iter().enumerate().map(|(number, blade)| {
+        let symbol = world.pool.declare_symbol(format!("w{number}"), SymbolKind::Parameter);
+        (blade, world.pool.symbol(symbol))
+    });
+    Form::from_terms(degree, terms.collect::<Vec<_>>())
+}
+
+/// (wᵐ)_{1…n} = 1/(p!)ᵐ Σ_σ sgn σ w_{σ(1)…σ(p)} ⋯ w_{σ(n−p+1)…σ(n)} for a p-form w, where n = m p.
+fn slow_top_power(world: &mut World, w: &Form<Expr>) -> Expr {
+    let degree = w.degree() as usize;
+    let dimension = world.symbols.len();
+    let components = tensor(world, w);
+    let mut sum = world.pool.integer(0);
+    for (sign, order) in permutations(dimension) {
+        let mut term = world.pool.integer(sign);
+        for part in order.chunks(degree) {
+            term = world.pool.multiply(term, components[part]);
+        }
+        sum = world.pool.add(sum, term);
+    }
+    let orders = (1..=degree as i64).product::<i64>().pow((dimension / degree) as u32);
+    let share = world.pool.ratio(1, orders);
+    world.pool.multiply(share, sum)
+}
+
+#[test]
+fn top_powers_of_generic_forms_are_their_permutation_sums() {
+    for (dimension, degree) in [(2, 1), (4, 2), (6, 2), (3, 1), (6, 3)] {
+        let mut world = World::new(dimension);
+        let w = generic_form(&mut world, degree);
+        let exponent = u32::from(dimension) / degree;
+        let fast = power(&mut world.ring(), &w, exponent);
+        let zero = world.pool.integer(0);
+        let top = fast.terms().first().map_or(zero, |term| term.1);
+        let slow = slow_top_power(&mut world, &w);
+        let defect = world.pool.subtract(top, slow);
+        assert!(fast.terms().len() <= 1 && vanish(&world, &[defect]), "R^{dimension}, degree {degree}");
+    }
+}
+
+#[test]
+fn powers_of_generic_forms_are_repeated_products() {
+    for (dimension, degree, largest) in [(3, 0, 5), (5, 1, 3), (6, 2, 4), (7, 2, 3), (8, 4, 3), (9, 4, 2)] {
+        let mut world = World::new(dimension);
+        let w = generic_form(&mut world, degree);
+        let mut product = w.clone();
+        for exponent in 2..=largest {
+            product = wedge(&mut world.ring(), &product, &w);
+            let fast = power(&mut world.ring(), &w, exponent);
+            assert_eq!(fast.degree(), product.degree());
+            let negated = product.negate(&mut world.ring());
+            let defects = fast.add(&mut world.ring(), &negated);
+            let defects: Vec<Expr> = defects.terms().iter().map(|term| term.1).collect();
+            assert!(vanish(&world, &defects), "R^{dimension}, degree {degree}, exponent {exponent}");
+        }
+    }
+}
+
+#[test]
+fn the_power_0_is_1_and_powers_beyond_the_dimension_are_0() {
+    let mut world = World::new(4);
+    let w = generic_form(&mut world, 2);
+    let one = world.pool.integer(1);
+    assert_eq!(power(&mut world.ring(), &w, 0), Form::scalar(&world.ring(), one));
+    assert_eq!(power(&mut world.ring(), &w, 1), w);
+    assert_eq!(power(&mut world.ring(), &w, 3), Form::zero(6));
+    assert!(power(&mut world.ring(), &w, u32::MAX).is_zero());
 }
 
 #[test]

@@ -71,6 +71,14 @@ fn a_wedge_that_keeps_squares_breaks_commutativity_and_the_antiderivation() {
 }
 
 #[test]
+fn powers_that_miss_orders_or_signs_are_no_repeated_products() {
+    let laws = [Law::PowerIsTheRepeatedProduct];
+    assert_broken(Mutant::PowerTakingEachSetOnce, &laws, &[]);
+    assert_broken(Mutant::PowerOfNeighboursAlone, &laws, &[]);
+    assert_broken(Mutant::PowerOfOddFormsAsOfEvenOnes, &laws, &[]);
+}
+
+#[test]
 fn a_derivative_that_skips_a_coordinate_breaks_cartan_and_naturality() {
     let laws = [Law::Cartan, Law::LieCommutesWithDerivative];
     let map_laws = [MapLaw::Derivatives];

@@ -105,7 +105,7 @@ fn repeated_squaring_ends() {
     for _ in 0..60 {
         power = pool.multiply(power, power);
     }
-    assert_eq!(value(&pool, power, &[(x, number(3, 1))]), Err(Undecided::Unknown));
+    assert_eq!(value(&pool, power, &[(x, number(3, 1))]), Err(Undecided::TooLarge));
     assert!(value(&pool, power, &[(x, number(1, 3))]).unwrap().is_nonnegative());
 }
 
@@ -129,4 +129,17 @@ fn precision_mixes_to_the_higher() {
     let sum = Enclosure::pi(Precision(40)).add(&at(1, 3, Precision(100)));
     assert_eq!(sum.precision(), Precision(100));
     assert!(sum.encloses(&Enclosure::pi(Precision(200)).add(&at(1, 3, Precision(200)))));
+}
+
+#[test]
+fn a_power_too_large_to_write_down_is_so_at_every_precision() {
+    let (mut pool, [x, y], [a, b]) = plane();
+    let power = pool.power(a, 1_000_000.into());
+    let logarithm = pool.apply(Operation::Log, &[b]);
+    let sum = pool.add(power, logarithm);
+    assert_eq!(value(&pool, power, &[(x, number(3, 2))]), Err(Undecided::TooLarge));
+    assert_eq!(value(&pool, sum, &[(x, number(3, 2))]), Err(Undecided::TooLarge));
+    assert_eq!(value(&pool, sum, &[(x, number(3, 2)), (y, number(-1, 1))]), Err(Undecided::Undefined));
+    assert_eq!(value(&pool, power, &[(x, number(-1, 1))]), Ok(number(1, 1)));
+    assert!(value(&pool, power, &[(x, number(1, 2))]).unwrap().is_nonnegative());
 }

@@ -16,7 +16,7 @@ type Decided = Result<Enclosure, Undecided>;
 type Function<'a> = &'a dyn Fn(&[Enclosure]) -> Decided;
 
 /// x ∈ X ⇒ f(x) ∈ f(X): a box with an image contains only points with values, and those lie in the image.
-/// A box that is undefined contains only undefined points.
+/// A box that is undefined contains only undefined points, one that is too large none with a value.
 fn respects_inclusion(boxed: Function, truth: Function, ends: &[[Rational; 2]], share: &Rational) -> bool {
     let boxes: Vec<Enclosure> = ends.iter().map(|[a, b]| Enclosure::between(a, b, LOW)).collect();
     let points: Vec<Enclosure> =
@@ -25,6 +25,7 @@ fn respects_inclusion(boxed: Function, truth: Function, ends: &[[Rational; 2]], 
         (Ok(image), Ok(value)) => image.encloses(&value),
         (Ok(_), Err(_)) => false,
         (Err(Undecided::Undefined), value) => value == Err(Undecided::Undefined),
+        (Err(Undecided::TooLarge), value) => value.is_err(),
         (Err(Undecided::Unknown), _) => true,
     }
 }

@@ -4,6 +4,7 @@ mod digits;
 mod domain;
 mod graph;
 mod laws;
+mod word;
 
 use super::{Enclosure, Precision};
 use crate::expression::Rational;

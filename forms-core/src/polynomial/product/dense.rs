@@ -8,14 +8,16 @@
 //! cache; blocks are filled and read out in decreasing order, so the result comes out sorted. Terms with
 //! consecutive places are runs, and the inner loop adds a multiple of a run to consecutive places.
 
+use super::lanes::{self, Padded, Scattered};
 use super::reach::Reach;
 use super::{Operand, Pair};
 use crate::polynomial::Polynomial;
 use crate::polynomial::coefficient::Coefficient;
 use crate::polynomial::monomial::Layout;
+use std::ops::Range;
 
-/// The most places in a block.
-const BLOCK: usize = 1 << 15;
+/// The most places in a block: 32 KiB of 64-bit numbers, the nearest cache.
+const BLOCK: usize = 1 << 12;
 /// The most places of the box for each product of terms: below, clearing and reading costs less than hashing.
 const ROOM: usize = 8;
 
@@ -45,26 +47,41 @@ struct Axis {
 }
 
 /// Terms of an operand with consecutive places: the lowest place in its block, and where their numbers lie.
-struct Run {
-    low: usize,
-    start: usize,
-    end: usize,
+pub(super) struct Run {
+    pub(super) low: usize,
+    pub(super) start: usize,
+    pub(super) end: usize,
 }
 
 /// The runs of an operand, grouped by block.
-struct Image<C> {
+pub(super) struct Image<C> {
     /// Numbers in increasing order of places.
-    numbers: Vec<C>,
-    runs: Vec<Run>,
-    /// (high part, first run, last run + 1), in increasing order.
-    groups: Vec<(usize, usize, usize)>,
+    pub(super) numbers: Vec<C>,
+    pub(super) runs: Vec<Run>,
+    /// In increasing order of the high part.
+    pub(super) groups: Vec<Group>,
+}
+
+/// The terms of an operand with one high part.
+pub(super) struct Group {
+    high: usize,
+    pub(super) runs: Range<usize>,
+    pub(super) terms: Range<usize>,
+}
+
+/// One sₖ aₖ bₖ by places, the factor in the left operand.
+struct Images<C> {
+    left: Image<C>,
+    right: Image<C>,
+    /// The same for multiplications four at a time, where these apply.
+    lanes: Option<(Scattered, Padded)>,
 }
 
 impl<C: Coefficient> Image<C> {
     /// Orders the runs of each group by their lengths.
     fn sort_by_length(&mut self) {
-        for &(_, first, last) in &self.groups {
-            self.runs[first..last].sort_by_key(|run| std::cmp::Reverse(run.end - run.start));
+        for group in &self.groups {
+            self.runs[group.runs.clone()].sort_by_key(|run| std::cmp::Reverse(run.end - run.start));
         }
     }
 }
@@ -94,20 +111,15 @@ impl Box {
 
     /// Σ sₖ aₖ bₖ
     pub(super) fn sum<C: Coefficient>(&self, layout: Layout, pairs: &[Pair<'_, C>]) -> Polynomial {
-        let mut images = Vec::with_capacity(pairs.len());
-        for pair in pairs {
-            images.push((
-                self.image(layout, &pair.left, &pair.factor, usize::MAX),
-                self.image(layout, &pair.right, &C::from(1), STEP),
-            ));
-        }
-        let mut block = vec![C::zero(); self.size];
+        let images: Vec<Images<C>> = pairs.iter().map(|pair| self.images(layout, pair)).collect();
+        // Vectors reach beyond the last place, with zeros.
+        let mut block = vec![C::zero(); self.size + lanes::LONGEST];
         let mut monomials = Vec::new();
         let mut numbers = Vec::new();
         for high in (0..self.blocks).rev() {
             let mut touched = false;
-            for (left, right) in &images {
-                touched |= add_block(&mut block, high, left, right);
+            for images in &images {
+                touched |= images.add_block(&mut block, high);
             }
             if touched {
                 self.read(layout, high, &mut block, &mut monomials, &mut numbers);
@@ -122,6 +134,19 @@ impl Box {
             place += (monomial[axis.word] >> axis.shift & mask) as usize * axis.stride;
         }
         place
+    }
+
+    fn images<C: Coefficient>(&self, layout: Layout, pair: &Pair<'_, C>) -> Images<C> {
+        let left = self.image(layout, &pair.left, &pair.factor, usize::MAX);
+        if lanes::available()
+            && let Some(scattered) = Scattered::of(&left)
+        {
+            let right = self.image(layout, &pair.right, &C::from(1), lanes::LONGEST);
+            if let Some(padded) = Padded::of(&right) {
+                return Images { left, right, lanes: Some((scattered, padded)) };
+            }
+        }
+        Images { left, right: self.image(layout, &pair.right, &C::from(1), STEP), lanes: None }
     }
 
     /// The runs of an operand, cut at a length, the longest of each group first.
@@ -139,18 +164,20 @@ impl Box {
             let monomial = &operand.monomials[term * layout.words..(term + 1) * layout.words];
             let place = self.place(monomial, layout.mask());
             let (high, low) = (place / self.size, place % self.size);
-            let known = image.groups.last().is_some_and(|group| group.0 == high);
+            let known = image.groups.last().is_some_and(|group| group.high == high);
+            let index = image.numbers.len();
             let open = |run: &Run| run.end - run.start < longest;
             if known && place == next && image.runs.last().is_some_and(open) {
                 image.runs.last_mut().expect("a block has runs").end += 1;
             } else {
                 if !known {
-                    image.groups.push((high, image.runs.len(), image.runs.len()));
+                    let runs = image.runs.len()..image.runs.len();
+                    image.groups.push(Group { high, runs, terms: index..index });
                 }
-                let index = image.numbers.len();
                 image.runs.push(Run { low, start: index, end: index + 1 });
-                image.groups.last_mut().expect("the block is known").2 += 1;
             }
+            let group = image.groups.last_mut().expect("the block is known");
+            (group.runs.end, group.terms.end) = (image.runs.len(), index + 1);
             image.numbers.push(operand.numbers[term].times(factor));
             next = place + 1;
         }
@@ -173,15 +200,14 @@ impl Box {
             None => (1, 0, 0),
         };
         let mut base = vec![0; layout.words];
-        for first in (0..self.size).step_by(row).rev() {
+        for (index, places) in block[..self.size].chunks_exact_mut(row).enumerate().rev() {
             let mut known = false;
-            for exponent in (0..row).rev() {
-                let place = &mut block[first + exponent];
+            for (exponent, place) in places.iter_mut().enumerate().rev() {
                 if place.is_zero() {
                     continue;
                 }
                 if !known {
-                    self.unplace(high * self.size + first, &mut base);
+                    self.unplace(high * self.size + index * row, &mut base);
                     known = true;
                 }
                 numbers.push(std::mem::replace(place, C::zero()));
@@ -255,41 +281,53 @@ fn degree<C: Coefficient>(layout: Layout, axis: &Axis, operand: &Operand<'_, C>)
     degree as usize
 }
 
-/// Adds the products whose high parts sum to `high`; answers whether there are any.
-fn add_block<C: Coefficient>(block: &mut [C], high: usize, left: &Image<C>, right: &Image<C>) -> bool {
-    let mut touched = false;
-    let mut partner = right.groups.len();
-    for &(a_high, a_first, a_last) in &left.groups {
-        while partner > 0 && right.groups[partner - 1].0 + a_high > high {
-            partner -= 1;
+impl<C: Coefficient> Images<C> {
+    /// Adds the products whose high parts sum to `high`; answers whether there are any.
+    fn add_block(&self, block: &mut [C], high: usize) -> bool {
+        let mut touched = false;
+        let groups = &self.right.groups;
+        let mut partner = groups.len();
+        for a in &self.left.groups {
+            while partner > 0 && groups[partner - 1].high + a.high > high {
+                partner -= 1;
+            }
+            if partner == 0 {
+                break;
+            }
+            let b = &groups[partner - 1];
+            if a.high + b.high == high {
+                touched = true;
+                self.add_groups(block, a, b);
+            }
         }
-        if partner == 0 {
-            break;
+        touched
+    }
+
+    fn add_groups(&self, block: &mut [C], a: &Group, b: &Group) {
+        if let Some((scattered, padded)) = &self.lanes
+            && let Some(block) = C::words_mut(block)
+        {
+            return lanes::add(block, (scattered, a.terms.clone()), (padded, b.runs.clone()));
         }
-        let (b_high, b_first, b_last) = right.groups[partner - 1];
-        if a_high + b_high == high {
-            touched = true;
-            for a in &left.runs[a_first..a_last] {
-                let numbers = &left.numbers[a.start..a.end];
-                for b in &right.runs[b_first..b_last] {
-                    let target = &mut block[a.low + b.low..];
-                    let factors = &right.numbers[b.start..b.end];
-                    // Runs come by length, which keeps the branch predictable.
-                    match factors.len() {
-                        1 => add_run::<1, C>(target, numbers, factors),
-                        2 => add_run::<2, C>(target, numbers, factors),
-                        3 => add_run::<3, C>(target, numbers, factors),
-                        4 => add_run::<4, C>(target, numbers, factors),
-                        5 => add_run::<5, C>(target, numbers, factors),
-                        6 => add_run::<6, C>(target, numbers, factors),
-                        7 => add_run::<7, C>(target, numbers, factors),
-                        _ => add_run::<STEP, C>(target, numbers, factors),
-                    }
+        for a in &self.left.runs[a.runs.clone()] {
+            let numbers = &self.left.numbers[a.start..a.end];
+            for b in &self.right.runs[b.runs.clone()] {
+                let target = &mut block[a.low + b.low..];
+                let factors = &self.right.numbers[b.start..b.end];
+                // Runs come by length, which keeps the branch predictable.
+                match factors.len() {
+                    1 => add_run::<1, C>(target, numbers, factors),
+                    2 => add_run::<2, C>(target, numbers, factors),
+                    3 => add_run::<3, C>(target, numbers, factors),
+                    4 => add_run::<4, C>(target, numbers, factors),
+                    5 => add_run::<5, C>(target, numbers, factors),
+                    6 => add_run::<6, C>(target, numbers, factors),
+                    7 => add_run::<7, C>(target, numbers, factors),
+                    _ => add_run::<STEP, C>(target, numbers, factors),
                 }
             }
         }
     }
-    touched
 }
 
 /// target[i + j] += a[i]·b[j] for the N values of b: their open sums slide along the target, so that each

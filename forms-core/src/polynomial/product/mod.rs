@@ -11,6 +11,7 @@
 mod dense;
 mod insertion;
 mod keyed;
+mod lanes;
 mod reach;
 mod rest;
 mod sparse;
@@ -57,7 +58,11 @@ impl Polynomial {
     /// # Panics
     /// If an exponent of the product is beyond 2³¹ − 1.
     pub fn mul(&self, other: &Self) -> Self {
-        Self::sum_of_products(&[(1, self, other)])
+        match (self.as_small_constant(), other.as_small_constant()) {
+            (Some(number), _) => other.scale_small(number),
+            (_, Some(number)) => self.scale_small(number),
+            _ => Self::sum_of_products(&[(1, self, other)]),
+        }
     }
 
     /// f²

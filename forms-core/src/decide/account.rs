@@ -1,0 +1,146 @@
+//! How a proof went, so that a reader can check it: the cases, the tower of each, and what cancelled.
+//!
+//! A component is a sum of what the calculus put there. Over one denominator its summands are numerators in the
+//! generators of the tower, and the proof is that the numerators add up to the zero polynomial.
+
+use super::problem::{Component, Problem};
+use super::proof::settled_cases;
+use crate::expression::{Expr, Node, Pool};
+use crate::normal::{Fraction, Generator, Obstacle, Sign, Tower, Trigonometry, normalise};
+use crate::resolve::{Statement, Theory};
+use std::collections::BTreeSet;
+
+/// A component of more summands is shown as its two sides.
+const MOST_SUMMANDS: usize = 12;
+
+/// A proof by normal forms, case by case.
+#[derive(Clone, Debug)]
+pub struct Account {
+    /// Together they cover every point of the statement.
+    pub cases: Vec<Case>,
+}
+
+/// What was computed where some factors of radicands have given signs.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// The factors with their signs; none if no sign mattered.
+    pub signs: Vec<(Expr, Sign)>,
+    /// The generators that occur.
+    pub generators: Vec<Bound>,
+    /// The components of the equation.
+    pub components: Vec<Cancellation>,
+}
+
+/// A generator ρ and, where a relation ρⁿ = f binds it, n and f.
+#[derive(Clone, Debug)]
+pub struct Bound {
+    /// ρ
+    pub generator: Expr,
+    /// n and f
+    pub relation: Option<(u32, Expr)>,
+    /// For ρ = tan(u/2), which sin u and cos u are rational in: u
+    pub half_angle: Option<Expr>,
+}
+
+/// The summands of left − right of one component, over one denominator.
+#[derive(Clone, Debug)]
+pub struct Cancellation {
+    /// `dx^dy`, `@x`, or nothing for a scalar.
+    pub component: String,
+    /// The summands as the calculus left them.
+    pub summands: Vec<Expr>,
+    /// The numerators of the summands; their sum is zero.
+    pub numerators: Vec<Expr>,
+    /// What they are over.
+    pub denominator: Expr,
+}
+
+/// The account of a proof by normal forms; nothing if that does not prove the statement.
+pub fn account(theory: &mut Theory, statement: &Statement) -> Option<Account> {
+    let problem = Problem::new(theory, statement);
+    let mut tower = Tower::new(Trigonometry::Circle);
+    let settled = settled_cases(&mut theory.pool, &problem, &mut tower)?;
+    let cases = settled
+        .iter()
+        .map(|signs| case(&mut theory.pool, &mut tower, &problem, signs))
+        .collect::<Result<Vec<Case>, Obstacle>>();
+    Some(Account { cases: cases.ok()? })
+}
+
+fn case(
+    pool: &mut Pool,
+    tower: &mut Tower,
+    problem: &Problem,
+    signs: &[(usize, Sign)],
+) -> Result<Case, Obstacle> {
+    let mut used: BTreeSet<u32> = BTreeSet::new();
+    let mut components = Vec::new();
+    for component in &problem.components {
+        tower.fix_signs(signs);
+        if let Some(found) = cancellation(pool, tower, component, &mut used)? {
+            components.push(found);
+        }
+    }
+    let signs = signs
+        .iter()
+        .map(|&(base, sign)| (tower.raise(pool, &Fraction::from(tower.base(base).polynomial.clone())), sign))
+        .collect();
+    let used: Vec<u32> = used.into_iter().collect();
+    let generators = used.into_iter().filter_map(|variable| bound(pool, tower, variable)).collect();
+    Ok(Case { signs, generators, components })
+}
+
+/// Nothing if a summand by itself depends on a sign that the sum does not depend on.
+fn cancellation(
+    pool: &mut Pool,
+    tower: &mut Tower,
+    component: &Component,
+    used: &mut BTreeSet<u32>,
+) -> Result<Option<Cancellation>, Obstacle> {
+    let mut summands = Vec::new();
+    flatten(pool, component.difference, false, &mut summands);
+    if summands.len() > MOST_SUMMANDS {
+        summands = vec![component.left, pool.negate(component.right)];
+    }
+    summands.retain(|&summand| !pool.is_zero(summand));
+    let prepared = normalise(tower, pool, &summands)?;
+    if !prepared.open.is_empty() {
+        return Ok(None);
+    }
+    let fractions = prepared.exact(tower, pool)?;
+    let together = tower.together(&fractions)?;
+    for fraction in together.numerators.iter().chain([&together.inverse]) {
+        used.extend(tower.variables_of(fraction));
+    }
+    let numerators = together.numerators.iter().map(|numerator| tower.raise(pool, numerator)).collect();
+    let denominator = tower.inverse(&together.inverse)?;
+    let denominator = tower.raise(pool, &denominator);
+    Ok(Some(Cancellation { component: component.label.clone(), summands, numerators, denominator }))
+}
+
+/// The summands of a sum, signs kept.
+fn flatten(pool: &mut Pool, expression: Expr, negative: bool, summands: &mut Vec<Expr>) {
+    let mut pending = vec![(expression, negative)];
+    while let Some((expression, negative)) = pending.pop() {
+        match *pool.node(expression) {
+            Node::Add(a, b) => pending.extend([(b, negative), (a, negative)]),
+            Node::Negate(a) => pending.push((a, !negative)),
+            _ if negative => summands.push(pool.negate(expression)),
+            _ => summands.push(expression),
+        }
+    }
+}
+
+/// A generator that a reader has to be told of: one that is no variable, unknown function or π by itself.
+fn bound(pool: &mut Pool, tower: &Tower, variable: u32) -> Option<Bound> {
+    let (_, generator, relation) = tower.generators().nth(variable as usize)?;
+    let relation = relation.map(|(order, value)| (order, value.clone()));
+    let half_angle = match generator {
+        Generator::Variable(_) | Generator::Pi | Generator::Jet { .. } => return None,
+        Generator::HalfTangent(unit) => Some(tower.raise_unit(pool, &unit.clone())),
+        _ => None,
+    };
+    let generator = tower.raise(pool, &Fraction::from(crate::polynomial::Polynomial::variable(variable)));
+    let relation = relation.map(|(order, value)| (order, tower.raise(pool, &Fraction::from(value))));
+    Some(Bound { generator, relation, half_angle })
+}

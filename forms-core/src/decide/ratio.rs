@@ -1,0 +1,166 @@
+//! Sides of a false equation that differ by a simple factor: 2, −1, π, sin θ, cos θ/r², a Jacobian.
+//!
+//! The factor c = left/right is read off one component, and told only if left − c·right has the normal form zero
+//! in every component.
+
+use super::problem::Problem;
+use super::proof::{Outcome, prove_zero};
+use super::report::simplified_where;
+use crate::calculus::{Blade, Coordinate, Form, Pullback, Structured, pullback};
+use crate::expression::Operation::{Cos, Exp, Sin, Tan};
+use crate::expression::{Expr, Node, Pool};
+use crate::resolve::{Map, Theory};
+use num_traits::{One, Zero};
+
+/// A factor of more nodes is not looked at.
+const LARGEST_FACTOR: usize = 64;
+
+/// A factor of more parts is no hint for a reader.
+const MOST_PARTS: usize = 4;
+
+/// Jacobians of maps between more coordinates are not compared with.
+const LARGEST_DIMENSION: usize = 4;
+
+/// What one side is of the other: left = factor · right.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Ratio {
+    /// The factor in the language's notation.
+    pub factor: String,
+    /// The map whose Jacobian it is, up to a number.
+    pub jacobian_of: Option<String>,
+}
+
+impl std::fmt::Display for Ratio {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match (self.factor.as_str(), &self.jacobian_of) {
+            ("-1", _) => write!(f, "the sides differ in sign only: left = -right"),
+            (factor, None) => write!(f, "the sides differ by a factor only: left/right = {factor}"),
+            (factor, Some(map)) => write!(
+                f,
+                "the sides differ by a factor only: left/right = {factor}, which is the Jacobian of `{map}` \
+                 or its inverse, up to a number"
+            ),
+        }
+    }
+}
+
+/// The factor by which the two sides differ, if there is a simple one.
+pub(super) fn ratio(theory: &mut Theory, problem: &Problem) -> Option<Ratio> {
+    let pool = &mut theory.pool;
+    let pair = problem.components.iter().find(|c| !pool.is_zero(c.left) && !pool.is_zero(c.right))?;
+    let quotient = pool.divide(pair.left, pair.right);
+    let factor = simplified_where(pool, &problem.assumptions, quotient);
+    let zero = pool.as_number(factor).is_some_and(Zero::is_zero);
+    if zero || pool.reachable(&[factor]).len() > LARGEST_FACTOR || has_unknown(pool, factor) {
+        return None;
+    }
+    let jacobian_of = jacobian(theory, problem, factor);
+    let pool = &mut theory.pool;
+    if jacobian_of.is_none() && !is_simple(pool, factor) {
+        return None;
+    }
+    let equal = problem.identical.iter().map(|&side| (side, side));
+    let sides = problem.components.iter().map(|component| (component.left, component.right)).chain(equal);
+    let mut rests = Vec::new();
+    for (left, right) in sides {
+        let scaled = pool.multiply(factor, right);
+        rests.push(pool.subtract(left, scaled));
+    }
+    if prove_zero(pool, problem, rests) != Outcome::Zero {
+        return None;
+    }
+    Some(Ratio { factor: pool.text(factor), jacobian_of })
+}
+
+/// Whether a factor is a product of a few powers of what people forget: 2, π, sin θ, cos θ/r², 1/√(u² + v² + h²).
+fn is_simple(pool: &Pool, factor: Expr) -> bool {
+    let mut parts = 0;
+    let mut pending = vec![factor];
+    while let Some(part) = pending.pop() {
+        match pool.node(part) {
+            Node::Power(a, _) if matches!(pool.node(*a), Node::Power(..)) => return false,
+            Node::Negate(a) | Node::Power(a, _) => pending.push(*a),
+            Node::Multiply(a, b) | Node::Divide(a, b) => pending.extend([*a, *b]),
+            Node::Number(value) if value.is_one() => {}
+            Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Apply(Sin | Cos | Tan | Exp, _) => {
+                parts += 1;
+            }
+            Node::Add(..) if is_norm(pool, part) => parts += 1,
+            Node::Add(..) | Node::Apply(..) | Node::Jet { .. } | Node::Select { .. } => return false,
+        }
+    }
+    parts <= MOST_PARTS
+}
+
+/// Whether a sum is one of squares and numbers.
+fn is_norm(pool: &Pool, sum: Expr) -> bool {
+    match pool.node(sum) {
+        Node::Add(a, b) => is_norm(pool, *a) && is_norm(pool, *b),
+        Node::Number(_) => true,
+        Node::Power(_, n) => n.is_integer() && n.numer() % 2 == 0,
+        _ => false,
+    }
+}
+
+/// Whether a factor contains an unknown function: then it is no factor that somebody forgot.
+fn has_unknown(pool: &Pool, factor: Expr) -> bool {
+    pool.reachable(&[factor]).into_iter().any(|part| matches!(pool.node(part), Node::Jet { .. }))
+}
+
+/// The map whose Jacobian is a number times the factor; numbers themselves are no Jacobians.
+fn jacobian(theory: &mut Theory, problem: &Problem, factor: Expr) -> Option<String> {
+    if theory.pool.symbols_in(&[factor]).is_empty() {
+        return None;
+    }
+    for map in theory.maps.clone() {
+        let Some(jacobian) = jacobian_of(theory, &map) else { continue };
+        for candidate in [theory.pool.divide(factor, jacobian), theory.pool.multiply(factor, jacobian)] {
+            let candidate = simplified_where(&mut theory.pool, &problem.assumptions, candidate);
+            if theory.pool.symbols_in(&[candidate]).is_empty() {
+                return Some(map.name);
+            }
+        }
+    }
+    None
+}
+
+/// √Σ_I (F*dx_I)² over the basis forms of the source's degree, which is √det(JᵀJ); F*(dx₁∧…∧dxₙ) if there is one.
+fn jacobian_of(theory: &mut Theory, map: &Map) -> Option<Expr> {
+    let source = theory.charts[map.source].coordinates.clone();
+    let target = theory.charts[map.target].coordinates.clone();
+    if source.len() > target.len() || target.len() > LARGEST_DIMENSION {
+        return None;
+    }
+    let components: Vec<(Coordinate, Expr)> =
+        target.iter().copied().zip(map.components.iter().copied()).collect();
+    let whole = source.iter().try_fold(Blade::SCALAR, |all, &c| Some(all.wedge(Blade::of(c))?.0))?;
+    let ring = &mut Structured { pool: &mut theory.pool, coordinates: &theory.coordinates };
+    let one = ring.pool.integer(1);
+    let prepared = Pullback::new(ring, &components, &source);
+    let mut minors = Vec::new();
+    for basis in basis_forms(&target, source.len()) {
+        let form = Form::from_terms(source.len() as u32, [(basis, one)]);
+        let pulled = pullback(ring, &prepared, &form, |_, value| *value);
+        minors.extend(pulled.coefficient(whole).copied());
+    }
+    match minors.as_slice() {
+        [] => None,
+        [single] => Some(*single),
+        several => {
+            let squares = several.iter().map(|&minor| ring.pool.power(minor, 2.into())).collect::<Vec<_>>();
+            let sum = squares.into_iter().reduce(|a, b| ring.pool.add(a, b))?;
+            Some(ring.pool.sqrt(sum))
+        }
+    }
+}
+
+/// The basis forms of a degree in ascending order.
+fn basis_forms(coordinates: &[Coordinate], degree: usize) -> Vec<Blade> {
+    let mut all = vec![Blade::SCALAR];
+    for &coordinate in coordinates {
+        let raised: Vec<Blade> = all.iter().filter_map(|b| Some(b.wedge(Blade::of(coordinate))?.0)).collect();
+        all.extend(raised);
+    }
+    all.retain(|blade| blade.degree() as usize == degree);
+    all
+}

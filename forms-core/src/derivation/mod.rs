@@ -1,0 +1,100 @@
+//! Derivations: why a statement holds or fails, in steps that a person can follow.
+//!
+//! ```text
+//! source ─ resolve, every value noted ─▶ definitions, calculus ─┐
+//! statement ─ decide ─▶ verdict ─ account of the proof ─────────┴─▶ steps ─▶ text · LaTeX
+//! ```
+//! Nothing is decided here: a derivation shows what the engine did, in the order in which a reader would check it.
+
+mod calculus;
+mod conclusion;
+mod definitions;
+mod proof;
+mod render;
+mod scribe;
+
+pub use scribe::Formula;
+
+use crate::decide::{Verdict, decide};
+use crate::expression::Condition;
+use crate::resolve::resolve_traced;
+use crate::syntax::ast::{File, ItemKind};
+use crate::syntax::{Source, read};
+use scribe::Scribe;
+
+/// The steps that decide one statement.
+#[derive(Clone, Debug)]
+pub struct Derivation {
+    /// The statement's name.
+    pub name: String,
+    /// What was decided.
+    pub verdict: Verdict,
+    /// Whether that is what the statement claims.
+    pub ok: bool,
+    /// The steps in order.
+    pub steps: Vec<Step>,
+}
+
+/// One step: what is done, and what comes of it.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// What is done.
+    pub title: String,
+    /// What comes of it.
+    pub lines: Vec<Line>,
+}
+
+/// A line of a step.
+#[derive(Clone, Debug)]
+pub enum Line {
+    /// A sentence.
+    Words(String),
+    /// A formula, usually an equation.
+    Formula(Formula),
+}
+
+impl Step {
+    fn new(title: impl Into<String>, lines: Vec<Line>) -> Self {
+        Step { title: title.into(), lines }
+    }
+}
+
+/// Derives one statement of a source that has no errors; nothing if it has no statement of that name.
+///
+/// ```
+/// use forms_core::derivation::derive;
+/// use forms_core::syntax::Source;
+/// let source = Source::new("example.forms", "chart R2(x, y); prove closed: d(x*dx + y*dy) == 0;");
+/// let derivation = derive(&source, "closed").expect("the statement is there");
+/// assert!(derivation.ok);
+/// assert!(derivation.text().contains("d(x*dx + y*dy) = 0"));
+/// ```
+pub fn derive(source: &Source, name: &str) -> Option<Derivation> {
+    let (file, _) = read(&source.text);
+    let (mut theory, trace) = resolve_traced(&file);
+    let statement = theory.statements.iter().find(|statement| statement.name == name)?.clone();
+    let verdict = decide(&mut theory, &statement);
+    let claim = claim(&file, name)?;
+    let assumptions: Vec<Condition> = statement.conditions.iter().chain(&statement.domain).copied().collect();
+    let mut scribe = Scribe { source, theory: &mut theory, trace: &trace, assumptions: &assumptions };
+    let mut steps = vec![conclusion::claim(&scribe, claim)];
+    let items = definitions::needed(&file, claim);
+    steps.extend(definitions::step(&scribe, &items));
+    steps.extend(calculus::step(&mut scribe, &items, claim));
+    match &verdict {
+        Verdict::Proved(_) => {
+            steps.extend(proof::steps(&mut scribe, &statement));
+            steps.push(conclusion::proved(&mut scribe, &statement));
+        }
+        Verdict::Refuted(witness) => steps.push(conclusion::refuted(&mut scribe, &statement, witness)),
+        Verdict::Unknown { reason } | Verdict::Empty { reason } => steps.push(conclusion::open(reason)),
+    }
+    let ok = verdict.bears_out(statement.claim);
+    Some(Derivation { name: name.to_owned(), verdict, ok, steps })
+}
+
+/// The item of a statement.
+fn claim<'a>(file: &'a File, wanted: &str) -> Option<&'a ItemKind> {
+    let kinds = file.items.iter().map(|item| &item.kind);
+    kinds.into_iter().find(|kind| matches!(kind, ItemKind::Statement { name, .. } if name.text == wanted))
+}

@@ -1,0 +1,123 @@
+//! The proof: the generators of each case, and the numerators that cancel.
+
+use super::scribe::{Formula, Scribe};
+use super::{Line, Step};
+use crate::decide::{Bound, Cancellation, Case, account};
+use crate::normal::Sign;
+use crate::resolve::Statement;
+
+/// Numerators of more characters together stand on lines of their own.
+const LONGEST_SUM: usize = 160;
+
+/// Numerators with a longer one among them are told by their number.
+const LONGEST_NUMERATOR: usize = 400;
+
+/// A step for each case of a proof by normal forms.
+pub(super) fn steps(scribe: &mut Scribe, statement: &Statement) -> Vec<Step> {
+    let Some(account) = account(scribe.theory, statement) else { return vec![] };
+    let several = account.cases.len() > 1;
+    let cases = account.cases.iter().enumerate();
+    cases.map(|(number, case)| step(scribe, case, several.then_some(number + 1))).collect()
+}
+
+fn step(scribe: &mut Scribe, case: &Case, number: Option<usize>) -> Step {
+    let title = match number {
+        Some(number) => format!("Left minus right, case {number}"),
+        None => "Left minus right".to_string(),
+    };
+    let mut lines = Vec::new();
+    if !case.signs.is_empty() {
+        lines.push(Line::Words(if number.is_some() { "Where" } else { "With the signs" }.into()));
+        lines.extend(case.signs.iter().map(|&(factor, sign)| Line::Formula(signed(scribe, factor, sign))));
+    }
+    if case.components.is_empty() {
+        lines.push(Line::Words("Both sides are the same.".into()));
+    }
+    let relations: Vec<Line> = case.generators.iter().flat_map(|bound| relation(scribe, bound)).collect();
+    if !relations.is_empty() {
+        lines.push(Line::Words(
+            "The computation is with polynomials in the variables and these generators:".into(),
+        ));
+        lines.extend(relations);
+    }
+    for component in &case.components {
+        lines.extend(cancellation(scribe, component));
+    }
+    Step::new(title, lines)
+}
+
+fn signed(scribe: &mut Scribe, factor: crate::expression::Expr, sign: Sign) -> Formula {
+    let factor = scribe.plain(factor);
+    match sign {
+        Sign::Positive => Formula::new(format!("{} >= 0", factor.text), format!("{} \\ge 0", factor.latex)),
+        Sign::Negative => Formula::new(format!("{} <= 0", factor.text), format!("{} \\le 0", factor.latex)),
+    }
+}
+
+/// ρ, and ρⁿ = f where that binds it; of a half angle what the sine is in it.
+fn relation(scribe: &mut Scribe, bound: &Bound) -> Vec<Line> {
+    let generator = scribe.plain(bound.generator);
+    let formula = match (&bound.relation, bound.half_angle) {
+        (Some((order, value)), _) => {
+            let value = scribe.plain(*value);
+            let raised = Formula::new(
+                format!("({})**{order}", generator.text),
+                format!("\\left({}\\right)^{{{order}}}", generator.latex),
+            );
+            raised.equals(value)
+        }
+        (None, Some(angle)) => {
+            let angle = scribe.plain(angle);
+            let sine =
+                Formula::new(format!("sin({})", angle.text), format!("\\sin\\left({}\\right)", angle.latex));
+            let quotient = Formula::new(
+                format!("2*t/(1 + t**2), t = {}", generator.text),
+                format!("\\frac{{2\\,t}}{{1 + t^{{2}}}},\\quad t = {}", generator.latex),
+            );
+            sine.equals(quotient)
+        }
+        (None, None) => generator,
+    };
+    vec![Line::Formula(formula)]
+}
+
+/// The numerators over one denominator, and that their sum is zero: in one formula, or a line for each.
+fn cancellation(scribe: &mut Scribe, component: &Cancellation) -> Vec<Line> {
+    let numerators: Vec<Formula> = component.numerators.iter().map(|&n| scribe.plain(n)).collect();
+    let denominator = scribe.plain(component.denominator);
+    let place = match component.component.as_str() {
+        "" => "Left minus right".to_string(),
+        component => format!("The coefficient of {component}"),
+    };
+    let lengths: Vec<usize> = numerators.iter().map(|n| n.text.chars().count()).collect();
+    if lengths.iter().any(|&length| length > LONGEST_NUMERATOR) {
+        let count = numerators.len();
+        return vec![Line::Words(format!(
+            "{place} has {count} numerators, which add up to the zero polynomial."
+        ))];
+    }
+    let over = Line::Formula(denominator.clone());
+    if lengths.iter().sum::<usize>() > LONGEST_SUM {
+        let above = [Line::Words(format!("{place} has, over the denominator")), over];
+        let between = [Line::Words("these numerators, which add up to 0:".into())];
+        let each = numerators.into_iter().map(Line::Formula);
+        return above.into_iter().chain(between).chain(each).collect();
+    }
+    let sum = |part: fn(&Formula) -> &str, brackets: [&str; 2]| {
+        let parts: Vec<String> =
+            numerators.iter().map(|n| format!("{}{}{}", brackets[0], part(n), brackets[1])).collect();
+        parts.join(" + ")
+    };
+    let mut text = sum(|n| &n.text, ["(", ")"]);
+    let mut latex = sum(|n| &n.latex, ["\\left(", "\\right)"]);
+    if denominator.text != "1" {
+        text = format!("({text})/({})", denominator.text);
+        latex = format!("\\frac{{{latex}}}{{{}}}", denominator.latex);
+    }
+    let formula = Line::Formula(Formula::new(format!("{text} = 0"), format!("{latex} = 0")));
+    if component.component.is_empty() {
+        vec![formula]
+    } else {
+        vec![Line::Words(format!("{place}:")), formula]
+    }
+}

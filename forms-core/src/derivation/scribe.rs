@@ -1,0 +1,106 @@
+//! The scribe: values and source expressions as formulas, in both notations at once.
+
+use crate::calculus::{Blade, Form};
+use crate::expression::{Condition, Expr};
+use crate::notation::{latex, latex_as_written, latex_of_relation, simplify, text};
+use crate::resolve::{Theory, Trace, Value};
+use crate::syntax::Source;
+use crate::syntax::ast;
+
+/// A value that takes more characters is told by its size.
+const LONGEST: usize = 600;
+
+/// A formula in the language's notation and in LaTeX.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Formula {
+    /// As the language writes it, with `=` for equality.
+    pub text: String,
+    /// As it is typeset.
+    pub latex: String,
+}
+
+/// Between formulas that stand side by side.
+pub(super) const APART: &str = ",\\quad ";
+
+impl Formula {
+    pub(super) fn new(text: impl Into<String>, latex: impl Into<String>) -> Self {
+        Formula { text: text.into(), latex: latex.into() }
+    }
+
+    /// a = b
+    pub(super) fn equals(self, right: Formula) -> Self {
+        Formula::new(format!("{} = {}", self.text, right.text), format!("{} = {}", self.latex, right.latex))
+    }
+
+    /// The formulas one after the other, parted by commas and, where they are typeset, by what is given.
+    pub(super) fn list(formulas: &[Formula], between: &str) -> Self {
+        let join = |part: fn(&Formula) -> &str, between: &str| {
+            formulas.iter().map(part).collect::<Vec<_>>().join(between)
+        };
+        Formula::new(join(|f| &f.text, ", "), join(|f| &f.latex, between))
+    }
+}
+
+/// Writes formulas about one theory and its source.
+pub(super) struct Scribe<'a> {
+    pub(super) source: &'a Source,
+    pub(super) theory: &'a mut Theory,
+    pub(super) trace: &'a Trace,
+    /// What holds at the points of the statement.
+    pub(super) assumptions: &'a [Condition],
+}
+
+impl Scribe<'_> {
+    /// An expression as its author wrote it, on one line.
+    pub(super) fn written(&self, expression: &ast::Expr) -> Formula {
+        let span = expression.span.start as usize..expression.span.end as usize;
+        let text = self.source.text.get(span).unwrap_or_default();
+        let words: Vec<&str> = text.split_whitespace().collect();
+        Formula::new(words.join(" "), latex_as_written(self.theory, expression))
+    }
+
+    /// A value, simplified as the statement's conditions allow.
+    pub(super) fn value(&mut self, value: &Value) -> Formula {
+        let simple = simplify(self.theory, self.assumptions, value);
+        let written = text(self.theory, &simple);
+        let length = written.chars().count();
+        if length > LONGEST {
+            let size = format!("{} of {length} characters", value.kind());
+            return Formula::new(format!("({size})"), format!("\\langle\\text{{{size}}}\\rangle"));
+        }
+        Formula::new(written, latex(self.theory, &simple))
+    }
+
+    /// A scalar, simplified.
+    pub(super) fn scalar(&mut self, scalar: Expr) -> Formula {
+        self.value(&Value::Scalar(scalar))
+    }
+
+    /// A scalar as it stands.
+    pub(super) fn plain(&mut self, scalar: Expr) -> Formula {
+        let value = Value::Scalar(scalar);
+        Formula::new(text(self.theory, &value), latex(self.theory, &value))
+    }
+
+    /// A coefficient before its basis form.
+    pub(super) fn term(&mut self, coefficient: Expr, blade: Blade) -> Formula {
+        if blade == Blade::SCALAR {
+            return self.scalar(coefficient);
+        }
+        self.value(&Value::Form(Form::from_terms(blade.degree(), [(blade, coefficient)])))
+    }
+
+    /// A condition as it stands.
+    pub(super) fn condition(&mut self, condition: &Condition) -> Formula {
+        let [left, right] = [condition.left, condition.right].map(|side| self.plain(side));
+        Formula::new(
+            condition.text(&self.theory.pool),
+            format!("{} {} {}", left.latex, latex_of_relation(condition.relation), right.latex),
+        )
+    }
+
+    /// What an expression of the source was evaluated to.
+    pub(super) fn value_of(&self, expression: &ast::Expr) -> Option<Value> {
+        self.trace.get(&expression.span).cloned()
+    }
+}
