@@ -7,12 +7,14 @@ use crate::normal::{Tower, Trigonometry};
 use num_traits::Signed;
 use rustc_hash::FxHashMap;
 
+/// Two fractions: q² for some q ≥ 0, and the angle in units of π.
+type Special = ((i64, i64), (i64, i64));
+
 /// q² and atan q/π for q ≥ 0
-const TANGENTS: &[((i64, i64), (i64, i64))] =
-    &[((0, 1), (0, 1)), ((1, 3), (1, 6)), ((1, 1), (1, 4)), ((3, 1), (1, 3))];
+const TANGENTS: &[Special] = &[((0, 1), (0, 1)), ((1, 3), (1, 6)), ((1, 1), (1, 4)), ((3, 1), (1, 3))];
 
 /// q² and asin q/π for q ≥ 0
-const SINES: &[((i64, i64), (i64, i64))] =
+const SINES: &[Special] =
     &[((0, 1), (0, 1)), ((1, 4), (1, 6)), ((1, 2), (1, 4)), ((3, 4), (1, 3)), ((1, 1), (1, 2))];
 
 impl Region {
@@ -50,9 +52,9 @@ impl Region {
         Some(if turns.is_negative() { pool.negate(value) } else { value })
     }
 
-    fn special_angle(&self, pool: &mut Pool, q: Expr, table: &[((i64, i64), (i64, i64))]) -> Option<Expr> {
+    fn special_angle(&self, pool: &mut Pool, q: Expr, table: &[Special]) -> Option<Expr> {
         let square = pool.power(q, 2.into());
-        let mut is_square = |((p, n), _): &&((i64, i64), (i64, i64))| {
+        let mut is_square = |((p, n), _): &&Special| {
             let value = pool.ratio(*p, *n);
             let difference = pool.subtract(square, value);
             let mut tower = Tower::new(Trigonometry::Circle);

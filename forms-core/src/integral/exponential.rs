@@ -20,6 +20,13 @@ struct Wave {
     is_sine: bool,
 }
 
+/// xᵏ e^(λx) times a wave
+struct Moment {
+    power: u32,
+    growth: Fraction,
+    wave: Wave,
+}
+
 type Computed<T> = Result<T, Failure>;
 
 impl Search<'_> {
@@ -35,67 +42,27 @@ impl Search<'_> {
         let Some(terms) = integrand.tower.laurent_terms(&integrand.normal, &generators) else {
             return Ok(None);
         };
-        let mut sum = self.pool.integer(0);
+        let mut moments: Vec<Moment> = Vec::new();
         for (exponents, coefficient) in terms {
-            let Some(term) = self.product(integrand, &generators, &slopes, &exponents, coefficient)? else {
+            let Some(found) = product(integrand.tower, &generators, &slopes, &exponents, coefficient)? else {
                 return Ok(None);
             };
-            sum = self.pool.add(sum, term);
-        }
-        Ok(Some(sum))
-    }
-
-    /// One product of powers of the generators.
-    fn product(
-        &mut self,
-        integrand: &mut Integrand,
-        generators: &[u32],
-        slopes: &[Fraction],
-        exponents: &[i32],
-        coefficient: Fraction,
-    ) -> Computed<Option<Expr>> {
-        let tower = &mut *integrand.tower;
-        let (mut power, mut growth) = (0_u32, Fraction::zero());
-        let mut waves = vec![Wave { coefficient, frequency: Fraction::zero(), is_sine: false }];
-        for ((&generator, slope), &exponent) in generators.iter().zip(slopes).zip(exponents) {
-            match tower.generator(generator).clone() {
-                Generator::Exponential(_) => {
-                    let times = Polynomial::integer(exponent.into()).into();
-                    let share = tower.multiply(slope, &times)?;
-                    growth = tower.add(&growth, &share)?;
-                }
-                _ if exponent < 0 => return Ok(None),
-                Generator::Variable(_) => power = exponent.unsigned_abs(),
-                wave => {
-                    let is_sine = matches!(wave, Generator::Sine(_));
-                    for _ in 0..exponent {
-                        waves = multiplied(tower, waves, slope, is_sine)?;
-                    }
-                }
+            for moment in found {
+                gather(integrand.tower, &mut moments, moment)?;
             }
-            if waves.len() > MOST_WAVES {
-                return Err(format!("a product of more than {MOST_WAVES} waves").into());
-            }
-        }
-        if power > HIGHEST_POWER {
-            return Err(format!("a power above the limit of {HIGHEST_POWER}").into());
         }
         let mut sum = self.pool.integer(0);
-        for wave in waves {
-            let term = self.moment(integrand, power, &growth, &wave)?;
+        for moment in moments.iter().filter(|moment| !moment.wave.coefficient.is_zero()) {
+            let term = self.moment(integrand, moment)?;
             sum = self.pool.add(sum, term);
         }
         Ok(Some(sum))
     }
 
     /// coefficient · ∫ xᵏ e^(λx) cos(ωx)
-    fn moment(
-        &mut self,
-        integrand: &mut Integrand,
-        power: u32,
-        growth: &Fraction,
-        wave: &Wave,
-    ) -> Computed<Expr> {
+    fn moment(&mut self, integrand: &mut Integrand, moment: &Moment) -> Computed<Expr> {
+        let Moment { power, growth, wave } = moment;
+        let power = *power;
         let tower = &mut *integrand.tower;
         let x = self.pool.symbol(integrand.symbol);
         if growth.is_zero() && wave.frequency.is_zero() {
@@ -134,11 +101,7 @@ impl Search<'_> {
         frequency: &Fraction,
         x: Expr,
     ) -> Computed<(Expr, Expr)> {
-        let (g, f) = (tower.multiply(growth, growth)?, tower.multiply(frequency, frequency)?);
-        let norm = tower.add(&g, &f)?;
-        let inverse = tower.inverse(&norm)?;
-        let re = tower.multiply(growth, &inverse)?;
-        let im = tower.multiply(&tower.negate(frequency), &inverse)?;
+        let (re, im) = inverse(tower, growth, frequency)?;
         let (mut p, mut q) = (re.clone(), im.clone());
         let (mut real, mut imaginary) = (self.pool.integer(0), self.pool.integer(0));
         for j in 0..=power {
@@ -158,6 +121,59 @@ impl Search<'_> {
     }
 }
 
+/// One product of powers of the generators as a sum of moments.
+fn product(
+    tower: &mut Tower,
+    generators: &[u32],
+    slopes: &[Fraction],
+    exponents: &[i32],
+    coefficient: Fraction,
+) -> Computed<Option<Vec<Moment>>> {
+    let (mut power, mut growth) = (0_u32, Fraction::zero());
+    let mut waves = vec![Wave { coefficient, frequency: Fraction::zero(), is_sine: false }];
+    for ((&generator, slope), &exponent) in generators.iter().zip(slopes).zip(exponents) {
+        match tower.generator(generator).clone() {
+            Generator::Exponential(_) => {
+                let times = Polynomial::integer(exponent.into()).into();
+                let share = tower.multiply(slope, &times)?;
+                growth = tower.add(&growth, &share)?;
+            }
+            _ if exponent < 0 => return Ok(None),
+            Generator::Variable(_) => power = exponent.unsigned_abs(),
+            wave => {
+                let is_sine = matches!(wave, Generator::Sine(_));
+                for _ in 0..exponent {
+                    waves = multiplied(tower, waves, slope, is_sine)?;
+                }
+            }
+        }
+        if waves.len() > MOST_WAVES {
+            return Err(format!("a product of more than {MOST_WAVES} waves").into());
+        }
+    }
+    if power > HIGHEST_POWER {
+        return Err(format!("a power above the limit of {HIGHEST_POWER}").into());
+    }
+    Ok(Some(waves.into_iter().map(|wave| Moment { power, growth: growth.clone(), wave }).collect()))
+}
+
+/// Adds a moment to those of its kind, so that what cancels leaves no frequency to divide by.
+fn gather(tower: &mut Tower, moments: &mut Vec<Moment>, moment: Moment) -> Computed<()> {
+    let alike = |known: &&mut Moment| {
+        known.power == moment.power
+            && known.growth == moment.growth
+            && known.wave.is_sine == moment.wave.is_sine
+            && known.wave.frequency == moment.wave.frequency
+    };
+    match moments.iter_mut().find(alike) {
+        Some(known) => {
+            known.wave.coefficient = tower.add(&known.wave.coefficient, &moment.wave.coefficient)?;
+        }
+        None => moments.push(moment),
+    }
+    Ok(())
+}
+
 /// The slope κ of an exponential or wave of κx; 1 for x itself.
 fn slope(tower: &mut Tower, generator: u32, x: u32) -> Option<Fraction> {
     if generator == x {
@@ -169,6 +185,23 @@ fn slope(tower: &mut Tower, generator: u32, x: u32) -> Option<Fraction> {
         && function.numerator.degree() == 1
         && function.numerator.coefficient(0).is_zero();
     linear.then(|| function.numerator.coefficient(1))
+}
+
+/// 1/(λ + iω)
+fn inverse(tower: &mut Tower, growth: &Fraction, frequency: &Fraction) -> Computed<(Fraction, Fraction)> {
+    if growth.is_zero() {
+        let inverse = tower.inverse(frequency)?;
+        return Ok((Fraction::zero(), tower.negate(&inverse)));
+    }
+    if frequency.is_zero() {
+        return Ok((tower.inverse(growth)?, Fraction::zero()));
+    }
+    let (g, f) = (tower.multiply(growth, growth)?, tower.multiply(frequency, frequency)?);
+    let norm = tower.add(&g, &f)?;
+    let inverse = tower.inverse(&norm)?;
+    let re = tower.multiply(growth, &inverse)?;
+    let im = tower.multiply(&tower.negate(frequency), &inverse)?;
+    Ok((re, im))
 }
 
 /// 2 cos a cos b = cos(a−b) + cos(a+b) and its like.
@@ -192,9 +225,13 @@ fn multiplied(
             (false, true) => (halved, negated, true),
             (true, true) => (negated, halved, false),
         };
-        for (coefficient, frequency) in [(first, up), (second, down)] {
+        for (mut coefficient, mut frequency) in [(first, up), (second, down)] {
             if is_sine && frequency.is_zero() {
                 continue;
+            }
+            if frequency.numerator().is_negative() {
+                frequency = tower.negate(&frequency);
+                coefficient = if is_sine { tower.negate(&coefficient) } else { coefficient };
             }
             let same = products.iter_mut().find(|w| w.is_sine == is_sine && w.frequency == frequency);
             match same {

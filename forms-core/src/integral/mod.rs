@@ -9,6 +9,7 @@
 //! continuity show. Continuous on the closed range and differentiable inside, with A′ = f, it gives the integral, the
 //! improper one too.
 
+mod bernstein;
 mod ends;
 mod exponential;
 mod harmonic;

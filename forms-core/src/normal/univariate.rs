@@ -264,9 +264,10 @@ impl Tower {
 
     /// The argument of a sine, cosine or exponential generator.
     pub(crate) fn argument(&mut self, variable: u32) -> Option<Fraction> {
-        let unit = match self.generator(variable).clone() {
-            Generator::Cosine(unit) | Generator::Sine(unit) | Generator::Exponential(unit) => unit,
-            _ => return None,
+        let (Generator::Cosine(unit) | Generator::Sine(unit) | Generator::Exponential(unit)) =
+            self.generator(variable).clone()
+        else {
+            return None;
         };
         let quantity = self.quantity(&unit.quantity);
         Some(self.cancel(quantity.numerator, quantity.divisor * unit.divisor, quantity.factors))

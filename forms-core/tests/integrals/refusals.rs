@@ -1,6 +1,6 @@
 //! Integrals that do not converge, are not known to, or are outside the class are refused with the reason.
 
-use super::theory::errors;
+use super::quadrature::errors;
 
 fn reason(integral: &str) -> String {
     let text = format!("chart R1(x); param c; fn f(x); let it = integral({integral});");
