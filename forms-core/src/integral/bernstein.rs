@@ -109,6 +109,7 @@ impl Knowledge {
         };
         let (alpha, beta) = (part(0), part(1));
         let difference = alpha.square().sub(&beta.square().mul(&radicand));
+        let difference = without_squares(tower, difference);
         let (first_is_larger, strictness) = self.polynomial_sign(tower, &difference, sides)?;
         let larger = if first_is_larger { &alpha } else { &beta };
         let sign = self.polynomial_sign(tower, larger, sides)?;
@@ -286,6 +287,20 @@ fn from_circle(polynomial: &Polynomial, variable: u32) -> Polynomial {
         let power = if is_even { sigma.pow(exponent / 2) } else { line.pow(exponent) };
         sum.add(&coefficient.mul(&power))
     })
+}
+
+/// The polynomial with ρ² replaced by its radicand for every square root in it.
+fn without_squares(tower: &Tower, polynomial: Polynomial) -> Polynomial {
+    let mut rest = polynomial;
+    for variable in rest.variables().into_iter().rev() {
+        let Some((radicand, 2)) = tower.radicand(variable) else { continue };
+        let parts = rest.coefficients_in(variable);
+        rest = parts.into_iter().fold(Polynomial::zero(), |sum, (exponent, coefficient)| {
+            let square = coefficient.mul(&radicand.pow(exponent / 2));
+            sum.add(&square.multiply_by_monomial(&[(variable, exponent % 2)]))
+        });
+    }
+    rest
 }
 
 /// m / n for monomials, if n divides m.

@@ -224,10 +224,23 @@ pub(super) fn is_antiderivative(
     variable: Symbol,
     conditions: &[Condition],
 ) -> Result<bool, Failure> {
-    let derivative = pool.derivative(candidate, variable);
+    let plain = without_magnitudes_in_logarithms(pool, candidate);
+    let derivative = pool.derivative(plain, variable);
     let difference = pool.subtract(derivative, integrand);
     let mut tower = Tower::new(Trigonometry::Circle);
     Ok(any_normal_form(pool, &mut tower, difference, conditions)?.is_zero())
+}
+
+/// log|q| as log q, which has the same derivative q′/q.
+fn without_magnitudes_in_logarithms(pool: &mut Pool, expression: Expr) -> Expr {
+    let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
+    for part in pool.reachable(&[expression]) {
+        let Node::Apply(Operation::Log, arguments) = pool.node(part) else { continue };
+        let Node::Apply(Operation::Abs, inner) = pool.node(arguments[0]).clone() else { continue };
+        let logarithm = pool.apply(Operation::Log, &inner);
+        images.insert(part, logarithm);
+    }
+    pool.replace(expression, &images)
 }
 
 /// What has to hold for one operation to be defined and continuous: `left relation 0`.

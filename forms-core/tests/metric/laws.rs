@@ -27,7 +27,7 @@ type Law = fn(&Metric, usize) -> Option<[String; 3]>;
 
 fn two_stars(metric: &Metric, k: usize) -> Option<[String; 3]> {
     let (n, w) = (metric.dimension(), form(metric, k));
-    let sign = if k * (n - k) % 2 == 0 { "" } else { "-" };
+    let sign = if (k * (n - k)).is_multiple_of(2) { "" } else { "-" };
     let right = format!("{sign}{SIGN}*({w})");
     Some([format!("hodge[g](hodge[g]({w}))"), right, format!("{sign}({w})")])
 }
@@ -46,7 +46,7 @@ fn top(metric: &Metric) -> String {
 
 fn codifferential(metric: &Metric, k: usize) -> Option<[String; 3]> {
     let (n, w) = (metric.dimension(), form(metric, k));
-    let sign = if (n * (k + 1) + 1) % 2 == 0 { "" } else { "-" };
+    let sign = if (n * (k + 1) + 1).is_multiple_of(2) { "" } else { "-" };
     let stars = format!("hodge[g](d(hodge[g]({w})))");
     (k > 0).then(|| [format!("codiff[g]({w})"), format!("{sign}{SIGN}*{stars}"), format!("{sign}{stars}")])
 }

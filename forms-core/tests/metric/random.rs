@@ -27,17 +27,16 @@ pub(crate) struct Metric {
 impl Metric {
     /// A metric of some dimension and signature.
     pub(crate) fn draw(random: &mut Random, dimension: usize) -> Self {
-        let mut entries = vec![vec!["0".to_string(); dimension]; dimension];
-        for i in 0..dimension {
+        let mut lower: Vec<Vec<String>> = Vec::new();
+        for size in 0..dimension {
+            let mut row: Vec<String> =
+                (0..size).map(|_| random.pick(&["0", "0", "1", "x", "y", "f"]).to_string()).collect();
             let sign = random.pick(&["", "", "-"]);
-            let size = random.pick(&["1", "2", "(1 + x**2)", "(3 + x*x)", "f"]);
-            entries[i][i] = format!("{sign}{size}");
-            for j in 0..i {
-                let entry = random.pick(&["0", "0", "1", "x", "y", "f"]).to_string();
-                entries[i][j].clone_from(&entry);
-                entries[j][i] = entry;
-            }
+            row.push(format!("{sign}{}", random.pick(&["1", "2", "(1 + x**2)", "(3 + x*x)", "f"])));
+            lower.push(row);
         }
+        let entry = |i: usize, j: usize| lower[i.max(j)][i.min(j)].clone();
+        let entries = (0..dimension).map(|i| (0..dimension).map(|j| entry(i, j)).collect()).collect();
         Metric { entries }
     }
 
@@ -49,13 +48,11 @@ impl Metric {
     pub(crate) fn preamble(&self) -> String {
         let n = self.dimension();
         let names = COORDINATES[..n].join(", ");
-        let mut terms = Vec::new();
-        for i in 0..n {
-            terms.push(format!("{}*d{}**2", self.entries[i][i], COORDINATES[i]));
-            for j in 0..i {
-                terms.push(format!("2*({})*d{}*d{}", self.entries[i][j], COORDINATES[i], COORDINATES[j]));
-            }
-        }
+        let pairs = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
+        let term = |(i, j): (usize, usize)| {
+            format!("({})*d{}*d{}", self.entries[i][j], COORDINATES[i], COORDINATES[j])
+        };
+        let terms: Vec<String> = pairs.map(term).collect();
         format!(
             "chart C({names}); fn f(x, y); fn p({names}); fn q({names}); metric g on C = {};",
             terms.join(" + ")
