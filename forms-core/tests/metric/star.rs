@@ -30,7 +30,7 @@ fn permutations(n: usize) -> Vec<(Vec<usize>, i8)> {
         for place in 0..n {
             let mut longer = shorter.clone();
             longer.insert(place, n - 1);
-            let moved = if (n - 1 - place) % 2 == 0 { sign } else { -sign };
+            let moved = if (n - 1 - place).is_multiple_of(2) { sign } else { -sign };
             all.push((longer, moved));
         }
     }
@@ -66,7 +66,7 @@ fn slow_star(metric: &Metric, blade_places: &[usize], slip: Slip) -> String {
     let inverse = |i: usize, j: usize| {
         let without = |skipped: usize| all.iter().copied().filter(|&k| k != skipped).collect::<Vec<_>>();
         let cofactor = determinant(&without(j), &without(i), &entry);
-        format!("{}{cofactor}/{whole}", if (i + j) % 2 == 0 { "" } else { "-" })
+        format!("{}{cofactor}/{whole}", if (i + j).is_multiple_of(2) { "" } else { "-" })
     };
     let density = match slip {
         Slip::RootMissing => whole.clone(),
