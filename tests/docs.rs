@@ -1,13 +1,14 @@
 //! What the documents print is what happens.
 //!
 //! ```text
-//! README.md, docs/**/*.md ─ fenced blocks ─┬─ forms         one theory a page, every statement as claimed
+//! README.md, docs/**/*.md ─ fenced blocks ─┬─ forms         one theory a page, every statement as claimed, every kernel generated
 //!                                          ├─ forms,alone   the same, a theory of its own
 //!                                          └─ forms,error   exactly the message quoted in the next block
 //! ```
 //! Rust blocks are doctests of the crate `forms`. With `FORMS_WRITE=1` quoted messages are written anew.
 
 use forms::core::check::{decide_all, objection, read_theory};
+use forms::core::generation::generate;
 use forms::core::syntax::Source;
 use std::path::{Path, PathBuf};
 
@@ -34,7 +35,8 @@ fn blocks(page: &str) -> Vec<Block> {
     blocks
 }
 
-/// Everything the library says about a text: errors, or statements that are not as claimed.
+/// Everything the library says about a text: errors, or statements that are not as claimed and kernels that cannot be
+/// generated.
 fn complaints(name: &str, text: &str) -> String {
     let source = Source::new(name, text);
     let (mut theory, mut diagnostics) = read_theory(text);
@@ -42,6 +44,9 @@ fn complaints(name: &str, text: &str) -> String {
         let verdicts = decide_all(&mut theory);
         let pairs = theory.statements.iter().zip(&verdicts);
         diagnostics.extend(pairs.filter_map(|(statement, verdict)| objection(statement, verdict)));
+        for kernel in theory.kernels.clone() {
+            diagnostics.extend(generate(&mut theory.pool, &kernel).err().into_iter().flatten());
+        }
     }
     let shown: Vec<String> = diagnostics.iter().map(|diagnostic| source.render(diagnostic)).collect();
     shown.join("\n")

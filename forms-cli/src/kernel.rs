@@ -1,7 +1,7 @@
 //! Kernels of a file or of the library, found by name and generated.
 
 use crate::theory_file::{self, FileError, TheoryFile};
-use forms::core::kernel::{KernelSource, Program, lower};
+use forms::core::generation::{Generated, generate};
 use forms::core::resolve::Kernel;
 
 /// Where FILE is this, the library is meant.
@@ -29,18 +29,10 @@ pub(crate) fn find<'a>(files: &'a [TheoryFile], name: &str) -> Result<(&'a Theor
     })
 }
 
-/// The kernel as it was written, as a program.
-pub(crate) fn program(file: &TheoryFile, kernel: &Kernel) -> Result<Program, Vec<FileError>> {
-    let source = KernelSource {
-        name: kernel.name.clone(),
-        docs: kernel.docs.clone(),
-        public: true,
-        arguments: kernel.arguments.clone(),
-        outputs: kernel.outputs.clone(),
-        domain: kernel.domain.clone(),
-    };
-    lower(&file.theory.pool, &source).map_err(|error| {
-        let diagnostic = forms::core::diagnostic::Diagnostic::new(kernel.span, error.to_string());
-        vec![FileError::at(&file.source, &diagnostic)]
-    })
+/// The kernel as programs, or everything that is wrong with it. Its source is to be pasted elsewhere: it is public.
+pub(crate) fn generated(file: &TheoryFile, kernel: &Kernel) -> Result<Generated, Vec<FileError>> {
+    let mut kernel = kernel.clone();
+    kernel.public = true;
+    generate(&mut file.theory.pool.clone(), &kernel)
+        .map_err(|errors| errors.iter().map(|error| FileError::at(&file.source, error)).collect())
 }

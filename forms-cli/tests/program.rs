@@ -1,6 +1,7 @@
 //! The program, run as its users run it: exit statuses, both kinds of output, and what it says of mistakes.
 
 mod process;
+mod readme;
 
 use process::{Folder, forms, forms_on};
 
@@ -243,17 +244,42 @@ fn help_and_version_are_there() {
 }
 
 #[test]
-fn the_tour_proves_generates_and_paints() {
-    let folder = Folder::with(&[]);
-    let run = forms(&folder, &[]);
-    assert_eq!((run.status, run.errors.as_str()), (0, ""), "{}", run.output);
-    for part in ["eq28_closed", "Wrong as printed", "solid_angle_density_patch", "floor_centre", "5.39"] {
-        assert!(run.output.contains(part), "{part}: {}", run.output);
+fn a_file_with_errors_is_not_called_as_stated() {
+    let folder = Folder::with(&[("good.forms", THEORY), ("bad.forms", "chart L(x)")]);
+    let alone = forms(&folder, &["prove", "bad.forms"]);
+    assert_eq!((alone.status, alone.output.as_str()), (2, "1 file with errors, not decided\n"));
+    let both = forms(&folder, &["prove", "bad.forms", "good.forms"]).output;
+    assert!(both.contains("1 file with errors, not decided\n2 statements: 1 proved, 1 refuted"), "{both}");
+}
+
+#[test]
+fn a_kernel_without_arguments_has_one_row() {
+    let folder = Folder::with(&[("pi.forms", "kernel tau() = 2*pi; kernel both() = (1, 1/2);")]);
+    assert_eq!(forms(&folder, &["eval", "pi.forms", "tau"]).output, "tau\n6.2831853071795862e0\n");
+    let pair = forms(&folder, &["eval", "pi.forms", "both"]).output;
+    assert_eq!(pair, "both_0,both_1\n1.0000000000000000e0,5.0000000000000000e-1\n");
+}
+
+#[test]
+fn a_kernel_that_jumps_unsaid_is_neither_evaluated_nor_emitted() {
+    let folder = Folder::with(&[("jump.forms", "kernel k(u) = if u > 0 { 1 } else { 0 };")]);
+    for arguments in [&["eval", "jump.forms", "k"][..], &["emit", "jump.forms", "--target", "rust"]] {
+        let run = forms(&folder, arguments);
+        assert_eq!((run.status, run.output.as_str()), (2, ""), "{arguments:?}");
+        assert!(run.errors.contains("differ at the seam u = 0 of `k`"), "{}", run.errors);
+        assert!(run.errors.contains("jump.forms:1:1") && run.errors.contains("say `jump`"), "{}", run.errors);
     }
-    let picture = folder.read("forms-output/cornell_box.png");
-    assert!(picture.starts_with(b"\x89PNG"));
-    let widest = run.output.lines().map(|line| line.chars().count()).max();
-    assert!(widest <= Some(80), "{widest:?}");
+}
+
+#[test]
+fn emitted_source_says_whether_it_is_proved() {
+    let text = "kernel k(x) = x**3 + x; kernel l(a) = sqrt(a + sqrt(a**2 - 1)) - (sqrt(a + 1) + sqrt(a - 1))/sqrt(2);";
+    let folder = Folder::with(&[("k.forms", text)]);
+    let run = forms(&folder, &["emit", "k.forms", "--target", "rust"]).output;
+    let count = |part: &str| run.matches(part).count();
+    let proved = count("/// Proved equal to its formula wherever both are defined.");
+    let compared = count("/// Not proved equal to its formula, only compared with it at");
+    assert!(proved >= 1 && proved + compared == 2, "{run}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
-//! Decides every statement of the files given and prints how long each took.
+//! Decides every statement and generates every kernel of the files given, and prints how long each took.
 
-use forms_core::{check::read_theory, decide::decide, syntax};
+use forms_core::{check::read_theory, decide::decide, generation::generate, syntax};
 use std::time::Instant;
 
 fn main() {
@@ -18,6 +18,15 @@ fn main() {
             let verdict = decide(&mut theory, &statement);
             let mark = if verdict.bears_out(statement.claim) { "ok " } else { "BAD" };
             println!("{mark} {:>8.0?} {} {:?}", begin.elapsed(), statement.name, verdict);
+        }
+        for kernel in theory.kernels.clone() {
+            let begin = Instant::now();
+            match generate(&mut theory.pool, &kernel) {
+                Ok(generated) => {
+                    println!("ok  {:>8.0?} {} {}", begin.elapsed(), kernel.name, generated.translation);
+                }
+                Err(errors) => errors.iter().for_each(|error| println!("{}", source.render(error))),
+            }
         }
         println!("{name}: resolved in {resolved:.1?}, all in {:.1?}", start.elapsed());
     }

@@ -17,6 +17,7 @@ pub mod derivation;
 pub mod diagnostic;
 pub mod enclosure;
 pub mod expression;
+pub mod generation;
 mod integral;
 pub mod kernel;
 pub mod normal;

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! Body ─ parse ─ resolve ─▶ Theory ─┬─ statements ─ decide ─▶ errors, or nothing
-//!                                   └─ kernels ─ lower, optimise, emit ─▶ documented functions
+//!                                   └─ kernels ─ generate, emit ─▶ errors, or documented functions
 //! ```
 
 use crate::report::Origin;
@@ -10,7 +10,8 @@ use crate::tokens::Body;
 use forms_core::check::{decide_all, objection, resolve_parsed};
 use forms_core::decide::Verdict;
 use forms_core::diagnostic::{Diagnostic, Span};
-use forms_core::kernel::{KernelSource, RustDocs, emit_rust, lower};
+use forms_core::generation::{Translation, generate};
+use forms_core::kernel::{RustDocs, emit_rust};
 use forms_core::resolve::{Kernel, Theory};
 use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
 use forms_core::syntax::token::{Symbol, Token, TokenKind};
@@ -136,10 +137,10 @@ pub(crate) fn theory_checked(
             .filter_map(|(statement, verdict)| objection(statement, verdict)),
     );
     let mut output = TokenStream::new();
-    for kernel in &theory.kernels {
-        match function(&theory, &verdicts, kernel, origin) {
+    for kernel in theory.kernels.clone() {
+        match function(&mut theory, &verdicts, &kernel, origin) {
             Ok(function) => output.extend(function),
-            Err(message) => diagnostics.push(Diagnostic::new(kernel.span, message)),
+            Err(found) => diagnostics.extend(found),
         }
     }
     output.extend(origin.errors(&diagnostics));
@@ -148,30 +149,27 @@ pub(crate) fn theory_checked(
 
 /// A kernel as a documented Rust function, its name on the user's own.
 fn function(
-    theory: &Theory,
+    theory: &mut Theory,
     verdicts: &[Verdict],
     kernel: &Kernel,
     origin: &Origin,
-) -> Result<TokenStream, String> {
-    let pool = &theory.pool;
-    let source = KernelSource {
-        name: kernel.name.clone(),
-        docs: kernel.docs.clone(),
-        public: kernel.public,
-        arguments: kernel.arguments.clone(),
-        outputs: kernel.outputs.clone(),
-        domain: kernel.domain.clone(),
-    };
-    let program = lower(pool, &source).map_err(|error| error.to_string())?.optimise();
-    let text = emit_rust(&program, &documentation(theory, verdicts, kernel));
-    let function = text.parse::<TokenStream>().map_err(|error| {
-        format!("the function generated for `{}` cannot be read by Rust: {error}", kernel.name)
+) -> Result<TokenStream, Vec<Diagnostic>> {
+    let generated = generate(&mut theory.pool, kernel)?;
+    let docs = documentation(theory, verdicts, kernel, &generated.translation);
+    let function = emit_rust(&generated.optimised, &docs).parse::<TokenStream>().map_err(|error| {
+        let message = format!("the function generated for `{}` cannot be read by Rust: {error}", kernel.name);
+        vec![Diagnostic::new(kernel.span, message)]
     })?;
     Ok(named_at(function, &kernel.name, origin.place(kernel.span).0))
 }
 
-/// The formula, the proved statements it rests on, and the domain it is stated on.
-fn documentation(theory: &Theory, verdicts: &[Verdict], kernel: &Kernel) -> RustDocs {
+/// The formula, the proved statements it rests on, the domain it is stated on, and whether it is computed.
+fn documentation(
+    theory: &Theory,
+    verdicts: &[Verdict],
+    kernel: &Kernel,
+    translation: &Translation,
+) -> RustDocs {
     let arguments: Vec<&str> =
         kernel.arguments.iter().map(|&argument| theory.pool.symbol_name(argument)).collect();
     let value = match kernel.formula.as_slice() {
@@ -186,6 +184,7 @@ fn documentation(theory: &Theory, verdicts: &[Verdict], kernel: &Kernel) -> Rust
         formula: format!("{}({}) = {value}", kernel.name, arguments.join(", ")),
         statements: kernel.statements.iter().filter(is_proved).cloned().collect(),
         conditions: kernel.domain.iter().map(|condition| condition.text(&theory.pool)).collect(),
+        translation: translation.to_string(),
         docs: kernel.docs.clone(),
     }
 }

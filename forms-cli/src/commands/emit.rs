@@ -1,7 +1,7 @@
 //! `forms emit`: kernels as source that compiles as it stands.
 
 use crate::commands::refuse;
-use crate::kernel::{LIBRARY, files, find, program};
+use crate::kernel::{LIBRARY, files, find, generated};
 use crate::status::Status;
 use crate::theory_file::{TheoryFile, complain};
 use forms::core::kernel::{RustDocs, emit_rust};
@@ -68,12 +68,13 @@ fn formula(file: &TheoryFile, kernel: &Kernel) -> String {
 }
 
 fn source(file: &TheoryFile, kernel: &Kernel) -> Result<String, Vec<crate::theory_file::FileError>> {
-    let program = program(file, kernel)?.optimise();
+    let generated = generated(file, kernel)?;
     let docs = RustDocs {
         formula: formula(file, kernel),
         statements: kernel.statements.clone(),
         conditions: Vec::new(),
+        translation: generated.translation.to_string(),
         docs: kernel.docs.clone(),
     };
-    Ok(emit_rust(&program, &docs))
+    Ok(emit_rust(&generated.optimised, &docs))
 }

@@ -3,7 +3,7 @@
 use crate::arguments::Tier;
 use crate::commands::refuse;
 use crate::decimal::nearest;
-use crate::kernel::{files, find, program};
+use crate::kernel::{files, find, generated};
 use crate::status::Status;
 use crate::theory_file::complain;
 use forms::core::kernel::Program;
@@ -40,15 +40,27 @@ pub(crate) fn eval(
         Ok(found) => found,
         Err(message) => return Ok(refuse(&format!("{message} (in {file})"))),
     };
-    let program = match program(file, kernel) {
-        Ok(program) if tier == Tier::Stable => program.optimise(),
-        Ok(program) => program,
+    let program = match generated(file, kernel) {
+        Ok(generated) if tier == Tier::Stable => generated.optimised,
+        Ok(generated) => generated.written,
         Err(errors) => {
             complain(&errors);
             return Ok(Status::Error);
         }
     };
+    if program.arguments().is_empty() {
+        return constant(&program, output);
+    }
     rows(&program, io::stdin().lock(), output)
+}
+
+/// A kernel without arguments has one row, and needs no input for it.
+fn constant(program: &Program, output: &mut dyn Write) -> io::Result<Status> {
+    let mut writer = csv::Writer::from_writer(output);
+    writer.write_record(header(program))?;
+    writer.write_record(program.interpret(&[]).into_iter().map(digits))?;
+    writer.flush()?;
+    Ok(Status::AsStated)
 }
 
 /// Reads rows and writes them with their values until one of them is malformed.

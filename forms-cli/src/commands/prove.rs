@@ -21,7 +21,10 @@ pub(crate) fn prove(files: &[String], json: bool, output: &mut dyn Write) -> io:
     for name in files {
         status = status.max(match theory_file::read(name) {
             Ok(file) => report.file(file)?,
-            Err(errors) => report.errors(&errors)?,
+            Err(errors) => {
+                report.totals.unread += 1;
+                report.errors(&errors)?
+            }
         });
     }
     if !json {
@@ -43,6 +46,8 @@ pub(super) struct Totals {
     refuted: usize,
     unknown: usize,
     not_as_stated: usize,
+    /// Files with errors, of which nothing was decided.
+    unread: usize,
     time: Duration,
 }
 
@@ -62,8 +67,12 @@ impl Totals {
         let kinds = [(self.proved, "proved"), (self.refuted, "refuted"), (self.unknown, "unknown")];
         let kinds: Vec<String> =
             kinds.iter().filter(|kind| kind.0 > 0).map(|(count, kind)| format!("{count} {kind}")).collect();
-        let all = counted(self.proved + self.refuted + self.unknown, "statement");
+        let all = counted(self.count_of_statements(), "statement");
         if kinds.is_empty() { all } else { format!("{all}: {}", kinds.join(", ")) }
+    }
+
+    fn count_of_statements(&self) -> usize {
+        self.proved + self.refuted + self.unknown
     }
 
     pub(super) fn all_as_stated(&self) -> bool {
@@ -134,6 +143,13 @@ impl Report<'_> {
 
     fn totals(&mut self, all: Duration) -> io::Result<()> {
         let totals = &self.totals;
+        if totals.unread > 0 {
+            let errors = format!("{} with errors, not decided", counted(totals.unread, "file"));
+            writeln!(self.output, "{}", self.palette.bad(&errors))?;
+            if totals.count_of_statements() == 0 {
+                return Ok(());
+            }
+        }
         let end = match totals.not_as_stated {
             0 => self.palette.good("all as stated"),
             1 => self.palette.bad("1 is not as stated"),

@@ -4,7 +4,7 @@ use super::problem::Problem;
 use super::proof::{Outcome, prove_zero};
 use crate::assume::Facts;
 use crate::expression::Pool;
-use crate::normal::{Sign, Tower, Trigonometry, normalise};
+use crate::normal::{Sign, Tower, Trigonometry, WORK_LIMIT, normalise};
 use crate::syntax::ast::Relation;
 
 /// Why no point meets the assumptions, if that can be shown: by a condition that fails by its nature, by bounds
@@ -45,7 +45,7 @@ pub(super) fn contradiction(pool: &mut Pool, problem: &Problem) -> Option<String
         return Some("its conditions contradict each other".to_string());
     }
     let one = pool.integer(1);
-    match prove_zero(pool, problem, vec![one]) {
+    match prove_zero(pool, problem, vec![one], WORK_LIMIT) {
         Outcome::Empty(reason) => Some(reason),
         _ => None,
     }

@@ -15,6 +15,7 @@
 
 mod account;
 mod empty;
+mod finding;
 mod problem;
 mod proof;
 mod ratio;
@@ -24,23 +25,15 @@ mod verdict;
 mod witness;
 
 pub use account::{Account, Bound, Cancellation, Case, account};
+pub(crate) use finding::{Effort, Equations, Finding, contradiction};
 pub use ratio::Ratio;
+pub(crate) use report::simplified;
 pub use report::simplified_where;
 pub use verdict::{Theorem, Verdict, Witness};
 
 use crate::expression::Condition;
 use crate::resolve::{Statement, Theory};
 use problem::Problem;
-use proof::Outcome;
-use witness::{Difference, Found, Search};
-
-/// Candidate points looked at before the normal form is computed, and how many good ones are enough.
-const FIRST_CANDIDATES: usize = 24;
-const FIRST_POINTS: usize = 1;
-
-/// Candidate points looked at before giving up, and how many good ones make it hopeless.
-const LAST_CANDIDATES: usize = 600;
-const LAST_POINTS: usize = 40;
 
 /// Decides one statement.
 ///
@@ -55,42 +48,17 @@ const LAST_POINTS: usize = 40;
 /// ```
 pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
     let problem = Problem::new(theory, statement);
-    let seems_true = Search::new(&theory.pool, &problem, 0).sees_agreement(FIRST_CANDIDATES);
-    let early = seems_true.then(|| proof::outcome(&mut theory.pool, &problem));
-    if early == Some(Outcome::Zero) {
-        return report::proved(theory, &problem);
-    }
-    let mut search = Survey::default();
-    let position = search.look(theory, &problem, 0, FIRST_CANDIDATES);
-    if let Some(difference) = search.difference.take() {
-        return report::refuted(theory, &problem, &difference);
-    }
-    let outcome = early.unwrap_or_else(|| proof::outcome(&mut theory.pool, &problem));
-    if outcome == Outcome::Zero && search.points > 0 {
-        return report::proved(theory, &problem);
-    }
-    if search.points == 0 {
-        let contradiction = empty::contradiction(&mut theory.pool, &problem);
-        let known = if let Outcome::Empty(reason) = &outcome { Some(reason.clone()) } else { None };
-        if let Some(reason) = contradiction.or(known) {
-            return Verdict::Empty { reason };
-        }
-    }
-    search.enough = if outcome == Outcome::Zero { 1 } else { LAST_POINTS };
-    search.look(theory, &problem, position, LAST_CANDIDATES);
-    if let Some(difference) = search.difference {
-        return report::refuted(theory, &problem, &difference);
-    }
-    match outcome {
-        Outcome::Zero if search.points > 0 => report::proved(theory, &problem),
-        Outcome::Zero => Verdict::Unknown {
+    match finding::find(&mut theory.pool, &problem, Effort::STATEMENT) {
+        Finding::Equal { points: 0 } => Verdict::Unknown {
             reason: "no point was found at which both sides are defined and every condition holds".into(),
         },
-        Outcome::NotZero => Verdict::Unknown {
-            reason: "the two sides have different normal forms, but no point was found at which they differ"
-                .into(),
-        },
-        Outcome::Outside(reason) | Outcome::Empty(reason) => Verdict::Unknown { reason },
+        Finding::Equal { .. } => Verdict::Proved(report::theorem(&mut theory.pool, &problem)),
+        Finding::Different(witness) => {
+            let ratio = ratio::ratio(theory, &problem);
+            Verdict::Refuted(Witness { ratio, ..witness })
+        }
+        Finding::Empty(reason) => Verdict::Empty { reason },
+        Finding::Unknown { reason, .. } => Verdict::Unknown { reason },
     }
 }
 
@@ -98,38 +66,4 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
 pub fn conditions(theory: &mut Theory, statement: &Statement) -> Vec<Condition> {
     let problem = Problem::new(theory, statement);
     report::conditions(&mut theory.pool, &problem)
-}
-
-/// What looking at points has shown so far.
-struct Survey {
-    points: usize,
-    enough: usize,
-    difference: Option<Difference>,
-}
-
-impl Default for Survey {
-    fn default() -> Self {
-        Survey { points: 0, enough: FIRST_POINTS, difference: None }
-    }
-}
-
-impl Survey {
-    /// Looks at candidates from one position on; gives the position to go on from.
-    fn look(&mut self, theory: &Theory, problem: &Problem, from: u32, candidates: usize) -> u32 {
-        let mut search = Search::new(&theory.pool, problem, from);
-        for _ in 0..candidates {
-            match search.next() {
-                Found::NoPoint => {}
-                Found::Agrees => self.points += 1,
-                Found::Differs(difference) => {
-                    self.difference = Some(difference);
-                    break;
-                }
-            }
-            if self.points >= self.enough {
-                break;
-            }
-        }
-        search.position()
-    }
 }

@@ -1,7 +1,7 @@
 //! A statement taken apart: one difference a component, and the conditions its points satisfy.
 
 use crate::calculus::Blade;
-use crate::expression::{Condition, Expr};
+use crate::expression::{Condition, Expr, Pool};
 use crate::resolve::{Statement, Theory, Value};
 use std::collections::BTreeMap;
 
@@ -29,24 +29,42 @@ pub(super) struct Problem {
 
 impl Problem {
     pub(super) fn new(theory: &mut Theory, statement: &Statement) -> Self {
+        let sides = paired(theory, &statement.left, &statement.right);
+        Problem::of_components(&mut theory.pool, sides, &statement.conditions, &statement.domain)
+    }
+
+    /// Equations between scalars, wherever both sides are defined and the conditions hold.
+    pub(super) fn of_scalars(pool: &mut Pool, sides: &[(Expr, Expr)], conditions: &[Condition]) -> Self {
+        let mut expressions: Vec<Expr> = conditions.iter().flat_map(|c| [c.left, c.right]).collect();
+        expressions.extend(sides.iter().flat_map(|&(left, right)| [left, right]));
+        let domain = pool.domain(&expressions);
+        let sides = sides.iter().map(|&(left, right)| (String::new(), left, right)).collect();
+        Problem::of_components(pool, sides, conditions, &domain)
+    }
+
+    fn of_components(
+        pool: &mut Pool,
+        sides: Vec<(String, Expr, Expr)>,
+        conditions: &[Condition],
+        domain: &[Condition],
+    ) -> Self {
         let (mut components, mut identical) = (Vec::new(), Vec::new());
-        for (label, left, right) in paired(theory, &statement.left, &statement.right) {
-            let difference = theory.pool.subtract(left, right);
-            if theory.pool.is_zero(difference) {
+        for (label, left, right) in sides {
+            let difference = pool.subtract(left, right);
+            if pool.is_zero(difference) {
                 identical.push(left);
             } else {
                 components.push(Component { label, left, right, difference });
             }
         }
         let mut assumptions: Vec<Condition> = Vec::new();
-        for condition in &statement.conditions {
+        for condition in conditions {
             if !assumptions.contains(condition) {
                 assumptions.push(*condition);
             }
         }
         let stated = assumptions.len();
-        assumptions
-            .extend(statement.domain.iter().filter(|condition| !statement.conditions.contains(condition)));
+        assumptions.extend(domain.iter().filter(|condition| !conditions.contains(condition)));
         Problem { components, identical, assumptions, stated }
     }
 

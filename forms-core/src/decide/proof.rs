@@ -22,17 +22,17 @@ pub(super) enum Outcome {
 const MOST_CASES: usize = 512;
 
 /// Tries to prove that every component vanishes.
-pub(super) fn outcome(pool: &mut Pool, problem: &Problem) -> Outcome {
+pub(super) fn outcome(pool: &mut Pool, problem: &Problem, work: u64) -> Outcome {
     if problem.components.is_empty() {
         return Outcome::Zero;
     }
-    prove_zero(pool, problem, problem.differences())
+    prove_zero(pool, problem, problem.differences(), work)
 }
 
 /// Tries to prove that the expressions vanish wherever the problem's assumptions hold.
-pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>) -> Outcome {
+pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>, work: u64) -> Outcome {
     let assumptions = Assumptions::new(pool, &problem.assumptions);
-    let mut tower = Tower::new(Trigonometry::Circle);
+    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(work);
     let mut proof =
         Proof { pool, tower: &mut tower, differences, assumptions, cases: 0, settled: Vec::new() };
     match proof.explore(&[]) {

@@ -9,6 +9,7 @@ use super::report::simplified_where;
 use crate::calculus::{Blade, Coordinate, Form, Pullback, Structured, pullback};
 use crate::expression::Operation::{Cos, Exp, Sin, Tan};
 use crate::expression::{Expr, Node, Pool};
+use crate::normal::WORK_LIMIT;
 use crate::resolve::{Map, Theory};
 use num_traits::{One, Zero};
 
@@ -66,7 +67,7 @@ pub(super) fn ratio(theory: &mut Theory, problem: &Problem) -> Option<Ratio> {
         let scaled = pool.multiply(factor, right);
         rests.push(pool.subtract(left, scaled));
     }
-    if prove_zero(pool, problem, rests) != Outcome::Zero {
+    if prove_zero(pool, problem, rests, WORK_LIMIT) != Outcome::Zero {
         return None;
     }
     Some(Ratio { factor: pool.text(factor), jacobian_of })

@@ -1,13 +1,11 @@
 //! Verdicts in the user's notation: the conditions a theorem rests on, what is left of a false equation.
 
 use super::problem::Problem;
-use super::ratio::ratio;
-use super::verdict::{Theorem, Verdict, Witness};
+use super::verdict::{Theorem, Witness};
 use super::witness::Difference;
 use crate::assume::{Assumptions, Cases, Facts};
 use crate::expression::{Condition, Expr, Nature, Node, Pool};
 use crate::normal::{Fraction, Sign, Tower, Trigonometry, normalise};
-use crate::resolve::Theory;
 use crate::syntax::ast::Relation;
 use num_traits::Zero;
 
@@ -17,26 +15,28 @@ const SIMPLIFICATION_WORK: u64 = 20_000;
 /// Signs within signs (√(|x| − 1)) deeper than this are not told apart for the eye.
 const DEEPEST_SIGN: usize = 8;
 
-pub(super) fn proved(theory: &mut Theory, problem: &Problem) -> Verdict {
-    Verdict::Proved(Theorem { conditions: texts(&mut theory.pool, problem) })
+/// The theorem that the problem's equations are.
+pub(super) fn theorem(pool: &mut Pool, problem: &Problem) -> Theorem {
+    Theorem { conditions: texts(pool, problem) }
 }
 
-pub(super) fn refuted(theory: &mut Theory, problem: &Problem, difference: &Difference) -> Verdict {
+/// The point at which one of them fails.
+pub(super) fn witness(pool: &mut Pool, problem: &Problem, difference: &Difference) -> Witness {
     let component = &problem.components[difference.component];
-    let simple = simplified(&mut theory.pool, component.difference);
-    Verdict::Refuted(Witness {
-        conditions: texts(&mut theory.pool, problem),
+    let simple = simplified(pool, component.difference);
+    Witness {
+        conditions: texts(pool, problem),
         point: difference.point.clone(),
         component: component.label.clone(),
         left: difference.left.clone(),
         right: difference.right.clone(),
-        difference: theory.pool.text(simple),
-        ratio: ratio(theory, problem),
-    })
+        difference: pool.text(simple),
+        ratio: None,
+    }
 }
 
 /// The expression through its normal form, or itself where it has none that reads better.
-pub(super) fn simplified(pool: &mut Pool, expression: Expr) -> Expr {
+pub(crate) fn simplified(pool: &mut Pool, expression: Expr) -> Expr {
     let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(SIMPLIFICATION_WORK);
     let Ok(prepared) = normalise(&mut tower, pool, &[expression]) else { return expression };
     let open_sign =

@@ -30,7 +30,7 @@ pub(super) fn simple_bounds(pool: &Pool, conditions: &[Condition]) -> FxHashMap<
         if let Node::Symbol(symbol) = pool.node(right)
             && let Some(value) = constant(pool, left)
         {
-            bounds.entry(*symbol).or_default().restrict(mirrored(condition.relation), &value);
+            bounds.entry(*symbol).or_default().restrict(condition.relation.mirrored(), &value);
         }
     }
     for _ in 0..CHAIN {
@@ -63,16 +63,6 @@ fn constant(pool: &Pool, expression: Expr) -> Option<Enclosure> {
         return Some(Enclosure::exact(value, Precision(64)));
     }
     enclose(pool, &[expression], &|_| None, &mut |_, _, _| None, Precision(64)).remove(0).ok()
-}
-
-fn mirrored(relation: Relation) -> Relation {
-    match relation {
-        Relation::Less => Relation::Greater,
-        Relation::LessEqual => Relation::GreaterEqual,
-        Relation::Greater => Relation::Less,
-        Relation::GreaterEqual => Relation::LessEqual,
-        Relation::NotEqual => Relation::NotEqual,
-    }
 }
 
 impl Bounds {

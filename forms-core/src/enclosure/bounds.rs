@@ -5,6 +5,7 @@ use crate::expression::Rational;
 use crate::syntax::ast::Relation;
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
+use std::cmp::Ordering;
 
 /// How many binary places after the point a range has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -227,14 +228,14 @@ impl Enclosure {
     /// Whether the relation holds, where that is certain.
     pub fn decide(&self, relation: Relation, other: &Enclosure) -> Option<bool> {
         let difference = self.sub(other);
-        let (holds, fails) = match relation {
-            Relation::Less => (difference.is_negative(), difference.is_nonnegative()),
-            Relation::LessEqual => (difference.is_nonpositive(), difference.is_positive()),
-            Relation::Greater => (difference.is_positive(), difference.is_nonpositive()),
-            Relation::GreaterEqual => (difference.is_nonnegative(), difference.is_negative()),
-            Relation::NotEqual => (!difference.contains_zero(), difference.is_zero()),
-        };
-        (holds || fails).then_some(holds)
+        let possible = [
+            (Ordering::Less, !difference.is_nonnegative()),
+            (Ordering::Equal, difference.contains_zero()),
+            (Ordering::Greater, !difference.is_nonpositive()),
+        ];
+        let mut answers = possible.into_iter().filter(|order| order.1).map(|order| relation.admits(order.0));
+        let first = answers.next()?;
+        answers.all(|answer| answer == first).then_some(first)
     }
 
     pub(super) fn common_precision(&self, other: &Enclosure) -> u32 {

@@ -91,7 +91,7 @@ fn evaluate(node: &Node, known: &FxHashMap<Expr, Decided>, precision: Precision)
         Node::Divide(a, b) => both(a, b).and_then(|(a, b)| a.div(b)),
         Node::Power(a, exponent) => one(a)?.power(*exponent),
         Node::Apply(operation, arguments) => Enclosure::apply(*operation, &all(arguments, known)?),
-        Node::Select { left, relation, right, then, otherwise } => {
+        Node::Select { left, relation, right, then, otherwise, .. } => {
             let (left, right) = both(left, right)?;
             match left.decide(*relation, right) {
                 Some(true) => known[then].clone(),

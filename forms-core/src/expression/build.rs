@@ -1,6 +1,6 @@
 //! Building expressions: constants fold, neutral elements vanish, nothing else is rewritten.
 
-use super::node::{Expr, FunctionId, Node, Pool, Rational, Symbol};
+use super::node::{Expr, FunctionId, Node, Pool, Rational, Seam, Symbol};
 use super::operation::Operation;
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
@@ -198,11 +198,12 @@ impl Pool {
         (left, relation, right): (Expr, Relation, Expr),
         then: Expr,
         otherwise: Expr,
+        seam: Seam,
     ) -> Expr {
         if then == otherwise {
             return then;
         }
-        self.intern(Node::Select { left, relation, right, then, otherwise })
+        self.intern(Node::Select { left, relation, right, then, otherwise, seam })
     }
 }
 

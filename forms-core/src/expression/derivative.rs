@@ -67,9 +67,9 @@ impl Pool {
                     .collect();
                 self.chain(&partials, &inner)
             }
-            Node::Select { left, relation, right, then, otherwise } => {
+            Node::Select { left, relation, right, then, otherwise, seam } => {
                 let (a, b) = (of(self, then), of(self, otherwise));
-                self.select((left, relation, right), a, b)
+                self.select((left, relation, right), a, b, seam)
             }
         }
     }

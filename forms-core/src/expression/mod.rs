@@ -13,14 +13,16 @@
 mod build;
 mod condition;
 mod derivative;
+mod domain;
 mod nature;
 mod node;
 mod operation;
+mod relation;
 mod substitution;
 mod text;
 
 pub use condition::Condition;
 pub(crate) use nature::Nature;
-pub use node::{Expr, FunctionId, Node, Pool, Rational, Symbol, SymbolKind, Unknown};
+pub use node::{Expr, FunctionId, Node, Pool, Rational, Seam, Symbol, SymbolKind, Unknown};
 pub use operation::{Meaning, Operation, Row, TABLE};
 pub use substitution::Substitution;

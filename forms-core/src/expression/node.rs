@@ -41,6 +41,15 @@ pub struct Unknown {
     pub arguments: Vec<Symbol>,
 }
 
+/// What the author of a piecewise expression says of the boundary between its pieces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Seam {
+    /// The pieces agree there.
+    Agrees,
+    /// They may differ: `if jump`.
+    Jumps,
+}
+
 /// One operation on earlier expressions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Node {
@@ -83,6 +92,8 @@ pub enum Node {
         then: Expr,
         /// The value where it does not.
         otherwise: Expr,
+        /// Whether the two are to agree where the relation changes.
+        seam: Seam,
     },
 }
 
@@ -99,8 +110,8 @@ impl Hash for Node {
             Node::Power(a, exponent) => (a, exponent.numer(), exponent.denom()).hash(state),
             Node::Apply(operation, arguments) => (operation, arguments).hash(state),
             Node::Jet { function, orders, arguments } => (function, orders, arguments).hash(state),
-            Node::Select { left, relation, right, then, otherwise } => {
-                (left, relation, right, then, otherwise).hash(state);
+            Node::Select { left, relation, right, then, otherwise, seam } => {
+                (left, relation, right, then, otherwise, seam).hash(state);
             }
         }
     }

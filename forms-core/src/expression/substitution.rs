@@ -14,33 +14,40 @@ impl Pool {
 
     /// The same for several expressions that share nodes.
     pub fn substitute_all(&mut self, expressions: &[Expr], values: &Substitution) -> Vec<Expr> {
+        self.replace_all(expressions, |node, _| match node {
+            Node::Symbol(symbol) => values.get(symbol).copied(),
+            _ => None,
+        })
+    }
+
+    /// The expressions with nodes replaced wherever they occur, operands first: `replaced` is given a node and the
+    /// images of the expressions below it, and answers with what is to stand for it, if that is to change.
+    pub(crate) fn replace_all(
+        &mut self,
+        expressions: &[Expr],
+        mut replaced: impl FnMut(&Node, &FxHashMap<Expr, Expr>) -> Option<Expr>,
+    ) -> Vec<Expr> {
         let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
         for expression in self.reachable(expressions) {
-            let image = self.image(expression, values, &images);
+            let node = self.node(expression).clone();
+            let image = replaced(&node, &images).unwrap_or_else(|| self.image(expression, node, &images));
             images.insert(expression, image);
         }
         expressions.iter().map(|expression| images[expression]).collect()
     }
 
     /// The expression with some of its parts replaced by others.
-    pub fn replace(&mut self, expression: Expr, parts: &FxHashMap<Expr, Expr>) -> Expr {
-        let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
-        let none = Substitution::default();
-        for part in self.reachable(&[expression]) {
-            let image = match parts.get(&part) {
-                Some(&replacement) => replacement,
-                None => self.image(part, &none, &images),
-            };
-            images.insert(part, image);
-        }
-        images[&expression]
+    pub(crate) fn replace(&mut self, expression: Expr, parts: &FxHashMap<Expr, Expr>) -> Expr {
+        let nodes: FxHashMap<Node, Expr> =
+            parts.iter().map(|(part, image)| (self.node(*part).clone(), *image)).collect();
+        self.replace_all(&[expression], |node, _| nodes.get(node).copied())[0]
     }
 
-    fn image(&mut self, expression: Expr, values: &Substitution, images: &FxHashMap<Expr, Expr>) -> Expr {
+    /// The same operation on the images of its operands.
+    fn image(&mut self, expression: Expr, node: Node, images: &FxHashMap<Expr, Expr>) -> Expr {
         let of = |operand: &Expr| images[operand];
-        match self.node(expression).clone() {
-            Node::Number(_) | Node::Pi => expression,
-            Node::Symbol(symbol) => values.get(&symbol).copied().unwrap_or(expression),
+        match node {
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => expression,
             Node::Add(a, b) => self.add(of(&a), of(&b)),
             Node::Negate(a) => self.negate(of(&a)),
             Node::Multiply(a, b) => self.multiply(of(&a), of(&b)),
@@ -54,8 +61,8 @@ impl Pool {
                 let arguments: Vec<Expr> = arguments.iter().map(of).collect();
                 self.jet(function, &orders, &arguments)
             }
-            Node::Select { left, relation, right, then, otherwise } => {
-                self.select((of(&left), relation, of(&right)), of(&then), of(&otherwise))
+            Node::Select { left, relation, right, then, otherwise, seam } => {
+                self.select((of(&left), relation, of(&right)), of(&then), of(&otherwise), seam)
             }
         }
     }

@@ -1,7 +1,6 @@
 //! Expressions written back in the language they came from.
 
-use super::node::{Expr, FunctionId, Node, Pool, Rational};
-use crate::syntax::ast::Relation;
+use super::node::{Expr, FunctionId, Node, Pool, Rational, Seam};
 use num_rational::Ratio;
 use num_traits::{One, Signed};
 use rustc_hash::FxHashMap;
@@ -32,19 +31,6 @@ impl Written {
             Cow::Borrowed(&self.text)
         } else {
             Cow::Owned(format!("({})", self.text))
-        }
-    }
-}
-
-impl Relation {
-    /// How it is written.
-    pub fn text(self) -> &'static str {
-        match self {
-            Relation::Less => "<",
-            Relation::LessEqual => "<=",
-            Relation::Greater => ">",
-            Relation::GreaterEqual => ">=",
-            Relation::NotEqual => "!=",
         }
     }
 }
@@ -104,11 +90,15 @@ impl Pool {
                 let list: Vec<Cow<str>> = arguments.iter().map(|a| of(a, Binding::Sum)).collect();
                 (self.write_jet(*function, orders, arguments, &list), Binding::Atom)
             }
-            Node::Select { left, relation, right, then, otherwise } => {
+            Node::Select { left, relation, right, then, otherwise, seam } => {
                 let [left, right, then, otherwise] =
                     [left, right, then, otherwise].map(|operand| of(operand, Binding::Sum));
                 let relation = relation.text();
-                (format!("(if {left} {relation} {right} {{ {then} }} else {{ {otherwise} }})"), Binding::Atom)
+                let jump = if *seam == Seam::Jumps { "jump " } else { "" };
+                (
+                    format!("(if {jump}{left} {relation} {right} {{ {then} }} else {{ {otherwise} }})"),
+                    Binding::Atom,
+                )
             }
         };
         Written { text, binding }

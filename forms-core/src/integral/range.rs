@@ -7,7 +7,6 @@ use super::{Failure, any_normal_form, normal_form};
 use crate::expression::{Condition, Expr, Node, Operation, Pool, Substitution, Symbol};
 use crate::normal::{Tower, Trigonometry};
 use crate::syntax::ast::Relation;
-use num_traits::Signed;
 use rustc_hash::FxHashMap;
 
 /// An integral and the conditions on parameters under which it has this value.
@@ -181,7 +180,7 @@ impl Region {
             if matches!(pool.node(part), Node::Apply(Operation::Atan2, _) | Node::Select { .. }) {
                 return Err(format!("`{}` may jump", pool.text(part)).into());
             }
-            for (left, relation) in needs(pool, part) {
+            if let Some(Condition { left, relation, .. }) = needs(pool, part) {
                 let sign = self.sign(pool, left);
                 let holds = match relation {
                     Relation::GreaterEqual => matches!(sign, Some((true, _))),
@@ -243,28 +242,13 @@ fn without_magnitudes_in_logarithms(pool: &mut Pool, expression: Expr) -> Expr {
     pool.replace(expression, &images)
 }
 
-/// What has to hold for one operation to be defined and continuous: `left relation 0`.
-fn needs(pool: &mut Pool, part: Expr) -> Vec<(Expr, Relation)> {
+/// What has to hold for one operation to be defined, and with that continuous.
+fn needs(pool: &mut Pool, part: Expr) -> Option<Condition> {
     match pool.node(part).clone() {
-        Node::Divide(_, b) => vec![(b, Relation::NotEqual)],
-        Node::Power(a, r) if r.is_integer() => {
-            if r.is_negative() {
-                vec![(a, Relation::NotEqual)]
-            } else {
-                vec![]
-            }
-        }
-        Node::Power(a, r) => {
-            vec![(a, if r.is_negative() { Relation::Greater } else { Relation::GreaterEqual })]
-        }
-        Node::Apply(Operation::Log, q) => vec![(q[0], Relation::Greater)],
-        Node::Apply(Operation::Tan, q) => vec![(pool.apply(Operation::Cos, &q), Relation::NotEqual)],
-        Node::Apply(Operation::Asin | Operation::Acos, q) => {
-            let square = pool.power(q[0], 2.into());
-            let one = pool.integer(1);
-            vec![(pool.subtract(one, square), Relation::GreaterEqual)]
-        }
-        _ => vec![],
+        Node::Divide(_, divisor) => pool.quotient_domain(divisor),
+        Node::Power(base, exponent) => pool.power_domain(base, exponent),
+        Node::Apply(operation, arguments) => pool.operation_domain(operation, &arguments),
+        _ => None,
     }
 }
 

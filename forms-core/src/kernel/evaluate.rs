@@ -2,6 +2,7 @@
 
 use super::constant::nearest_f64;
 use super::interpret::power;
+use super::program::holds;
 use crate::expression::{Expr, Meaning, Node, Pool, Symbol};
 use rustc_hash::FxHashMap;
 
@@ -33,8 +34,8 @@ fn evaluate_node(node: &Node, values: &[(Symbol, f64)], known: &FxHashMap<Expr, 
             _ => return None,
         },
         Node::Jet { .. } => return None,
-        Node::Select { left, relation, right, then, otherwise } => {
-            match relation.holds(of(left), of(right)) {
+        Node::Select { left, relation, right, then, otherwise, .. } => {
+            match holds(*relation, of(left), of(right)) {
                 Some(true) => of(then),
                 Some(false) => of(otherwise),
                 None => f64::NAN,

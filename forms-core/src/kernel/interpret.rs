@@ -1,6 +1,6 @@
 //! The interpreter: the values of a program in `f64`, instruction by instruction.
 
-use super::program::{Instruction, Program, Value};
+use super::program::{Instruction, Program, Value, holds};
 use crate::expression::{Meaning, Operation};
 use num_rational::Ratio;
 
@@ -13,10 +13,9 @@ impl Program {
             values.push(value);
         }
         let of = |value: Value| values[value.place()];
-        let inside = self
-            .domain
-            .iter()
-            .all(|condition| condition.relation.holds(of(condition.left), of(condition.right)) == Some(true));
+        let inside = self.domain.iter().all(|condition| {
+            holds(condition.relation, of(condition.left), of(condition.right)) == Some(true)
+        });
         self.outputs.iter().map(|&output| if inside { of(output) } else { f64::NAN }).collect()
     }
 }
@@ -34,7 +33,7 @@ fn value_of(instruction: &Instruction, arguments: &[f64], of: impl Fn(Value) -> 
         Instruction::Power(a, exponent) => power(of(*a), *exponent),
         Instruction::Call(operation, operands) => call(*operation, operands, of),
         Instruction::Select { left, relation, right, then, otherwise } => {
-            match relation.holds(of(*left), of(*right)) {
+            match holds(*relation, of(*left), of(*right)) {
                 Some(true) => of(*then),
                 Some(false) => of(*otherwise),
                 None => f64::NAN,

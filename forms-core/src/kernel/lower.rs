@@ -119,7 +119,7 @@ fn instruction(
         Node::Jet { function, .. } => {
             return Err(LowerError::UnknownFunction(pool.function(*function).name.clone()));
         }
-        Node::Select { left, relation, right, then, otherwise } => Instruction::Select {
+        Node::Select { left, relation, right, then, otherwise, .. } => Instruction::Select {
             left: of(*left),
             relation: *relation,
             right: of(*right),

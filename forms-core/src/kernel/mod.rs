@@ -47,6 +47,7 @@ mod program;
 mod quotients;
 mod raise;
 mod rust;
+mod sharing;
 mod signs;
 mod sums;
 mod tally;
@@ -56,6 +57,7 @@ pub use count::OperationCount;
 pub use evaluate::evaluate_f64;
 pub use lower::{KernelSource, LowerError, lower};
 pub use program::{Comparison, Instruction, Program, Value};
+pub use raise::Raised;
 pub use rust::{RustDocs, emit_rust};
 
 #[cfg(test)]

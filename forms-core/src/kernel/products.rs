@@ -3,108 +3,74 @@
 //! Factors below the line pair like those above it. Powers with one exponent that nothing else needs are taken
 //! together: x² y² = (x y)².
 
-use super::graph::{Exponent, Factor, Form, Graph, Node};
-use super::tally::Tally;
+use super::graph::{Coefficient, Exponent, Factor, Form, Graph, Node, Scaled};
+use super::sharing::{Pairing, share, shareable};
 use rustc_hash::FxHashMap;
-
-/// Longer products are left as they are.
-const LONGEST: usize = 32;
-
-/// Two factors of a product.
-type Pair = [Factor; 2];
 
 /// The graph with common pairs of factors in products of their own.
 pub(super) fn share_products(graph: &Graph) -> Graph {
     let mut graph = graph.clone();
-    let mut products: Vec<(Node, Vec<Factor>)> = Vec::new();
-    for node in graph.reachable() {
-        if let Form::Product(factors) = graph.form(node)
-            && factors.len() <= LONGEST
-        {
-            products.push((node, factors.to_vec()));
-        }
-    }
+    let mut products = shareable::<Products>(&graph);
     group_equal_exponents(&mut graph, &mut products);
-    let mut sharing = Sharing { graph, ..Sharing::default() };
-    for (node, factors) in products {
-        sharing.insert(node, factors);
-    }
-    while let Some(pair) = sharing.savings.take_best() {
-        sharing.share(pair);
-    }
-    sharing.graph.reordered()
+    share::<Products>(graph, products)
 }
 
-#[derive(Default)]
-struct Sharing {
-    graph: Graph,
-    products: FxHashMap<Node, Vec<Factor>>,
-    /// The products that each node has been a base of.
-    with_base: FxHashMap<Node, Vec<Node>>,
-    /// How many products contain each pair, above or below the line, but one.
-    savings: Tally<Pair>,
-}
+struct Products;
 
-impl Sharing {
-    fn insert(&mut self, node: Node, factors: Vec<Factor>) {
-        for (base, _) in &factors {
-            self.with_base.entry(*base).or_default().push(node);
-        }
-        self.count(&factors, 1);
-        self.products.insert(node, factors);
+impl Pairing for Products {
+    type Part = Factor;
+    /// Two factors, or both their reciprocals.
+    type Pair = [Factor; 2];
+
+    fn parts(form: &Form) -> Option<&[Factor]> {
+        if let Form::Product(factors) = form { Some(factors) } else { None }
     }
 
-    /// Computes a pair once, wherever it occurs.
-    fn share(&mut self, pair: Pair) {
-        let product = self.graph.product_of(pair.to_vec());
-        let users = self.with_base.get(&pair[0].0).cloned().unwrap_or_default();
-        for node in users.into_iter().filter(|&node| node != product) {
-            let factors = self.products[&node].clone();
-            if let Some(shorter) = with_pair(&factors, pair, product) {
-                self.count(&factors, -1);
-                self.graph.replace(node, Form::Product(shorter.clone().into()));
-                self.insert(node, shorter);
-            }
-        }
-        // what is left of the pair is the product that computes it
-        self.savings.remove(&pair);
-        self.products.entry(product).or_insert_with(|| pair.to_vec());
+    fn form(factors: Vec<Factor>) -> Form {
+        Form::Product(factors.into())
     }
 
-    /// Counts the pairs of a product in (+1) or out (−1). Numbers go with the coefficients.
-    fn count(&mut self, factors: &[Factor], sign: i32) {
-        let is_number = |node: Node| matches!(self.graph.form(node), Form::Number(_));
-        for (place, &(left, e)) in factors.iter().enumerate() {
-            for &(right, f) in &factors[place + 1..] {
-                if e.is_negative() != f.is_negative() || is_number(left) || is_number(right) {
-                    continue;
-                }
-                let mut pair = if e.is_negative() {
-                    [(left, e.negated()), (right, f.negated())]
-                } else {
-                    [(left, e), (right, f)]
-                };
-                pair.sort();
-                self.savings.add(pair, -1, sign);
-            }
-        }
+    fn node(factor: &Factor) -> Node {
+        factor.0
     }
-}
 
-/// The factors with a pair, or its reciprocal, replaced by its node, if they contain it.
-fn with_pair(factors: &[Factor], pair: [Factor; 2], node: Node) -> Option<Vec<Factor>> {
-    let inverse = pair.map(|(base, e)| (base, e.negated()));
-    let contains = |pair: &[Factor; 2]| pair.iter().all(|factor| factors.contains(factor));
-    let (pair, exponent) = if contains(&pair) {
-        (pair, Exponent::ONE)
-    } else if contains(&inverse) {
-        (inverse, Exponent::MINUS_ONE)
-    } else {
-        return None;
-    };
-    let mut rest: Vec<Factor> = factors.iter().copied().filter(|factor| !pair.contains(factor)).collect();
-    rest.push((node, exponent));
-    Some(rest)
+    fn anchor(pair: &Self::Pair) -> Node {
+        pair[0].0
+    }
+
+    /// Every product but one is spared a multiplication. Numbers go with the coefficients.
+    fn saving(graph: &Graph, (left, e): Factor, (right, f): Factor) -> Option<(Self::Pair, i32, i32)> {
+        let is_number = |node: Node| matches!(graph.form(node), Form::Number(_));
+        if e.is_negative() != f.is_negative() || is_number(left) || is_number(right) {
+            return None;
+        }
+        let mut pair = if e.is_negative() {
+            [(left, e.negated()), (right, f.negated())]
+        } else {
+            [(left, e), (right, f)]
+        };
+        pair.sort();
+        Some((pair, 1, 1))
+    }
+
+    fn computed(graph: &mut Graph, pair: Self::Pair) -> Scaled {
+        Scaled { coefficient: Coefficient::ONE, node: graph.product_of(pair.to_vec()) }
+    }
+
+    fn shortened(factors: &[Factor], pair: Self::Pair, computed: Scaled) -> Option<Vec<Factor>> {
+        let inverse = pair.map(|(base, e)| (base, e.negated()));
+        let contains = |pair: &[Factor; 2]| pair.iter().all(|factor| factors.contains(factor));
+        let (pair, exponent) = if contains(&pair) {
+            (pair, Exponent::ONE)
+        } else if contains(&inverse) {
+            (inverse, Exponent::MINUS_ONE)
+        } else {
+            return None;
+        };
+        let mut rest: Vec<Factor> = factors.iter().copied().filter(|factor| !pair.contains(factor)).collect();
+        rest.push((computed.node, exponent));
+        Some(rest)
+    }
 }
 
 /// Π nᵢᵉ = (Π nᵢ)ᵉ for whole e, where no other product needs one of these powers.

@@ -109,17 +109,9 @@ pub struct Comparison {
     pub right: Value,
 }
 
-impl Relation {
-    /// Whether it holds between two numbers; nothing where one of them is NaN.
-    pub(crate) fn holds(self, left: f64, right: f64) -> Option<bool> {
-        left.partial_cmp(&right).map(|order| match self {
-            Relation::Less => order.is_lt(),
-            Relation::LessEqual => order.is_le(),
-            Relation::Greater => order.is_gt(),
-            Relation::GreaterEqual => order.is_ge(),
-            Relation::NotEqual => order.is_ne(),
-        })
-    }
+/// Whether a relation holds between two numbers; nothing where one of them is NaN.
+pub(super) fn holds(relation: Relation, left: f64, right: f64) -> Option<bool> {
+    left.partial_cmp(&right).map(|order| relation.admits(order))
 }
 
 /// A kernel as instructions.

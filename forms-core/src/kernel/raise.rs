@@ -1,19 +1,34 @@
 //! Raising: instructions become expressions again, to be proved equal to what the kernel was lowered from.
 
 use super::constant::Constant;
-use super::program::{Instruction, Program};
-use crate::expression::{Expr, Pool, Symbol};
+use super::program::{Instruction, Program, Value};
+use crate::expression::{Condition, Expr, Pool, Seam, Symbol};
+
+/// A program as expressions.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Raised {
+    /// What it returns.
+    pub outputs: Vec<Expr>,
+    /// The conditions outside of which it is NaN.
+    pub domain: Vec<Condition>,
+}
 
 impl Program {
-    /// The outputs as expressions of these variables, one for each argument.
-    pub fn raise(&self, pool: &mut Pool, arguments: &[Symbol]) -> Vec<Expr> {
+    /// The program as expressions of these variables, one for each argument.
+    pub fn raise(&self, pool: &mut Pool, arguments: &[Symbol]) -> Raised {
         debug_assert_eq!(arguments.len(), self.arguments.len());
         let mut values: Vec<Expr> = Vec::with_capacity(self.instructions.len());
         for instruction in &self.instructions {
             let expression = raise_instruction(instruction, pool, arguments, &values);
             values.push(expression);
         }
-        self.outputs.iter().map(|output| values[output.place()]).collect()
+        let of = |value: Value| values[value.place()];
+        let domain = self.domain.iter().map(|condition| Condition {
+            left: of(condition.left),
+            relation: condition.relation,
+            right: of(condition.right),
+        });
+        Raised { outputs: self.outputs.iter().map(|&output| of(output)).collect(), domain: domain.collect() }
     }
 }
 
@@ -23,7 +38,7 @@ fn raise_instruction(
     arguments: &[Symbol],
     values: &[Expr],
 ) -> Expr {
-    let of = |value: &super::program::Value| values[value.place()];
+    let of = |value: &Value| values[value.place()];
     match instruction {
         Instruction::Constant(constant) => raise_constant(constant, pool),
         Instruction::Argument(place) => pool.symbol(arguments[*place as usize]),
@@ -39,7 +54,7 @@ fn raise_instruction(
             pool.apply(*operation, &operands)
         }
         Instruction::Select { left, relation, right, then, otherwise } => {
-            pool.select((of(left), *relation, of(right)), of(then), of(otherwise))
+            pool.select((of(left), *relation, of(right)), of(then), of(otherwise), Seam::Agrees)
         }
     }
 }

@@ -33,5 +33,6 @@ pub use generator::{Generator, Unit};
 pub use normalise::{Normalised, normalise};
 pub use root::{Base, Sign, SignConstraint};
 pub use terms::{Term, Terms};
+pub(crate) use tower::WORK_LIMIT;
 pub use tower::{Obstacle, Tower, Trigonometry};
 pub(crate) use univariate::{RationalFunction, Univariate};

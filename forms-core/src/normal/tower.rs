@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 
 /// Products of terms, weighted by the words of their coefficients, that one statement may cost before its normal
 /// form is given up: a few seconds of work.
-const WORK_LIMIT: u64 = 100_000_000;
+pub(crate) const WORK_LIMIT: u64 = 100_000_000;
 
 /// The largest exponent of a generator or a known factor.
 const LARGEST_EXPONENT: u32 = 1 << 20;

@@ -112,7 +112,7 @@ impl Writer<'_> {
             Node::Power(a, exponent) => self.power(*a, *exponent),
             Node::Apply(operation, arguments) => self.function(*operation, arguments, ""),
             Node::Jet { function, orders, arguments } => self.jet(*function, orders, arguments),
-            Node::Select { left, relation, right, then, otherwise } => {
+            Node::Select { left, relation, right, then, otherwise, .. } => {
                 let [left, right, then, otherwise] =
                     [left, right, then, otherwise].map(|operand| self.of(*operand, Binding::Sum));
                 let relation = latex_of_relation(*relation);

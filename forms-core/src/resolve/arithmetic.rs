@@ -5,9 +5,9 @@ use super::value::Value;
 use crate::calculus::{Form, wedge};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Expr, Operation};
-use crate::syntax::ast::{self, Binary, Relation};
+use crate::syntax::ast::{self, Binary};
 use num_rational::Ratio;
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive};
 
 /// The largest numerator and denominator of an exponent.
 const LARGEST_EXPONENT: i64 = 1_000_000;
@@ -109,7 +109,8 @@ impl Evaluator<'_> {
                     .with_help("only scalars divide; take a coefficient with `w[dx]` first"));
             }
         };
-        self.require(divisor, Relation::NotEqual);
+        let nonzero = self.theory.pool.quotient_domain(divisor);
+        self.require(nonzero);
         Ok(match left {
             Value::Zero => Value::Zero,
             Value::Scalar(a) => Value::Scalar(self.theory.pool.divide(a, divisor)),
@@ -180,19 +181,16 @@ impl Evaluator<'_> {
         Ok(Value::Scalar(self.theory.pool.power(base, exponent)))
     }
 
-    /// Where qʳ is real: q ≠ 0 for negative integers, q > 0 or q ≥ 0 for fractions.
+    /// Requires that qʳ is real.
     pub(super) fn require_power(&mut self, base: Expr, exponent: Ratio<i64>) {
-        match (exponent.is_integer(), exponent.is_negative() || exponent.is_zero()) {
-            (true, true) if !exponent.is_zero() => self.require(base, Relation::NotEqual),
-            (true, _) => {}
-            (false, true) => self.require(base, Relation::Greater),
-            (false, false) => self.require(base, Relation::GreaterEqual),
-        }
+        let domain = self.theory.pool.power_domain(base, exponent);
+        self.require(domain);
     }
 
     /// q^e = exp(e log q) for q > 0
     fn general_power(&mut self, base: Expr, exponent: Expr) -> Expr {
-        self.require(base, Relation::Greater);
+        let positive = self.theory.pool.operation_domain(Operation::Log, &[base]);
+        self.require(positive);
         let logarithm = self.theory.pool.apply(Operation::Log, &[base]);
         let product = self.theory.pool.multiply(exponent, logarithm);
         self.theory.pool.apply(Operation::Exp, &[product])

@@ -12,7 +12,8 @@ use crate::calculus::{
 };
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Expr, Operation, Substitution, Symbol};
-use crate::syntax::ast::{self, Argument, ExprKind, Name, Relation};
+use crate::syntax::ast::{self, Argument, ExprKind, Name};
+use num_rational::Ratio;
 
 impl Evaluator<'_> {
     pub(super) fn call(
@@ -282,7 +283,7 @@ impl Evaluator<'_> {
     fn square_root(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
         let [argument] = exactly::<1>(arguments, "sqrt", span)?;
         let radicand = self.scalar(argument)?;
-        self.require(radicand, Relation::GreaterEqual);
+        self.require_power(radicand, Ratio::new(1, 2));
         Ok(Value::Scalar(self.theory.pool.sqrt(radicand)))
     }
 
@@ -291,42 +292,9 @@ impl Evaluator<'_> {
             return Err(wrong_count(operation.row().name, operation.arity(), arguments.len(), span));
         }
         let values = arguments.iter().map(|argument| self.scalar(argument)).collect::<Evaluated<Vec<_>>>()?;
-        self.require_operation(operation, &values);
+        let domain = self.theory.pool.operation_domain(operation, &values);
+        self.require(domain);
         Ok(Value::Scalar(self.theory.pool.apply(operation, &values)))
-    }
-
-    /// Where a function is real: log q for q > 0, tan q for cos q ≠ 0, asin q and acos q for 1 − q² ≥ 0,
-    /// atan2(y, x) off its cut, where √(x² + y²) + x > 0.
-    fn require_operation(&mut self, operation: Operation, q: &[Expr]) {
-        let pool = &mut self.theory.pool;
-        match operation {
-            Operation::Log => self.require(q[0], Relation::Greater),
-            Operation::Tan => {
-                let cosine = pool.apply(Operation::Cos, q);
-                self.require(cosine, Relation::NotEqual);
-            }
-            Operation::Asin | Operation::Acos => {
-                let square = pool.power(q[0], 2.into());
-                let one = pool.integer(1);
-                let rest = pool.subtract(one, square);
-                self.require(rest, Relation::GreaterEqual);
-            }
-            Operation::Atan2 => {
-                let (y2, x2) = (pool.power(q[0], 2.into()), pool.power(q[1], 2.into()));
-                let r2 = pool.add(x2, y2);
-                let r = pool.sqrt(r2);
-                let off_the_cut = pool.add(r, q[1]);
-                self.require(off_the_cut, Relation::Greater);
-            }
-            Operation::Sin
-            | Operation::Cos
-            | Operation::Atan
-            | Operation::Exp
-            | Operation::Sinh
-            | Operation::Cosh
-            | Operation::Tanh
-            | Operation::Abs => {}
-        }
     }
 
     /// `L(a, b)` of an unknown function

@@ -6,8 +6,8 @@ use super::theory::{Named, Theory};
 use super::value::Value;
 use crate::calculus::{Blade, Coordinate, Field, Form, Structured};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::expression::{Condition, Expr, FunctionId, Symbol};
-use crate::syntax::ast::{self, Binary, ExprKind, Name, Relation};
+use crate::expression::{Condition, Expr, FunctionId, Seam, Symbol};
+use crate::syntax::ast::{self, Binary, ExprKind, Name};
 use num_traits::Zero;
 use rustc_hash::FxHashMap;
 
@@ -45,13 +45,9 @@ impl<'a> Evaluator<'a> {
         self.theory.pool.integer(0)
     }
 
-    /// Requires `left relation 0`.
-    pub(super) fn require(&mut self, left: Expr, relation: Relation) {
-        let right = self.zero();
-        if self.theory.pool.as_number(left).is_some_and(|value| holds(value, relation)) {
-            return;
-        }
-        self.scope.require(Condition { left, relation, right });
+    /// Requires what an operation is defined under, if anything.
+    pub(super) fn require(&mut self, condition: Option<Condition>) {
+        condition.into_iter().for_each(|condition| self.scope.require(condition));
     }
 
     /// The value of an expression; chains of operators are followed in a loop, only brackets recurse.
@@ -100,7 +96,10 @@ impl<'a> Evaluator<'a> {
                 Ok(value)
             }
             ExprKind::Index { base, index } => self.coefficient(base, index),
-            ExprKind::Select { condition, then, otherwise, .. } => self.select(condition, then, otherwise),
+            ExprKind::Select { condition, then, otherwise, jump } => {
+                let seam = if *jump { Seam::Jumps } else { Seam::Agrees };
+                self.select(condition, then, otherwise, seam)
+            }
             ExprKind::Binary(operator, place, left, right) => {
                 let value = self.value(left)?;
                 self.binary(*operator, *place, (value, left.span), right)
@@ -287,13 +286,14 @@ impl<'a> Evaluator<'a> {
         condition: &ast::Condition,
         then: &ast::Expr,
         otherwise: &ast::Expr,
+        seam: Seam,
     ) -> Evaluated<Value> {
         let conditions = self.conditions(condition)?;
         let then = self.scalar(then)?;
         let otherwise = self.scalar(otherwise)?;
         let mut value = then;
         for Condition { left, relation, right } in conditions.into_iter().rev() {
-            value = self.theory.pool.select((left, relation, right), value, otherwise);
+            value = self.theory.pool.select((left, relation, right), value, otherwise, seam);
         }
         Ok(Value::Scalar(value))
     }
@@ -318,14 +318,3 @@ fn poisoned(span: Span) -> Diagnostic {
 
 /// Marks errors that only follow from another; they are not shown beside it.
 pub(super) const POISONED: &str = "this depends on a declaration with an error in it";
-
-fn holds(value: &crate::expression::Rational, relation: Relation) -> bool {
-    let zero = crate::expression::Rational::zero();
-    match relation {
-        Relation::Less => *value < zero,
-        Relation::LessEqual => *value <= zero,
-        Relation::Greater => *value > zero,
-        Relation::GreaterEqual => *value >= zero,
-        Relation::NotEqual => *value != zero,
-    }
-}

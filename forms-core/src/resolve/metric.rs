@@ -15,6 +15,7 @@ use crate::calculus::{
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Condition, Expr};
 use crate::syntax::ast::{self, ExprKind, Name, Relation};
+use num_rational::Ratio;
 
 /// The functions written with a metric in square brackets.
 pub(super) const METRIC_OPERATIONS: &[&str] =
@@ -261,7 +262,8 @@ impl Evaluator<'_> {
             Value::Field(x) => inner_of_fields(&mut self.ring(), metric, &x, &x),
             Value::Form(w) => inner_of_forms(&mut self.ring(), metric, &w, &w),
         };
-        self.require(square, Relation::GreaterEqual);
+        let domain = self.theory.pool.power_domain(square, Ratio::new(1, 2));
+        self.require(domain);
         Ok(Value::Scalar(self.theory.pool.sqrt(square)))
     }
 

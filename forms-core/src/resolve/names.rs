@@ -57,14 +57,19 @@ impl Names {
         }
     }
 
+    /// A name that differs in a third of its characters or fewer, or in the case of its letters: of a single letter
+    /// nothing else is left to go by.
     fn nearest(&self, text: &str) -> Option<String> {
-        let allowed = text.chars().count().div_ceil(3);
+        let length = text.chars().count();
+        let is_near = |distance: usize, known: &str| {
+            (distance <= length.div_ceil(3) && distance < length) || known.eq_ignore_ascii_case(text)
+        };
         self.table
             .keys()
             .map(String::as_str)
             .chain(FUNCTIONS.iter().copied())
             .map(|known| (edit_distance(text, known), known))
-            .filter(|(distance, _)| *distance <= allowed)
+            .filter(|&(distance, known)| is_near(distance, known))
             .min()
             .map(|(_, known)| known.to_string())
     }

@@ -131,6 +131,7 @@ fn a_kernel_reads_as_written_by_hand() {
         formula: formulas.pool.texts(&[first, second]).join(", "),
         statements: vec!["gauss".to_string()],
         conditions: vec!["x != 0".to_string()],
+        translation: "Proved.".to_string(),
         docs: vec!["A field and a choice.".to_string()],
     };
     let expected = r#"/// A field and a choice.
@@ -142,6 +143,8 @@ fn a_kernel_reads_as_written_by_hand() {
 /// Rests on `gauss`.
 ///
 /// Holds where `x != 0`.
+///
+/// Proved.
 ///
 /// Its value is NaN outside its domain and where an argument it depends on is NaN.
 /// Takes 1 addition, 5 multiplications, 1 division, 1 square root, 1 choice.

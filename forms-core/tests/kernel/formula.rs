@@ -2,7 +2,7 @@
 //!
 //! sum = product { (+|−) product } · product = sign { (*|/) sign } · sign = −sign | power · power = atom [** exponent]
 
-use forms_core::expression::{Condition, Expr, Operation, Pool, Rational, Symbol, SymbolKind};
+use forms_core::expression::{Condition, Expr, Operation, Pool, Rational, Seam, Symbol, SymbolKind};
 use forms_core::kernel::{KernelSource, Program, lower};
 use forms_core::syntax::ast::Relation;
 use num_rational::Ratio;
@@ -239,7 +239,7 @@ impl Reader<'_> {
         self.expect("{");
         let otherwise = self.sum();
         self.expect("}");
-        self.formulas.pool.select((left, relation, right), then, otherwise)
+        self.formulas.pool.select((left, relation, right), then, otherwise, Seam::Agrees)
     }
 }
 

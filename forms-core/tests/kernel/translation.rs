@@ -18,7 +18,7 @@ fn is_optimised_truly(formulas: &mut Formulas, outputs: &[Expr]) -> bool {
     let optimised = formulas.program(outputs).optimise();
     let arguments = formulas.arguments.clone();
     let raised = optimised.raise(&mut formulas.pool, &arguments);
-    raised.iter().zip(outputs).all(|(&raised, &written)| is_proved_equal(formulas, raised, written))
+    raised.outputs.iter().zip(outputs).all(|(&raised, &written)| is_proved_equal(formulas, raised, written))
 }
 
 #[test]

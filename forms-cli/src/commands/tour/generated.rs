@@ -1,11 +1,12 @@
 //! The kernels of the library and what they cost, as written and as generated.
 
 use super::heading;
-use crate::kernel::{library, program};
+use crate::kernel::{generated, library};
 use crate::layout::{duration, wrap};
 use crate::palette::Palette;
 use crate::status::Status;
 use crate::theory_file::complain;
+use forms::core::generation::Generated;
 use std::io::{self, Write};
 use std::time::Instant;
 
@@ -17,7 +18,7 @@ pub(super) fn generate(palette: Palette, output: &mut dyn Write) -> io::Result<S
     let start = Instant::now();
     let programs = library().and_then(|files| {
         let kernels = files.iter().flat_map(|file| file.theory.kernels.iter().map(move |k| (file, k)));
-        kernels.map(|(file, kernel)| program(file, kernel)).collect::<Result<Vec<_>, _>>()
+        kernels.map(|(file, kernel)| generated(file, kernel)).collect::<Result<Vec<_>, _>>()
     });
     let programs = match programs {
         Ok(programs) => programs,
@@ -38,11 +39,10 @@ pub(super) fn generate(palette: Palette, output: &mut dyn Write) -> io::Result<S
     let title =
         format!("  {:NAME$} {:>9} {:>10} {:>9} {:>9}", "", "arguments", "operations", "written", "generated");
     writeln!(output, "{}", palette.quiet(&title))?;
-    for written in &programs {
-        let generated = written.optimise();
-        let (before, after) = (written.cost(), generated.cost());
+    for Generated { written, optimised, .. } in &programs {
+        let (before, after) = (written.cost(), optimised.cost());
         let arguments = written.arguments().len();
-        let count = generated.operations();
+        let count = optimised.operations();
         let operations = count.arithmetic() + count.function_calls;
         writeln!(
             output,
@@ -50,7 +50,9 @@ pub(super) fn generate(palette: Palette, output: &mut dyn Write) -> io::Result<S
             written.name()
         )?;
     }
-    let all = format!("{} kernels in {}", programs.len(), duration(start.elapsed()));
-    writeln!(output, "\n  {all}; forms emit - --target rust prints them\n")?;
+    let proved = programs.iter().filter(|generated| generated.translation.is_proved()).count();
+    let (all, time) = (programs.len(), duration(start.elapsed()));
+    writeln!(output, "\n  {all} kernels in {time}, {proved} of them proved equal to their formulas")?;
+    writeln!(output, "  forms emit - --target rust prints them\n")?;
     Ok(Status::AsStated)
 }

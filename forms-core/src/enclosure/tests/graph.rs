@@ -2,7 +2,7 @@
 
 use super::{at, exact, interval, number};
 use crate::enclosure::{Enclosure, Precision, Undecided, enclose};
-use crate::expression::{Expr, Operation, Pool, Symbol, SymbolKind};
+use crate::expression::{Expr, Operation, Pool, Seam, Symbol, SymbolKind};
 use crate::syntax::ast::Relation;
 
 type Decided = Result<Enclosure, Undecided>;
@@ -66,7 +66,7 @@ fn a_branch_is_taken_where_its_condition_is_certain() {
     let (mut pool, [x, _], [a, _]) = plane();
     let zero = pool.integer(0);
     let (root, negated) = (pool.sqrt(a), pool.negate(a));
-    let piecewise = pool.select((a, Relation::Greater, zero), root, negated);
+    let piecewise = pool.select((a, Relation::Greater, zero), root, negated, Seam::Agrees);
     let at = |known: Enclosure| value(&pool, piecewise, &[(x, known)]);
     assert_eq!(at(number(9, 4)).unwrap().as_exact(), Some(&exact(3, 2)));
     assert_eq!(at(number(-2, 1)).unwrap().as_exact(), Some(&exact(2, 1)));

@@ -1,6 +1,6 @@
 //! Random kernels: each step applies an operation to results of earlier steps.
 
-use crate::expression::{Expr, Operation};
+use crate::expression::{Expr, Operation, Seam};
 use crate::kernel::Program;
 use crate::kernel::formula::Formulas;
 use crate::syntax::ast::Relation;
@@ -46,7 +46,7 @@ impl RandomFormulas {
                     pool.power(a, Ratio::new(numerator, denominator))
                 }
                 22 => pool.apply(Operation::Sin, &[a]),
-                _ => pool.select((a, Relation::Less, b), b, a),
+                _ => pool.select((a, Relation::Less, b), b, a, Seam::Agrees),
             };
             results.push(result);
         }
@@ -64,7 +64,7 @@ impl RandomFormulas {
     pub(super) fn raised(&self, program: &Program) -> Program {
         let (mut formulas, _) = self.build();
         let arguments = formulas.arguments.clone();
-        let outputs = program.raise(&mut formulas.pool, &arguments);
+        let outputs = program.raise(&mut formulas.pool, &arguments).outputs;
         formulas.program(&outputs)
     }
 

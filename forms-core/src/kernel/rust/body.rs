@@ -189,13 +189,7 @@ impl Body<'_> {
 
     /// Each branch is taken where its own comparison holds, so that NaN takes neither.
     fn select(&self, condition: &Comparison, then: Value, otherwise: Value) -> Written {
-        let complement = match condition.relation {
-            Relation::Less => ">=",
-            Relation::LessEqual => ">",
-            Relation::Greater => "<=",
-            Relation::GreaterEqual => "<",
-            Relation::NotEqual => "==",
-        };
+        let complement = condition.relation.complement().map_or("==", Relation::text);
         let [left, right] =
             [condition.left, condition.right].map(|side| self.text(side).within(Binding::Sum));
         let [then, otherwise] = [then, otherwise].map(|branch| &self.text(branch).text);

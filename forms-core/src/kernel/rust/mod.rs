@@ -22,6 +22,8 @@ pub struct RustDocs {
     pub statements: Vec<String>,
     /// Under which conditions.
     pub conditions: Vec<String>,
+    /// What is known of the agreement of the program with the formula.
+    pub translation: String,
     /// The author's own lines.
     pub docs: Vec<String>,
 }
@@ -52,6 +54,10 @@ fn documentation(program: &Program, docs: &RustDocs) -> String {
     if !docs.conditions.is_empty() {
         separate(&mut lines);
         lines.push(format!("Holds where {}.", quoted(&docs.conditions)));
+    }
+    if !docs.translation.is_empty() {
+        separate(&mut lines);
+        lines.push(docs.translation.clone());
     }
     separate(&mut lines);
     let outside = if program.domain.is_empty() { "" } else { " outside its domain and" };

@@ -1,0 +1,135 @@
+//! What can be found out about equations: points first, then the normal form, then more points.
+
+use super::empty;
+use super::problem::Problem;
+use super::proof::{self, Outcome};
+use super::report;
+use super::verdict::Witness;
+use super::witness::{Difference, Found, Search};
+use crate::expression::{Condition, Expr, Pool};
+
+/// Candidate points looked at before the normal form is computed, and how many good ones are enough.
+const FIRST_CANDIDATES: usize = 24;
+const FIRST_POINTS: usize = 1;
+
+/// How much may be spent on one problem, in steps.
+#[derive(Clone, Copy)]
+pub(crate) struct Effort {
+    /// Products of terms of the normal forms.
+    pub(crate) work: u64,
+    /// Candidate points looked at before giving up.
+    pub(crate) candidates: usize,
+    /// How many good points make it hopeless to look for a difference.
+    pub(crate) points: usize,
+}
+
+impl Effort {
+    /// For what its author wants to know.
+    pub(crate) const STATEMENT: Effort =
+        Effort { work: crate::normal::WORK_LIMIT, candidates: 600, points: 40 };
+}
+
+/// What was found.
+pub(crate) enum Finding {
+    /// Every equation holds wherever its sides are defined and the conditions hold; so many such points were seen.
+    Equal { points: usize },
+    /// One fails at an exact point.
+    Different(Witness),
+    /// They speak of no point.
+    Empty(String),
+    /// Neither was shown; the sides agree, as far as they are certain, at so many points.
+    Unknown { reason: String, points: usize },
+}
+
+/// Equations between scalars, under conditions.
+pub(crate) struct Equations<'a> {
+    /// Left and right sides.
+    pub(crate) sides: &'a [(Expr, Expr)],
+    /// The points spoken of satisfy these.
+    pub(crate) conditions: &'a [Condition],
+}
+
+impl Equations<'_> {
+    /// What can be found out wherever both sides are defined.
+    pub(crate) fn decide(&self, pool: &mut Pool, effort: Effort) -> Finding {
+        let problem = Problem::of_scalars(pool, self.sides, self.conditions);
+        find(pool, &problem, effort)
+    }
+}
+
+/// Why no point meets these conditions, if that can be shown.
+pub(crate) fn contradiction(pool: &mut Pool, conditions: &[Condition]) -> Option<String> {
+    let problem = Problem::of_scalars(pool, &[], conditions);
+    empty::contradiction(pool, &problem)
+}
+
+pub(super) fn find(pool: &mut Pool, problem: &Problem, effort: Effort) -> Finding {
+    let seems_true = Search::new(pool, problem, 0).sees_agreement(FIRST_CANDIDATES);
+    let early = seems_true.then(|| proof::outcome(pool, problem, effort.work));
+    if early == Some(Outcome::Zero) {
+        return Finding::Equal { points: FIRST_POINTS };
+    }
+    let mut survey = Survey::default();
+    let position = survey.look(pool, problem, 0, FIRST_CANDIDATES);
+    if let Some(difference) = survey.difference.take() {
+        return Finding::Different(report::witness(pool, problem, &difference));
+    }
+    let outcome = early.unwrap_or_else(|| proof::outcome(pool, problem, effort.work));
+    if outcome == Outcome::Zero && survey.points > 0 {
+        return Finding::Equal { points: survey.points };
+    }
+    if survey.points == 0 {
+        let contradiction = empty::contradiction(pool, problem);
+        let known = if let Outcome::Empty(reason) = &outcome { Some(reason.clone()) } else { None };
+        if let Some(reason) = contradiction.or(known) {
+            return Finding::Empty(reason);
+        }
+    }
+    survey.enough = if outcome == Outcome::Zero { 1 } else { effort.points };
+    survey.look(pool, problem, position, effort.candidates);
+    if let Some(difference) = survey.difference {
+        return Finding::Different(report::witness(pool, problem, &difference));
+    }
+    let unknown = |reason: String| Finding::Unknown { reason, points: survey.points };
+    match outcome {
+        Outcome::Zero => Finding::Equal { points: survey.points },
+        Outcome::NotZero => unknown(
+            "the two sides have different normal forms, but no point was found at which they differ".into(),
+        ),
+        Outcome::Outside(reason) | Outcome::Empty(reason) => unknown(reason),
+    }
+}
+
+/// What looking at points has shown so far.
+struct Survey {
+    points: usize,
+    enough: usize,
+    difference: Option<Difference>,
+}
+
+impl Default for Survey {
+    fn default() -> Self {
+        Survey { points: 0, enough: FIRST_POINTS, difference: None }
+    }
+}
+
+impl Survey {
+    /// Looks at candidates from one position on; gives the position to go on from.
+    fn look(&mut self, pool: &Pool, problem: &Problem, from: u32, candidates: usize) -> u32 {
+        let mut search = Search::new(pool, problem, from);
+        for _ in 0..candidates {
+            match search.next() {
+                Found::NoPoint => {}
+                Found::Agrees => self.points += 1,
+                Found::Differs(difference) => {
+                    self.difference = Some(difference);
+                    break;
+                }
+            }
+            if self.points >= self.enough {
+                break;
+            }
+        }
+        search.position()
+    }
+}

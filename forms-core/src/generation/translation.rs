@@ -1,0 +1,221 @@
+//! Translation validation: the optimised program, raised to an expression again, is proved equal to the formula.
+//!
+//! The equation is decided like any other statement, on the kernel's domain and wherever both sides are defined.
+
+use super::pieces::{MOST_PIECES, pieces};
+use crate::decide::{Effort, Equations, Finding, Witness};
+use crate::diagnostic::Diagnostic;
+use crate::expression::{Condition, Expr, Pool};
+use crate::kernel::Program;
+use crate::resolve::Kernel;
+use std::fmt;
+
+/// A kernel is generated inside the compiler of whoever uses it: less is spent on it than on a statement.
+const EFFORT: Effort = Effort { work: 2_000_000, candidates: 100, points: 12 };
+
+/// What is known of the agreement of a program with its formula.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Translation {
+    /// They are equal wherever both are defined.
+    Proved,
+    /// They differ at an exact point.
+    Refuted(Witness),
+    /// Neither was shown.
+    Unknown {
+        /// What stood in the way.
+        reason: String,
+        /// At so many exact points both were enclosed and no difference was certain.
+        points: usize,
+    },
+}
+
+impl Translation {
+    /// Whether the program is proved to compute its formula.
+    pub fn is_proved(&self) -> bool {
+        *self == Translation::Proved
+    }
+
+    /// What is to be said of a kernel that does not compute its formula.
+    pub(super) fn objection(&self, kernel: &Kernel) -> Option<Diagnostic> {
+        let Translation::Refuted(witness) = self else { return None };
+        let message = format!(
+            "internal error: the program generated for `{}` does not compute its formula\n{witness}",
+            kernel.name
+        );
+        let help =
+            "this is a fault of forms and not of the kernel; please report it with the kernel's source";
+        Some(Diagnostic::new(kernel.span, message).with_help(help))
+    }
+
+    fn and(self, other: Translation) -> Translation {
+        match (self, other) {
+            (Translation::Refuted(witness), _) | (_, Translation::Refuted(witness)) => {
+                Translation::Refuted(witness)
+            }
+            (Translation::Proved, other) | (other, Translation::Proved) => other,
+            (Translation::Unknown { reason, points }, Translation::Unknown { points: others, .. }) => {
+                Translation::Unknown { reason, points: points.min(others) }
+            }
+        }
+    }
+}
+
+impl fmt::Display for Translation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Translation::Proved => write!(f, "Proved equal to its formula wherever both are defined."),
+            Translation::Refuted(_) => write!(f, "Does not compute its formula."),
+            Translation::Unknown { reason, points: 0 } => {
+                write!(f, "Not proved equal to its formula: {reason}.")
+            }
+            Translation::Unknown { reason, points } => write!(
+                f,
+                "Not proved equal to its formula, only compared with it at {points} points: {reason}."
+            ),
+        }
+    }
+}
+
+/// Raises the program and compares it with the kernel: its outputs on its domain, and the domain itself.
+pub(super) fn validate(pool: &mut Pool, kernel: &Kernel, program: &Program) -> Translation {
+    let raised = program.raise(pool, &kernel.arguments);
+    let sides = |condition: &Condition| [condition.left, condition.right];
+    let written = kernel.domain.iter().flat_map(sides);
+    let domain: Vec<(Expr, Expr)> = raised.domain.iter().flat_map(sides).zip(written).collect();
+    let outputs: Vec<(Expr, Expr)> =
+        raised.outputs.iter().copied().zip(kernel.outputs.iter().copied()).collect();
+    equality(pool, &domain, &[]).and(equality(pool, &outputs, &kernel.domain))
+}
+
+/// Whether the sides of each pair are equal under the conditions, piece by piece.
+fn equality(pool: &mut Pool, pairs: &[(Expr, Expr)], conditions: &[Condition]) -> Translation {
+    let different: Vec<Expr> =
+        pairs.iter().filter(|(raised, written)| raised != written).flat_map(|&(a, b)| [a, b]).collect();
+    if different.is_empty() {
+        return Translation::Proved;
+    }
+    let mut expressions = different.clone();
+    expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
+    let Some(pieces) = pieces(pool, &expressions, is_same_choice) else {
+        return Translation::Unknown { reason: format!("it has more than {MOST_PIECES} pieces"), points: 0 };
+    };
+    let mut seen = 0;
+    let mut nowhere = "no point was found at which it is defined".to_string();
+    let mut together = Translation::Proved;
+    for piece in pieces {
+        let (sides, bounds) = piece.expressions.split_at(different.len());
+        let sides: Vec<(Expr, Expr)> = sides.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect();
+        let mut assumed: Vec<Condition> = conditions
+            .iter()
+            .zip(bounds.chunks_exact(2))
+            .map(|(condition, side)| Condition { left: side[0], right: side[1], ..*condition })
+            .collect();
+        assumed.extend(piece.path);
+        match (Equations { sides: &sides, conditions: &assumed }).decide(pool, EFFORT) {
+            Finding::Equal { points } => seen += points,
+            Finding::Empty(reason) => nowhere = format!("it is defined nowhere: {reason}"),
+            Finding::Different(witness) => return Translation::Refuted(witness),
+            Finding::Unknown { reason, points } => {
+                seen += points;
+                together = together.and(Translation::Unknown { reason, points });
+            }
+        }
+    }
+    match together {
+        Translation::Proved if seen == 0 => Translation::Unknown { reason: nowhere, points: 0 },
+        known => known,
+    }
+}
+
+/// Whether two choices are one: the same relation, and the differences of their sides proved equal.
+fn is_same_choice(pool: &mut Pool, a: &Condition, b: &Condition) -> bool {
+    let [left, right] = [a, b].map(|condition| pool.subtract(condition.left, condition.right));
+    let equations = Equations { sides: &[(left, right)], conditions: &[] };
+    a.relation == b.relation && matches!(equations.decide(pool, EFFORT), Finding::Equal { .. })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::read_theory;
+    use crate::kernel::{Instruction, KernelSource, lower};
+    use crate::resolve::Theory;
+
+    fn theory(source: &str) -> Theory {
+        let (theory, errors) = read_theory(source);
+        assert!(errors.is_empty(), "{errors:?}");
+        theory
+    }
+
+    fn written(theory: &Theory) -> Program {
+        let kernel = &theory.kernels[0];
+        let source = KernelSource {
+            name: kernel.name.clone(),
+            arguments: kernel.arguments.clone(),
+            outputs: kernel.outputs.clone(),
+            domain: kernel.domain.clone(),
+            ..KernelSource::default()
+        };
+        lower(&theory.pool, &source).expect("a kernel")
+    }
+
+    /// What is found of each program that has one of the kernel's additions turned into a subtraction.
+    fn with_a_sign_lost(source: &str) -> Vec<Translation> {
+        let mut theory = theory(source);
+        let kernel = theory.kernels[0].clone();
+        let program = written(&theory);
+        let mut found = Vec::new();
+        for place in 0..program.instructions().len() {
+            if let Instruction::Add(a, b) = program.instructions()[place] {
+                let mut instructions = program.instructions().to_vec();
+                instructions[place] = Instruction::Subtract(a, b);
+                let wrong = program.with_instructions(instructions, |value| value);
+                found.push(validate(&mut theory.pool, &kernel, &wrong));
+            }
+        }
+        found
+    }
+
+    #[test]
+    fn a_program_that_lost_a_sign_is_refuted() {
+        for source in [
+            "kernel k(x, y) = (x + y)*sqrt(1 + x**2);",
+            "kernel k(x, y) = if x > y { x - y } else { 0 } where x + y > 0;",
+            "kernel k(x, y) = (x, y + 1) where x + 2*y > 3;",
+            "kernel k(x) = atan(x + 1)*log(2 + x**2);",
+        ] {
+            let found = with_a_sign_lost(source);
+            assert!(!found.is_empty(), "{source}");
+            let refuted = |translation: &Translation| matches!(translation, Translation::Refuted(_));
+            assert!(found.iter().all(refuted), "{source}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn a_program_with_its_branches_exchanged_is_refuted() {
+        let mut theory = theory("kernel k(x, y) = if x > y { x - y } else { 0 };");
+        let kernel = theory.kernels[0].clone();
+        let program = written(&theory);
+        let exchanged = program.instructions().iter().map(|instruction| match *instruction {
+            Instruction::Select { left, relation, right, then, otherwise } => {
+                Instruction::Select { left, relation, right, then: otherwise, otherwise: then }
+            }
+            ref other => other.clone(),
+        });
+        let wrong = program.with_instructions(exchanged.collect(), |value| value);
+        assert!(matches!(validate(&mut theory.pool, &kernel, &wrong), Translation::Refuted(_)));
+    }
+
+    #[test]
+    fn what_is_outside_the_class_is_not_called_proved() {
+        let mut theory =
+            theory("kernel k(x) = log(x**2)*(x + 1); kernel l(x) = 2*log(x)*(x + 1) where x > 0;");
+        let (kernel, other) = (theory.kernels[0].clone(), theory.kernels[1].clone());
+        let pairs = [(other.outputs[0], kernel.outputs[0])];
+        let x = [(kernel.arguments[0], theory.pool.symbol(other.arguments[0]))].into_iter().collect();
+        let pairs = pairs.map(|(a, b)| (a, theory.pool.substitute(b, &x)));
+        let found = equality(&mut theory.pool, &pairs, &other.domain);
+        assert!(matches!(found, Translation::Unknown { points: 1.., .. }), "{found:?}");
+        assert!(found.to_string().starts_with("Not proved equal to its formula, only compared"), "{found}");
+    }
+}

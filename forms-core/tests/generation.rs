@@ -1,0 +1,172 @@
+//! Kernels as they are generated: seams that agree, that do not, that cannot be decided; translations.
+
+use forms_core::check::read_theory;
+use forms_core::generation::{Generated, Translation, generate};
+use forms_core::syntax::Source;
+
+/// The last kernel of a source, or what is said of it.
+fn generated(text: &str) -> Result<Generated, String> {
+    let source = Source::new("k.forms", text);
+    let (mut theory, errors) = read_theory(text);
+    assert!(errors.is_empty(), "{}", errors.iter().map(|error| source.render(error)).collect::<String>());
+    let kernel = theory.kernels.last().cloned().expect("a kernel");
+    generate(&mut theory.pool, &kernel).map_err(|errors| {
+        errors.iter().map(|error| format!("{}\n", error.message)).collect::<String>().trim_end().to_string()
+    })
+}
+
+fn is_accepted(text: &str) {
+    if let Err(message) = generated(text) {
+        panic!("{text}\n{message}");
+    }
+}
+
+/// That the kernel is refused with this message.
+fn is_refused(text: &str, message: &str) {
+    match generated(text) {
+        Ok(_) => panic!("accepted: {text}"),
+        Err(found) => assert_eq!(found, message, "{text}"),
+    }
+}
+
+#[test]
+fn branches_that_meet_are_accepted() {
+    for text in [
+        "kernel k(u) = if u > 0 { u } else { 0 };",
+        "kernel k(u) = if u >= 0 { u } else { -u };",
+        "kernel k(u) = 1 + 2*if u < 1 { u**2 } else { 2*u - 1 };",
+        "kernel k(u, v) = if u > v { sqrt(1 + u**2) } else { sqrt(1 + v**2) };",
+        "kernel k(u, v) = if u*v > 1 { u*v } else { 1 };",
+        "kernel k(u, v) = if u < 2*v { exp(u) } else { exp(v)**2 };",
+        "kernel k(x, y) = if x**2 + y**2 < 1 { 1 - x**2 - y**2 } else { 0 };",
+        "kernel k(x, y) = if sqrt(x**2 + y**2) < 2 { x**2 + y**2 } else { 4 };",
+        "kernel k(x) = if abs(x) < 1/2 { x**2 } else { abs(x) - 1/4 };",
+        "kernel k(t) = if cos(t) > 0 { cos(t)/pi } else { 0 };",
+        "kernel k(t) = if 2*sin(t) < 1 { sin(t)**2 } else { 1/4 };",
+        "kernel k(x, y, z, a, b, c) = if x*a + y*b + z*c > 0 { x*a + y*b + z*c } else { 0 };",
+        "kernel k(a, x, b) = if a*x > b { a*x - b } else { 0 } where a > 0;",
+        "kernel k(u) = if 0 < u < 1 { u*(1 - u) } else { 0 };",
+        "kernel k(x) = if x != 1 { x**2 } else { 2*x - 1 };",
+    ] {
+        is_accepted(text);
+    }
+}
+
+#[test]
+fn nested_choices_are_compared_where_they_are_reached() {
+    for text in [
+        "kernel k(u) = if u > 1 { 2*u - 1 } else if u > 0 { u**2 } else { 0 };",
+        "kernel k(u) = if u > 1 { 1 } else { if u < 0 { 0 } else { u } };",
+        "kernel k(u, v) = if u > 0 { if v > 0 { u*v } else { 0 } } else { 0 };",
+        // the inner seam u = 3 lies where the inner choice is never made
+        "kernel k(u) = if u > 2 { 2 } else { if u > 3 { 17 } else { u } };",
+    ] {
+        is_accepted(text);
+    }
+    is_refused(
+        "kernel k(u) = if u > 1 { 2*u } else if u > 0 { u**2 } else { 0 };",
+        "the branches of `if u > 1` differ at the seam u = 1 of `k`: their difference is 1\n\
+         at u = 1: 2 from the side where it holds, 1 from the other",
+    );
+    is_refused(
+        "kernel k(u) = if u > 1 { u } else if u > 0 { u**2 } else { 5 };",
+        "the branches of `if u > 0` differ at the seam u = 0 of `k`: their difference is -5\n\
+         at u = 0: 0 from the side where it holds, 5 from the other",
+    );
+}
+
+#[test]
+fn the_domain_of_the_kernel_bounds_its_seams() {
+    is_accepted("kernel k(u) = if u > 0 { u } else { 7 } where u > 1;");
+    is_accepted("kernel k(u) = if u > 0 { u } else { 7 } where 0 < u <= 1e6;");
+    is_accepted("kernel k(u, v) = if u > 0 { abs(v) } else { v } where v > 0;");
+    is_refused(
+        "kernel k(u) = if u > 0 { u } else { 7 } where u > -1;",
+        "the branches of `if u > 0` differ at the seam u = 0 of `k`: their difference is -7\n\
+         at u = 0: 0 from the side where it holds, 7 from the other",
+    );
+}
+
+#[test]
+fn branches_that_differ_are_refused_with_a_point_of_the_seam() {
+    is_refused(
+        "kernel k(u) = if u > 0 { u + 1 } else { 0 };",
+        "the branches of `if u > 0` differ at the seam u = 0 of `k`: their difference is 1\n\
+         at u = 0: 1 from the side where it holds, 0 from the other",
+    );
+    let message = generated("kernel k(u, v) = if u > 2*v { u**2 } else { v };").unwrap_err();
+    assert!(message.contains("at the seam u = 2*v of `k`: their difference is"), "{message}");
+    assert!(message.contains("\nat u = 2*v, v = "), "{message}");
+    let message = generated("kernel k(x, y) = if x**2 + y**2 < 1 { 1 - x } else { 0 };").unwrap_err();
+    assert!(message.contains("differ at the seam x**2 + y**2 = 1"), "{message}");
+    let message = generated("kernel k(x) = if abs(x) < 1 { x } else { 1 };").unwrap_err();
+    assert!(message.contains("differ at the seam x = -1 of"), "{message}");
+    let message = generated("kernel k(u, v) = if u - v > 1 { u - v } else { 0 };").unwrap_err();
+    assert!(message.contains("\nat u = v + 1, v = 2: 1 from"), "{message}");
+    // a switch to a series is a jump, however small
+    let series = "kernel k(x) = if abs(x) > 1e-4 { sin(x)/x } else { 1 - x**2/6 };";
+    assert!(generated(series).unwrap_err().contains("differ at the seam x = "));
+}
+
+#[test]
+fn a_seam_that_cannot_be_decided_is_refused_too() {
+    let message = generated("kernel k(x) = if x != 0 { sin(x)/x } else { 1 };").unwrap_err();
+    assert!(message.contains("is undecided: a branch is not defined there"), "{message}");
+    let message = generated("kernel k(x) = if sin(x) > x/2 { cos(x) } else { x };").unwrap_err();
+    assert!(message.starts_with("whether the branches of `if sin(x) > x/2` agree at the seam"), "{message}");
+}
+
+#[test]
+fn a_jump_is_not_looked_at() {
+    is_accepted("kernel k(u) = if jump u > 0 { u + 1 } else { 0 };");
+    is_accepted("kernel k(x) = if jump x != 0 { sin(x)/x } else { 1 };");
+    is_refused(
+        "kernel k(u) = if jump u > 1 { 7 } else if u > 0 { 1 } else { 0 };",
+        "the branches of `if u > 0` differ at the seam u = 0 of `k`: their difference is 1\n\
+         at u = 0: 1 from the side where it holds, 0 from the other",
+    );
+}
+
+#[test]
+fn a_seam_inside_a_name_is_a_seam_of_the_kernel() {
+    let message = generated(
+        "chart A(x); chart B(y); map f: A -> B = (x**2,); \
+         let step = if y > 4 { 1 } else { 0 }; kernel k(x) = pullback(f, step);",
+    );
+    assert!(message.unwrap_err().contains("differ at the seam x**2 = 4 of `k`"));
+}
+
+#[test]
+fn many_pieces_end_in_a_bound_and_not_in_a_long_search() {
+    let sum: Vec<String> = (0..40).map(|n| format!("if x{n} > 0 {{ x{n} }} else {{ 0 }}")).collect();
+    let names: Vec<String> = (0..40).map(|n| format!("x{n}")).collect();
+    let text =
+        format!("kernel k({}) = ({})**3*({}) + 1;", names.join(", "), sum.join(" + "), names.join(" + "));
+    let translation = generated(&text).expect("every seam agrees").translation;
+    assert!(translation.to_string().contains("pieces") || translation.is_proved(), "{translation}");
+}
+
+#[test]
+fn kernels_inside_the_class_are_proved_to_compute_their_formulas() {
+    for text in [
+        "kernel k(x) = x**7 + 3*x**5 + x;",
+        "kernel k(x, y) = (x + y)**2/sqrt(x**2 + y**2)**3 + x/sqrt(x**2 + y**2);",
+        "kernel k(x, y) = (x/(x + y), y/(x + y), x*y/(x + y)**2) where x + y > 0;",
+        "kernel k(u) = if u > 0 { u*u + u*u*u } else { 0 };",
+        "kernel k(u, v) = if 2*u - 2*v > 0 { (u - v)*(u - v)*3 } else { 0 } where u*u + 2*u*v + v*v < 9;",
+        "kernel k(x, y, z) = atan2(sqrt(x*x + y*y), z)*(x*x + y*y)/(2*pi);",
+        "kernel k(g, c) = (1 - g**2)/(4*pi*(1 + g**2 - 2*g*c)**(3/2));",
+    ] {
+        let translation = generated(text).expect("a kernel").translation;
+        assert!(translation.is_proved(), "{text}: {translation}");
+    }
+}
+
+#[test]
+fn what_takes_too_much_work_is_compared_at_points_and_not_called_proved() {
+    let text = "kernel k(x, y, z, s, t) = (1 + x + y + z + s + t)**30*x + (1 + x + y + z + s + t)**30*y;";
+    let translation = generated(text).expect("a kernel").translation;
+    let Translation::Unknown { reason, points: 12 } = &translation else { panic!("{translation:?}") };
+    assert!(reason.contains("too large"), "{reason}");
+    assert!(translation.to_string().contains("only compared with it at 12 points: "), "{translation}");
+}
