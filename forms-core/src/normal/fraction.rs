@@ -76,11 +76,6 @@ impl Fraction {
 }
 
 impl Tower {
-    /// The known factors of a fraction with their exponents, positive below the line.
-    pub(crate) fn factors_of<'a>(&'a self, a: &'a Fraction) -> impl Iterator<Item = (&'a Polynomial, i32)> {
-        a.factors.iter().map(|power| (self.factor_polynomial(power.factor), power.exponent))
-    }
-
     /// a + b
     ///
     /// # Errors

@@ -30,6 +30,7 @@ mod raise;
 mod root;
 mod terms;
 mod tower;
+mod univariate;
 
 pub(crate) use arc::is_arc;
 pub(crate) use chord::chord_bounds;
@@ -42,3 +43,4 @@ pub use root::{Base, Sign, SignConstraint};
 pub use terms::{Term, Terms};
 pub(crate) use tower::WORK_LIMIT;
 pub use tower::{Obstacle, Tower, Trigonometry};
+pub(crate) use univariate::{RationalFunction, Univariate};
