@@ -127,7 +127,7 @@ impl Facts {
                 Generator::HalfTangent(unit) => self.learn_half_tangent(variable, unit),
                 Generator::Exponential(_) => self.learn_exponential(tower, variable),
                 Generator::Logarithm { base } => {
-                    self.learn_logarithm(variable, &tower.base(*base).polynomial)
+                    self.learn_logarithm(variable, &tower.base(*base).polynomial);
                 }
                 _ => {}
             }
@@ -238,7 +238,7 @@ impl Facts {
         for (variable, _) in monomial.iter().filter(|(_, exponent)| exponent % 2 == 1) {
             if self.upper.get(variable).is_some_and(|upper| !upper.is_positive()) {
                 negative = !negative;
-            } else if !self.lower.get(variable).is_some_and(|lower| !lower.is_negative()) {
+            } else if self.lower.get(variable).is_none_or(|lower| lower.is_negative()) {
                 return None;
             }
         }
