@@ -23,6 +23,9 @@ pub(crate) struct Region {
     pub(crate) constraints: Vec<Constraint>,
 }
 
+/// A sign for every factor.
+pub(crate) type Case = Vec<(usize, Sign)>;
+
 /// Why there are no cases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum NoCases {
@@ -52,7 +55,7 @@ impl Region {
     pub(crate) fn cases(
         &self,
         is_possible: impl Fn(&[(usize, i8)]) -> bool,
-    ) -> Result<(Vec<Vec<(usize, Sign)>>, bool), NoCases> {
+    ) -> Result<(Vec<Case>, bool), NoCases> {
         if self.factors.len() > MOST_FACTORS {
             return Err(NoCases::TooMany);
         }
