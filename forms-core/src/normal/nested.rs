@@ -14,9 +14,10 @@
 //! basis.
 
 use super::cube::cube_root;
+use super::factored::Factored;
 use super::fraction::Fraction;
 use super::generator::Generator;
-use super::root::{Factored, prime_powers};
+use super::root::prime_powers;
 use super::tower::{Obstacle, Relation, Tower};
 use crate::expression::Rational;
 use crate::polynomial::Polynomial;
