@@ -237,7 +237,7 @@ impl Facts {
         for (variable, _) in monomial.iter().filter(|(_, exponent)| exponent % 2 == 1) {
             if self.upper.get(variable).is_some_and(|upper| !upper.is_positive()) {
                 negative = !negative;
-            } else if self.lower.get(variable).is_none_or(Signed::is_negative) {
+            } else if self.lower.get(variable).is_none_or(|lower| lower.is_negative()) {
                 return None;
             }
         }

@@ -67,7 +67,10 @@ impl Assumptions {
             return Ok(Cases::Empty);
         };
         let cases = match region.cases(|signs| facts.allow(tower, signs)) {
-            Ok(cases) => cases,
+            Ok((_, false)) if tower.divides_by_norms => {
+                return Err(Obstacle::Outside("nested radicals at points that lie apart".into()));
+            }
+            Ok((cases, _)) => cases,
             Err(NoCases::Empty) => return Ok(Cases::Empty),
             Err(NoCases::TooMany) => return Ok(Cases::TooMany),
         };

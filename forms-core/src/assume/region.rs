@@ -23,6 +23,9 @@ pub(crate) struct Region {
     pub(crate) constraints: Vec<Constraint>,
 }
 
+/// A sign for every factor.
+pub(crate) type Case = Vec<(usize, Sign)>;
+
 /// Why there are no cases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum NoCases {
@@ -47,11 +50,12 @@ impl Constraint {
 }
 
 impl Region {
-    /// The cases, each a sign for every factor. A border without a case of its own counts only if it is possible.
+    /// The cases, each a sign for every factor, and whether all that they cover lies beside points of their own. A
+    /// border without a case of its own counts only if it is possible.
     pub(crate) fn cases(
         &self,
         is_possible: impl Fn(&[(usize, i8)]) -> bool,
-    ) -> Result<Vec<Vec<(usize, Sign)>>, NoCases> {
+    ) -> Result<(Vec<Case>, bool), NoCases> {
         if self.factors.len() > MOST_FACTORS {
             return Err(NoCases::TooMany);
         }
@@ -61,6 +65,7 @@ impl Region {
         }
         let (mut cases, borders): (Vec<_>, Vec<_>) =
             strata.into_iter().partition(|signs| !signs.contains(&0));
+        let with_points = cases.len();
         for border in borders {
             let signs: Vec<(usize, i8)> =
                 self.factors.iter().zip(&border).map(|(factor, &sign)| (factor.0, sign)).collect();
@@ -71,7 +76,8 @@ impl Region {
         if cases.is_empty() {
             return Err(NoCases::Empty);
         }
-        Ok(cases.into_iter().map(|signs| self.named(&signs)).collect())
+        let is_thick = cases.len() == with_points;
+        Ok((cases.into_iter().map(|signs| self.named(&signs)).collect(), is_thick))
     }
 
     /// Every choice of signs that the known ones allow.
@@ -149,6 +155,7 @@ mod tests {
         let mut all: Vec<Vec<i8>> = region
             .cases(|_| true)
             .unwrap()
+            .0
             .into_iter()
             .map(|case| case.into_iter().map(|(_, sign)| number(sign)).collect())
             .collect();
@@ -176,7 +183,7 @@ mod tests {
         let constraints = vec![product(&[0], false), product(&[0, 1], false)];
         let region = Region { factors: vec![(0, None), (1, None)], constraints };
         let cases = region.cases(|signs| signs[0].1 != 0 || signs[1].1 != -1);
-        assert_eq!(cases, Ok(vec![vec![(0, Sign::Positive), (1, Sign::Positive)]]));
+        assert_eq!(cases, Ok((vec![vec![(0, Sign::Positive), (1, Sign::Positive)]], true)));
     }
 
     #[test]

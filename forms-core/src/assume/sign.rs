@@ -153,6 +153,9 @@ impl Facts {
 
     /// Squares do not matter, and the other factors have signs whose product is positive.
     fn factors_show(&self, polynomial: &Polynomial, roots: u32) -> bool {
+        if polynomial.total_degree() < 3 && polynomial.monomial_content().is_empty() {
+            return false; // a square among these is semidefinite
+        }
         let (content, factors) = polynomial.square_free();
         let odd: Vec<&Polynomial> =
             factors.iter().filter(|(_, n)| n % 2 == 1).map(|(part, _)| part).collect();

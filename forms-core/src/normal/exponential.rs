@@ -9,9 +9,9 @@
 //! exponent like all others. A logarithm needs no sign: log q speaks of q > 0, where it is log|q|.
 
 use super::factor::{FactorPower, common_powers, merge_powers};
+use super::factored::Power;
 use super::fraction::Fraction;
 use super::generator::{Generator, Quantity, Unit};
-use super::root::Power;
 use super::tower::{Obstacle, Tower};
 use crate::expression::Rational;
 use crate::polynomial::Polynomial;

@@ -19,6 +19,7 @@ mod cube;
 mod derivation;
 mod exponential;
 mod factor;
+mod factored;
 mod filter;
 mod fraction;
 mod generator;

@@ -9,13 +9,15 @@
 //! A + Bρ = h³                                    where numbers A and B make it a cube
 //! ```
 //! Each is an identity of the field, so it serves roots and logarithms alike. What it divides by has to have a norm
-//! other than zero, down to an element without roots: that shows it not to be zero in disguise. A factor to which
-//! none applies joins the basis.
+//! other than zero, down to an element without roots: that shows it not to be zero in disguise, so that it vanishes on a
+//! thin set at most, and what holds beside that set holds on it by continuity. A factor to which none applies joins the
+//! basis.
 
 use super::cube::cube_root;
+use super::factored::Factored;
 use super::fraction::Fraction;
 use super::generator::Generator;
-use super::root::{Factored, prime_powers};
+use super::root::prime_powers;
 use super::tower::{Obstacle, Relation, Tower};
 use crate::expression::Rational;
 use crate::polynomial::Polynomial;
@@ -122,6 +124,7 @@ impl Tower {
         if norm.is_zero() || self.full_norm(&conjugate)?.is_none() {
             return Ok(false);
         }
+        self.divides_by_norms = true;
         self.factor_polynomial_into(&norm, exponent, factored)?;
         self.factor_polynomial_into(&conjugate, -exponent, factored)?;
         Ok(true)
@@ -145,6 +148,7 @@ impl Tower {
         if whole.is_zero() {
             return Ok(false);
         }
+        self.divides_by_norms = true;
         let two = Ratio::from_integer(2);
         self.raise_fraction(&whole, exponent * two, factored)?;
         self.raise_fraction(&sum, -exponent, factored)?;
@@ -197,6 +201,7 @@ impl Tower {
                 continue;
             }
             factored.denested += 1;
+            self.divides_by_norms = true;
             self.raise_fraction(&root, exponent * Ratio::from_integer(2), factored)?;
             self.raise_part(&other, -exponent, factored)?;
             return Ok(true);

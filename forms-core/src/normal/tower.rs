@@ -67,6 +67,9 @@ pub struct Tower {
     pub(super) exponent_divisors: FxHashMap<Quantity, u32>,
     /// The denominator that all exponents are brought over.
     pub(super) exponent_denominator: Vec<FactorPower>,
+    /// Whether nested radicals were replaced by quotients, which holds where their denominators vanish only as a
+    /// limit of points nearby.
+    pub(crate) divides_by_norms: bool,
     pub(super) trigonometry: Trigonometry,
     pub(super) elements: FxHashMap<Expr, Fraction>,
     constraints: FxHashMap<Expr, SignConstraint>,
@@ -89,6 +92,7 @@ impl Tower {
             divisors: FxHashMap::default(),
             exponent_divisors: FxHashMap::default(),
             exponent_denominator: Vec::new(),
+            divides_by_norms: false,
             trigonometry,
             elements: FxHashMap::default(),
             constraints: FxHashMap::default(),
