@@ -62,8 +62,6 @@ pub fn entry(theory: &mut Theory, statement: &Statement, verdict: &Verdict) -> S
 
 /// Whoever is told how a proof goes.
 pub(crate) trait Observer {
-    /// Whether anything is made of what is told.
-    fn is_writing(&self) -> bool;
     /// The differences are zero in this case.
     fn zero(&mut self, tower: &Tower, differences: &[Expr]);
     /// In this case a side divides by zero everywhere.
@@ -74,18 +72,4 @@ pub(crate) trait Observer {
     fn case(&mut self, signs: &[(usize, Sign)]);
     /// The cases are through.
     fn end(&mut self);
-}
-
-/// Nobody.
-pub(crate) struct Unobserved;
-
-impl Observer for Unobserved {
-    fn is_writing(&self) -> bool {
-        false
-    }
-    fn zero(&mut self, _: &Tower, _: &[Expr]) {}
-    fn undefined(&mut self) {}
-    fn split(&mut self, _: &Tower, _: &[usize], _: &Facts, _: &[Vec<(usize, Sign)>]) {}
-    fn case(&mut self, _: &[(usize, Sign)]) {}
-    fn end(&mut self) {}
 }

@@ -97,6 +97,8 @@ impl Writer {
             Generator::HalfTangent(unit) => self.unit(tower, "tangent", &unit, declared),
             Generator::Exponential(unit) => self.unit(tower, "exponent", &unit, declared),
             Generator::Root { base, .. } => self.base(tower, base, declared),
+            Generator::Chord { .. } => self.gap = Some("the sine or cosine of a part of a circle".into()),
+            Generator::Logarithm { .. } => self.gap = Some("a logarithm by parts".into()),
         }
     }
 
@@ -156,10 +158,6 @@ fn signed(polynomial: &Polynomial, sign: Sign) -> Polynomial {
 }
 
 impl Observer for Writer {
-    fn is_writing(&self) -> bool {
-        true
-    }
-
     fn zero(&mut self, tower: &Tower, differences: &[Expr]) {
         let mut declared = Declared::default();
         let parts = self.pool.reachable(differences);

@@ -5,7 +5,6 @@
 
 use super::problem::{Component, Problem};
 use super::proof::settled_cases;
-use crate::certificate::Unobserved;
 use crate::expression::{Expr, Node, Pool};
 use crate::normal::{Fraction, Generator, Obstacle, Sign, Tower, Trigonometry, normalise};
 use crate::resolve::{Statement, Theory};
@@ -60,7 +59,7 @@ pub struct Cancellation {
 pub fn account(theory: &mut Theory, statement: &Statement) -> Option<Account> {
     let problem = Problem::new(theory, statement);
     let mut tower = Tower::new(Trigonometry::Circle);
-    let settled = settled_cases(&mut theory.pool, &problem, &mut tower, &mut Unobserved)?;
+    let settled = settled_cases(&mut theory.pool, &problem, &mut tower, None)?;
     let cases = settled
         .iter()
         .map(|signs| case(&mut theory.pool, &mut tower, &problem, signs))

@@ -14,17 +14,20 @@
 //! a point as well, to show that it speaks of something.
 
 mod account;
+mod angle;
 mod empty;
 mod finding;
 mod problem;
 mod proof;
 mod ratio;
+mod relation;
 mod report;
 mod sample;
 mod verdict;
 mod witness;
 
 pub use account::{Account, Bound, Cancellation, Case, account};
+pub use angle::vanishing_angles;
 pub(crate) use finding::{Effort, Equations, Finding, contradiction};
 pub use ratio::Ratio;
 pub(crate) use report::simplified;
@@ -72,7 +75,7 @@ pub(crate) fn retrace(theory: &mut Theory, statement: &Statement, observer: &mut
         observer.zero(&tower, &[]);
         return true;
     }
-    proof::settled_cases(&mut theory.pool, &problem, &mut tower, observer).is_some()
+    proof::settled_cases(&mut theory.pool, &problem, &mut tower, Some(observer)).is_some()
 }
 
 /// What a verdict on a statement assumes, the texts of which it carries.
