@@ -85,7 +85,9 @@ fn entry(theory: &mut Theory, head: &Line, name: &str, body: &[Line]) -> Result<
             if proof.lines.next().is_some() { Err(malformed("lines after a proof")) } else { Ok(()) }
         }
         "refuted" => witness::check(theory, &statement, body),
-        "uncovered" => Err(Stop::Uncovered(head.1.clone())),
+        "uncovered" => {
+            Err(Stop::Uncovered(head.1.split_once(' ').map_or(String::new(), |(_, why)| why.to_string())))
+        }
         other => Err(malformed(format!("`{other}` begins no entry"))),
     });
     match result {

@@ -15,10 +15,11 @@ const LARGEST_ROOT: i64 = 4096;
 /// cos and sin of an angle.
 type Point = (Fraction, Fraction);
 
-/// c ∏ gᵉ over the bases g, and whether g itself, apart from its roots, occurs to an odd power.
+/// c ∏ gᵉ ∏ exp(u)ᵏ over the bases g and the units u of exponents; with g stands whether g itself, apart from its roots, occurs to an odd power.
 pub(crate) struct Factored {
     pub(crate) constant: BigRational,
     pub(crate) powers: BTreeMap<usize, (Ratio<i64>, bool)>,
+    exponentials: BTreeMap<usize, i64>,
 }
 
 fn one() -> Fraction {
@@ -99,7 +100,7 @@ impl Field {
             "exp" => self.exponential(&a[0]),
             "abs" => self.magnitude(&a[0], Ratio::from_integer(1)),
             "asin" | "atan" if a[0].numerator.is_zero() => Ok(Fraction::default()),
-            "log" if self.equal(&a[0], &one())? => Ok(Fraction::default()),
+            "log" => self.logarithm(&a[0]),
             _ => rejected("nothing is known of it"),
         }
     }
@@ -112,18 +113,53 @@ impl Field {
         if *r.denom() > LARGEST_ROOT || r.numer().abs() > LARGEST_ROOT {
             return uncovered("so large a power");
         }
-        let Factored { constant, powers } = self.factored(q)?;
-        let mut result = self.number_power(&constant, r)?;
-        for (base, (exponent, _)) in powers {
+        let Factored { constant, powers, exponentials } = self.factored(q)?;
+        let numbers = if r.is_integer() { BTreeMap::new() } else { self.number_powers(&constant)? };
+        let plain = if r.is_integer() { constant.pow(*r.numer() as i32) } else { rational(1, 1) };
+        let mut result = Fraction::number(if plain < rational(0, 1) { -plain } else { plain });
+        let powers = powers.into_iter().map(|(base, (exponent, _))| (base, exponent));
+        for (base, exponent) in powers.chain(numbers) {
             let power = self.base_power(base, exponent * r)?;
+            result = self.multiply(&result, &power)?;
+        }
+        for (unit, exponent) in exponentials {
+            let times = r * exponent;
+            if !times.is_integer() {
+                return rejected("a unit of exponents is too coarse");
+            }
+            let itself = Polynomial::generator(self.units[unit].generator, 1).into();
+            let power = self.integer_power(&itself, times.to_integer())?;
             result = self.multiply(&result, &power)?;
         }
         Ok(result)
     }
 
+    /// log |q| = Σ e log |g| + Σ k u
+    fn logarithm(&mut self, q: &Fraction) -> Result<Fraction, Stop> {
+        if q.numerator.is_zero() {
+            return Err(Stop::Undefined);
+        }
+        let Factored { constant, powers, exponentials } = self.factored(q)?;
+        let numbers = self.number_powers(&constant)?;
+        let mut sum = Fraction::default();
+        for (base, exponent) in powers.into_iter().map(|(base, (e, _))| (base, e)).chain(numbers) {
+            let Some(logarithm) = self.bases[base].logarithm else {
+                return rejected(format!("base {} lacks a logarithm", base + 1));
+            };
+            let term = Fraction::from(Polynomial::generator(logarithm, 1));
+            sum = self.add(&sum, &term.scale(&rational(*exponent.numer(), *exponent.denom())))?;
+        }
+        for (unit, exponent) in exponentials {
+            let term = self.units[unit].value.scale(&rational(exponent, 1));
+            sum = self.add(&sum, &term)?;
+        }
+        Ok(sum)
+    }
+
     /// An element over the bases, which has to leave nothing but a number.
     pub(crate) fn factored(&mut self, q: &Fraction) -> Result<Factored, Stop> {
-        let mut found = Factored { constant: rational(1, 1), powers: BTreeMap::new() };
+        let mut found =
+            Factored { constant: rational(1, 1), powers: BTreeMap::new(), exponentials: BTreeMap::new() };
         let below = q.factors.iter().map(|(factor, n)| (self.factor(*factor).clone(), -i64::from(*n)));
         for (mut rest, times) in std::iter::once((q.numerator.clone(), 1)).chain(below.collect::<Vec<_>>()) {
             for (number, base) in self.bases.iter_mut().enumerate() {
@@ -142,6 +178,12 @@ impl Field {
                     }
                 }
             }
+            for (number, unit) in self.units.iter().enumerate().filter(|unit| unit.1.kind == Kind::Exponent) {
+                while let Some(quotient) = rest.divide(&Polynomial::generator(unit.generator, 1)) {
+                    rest = quotient;
+                    *found.exponentials.entry(number).or_default() += times;
+                }
+            }
             let Some(constant) = rest.as_constant() else {
                 return rejected("a radicand is not a product of the bases");
             };
@@ -150,39 +192,24 @@ impl Field {
         Ok(found)
     }
 
-    fn number_power(&mut self, c: &BigRational, r: Ratio<i64>) -> Result<Fraction, Stop> {
-        let mut rest = if *c < rational(0, 1) { -c } else { c.clone() };
-        if r.is_integer() {
-            return Ok(Fraction::number(rest.pow(*r.numer() as i32)));
-        }
-        let mut result = one();
-        for number in 0..self.bases.len() {
-            let Some(prime) = self.bases[number].polynomial.as_constant().filter(|p| *p > rational(1, 1))
-            else {
-                continue;
-            };
-            let mut exponent = 0_i64;
-            for (step, by) in [(1, prime.clone()), (-1, rational(1, 1) / prime)] {
-                let divides = |rest: &BigRational| {
-                    let part = if step > 0 { rest.numer() } else { rest.denom() };
-                    let quotient = rest / &by;
-                    let shrunk = if step > 0 { quotient.numer() } else { quotient.denom() };
-                    *part != BigInt::from(1) && shrunk < part
-                };
-                while divides(&rest) {
-                    rest /= &by;
-                    exponent += step;
+    /// |c| over the bases that are numbers
+    fn number_powers(&mut self, c: &BigRational) -> Result<BTreeMap<usize, Ratio<i64>>, Stop> {
+        let mut parts = [BigInt::from(c.numer().magnitude().clone()), c.denom().clone()];
+        let mut powers = BTreeMap::new();
+        for (number, base) in self.bases.iter_mut().enumerate() {
+            let Some(prime) = base.polynomial.as_constant().filter(|p| *p > rational(1, 1)) else { continue };
+            for (part, step) in parts.iter_mut().zip([1, -1]) {
+                while *part != BigInt::from(0) && &*part % prime.numer() == BigInt::from(0) {
+                    *part /= prime.numer();
+                    base.used = base.used.max(1);
+                    *powers.entry(number).or_insert(Ratio::from_integer(0)) += step;
                 }
             }
-            self.bases[number].used = self.bases[number].used.max(i64::from(exponent != 0));
-            let power = self.base_power(number, r * exponent)?;
-            result = self.multiply(&result, &power)?;
         }
-        if rest == rational(1, 1) {
-            Ok(result)
-        } else {
-            rejected("a number under a root is no product of bases")
+        if parts == [BigInt::from(1), BigInt::from(1)] {
+            return Ok(powers);
         }
+        rejected("a number is no product of the bases")
     }
 
     /// |g|ᵉ: by g itself for integers, by its root otherwise
@@ -332,12 +359,13 @@ impl Field {
     fn exponential(&mut self, exponent: &Fraction) -> Result<Fraction, Stop> {
         let mut product = one();
         for (quantity, c) in self.terms(exponent)? {
-            let logarithm = self.generators.iter().enumerate().find_map(|(g, generator)| match generator {
-                Some((Function("log"), q)) if quantity.numerator == Polynomial::generator(g, 1) => {
-                    Some(q[0].clone())
-                }
+            let is_quantity = |g: usize| quantity.numerator == Polynomial::generator(g, 1);
+            let of_base = self.bases.iter().find(|base| base.logarithm.is_some_and(is_quantity));
+            let opaque = self.generators.iter().enumerate().find_map(|(g, generator)| match generator {
+                Some((Function("log"), q)) if is_quantity(g) => Some(q[0].clone()),
                 _ => None,
             });
+            let logarithm = of_base.map(|base| base.polynomial.clone().into()).or(opaque);
             let rational_exponent = [c.numer(), c.denom()].map(|part| i64::try_from(part).ok());
             let power = match (self.multiple(&quantity, &c, true), logarithm, rational_exponent) {
                 (Ok((number, n)), ..) => {

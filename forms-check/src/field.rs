@@ -39,6 +39,8 @@ pub(crate) struct Base {
     /// σ with σ·polynomial ≥ 0, once it is shown
     pub(crate) sign: Option<i64>,
     pub(crate) root: Option<usize>,
+    /// log |g|
+    pub(crate) logarithm: Option<usize>,
 }
 
 /// How the functions of a unit are written.

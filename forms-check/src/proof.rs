@@ -36,6 +36,12 @@ impl Proof<'_> {
                     let order = order.ok_or_else(|| malformed(format!("the order `{rest}`")))?;
                     field.bases.last_mut().ok_or_else(|| malformed("a root without a base"))?.order = order;
                 }
+                "logarithm" => {
+                    let logarithm = Some(field.new_generator(None)?);
+                    let base =
+                        field.bases.last_mut().ok_or_else(|| malformed("a logarithm without a base"))?;
+                    base.logarithm = logarithm;
+                }
                 "positive" | "negative" => self.sign(&mut field, keyword == "positive", rest, &conditions)?,
                 "circle" => self.unit(&mut field, Kind::Circle, rest)?,
                 "tangent" => self.unit(&mut field, Kind::Tangent, rest)?,
@@ -61,7 +67,14 @@ impl Proof<'_> {
             return rejected("a base is no polynomial, nor an integer above 1");
         }
         let sign = constant.map(|_| 1);
-        field.bases.push(Base { polynomial: element.numerator, order: 1, used: 0, sign, root: None });
+        field.bases.push(Base {
+            polynomial: element.numerator,
+            order: 1,
+            used: 0,
+            sign,
+            root: None,
+            logarithm: None,
+        });
         Ok(())
     }
 

@@ -4,27 +4,45 @@ use forms::core::certificate::{HEADER, entry, file_lines};
 use forms::core::decide::Verdict;
 use forms::core::resolve::{Statement, Theory};
 use forms::core::syntax::Source;
+use forms_check::Outcome;
 use std::path::{Component, Path, PathBuf};
 
 /// A certificate that is being written.
 pub(crate) struct Certificate {
     path: String,
     lines: String,
+    /// The text of the file that the entries are about.
+    source: String,
 }
 
 impl Certificate {
     pub(crate) fn new(path: &str) -> Self {
-        Certificate { path: path.to_string(), lines: HEADER.to_string() }
+        Certificate { path: path.to_string(), lines: HEADER.to_string(), source: String::new() }
     }
 
     /// Begins the entries of a file.
     pub(crate) fn begin(&mut self, source: &Source) {
+        self.source.clone_from(&source.text);
         self.lines += &file_lines(&name_from(&self.path, &source.name), &source.text);
     }
 
     /// Adds what shows a verdict.
+    /// What the checker does not accept is written as uncovered, with what it says.
     pub(crate) fn add(&mut self, theory: &mut Theory, statement: &Statement, verdict: &Verdict) {
-        self.lines += &entry(theory, statement, verdict);
+        let lines = entry(theory, statement, verdict);
+        let alone = format!("{HEADER}{}{lines}", file_lines("itself", &self.source));
+        let checked = forms_check::check(&alone, |_| Ok(self.source.clone()));
+        let refused = match checked.map(|mut all| all.swap_remove(0).outcome) {
+            Ok(Outcome::Rejected(why) | Outcome::NotCovered(why)) => Some(why),
+            Ok(Outcome::Accepted) => None,
+            Err(why) => Some(why),
+        };
+        self.lines += &match refused {
+            Some(why) if !lines.trim_start().starts_with("uncovered") => {
+                format!("\nuncovered {} {why}\n", statement.name)
+            }
+            _ => lines,
+        };
     }
 
     /// Writes it to its place.

@@ -39,6 +39,8 @@ struct Declared {
     seen: FxHashSet<u32>,
     /// The bases whose roots do not occur.
     rootless: FxHashSet<usize>,
+    /// The bases whose logarithms occur.
+    logarithmic: FxHashSet<usize>,
 }
 
 impl Writer {
@@ -98,7 +100,7 @@ impl Writer {
             Generator::Exponential(unit) => self.unit(tower, "exponent", &unit, declared),
             Generator::Root { base, .. } => self.base(tower, base, declared),
             Generator::Chord { .. } => self.gap = Some("the sine or cosine of a part of a circle".into()),
-            Generator::Logarithm { .. } => self.gap = Some("a logarithm by parts".into()),
+            Generator::Logarithm { base } => self.base(tower, base, declared),
         }
     }
 
@@ -120,6 +122,9 @@ impl Writer {
         self.line("base", &text);
         if base.order() > 1 && !declared.rootless.contains(&number) {
             self.line("root", &base.order().to_string());
+        }
+        if declared.logarithmic.contains(&number) {
+            self.line("logarithm", "");
         }
         if base.polynomial.as_constant().is_some() {
             return;
@@ -162,6 +167,7 @@ impl Observer for Writer {
         let mut declared = Declared::default();
         let parts = self.pool.reachable(differences);
         let elements: Vec<&Fraction> = parts.iter().filter_map(|part| tower.element_of(*part)).collect();
+        declared.logarithmic = tower.logarithmic_bases();
         let occurring: FxHashSet<u32> =
             elements.iter().flat_map(|element| tower.variables_of(element)).collect();
         let roots = occurring.iter().filter_map(|variable| match tower.generator(*variable) {

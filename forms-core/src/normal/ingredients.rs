@@ -1,10 +1,11 @@
 //! What elements are made of, for whoever writes a proof down: generators, units, bases of radicands.
 
 use super::fraction::Fraction;
-use super::generator::Unit;
+use super::generator::{Generator, Unit};
 use super::root::Base;
 use super::tower::Tower;
 use crate::expression::Expr;
+use rustc_hash::FxHashSet;
 
 impl Base {
     /// The order of its root, 1 if none was asked for.
@@ -14,6 +15,15 @@ impl Base {
 }
 
 impl Tower {
+    /// The bases whose logarithms are generators.
+    pub(crate) fn logarithmic_bases(&self) -> FxHashSet<usize> {
+        let base = |generator: &Generator| match generator {
+            Generator::Logarithm { base } => Some(*base),
+            _ => None,
+        };
+        self.generators.iter().filter_map(base).collect()
+    }
+
     /// The unit as a fraction.
     pub(crate) fn unit_value(&self, unit: &Unit) -> Fraction {
         let mut quantity = self.quantity(&unit.quantity);
