@@ -94,6 +94,17 @@ fn no_number_of_a_proof_by_angles_can_be_changed() {
     assert_eq!(surviving(ANGLES), Vec::<String>::new());
 }
 
+const LOGARITHMS: &str = "chart P(x, y) where x > 0, y > 0; param q;\n\
+    prove product: log(6*x**2*y) == log(2) + log(3) + 2*log(x) + log(y);\n\
+    prove power: exp(log(x)/2)**2 == x;\n\
+    prove symbolic: x**(q + 1)*x**-q == x;\n\
+    refute sum: log(x + y) == log(x) + log(y);\n";
+
+#[test]
+fn no_number_of_a_proof_by_logarithms_can_be_changed() {
+    assert_eq!(surviving(LOGARITHMS), Vec::<String>::new());
+}
+
 #[test]
 fn no_number_of_a_refutation_of_the_case_files_can_be_changed() {
     let source = case_file("sphere_pullbacks");
