@@ -1,13 +1,14 @@
 //! Facts: what conditions and the nature of functions say of generators, as bounds and inequalities.
 
 use super::linear::{Inequality, contradict};
-use crate::normal::{Fraction, Generator, Sign, Tower, Unit};
+use super::range::Ranges;
+use crate::normal::{Fraction, Generator, Sign, Tower, Unit, chord_bounds};
 use crate::polynomial::Polynomial;
 use crate::syntax::ast::Relation;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 
 /// More logarithms than this are not compared with each other.
 const MOST_ORDERED: usize = 6;
@@ -27,7 +28,7 @@ pub(super) struct Root {
 pub(crate) struct Facts {
     pub(super) lower: FxHashMap<u32, BigRational>,
     pub(super) upper: FxHashMap<u32, BigRational>,
-    below_pi: FxHashSet<u32>,
+    pub(super) ranges: Ranges,
     pub(super) inequalities: Vec<Inequality>,
     pub(super) roots: FxHashMap<u32, Root>,
     /// m and d of generators exp(m/d) with a polynomial m.
@@ -58,6 +59,11 @@ impl Facts {
                     self.at_least(variable, BigRational::zero());
                     self.exponents.extend(tower.exponent(variable).map(|exponent| (variable, exponent)));
                 }
+                Generator::Chord { sides, sine } => {
+                    let (lower, upper) = chord_bounds(*sides, *sine);
+                    self.at_least(variable, lower);
+                    self.at_most(variable, upper);
+                }
                 Generator::Pi => {
                     self.at_least(variable, BigRational::new(333.into(), 106.into()));
                     self.at_most(variable, BigRational::new(22.into(), 7.into()));
@@ -82,8 +88,9 @@ impl Facts {
         self.roots.insert(variable, Root { order, radicand: radicand.clone() });
     }
 
-    /// Learns from `difference relation 0` if it bounds one generator by a number, or from above by π.
+    /// Learns from `difference relation 0` as an inequality, as a bound of one generator by a number, as a range of an angle.
     pub(crate) fn learn(&mut self, tower: &Tower, difference: &Fraction, relation: Relation) {
+        self.ranges.learn(tower.pi(), difference, relation);
         let Some(difference) = difference.as_polynomial() else { return };
         let up = matches!(relation, Relation::Greater | Relation::GreaterEqual);
         if relation == Relation::NotEqual {
@@ -106,17 +113,6 @@ impl Facts {
             let bound = BigRational::new(-&constant, slope.clone());
             self.bound(*variable, up == slope.is_positive(), bound);
         }
-        // a v + b π > 0 with a < 0 says v < −(b/a) π
-        if let [(v, a), (w, b)] = linear.as_slice()
-            && constant.is_zero()
-        {
-            let is_pi = |variable: u32| *tower.generator(variable) == Generator::Pi;
-            let (variable, a, b) = if is_pi(*w) { (v, a, b) } else { (w, b, a) };
-            let is_angle = is_pi(*v) != is_pi(*w);
-            if is_angle && up == a.is_negative() && BigRational::new(-b, a.clone()) <= BigRational::one() {
-                self.below_pi.insert(*variable);
-            }
-        }
     }
 
     /// Learns of functions what follows from the signs of their arguments.
@@ -124,7 +120,7 @@ impl Facts {
         self.learn_nature(tower);
         for variable in 0..tower.generator_count() {
             match tower.generator(variable) {
-                Generator::HalfTangent(unit) => self.learn_half_tangent(variable, unit),
+                Generator::HalfTangent(unit) => self.learn_half_tangent(tower, variable, unit),
                 Generator::Exponential(_) => self.learn_exponential(tower, variable),
                 Generator::Logarithm { base } => {
                     self.learn_logarithm(variable, &tower.base(*base).polynomial);
@@ -158,16 +154,19 @@ impl Facts {
         }
     }
 
-    /// For 0 < θ < π the half-angle tangent of u = θ/d is positive, and at most 1 if d > 1.
-    fn learn_half_tangent(&mut self, variable: u32, unit: &Unit) {
-        let Some(angle) = unit.as_variable() else { return };
-        let positive = self.lower.get(&angle).is_some_and(|lower| !lower.is_negative());
-        if positive && self.below_pi.contains(&angle) {
-            self.at_least(variable, BigRational::zero());
-            if unit.divisor() > 1 {
-                self.at_most(variable, BigRational::one());
-            }
+    /// A half-angle tangent keeps between the tangents of the ends of its angle, as far as these stay between two
+    /// poles; where the angle is nearer to a pole than to a zero, t² ≥ 1.
+    fn learn_half_tangent(&mut self, tower: &Tower, variable: u32, unit: &Unit) {
+        let Some(monomial) = unit.as_monomial() else { return };
+        let part = BigRational::new(1.into(), (2 * unit.divisor()).into());
+        let range = self.ranges.of(tower.pi(), [(monomial.to_vec(), part)]);
+        if range.modulo_pi((1, 2)).is_within(1, 4) {
+            let polynomial = Polynomial::variable(variable).square().sub(&Polynomial::one());
+            self.inequalities.push(Inequality { polynomial, strict: false });
         }
+        let (lower, upper) = range.modulo_pi((0, 1)).tangents();
+        lower.into_iter().for_each(|lower| self.at_least(variable, lower));
+        upper.into_iter().for_each(|upper| self.at_most(variable, upper));
     }
 
     /// exp u ≥ 1 where u ≥ 0, exp u ≤ 1 where u ≤ 0

@@ -8,12 +8,15 @@
 //! Everything that is said about real expressions under conditions, proofs and integrals alike, goes through
 //! the cases found here.
 
+mod arc;
 mod facts;
 mod linear;
+mod range;
 mod region;
 mod sign;
 
 pub(crate) use facts::Facts;
+pub(crate) use range::Range;
 
 use crate::expression::{Condition, Expr, Pool};
 use crate::normal::{Fraction, Obstacle, Sign, SignConstraint, Tower, Trigonometry, normalise};
@@ -120,6 +123,34 @@ impl Assumptions {
         Err(Obstacle::Refine)
     }
 
+    /// Where an angle lies once some signs are given; nothing where that is not known.
+    pub(crate) fn range(
+        &self,
+        tower: &mut Tower,
+        pool: &Pool,
+        angle: Expr,
+        given: &[(usize, Sign)],
+    ) -> Result<Range, Obstacle> {
+        for _ in 0..MOST_PASSES {
+            tower.fix_signs(given);
+            let prepared = normalise(tower, pool, &[angle])?;
+            let mut knowledge = Knowledge::of(tower, given);
+            match self.assume(tower, pool, &mut knowledge) {
+                Err(Obstacle::Refine) => {
+                    tower.start_again();
+                    continue;
+                }
+                result => result?,
+            }
+            if !prepared.is_unconditional() {
+                break;
+            }
+            let value = prepared.exact(tower, pool)?.remove(0);
+            return knowledge.facts.range(tower, &value);
+        }
+        Ok(Range::default())
+    }
+
     /// What the conditions say. One without a normal form, or whose normal form depends on an open sign, is
     /// left out, which only leaves more cases.
     fn assume(&self, tower: &mut Tower, pool: &Pool, knowledge: &mut Knowledge) -> Result<(), Obstacle> {
@@ -139,9 +170,12 @@ impl Assumptions {
                 Err(_) => continue,
             };
             knowledge.facts.learn(tower, &difference, condition.relation);
-            if let Some(constraint) = constraint(tower, &difference, condition)? {
-                knowledge.constraints.push(constraint);
+            let constraint = constraint(tower, &difference, condition)?;
+            let open = tower.open_signs_asked();
+            if open.is_empty() {
+                knowledge.constraints.extend(constraint);
             }
+            knowledge.open.extend(open);
         }
         knowledge.facts.learn_functions(tower);
         knowledge.open.sort_unstable();

@@ -78,7 +78,7 @@ impl Tower {
     fn derivative_of_generator(&mut self, variable: u32, by: Symbol) -> Result<Fraction, Obstacle> {
         match self.generator(variable).clone() {
             Generator::Variable(symbol) => Ok(if symbol == by { Fraction::one() } else { Fraction::zero() }),
-            Generator::Pi => Ok(Fraction::zero()),
+            Generator::Pi | Generator::Chord { .. } => Ok(Fraction::zero()),
             Generator::Jet { function, orders, arguments } => {
                 let mut sum = Fraction::zero();
                 for (place, argument) in arguments.iter().enumerate() {

@@ -12,6 +12,8 @@
 //! zero needs no greatest common divisor.
 
 mod angle;
+mod arc;
+mod chord;
 mod common;
 mod cube;
 mod derivation;
@@ -23,6 +25,7 @@ mod fraction;
 mod generator;
 mod nested;
 mod normalise;
+mod polygon;
 mod quotient_rule;
 mod raise;
 mod root;
@@ -30,6 +33,8 @@ mod terms;
 mod tower;
 mod univariate;
 
+pub(crate) use arc::is_arc;
+pub(crate) use chord::chord_bounds;
 pub use common::Together;
 pub use derivation::Normal;
 pub use fraction::Fraction;

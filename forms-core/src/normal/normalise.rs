@@ -198,7 +198,9 @@ impl Walk<'_> {
             return if exponent.is_positive() { Ok(base) } else { Err(Obstacle::DivisionByZero) };
         }
         let (power, constraint) = self.tower.magnitude_power(&base, exponent)?;
-        self.tower.constrain(operand, constraint);
+        if let Some(constraint) = constraint {
+            self.tower.constrain(operand, constraint);
+        }
         Ok(power)
     }
 
@@ -207,10 +209,7 @@ impl Walk<'_> {
         match operation {
             Operation::Sin => Ok(self.tower.circular(&argument)?.1),
             Operation::Cos => Ok(self.tower.circular(&argument)?.0),
-            Operation::Tan => {
-                let (cosine, sine) = self.tower.circular(&argument)?;
-                self.quotient(&sine, &cosine)
-            }
+            Operation::Tan => self.tower.tangent(&argument),
             Operation::Exp => self.tower.exponential(&argument),
             Operation::Sinh => Ok(self.tower.hyperbolic(&argument)?.1),
             Operation::Cosh => Ok(self.tower.hyperbolic(&argument)?.0),

@@ -86,6 +86,12 @@ impl Tower {
         let base = match self.generator(variable).clone() {
             Generator::Variable(symbol) => pool.symbol(symbol),
             Generator::Pi => pool.pi(),
+            Generator::Chord { sides, sine } => {
+                let (part, pi, two) = (pool.ratio(2, i64::from(sides)), pool.pi(), pool.integer(2));
+                let angle = pool.multiply(part, pi);
+                let half = pool.apply(if sine { Operation::Sin } else { Operation::Cos }, &[angle]);
+                pool.multiply(two, half)
+            }
             Generator::Jet { function, orders, arguments } => {
                 let arguments: Vec<Expr> = arguments.iter().map(|a| self.raise(pool, a)).collect();
                 pool.jet(function, &orders, &arguments)

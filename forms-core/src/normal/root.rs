@@ -65,14 +65,15 @@ pub struct SignConstraint {
 }
 
 impl Tower {
-    /// |q|^r for q ≠ 0, with the sign constraint of q itself.
+    /// |q|^r for q ≠ 0, with the sign constraint of q itself unless that depends on an open sign.
     pub(super) fn magnitude_power(
         &mut self,
         q: &Fraction,
         r: Ratio<i64>,
-    ) -> Result<(Fraction, SignConstraint), Obstacle> {
+    ) -> Result<(Fraction, Option<SignConstraint>), Obstacle> {
+        let before = self.signs_asked();
         let factored = self.factor_radicand(q)?;
-        let constraint = factored.constraint();
+        let constraint = (self.signs_asked() == before).then(|| factored.constraint());
         let factored = self.with_numbers(factored, &q.divisor);
         let exponentials: Vec<_> = factored.exponentials.iter().map(|&(v, e)| (v, e * r)).collect();
         let exponent = self.exponent_of(&exponentials)?;
@@ -137,7 +138,7 @@ impl Tower {
 
     /// Whether −g is the positive one; asks for the sign unless an even power makes it irrelevant.
     fn base_is_negative(&mut self, base: usize, exponent: Ratio<i64>) -> bool {
-        if self.bases[base].polynomial.as_constant().is_some() {
+        if self.is_manifestly_positive(&self.bases[base].polynomial) {
             return false;
         }
         if exponent.is_integer() && exponent.numer().is_even() {
@@ -254,6 +255,12 @@ impl Tower {
     ) -> Result<(), Obstacle> {
         match *self.generator(variable) {
             Generator::Root { base, order, .. } => {
+                // the root is that of g only as long as g is taken to be positive
+                if self.bases[base].sign.is_none()
+                    && !self.is_manifestly_positive(&self.bases[base].polynomial)
+                {
+                    self.ask_for_sign(base);
+                }
                 factored.raise_root(base, exponent / Ratio::from_integer(i64::from(order)));
                 return Ok(());
             }

@@ -109,7 +109,7 @@ impl Tower {
     pub(super) fn depends(&self, variable: u32, symbol: Symbol) -> bool {
         match self.generator(variable) {
             Generator::Variable(other) => *other == symbol,
-            Generator::Pi => false,
+            Generator::Pi | Generator::Chord { .. } => false,
             Generator::Jet { arguments, .. } | Generator::Opaque { arguments, .. } => {
                 arguments.iter().any(|argument| self.fraction_depends(argument, symbol))
             }

@@ -159,9 +159,20 @@ impl Tower {
         self.asked.push(base);
     }
 
+    /// How many signs have been asked for since they were last taken.
+    pub(super) fn signs_asked(&self) -> usize {
+        self.asked.len()
+    }
+
     /// The signs asked for since the last call.
     pub(super) fn take_signs_asked(&mut self) -> Vec<usize> {
         std::mem::take(&mut self.asked)
+    }
+
+    /// The open ones among the signs asked for since the last call.
+    pub(crate) fn open_signs_asked(&mut self) -> Vec<usize> {
+        let asked = self.take_signs_asked();
+        asked.into_iter().filter(|&base| self.bases[base].sign.is_none()).collect()
     }
 
     /// Remembers the signs that an expression itself depends on.
@@ -235,6 +246,11 @@ impl Tower {
         self.generators.push(generator.clone());
         self.numbers.insert(generator, fresh);
         fresh
+    }
+
+    /// The polynomial variable that is π, if it occurs.
+    pub(crate) fn pi(&self) -> Option<u32> {
+        self.numbers.get(&Generator::Pi).copied()
     }
 
     /// A generator as a fraction.

@@ -1,6 +1,7 @@
 //! Laws of the calculus and of the prover, and mutants that each of them must reject.
 
 mod algebra;
+mod angles;
 mod coefficients;
 mod equality;
 mod functions;
