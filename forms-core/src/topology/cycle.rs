@@ -113,7 +113,8 @@ fn resting(session: &Session, study: &Study, symbol: Symbol) -> String {
     numbers.push(Rational::zero());
     numbers.sort();
     let mut candidates = vec![Rational::zero()];
-    candidates.extend(numbers.windows(2).map(|pair| (&pair[0] + &pair[1]) / Rational::from_integer(2.into())));
+    candidates
+        .extend(numbers.windows(2).map(|pair| (&pair[0] + &pair[1]) / Rational::from_integer(2.into())));
     candidates.extend(numbers.first().map(|least| least - Rational::one()));
     candidates.extend(numbers.last().map(|largest| largest + Rational::one()));
     let fits = |value: &Rational, pool: &mut Pool| {
