@@ -333,3 +333,17 @@ fn what_the_checker_does_not_know_is_not_accepted_unless_allowed() {
     assert!(run.status == 1 && run.output.contains("1 not covered"), "{}", run.output);
     assert_eq!(forms(&folder, &["check", "--allow-uncovered", "a.certificate"]).status, 0);
 }
+
+#[test]
+fn the_angle_form_is_closed_and_has_no_potential_around_the_origin() {
+    let plane = "chart P(x, y) where x**2 + y**2 > 0; form angle = (x*dy - y*dx)/(x**2 + y**2); let f = x;";
+    let folder = Folder::with(&[("plane.forms", plane)]);
+    let run = forms(&folder, &["show", "plane.forms", "angle", "--topology"]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    for part in ["goes around x = 0, y = 0", "== 2*pi    (proved)", "let A = (atan2(y, x));"] {
+        assert!(run.output.contains(part), "{part}: {}", run.output);
+    }
+    let scalar = forms(&folder, &["show", "plane.forms", "f", "--topology"]);
+    assert_eq!(scalar.status, 2);
+    assert!(scalar.errors.contains("only forms have periods"), "{}", scalar.errors);
+}

@@ -7,6 +7,7 @@ mod eval;
 mod kernels;
 mod prove;
 mod show;
+mod topology;
 mod tour;
 
 use crate::arguments::{Arguments, Command};
@@ -21,7 +22,8 @@ pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<S
             prove::prove(files, *json, certificate.as_deref(), output)
         }
         Some(Command::Check { file, allow_uncovered }) => check::check(file, *allow_uncovered, output),
-        Some(Command::Show { file, name, notation }) => show::show(file, name, *notation, output),
+        Some(Command::Show { file, name, topology: true, .. }) => topology::topology(file, name, output),
+        Some(Command::Show { file, name, notation, .. }) => show::show(file, name, *notation, output),
         Some(Command::Derive { file, name, notation }) => derive::derive(file, name, *notation, output),
         Some(Command::Eval { file, kernel, precision, tier }) => {
             eval::eval(file, kernel, precision, *tier, output)
