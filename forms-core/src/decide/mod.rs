@@ -21,6 +21,7 @@ mod proof;
 mod ratio;
 mod report;
 mod sample;
+mod translation;
 mod verdict;
 mod witness;
 

@@ -1,6 +1,7 @@
 //! The proof: every difference has the normal form zero, in every case of the signs that matter.
 
 use super::problem::Problem;
+use super::translation;
 use crate::assume::{Assumptions, Cases};
 use crate::expression::{Expr, Pool};
 use crate::normal::{Fraction, Obstacle, Sign, Tower, Trigonometry, normalise};
@@ -29,13 +30,20 @@ pub(super) fn outcome(pool: &mut Pool, problem: &Problem, work: u64) -> Outcome 
     prove_zero(pool, problem, problem.differences(), work)
 }
 
-/// Tries to prove that the expressions vanish wherever the problem's assumptions hold.
+/// Tries to prove that the expressions vanish wherever the problem's assumptions hold, first in the frame of their
+/// translations. Assumptions that single variables have bounds say less in it, so that what it leaves open is tried
+/// without, unless the work was too much already.
 pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>, work: u64) -> Outcome {
-    let assumptions = Assumptions::new(pool, &problem.assumptions);
-    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(work);
-    let mut proof =
-        Proof { pool, tower: &mut tower, differences, assumptions, cases: 0, settled: Vec::new() };
-    match proof.explore(&[]) {
+    let frame = translation::frame(pool, &differences);
+    let is_moving = !frame.is_empty();
+    let tower = Tower::new(Trigonometry::Circle).with_work_limit(work);
+    let result = explored(pool, problem, &differences, tower.clone().in_frame(frame));
+    let result = match result {
+        Ok(Outcome::Zero) | Err(Obstacle::TooLarge(_)) => result,
+        _ if is_moving => explored(pool, problem, &differences, tower),
+        _ => result,
+    };
+    match result {
         Ok(outcome) => outcome,
         Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
         Err(Obstacle::Outside(part)) => {
@@ -44,6 +52,19 @@ pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Ex
         Err(Obstacle::TooLarge(limit)) => Outcome::Outside(format!("the normal form is too large: {limit}")),
         Err(Obstacle::Refine) => Outcome::Outside("its radicands could not be factored".into()),
     }
+}
+
+fn explored(
+    pool: &mut Pool,
+    problem: &Problem,
+    differences: &[Expr],
+    mut tower: Tower,
+) -> Result<Outcome, Obstacle> {
+    let assumptions = Assumptions::new(pool, &problem.assumptions);
+    let differences = differences.to_vec();
+    let mut proof =
+        Proof { pool, tower: &mut tower, differences, assumptions, cases: 0, settled: Vec::new() };
+    proof.explore(&[])
 }
 
 /// The cases in which the normal forms are zero, by the signs that tell them apart; nothing if that is no proof.
