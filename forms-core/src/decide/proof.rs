@@ -31,18 +31,16 @@ pub(super) fn outcome(pool: &mut Pool, problem: &Problem, work: u64) -> Outcome 
 }
 
 /// Tries to prove that the expressions vanish wherever the problem's assumptions hold, first in the frame of their
-/// translations. Assumptions that single variables have bounds say less in it, so that what it leaves open is tried
-/// without, unless the work was too much already.
+/// translations. Bounds of single variables say less in it: where it left several cases and no proof, the expressions
+/// are looked at as they stand, unless the work was too much already.
 pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>, work: u64) -> Outcome {
     let frame = translation::frame(pool, &differences);
     let is_moving = !frame.is_empty();
     let tower = Tower::new(Trigonometry::Circle).with_work_limit(work);
-    let result = explored(pool, problem, &differences, tower.clone().in_frame(frame));
-    let result = match result {
-        Ok(Outcome::Zero) | Err(Obstacle::TooLarge(_)) => result,
-        _ if is_moving => explored(pool, problem, &differences, tower),
-        _ => result,
-    };
+    let (mut result, several) = explored(pool, problem, &differences, tower.clone().in_frame(frame));
+    if is_moving && several && !matches!(result, Ok(Outcome::Zero) | Err(Obstacle::TooLarge(_))) {
+        result = explored(pool, problem, &differences, tower).0;
+    }
     match result {
         Ok(outcome) => outcome,
         Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
@@ -54,17 +52,26 @@ pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Ex
     }
 }
 
+/// The outcome over a tower, and whether several cases were told apart.
 fn explored(
     pool: &mut Pool,
     problem: &Problem,
     differences: &[Expr],
     mut tower: Tower,
-) -> Result<Outcome, Obstacle> {
+) -> (Result<Outcome, Obstacle>, bool) {
     let assumptions = Assumptions::new(pool, &problem.assumptions);
     let differences = differences.to_vec();
-    let mut proof =
-        Proof { pool, tower: &mut tower, differences, assumptions, cases: 0, settled: Vec::new() };
-    proof.explore(&[])
+    let mut proof = Proof {
+        pool,
+        tower: &mut tower,
+        differences,
+        assumptions,
+        cases: 0,
+        settled: Vec::new(),
+        several: false,
+    };
+    let result = proof.explore(&[]);
+    (result, proof.several)
 }
 
 /// The cases in which the normal forms are zero, by the signs that tell them apart; nothing if that is no proof.
@@ -75,7 +82,8 @@ pub(super) fn settled_cases(
 ) -> Option<Vec<Vec<(usize, Sign)>>> {
     let assumptions = Assumptions::new(pool, &problem.assumptions);
     let differences = problem.differences();
-    let mut proof = Proof { pool, tower, differences, assumptions, cases: 0, settled: Vec::new() };
+    let mut proof =
+        Proof { pool, tower, differences, assumptions, cases: 0, settled: Vec::new(), several: false };
     let outcome = proof.explore(&[]);
     (outcome == Ok(Outcome::Zero)).then_some(proof.settled)
 }
@@ -90,6 +98,8 @@ struct Proof<'a> {
     cases: usize,
     /// The signs of the cases in which everything is zero.
     settled: Vec<Vec<(usize, Sign)>>,
+    /// Whether there was more than one case to tell apart at a time.
+    several: bool,
 }
 
 impl Proof<'_> {
@@ -113,6 +123,7 @@ impl Proof<'_> {
                 return Ok(Outcome::Outside("too many factors of radicands have an open sign".into()));
             }
         };
+        self.several |= cases.len() > 1;
         let mut together: Option<Outcome> = None;
         for case in cases {
             let signs: Vec<(usize, Sign)> = given.iter().copied().chain(case).collect();

@@ -6,15 +6,15 @@
 //! T  = Σ_γ Σᵢ ± r_γᵢ D_γ Nᵢ,    Uⱼ = Σ_γ D_γ Gⱼ (Σᵢ ± r_γᵢ Nᵢ)
 //! D_γ = ∂/∂γ,  r_γᵢ = ∂ᵢγ    or, for roots and what stands below the line,    D_γ = γ ∂/∂γ − e_γ,  r_γᵢ = ∂ᵢγ/γ
 //! ```
-//! (e_γ = 0 in D_γ Gⱼ). The rate r of a root ρⁿ = f is ∂f/(n f), so that no polynomial is multiplied by a radicand for
+//! (e_γ = 0 in D_γ Gⱼ; a root of a sum Gⱼ below the line is a gⱼ that is a fraction). The rate r of a root ρⁿ = f is ∂f/(n f), so that no polynomial is multiplied by a radicand for
 //! each variable. T and the Uⱼ are summed, and looked at for common factors, before anything is multiplied by a Gⱼ: in
 //! a Laplacian most of T cancels.
 
 use super::factor::{FactorPower, merge_powers};
 use super::fraction::Fraction;
 use super::generator::Generator;
-use super::tower::{Obstacle, Tower};
-use crate::expression::Symbol;
+use super::tower::{Obstacle, Relation, Tower};
+use crate::expression::{Rational, Symbol};
 use crate::polynomial::Polynomial;
 use num_bigint::BigInt;
 use num_traits::One;
@@ -22,6 +22,13 @@ use std::collections::BTreeSet;
 
 /// ±Nᵢ with the variables they are differentiated by.
 type Components = Vec<(i8, Polynomial, Symbol)>;
+
+/// A factor Fᵍ, as G^(g/n) with a sum G.
+struct Sum {
+    polynomial: Polynomial,
+    power: FactorPower,
+    order: u32,
+}
 
 /// The rates r_γᵢ of one generator over one denominator.
 struct Rates {
@@ -73,8 +80,7 @@ impl Tower {
         components: &Components,
         powers: &[FactorPower],
     ) -> Result<Fraction, Obstacle> {
-        let (single, sums): (Vec<FactorPower>, Vec<FactorPower>) =
-            powers.iter().partition(|power| self.factor_variable(power.factor).is_some());
+        let (single, sums) = self.separated(components, powers);
         let rates = self.rates(components, &single, &sums)?;
         let mut flows = Vec::with_capacity(rates.len());
         let mut own = Vec::with_capacity(rates.len());
@@ -85,24 +91,52 @@ impl Tower {
             own.push(self.flow(rate, &derived)?);
             if !sums.is_empty() {
                 let plain: Vec<(i8, Polynomial)> =
-                    components.iter().map(|(s, n, _)| (*s, n.clone())).collect();
+                    components.iter().map(|(sign, n, _)| (*sign, n.clone())).collect();
                 flows.push(self.flow(rate, &plain)?);
             }
         }
         let mut summands = vec![self.sum(&own)?];
         let mut dependent = Vec::new();
         let mut factors = powers.to_vec();
-        for power in &sums {
-            let factor = self.factor_polynomial(power.factor).clone();
-            let along = self.along_flows(&factor, &rates, &flows)?;
+        for Sum { polynomial, power, order } in sums {
+            let along = self.along_flows(&polynomial, &rates, &flows)?;
             if !along.is_zero() {
-                let scale = Fraction::from(Polynomial::integer(-i64::from(power.exponent)));
-                summands.push(self.multiply(&along, &scale)?);
-                dependent.push(factor);
-                factors = merge_powers(&factors, &[FactorPower { exponent: 1, ..*power }]);
+                let scale = Rational::new((-power.exponent).into(), order.into());
+                summands.push(self.multiply(&along, &Fraction::number(&scale))?);
+                dependent.push(polynomial);
+                factors = merge_powers(&factors, &[FactorPower { exponent: order as i32, ..power }]);
             }
         }
         self.over_all_factors(&summands, &dependent, factors)
+    }
+
+    /// The generators below the line, and the sums: factors of several terms, and radicands that hold roots
+    /// themselves, where their own root occurs nowhere else.
+    fn separated(&self, components: &Components, powers: &[FactorPower]) -> (Vec<FactorPower>, Vec<Sum>) {
+        let (mut single, mut sums) = (Vec::new(), Vec::new());
+        for &power in powers {
+            let Some(variable) = self.factor_variable(power.factor) else {
+                let polynomial = self.factor_polynomial(power.factor).clone();
+                sums.push(Sum { polynomial, power, order: 1 });
+                continue;
+            };
+            let occurs = components.iter().any(|(_, n, _)| n.contains(variable))
+                || powers
+                    .iter()
+                    .any(|other| *other != power && self.factor_polynomial(other.factor).contains(variable));
+            match self.relation_of(variable) {
+                Some(relation) if !occurs && self.is_root_over_roots(relation) => {
+                    sums.push(Sum { polynomial: relation.value.clone(), power, order: relation.order });
+                }
+                _ => single.push(power),
+            }
+        }
+        (single, sums)
+    }
+
+    fn is_root_over_roots(&self, relation: &Relation) -> bool {
+        let is_root = |variable: u32| matches!(self.generator(variable), Generator::Root { .. });
+        is_root(relation.variable) && relation.value.variables().into_iter().any(is_root)
     }
 
     /// (T ∏G + Σⱼ Vⱼ ∏_{k≠j} G_k) over given factors, for summands T, V₁, V₂, …
@@ -137,15 +171,15 @@ impl Tower {
         &mut self,
         components: &Components,
         single: &[FactorPower],
-        sums: &[FactorPower],
+        sums: &[Sum],
     ) -> Result<Vec<Rates>, Obstacle> {
         let below: Vec<u32> = single.iter().filter_map(|power| self.factor_variable(power.factor)).collect();
         let mut generators: BTreeSet<u32> = below.iter().copied().collect();
         for (_, numerator, _) in components {
             generators.extend(numerator.variables());
         }
-        for power in sums {
-            generators.extend(self.factor_polynomial(power.factor).variables());
+        for sum in sums {
+            generators.extend(sum.polynomial.variables());
         }
         let mut all = Vec::with_capacity(generators.len());
         for generator in generators {

@@ -104,17 +104,18 @@ impl Tower {
         Ok((content, powers.into_iter().fold(Vec::new(), |all, power| merge_powers(&all, &[power]))))
     }
 
-    /// Divides out radicands, each as the power ρⁿ of its root, so that it has one name only.
+    /// Divides out roots ρ, and radicands as their powers ρⁿ: what is a product of a root with a sum is known by the
+    /// sum, wherever that occurs without the root.
     fn split_radicands(&mut self, rest: &mut Polynomial, powers: &mut Vec<FactorPower>) {
         for number in 0..self.relations.len() {
             let relation = self.relations[number].clone();
             if relation.value.term_count() < 2 || !self.is_current_root(relation.variable) {
                 continue;
             }
-            let exponent = divide_out(rest, |rest| rest.divide_exact(&relation.value));
+            let exponent = divide_out(rest, |rest| self.divide_by_generator(rest, relation.variable));
             if exponent > 0 {
                 let factor = self.factor(Polynomial::variable(relation.variable));
-                powers.push(FactorPower { factor, exponent: exponent * relation.order as i32 });
+                powers.push(FactorPower { factor, exponent });
             }
         }
     }

@@ -2,6 +2,7 @@
 
 mod algebra;
 mod coefficients;
+mod divergences;
 mod equality;
 mod holding;
 mod identities;
