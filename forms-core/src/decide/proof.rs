@@ -1,10 +1,11 @@
 //! The proof: every difference has the normal form zero, in every case of the signs that matter.
 
+use super::angle;
 use super::problem::Problem;
 use super::translation;
 use crate::assume::{Assumptions, Cases};
 use crate::expression::{Expr, Pool};
-use crate::normal::{Fraction, Obstacle, Sign, Tower, Trigonometry, normalise};
+use crate::normal::{Drift, Fraction, Obstacle, Sign, Tower, Trigonometry, normalise};
 
 /// What the normal forms say.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,57 +23,91 @@ pub(super) enum Outcome {
 /// More cases than this are not gone through.
 const MOST_CASES: usize = 512;
 
-/// Tries to prove that every component vanishes.
+/// What is to be proved of: a problem, and the products of terms that one normal form may cost.
+#[derive(Clone, Copy)]
+pub(super) struct Task<'a> {
+    pub(super) problem: &'a Problem,
+    pub(super) work: u64,
+}
+
+/// Tries to prove that every component vanishes: by normal forms or, where these are not zero, as angles.
 pub(super) fn outcome(pool: &mut Pool, problem: &Problem, work: u64) -> Outcome {
     if problem.components.is_empty() {
         return Outcome::Zero;
     }
-    prove_zero(pool, problem, problem.differences(), work)
-}
-
-/// Tries to prove that the expressions vanish wherever the problem's assumptions hold, first in the frame of their
-/// translations. Bounds of single variables say less in it: where it left several cases and no proof, the expressions
-/// are looked at as they stand, unless the work was too much already.
-pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>, work: u64) -> Outcome {
-    let frame = translation::frame(pool, &differences);
-    let is_moving = !frame.is_empty();
-    let tower = Tower::new(Trigonometry::Circle).with_work_limit(work);
-    let (mut result, several) = explored(pool, problem, &differences, tower.clone().in_frame(frame));
-    if is_moving && several && !matches!(result, Ok(Outcome::Zero) | Err(Obstacle::TooLarge(_))) {
-        result = explored(pool, problem, &differences, tower).0;
-    }
-    match result {
-        Ok(outcome) => outcome,
-        Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
-        Err(Obstacle::Outside(part)) => {
-            Outcome::Outside(format!("outside the class that is decided: {part}"))
+    let differences = problem.differences();
+    match prove_zero(pool, problem, differences.clone(), work) {
+        outcome @ (Outcome::NotZero | Outcome::Outside(_)) if angle::occur_in(pool, &differences) => {
+            match angle::prove(pool, Task { problem, work }, &differences, &mut Vec::new()) {
+                Outcome::Zero => Outcome::Zero,
+                _ => outcome,
+            }
         }
-        Err(Obstacle::TooLarge(limit)) => Outcome::Outside(format!("the normal form is too large: {limit}")),
-        Err(Obstacle::Refine) => Outcome::Outside("its radicands could not be factored".into()),
+        outcome => outcome,
     }
 }
 
-/// The outcome over a tower, and whether several cases were told apart.
+/// Tries to prove that the expressions vanish wherever the problem's assumptions hold.
+pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>, work: u64) -> Outcome {
+    prove_in_all_cases(pool, Task { problem, work }, differences, None)
+}
+
+/// An angle that has to keep within (−2π, 2π), and expressions whose signs are told apart for that.
+#[derive(Clone)]
+pub(super) struct Turn {
+    pub(super) angle: Expr,
+    pub(super) signs: Vec<Expr>,
+}
+
+/// The same, and that an angle keeps within a turn either way.
+pub(super) fn prove_full_turn(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn: Turn) -> Outcome {
+    prove_in_all_cases(pool, task, differences, Some(turn))
+}
+
+/// First in the frame of the translations that change no difference. Bounds of single variables say less in it: where
+/// it left several cases and no proof, the expressions are looked at as they stand, unless the work was too much.
+fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn: Option<Turn>) -> Outcome {
+    let frame = translation::frame(pool, &differences);
+    if frame.is_empty() {
+        return explored(pool, task, differences, turn, frame).0;
+    }
+    match explored(pool, task, differences.clone(), turn.clone(), frame) {
+        (Outcome::NotZero | Outcome::Empty(_), true) => explored(pool, task, differences, turn, Vec::new()).0,
+        (outcome, _) => outcome,
+    }
+}
+
+/// The outcome in a frame, and whether several cases were told apart.
 fn explored(
     pool: &mut Pool,
-    problem: &Problem,
-    differences: &[Expr],
-    mut tower: Tower,
-) -> (Result<Outcome, Obstacle>, bool) {
-    let assumptions = Assumptions::new(pool, &problem.assumptions);
-    let differences = differences.to_vec();
-    let mut proof = Proof {
-        pool,
-        tower: &mut tower,
-        differences,
-        assumptions,
-        cases: 0,
-        settled: Vec::new(),
-        several: false,
+    task: Task,
+    differences: Vec<Expr>,
+    turn: Option<Turn>,
+    frame: Vec<Drift>,
+) -> (Outcome, bool) {
+    let assumptions = Assumptions::new(pool, &task.problem.assumptions);
+    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(task.work).in_frame(frame);
+    let mut proof = Proof::new(pool, &mut tower, assumptions, differences, turn);
+    let explored = proof.explore(&[]);
+    let several = proof.several;
+    let outcome = match explored {
+        Ok(Outcome::NotZero) => match tower.nested_radical() {
+            Some(radical) => {
+                let radical = tower.raise(pool, &radical);
+                Outcome::Outside(format!("{OUTSIDE}: the nested radical {}", pool.text(radical)))
+            }
+            None => Outcome::NotZero,
+        },
+        Ok(outcome) => outcome,
+        Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
+        Err(Obstacle::Outside(part)) => Outcome::Outside(format!("{OUTSIDE}: {part}")),
+        Err(Obstacle::TooLarge(limit)) => Outcome::Outside(format!("the normal form is too large: {limit}")),
+        Err(Obstacle::Refine) => Outcome::Outside("its radicands could not be factored".into()),
     };
-    let result = proof.explore(&[]);
-    (result, proof.several)
+    (outcome, several)
 }
+
+const OUTSIDE: &str = "outside the class that is decided";
 
 /// The cases in which the normal forms are zero, by the signs that tell them apart; nothing if that is no proof.
 pub(super) fn settled_cases(
@@ -82,8 +117,7 @@ pub(super) fn settled_cases(
 ) -> Option<Vec<Vec<(usize, Sign)>>> {
     let assumptions = Assumptions::new(pool, &problem.assumptions);
     let differences = problem.differences();
-    let mut proof =
-        Proof { pool, tower, differences, assumptions, cases: 0, settled: Vec::new(), several: false };
+    let mut proof = Proof::new(pool, tower, assumptions, differences, None);
     let outcome = proof.explore(&[]);
     (outcome == Ok(Outcome::Zero)).then_some(proof.settled)
 }
@@ -94,6 +128,7 @@ struct Proof<'a> {
     pool: &'a Pool,
     tower: &'a mut Tower,
     differences: Vec<Expr>,
+    turn: Option<Turn>,
     assumptions: Assumptions,
     cases: usize,
     /// The signs of the cases in which everything is zero.
@@ -102,7 +137,17 @@ struct Proof<'a> {
     several: bool,
 }
 
-impl Proof<'_> {
+impl<'a> Proof<'a> {
+    fn new(
+        pool: &'a Pool,
+        tower: &'a mut Tower,
+        assumptions: Assumptions,
+        differences: Vec<Expr>,
+        turn: Option<Turn>,
+    ) -> Self {
+        Proof { pool, tower, differences, turn, assumptions, cases: 0, settled: Vec::new(), several: false }
+    }
+
     /// Decides where the given signs hold, going through the cases of those that are open.
     fn explore(&mut self, given: &[(usize, Sign)]) -> Result<Outcome, Obstacle> {
         self.cases += 1;
@@ -115,7 +160,7 @@ impl Proof<'_> {
             Err(Obstacle::DivisionByZero) => return Ok(Outcome::Empty(DIVIDES_BY_ZERO.into())),
             Err(obstacle) => return Err(obstacle),
         }
-        let cases = match self.assumptions.cases(self.tower, self.pool, &self.differences, given)? {
+        let cases = match self.assumptions.cases(self.tower, self.pool, &self.expressions(), given)? {
             Cases::Empty => return Ok(Outcome::Empty("no point meets its conditions".into())),
             Cases::Signs(cases) if cases.iter().all(Vec::is_empty) => return Ok(Outcome::NotZero),
             Cases::Signs(cases) if self.cases + cases.len() <= MOST_CASES => cases,
@@ -140,14 +185,28 @@ impl Proof<'_> {
     /// The filter first, then the exact normal forms; nothing where they depend on an open sign.
     fn settle(&mut self, given: &[(usize, Sign)]) -> Result<Option<Outcome>, Obstacle> {
         self.tower.fix_signs(given);
-        let prepared = normalise(self.tower, self.pool, &self.differences)?;
+        let prepared = normalise(self.tower, self.pool, &self.expressions())?;
         if !prepared.open.is_empty() {
             return Ok(None);
         }
-        if prepared.certainly_not_zero(self.tower, self.pool).contains(&true) {
+        let count = self.differences.len();
+        if prepared.certainly_not_zero(self.tower, self.pool)[..count].contains(&true) {
             return Ok(Some(Outcome::NotZero));
         }
-        let zero = prepared.exact(self.tower, self.pool)?.iter().all(Fraction::is_zero);
-        Ok(Some(if zero { Outcome::Zero } else { Outcome::NotZero }))
+        let zero = prepared.exact(self.tower, self.pool)?[..count].iter().all(Fraction::is_zero);
+        let proved = zero && self.angle_keeps_within_a_turn(given)?;
+        Ok(Some(if proved { Outcome::Zero } else { Outcome::NotZero }))
+    }
+
+    fn angle_keeps_within_a_turn(&mut self, given: &[(usize, Sign)]) -> Result<bool, Obstacle> {
+        let Some(turn) = &self.turn else { return Ok(true) };
+        let range = self.assumptions.range(self.tower, self.pool, turn.angle, given)?;
+        Ok(range.is_within(2, 1))
+    }
+
+    /// The differences, then what else has to have known signs.
+    fn expressions(&self) -> Vec<Expr> {
+        let signs = self.turn.iter().flat_map(|turn| &turn.signs);
+        self.differences.iter().chain(signs).copied().collect()
     }
 }

@@ -1,9 +1,11 @@
 //! Laws of the calculus and of the prover, and mutants that each of them must reject.
 
 mod algebra;
+mod angles;
 mod coefficients;
 mod divergences;
 mod equality;
+mod functions;
 mod holding;
 mod identities;
 mod law;
