@@ -23,6 +23,7 @@ mod ratio;
 mod relation;
 mod report;
 mod sample;
+mod translation;
 mod verdict;
 mod witness;
 

@@ -2,10 +2,11 @@
 
 use super::angle;
 use super::problem::Problem;
+use super::translation;
 use crate::assume::{Assumptions, Cases};
 use crate::certificate::Observer;
 use crate::expression::{Expr, Pool};
-use crate::normal::{Fraction, Obstacle, Sign, Tower, Trigonometry, normalise};
+use crate::normal::{Drift, Fraction, Obstacle, Sign, Tower, Trigonometry, normalise};
 
 /// What the normal forms say.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,6 +54,7 @@ pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Ex
 }
 
 /// An angle that has to keep within (−2π, 2π), and expressions whose signs are told apart for that.
+#[derive(Clone)]
 pub(super) struct Turn {
     pub(super) angle: Expr,
     pub(super) signs: Vec<Expr>,
@@ -63,12 +65,33 @@ pub(super) fn prove_full_turn(pool: &mut Pool, task: Task, differences: Vec<Expr
     prove_in_all_cases(pool, task, differences, Some(turn))
 }
 
+/// First in the frame of the translations that change no difference. Bounds of single variables say less in it: where
+/// it left several cases and no proof, the expressions are looked at as they stand, unless the work was too much.
 fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn: Option<Turn>) -> Outcome {
+    let frame = translation::frame(pool, &differences);
+    if frame.is_empty() {
+        return explored(pool, task, differences, turn, frame).0;
+    }
+    match explored(pool, task, differences.clone(), turn.clone(), frame) {
+        (Outcome::NotZero | Outcome::Empty(_), true) => explored(pool, task, differences, turn, Vec::new()).0,
+        (outcome, _) => outcome,
+    }
+}
+
+/// The outcome in a frame, and whether several cases were told apart.
+fn explored(
+    pool: &mut Pool,
+    task: Task,
+    differences: Vec<Expr>,
+    turn: Option<Turn>,
+    frame: Vec<Drift>,
+) -> (Outcome, bool) {
     let assumptions = Assumptions::new(pool, &task.problem.assumptions);
-    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(task.work);
+    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(task.work).in_frame(frame);
     let mut proof = Proof::new(pool, &mut tower, assumptions, differences, turn);
     let explored = proof.explore(&[]);
-    match explored {
+    let several = proof.several;
+    let outcome = match explored {
         Ok(Outcome::NotZero) => match tower.nested_radical() {
             Some(radical) => {
                 let radical = tower.raise(pool, &radical);
@@ -81,7 +104,8 @@ fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn:
         Err(Obstacle::Outside(part)) => Outcome::Outside(format!("{OUTSIDE}: {part}")),
         Err(Obstacle::TooLarge(limit)) => Outcome::Outside(format!("the normal form is too large: {limit}")),
         Err(Obstacle::Refine) => Outcome::Outside("its radicands could not be factored".into()),
-    }
+    };
+    (outcome, several)
 }
 
 const OUTSIDE: &str = "outside the class that is decided";
@@ -114,6 +138,8 @@ struct Proof<'a> {
     /// The signs of the cases in which everything is zero.
     settled: Vec<Vec<(usize, Sign)>>,
     observer: Option<&'a mut (dyn Observer + 'a)>,
+    /// Whether there was more than one case to tell apart at a time.
+    several: bool,
 }
 
 impl<'a> Proof<'a> {
@@ -124,8 +150,8 @@ impl<'a> Proof<'a> {
         differences: Vec<Expr>,
         turn: Option<Turn>,
     ) -> Self {
-        let (cases, settled, observer) = (0, Vec::new(), None);
-        Proof { pool, tower, differences, turn, assumptions, cases, settled, observer }
+        let (cases, settled, observer, several) = (0, Vec::new(), None, false);
+        Proof { pool, tower, differences, turn, assumptions, cases, settled, observer, several }
     }
 
     /// Decides where the given signs hold, going through the cases of those that are open.
@@ -158,6 +184,7 @@ impl<'a> Proof<'a> {
                 return Ok(Outcome::Outside("too many factors of radicands have an open sign".into()));
             }
         };
+        self.several |= cases.len() > 1;
         let mut together: Option<Outcome> = None;
         self.observe_split(given, &cases)?;
         for case in cases {

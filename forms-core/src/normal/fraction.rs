@@ -96,6 +96,11 @@ impl Tower {
             let sum = a.numerator.add(&b.numerator);
             return Ok(self.cancel(sum, a.divisor.clone(), a.factors.clone()));
         }
+        if a.factors != b.factors
+            && let Some((a, b)) = self.over_finer_factors(a, b)?
+        {
+            return self.add(&a, &b);
+        }
         let divisor = a.divisor.lcm(&b.divisor);
         let common = common_powers(&a.factors, &b.factors);
         let left = self.raised(&a.numerator, &(&divisor / &a.divisor), &common.lacking_left)?;
