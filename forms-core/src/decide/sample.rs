@@ -117,9 +117,10 @@ impl Bounds {
             (None, Some(upper)) => short(&(upper - free.abs() - half)),
             (Some(lower), Some(upper)) if *lower < free && free < *upper => free,
             (Some(lower), Some(upper)) => {
-                // 0 < w/(1 + w) < 1 for every w > 0
+                // 0 < w/(1 + w) < 1 for every w > 0, nearer to the end that the sign tells
                 let w = free.abs() + half;
-                let share = &w / (Rational::one() + &w);
+                let above = if free.is_negative() { Rational::one() } else { w.clone() };
+                let share = above / (Rational::one() + &w);
                 short_between(&(lower + share * (upper - lower)), lower, upper)
             }
         }
