@@ -23,5 +23,5 @@ mod value;
 
 pub use evaluation::Trace;
 pub use items::{resolve, resolve_traced};
-pub use theory::{Chart, Kernel, Map, Named, Object, Statement, Theory};
+pub use theory::{Chart, Kernel, KernelUnits, Map, Named, Object, Statement, Theory};
 pub use value::Value;
