@@ -67,7 +67,7 @@ fn number(written: &Expr) -> Option<BigRational> {
         ExprKind::Negate(inner) => Some(-number(inner)?),
         ExprKind::Binary(Binary::Divide, _, left, right) => {
             let below = number(right)?;
-            (!below.is_zero()).then_some(number(left)? / below)
+            if below.is_zero() { None } else { Some(number(left)? / below) }
         }
         _ => None,
     }

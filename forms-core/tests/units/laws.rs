@@ -147,7 +147,7 @@ const AGREEING: &[(&str, &str)] = &[
     ("c**2", "x*y/t**2"),
     ("sqrt(x*y)", "r"),
     ("integral(L*cos(theta)*sin(theta)*dtheta^dphi, theta = 0..pi/2, phi = 0..2*pi)", "E"),
-    ("diff(w*theta*phi, theta, phi)/r**2", "L"),
+    ("diff(flux, theta, phi)/r**2", "L"),
     ("r*dtheta", "dx"),
     ("omega", "2*theta*phi"),
     ("L*pullback(globe, beta)", "E*dtheta^dphi"),

@@ -13,7 +13,7 @@ pub const SCENE: &str = "
 chart Line(s: m); chart Space(x: m, y: m, z: m); chart Time(t: s); chart Event = Space * Time;
 chart Sphere(theta: rad, phi: rad); chart Free(u, v);
 param r: m where r > 0; param c: m/s, n: 1, E: W/m**2, L: W/m**2/sr, w: W, omega: sr, lambda: nm, j: J, free;
-fn f(x, y, z): K; fn g(t): m; fn h(u);
+fn f(x, y, z): K; fn flux(theta, phi): W; fn g(t): m; fn h(u);
 map globe: Sphere -> Space = (r*sin(theta)*cos(phi), r*sin(theta)*sin(phi), r*cos(theta));
 map path: Time -> Space = (g, 2*g, c*t);
 field X on Space = x*@x + r*@y;
