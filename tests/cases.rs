@@ -13,10 +13,17 @@ case_files! {
     etendue "tests/cases/etendue.forms";
     exterior_derivative "tests/cases/exterior_derivative.forms";
     half_vectors "tests/cases/half_vectors.forms";
+    harmonic_and_pde "tests/cases/harmonic_and_pde.forms";
+    hodge "tests/cases/hodge.forms";
     integrals "tests/cases/integrals.forms";
+    integration "tests/cases/integration.forms";
     lie_and_cartan "tests/cases/lie_and_cartan.forms";
+    metrics "tests/cases/metrics.forms";
+    opaque_functions "tests/cases/opaque_functions.forms";
+    potentials "tests/cases/potentials.forms";
     solid_angle "tests/cases/solid_angle.forms";
     sphere_pullbacks "tests/cases/sphere_pullbacks.forms";
+    stokes "tests/cases/stokes.forms";
     symplectic "tests/cases/symplectic.forms";
     triangle_gradient "tests/cases/triangle_gradient.forms";
     wedge_and_interior "tests/cases/wedge_and_interior.forms";

@@ -21,6 +21,9 @@ use region::{Constraint, MOST_FACTORS, NoCases, Region};
 /// How often the tower may be refined by what the assumptions bring in.
 const MOST_PASSES: usize = 16;
 
+/// Products of terms that a question whose answer may be left open is worth.
+const CHEAP_WORK: u64 = 1_000_000;
+
 /// Conditions with the differences of their sides.
 pub(crate) struct Assumptions {
     conditions: Vec<Condition>,
@@ -160,6 +163,14 @@ pub(crate) fn is_at_most(pool: &mut Pool, a: Expr, b: Expr, conditions: &[Condit
     let Ok(difference) = known else { return false };
     let sign = difference.as_polynomial().map(|polynomial| knowledge.facts.sign_of(polynomial));
     difference.is_zero() || sign.flatten() == Some(Sign::Positive)
+}
+
+/// Whether an expression is known to be zero wherever it is defined; a cheap question, so that no is no answer.
+pub(crate) fn vanishes(pool: &Pool, expression: Expr) -> bool {
+    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(CHEAP_WORK);
+    let Ok(prepared) = normalise(&mut tower, pool, &[expression]) else { return false };
+    prepared.is_unconditional()
+        && prepared.exact(&mut tower, pool).is_ok_and(|fractions| fractions[0].is_zero())
 }
 
 /// What conditions say while some signs are given.

@@ -24,6 +24,7 @@ mod raise;
 mod root;
 mod terms;
 mod tower;
+mod univariate;
 
 pub use common::Together;
 pub use derivation::Normal;
@@ -34,3 +35,4 @@ pub use root::{Base, Sign, SignConstraint};
 pub use terms::{Term, Terms};
 pub(crate) use tower::WORK_LIMIT;
 pub use tower::{Obstacle, Tower, Trigonometry};
+pub(crate) use univariate::{RationalFunction, Univariate};

@@ -106,7 +106,7 @@ impl Tower {
     }
 
     /// Whether a generator depends on a real variable.
-    fn depends(&self, variable: u32, symbol: Symbol) -> bool {
+    pub(super) fn depends(&self, variable: u32, symbol: Symbol) -> bool {
         match self.generator(variable) {
             Generator::Variable(other) => *other == symbol,
             Generator::Pi => false,

@@ -5,7 +5,7 @@ use super::quantity::Quantity;
 use super::unit::Unit;
 use crate::diagnostic::Span;
 use crate::expression::Operation;
-use crate::resolve::Value;
+use crate::resolve::{METRIC_OPERATIONS, Value};
 use crate::syntax::ast::{Argument, Expr, Name};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -14,13 +14,15 @@ impl Inference<'_> {
     pub(super) fn call(
         &mut self,
         function: &Name,
-        _index: Option<&Expr>,
+        index: Option<&Expr>,
         arguments: &[Argument],
         span: Span,
     ) -> Quantity {
         let name = function.text.as_str();
-        if name == "integral" {
-            return self.integral(arguments);
+        match name {
+            "integral" => return self.integral(arguments),
+            "boundary_integral" => return self.boundary_integral(arguments),
+            _ => {}
         }
         let values: Vec<&Expr> = arguments
             .iter()
@@ -30,7 +32,7 @@ impl Inference<'_> {
             })
             .collect();
         match (name, values.as_slice()) {
-            ("d", [form]) | ("pullback", [_, form]) => self.quantity(form),
+            ("d" | "potential", [form]) | ("pullback", [_, form]) => self.quantity(form),
             ("interior" | "lie" | "bracket", [_, _]) => self.product(&values),
             ("pair", [_, ..]) => self.product(&values),
             ("diff", [function, by @ ..]) => {
@@ -40,6 +42,7 @@ impl Inference<'_> {
             ("sqrt", [radicand]) => {
                 self.quantity(radicand).power(&BigRational::new(BigInt::from(1), BigInt::from(2)))
             }
+            _ if METRIC_OPERATIONS.contains(&name) => self.metric_operation(name, index, &values),
             _ => match Operation::named(name) {
                 Some(operation) => self.operation(operation, &values, span),
                 None => self.composed(name, &values),
@@ -62,18 +65,33 @@ impl Inference<'_> {
             None => return Quantity::Unstated,
         };
         for range in ranges {
-            let Argument::Range { variable, from, to } = range else { continue };
-            let unit = self.named(variable);
-            for bound in [from, to] {
-                let quantity = self.quantity(bound);
-                let message = format!("the range of `{}` has another unit", variable.text);
-                self.alike((unit.clone(), "the variable"), (quantity, "the bound"), bound.span, &message);
-            }
+            let unit = self.range(range);
             if !is_form {
                 integral = integral.times(&unit);
             }
         }
         integral
+    }
+
+    /// `boundary_integral(F, w, u = a..b)` is in the unit of w.
+    fn boundary_integral(&mut self, arguments: &[Argument]) -> Quantity {
+        let [_, Argument::Value(form), ranges @ ..] = arguments else { return Quantity::Unstated };
+        ranges.iter().for_each(|range| {
+            self.range(range);
+        });
+        self.quantity(form)
+    }
+
+    /// What is known of the variable of a range, whose bounds agree with it.
+    fn range(&mut self, range: &Argument) -> Quantity {
+        let Argument::Range { variable, from, to } = range else { return Quantity::Unstated };
+        let unit = self.named(variable);
+        for bound in [from, to] {
+            let quantity = self.quantity(bound);
+            let message = format!("the range of `{}` has another unit", variable.text);
+            self.alike((unit.clone(), "the variable"), (quantity, "the bound"), bound.span, &message);
+        }
+        unit
     }
 
     /// What is known of a coordinate, param or function of that name.

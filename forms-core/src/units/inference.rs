@@ -134,6 +134,7 @@ impl<'a> Inference<'a> {
         let quantity = self.quantity(exponent);
         self.pure(&quantity, exponent.span, "an exponent is a number");
         let known = match self.trace.get(&exponent.span) {
+            _ if let ExprKind::Number(value) = &*exponent.kind => Some(value.clone()),
             Some(Value::Scalar(value)) => self.theory.pool.as_number(*value).cloned(),
             Some(Value::Zero) => Some(BigRational::zero()),
             _ => return Quantity::Unstated,
@@ -149,6 +150,11 @@ impl<'a> Inference<'a> {
 
     /// `w[dx^dy]` is divided by the units of dx and dy, `X[x]` is multiplied by that of x.
     fn coefficient(&mut self, base: &Expr, index: &Expr) -> Quantity {
+        if let ExprKind::Name(name) = &*base.kind
+            && name == "volume"
+        {
+            return self.volume(index);
+        }
         let quantity = self.quantity(base);
         let mut leftmost = index;
         let mut unit = Quantity::Number;

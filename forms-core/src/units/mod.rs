@@ -12,6 +12,7 @@ mod agreement;
 mod calls;
 mod declarations;
 mod inference;
+mod metric;
 mod quantity;
 mod reading;
 mod table;

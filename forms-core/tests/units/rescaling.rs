@@ -9,7 +9,10 @@ use std::cell::Cell;
 
 /// Lengths a and b, times p and q, a number n; a map that mixes them.
 const SCENE: &str = "chart C(a: m, b: m, p: s, q: s); param n: 1;
-map F: C -> C = (2*b + a, a*p/q, q, p + 3*q);";
+map F: C -> C = (2*b + a, a*p/q, q, p + 3*q);
+metric g on C = da**2 + 2*db**2 + (a/p)**2*dp**2 + (b/q)**2*dq**2 + a/(3*p)*db*dq;
+chart K(a, b, p);
+metric h on K = da**2 + db**2 + (b/p)**2*dp**2;";
 
 /// Exponents are measured in 64ths.
 const PARTS: f64 = 64.0;
@@ -46,6 +49,49 @@ fn expression() -> impl Strategy<Value = String> {
             1 => part.prop_map(|x| format!("integral({x}, b = 0..a)")),
         ]
     })
+}
+
+/// An operation that needs a metric or a chart, on top of an expression.
+fn operation() -> impl Strategy<Value = String> {
+    let applied = prop::sample::select(vec![
+        "hodge[g]((E)*da^dp)[db^dq]",
+        "hodge[g]((E)*db)[da^dp^dq]",
+        "hodge[g](E)[da^db^dp^dq]",
+        "hodge[h]((E)*dp)[da^db]",
+        "codiff[g]((E)*db)",
+        "codiff[h]((E)*db^dp)[dp]",
+        "laplace[h](E)",
+        "flat[g]((E)*@q)[dq]",
+        "flat[g]((E)*@b)[dq]",
+        "sharp[g]((E)*dq)[q]",
+        "inner[g]((E)*@p, q*@p + a*@a)",
+        "inner[g]((E)*dp, d(a*p))",
+        "inner[g]((E)*da^dp, da^dp)",
+        "norm[g]((E)*@p)",
+        "norm[g]((E)*dq)",
+        "norm[g]((E)*dq^da)",
+        "norm[g](E)",
+        "volume[g][da^db^dp^dq]*(E)",
+        "volume[h][da^db^dp]*(E)",
+        "grad[g](E)[p]",
+        "div[g]((E)*@p)",
+        "curl[h]((E)*@a)[b]",
+        "curl[h]((E)*@b)[p]",
+        "potential((E)*da^dp)[dp]",
+        "potential[C](E)",
+    ]);
+    let small = prop::sample::select(vec![
+        "a",
+        "a*q",
+        "b/p",
+        "p**2",
+        "a**2*b",
+        "n",
+        "sqrt(p)",
+        "a*b + 2*b**2",
+        "q + p",
+    ]);
+    (applied, small).prop_map(|(applied, part)| applied.replace('E', part))
 }
 
 /// The messages about a kernel with this result.
@@ -87,7 +133,7 @@ fn measured(expression: &str) -> Option<[i64; 2]> {
 
 /// The same expressions in every run, so that it is known how many say something.
 fn runner() -> TestRunner {
-    let config = Config { cases: 600, failure_persistence: None, ..Config::default() };
+    let config = Config { cases: 400, failure_persistence: None, ..Config::default() };
     TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha))
 }
 
@@ -100,7 +146,7 @@ fn the_unit_of_an_expression_is_the_one_that_is_measured() {
     let (scaling, with_dimension) = (Cell::new(0), Cell::new(0));
     let mut runner = runner();
     runner
-        .run(&expression(), |text| {
+        .run(&prop_oneof![2 => expression(), 1 => operation()], |text| {
             if !messages("", &text).is_empty() || values(&text, POINT, [1.0, 1.0]).is_none() {
                 return Ok(());
             }
