@@ -19,6 +19,7 @@ mod table;
 mod unit;
 
 use crate::diagnostic::{Diagnostic, Span};
+use crate::expression::Symbol;
 use crate::resolve::{Kernel, KernelUnits, Theory, Trace};
 use crate::syntax::ast::{Declared, File, ItemKind};
 
@@ -63,22 +64,22 @@ pub(crate) fn check(file: &File, theory: &mut Theory, trace: &Trace) -> Vec<Diag
     errors
 }
 
-/// The units of a kernel in a sentence: "In `r2: m**2`, `cos_theta: 1`; the result is in `sr/m**2`."; nothing if none is
-/// known.
+/// The units of a kernel in a sentence: "Units: `r2` in `m**2`, `cos_theta` in `1`; result in `sr/m**2`."; nothing if none
+/// is known.
 pub fn sentence(theory: &Theory, kernel: &Kernel) -> Option<String> {
-    let known = |(&symbol, unit): (&crate::expression::Symbol, &Option<String>)| {
-        Some(format!("`{}: {}`", theory.pool.symbol_name(symbol), unit.as_ref()?))
+    let known = |(&symbol, unit): (&Symbol, &Option<String>)| {
+        Some(format!("`{}` in `{}`", theory.pool.symbol_name(symbol), unit.as_ref()?))
     };
     let arguments: Vec<String> =
         kernel.arguments.iter().zip(&kernel.units.arguments).filter_map(known).collect();
     let outputs: Option<Vec<String>> =
         kernel.units.outputs.iter().map(|unit| Some(format!("`{}`", unit.as_ref()?))).collect();
-    let result = match outputs.as_deref() {
+    let results = match outputs.as_deref() {
         None | Some([]) => None,
-        Some([unit]) => Some(format!("the result is in {unit}")),
-        Some(several) => Some(format!("the results are in {}", several.join(", "))),
+        Some([unit]) => Some(format!("result in {unit}")),
+        Some(several) => Some(format!("results in {}", several.join(", "))),
     };
-    let given = (!arguments.is_empty()).then(|| format!("with {}", arguments.join(", ")));
-    let parts: Vec<String> = given.into_iter().chain(result).collect();
+    let given = (!arguments.is_empty()).then(|| arguments.join(", "));
+    let parts: Vec<String> = given.into_iter().chain(results).collect();
     (!parts.is_empty()).then(|| format!("Units: {}.", parts.join("; ")))
 }
