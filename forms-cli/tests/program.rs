@@ -139,6 +139,12 @@ fn a_named_object_is_shown_simplified() {
     }
     let mathml = forms(&folder, &["show", "good.forms", "w", "--as", "mathml"]);
     assert!(mathml.output.starts_with("<math") && mathml.output.trim_end().ends_with("</math>"));
+    let measured = Folder::with(&[("units.forms", "chart R(x: m, t: s); let v = x/t;")]);
+    assert_eq!(forms(&measured, &["show", "units.forms", "v"]).output.trim_end(), "x/t  // in m/s");
+    assert_eq!(
+        forms(&measured, &["show", "units.forms", "v", "--as", "latex"]).output.trim_end(),
+        "\\frac{x}{t}"
+    );
     let missing = forms(&folder, &["show", "good.forms", "nothing"]);
     assert_eq!((missing.status, missing.output.as_str()), (2, ""));
     assert!(missing.errors.contains("`nothing`"));
@@ -205,11 +211,18 @@ fn every_kernel_of_the_library_is_listed_evaluated_and_emitted() {
     for name in ["measure_area_to_solid_angle", "half_vector_jacobian", "transmittance", "basic_radiance"] {
         assert!(list.lines().any(|line| line == name), "{list}");
     }
-    assert!(list.contains("r2 [m**2], cos_theta [1]") && list.contains("= cos_theta/r2"), "{list}");
+    assert!(
+        list.contains("r2 [m**2], cos_theta [1], in sr/m**2") && list.contains("= cos_theta/r2"),
+        "{list}"
+    );
     let run = forms_on(&folder, &["eval", "-", "half_vector_jacobian"], "cos_oh\n0.5\n");
     assert_eq!(run.output, "cos_oh,half_vector_jacobian\n5.0000000000000000e-1,5.0000000000000000e-1\n");
     let source = forms(&folder, &["emit", "-", "--target", "rust"]).output;
     assert!(process::compiles(&folder, &source), "{source}");
+    assert!(
+        source.contains("/// Units: `r2` in `m**2`, `cos_theta` in `1`; result in `sr/m**2`."),
+        "{source}"
+    );
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The unit of each operation.
 
 use crate::{read, unit};
+use forms_core::units::sentence;
 
 /// Each expression with its unit; `-` where nothing states it.
 const LAWS: &[(&str, &str)] = &[
@@ -189,6 +190,21 @@ fn units_that_mean_the_same_agree_in_either_order() {
             let (_, errors) = read(&format!("prove equation: {left} == {right};"));
             assert!(errors.is_empty(), "{left} == {right}: {errors:?}");
         }
+    }
+}
+
+#[test]
+fn the_units_of_a_kernel_make_a_sentence() {
+    for (kernel, wanted) in [
+        ("kernel k(a: m, b: s) = a/b;", Some("Units: `a` in `m`, `b` in `s`; result in `m/s`.")),
+        ("kernel k(a: m, b) = (a, a**2);", Some("Units: `a` in `m`; results in `m`, `m**2`.")),
+        ("kernel k(a: m, b) = (a, b);", Some("Units: `a` in `m`.")),
+        ("kernel k(a): m = a;", Some("Units: result in `m`.")),
+        ("kernel k(a) = a;", None),
+    ] {
+        let (theory, errors) = read(kernel);
+        assert!(errors.is_empty(), "{kernel}: {errors:?}");
+        assert_eq!(sentence(&theory, &theory.kernels[0]).as_deref(), wanted, "{kernel}");
     }
 }
 
