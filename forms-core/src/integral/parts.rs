@@ -12,8 +12,11 @@ impl Search<'_> {
         integrand: &mut Integrand,
         depth: u32,
     ) -> Result<Option<Expr>, Failure> {
-        let opaque = integrand.such_that(|generator| matches!(generator, Generator::Opaque { .. }));
-        let Some(&function) = opaque.first() else { return Ok(None) };
+        let is_function = |generator: &Generator| {
+            matches!(generator, Generator::Opaque { .. } | Generator::Logarithm { .. })
+        };
+        let functions = integrand.such_that(is_function);
+        let Some(&function) = functions.first() else { return Ok(None) };
         let Some(terms) = integrand.tower.laurent_terms(&integrand.normal, &[function]) else {
             return Ok(None);
         };

@@ -3,7 +3,7 @@
 //! ```text
 //! structured expressions ── normalise ──▶ Fraction = polynomial / known factors
 //!                              │  tower of generators: variables, jets, roots, circle or half-angle
-//!                              │  functions, exponentials, opaque atoms
+//!                              │  functions, exponentials, logarithms, opaque atoms
 //!                              └─ filter: the same walk modulo a prime, at random points
 //! ```
 //! A generator is either free or bound by one relation ρⁿ = f with f in earlier generators. An expression is
@@ -12,13 +12,20 @@
 //! zero needs no greatest common divisor.
 
 mod angle;
+mod arc;
+mod chord;
 mod common;
+mod cube;
 mod derivation;
+mod exponential;
 mod factor;
+mod factored;
 mod filter;
 mod fraction;
 mod generator;
+mod nested;
 mod normalise;
+mod polygon;
 mod quotient_rule;
 mod raise;
 mod root;
@@ -26,6 +33,8 @@ mod terms;
 mod tower;
 mod univariate;
 
+pub(crate) use arc::is_arc;
+pub(crate) use chord::chord_bounds;
 pub use common::Together;
 pub use derivation::Normal;
 pub use fraction::Fraction;
