@@ -116,6 +116,28 @@ const ADVICE: &[(&str, &str)] = &[
         "1 m is 1000000000 nm: state both in one unit, or multiply by `let factor: nm/m = 1000000000;`",
     ),
     ("let q = sqrt(x) + sqrt(lambda);", "m**(1/2) and nm**(1/2) are of unlike size: state both in one unit"),
+    ("let q = x + lambda*omega;", "the left side over the right side is in m/nm/sr, and has to be a number"),
+    (
+        "param a: h, b: min; let q = a + b;",
+        "1 h is 60 min: state both in one unit, or multiply by `let factor: min/h = 60;`",
+    ),
+    (
+        "param a: min, b: s; let q = a + b;",
+        "1 min is 60 s: state both in one unit, or multiply by `let factor: s/min = 60;`",
+    ),
+    (
+        "param a: g, b: kg; let q = a + b;",
+        "1 g is 1/1000 kg: state both in one unit, or multiply by `let factor: kg/g = 1/1000;`",
+    ),
+    (
+        "param a: L, b: m**3; let q = a + b;",
+        "1 L is 1/1000 m**3: state both in one unit, or multiply by `let factor: m**3/L = 1/1000;`",
+    ),
+    (
+        "param a: eV; let q = j + a*10**28;",
+        "1 J is 5000000000000000000000000000/801088317 eV: state both in one unit, or multiply by \
+         `let factor: eV/J = 5000000000000000000000000000/801088317;`",
+    ),
     ("let q = exp(x);", "divide it by a quantity in m"),
     ("param q: meters;", "did you mean `m`?"),
     ("param q: HZ;", "did you mean `Hz`?"),

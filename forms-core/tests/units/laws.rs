@@ -1,7 +1,9 @@
 //! The unit of each operation.
 
 use crate::{read, unit};
+use forms_core::check::read_theory;
 use forms_core::units::sentence;
+use num_bigint::BigInt;
 
 /// Each expression with its unit; `-` where nothing states it.
 const LAWS: &[(&str, &str)] = &[
@@ -124,6 +126,8 @@ const LAWS: &[(&str, &str)] = &[
     ("lambda*x", "nm*m"),
     ("j/t + w", "J/s"),
     // Angles: the radian may be read as 1, and two of them as a steradian.
+    ("L*theta*phi + E", "W/m**2"),
+    ("E + L*theta*phi", "W/m**2"),
     ("theta + 1", "1"),
     ("r*theta + r", "m"),
     ("r + r*theta", "m"),
@@ -182,6 +186,55 @@ const AGREEING: &[(&str, &str)] = &[
     ("free", "x"),
     ("0", "x"),
 ];
+
+/// The derived units by their definitions.
+const DERIVED: &[(&str, &str)] = &[
+    ("Hz", "1/s"),
+    ("N", "kg*m/s**2"),
+    ("Pa", "N/m**2"),
+    ("J", "N*m"),
+    ("W", "J/s"),
+    ("C", "A*s"),
+    ("V", "W/A"),
+    ("F", "C/V"),
+    ("ohm", "V/A"),
+    ("S", "A/V"),
+    ("Wb", "V*s"),
+    ("T", "Wb/m**2"),
+    ("H", "Wb/A"),
+    ("cd", "lm/sr"),
+    ("lx", "lm/m**2"),
+    ("L", "dm**3"),
+    ("mol*K", "K*mol"),
+];
+
+#[test]
+fn derived_units_are_what_they_are_defined_by() {
+    for (unit, definition) in DERIVED {
+        let (_, errors) = read(&format!("param left: {unit}, right: {definition}; prove p: left == right;"));
+        assert!(errors.is_empty(), "{unit}: {errors:?}");
+        let (_, errors) =
+            read(&format!("param left: {unit}*mm, right: {definition}*m; prove p: left == right;"));
+        assert_eq!(errors.len(), 1, "{unit}");
+    }
+}
+
+#[test]
+fn prefixes_are_powers_of_ten() {
+    let prefixes = ["f", "p", "n", "u", "m", "c", "d", "", "h", "k", "M", "G", "T"];
+    let powers = [-15, -12, -9, -6, -3, -2, -1, 0, 2, 3, 6, 9, 12];
+    for (a, p) in prefixes.iter().zip(powers) {
+        for (b, q) in prefixes.iter().zip(powers) {
+            let text = format!("param left: {a}m*{b}s, right: m*s; let q = left + right;");
+            let (_, errors) = read_theory(&text);
+            let help = errors.first().and_then(|error| error.help.clone()).unwrap_or_default();
+            let power = BigInt::from(10).pow(i32::unsigned_abs(p + q));
+            let size = if p + q < 0 { format!("1/{power}") } else { power.to_string() };
+            assert_eq!(errors.is_empty(), p + q == 0, "{text}");
+            assert!(p + q == 0 || help.contains(&format!("= {size};`")), "{text} {help}");
+        }
+    }
+}
 
 #[test]
 fn units_that_mean_the_same_agree_in_either_order() {
