@@ -32,20 +32,29 @@ impl Inference<'_> {
             }
             ItemKind::Map { target, components, .. } => self.map(target, components),
             ItemKind::Statement { name, left, right, conditions, .. } => {
-                let (left_quantity, right_quantity) = (self.quantity(left), self.quantity(right));
-                let message = format!("`{}` equates unlike units", name.text);
-                let place = left.span.to(right.span);
-                self.alike(
-                    (left_quantity, "the left side"),
-                    (right_quantity, "the right side"),
-                    place,
-                    &message,
-                );
-                self.conditions(conditions);
+                self.statement(item.span, name, (left, right), conditions);
             }
             ItemKind::Kernel { name, arguments, units, outputs, conditions, effects } => {
                 self.kernel(item.span, name, (arguments, units), outputs, (conditions, effects));
             }
+        }
+    }
+
+    fn statement(
+        &mut self,
+        span: Span,
+        name: &Name,
+        (left, right): (&Expr, &Expr),
+        conditions: &[Condition],
+    ) {
+        let errors = self.errors.len();
+        let quantities = (self.quantity(left), self.quantity(right));
+        let message = format!("`{}` equates unlike units", name.text);
+        let place = left.span.to(right.span);
+        self.alike((quantities.0, "the left side"), (quantities.1, "the right side"), place, &message);
+        self.conditions(conditions);
+        if self.errors.len() > errors {
+            self.meaningless.push(span);
         }
     }
 

@@ -24,6 +24,7 @@ pub(super) struct Inference<'a> {
     pub(super) arguments: FxHashMap<String, Vec<String>>,
     pub(super) errors: Vec<Diagnostic>,
     pub(super) kernels: Vec<(Span, KernelUnits)>,
+    pub(super) meaningless: Vec<Span>,
 }
 
 impl<'a> Inference<'a> {
@@ -35,6 +36,7 @@ impl<'a> Inference<'a> {
             arguments: FxHashMap::default(),
             errors: Vec::new(),
             kernels: Vec::new(),
+            meaningless: Vec::new(),
         }
     }
 
@@ -45,7 +47,7 @@ impl<'a> Inference<'a> {
             _ => None,
         };
         let objects = self.names.iter().filter_map(object).collect();
-        Inferred { errors: self.errors, objects, kernels: self.kernels }
+        Inferred { errors: self.errors, objects, kernels: self.kernels, meaningless: self.meaningless }
     }
 
     /// What is known of an expression; chains of operators are followed in a loop.
@@ -143,7 +145,8 @@ impl<'a> Inference<'a> {
             Some(exponent) => base.power(&exponent),
             None => {
                 self.pure(&base, base_span, "only a number has powers with a variable exponent");
-                if base == Quantity::Number { Quantity::Number } else { Quantity::one() }
+                let numbers = base == Quantity::Number && quantity == Quantity::Number;
+                if numbers { Quantity::Number } else { Quantity::one() }
             }
         }
     }

@@ -44,6 +44,8 @@ struct Inferred {
     objects: Vec<(usize, String)>,
     /// The units of kernels, by their places.
     kernels: Vec<(Span, KernelUnits)>,
+    /// The statements with unlike units in them, by their places: there is nothing to decide about them.
+    meaningless: Vec<Span>,
 }
 
 /// Checks the units of a source that was resolved to this theory and trace, and writes them into it.
@@ -52,7 +54,8 @@ pub(crate) fn check(file: &File, theory: &mut Theory, trace: &Trace) -> Vec<Diag
     for item in &file.items {
         inference.item(item);
     }
-    let Inferred { errors, objects, kernels } = inference.finish();
+    let Inferred { errors, objects, kernels, meaningless } = inference.finish();
+    theory.statements.retain(|statement| !meaningless.contains(&statement.span));
     for (number, unit) in objects {
         theory.objects[number].unit = Some(unit);
     }

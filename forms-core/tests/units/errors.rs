@@ -68,6 +68,11 @@ const REFUSED: &[(&str, &str)] = &[
     ("let q: W/m**2 = L;", "`q` is declared in W/m**2, and its value is in W/m**2/sr"),
     ("let q: 1 = omega;", "`q` is declared in 1, and its value is in sr"),
     ("let q: m/s = 2*n;", "`q` is declared in m/s, and its value is in 1"),
+    ("let q: m = n**n;", "`q` is declared in m, and its value is in 1"),
+    ("let q: m = 2**n;", "`q` is declared in m, and its value is in 1"),
+    ("let q: m = sin(n);", "`q` is declared in m, and its value is in 1"),
+    ("let q: m = sqrt(n);", "`q` is declared in m, and its value is in 1"),
+    ("let q: m = 2*free + 1;", "`q` is declared in m, and its value is in 1"),
     ("form q: 1, s on Space = dx;", "`q` is declared in s, and its value is in m"),
     ("kernel k(a: m): s = a;", "the result of `k` is declared in s, and its value is in m"),
     ("kernel k(a: m): (m, s) = (a, a);", "result 2 of `k` is declared in s, and its value is in m"),
@@ -158,6 +163,13 @@ fn each_mistake_comes_with_advice() {
 fn the_factor_that_is_advised_mends_the_sum() {
     let (_, errors) = read("let factor: nm/m = 1000000000; let q = x*factor + lambda;");
     assert!(errors.is_empty(), "{errors:?}");
+}
+
+#[test]
+fn there_is_nothing_to_decide_about_unlike_units() {
+    let (theory, _) = read("prove right: x == x; refute wrong: E == L; prove p: t == t where t > x;");
+    let names: Vec<&str> = theory.statements.iter().map(|statement| statement.name.as_str()).collect();
+    assert_eq!(names, ["right"]);
 }
 
 #[test]

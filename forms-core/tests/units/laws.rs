@@ -151,6 +151,7 @@ fn a_declared_unit_is_the_unit_of_the_value() {
         ("let it: m/s = 299792458;", "m/s"),
         ("let it: J*s = 6.62607015e-34;", "J*s"),
         ("let it: nm/m = 10**9;", "nm/m"),
+        ("let it: m = sqrt(2)**pi*exp(-1);", "m"),
         ("let it: sr = 2*pi;", "sr"),
         ("let it: sr = x*y/r**2;", "sr"),
         ("let it: 1/sr = x/(4*pi*y);", "1/sr"),
