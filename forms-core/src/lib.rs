@@ -26,6 +26,7 @@ pub mod polynomial;
 mod random;
 pub mod resolve;
 pub mod syntax;
+pub mod topology;
 pub mod units;
 
 #[cfg(test)]
