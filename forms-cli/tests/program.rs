@@ -316,6 +316,38 @@ fn a_derivation_is_printed_in_every_notation_and_its_status_tells_the_verdict() 
 }
 
 #[test]
+fn a_certificate_is_checked_without_the_prover() {
+    let folder = Folder::with(&[("good.forms", THEORY)]);
+    let run = forms(&folder, &["prove", "--certificate", "good.certificate", "good.forms"]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    let run = forms(&folder, &["check", "good.certificate"]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    assert!(run.output.contains("2 statements: 2 accepted, 0 rejected, 0 not covered"), "{}", run.output);
+
+    let lines = String::from_utf8(folder.read("good.certificate")).expect("text");
+    folder.write("false.certificate", lines.replace("component", "compound").as_bytes());
+    assert_eq!(forms(&folder, &["check", "false.certificate"]).status, 2);
+    folder.write("false.certificate", lines.replace("left ", "left 5 + ").as_bytes());
+    let run = forms(&folder, &["check", "false.certificate"]);
+    assert_eq!(run.status, 1);
+    assert!(run.output.contains("✗ shifted") && run.output.contains("1 rejected"), "{}", run.output);
+
+    folder.write("good.forms", THEORY.replace("2*x + 1", "2*x + 2").as_bytes());
+    let run = forms(&folder, &["check", "good.certificate"]);
+    assert!(run.status == 2 && run.errors.contains("hash differs"), "{}", run.errors);
+    assert_eq!(forms(&folder, &["check", "missing.certificate"]).status, 2);
+}
+
+#[test]
+fn what_the_checker_does_not_know_is_not_accepted_unless_allowed() {
+    let folder = Folder::with(&[("a.forms", "chart L(x); prove area: integral(x, x = 0..1) == 1/2;")]);
+    assert_eq!(forms(&folder, &["prove", "--certificate", "a.certificate", "a.forms"]).status, 0);
+    let run = forms(&folder, &["check", "a.certificate"]);
+    assert!(run.status == 1 && run.output.contains("1 not covered"), "{}", run.output);
+    assert_eq!(forms(&folder, &["check", "--allow-uncovered", "a.certificate"]).status, 0);
+}
+
+#[test]
 fn the_angle_form_is_closed_and_has_no_potential_around_the_origin() {
     let plane = "chart P(x, y) where x**2 + y**2 > 0; form angle = (x*dy - y*dx)/(x**2 + y**2); let f = x;";
     let folder = Folder::with(&[("plane.forms", plane)]);

@@ -11,6 +11,7 @@
 
 mod assume;
 pub mod calculus;
+pub mod certificate;
 pub mod check;
 pub mod decide;
 pub mod derivation;

@@ -59,7 +59,7 @@ pub struct Cancellation {
 pub fn account(theory: &mut Theory, statement: &Statement) -> Option<Account> {
     let problem = Problem::new(theory, statement);
     let mut tower = Tower::new(Trigonometry::Circle);
-    let settled = settled_cases(&mut theory.pool, &problem, &mut tower)?;
+    let settled = settled_cases(&mut theory.pool, &problem, &mut tower, None)?;
     let cases = settled
         .iter()
         .map(|signs| case(&mut theory.pool, &mut tower, &problem, signs))

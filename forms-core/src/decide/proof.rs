@@ -3,6 +3,7 @@
 use super::angle;
 use super::problem::Problem;
 use crate::assume::{Assumptions, Cases};
+use crate::certificate::Observer;
 use crate::expression::{Expr, Pool};
 use crate::normal::{Fraction, Obstacle, Sign, Tower, Trigonometry, normalise};
 
@@ -86,14 +87,17 @@ fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn:
 const OUTSIDE: &str = "outside the class that is decided";
 
 /// The cases in which the normal forms are zero, by the signs that tell them apart; nothing if that is no proof.
-pub(super) fn settled_cases(
-    pool: &mut Pool,
+/// An observer is told how it goes.
+pub(super) fn settled_cases<'a>(
+    pool: &'a mut Pool,
     problem: &Problem,
-    tower: &mut Tower,
+    tower: &'a mut Tower,
+    observer: Option<&'a mut (dyn Observer + 'a)>,
 ) -> Option<Vec<Vec<(usize, Sign)>>> {
     let assumptions = Assumptions::new(pool, &problem.assumptions);
     let differences = problem.differences();
     let mut proof = Proof::new(pool, tower, assumptions, differences, None);
+    proof.observer = observer;
     let outcome = proof.explore(&[]);
     (outcome == Ok(Outcome::Zero)).then_some(proof.settled)
 }
@@ -109,6 +113,7 @@ struct Proof<'a> {
     cases: usize,
     /// The signs of the cases in which everything is zero.
     settled: Vec<Vec<(usize, Sign)>>,
+    observer: Option<&'a mut (dyn Observer + 'a)>,
 }
 
 impl<'a> Proof<'a> {
@@ -119,7 +124,8 @@ impl<'a> Proof<'a> {
         differences: Vec<Expr>,
         turn: Option<Turn>,
     ) -> Self {
-        Proof { pool, tower, differences, turn, assumptions, cases: 0, settled: Vec::new() }
+        let (cases, settled, observer) = (0, Vec::new(), None);
+        Proof { pool, tower, differences, turn, assumptions, cases, settled, observer }
     }
 
     /// Decides where the given signs hold, going through the cases of those that are open.
@@ -127,15 +133,25 @@ impl<'a> Proof<'a> {
         self.cases += 1;
         match self.settle(given) {
             Ok(Some(Outcome::Zero)) => {
+                if let Some(observer) = &mut self.observer {
+                    observer.zero(self.tower, &self.differences);
+                }
                 self.settled.push(given.to_vec());
                 return Ok(Outcome::Zero);
             }
             Ok(_) => {}
-            Err(Obstacle::DivisionByZero) => return Ok(Outcome::Empty(DIVIDES_BY_ZERO.into())),
+            Err(Obstacle::DivisionByZero) => {
+                self.observe(|observer| observer.undefined());
+                return Ok(Outcome::Empty(DIVIDES_BY_ZERO.into()));
+            }
             Err(obstacle) => return Err(obstacle),
         }
         let cases = match self.assumptions.cases(self.tower, self.pool, &self.expressions(), given)? {
-            Cases::Empty => return Ok(Outcome::Empty("no point meets its conditions".into())),
+            Cases::Empty => {
+                self.observe_split(given, &[])?;
+                self.observe(|observer| observer.end());
+                return Ok(Outcome::Empty("no point meets its conditions".into()));
+            }
             Cases::Signs(cases) if cases.iter().all(Vec::is_empty) => return Ok(Outcome::NotZero),
             Cases::Signs(cases) if self.cases + cases.len() <= MOST_CASES => cases,
             Cases::Signs(_) | Cases::TooMany => {
@@ -143,7 +159,9 @@ impl<'a> Proof<'a> {
             }
         };
         let mut together: Option<Outcome> = None;
+        self.observe_split(given, &cases)?;
         for case in cases {
+            self.observe(|observer| observer.case(&case));
             let signs: Vec<(usize, Sign)> = given.iter().copied().chain(case).collect();
             together = match (self.explore(&signs)?, together) {
                 (failure @ (Outcome::NotZero | Outcome::Outside(_)), _) => return Ok(failure),
@@ -152,7 +170,27 @@ impl<'a> Proof<'a> {
                 (Outcome::Zero, _) => Some(Outcome::Zero),
             };
         }
+        self.observe(|observer| observer.end());
         Ok(together.unwrap_or(Outcome::NotZero))
+    }
+
+    fn observe(&mut self, tell: impl FnOnce(&mut dyn Observer)) {
+        if let Some(observer) = &mut self.observer {
+            tell(*observer);
+        }
+    }
+
+    /// Tells whoever writes the proof down what the cases rest on.
+    fn observe_split(
+        &mut self,
+        given: &[(usize, Sign)],
+        cases: &[Vec<(usize, Sign)>],
+    ) -> Result<(), Obstacle> {
+        let Some(observer) = &mut self.observer else { return Ok(()) };
+        let (factors, facts) =
+            self.assumptions.grounds(self.tower, self.pool, &self.differences, given)?.unwrap_or_default();
+        observer.split(self.tower, &factors, &facts, cases);
+        Ok(())
     }
 
     /// The filter first, then the exact normal forms; nothing where they depend on an open sign.

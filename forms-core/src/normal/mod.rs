@@ -23,6 +23,7 @@ mod factored;
 mod filter;
 mod fraction;
 mod generator;
+mod ingredients;
 mod nested;
 mod normalise;
 mod polygon;

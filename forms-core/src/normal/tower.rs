@@ -62,6 +62,9 @@ pub struct Tower {
     /// The bases whose signs were asked for by the element being computed.
     asked: Vec<usize>,
     asked_by: FxHashMap<Expr, Vec<usize>>,
+    /// The bases that the element being computed is factored over, and those of the elements known.
+    pub(super) met: Vec<usize>,
+    pub(super) met_by: FxHashMap<Expr, Vec<usize>>,
     pub(super) divisors: FxHashMap<Quantity, u32>,
     /// Into how many parts the exponents are divided.
     pub(super) exponent_divisors: FxHashMap<Quantity, u32>,
@@ -89,6 +92,8 @@ impl Tower {
             bases: Vec::new(),
             asked: Vec::new(),
             asked_by: FxHashMap::default(),
+            met: Vec::new(),
+            met_by: FxHashMap::default(),
             divisors: FxHashMap::default(),
             exponent_divisors: FxHashMap::default(),
             exponent_denominator: Vec::new(),
@@ -169,6 +174,7 @@ impl Tower {
         std::mem::take(&mut self.asked)
     }
 
+    /// Remembers the signs that an expression itself depends on, and the bases it is factored over.
     /// The open ones among the signs asked for since the last call.
     pub(crate) fn open_signs_asked(&mut self) -> Vec<usize> {
         let asked = self.take_signs_asked();
@@ -177,6 +183,10 @@ impl Tower {
 
     /// Remembers the signs that an expression itself depends on.
     pub(super) fn note_signs_asked(&mut self, expression: Expr) {
+        let met = std::mem::take(&mut self.met);
+        if !met.is_empty() {
+            self.met_by.insert(expression, met);
+        }
         let mut asked = self.take_signs_asked();
         if !asked.is_empty() {
             asked.sort_unstable();
@@ -197,6 +207,8 @@ impl Tower {
         self.constraints.clear();
         self.asked.clear();
         self.asked_by.clear();
+        self.met.clear();
+        self.met_by.clear();
         self.bases.iter_mut().for_each(|base| base.sign_needed = false);
     }
 
