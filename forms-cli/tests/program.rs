@@ -339,6 +339,16 @@ fn a_certificate_is_checked_without_the_prover() {
 }
 
 #[test]
+fn the_checker_passes_over_units() {
+    let text = "chart R(x: m, t: s); param k: m**(1/2), c: m/s where k > 0; let v: m/s = x/t; form w: 1, m on R = d(x);
+prove p: v*t == x where c > 0; prove q: k**2*v*w == k**2*x/t*dx;";
+    let folder = Folder::with(&[("units.forms", text)]);
+    assert_eq!(forms(&folder, &["prove", "--certificate", "units.certificate", "units.forms"]).status, 0);
+    let run = forms(&folder, &["check", "units.certificate"]);
+    assert!(run.output.contains("2 accepted, 0 rejected, 0 not covered"), "{}", run.output);
+}
+
+#[test]
 fn what_the_checker_does_not_know_is_not_accepted_unless_allowed() {
     let folder = Folder::with(&[("a.forms", "chart L(x); prove area: integral(x, x = 0..1) == 1/2;")]);
     assert_eq!(forms(&folder, &["prove", "--certificate", "a.certificate", "a.forms"]).status, 0);
