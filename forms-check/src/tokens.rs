@@ -101,16 +101,23 @@ impl Reader {
         Ok(names)
     }
 
-    /// Goes past `: unit`.
+    /// Goes past `: unit`, which may have an exponent in brackets.
     pub(crate) fn pass_unit(&mut self) {
-        let ends = |token: &Token| match token {
-            Token::Name(name) => name == "where",
-            other => [",", ")", ";"].map(Token::Sign).contains(other),
-        };
-        if self.take(":") {
-            while self.peek().is_some_and(|token| !ends(token)) {
-                self.place += 1;
+        if !self.take(":") {
+            return;
+        }
+        let is = |token: &Token, sign: &'static str| *token == Token::Sign(sign);
+        let mut open = 0_usize;
+        while let Some(token) = self.peek() {
+            let ends = match token {
+                Token::Name(name) => name == "where",
+                other => [",", ")", ";"].iter().any(|sign| is(other, sign)),
+            };
+            if open == 0 && ends {
+                return;
             }
+            open = (open + usize::from(is(token, "("))).saturating_sub(usize::from(is(token, ")")));
+            self.place += 1;
         }
     }
 

@@ -28,6 +28,7 @@ mod random;
 pub mod resolve;
 pub mod syntax;
 pub mod topology;
+pub mod units;
 
 #[cfg(test)]
 extern crate self as forms_core;
