@@ -81,8 +81,7 @@ impl fmt::Display for Tree {
             Product(a, b) => write!(f, "({a}*{b})"),
             Quotient(a, b) => write!(f, "({a}/{b})"),
             Negative(a) => write!(f, "(-{a})"),
-            Power(a, p, 1) if *p >= 0 => write!(f, "{a}**{p}"),
-            Power(a, p, q) => write!(f, "{a}**({p}/{q})"),
+            Power(a, p, q) => write!(f, "({a})**({p}/{q})"),
             Function(name, a) => write!(f, "{name}({a})"),
             Partial(a, place) => write!(f, "diff({a}, {})", NAMES[*place]),
         }
