@@ -24,7 +24,7 @@ mod spectrum;
 mod tone;
 
 pub use irradiance::{ReceiverResult, simulate_direct};
-pub use library::{RADIANCE, TheoryFile, library};
+pub use library::{RADIANCE, TheoryFile, library, theory};
 pub use picture::{Picture, picture};
 
 /// The scene file of the Cornell box, as measured at the Cornell University Program of Computer Graphics.

@@ -9,10 +9,41 @@ pub struct TheoryFile {
     pub text: &'static str,
 }
 
+/// One file of the folder `theory`.
+macro_rules! theory_file {
+    ($name:literal) => {
+        TheoryFile { name: $name, text: include_str!(concat!("../theory/", $name)) }
+    };
+}
+
 /// The identities of Lessig, Fiume and Desbrun, *On the Mathematical Formulation of Radiance*, by their
 /// numbers there. `refute … as_printed` marks equations that are wrong as printed.
-pub const RADIANCE: TheoryFile =
-    TheoryFile { name: "radiance.forms", text: include_str!("../theory/radiance.forms") };
+pub const RADIANCE: TheoryFile = theory_file!("radiance.forms");
+
+/// The theory: a file for each topic, from the definitions of the quantities to sampling densities. Every statement is
+/// named and says what it means and where it comes from.
+pub fn theory() -> &'static [TheoryFile] {
+    &[
+        theory_file!("quantities.forms"),
+        theory_file!("lambert.forms"),
+        theory_file!("photons.forms"),
+        theory_file!("sun.forms"),
+        theory_file!("poynting.forms"),
+        RADIANCE,
+        theory_file!("vector_irradiance.forms"),
+        theory_file!("rays.forms"),
+        theory_file!("refraction.forms"),
+        theory_file!("etendue.forms"),
+        theory_file!("density_transport.forms"),
+        theory_file!("transport_equation.forms"),
+        theory_file!("radiance_operators.forms"),
+        theory_file!("neumann_series.forms"),
+        theory_file!("light_traps.forms"),
+        theory_file!("bsdf.forms"),
+        theory_file!("jacobians.forms"),
+        theory_file!("sampling.forms"),
+    ]
+}
 
 /// The files whose `pub kernel`s are the library's kernels, each beside the statements it rests on.
 pub fn library() -> &'static [TheoryFile] {

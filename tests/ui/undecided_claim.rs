@@ -2,7 +2,7 @@
 
 forms::forms! {
     chart Line(x);
-    prove reciprocal: atan(x) + atan(1/x) == pi/2 where x > 0;
+    prove third: 3*sin(asin(x)/3) - 4*sin(asin(x)/3)**3 == x;
 }
 
 fn main() {}

@@ -71,7 +71,9 @@ impl Writer<'_> {
                 format!("{}({})", self.name(name), arguments.join(", "))
             }
             Named::Differential(coordinate) => self.differential(coordinate),
-            Named::Coordinate(_) | Named::Parameter(_) | Named::Metric | Named::Poisoned => self.name(name),
+            Named::Coordinate(_) | Named::Parameter(_) | Named::Metric(_) | Named::Poisoned => {
+                self.name(name)
+            }
         })
     }
 

@@ -8,10 +8,15 @@
 //! Everything that is said about real expressions under conditions, proofs and integrals alike, goes through
 //! the cases found here.
 
+mod arc;
+mod facts;
+mod linear;
+mod range;
 mod region;
 mod sign;
 
-pub(crate) use sign::Facts;
+pub(crate) use facts::Facts;
+pub(crate) use range::Range;
 
 use crate::expression::{Condition, Expr, Pool};
 use crate::normal::{Fraction, Obstacle, Sign, SignConstraint, Tower, Trigonometry, normalise};
@@ -20,6 +25,9 @@ use region::{Constraint, MOST_FACTORS, NoCases, Region};
 
 /// How often the tower may be refined by what the assumptions bring in.
 const MOST_PASSES: usize = 16;
+
+/// Products of terms that a question whose answer may be left open is worth.
+const CHEAP_WORK: u64 = 1_000_000;
 
 /// Conditions with the differences of their sides.
 pub(crate) struct Assumptions {
@@ -55,9 +63,14 @@ impl Assumptions {
         expressions: &[Expr],
         given: &[(usize, Sign)],
     ) -> Result<Cases, Obstacle> {
-        let (region, wanted) = self.region(tower, pool, expressions, given)?;
-        let cases = match region.cases() {
-            Ok(cases) => cases,
+        let Some((region, wanted, facts)) = self.region(tower, pool, expressions, given)? else {
+            return Ok(Cases::Empty);
+        };
+        let cases = match region.cases(|signs| facts.allow(tower, signs)) {
+            Ok((_, false)) if tower.divides_by_norms => {
+                return Err(Obstacle::Outside("nested radicals at points that lie apart".into()));
+            }
+            Ok((cases, _)) => cases,
             Err(NoCases::Empty) => return Ok(Cases::Empty),
             Err(NoCases::TooMany) => return Ok(Cases::TooMany),
         };
@@ -72,14 +85,15 @@ impl Assumptions {
         Ok(Cases::Signs(distinct))
     }
 
-    /// The factors whose signs matter, with all that is known of them; and those to be told apart.
+    /// The factors whose signs matter, with all that is known of them; and those to be told apart. Nothing if the
+    /// conditions contradict each other.
     fn region(
         &self,
         tower: &mut Tower,
         pool: &Pool,
         expressions: &[Expr],
         given: &[(usize, Sign)],
-    ) -> Result<(Region, Vec<usize>), Obstacle> {
+    ) -> Result<Option<(Region, Vec<usize>, Facts)>, Obstacle> {
         for _ in 0..MOST_PASSES {
             tower.fix_signs(given);
             let prepared = normalise(tower, pool, expressions)?;
@@ -91,6 +105,9 @@ impl Assumptions {
                 }
                 result => result?,
             }
+            if knowledge.facts.contradiction() {
+                return Ok(None);
+            }
             let radicands = prepared.constraints.into_iter();
             knowledge.constraints.extend(radicands.map(|product| Constraint { product, strict: false }));
             if knowledge.constraints.iter().any(|constraint| constraint.speaks_of_retired(tower)) {
@@ -100,9 +117,38 @@ impl Assumptions {
             let open = if prepared.open.is_empty() { knowledge.open.clone() } else { prepared.open };
             let wanted = simplest(tower, open);
             let factors = if wanted.is_empty() { knowledge.factors(given) } else { wanted.clone() };
-            return Ok((assemble(tower, knowledge, given, factors), wanted));
+            let facts = knowledge.facts.clone();
+            return Ok(Some((assemble(tower, knowledge, given, factors), wanted, facts)));
         }
         Err(Obstacle::Refine)
+    }
+
+    /// Where an angle lies once some signs are given; nothing where that is not known.
+    pub(crate) fn range(
+        &self,
+        tower: &mut Tower,
+        pool: &Pool,
+        angle: Expr,
+        given: &[(usize, Sign)],
+    ) -> Result<Range, Obstacle> {
+        for _ in 0..MOST_PASSES {
+            tower.fix_signs(given);
+            let prepared = normalise(tower, pool, &[angle])?;
+            let mut knowledge = Knowledge::of(tower, given);
+            match self.assume(tower, pool, &mut knowledge) {
+                Err(Obstacle::Refine) => {
+                    tower.start_again();
+                    continue;
+                }
+                result => result?,
+            }
+            if !prepared.is_unconditional() {
+                break;
+            }
+            let value = prepared.exact(tower, pool)?.remove(0);
+            return knowledge.facts.range(tower, &value);
+        }
+        Ok(Range::default())
     }
 
     /// What the conditions say. One without a normal form, or whose normal form depends on an open sign, is
@@ -124,11 +170,14 @@ impl Assumptions {
                 Err(_) => continue,
             };
             knowledge.facts.learn(tower, &difference, condition.relation);
-            if let Some(constraint) = constraint(tower, &difference, condition)? {
-                knowledge.constraints.push(constraint);
+            let constraint = constraint(tower, &difference, condition)?;
+            let open = tower.open_signs_asked();
+            if open.is_empty() {
+                knowledge.constraints.extend(constraint);
             }
+            knowledge.open.extend(open);
         }
-        knowledge.facts.learn_half_tangents(tower);
+        knowledge.facts.learn_functions(tower);
         knowledge.open.sort_unstable();
         knowledge.open.dedup();
         Ok(())
@@ -160,6 +209,14 @@ pub(crate) fn is_at_most(pool: &mut Pool, a: Expr, b: Expr, conditions: &[Condit
     let Ok(difference) = known else { return false };
     let sign = difference.as_polynomial().map(|polynomial| knowledge.facts.sign_of(polynomial));
     difference.is_zero() || sign.flatten() == Some(Sign::Positive)
+}
+
+/// Whether an expression is known to be zero wherever it is defined; a cheap question, so that no is no answer.
+pub(crate) fn vanishes(pool: &Pool, expression: Expr) -> bool {
+    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(CHEAP_WORK);
+    let Ok(prepared) = normalise(&mut tower, pool, &[expression]) else { return false };
+    prepared.is_unconditional()
+        && prepared.exact(&mut tower, pool).is_ok_and(|fractions| fractions[0].is_zero())
 }
 
 /// What conditions say while some signs are given.

@@ -23,6 +23,9 @@ pub(crate) struct Region {
     pub(crate) constraints: Vec<Constraint>,
 }
 
+/// A sign for every factor.
+pub(crate) type Case = Vec<(usize, Sign)>;
+
 /// Why there are no cases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum NoCases {
@@ -47,8 +50,12 @@ impl Constraint {
 }
 
 impl Region {
-    /// The cases, each a sign for every factor.
-    pub(crate) fn cases(&self) -> Result<Vec<Vec<(usize, Sign)>>, NoCases> {
+    /// The cases, each a sign for every factor, and whether all that they cover lies beside points of their own. A
+    /// border without a case of its own counts only if it is possible.
+    pub(crate) fn cases(
+        &self,
+        is_possible: impl Fn(&[(usize, i8)]) -> bool,
+    ) -> Result<(Vec<Case>, bool), NoCases> {
         if self.factors.len() > MOST_FACTORS {
             return Err(NoCases::TooMany);
         }
@@ -58,12 +65,19 @@ impl Region {
         }
         let (mut cases, borders): (Vec<_>, Vec<_>) =
             strata.into_iter().partition(|signs| !signs.contains(&0));
+        let with_points = cases.len();
         for border in borders {
-            if !cases.iter().any(|case| touches(case, &border)) {
+            let signs: Vec<(usize, i8)> =
+                self.factors.iter().zip(&border).map(|(factor, &sign)| (factor.0, sign)).collect();
+            if !cases.iter().any(|case| touches(case, &border)) && is_possible(&signs) {
                 cases.push(self.beside(&border));
             }
         }
-        Ok(cases.into_iter().map(|signs| self.named(&signs)).collect())
+        if cases.is_empty() {
+            return Err(NoCases::Empty);
+        }
+        let is_thick = cases.len() == with_points;
+        Ok((cases.into_iter().map(|signs| self.named(&signs)).collect(), is_thick))
     }
 
     /// Every choice of signs that the known ones allow.
@@ -139,8 +153,9 @@ mod tests {
     fn signs(region: &Region) -> Vec<Vec<i8>> {
         let number = |sign: Sign| if sign == Sign::Positive { 1 } else { -1 };
         let mut all: Vec<Vec<i8>> = region
-            .cases()
+            .cases(|_| true)
             .unwrap()
+            .0
             .into_iter()
             .map(|case| case.into_iter().map(|(_, sign)| number(sign)).collect())
             .collect();
@@ -164,6 +179,14 @@ mod tests {
     }
 
     #[test]
+    fn a_border_that_no_point_lies_on_brings_none() {
+        let constraints = vec![product(&[0], false), product(&[0, 1], false)];
+        let region = Region { factors: vec![(0, None), (1, None)], constraints };
+        let cases = region.cases(|signs| signs[0].1 != 0 || signs[1].1 != -1);
+        assert_eq!(cases, Ok((vec![vec![(0, Sign::Positive), (1, Sign::Positive)]], true)));
+    }
+
+    #[test]
     fn a_strict_constraint_has_no_such_border() {
         let constraints = vec![product(&[0], true), product(&[0, 1], false)];
         let region = Region { factors: vec![(0, None), (1, None)], constraints };
@@ -175,6 +198,6 @@ mod tests {
         let negative = SignConstraint { negative: true, odd: vec![0], other: vec![] };
         let constraints = vec![product(&[0], true), Constraint { product: negative, strict: true }];
         let region = Region { factors: vec![(0, None)], constraints };
-        assert_eq!(region.cases(), Err(NoCases::Empty));
+        assert_eq!(region.cases(|_| true), Err(NoCases::Empty));
     }
 }

@@ -1,14 +1,16 @@
-//! Signs of polynomials, proved: by bounds of the generators, by terms that cannot be negative, by squares.
+//! Signs of polynomials, proved: by bounds of the generators, by terms that cannot be negative, by squares, by
+//! combinations of what is known, by norms.
 //!
-//! Never sampled. An answer σ means σ·g ≥ 0 wherever the assumptions hold.
+//! Never sampled. An answer σ means σ·g ≥ 0 wherever the assumptions hold. With a root ρ of f,
+//! A + Bρ ≥ 0 follows from A, B ≥ 0, from A ≥ 0 and A² − B² f ≥ 0, and from B ≥ 0 and A² − B² f ≤ 0.
 
-use crate::normal::{Fraction, Generator, Sign, Tower};
+use super::facts::Facts;
+use super::linear::{Inequality, follows};
+use crate::normal::Sign;
 use crate::polynomial::Polynomial;
-use crate::syntax::ast::Relation;
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
-use rustc_hash::{FxHashMap, FxHashSet};
+use num_traits::{Signed, Zero};
 
 /// A polynomial with more variables than this is not tried as a sum of squares.
 const MOST_SQUARES: usize = 12;
@@ -16,113 +18,16 @@ const MOST_SQUARES: usize = 12;
 /// Moving bounds to zero multiplies terms; beyond this degree it is not tried.
 const HIGHEST_DEGREE: u32 = 12;
 
-/// Bounds of generators by numbers.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Facts {
-    lower: FxHashMap<u32, BigRational>,
-    upper: FxHashMap<u32, BigRational>,
-    below_pi: FxHashSet<u32>,
-}
+/// Polynomials of more terms are not written as combinations, taken apart by roots, or factored.
+const MOST_TERMS: usize = 40;
+
+/// Of more inequalities no products are formed.
+const MOST_MULTIPLIED: usize = 8;
+
+/// How many roots a sign may be traced through.
+const MOST_ROOTS: u32 = 4;
 
 impl Facts {
-    /// What holds of every generator by its nature: roots and exponentials are positive.
-    pub(crate) fn of(tower: &Tower) -> Self {
-        let mut facts = Facts::default();
-        for variable in 0..tower.generator_count() {
-            match tower.generator(variable) {
-                Generator::Root { .. } | Generator::Exponential(_) => {
-                    facts.at_least(variable, BigRational::zero());
-                }
-                Generator::Pi => {
-                    facts.at_least(variable, BigRational::new(333.into(), 106.into()));
-                    facts.at_most(variable, BigRational::new(22.into(), 7.into()));
-                }
-                Generator::Cosine(_) | Generator::Sine(_) => {
-                    facts.at_least(variable, -BigRational::one());
-                    facts.at_most(variable, BigRational::one());
-                }
-                _ => {}
-            }
-        }
-        facts
-    }
-
-    /// Learns from `difference relation 0` if it bounds one generator by a number, or from above by π.
-    pub(crate) fn learn(&mut self, tower: &Tower, difference: &Fraction, relation: Relation) {
-        let Some(difference) = difference.as_polynomial() else { return };
-        let up = matches!(relation, Relation::Greater | Relation::GreaterEqual);
-        if relation == Relation::NotEqual {
-            return;
-        }
-        let mut linear: Vec<(u32, BigInt)> = Vec::new();
-        let mut constant = BigInt::zero();
-        for (monomial, coefficient) in difference.terms() {
-            match monomial.as_slice() {
-                [] => constant = coefficient,
-                [(variable, 1)] => linear.push((*variable, coefficient)),
-                _ => return,
-            }
-        }
-        // a v + c > 0
-        if let [(variable, slope)] = linear.as_slice() {
-            let bound = BigRational::new(-&constant, slope.clone());
-            self.bound(*variable, up == slope.is_positive(), bound);
-        }
-        // a v + b π > 0 with a < 0 says v < −(b/a) π
-        if let [(v, a), (w, b)] = linear.as_slice()
-            && constant.is_zero()
-        {
-            let is_pi = |variable: u32| *tower.generator(variable) == Generator::Pi;
-            let (variable, a, b) = if is_pi(*w) { (v, a, b) } else { (w, b, a) };
-            let is_angle = is_pi(*v) != is_pi(*w);
-            if is_angle && up == a.is_negative() && BigRational::new(-b, a.clone()) <= BigRational::one() {
-                self.below_pi.insert(*variable);
-            }
-        }
-    }
-
-    /// For 0 < θ < π the half-angle tangent of u = θ/d is positive, and at most 1 if d > 1.
-    pub(crate) fn learn_half_tangents(&mut self, tower: &Tower) {
-        for variable in 0..tower.generator_count() {
-            let Generator::HalfTangent(unit) = tower.generator(variable) else { continue };
-            let Some(angle) = unit.as_variable() else { continue };
-            let positive = self.lower.get(&angle).is_some_and(|lower| !lower.is_negative());
-            if positive && self.below_pi.contains(&angle) {
-                self.at_least(variable, BigRational::zero());
-                if unit.divisor() > 1 {
-                    self.at_most(variable, BigRational::one());
-                }
-            }
-        }
-    }
-
-    /// A generator whose bounds leave no value, if there is one.
-    pub(crate) fn contradiction(&self) -> bool {
-        self.lower.iter().any(|(variable, lower)| self.upper.get(variable).is_some_and(|upper| lower > upper))
-    }
-
-    fn bound(&mut self, variable: u32, from_below: bool, bound: BigRational) {
-        if from_below {
-            self.at_least(variable, bound);
-        } else {
-            self.at_most(variable, bound);
-        }
-    }
-
-    fn at_least(&mut self, variable: u32, bound: BigRational) {
-        let entry = self.lower.entry(variable).or_insert_with(|| bound.clone());
-        if bound > *entry {
-            *entry = bound;
-        }
-    }
-
-    fn at_most(&mut self, variable: u32, bound: BigRational) {
-        let entry = self.upper.entry(variable).or_insert_with(|| bound.clone());
-        if bound < *entry {
-            *entry = bound;
-        }
-    }
-
     /// The sign of a polynomial, if it can be shown.
     pub(crate) fn sign_of(&self, polynomial: &Polynomial) -> Option<Sign> {
         if self.never_negative(polynomial) {
@@ -144,16 +49,139 @@ impl Facts {
         })
     }
 
-    fn never_negative(&self, polynomial: &Polynomial) -> bool {
-        self.terms_are_never_negative(polynomial)
+    pub(super) fn never_negative(&self, polynomial: &Polynomial) -> bool {
+        self.never_negative_through(polynomial, MOST_ROOTS)
+    }
+
+    fn never_negative_through(&self, polynomial: &Polynomial, roots: u32) -> bool {
+        if self.terms_are_never_negative(polynomial)
             || is_positive_semidefinite(polynomial)
-            || self.moved_to_zero(polynomial).is_some_and(|moved| terms_never_negative(&moved, |_| true))
+            || self.moved_to_zero(polynomial).is_some_and(|moved| self.bounded_terms_never_negative(&moved))
+        {
+            return true;
+        }
+        polynomial.term_count() <= MOST_TERMS
+            && (self.exponents_show(polynomial, roots)
+                || self.is_combination(polynomial)
+                || self.norm_shows(polynomial, roots)
+                || self.factors_show(polynomial, roots))
+    }
+
+    /// b exp u − c exp v ≥ 0 where b ≥ c > 0 and u ≥ v, with products of exponentials
+    fn exponents_show(&self, polynomial: &Polynomial, roots: u32) -> bool {
+        let mut terms: Vec<(Vec<(u32, u32)>, BigInt)> = polynomial.terms().collect();
+        terms.sort_by(|a, b| b.1.cmp(&a.1));
+        let [(above, b), (below, c)] = terms.as_slice() else { return false };
+        if roots == 0 || !c.is_negative() || *b < -c {
+            return false;
+        }
+        let scale = self.exponents.values().fold(1, |scale, (_, divisor)| num_integer::lcm(scale, *divisor));
+        let exponent = |monomial: &[(u32, u32)]| {
+            monomial.iter().try_fold(Polynomial::zero(), |sum, (variable, times)| {
+                let (exponent, divisor) = self.exponents.get(variable)?;
+                let parts = BigInt::from(*times) * (scale / divisor);
+                Some(sum.add(&exponent.scale(&parts)))
+            })
+        };
+        let (Some(u), Some(v)) = (exponent(above), exponent(below)) else { return false };
+        self.never_negative_through(&u.sub(&v), roots - 1)
+    }
+
+    /// Whether known inequalities, or for a target of higher degree also products of two, add up to it.
+    fn is_combination(&self, polynomial: &Polynomial) -> bool {
+        if self.inequalities.is_empty() {
+            return false;
+        }
+        let mut known = self.known();
+        let degree = polynomial.total_degree();
+        let variables = polynomial.variables();
+        let speaks_of_it = |inequality: &&Inequality| {
+            inequality.polynomial.variables().iter().all(|variable| variables.contains(variable))
+        };
+        let mut single: Vec<Inequality> = Vec::new();
+        for inequality in known.iter().filter(speaks_of_it) {
+            if single.iter().all(|other| other.polynomial != inequality.polynomial) {
+                single.push(inequality.clone());
+            }
+        }
+        if degree > 1 && single.len() <= MOST_MULTIPLIED {
+            for (place, a) in single.iter().enumerate() {
+                for b in single[..=place].iter().filter(|b| b.degree() + a.degree() <= degree) {
+                    known.push(Inequality { polynomial: a.polynomial.mul(&b.polynomial), strict: false });
+                }
+            }
+        }
+        follows(polynomial, &known, |monomial| self.sign_of_monomial(monomial))
+    }
+
+    /// A + Bρᵏ ≥ 0 with ρ²ᵏ = f: both parts are, or the larger one is, as the norm tells.
+    fn norm_shows(&self, polynomial: &Polynomial, roots: u32) -> bool {
+        let last = polynomial.variables().into_iter().rev().find_map(|v| Some((v, self.roots.get(&v)?)));
+        let Some((variable, root)) = last.filter(|_| roots > 0) else { return false };
+        let (mut rational, mut slope) = (Polynomial::zero(), Polynomial::zero());
+        for (exponent, coefficient) in polynomial.coefficients_in(variable) {
+            match exponent {
+                0 => rational = coefficient,
+                _ if 2 * exponent == root.order => slope = coefficient,
+                _ => return false,
+            }
+        }
+        let shown = |p: &Polynomial| self.never_negative_through(p, roots - 1);
+        let (above, rising) = (shown(&rational), shown(&slope));
+        if above && rising {
+            return true;
+        }
+        let norm = self.reduced(rational.square().sub(&slope.square().mul(&root.radicand)));
+        norm.term_count() <= MOST_TERMS && (above && shown(&norm) || rising && shown(&norm.neg()))
+    }
+
+    /// The polynomial with powers of roots replaced by their radicands.
+    fn reduced(&self, polynomial: Polynomial) -> Polynomial {
+        let mut reduced = polynomial;
+        for variable in reduced.variables().into_iter().rev() {
+            let Some(root) = self.roots.get(&variable) else { continue };
+            reduced = reduced.coefficients_in(variable).into_iter().fold(
+                Polynomial::zero(),
+                |sum, (exponent, coefficient)| {
+                    let rest = coefficient.multiply_by_monomial(&[(variable, exponent % root.order)]);
+                    sum.add(&rest.mul(&root.radicand.pow(exponent / root.order)))
+                },
+            );
+        }
+        reduced
+    }
+
+    /// Squares do not matter, and the other factors have signs whose product is positive.
+    fn factors_show(&self, polynomial: &Polynomial, roots: u32) -> bool {
+        if polynomial.total_degree() < 3 && polynomial.monomial_content().is_empty() {
+            return false; // a square among these is semidefinite
+        }
+        let (content, factors) = polynomial.square_free();
+        let odd: Vec<&Polynomial> =
+            factors.iter().filter(|(_, n)| n % 2 == 1).map(|(part, _)| part).collect();
+        let is_new = factors.len() > 1 || factors.iter().any(|(_, n)| *n > 1);
+        if !is_new || roots == 0 {
+            return false;
+        }
+        let mut negative = content.is_negative();
+        for part in odd {
+            if self.never_negative_through(&part.neg(), roots - 1) {
+                negative = !negative;
+            } else if !self.never_negative_through(part, roots - 1) {
+                return false;
+            }
+        }
+        !negative
     }
 
     fn terms_are_never_negative(&self, polynomial: &Polynomial) -> bool {
         terms_never_negative(polynomial, |variable| {
             self.lower.get(&variable).is_some_and(|lower| !lower.is_negative())
         })
+    }
+
+    fn bounded_terms_never_negative(&self, moved: &Polynomial) -> bool {
+        terms_never_negative(moved, |v| self.lower.contains_key(&v) || self.upper.contains_key(&v))
     }
 
     /// Bounded variables replaced by ones that are only known to be positive:
@@ -165,7 +193,7 @@ impl Facts {
         let mut moved = polynomial.clone();
         for variable in polynomial.variables() {
             moved = match (self.lower.get(&variable), self.upper.get(&variable)) {
-                (None, None) => return None,
+                (None, None) => moved,
                 (Some(lower), None) => moebius(&moved, variable, lower, None, 1),
                 (None, Some(upper)) => moebius(&moved, variable, upper, None, -1),
                 (Some(lower), Some(upper)) => moebius(&moved, variable, lower, Some(upper), 1),
@@ -267,6 +295,7 @@ fn pivots_are_not_negative(mut matrix: Vec<Vec<BigRational>>) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use num_traits::One;
 
     fn polynomial(terms: &[(&[(u32, u32)], i64)]) -> Polynomial {
         Polynomial::from_terms(terms.iter().map(|(m, c)| (m.to_vec(), BigInt::from(*c))))

@@ -69,6 +69,11 @@ impl Blade {
         Some((Blade(self.0 & !(1 << coordinate.0)), sign))
     }
 
+    /// The differentials of `whole` that are not its factors.
+    pub fn complement_in(self, whole: Blade) -> Blade {
+        Blade(whole.0 & !self.0)
+    }
+
     /// (−1)^(number of pairs i in self, j in other with i > j)
     fn sign_before(self, other: Blade) -> i8 {
         let mut swaps = 0;

@@ -1,7 +1,8 @@
 //! What the calculus asks of its coefficients: a commutative ring with commuting partial derivatives.
 
 use super::blade::Coordinate;
-use crate::expression::{Expr, Pool, Symbol};
+use super::metric::Quotients;
+use crate::expression::{Expr, Nature, Operation, Pool, Symbol};
 
 /// A commutative ring with one derivation for each coordinate.
 ///
@@ -97,5 +98,22 @@ impl Coefficients for Structured<'_> {
 
     fn derivative(&mut self, a: &Expr, by: Coordinate) -> Expr {
         self.pool.derivative(*a, self.coordinates[by.0 as usize])
+    }
+}
+
+impl Quotients for Structured<'_> {
+    fn divide(&mut self, a: &Expr, b: &Expr) -> Expr {
+        self.pool.divide(*a, *b)
+    }
+
+    fn magnitude(&mut self, a: &Expr) -> (Expr, Expr) {
+        let negated = self.pool.negate(*a);
+        for (number, value) in [(1, *a), (-1, negated)] {
+            if self.pool.nature(value) >= Nature::NotNegative {
+                return (self.pool.sqrt(value), self.pool.integer(number));
+            }
+        }
+        let magnitude = self.pool.apply(Operation::Abs, &[*a]);
+        (self.pool.sqrt(magnitude), self.pool.divide(*a, magnitude))
     }
 }

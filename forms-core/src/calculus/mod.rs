@@ -5,17 +5,22 @@
 //!        │
 //!        ▼
 //!   Form, Field ── wedge  power  exterior  interior  lie  pullback ──▶ Form, Field
+//!   Metric ─────── hodge  musical  gradient ────────────────────────────▶ Form, Field
 //! ```
 //! One definition of each operation serves both kinds of coefficients. Conventions (orientation, signs) are
-//! those of `docs/conventions.md`; no operation here knows a metric.
+//! those of `docs/conventions.md`; only `metric`, `hodge`, `musical` and `gradient` know lengths.
 
 mod blade;
 mod coefficient;
 mod exterior;
 mod field;
 mod form;
+mod gradient;
+mod hodge;
 mod interior;
 mod lie;
+mod metric;
+mod musical;
 mod power;
 mod pullback;
 mod wedge;
@@ -25,8 +30,12 @@ pub use coefficient::{Coefficients, Structured};
 pub use exterior::exterior_derivative;
 pub use field::{Field, bracket, derivative_along};
 pub use form::Form;
+pub use gradient::{curl, divergence, gradient};
+pub use hodge::{codifferential, hodge, laplacian, volume};
 pub use interior::{interior, pairing};
 pub use lie::{lie_of_form, lie_of_scalar};
+pub use metric::{Metric, Quotients};
+pub use musical::{flat, inner_of_fields, inner_of_forms, sharp};
 pub use power::power;
 pub use pullback::{Pullback, pullback};
 pub use wedge::wedge;

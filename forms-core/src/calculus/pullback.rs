@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 
 /// A map prepared for pulling back: the differentials dFᵢ of its components along the source's coordinates.
 /// A coordinate that is not one of the target's stays what it is.
+#[derive(Clone, Debug)]
 pub struct Pullback<S> {
     differentials: BTreeMap<Coordinate, Form<S>>,
 }
@@ -28,6 +29,11 @@ impl<S: Clone> Pullback<S> {
             })
             .collect();
         Pullback { differentials }
+    }
+
+    /// The map that sends each of these differentials to a 1-form and is extended to products.
+    pub(super) fn linear(images: impl IntoIterator<Item = (Coordinate, Form<S>)>) -> Self {
+        Pullback { differentials: images.into_iter().collect() }
     }
 
     fn of_differential<R: Coefficients<Scalar = S>>(&self, ring: &mut R, coordinate: Coordinate) -> Form<S> {

@@ -26,7 +26,7 @@ pub(super) fn contradiction(pool: &mut Pool, problem: &Problem) -> Option<String
     for (condition, difference) in &known {
         facts.learn(&tower, difference, condition.relation);
     }
-    facts.learn_half_tangents(&tower);
+    facts.learn_functions(&tower);
     let by_nature = Facts::of(&tower);
     for (condition, difference) in &known {
         let Some(polynomial) = difference.as_polynomial() else { continue };

@@ -14,17 +14,20 @@
 //! a point as well, to show that it speaks of something.
 
 mod account;
+mod angle;
 mod empty;
 mod finding;
 mod problem;
 mod proof;
 mod ratio;
+mod relation;
 mod report;
 mod sample;
 mod verdict;
 mod witness;
 
 pub use account::{Account, Bound, Cancellation, Case, account};
+pub use angle::vanishing_angles;
 pub(crate) use finding::{Effort, Equations, Finding, contradiction};
 pub use ratio::Ratio;
 pub(crate) use report::simplified;

@@ -1,5 +1,6 @@
 //! The proof: every difference has the normal form zero, in every case of the signs that matter.
 
+use super::angle;
 use super::problem::Problem;
 use crate::assume::{Assumptions, Cases};
 use crate::expression::{Expr, Pool};
@@ -21,30 +22,68 @@ pub(super) enum Outcome {
 /// More cases than this are not gone through.
 const MOST_CASES: usize = 512;
 
-/// Tries to prove that every component vanishes.
+/// What is to be proved of: a problem, and the products of terms that one normal form may cost.
+#[derive(Clone, Copy)]
+pub(super) struct Task<'a> {
+    pub(super) problem: &'a Problem,
+    pub(super) work: u64,
+}
+
+/// Tries to prove that every component vanishes: by normal forms or, where these are not zero, as angles.
 pub(super) fn outcome(pool: &mut Pool, problem: &Problem, work: u64) -> Outcome {
     if problem.components.is_empty() {
         return Outcome::Zero;
     }
-    prove_zero(pool, problem, problem.differences(), work)
+    let differences = problem.differences();
+    match prove_zero(pool, problem, differences.clone(), work) {
+        outcome @ (Outcome::NotZero | Outcome::Outside(_)) if angle::occur_in(pool, &differences) => {
+            match angle::prove(pool, Task { problem, work }, &differences, &mut Vec::new()) {
+                Outcome::Zero => Outcome::Zero,
+                _ => outcome,
+            }
+        }
+        outcome => outcome,
+    }
 }
 
 /// Tries to prove that the expressions vanish wherever the problem's assumptions hold.
 pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>, work: u64) -> Outcome {
-    let assumptions = Assumptions::new(pool, &problem.assumptions);
-    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(work);
-    let mut proof =
-        Proof { pool, tower: &mut tower, differences, assumptions, cases: 0, settled: Vec::new() };
-    match proof.explore(&[]) {
+    prove_in_all_cases(pool, Task { problem, work }, differences, None)
+}
+
+/// An angle that has to keep within (−2π, 2π), and expressions whose signs are told apart for that.
+pub(super) struct Turn {
+    pub(super) angle: Expr,
+    pub(super) signs: Vec<Expr>,
+}
+
+/// The same, and that an angle keeps within a turn either way.
+pub(super) fn prove_full_turn(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn: Turn) -> Outcome {
+    prove_in_all_cases(pool, task, differences, Some(turn))
+}
+
+fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn: Option<Turn>) -> Outcome {
+    let assumptions = Assumptions::new(pool, &task.problem.assumptions);
+    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(task.work);
+    let mut proof = Proof::new(pool, &mut tower, assumptions, differences, turn);
+    let explored = proof.explore(&[]);
+    match explored {
+        Ok(Outcome::NotZero) => match tower.nested_radical() {
+            Some(radical) => {
+                let radical = tower.raise(pool, &radical);
+                Outcome::Outside(format!("{OUTSIDE}: the nested radical {}", pool.text(radical)))
+            }
+            None => Outcome::NotZero,
+        },
         Ok(outcome) => outcome,
         Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
-        Err(Obstacle::Outside(part)) => {
-            Outcome::Outside(format!("outside the class that is decided: {part}"))
-        }
+        Err(Obstacle::Outside(part)) => Outcome::Outside(format!("{OUTSIDE}: {part}")),
         Err(Obstacle::TooLarge(limit)) => Outcome::Outside(format!("the normal form is too large: {limit}")),
         Err(Obstacle::Refine) => Outcome::Outside("its radicands could not be factored".into()),
     }
 }
+
+const OUTSIDE: &str = "outside the class that is decided";
 
 /// The cases in which the normal forms are zero, by the signs that tell them apart; nothing if that is no proof.
 pub(super) fn settled_cases(
@@ -54,7 +93,7 @@ pub(super) fn settled_cases(
 ) -> Option<Vec<Vec<(usize, Sign)>>> {
     let assumptions = Assumptions::new(pool, &problem.assumptions);
     let differences = problem.differences();
-    let mut proof = Proof { pool, tower, differences, assumptions, cases: 0, settled: Vec::new() };
+    let mut proof = Proof::new(pool, tower, assumptions, differences, None);
     let outcome = proof.explore(&[]);
     (outcome == Ok(Outcome::Zero)).then_some(proof.settled)
 }
@@ -65,13 +104,24 @@ struct Proof<'a> {
     pool: &'a Pool,
     tower: &'a mut Tower,
     differences: Vec<Expr>,
+    turn: Option<Turn>,
     assumptions: Assumptions,
     cases: usize,
     /// The signs of the cases in which everything is zero.
     settled: Vec<Vec<(usize, Sign)>>,
 }
 
-impl Proof<'_> {
+impl<'a> Proof<'a> {
+    fn new(
+        pool: &'a Pool,
+        tower: &'a mut Tower,
+        assumptions: Assumptions,
+        differences: Vec<Expr>,
+        turn: Option<Turn>,
+    ) -> Self {
+        Proof { pool, tower, differences, turn, assumptions, cases: 0, settled: Vec::new() }
+    }
+
     /// Decides where the given signs hold, going through the cases of those that are open.
     fn explore(&mut self, given: &[(usize, Sign)]) -> Result<Outcome, Obstacle> {
         self.cases += 1;
@@ -84,7 +134,7 @@ impl Proof<'_> {
             Err(Obstacle::DivisionByZero) => return Ok(Outcome::Empty(DIVIDES_BY_ZERO.into())),
             Err(obstacle) => return Err(obstacle),
         }
-        let cases = match self.assumptions.cases(self.tower, self.pool, &self.differences, given)? {
+        let cases = match self.assumptions.cases(self.tower, self.pool, &self.expressions(), given)? {
             Cases::Empty => return Ok(Outcome::Empty("no point meets its conditions".into())),
             Cases::Signs(cases) if cases.iter().all(Vec::is_empty) => return Ok(Outcome::NotZero),
             Cases::Signs(cases) if self.cases + cases.len() <= MOST_CASES => cases,
@@ -108,14 +158,28 @@ impl Proof<'_> {
     /// The filter first, then the exact normal forms; nothing where they depend on an open sign.
     fn settle(&mut self, given: &[(usize, Sign)]) -> Result<Option<Outcome>, Obstacle> {
         self.tower.fix_signs(given);
-        let prepared = normalise(self.tower, self.pool, &self.differences)?;
+        let prepared = normalise(self.tower, self.pool, &self.expressions())?;
         if !prepared.open.is_empty() {
             return Ok(None);
         }
-        if prepared.certainly_not_zero(self.tower, self.pool).contains(&true) {
+        let count = self.differences.len();
+        if prepared.certainly_not_zero(self.tower, self.pool)[..count].contains(&true) {
             return Ok(Some(Outcome::NotZero));
         }
-        let zero = prepared.exact(self.tower, self.pool)?.iter().all(Fraction::is_zero);
-        Ok(Some(if zero { Outcome::Zero } else { Outcome::NotZero }))
+        let zero = prepared.exact(self.tower, self.pool)?[..count].iter().all(Fraction::is_zero);
+        let proved = zero && self.angle_keeps_within_a_turn(given)?;
+        Ok(Some(if proved { Outcome::Zero } else { Outcome::NotZero }))
+    }
+
+    fn angle_keeps_within_a_turn(&mut self, given: &[(usize, Sign)]) -> Result<bool, Obstacle> {
+        let Some(turn) = &self.turn else { return Ok(true) };
+        let range = self.assumptions.range(self.tower, self.pool, turn.angle, given)?;
+        Ok(range.is_within(2, 1))
+    }
+
+    /// The differences, then what else has to have known signs.
+    fn expressions(&self) -> Vec<Expr> {
+        let signs = self.turn.iter().flat_map(|turn| &turn.signs);
+        self.differences.iter().chain(signs).copied().collect()
     }
 }

@@ -4,11 +4,10 @@ use super::problem::Problem;
 use super::verdict::{Theorem, Witness};
 use super::witness::Difference;
 use crate::assume::{Assumptions, Cases, Facts};
-use crate::expression::{Condition, Expr, Node, Operation, Pool};
+use crate::expression::{Condition, Expr, Nature, Node, Pool};
 use crate::normal::{Fraction, Sign, Tower, Trigonometry, normalise};
 use crate::syntax::ast::Relation;
-use num_traits::{Signed, Zero};
-use rustc_hash::FxHashMap;
+use num_traits::Zero;
 
 /// Products of terms that a simplification for the eye may cost; a proof may cost more.
 const SIMPLIFICATION_WORK: u64 = 20_000;
@@ -159,30 +158,5 @@ fn core(pool: &mut Pool, condition: &Condition) -> (Expr, bool) {
 
 /// Whether an expression is seen to be never negative (or never zero) from how it is written.
 fn holds_by_nature(pool: &Pool, expression: Expr, strict: bool) -> bool {
-    let mut signs: FxHashMap<Expr, Nature> = FxHashMap::default();
-    for part in pool.reachable(&[expression]) {
-        let of = |operand: &Expr| signs[operand];
-        let nature = match pool.node(part) {
-            Node::Number(value) if value.is_positive() => Nature::Positive,
-            Node::Number(value) if value.is_zero() => Nature::NotNegative,
-            Node::Pi | Node::Apply(Operation::Exp | Operation::Cosh, _) => Nature::Positive,
-            Node::Apply(Operation::Abs, _) => Nature::NotNegative,
-            Node::Add(a, b) if of(a) != Nature::Open && of(b) != Nature::Open => of(a).max(of(b)),
-            Node::Multiply(a, b) | Node::Divide(a, b) => of(a).min(of(b)),
-            Node::Power(a, _) if of(a) == Nature::Positive => Nature::Positive,
-            Node::Power(_, r) if !r.is_integer() || r.numer() % 2 == 0 => Nature::NotNegative,
-            Node::Power(a, _) => of(a),
-            _ => Nature::Open,
-        };
-        signs.insert(part, nature);
-    }
-    signs[&expression] >= if strict { Nature::Positive } else { Nature::NotNegative }
-}
-
-/// What is seen of a sign.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Nature {
-    Open,
-    NotNegative,
-    Positive,
+    pool.nature(expression) >= if strict { Nature::Positive } else { Nature::NotNegative }
 }

@@ -2,7 +2,8 @@
 
 use super::scribe::{Formula, Scribe};
 use super::{Line, Step};
-use crate::decide::{Bound, Cancellation, Case, account};
+use crate::decide::{Bound, Cancellation, Case, account, vanishing_angles};
+use crate::expression::{Expr, Operation};
 use crate::normal::Sign;
 use crate::resolve::Statement;
 
@@ -12,12 +13,39 @@ const LONGEST_SUM: usize = 160;
 /// Numerators with a longer one among them are told by their number.
 const LONGEST_NUMERATOR: usize = 400;
 
-/// A step for each case of a proof by normal forms.
+/// A step for each case of a proof by normal forms, or for each angle that vanishes.
 pub(super) fn steps(scribe: &mut Scribe, statement: &Statement) -> Vec<Step> {
-    let Some(account) = account(scribe.theory, statement) else { return vec![] };
+    let Some(account) = account(scribe.theory, statement) else {
+        let angles = vanishing_angles(scribe.theory, statement);
+        return angles.into_iter().map(|angle| vanishing(scribe, angle)).collect();
+    };
     let several = account.cases.len() > 1;
     let cases = account.cases.iter().enumerate();
     cases.map(|(number, case)| step(scribe, case, several.then_some(number + 1))).collect()
+}
+
+/// sin D = 0, cos D = 1, −2π < D < 2π
+fn vanishing(scribe: &mut Scribe, angle: Expr) -> Step {
+    let pool = &mut scribe.theory.pool;
+    let (sine, cosine) = (pool.apply(Operation::Sin, &[angle]), pool.apply(Operation::Cos, &[angle]));
+    let [angle, sine, cosine] = [angle, sine, cosine].map(|expression| scribe.plain(expression));
+    let equals = |side: &Formula, value: &str| {
+        Line::Formula(Formula::new(format!("{} = {value}", side.text), format!("{} = {value}", side.latex)))
+    };
+    let range =
+        Formula::new(format!("-2*pi < {} < 2*pi", angle.text), format!("-2\\pi < {} < 2\\pi", angle.latex));
+    let lines = vec![
+        Line::Words(
+            "The inverse functions are angles whose sines and cosines are algebraic. By normal form".into(),
+        ),
+        equals(&sine, "0"),
+        equals(&cosine, "1"),
+        Line::Words("so that the angle is a multiple of a full turn; their principal values give".into()),
+        Line::Formula(range),
+        Line::Words("and the only multiple in this range is".into()),
+        equals(&angle, "0"),
+    ];
+    Step::new("Left minus right, as an angle", lines)
 }
 
 fn step(scribe: &mut Scribe, case: &Case, number: Option<usize>) -> Step {

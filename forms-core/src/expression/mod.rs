@@ -14,6 +14,7 @@ mod build;
 mod condition;
 mod derivative;
 mod domain;
+mod nature;
 mod node;
 mod operation;
 mod relation;
@@ -21,6 +22,7 @@ mod substitution;
 mod text;
 
 pub use condition::Condition;
+pub(crate) use nature::Nature;
 pub use node::{Expr, FunctionId, Node, Pool, Rational, Seam, Symbol, SymbolKind, Unknown};
 pub use operation::{Meaning, Operation, Row, TABLE};
 pub use substitution::Substitution;

@@ -36,6 +36,13 @@ impl Pool {
         expressions.iter().map(|expression| images[expression]).collect()
     }
 
+    /// The expression with some of its parts replaced by others.
+    pub(crate) fn replace(&mut self, expression: Expr, parts: &FxHashMap<Expr, Expr>) -> Expr {
+        let nodes: FxHashMap<Node, Expr> =
+            parts.iter().map(|(part, image)| (self.node(*part).clone(), *image)).collect();
+        self.replace_all(&[expression], |node, _| nodes.get(node).copied())[0]
+    }
+
     /// The same operation on the images of its operands.
     fn image(&mut self, expression: Expr, node: Node, images: &FxHashMap<Expr, Expr>) -> Expr {
         let of = |operand: &Expr| images[operand];

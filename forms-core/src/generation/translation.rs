@@ -208,8 +208,11 @@ mod tests {
 
     #[test]
     fn what_is_outside_the_class_is_not_called_proved() {
-        let mut theory =
-            theory("kernel k(x) = log(x**2)*(x + 1); kernel l(x) = 2*log(x)*(x + 1) where x > 0;");
+        // Ramanujan: (2^(1/3) − 1)^(1/3) = (1/9)^(1/3) − (2/9)^(1/3) + (4/9)^(1/3)
+        let mut theory = theory(
+            "kernel k(x) = (2**(1/3) - 1)**(1/3)*x;
+             kernel l(x) = ((1/9)**(1/3) - (2/9)**(1/3) + (4/9)**(1/3))*x where x > 0;",
+        );
         let (kernel, other) = (theory.kernels[0].clone(), theory.kernels[1].clone());
         let pairs = [(other.outputs[0], kernel.outputs[0])];
         let x = [(kernel.arguments[0], theory.pool.symbol(other.arguments[0]))].into_iter().collect();

@@ -1,4 +1,4 @@
-//! Sines, cosines and exponentials of rational combinations of quantities.
+//! Sines and cosines of rational combinations of quantities.
 //!
 //! An argument Σ qₖ mₖ with rational qₖ is written in units uₖ = mₖ/dₖ, so that every sine and cosine in one
 //! comparison is a polynomial in the functions of integer multiples of the same units.
@@ -16,14 +16,14 @@ use num_traits::ToPrimitive;
 const LARGEST_MULTIPLE: u32 = 48;
 
 /// An angle of more parts is not expanded: its sine has twice the terms with each of them.
-const MOST_PARTS: usize = 6;
+const MOST_PARTS: usize = 10;
 
 /// cos and sin of one angle.
-type Point = (Fraction, Fraction);
+pub(super) type Point = (Fraction, Fraction);
 
 impl Tower {
     /// The quantities an element is a rational combination of.
-    pub(super) fn linear_parts(
+    pub(crate) fn linear_parts(
         &mut self,
         argument: &Fraction,
     ) -> Result<Vec<(Quantity, Rational)>, Obstacle> {
@@ -67,12 +67,13 @@ impl Tower {
         }
         let mut point = (Fraction::one(), Fraction::zero());
         for (quantity, coefficient) in self.linear_parts(argument)? {
-            let next = match self.turn(&quantity, &coefficient) {
-                Some(quarter) => quarter,
-                None => {
-                    let (unit, multiple) = self.multiple(&quantity, &coefficient)?;
-                    self.multiple_angle(unit, multiple)?
-                }
+            let next = if self.is_pi(&quantity) {
+                self.corner(&coefficient)?
+            } else if let Some(arc) = self.arc_of(&quantity) {
+                self.multiple_of_arc(arc, &coefficient)?
+            } else {
+                let (unit, multiple) = self.multiple(&quantity, &coefficient)?;
+                self.multiple_angle(unit, multiple)?
             };
             point = self.angle_sum(&point, &next)?;
         }
@@ -80,27 +81,10 @@ impl Tower {
     }
 
     /// cos(a + b) = cos a cos b − sin a sin b, sin(a + b) = sin a cos b + cos a sin b
-    fn angle_sum(&mut self, a: &Point, b: &Point) -> Result<Point, Obstacle> {
+    pub(super) fn angle_sum(&mut self, a: &Point, b: &Point) -> Result<Point, Obstacle> {
         let (cc, ss) = (self.multiply(&a.0, &b.0)?, self.multiply(&a.1, &b.1)?);
         let (sc, cs) = (self.multiply(&a.1, &b.0)?, self.multiply(&a.0, &b.1)?);
         Ok((self.subtract(&cc, &ss)?, self.add(&sc, &cs)?))
-    }
-
-    /// Multiples of π/2 are points with coordinates 0 and ±1.
-    fn turn(&self, quantity: &Quantity, coefficient: &Rational) -> Option<Point> {
-        let [(variable, 1)] = quantity.monomial.as_slice() else { return None };
-        if !quantity.factors.is_empty() || *self.generator(*variable) != Generator::Pi {
-            return None;
-        }
-        let quarters = coefficient * Rational::from_integer(2.into());
-        if !quarters.is_integer() {
-            return None;
-        }
-        let quarter = quarters.to_integer().mod_floor(&4.into()).to_usize()?;
-        let coordinate = |value: i64| Fraction::from(Polynomial::integer(value));
-        let cosines = [1, 0, -1, 0];
-        let sines = [0, 1, 0, -1];
-        Some((coordinate(cosines[quarter]), coordinate(sines[quarter])))
     }
 
     /// e^(imu) as a polynomial in c, s or as (1 + it)²ᵐ/(1 + t²)ᵐ.
@@ -131,27 +115,6 @@ impl Tower {
             self.cancel(numerator, 1.into(), vec![FactorPower { factor: norm, exponent: times as i32 }])
         };
         Ok((over(re), over(im)))
-    }
-
-    /// exp q as a product of integer powers of generators.
-    pub(super) fn exponential(&mut self, argument: &Fraction) -> Result<Fraction, Obstacle> {
-        let mut product = Fraction::one();
-        for (quantity, coefficient) in self.linear_parts(argument)? {
-            let (unit, multiple) = self.multiple(&quantity, &coefficient)?;
-            let generator = self.element(Generator::Exponential(unit));
-            let power = self.integer_power(&generator, multiple)?;
-            product = self.multiply(&product, &power)?;
-        }
-        Ok(product)
-    }
-
-    /// sinh, cosh: (e^q ∓ e^−q)/2
-    pub(super) fn hyperbolic(&mut self, argument: &Fraction) -> Result<Point, Obstacle> {
-        let up = self.exponential(argument)?;
-        let down = self.inverse(&up)?;
-        let half = Fraction::number(&Rational::new(1.into(), 2.into()));
-        let (sum, difference) = (self.add(&up, &down)?, self.subtract(&up, &down)?);
-        Ok((self.multiply(&half, &sum)?, self.multiply(&half, &difference)?))
     }
 }
 

@@ -1,7 +1,7 @@
 //! The tower as a ring of coefficients: partial derivatives of fractions.
 //!
 //! D(N ∏ Fᵉ⁻) = (DN ∏F − N Σ eⱼ DFⱼ ∏_{i≠j} Fᵢ) / ∏ Fᵉ⁺¹, with Dρ = Df ρ/(n f) for ρⁿ = f, Dcos u = −sin u Du,
-//! Dsin u = cos u Du, Dtan(u/2) = (1 + tan²(u/2)) Du/2, Dexp u = exp u Du, and the chain rule for jets.
+//! Dsin u = cos u Du, Dtan(u/2) = (1 + tan²(u/2)) Du/2, Dexp u = exp u Du, Dlog|g| = Dg/g, and the chain rule for jets.
 
 use super::factor::FactorPower;
 use super::fraction::Fraction;
@@ -78,7 +78,7 @@ impl Tower {
     fn derivative_of_generator(&mut self, variable: u32, by: Symbol) -> Result<Fraction, Obstacle> {
         match self.generator(variable).clone() {
             Generator::Variable(symbol) => Ok(if symbol == by { Fraction::one() } else { Fraction::zero() }),
-            Generator::Pi => Ok(Fraction::zero()),
+            Generator::Pi | Generator::Chord { .. } => Ok(Fraction::zero()),
             Generator::Jet { function, orders, arguments } => {
                 let mut sum = Fraction::zero();
                 for (place, argument) in arguments.iter().enumerate() {
@@ -117,6 +117,7 @@ impl Tower {
                 self.times_derivative_of_unit(&itself, &unit, by)
             }
             Generator::Root { .. } => self.derivative_of_root(variable, by),
+            Generator::Logarithm { base } => self.derivative_of_logarithm(base, by),
             Generator::Opaque { operation, arguments } => {
                 self.derivative_of_opaque(operation, &arguments, by)
             }
@@ -151,11 +152,8 @@ impl Tower {
 
     /// A quantity as a fraction.
     pub(super) fn quantity(&self, quantity: &Quantity) -> Fraction {
-        Fraction {
-            numerator: Polynomial::one().multiply_by_monomial(&quantity.monomial),
-            divisor: One::one(),
-            factors: quantity.factors.clone(),
-        }
+        let numerator = Polynomial::one().multiply_by_monomial(&quantity.monomial);
+        self.cancel(numerator, One::one(), quantity.factors.clone())
     }
 
     /// Dρ = ρ Df/(n f) = Df/(n ρⁿ⁻¹)
@@ -169,6 +167,17 @@ impl Tower {
             factors: vec![FactorPower { factor: root, exponent: relation.order as i32 - 1 }],
         };
         self.multiply(&inner, &outer)
+    }
+
+    /// D log|g| = Dg/g
+    fn derivative_of_logarithm(&mut self, base: usize, by: Symbol) -> Result<Fraction, Obstacle> {
+        let argument = self.bases[base].polynomial.clone();
+        let inner = self.derivative_of_polynomial(&argument, by)?;
+        if inner.is_zero() {
+            return Ok(inner);
+        }
+        let outer = self.inverse(&argument.into())?;
+        self.multiply(&outer, &inner)
     }
 
     fn derivative_of_opaque(
@@ -185,10 +194,6 @@ impl Tower {
             return Ok(Fraction::zero());
         }
         match operation {
-            Operation::Log => {
-                let outer = self.inverse(&arguments[0])?;
-                self.multiply(&outer, &inner[0])
-            }
             Operation::Atan => {
                 let square = self.multiply(&arguments[0], &arguments[0])?;
                 let norm = self.add(&Fraction::one(), &square)?;

@@ -161,7 +161,10 @@ impl Tower {
 
     /// For a factor F with square roots in it: G with F G = n free of roots, so that N/F = N G/n.
     /// One root after the other: (A + Bρ)(A − Bρ) = A² − B² f.
-    fn conjugate(&mut self, factor: &Polynomial) -> Result<Option<(Polynomial, Polynomial)>, Obstacle> {
+    pub(super) fn conjugate(
+        &mut self,
+        factor: &Polynomial,
+    ) -> Result<Option<(Polynomial, Polynomial)>, Obstacle> {
         let (mut conjugate, mut norm) = (Polynomial::one(), factor.clone());
         let mut found = false;
         while let Some(relation) = self.relations.iter().rev().find(|r| norm.contains(r.variable)).cloned() {
@@ -234,7 +237,7 @@ impl Tower {
     }
 
     /// N/ρ; for a bound ρ with ρⁿ = f: (Σ A_k ρᵏ)/ρ = Σ_{k≥1} A_k ρᵏ⁻¹ + (A₀/f) ρⁿ⁻¹ where f divides A₀.
-    fn divide_by_generator(&self, numerator: &Polynomial, variable: u32) -> Option<Polynomial> {
+    pub(super) fn divide_by_generator(&self, numerator: &Polynomial, variable: u32) -> Option<Polynomial> {
         if let Some(quotient) = numerator.divide_by_monomial(&[(variable, 1)]) {
             return Some(quotient);
         }

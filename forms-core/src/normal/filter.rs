@@ -59,6 +59,7 @@ fn point(tower: &Tower, random: &mut SplitMix) -> Option<Vec<u64>> {
             (Generator::Root { .. }, Some(relation)) => {
                 root(relation.value.evaluate_modular(&values), relation.order)?
             }
+            (Generator::Chord { .. }, _) => return None,
             (Generator::Sine(_), _) => values[number],
             (Generator::Cosine(unit), _) => {
                 let t = modular::reduce(random.next());

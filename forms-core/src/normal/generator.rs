@@ -25,13 +25,25 @@ pub struct Unit {
     pub(super) divisor: u32,
 }
 
-impl Unit {
-    /// The one variable that is divided, if the quantity is no more than that.
-    pub fn as_variable(&self) -> Option<u32> {
-        match (self.quantity.monomial.as_slice(), self.quantity.factors.as_slice()) {
-            ([(variable, 1)], []) => Some(*variable),
+impl Quantity {
+    /// The product of generators, if nothing is divided by.
+    pub(crate) fn as_monomial(&self) -> Option<&[(u32, u32)]> {
+        self.factors.is_empty().then_some(&self.monomial)
+    }
+
+    /// The one generator that it is, if it is no more than that.
+    pub(super) fn as_variable(&self) -> Option<u32> {
+        match self.as_monomial()? {
+            [(variable, 1)] => Some(*variable),
             _ => None,
         }
+    }
+}
+
+impl Unit {
+    /// The product of generators that is divided into parts, if it has no denominator of its own.
+    pub fn as_monomial(&self) -> Option<&[(u32, u32)]> {
+        self.quantity.as_monomial()
     }
 
     /// Into how many parts the quantity is divided.
@@ -56,6 +68,13 @@ pub enum Generator {
         /// Where it is taken.
         arguments: Vec<Fraction>,
     },
+    /// 2 cos(2π/q) or 2 sin(2π/q), bound by its minimal polynomial
+    Chord {
+        /// q
+        sides: u32,
+        /// Whether it is the sine.
+        sine: bool,
+    },
     /// cos u
     Cosine(Unit),
     /// sin u, bound by sin² u = 1 − cos² u
@@ -72,6 +91,11 @@ pub enum Generator {
         order: u32,
         /// Whether the root is of −g.
         negated: bool,
+    },
+    /// log |g| for the base g of that number
+    Logarithm {
+        /// The base's number.
+        base: usize,
     },
     /// A function of the op table that nothing more is known of.
     Opaque {

@@ -3,7 +3,7 @@
 //! ```text
 //! structured expressions ── normalise ──▶ Fraction = polynomial / known factors
 //!                              │  tower of generators: variables, jets, roots, circle or half-angle
-//!                              │  functions, exponentials, opaque atoms
+//!                              │  functions, exponentials, logarithms, opaque atoms
 //!                              └─ filter: the same walk modulo a prime, at random points
 //! ```
 //! A generator is either free or bound by one relation ρⁿ = f with f in earlier generators. An expression is
@@ -12,19 +12,29 @@
 //! zero needs no greatest common divisor.
 
 mod angle;
+mod arc;
+mod chord;
 mod common;
+mod cube;
 mod derivation;
+mod exponential;
 mod factor;
+mod factored;
 mod filter;
 mod fraction;
 mod generator;
+mod nested;
 mod normalise;
+mod polygon;
 mod quotient_rule;
 mod raise;
 mod root;
 mod terms;
 mod tower;
+mod univariate;
 
+pub(crate) use arc::is_arc;
+pub(crate) use chord::chord_bounds;
 pub use common::Together;
 pub use derivation::Normal;
 pub use fraction::Fraction;
@@ -34,3 +44,4 @@ pub use root::{Base, Sign, SignConstraint};
 pub use terms::{Term, Terms};
 pub(crate) use tower::WORK_LIMIT;
 pub use tower::{Obstacle, Tower, Trigonometry};
+pub(crate) use univariate::{RationalFunction, Univariate};

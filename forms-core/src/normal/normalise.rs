@@ -7,7 +7,7 @@ use super::fraction::Fraction;
 use super::generator::Generator;
 use super::root::SignConstraint;
 use super::tower::{Obstacle, Tower};
-use crate::expression::{Expr, FunctionId, Node, Operation, Pool, Rational};
+use crate::expression::{Expr, FunctionId, Node, Operation, Pool};
 use num_rational::Ratio;
 use num_traits::{One, Signed};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -198,7 +198,9 @@ impl Walk<'_> {
             return if exponent.is_positive() { Ok(base) } else { Err(Obstacle::DivisionByZero) };
         }
         let (power, constraint) = self.tower.magnitude_power(&base, exponent)?;
-        self.tower.constrain(operand, constraint);
+        if let Some(constraint) = constraint {
+            self.tower.constrain(operand, constraint);
+        }
         Ok(power)
     }
 
@@ -207,10 +209,7 @@ impl Walk<'_> {
         match operation {
             Operation::Sin => Ok(self.tower.circular(&argument)?.1),
             Operation::Cos => Ok(self.tower.circular(&argument)?.0),
-            Operation::Tan => {
-                let (cosine, sine) = self.tower.circular(&argument)?;
-                self.quotient(&sine, &cosine)
-            }
+            Operation::Tan => self.tower.tangent(&argument),
             Operation::Exp => self.tower.exponential(&argument),
             Operation::Sinh => Ok(self.tower.hyperbolic(&argument)?.1),
             Operation::Cosh => Ok(self.tower.hyperbolic(&argument)?.0),
@@ -221,10 +220,8 @@ impl Walk<'_> {
             Operation::Abs if argument.is_zero() => Ok(argument),
             Operation::Abs => Ok(self.tower.magnitude_power(&argument, Ratio::one())?.0),
             Operation::Asin | Operation::Atan if argument.is_zero() => Ok(argument),
-            Operation::Log if argument.as_number().is_some_and(|value| value == Rational::one()) => {
-                Ok(Fraction::zero())
-            }
-            Operation::Asin | Operation::Acos | Operation::Atan | Operation::Atan2 | Operation::Log => {
+            Operation::Log => self.tower.logarithm(&argument),
+            Operation::Asin | Operation::Acos | Operation::Atan | Operation::Atan2 => {
                 self.opaque(operation, arguments)
             }
         }

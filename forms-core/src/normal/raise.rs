@@ -2,6 +2,7 @@
 
 use super::fraction::Fraction;
 use super::generator::{Generator, Unit};
+use super::root::{Base, Sign};
 use super::tower::Tower;
 use crate::expression::{Expr, Operation, Pool, Rational};
 use crate::polynomial::Polynomial;
@@ -85,6 +86,12 @@ impl Tower {
         let base = match self.generator(variable).clone() {
             Generator::Variable(symbol) => pool.symbol(symbol),
             Generator::Pi => pool.pi(),
+            Generator::Chord { sides, sine } => {
+                let (part, pi, two) = (pool.ratio(2, i64::from(sides)), pool.pi(), pool.integer(2));
+                let angle = pool.multiply(part, pi);
+                let half = pool.apply(if sine { Operation::Sin } else { Operation::Cos }, &[angle]);
+                pool.multiply(two, half)
+            }
             Generator::Jet { function, orders, arguments } => {
                 let arguments: Vec<Expr> = arguments.iter().map(|a| self.raise(pool, a)).collect();
                 pool.jet(function, &orders, &arguments)
@@ -98,6 +105,16 @@ impl Tower {
                 let radicand = if negated { polynomial.neg() } else { polynomial.clone() };
                 let radicand = self.raise_polynomial(pool, &radicand);
                 return pool.power(radicand, n / Ratio::from_integer(i64::from(order)));
+            }
+            Generator::Logarithm { base } => {
+                let Base { polynomial, sign, .. } = &self.bases[base];
+                let argument = match sign {
+                    Some(Sign::Negative) => self.raise_polynomial(pool, &polynomial.neg()),
+                    _ => self.raise_polynomial(pool, polynomial),
+                };
+                let is_positive = sign.is_some() || polynomial.as_constant().is_some();
+                let magnitude = if is_positive { argument } else { pool.apply(Operation::Abs, &[argument]) };
+                pool.apply(Operation::Log, &[magnitude])
             }
             Generator::Opaque { operation, arguments } => {
                 let arguments: Vec<Expr> = arguments.iter().map(|a| self.raise(pool, a)).collect();

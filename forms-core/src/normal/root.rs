@@ -2,9 +2,11 @@
 //!
 //! For a radicand c ∏ gᵢ^eᵢ (basis factors gᵢ, signs σᵢ with σᵢ gᵢ ≥ 0 in the region considered)
 //! |c ∏ gᵢ^eᵢ|^r = |c|^r ∏ (σᵢ gᵢ)^(r eᵢ), and (σᵢ gᵢ)^(1/n) is a generator. A factor whose sign matters and
-//! is not known is reported; whoever decides goes through the cases.
+//! is not known is reported; whoever decides goes through the cases. Exponentials are factors of no basis: their
+//! powers are exponentials. The same factors are those of logarithms.
 
 use super::factor::FactorPower;
+use super::factored::{Factored, Power};
 use super::fraction::Fraction;
 use super::generator::Generator;
 use super::tower::{Obstacle, Tower, Trigonometry};
@@ -62,68 +64,33 @@ pub struct SignConstraint {
     pub other: Vec<usize>,
 }
 
-/// gᵉ with rational e. Beside factors g themselves it may come from roots of ±g, which are not negative.
-struct Power {
-    base: usize,
-    exponent: Ratio<i64>,
-    /// Whether g itself, apart from its roots, occurs to an odd power, so that the product has its sign.
-    odd: bool,
-}
-
-/// c ∏ gᵢ^eᵢ
-struct Factored {
-    constant: BigInt,
-    powers: Vec<Power>,
-}
-
-impl Factored {
-    /// Multiplies by gᵉ for an integer e.
-    fn raise(&mut self, base: usize, exponent: Ratio<i64>) {
-        self.multiply(Power { base, exponent, odd: exponent.numer().is_odd() });
-    }
-
-    /// Multiplies by (±g)ᵉ, a power of a root.
-    fn raise_root(&mut self, base: usize, exponent: Ratio<i64>) {
-        self.multiply(Power { base, exponent, odd: false });
-    }
-
-    fn multiply(&mut self, factor: Power) {
-        match self.powers.iter_mut().find(|power| power.base == factor.base) {
-            Some(power) => {
-                power.exponent += factor.exponent;
-                power.odd ^= factor.odd;
-            }
-            None => self.powers.push(factor),
-        }
-    }
-
-    fn drop_neutral(&mut self) {
-        self.powers.retain(|power| power.odd || !power.exponent.is_zero());
-    }
-
-    fn constraint(&self) -> SignConstraint {
-        let (odd, other): (Vec<&Power>, Vec<&Power>) = self.powers.iter().partition(|power| power.odd);
-        let numbers = |powers: Vec<&Power>| powers.into_iter().map(|power| power.base).collect();
-        SignConstraint { negative: self.constant.is_negative(), odd: numbers(odd), other: numbers(other) }
-    }
-}
-
 impl Tower {
-    /// |q|^r for q ≠ 0, with the sign constraint of q itself.
+    /// |q|^r for q ≠ 0, with the sign constraint of q itself unless that depends on an open sign.
     pub(super) fn magnitude_power(
         &mut self,
         q: &Fraction,
         r: Ratio<i64>,
-    ) -> Result<(Fraction, SignConstraint), Obstacle> {
-        let mut factored = self.factor_radicand(q)?;
-        let constraint = factored.constraint();
-        self.factor_constant(&mut factored, &q.divisor);
-        let mut result = Fraction::one();
+    ) -> Result<(Fraction, Option<SignConstraint>), Obstacle> {
+        let before = self.signs_asked();
+        let factored = self.factor_radicand(q)?;
+        let constraint = (self.signs_asked() == before).then(|| factored.constraint());
+        let factored = self.with_numbers(factored, &q.divisor);
+        let exponentials: Vec<_> = factored.exponentials.iter().map(|&(v, e)| (v, e * r)).collect();
+        let exponent = self.exponent_of(&exponentials)?;
+        let mut result = self.exponential(&exponent)?;
         for Power { base, exponent, .. } in factored.powers {
             let power = self.base_power(base, exponent * r)?;
             result = self.multiply(&result, &power)?;
         }
         Ok((result, constraint))
+    }
+
+    /// |q| over the basis, the numbers in front among its factors.
+    pub(super) fn factor_magnitude(&mut self, q: &Fraction) -> Result<Factored, Obstacle> {
+        let factored = self.factor_radicand(q)?;
+        let mut factored = self.with_numbers(factored, &q.divisor);
+        factored.powers.retain(|power| !power.exponent.is_zero());
+        Ok(factored)
     }
 
     /// The sign constraint of an element over the bases known so far.
@@ -132,7 +99,7 @@ impl Tower {
     }
 
     /// (σ g)^e by the root of g, or by g itself where e is an integer.
-    fn base_power(&mut self, base: usize, exponent: Ratio<i64>) -> Result<Fraction, Obstacle> {
+    pub(super) fn base_power(&mut self, base: usize, exponent: Ratio<i64>) -> Result<Fraction, Obstacle> {
         let order = u32::try_from(*exponent.denom()).ok().filter(|n| *n <= LARGEST_ORDER);
         let order =
             order.ok_or_else(|| Obstacle::Outside(format!("a root of order {}", exponent.denom())))?;
@@ -171,7 +138,7 @@ impl Tower {
 
     /// Whether −g is the positive one; asks for the sign unless an even power makes it irrelevant.
     fn base_is_negative(&mut self, base: usize, exponent: Ratio<i64>) -> bool {
-        if self.bases[base].polynomial.as_constant().is_some() {
+        if self.is_manifestly_positive(&self.bases[base].polynomial) {
             return false;
         }
         if exponent.is_integer() && exponent.numer().is_even() {
@@ -199,21 +166,31 @@ impl Tower {
 
     /// Numerator and denominator over the basis of radicands; new factors join it.
     fn factor_radicand(&mut self, q: &Fraction) -> Result<Factored, Obstacle> {
-        let mut factored = Factored { constant: BigInt::one(), powers: Vec::new() };
-        self.factor_polynomial_into(&q.numerator, Ratio::one(), &mut factored)?;
-        for power in &q.factors {
-            let (polynomial, exponent) = (self.factor_polynomial(power.factor).clone(), power.exponent);
-            self.factor_polynomial_into(
-                &polynomial,
-                -Ratio::from_integer(i64::from(exponent)),
-                &mut factored,
-            )?;
-        }
+        let mut factored =
+            Factored { constant: BigInt::one(), powers: Vec::new(), exponentials: Vec::new(), denested: 0 };
+        self.factor_fraction_into(q, Ratio::one(), &mut factored)?;
         factored.drop_neutral();
         Ok(factored)
     }
 
-    fn factor_polynomial_into(
+    /// Multiplies by qᵉ, but for the number below.
+    pub(super) fn factor_fraction_into(
+        &mut self,
+        q: &Fraction,
+        exponent: Ratio<i64>,
+        factored: &mut Factored,
+    ) -> Result<(), Obstacle> {
+        self.factor_polynomial_into(&q.numerator, exponent, factored)?;
+        for power in &q.factors {
+            let polynomial = self.factor_polynomial(power.factor).clone();
+            let below = -exponent * Ratio::from_integer(i64::from(power.exponent));
+            self.factor_polynomial_into(&polynomial, below, factored)?;
+        }
+        Ok(())
+    }
+
+    /// Multiplies by fᵉ.
+    pub(super) fn factor_polynomial_into(
         &mut self,
         polynomial: &Polynomial,
         exponent: Ratio<i64>,
@@ -229,11 +206,9 @@ impl Tower {
         let primitive = polynomial.primitive_part();
         let rest = primitive.divide_by_monomial(&monomial).unwrap_or(primitive);
         let known = self.bases.iter().any(|base| !base.retired && base.polynomial == rest);
-        let (content, parts) = if known || bound.iter().any(|&v| rest.contains(v)) {
-            (BigInt::one(), vec![(rest, 1)])
-        } else {
-            rest.square_free()
-        };
+        let nested = bound.iter().any(|&v| rest.contains(v));
+        let (content, parts) =
+            if known || nested { (BigInt::one(), vec![(rest, 1)]) } else { rest.square_free() };
         let sign = if polynomial.leading_coefficient().is_negative() { -1 } else { 1 };
         let constant = polynomial.content() * sign * content.abs();
         self.multiply_constant(factored, &constant, exponent);
@@ -244,14 +219,23 @@ impl Tower {
         for (part, power) in parts {
             if part.as_constant().is_none() {
                 let power = exponent * Ratio::from_integer(i64::from(power));
-                self.raise_part(&part, power, factored)?;
+                if nested && !known {
+                    self.raise_nested(&part, power, factored)?;
+                } else {
+                    self.raise_part(&part, power, factored)?;
+                }
             }
         }
         Ok(())
     }
 
     /// The constant of a denominator goes to the numerator with the same sign and the same root.
-    fn multiply_constant(&mut self, factored: &mut Factored, constant: &BigInt, exponent: Ratio<i64>) {
+    pub(super) fn multiply_constant(
+        &mut self,
+        factored: &mut Factored,
+        constant: &BigInt,
+        exponent: Ratio<i64>,
+    ) {
         if constant.is_negative() && exponent.numer().is_odd() {
             factored.constant = -&factored.constant;
         }
@@ -269,15 +253,28 @@ impl Tower {
         exponent: Ratio<i64>,
         factored: &mut Factored,
     ) -> Result<(), Obstacle> {
-        if let Generator::Root { base, order, .. } = *self.generator(variable) {
-            factored.raise_root(base, exponent / Ratio::from_integer(i64::from(order)));
-            return Ok(());
+        match *self.generator(variable) {
+            Generator::Root { base, order, .. } => {
+                // the root is that of g only as long as g is taken to be positive
+                if self.bases[base].sign.is_none()
+                    && !self.is_manifestly_positive(&self.bases[base].polynomial)
+                {
+                    self.ask_for_sign(base);
+                }
+                factored.raise_root(base, exponent / Ratio::from_integer(i64::from(order)));
+                return Ok(());
+            }
+            Generator::Exponential(_) => {
+                factored.exponentials.push((variable, exponent));
+                return Ok(());
+            }
+            _ => {}
         }
         self.raise_part(&Polynomial::variable(variable), exponent, factored)
     }
 
     /// A squarefree factor: equal to a base, coprime to all, or a reason to split one.
-    fn raise_part(
+    pub(super) fn raise_part(
         &mut self,
         part: &Polynomial,
         exponent: Ratio<i64>,
@@ -330,11 +327,12 @@ impl Tower {
     }
 
     /// The numbers in front, numerator over divisor, as powers of primes.
-    fn factor_constant(&mut self, factored: &mut Factored, divisor: &BigInt) {
+    fn with_numbers(&mut self, mut factored: Factored, divisor: &BigInt) -> Factored {
         let constant = factored.constant.abs();
-        self.raise_number(&constant, Ratio::one(), factored);
-        self.raise_number(divisor, -Ratio::one(), factored);
+        self.raise_number(&constant, Ratio::one(), &mut factored);
+        self.raise_number(divisor, -Ratio::one(), &mut factored);
         factored.drop_neutral();
+        factored
     }
 
     fn raise_number(&mut self, number: &BigInt, exponent: Ratio<i64>, factored: &mut Factored) {
@@ -346,7 +344,7 @@ impl Tower {
 }
 
 /// A positive number as a product of small primes and a rest that is reduced to its root if it is a power.
-fn prime_powers(number: &BigInt) -> Vec<(BigInt, u32)> {
+pub(super) fn prime_powers(number: &BigInt) -> Vec<(BigInt, u32)> {
     let mut rest = number.clone();
     let mut powers = Vec::new();
     for prime in 2..PRIME_BOUND {

@@ -106,10 +106,10 @@ impl Tower {
     }
 
     /// Whether a generator depends on a real variable.
-    fn depends(&self, variable: u32, symbol: Symbol) -> bool {
+    pub(super) fn depends(&self, variable: u32, symbol: Symbol) -> bool {
         match self.generator(variable) {
             Generator::Variable(other) => *other == symbol,
-            Generator::Pi => false,
+            Generator::Pi | Generator::Chord { .. } => false,
             Generator::Jet { arguments, .. } | Generator::Opaque { arguments, .. } => {
                 arguments.iter().any(|argument| self.fraction_depends(argument, symbol))
             }
@@ -117,7 +117,7 @@ impl Tower {
             | Generator::Sine(unit)
             | Generator::HalfTangent(unit)
             | Generator::Exponential(unit) => self.fraction_depends(&self.quantity(&unit.quantity), symbol),
-            Generator::Root { base, .. } => {
+            Generator::Root { base, .. } | Generator::Logarithm { base } => {
                 let polynomial = &self.bases[*base].polynomial;
                 polynomial.variables().into_iter().any(|v| self.depends(v, symbol))
             }

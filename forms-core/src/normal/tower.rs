@@ -1,5 +1,6 @@
 //! The tower: the generators in use, the relations that bind some of them, and the known factors.
 
+use super::factor::FactorPower;
 use super::fraction::Fraction;
 use super::generator::{FactorId, Generator, Quantity};
 use super::root::{Base, Sign, SignConstraint};
@@ -62,6 +63,13 @@ pub struct Tower {
     asked: Vec<usize>,
     asked_by: FxHashMap<Expr, Vec<usize>>,
     pub(super) divisors: FxHashMap<Quantity, u32>,
+    /// Into how many parts the exponents are divided.
+    pub(super) exponent_divisors: FxHashMap<Quantity, u32>,
+    /// The denominator that all exponents are brought over.
+    pub(super) exponent_denominator: Vec<FactorPower>,
+    /// Whether nested radicals were replaced by quotients, which holds where their denominators vanish only as a
+    /// limit of points nearby.
+    pub(crate) divides_by_norms: bool,
     pub(super) trigonometry: Trigonometry,
     pub(super) elements: FxHashMap<Expr, Fraction>,
     constraints: FxHashMap<Expr, SignConstraint>,
@@ -82,6 +90,9 @@ impl Tower {
             asked: Vec::new(),
             asked_by: FxHashMap::default(),
             divisors: FxHashMap::default(),
+            exponent_divisors: FxHashMap::default(),
+            exponent_denominator: Vec::new(),
+            divides_by_norms: false,
             trigonometry,
             elements: FxHashMap::default(),
             constraints: FxHashMap::default(),
@@ -148,9 +159,20 @@ impl Tower {
         self.asked.push(base);
     }
 
+    /// How many signs have been asked for since they were last taken.
+    pub(super) fn signs_asked(&self) -> usize {
+        self.asked.len()
+    }
+
     /// The signs asked for since the last call.
     pub(super) fn take_signs_asked(&mut self) -> Vec<usize> {
         std::mem::take(&mut self.asked)
+    }
+
+    /// The open ones among the signs asked for since the last call.
+    pub(crate) fn open_signs_asked(&mut self) -> Vec<usize> {
+        let asked = self.take_signs_asked();
+        asked.into_iter().filter(|&base| self.bases[base].sign.is_none()).collect()
     }
 
     /// Remembers the signs that an expression itself depends on.
@@ -187,6 +209,29 @@ impl Tower {
         self.constraints.insert(radicand, constraint);
     }
 
+    /// n and f for a root ρⁿ = f of the case at hand.
+    pub fn radicand_of(&self, variable: u32) -> Option<(u32, &Polynomial)> {
+        let relation = self.relation_of(variable).filter(|_| self.is_current_root(variable))?;
+        Some((relation.order, &relation.value))
+    }
+
+    /// A polynomial with the sign of the exponent u of the generator exp u.
+    pub fn sign_of_exponent(&self, variable: u32) -> Option<Polynomial> {
+        let Generator::Exponential(unit) = self.generator(variable) else { return None };
+        let quantity = self.quantity(&unit.quantity);
+        let below = quantity.factors.iter().filter(|power| power.exponent % 2 != 0);
+        Some(below.fold(quantity.numerator.clone(), |product, power| {
+            product.mul(self.factor_polynomial(power.factor))
+        }))
+    }
+
+    /// m and d of the generator exp(m/d), if m is a polynomial.
+    pub fn exponent(&self, variable: u32) -> Option<(Polynomial, u32)> {
+        let Generator::Exponential(unit) = self.generator(variable) else { return None };
+        let quantity = self.quantity(&unit.quantity);
+        quantity.is_polynomial().then_some((quantity.numerator, unit.divisor))
+    }
+
     /// What a polynomial variable stands for.
     pub fn generator(&self, variable: u32) -> &Generator {
         &self.generators[variable as usize]
@@ -201,6 +246,11 @@ impl Tower {
         self.generators.push(generator.clone());
         self.numbers.insert(generator, fresh);
         fresh
+    }
+
+    /// The polynomial variable that is π, if it occurs.
+    pub(crate) fn pi(&self) -> Option<u32> {
+        self.numbers.get(&Generator::Pi).copied()
     }
 
     /// A generator as a fraction.

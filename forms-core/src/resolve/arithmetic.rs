@@ -61,7 +61,7 @@ impl Evaluator<'_> {
         }
     }
 
-    fn product(&mut self, left: Value, right: Value, place: Span) -> Evaluated<Value> {
+    pub(super) fn product(&mut self, left: Value, right: Value, place: Span) -> Evaluated<Value> {
         match (left, right) {
             (Value::Zero, other) | (other, Value::Zero) => Ok(self.zero_like(&other)),
             (Value::Scalar(a), Value::Scalar(b)) => Ok(Value::Scalar(self.theory.pool.multiply(a, b))),
@@ -91,7 +91,7 @@ impl Evaluator<'_> {
         }
     }
 
-    fn quotient(&mut self, left: Value, right: Value, right_span: Span) -> Evaluated<Value> {
+    pub(super) fn quotient(&mut self, left: Value, right: Value, right_span: Span) -> Evaluated<Value> {
         let divisor = match right {
             Value::Scalar(divisor) if !self.theory.pool.is_zero(divisor) => divisor,
             Value::Zero | Value::Scalar(_) => {
@@ -147,7 +147,11 @@ impl Evaluator<'_> {
         }
     }
 
-    fn power(&mut self, (base, base_span): (Value, Span), exponent: &ast::Expr) -> Evaluated<Value> {
+    pub(super) fn power(
+        &mut self,
+        (base, base_span): (Value, Span),
+        exponent: &ast::Expr,
+    ) -> Evaluated<Value> {
         let base = match base {
             Value::Zero => self.zero(),
             Value::Scalar(base) => base,

@@ -1,6 +1,7 @@
 //! Functions of the language at their arguments: the op table, the calculus, unknown functions.
 
 use super::evaluation::{Evaluated, Evaluator};
+use super::metric::METRIC_OPERATIONS;
 use super::names::describe;
 use super::scope::Scope;
 use super::theory::{Map, Named};
@@ -12,14 +13,7 @@ use crate::calculus::{
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Expr, Operation, Substitution, Symbol};
 use crate::syntax::ast::{self, Argument, ExprKind, Name};
-use crate::syntax::words::NOT_AVAILABLE;
 use num_rational::Ratio;
-
-/// The error for a function the language has and this version does not.
-pub(super) fn not_available(name: &str, span: Span) -> Diagnostic {
-    Diagnostic::new(span, format!("`{name}` is not available in this version"))
-        .with_help("d, ^, interior, lie, bracket, pair, pullback, diff and integral are")
-}
 
 impl Evaluator<'_> {
     pub(super) fn call(
@@ -30,15 +24,19 @@ impl Evaluator<'_> {
         span: Span,
     ) -> Evaluated<Value> {
         let name = function.text.as_str();
-        if NOT_AVAILABLE.contains(&name) {
-            return Err(not_available(name, function.span));
-        }
         if name == "integral" {
             return self.integral(arguments, span);
         }
+        if name == "boundary_integral" {
+            return self.boundary_integral(arguments, span);
+        }
         let plain = plain_arguments(arguments)?;
+        if METRIC_OPERATIONS.contains(&name) {
+            return self.metric_operation(function, index, &plain, span);
+        }
         match (name, index) {
             ("d", _) => self.exterior(index, &plain, span),
+            ("potential", _) => self.potential(index, &plain, span),
             (_, Some(index)) => Err(Diagnostic::new(index.span, format!("`{name}` takes no `[…]`"))),
             ("interior", _) => self.interior_product(&plain, span),
             ("lie", _) => self.lie_derivative(&plain, span),
@@ -78,7 +76,7 @@ impl Evaluator<'_> {
         Ok(Value::Form(exterior_derivative(&mut self.ring(), &form, &along)))
     }
 
-    fn chart_coordinates(&self, chart: &ast::Expr) -> Evaluated<Vec<Coordinate>> {
+    pub(super) fn chart_coordinates(&self, chart: &ast::Expr) -> Evaluated<Vec<Coordinate>> {
         let ExprKind::Name(text) = &*chart.kind else {
             return Err(Diagnostic::new(chart.span, "expected the name of a chart"));
         };
@@ -108,7 +106,7 @@ impl Evaluator<'_> {
             .collect()
     }
 
-    fn field(&mut self, argument: &ast::Expr) -> Evaluated<Field<Expr>> {
+    pub(super) fn field(&mut self, argument: &ast::Expr) -> Evaluated<Field<Expr>> {
         match self.value(argument)? {
             Value::Field(field) => Ok(field),
             Value::Zero => Ok(Field::zero()),
@@ -177,13 +175,14 @@ impl Evaluator<'_> {
     }
 
     /// `pullback(F, w)`; what `w` needs is needed at the image points.
-    fn pull(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
+    pub(super) fn pull(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
         let [map, argument] = exactly::<2>(arguments, "pullback", span)?;
         let map = self.map(map)?;
-        let outer = std::mem::take(&mut self.scope);
-        let value = self.value(argument);
-        let inner = std::mem::replace(&mut self.scope, outer);
-        let value = value?;
+        // what is said of this point is not said of its image
+        let given = std::mem::take(&mut self.given);
+        let result = self.apart(|evaluator| evaluator.value(argument));
+        self.given = given;
+        let (value, inner) = result?;
         let target = self.theory.charts[map.target].clone();
         let source = self.theory.charts[map.source].coordinates.clone();
         let symbols: Vec<Symbol> =
@@ -209,7 +208,7 @@ impl Evaluator<'_> {
     }
 
     /// The coefficients composed with the map, all at once so that they keep sharing their parts.
-    fn composed_form(&mut self, w: &Form<Expr>, images: &Substitution) -> Form<Expr> {
+    pub(super) fn composed_form(&mut self, w: &Form<Expr>, images: &Substitution) -> Form<Expr> {
         let values: Vec<Expr> = w.terms().iter().map(|term| term.1).collect();
         let composed = self.theory.pool.substitute_all(&values, images);
         Form::from_terms(w.degree(), w.terms().iter().map(|term| term.0).zip(composed))
@@ -237,7 +236,7 @@ impl Evaluator<'_> {
         map.used.iter().for_each(|symbol| self.scope.touch(*symbol));
     }
 
-    fn map(&mut self, argument: &ast::Expr) -> Evaluated<Map> {
+    pub(super) fn map(&mut self, argument: &ast::Expr) -> Evaluated<Map> {
         let ExprKind::Name(text) = &*argument.kind else {
             return Err(Diagnostic::new(argument.span, "expected the name of a map"));
         };
@@ -336,7 +335,7 @@ fn plain_arguments(arguments: &[Argument]) -> Evaluated<Vec<&ast::Expr>> {
         .collect()
 }
 
-fn exactly<'e, const N: usize>(
+pub(super) fn exactly<'e, const N: usize>(
     arguments: &[&'e ast::Expr],
     name: &str,
     span: Span,

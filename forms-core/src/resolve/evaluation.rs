@@ -23,6 +23,8 @@ pub(super) struct Evaluator<'a> {
     pub(super) scope: Scope,
     /// The conditions each param and unknown function was declared with.
     pub(super) declared: &'a super::items::Declarations,
+    /// What the statement says of the points that it speaks of.
+    pub(super) given: Vec<Condition>,
     /// What each part of the source was evaluated to, where that is wanted.
     pub(super) trace: Option<Trace>,
 }
@@ -32,7 +34,7 @@ pub type Trace = FxHashMap<Span, Value>;
 
 impl<'a> Evaluator<'a> {
     pub(super) fn new(theory: &'a mut Theory, declared: &'a super::items::Declarations) -> Self {
-        Evaluator { theory, scope: Scope::default(), declared, trace: None }
+        Evaluator { theory, scope: Scope::default(), declared, given: Vec::new(), trace: None }
     }
 
     pub(super) fn ring(&mut self) -> Structured<'_> {
@@ -218,7 +220,7 @@ impl<'a> Evaluator<'a> {
         if let ExprKind::Name(name) = &*base.kind
             && name == "volume"
         {
-            return Err(super::call::not_available("volume", base.span));
+            return self.volume(index);
         }
         let value = self.value(base)?;
         match value {

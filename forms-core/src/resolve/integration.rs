@@ -1,20 +1,22 @@
 //! `integral(w, u = a..b, v = c..e)`: the innermost range last, the form's coefficient in the order written.
 
 use super::evaluation::{Evaluated, Evaluator};
+use super::scope::Scope;
 use super::value::Value;
 use crate::assume::is_at_most;
-use crate::calculus::Blade;
+use crate::calculus::{Blade, Form};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::expression::{Condition, Expr, Symbol};
-use crate::integral::definite_integral;
+use crate::expression::{Condition, Expr, Symbol, SymbolKind};
+use crate::integral::Region;
 use crate::syntax::ast::{self, Argument, ExprKind, Name, Relation};
 
 /// One range of an integral.
-struct Range {
-    name: Name,
-    symbol: Symbol,
-    from: Expr,
-    to: Expr,
+#[derive(Clone)]
+pub(super) struct Range {
+    pub(super) name: Name,
+    pub(super) symbol: Symbol,
+    pub(super) from: Expr,
+    pub(super) to: Expr,
 }
 
 impl Evaluator<'_> {
@@ -25,19 +27,74 @@ impl Evaluator<'_> {
         if ranges.is_empty() {
             return Err(Diagnostic::new(span, "`integral` needs at least one range, as in `u = 0..1`"));
         }
-        let ranges = ranges.iter().map(|range| self.range(range)).collect::<Evaluated<Vec<_>>>()?;
-        let outer = std::mem::take(&mut self.scope);
-        let value = self.value(integrand);
-        let inner = std::mem::replace(&mut self.scope, outer);
-        let mut integral = self.integrand(value?, &ranges, integrand.span)?;
-        let assumptions = self.assumptions(inner.conditions(), &ranges);
-        for range in ranges.iter().rev() {
-            let (name, pool) = (&range.name.text, &mut self.theory.pool);
-            integral = definite_integral(pool, integral, range.symbol, (range.from, range.to), &assumptions)
-                .map_err(|reason| {
-                    Diagnostic::new(integrand.span, format!("cannot integrate over `{name}`: {reason}"))
-                })?;
+        let (ranges, bounds) = self.ranges(ranges)?;
+        let (value, inner) = self.apart(|evaluator| evaluator.value(integrand))?;
+        let coefficient = self.integrand(value, &ranges, integrand.span)?;
+        let defined: Vec<Condition> = bounds.conditions().iter().chain(inner.conditions()).copied().collect();
+        let integral = self.iterated(coefficient, &ranges, &defined, integrand.span)?;
+        self.keep_outside(&bounds, &ranges);
+        self.keep_outside(&inner, &ranges);
+        Ok(Value::Scalar(integral))
+    }
+
+    /// The ranges, outermost first, and where their bounds are defined. A bound may mention outer variables only.
+    pub(super) fn ranges(&mut self, arguments: &[Argument]) -> Evaluated<(Vec<Range>, Scope)> {
+        let (ranges, scope) = self.apart(|evaluator| {
+            arguments.iter().map(|argument| evaluator.range(argument)).collect::<Evaluated<Vec<_>>>()
+        })?;
+        for (place, range) in ranges.iter().enumerate() {
+            let mentioned = self.theory.pool.symbols_in(&[range.from, range.to]);
+            if let Some(inner) = ranges[place..].iter().find(|inner| mentioned.contains(&inner.symbol)) {
+                let (own, other) = (&range.name.text, &inner.name.text);
+                return Err(Diagnostic::new(
+                    range.name.span,
+                    format!("the bounds of `{own}` mention `{other}`, which has no value outside its range"),
+                )
+                .with_help(
+                    "ranges are written outermost first; a bound may mention the variables before it",
+                ));
+            }
         }
+        Ok((ranges, scope))
+    }
+
+    /// Evaluates with a scope of its own, which is given back.
+    pub(super) fn apart<T>(&mut self, body: impl FnOnce(&mut Self) -> Evaluated<T>) -> Evaluated<(T, Scope)> {
+        let outer = std::mem::take(&mut self.scope);
+        let value = body(self);
+        let inner = std::mem::replace(&mut self.scope, outer);
+        Ok((value?, inner))
+    }
+
+    /// Integrates over the innermost range first; `defined` says where the integrand is.
+    pub(super) fn iterated(
+        &mut self,
+        integrand: Expr,
+        ranges: &[Range],
+        defined: &[Condition],
+        span: Span,
+    ) -> Evaluated<Expr> {
+        let mut region = self.region(integrand, defined, ranges);
+        if let Some(condition) = region.unmet(&mut self.theory.pool, defined) {
+            let text = condition.text(&self.theory.pool);
+            let message = format!("cannot integrate: it is not known that `{text}` holds all over the range");
+            return Err(Diagnostic::new(span, message));
+        }
+        let mut integral = integrand;
+        for range in ranges.iter().rev() {
+            let found = region.integral(&mut self.theory.pool, integral).map_err(|reason| {
+                Diagnostic::new(span, format!("cannot integrate over `{}`: {reason}", range.name.text))
+            })?;
+            found.conditions.into_iter().for_each(|condition| self.scope.require(condition));
+            integral = found.value;
+            region.forget_innermost(&self.theory.pool);
+        }
+        Ok(integral)
+    }
+
+    /// What was needed or used inside, as far as it does not speak of the variables of the ranges.
+    pub(super) fn keep_outside(&mut self, inner: &Scope, ranges: &[Range]) {
+        inner.mentioned().iter().for_each(|name| self.scope.mention(name));
         for condition in inner.conditions().iter().copied() {
             let symbols = self.theory.pool.symbols_in(&[condition.left, condition.right]);
             if !ranges.iter().any(|range| symbols.contains(&range.symbol)) {
@@ -49,7 +106,6 @@ impl Evaluator<'_> {
                 self.scope.touch(symbol);
             }
         }
-        Ok(Value::Scalar(integral))
     }
 
     fn range(&mut self, argument: &Argument) -> Evaluated<Range> {
@@ -60,7 +116,6 @@ impl Evaluator<'_> {
         let name = ast::Expr { kind: Box::new(ExprKind::Name(variable.text.clone())), span: variable.span };
         let symbol = self.variable_named(&name)?;
         let bounds = (self.scalar(from)?, self.scalar(to)?);
-        self.scope.forget(symbol);
         Ok(Range { name: variable.clone(), symbol, from: bounds.0, to: bounds.1 })
     }
 
@@ -80,32 +135,73 @@ impl Evaluator<'_> {
                 format!("a {}-form needs {} ranges, found {}", form.degree(), form.degree(), ranges.len()),
             ));
         }
-        let mut blade = (Blade::SCALAR, 1);
+        let blade = self.blade_of(ranges)?;
+        Ok(self.signed_coefficient(&form, blade))
+    }
+
+    /// The differentials in the order of the ranges, with the sign of putting them in order.
+    pub(super) fn blade_of(&self, ranges: &[Range]) -> Evaluated<(Blade, i8)> {
+        let mut product = (Blade::SCALAR, 1);
         for range in ranges {
             let coordinate = self.coordinate(&range.name)?;
-            blade = match blade.0.wedge(Blade::of(coordinate)) {
-                Some((wedge, sign)) => (wedge, sign * blade.1),
+            product = match product.0.wedge(Blade::of(coordinate)) {
+                Some((wedge, sign)) => (wedge, sign * product.1),
                 None => return Err(Diagnostic::new(range.name.span, "this variable has a range already")),
             };
         }
-        let zero = self.zero();
-        let coefficient = form.coefficient(blade.0).copied().unwrap_or(zero);
-        Ok(if blade.1 < 0 { self.theory.pool.negate(coefficient) } else { coefficient })
+        Ok(product)
     }
 
-    /// What may be used about the integrand: where it is defined, its charts' domains, and the ranges that are
-    /// known not to run backwards.
-    fn assumptions(&mut self, inner: &[Condition], ranges: &[Range]) -> Vec<Condition> {
-        let mut all: Vec<Condition> = inner.to_vec();
-        all.extend(self.scope.conditions());
+    pub(super) fn signed_coefficient(&mut self, form: &Form<Expr>, (blade, sign): (Blade, i8)) -> Expr {
+        let zero = self.zero();
+        let coefficient = form.coefficient(blade).copied().unwrap_or(zero);
+        if sign < 0 { self.theory.pool.negate(coefficient) } else { coefficient }
+    }
+
+    /// Requires the domains of charts as far as they speak of nothing but free coordinates of these expressions, since
+    /// they bind every statement that uses them.
+    pub(super) fn require_domains(&mut self, written: &[Expr], bound: &[Symbol]) {
+        let theory = &self.theory;
+        let free: Vec<Symbol> =
+            theory.pool.symbols_in(written).into_iter().filter(|symbol| !bound.contains(symbol)).collect();
+        let is_free = |symbol: &Symbol| {
+            theory.pool.symbol_kind(*symbol) != SymbolKind::Coordinate || free.contains(symbol)
+        };
+        let speaks_of = |condition: &&Condition| {
+            let symbols = theory.pool.symbols_in(&[condition.left, condition.right]);
+            symbols.iter().any(|symbol| free.contains(symbol)) && symbols.iter().all(is_free)
+        };
+        let conditions = theory.charts.iter().flat_map(|chart| &chart.conditions);
+        let found: Vec<Condition> = conditions.filter(speaks_of).copied().collect();
+        found.into_iter().for_each(|condition| self.scope.require(condition));
+    }
+
+    /// The ranges, and what may be assumed: what binds everything outside, and that a variable lies in its range if
+    /// that is known not to run backwards.
+    fn region(&mut self, integrand: Expr, defined: &[Condition], ranges: &[Range]) -> Region {
+        let mut written = vec![integrand];
+        written.extend(ranges.iter().flat_map(|range| [range.from, range.to]));
+        let variables: Vec<Symbol> = ranges.iter().map(|range| range.symbol).collect();
+        self.require_domains(&written, &variables);
+        let outside = |condition: &&Condition| {
+            let symbols = self.theory.pool.symbols_in(&[condition.left, condition.right]);
+            !ranges.iter().any(|range| symbols.contains(&range.symbol))
+        };
+        let known = self.scope.conditions().iter().chain(&self.given).chain(defined);
+        let mut conditions: Vec<Condition> = known.filter(outside).copied().collect();
         for range in ranges {
-            if !is_at_most(&mut self.theory.pool, range.from, range.to, &all) {
+            if !is_at_most(&mut self.theory.pool, range.from, range.to, &conditions) {
                 continue;
             }
             let variable = self.theory.pool.symbol(range.symbol);
-            all.push(Condition { left: variable, relation: Relation::GreaterEqual, right: range.from });
-            all.push(Condition { left: variable, relation: Relation::LessEqual, right: range.to });
+            conditions.push(Condition {
+                left: variable,
+                relation: Relation::GreaterEqual,
+                right: range.from,
+            });
+            conditions.push(Condition { left: variable, relation: Relation::LessEqual, right: range.to });
         }
-        all
+        let ranges = ranges.iter().map(|range| (range.symbol, range.from, range.to)).collect();
+        Region { ranges, conditions }
     }
 }

@@ -72,7 +72,7 @@ impl Resolver {
             ItemKind::Form { name, degree, chart, value } => self.form(name, *degree, chart.as_ref(), value),
             ItemKind::Field { name, chart, value } => self.field(name, chart.as_ref(), value),
             ItemKind::Map { name, source, target, components } => self.map(name, source, target, components),
-            ItemKind::Metric { name, .. } => self.theory.names.declare(name, Named::Metric),
+            ItemKind::Metric { name, chart, value } => self.metric(name, chart.as_ref(), value),
             ItemKind::Statement { .. } => self.statement(item),
             ItemKind::Kernel { .. } => self.kernel(item),
         };
@@ -370,7 +370,7 @@ impl Resolver {
 
 impl Evaluator<'_> {
     /// That the differentials or basis fields of a value belong to the chart it is declared on.
-    fn check_on_chart(
+    pub(super) fn check_on_chart(
         &mut self,
         chart: &Name,
         coordinates: Vec<Coordinate>,
@@ -378,8 +378,19 @@ impl Evaluator<'_> {
         span: Span,
     ) -> Evaluated<()> {
         let number = self.chart(chart)?;
-        let known = &self.theory.charts[number].coordinates;
-        match coordinates.into_iter().find(|coordinate| !known.contains(coordinate)) {
+        self.check_directions(number, coordinates, prefix, span)
+    }
+
+    /// That these coordinates belong to a chart.
+    pub(super) fn check_directions(
+        &self,
+        chart: usize,
+        coordinates: Vec<Coordinate>,
+        prefix: &str,
+        span: Span,
+    ) -> Evaluated<()> {
+        let chart = &self.theory.charts[chart];
+        match coordinates.into_iter().find(|coordinate| !chart.coordinates.contains(coordinate)) {
             None => Ok(()),
             Some(missing) => {
                 let missing = self.theory.coordinate_name(missing);
@@ -387,7 +398,7 @@ impl Evaluator<'_> {
                     span,
                     format!(
                         "`{prefix}{missing}` occurs, but `{missing}` is not a coordinate of `{}`",
-                        chart.text
+                        chart.name
                     ),
                 ))
             }

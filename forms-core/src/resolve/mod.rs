@@ -11,11 +11,15 @@
 //! that one mistake is reported once.
 
 mod arithmetic;
+mod boundary;
 mod call;
 mod evaluation;
 mod integration;
 mod items;
+mod metric;
 mod names;
+mod potential;
+mod quadratic;
 mod scope;
 mod statement;
 mod theory;
@@ -23,5 +27,5 @@ mod value;
 
 pub use evaluation::Trace;
 pub use items::{resolve, resolve_traced};
-pub use theory::{Chart, Kernel, Map, Named, Object, Statement, Theory};
+pub use theory::{Chart, Kernel, Map, Named, NamedMetric, Object, Statement, Theory};
 pub use value::Value;

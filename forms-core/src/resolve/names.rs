@@ -85,7 +85,7 @@ pub(super) fn describe(named: &Named) -> &'static str {
         Named::Function(_) => "an unknown function",
         Named::Object(_) => "a scalar, form or field",
         Named::Map(_) => "a map",
-        Named::Metric => "a metric",
+        Named::Metric(_) => "a metric",
         Named::Kernel(_) => "a kernel",
         Named::Poisoned => "something with an error in it",
     }

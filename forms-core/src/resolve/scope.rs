@@ -24,10 +24,6 @@ impl Scope {
         self.used.insert(symbol);
     }
 
-    pub(super) fn forget(&mut self, symbol: Symbol) {
-        self.used.remove(&symbol);
-    }
-
     /// Notes that a map or a named value is mentioned.
     pub(super) fn mention(&mut self, name: &str) {
         self.named.insert(name.to_string());

@@ -20,12 +20,13 @@ impl Resolver {
             ));
         }
         let (sides, domain, used) = self.evaluate(|evaluator| {
-            let sides = (evaluator.value(left)?, evaluator.value(right)?);
-            comparable(&sides.0, &sides.1).map_err(|message| Diagnostic::new(item.span, message))?;
             let mut own = Vec::new();
             for condition in conditions {
                 own.extend(evaluator.conditions(condition)?);
             }
+            evaluator.given = own.clone();
+            let sides = (evaluator.value(left)?, evaluator.value(right)?);
+            comparable(&sides.0, &sides.1).map_err(|message| Diagnostic::new(item.span, message))?;
             Ok((sides, own, evaluator.scope.mentioned().clone()))
         })?;
         let ((left, right), mut own, mentioned) = sides;

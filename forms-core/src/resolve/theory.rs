@@ -1,7 +1,7 @@
 //! What a file declares and claims, resolved.
 
 use super::value::Value;
-use crate::calculus::{Blade, Coordinate};
+use crate::calculus::{Blade, Coordinate, Metric};
 use crate::diagnostic::Span;
 use crate::expression::{Condition, Expr, Pool, Symbol};
 use crate::syntax::ast::Claim;
@@ -32,6 +32,19 @@ pub struct Map {
     /// Where the components are defined.
     pub domain: Vec<Condition>,
     /// The variables the components are written with.
+    pub used: Vec<Symbol>,
+}
+
+/// A metric with a name.
+#[derive(Clone, Debug)]
+pub struct NamedMetric {
+    /// The number of its chart.
+    pub chart: usize,
+    /// Its entries, determinant and what else its operations share.
+    pub metric: Metric<Expr>,
+    /// Where it is defined and not degenerate.
+    pub domain: Vec<Condition>,
+    /// The variables it is written with.
     pub used: Vec<Symbol>,
 }
 
@@ -113,8 +126,8 @@ pub enum Named {
     Object(usize),
     /// A map, by its number.
     Map(usize),
-    /// A metric.
-    Metric,
+    /// A metric, by its number.
+    Metric(usize),
     /// A kernel, by its number.
     Kernel(usize),
     /// Something whose declaration failed.
@@ -132,6 +145,8 @@ pub struct Theory {
     pub charts: Vec<Chart>,
     /// The maps in order.
     pub maps: Vec<Map>,
+    /// The metrics in order.
+    pub metrics: Vec<NamedMetric>,
     /// The named scalars, forms and fields in order.
     pub objects: Vec<Object>,
     /// The statements in order.

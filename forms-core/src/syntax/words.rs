@@ -23,12 +23,13 @@ const INSIDE: &[&str] = &["pub", "where", "on", "if", "else", "jump", "effects",
 
 /// The functions of the language, and its constant.
 pub const FUNCTIONS: &[&str] = &[
-    "d", "interior", "lie", "bracket", "pair", "pullback", "diff", "integral", "sqrt", "sin", "cos", "tan",
-    "asin", "acos", "atan", "atan2", "exp", "log", "sinh", "cosh", "tanh", "abs", "pi",
-];
-
-/// Functions of the language that need a metric or a homotopy and are not part of this version.
-pub const NOT_AVAILABLE: &[&str] = &[
+    "d",
+    "interior",
+    "lie",
+    "bracket",
+    "pair",
+    "pullback",
+    "diff",
     "hodge",
     "codiff",
     "laplace",
@@ -41,7 +42,23 @@ pub const NOT_AVAILABLE: &[&str] = &[
     "curl",
     "div",
     "potential",
+    "integral",
     "boundary_integral",
+    "sqrt",
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan",
+    "atan2",
+    "exp",
+    "log",
+    "sinh",
+    "cosh",
+    "tanh",
+    "abs",
+    "pi",
 ];
 
 /// The strict and reserved keywords of every Rust edition, and the wildcard.
@@ -57,13 +74,8 @@ const RUST: &[&str] = &[
 pub fn reserved(text: &str) -> Option<Word> {
     static WORDS: OnceLock<FxHashMap<&str, Word>> = OnceLock::new();
     let words = WORDS.get_or_init(|| {
-        let lists = [
-            (RUST, Word::Rust),
-            (NOT_AVAILABLE, Word::Function),
-            (FUNCTIONS, Word::Function),
-            (INSIDE, Word::Item),
-            (ITEMS, Word::Item),
-        ];
+        let lists =
+            [(RUST, Word::Rust), (FUNCTIONS, Word::Function), (INSIDE, Word::Item), (ITEMS, Word::Item)];
         let pairs = lists.into_iter().flat_map(|(list, word)| list.iter().map(move |text| (*text, word)));
         pairs.collect()
     });

@@ -1,8 +1,10 @@
 //! Laws of the calculus and of the prover, and mutants that each of them must reject.
 
 mod algebra;
+mod angles;
 mod coefficients;
 mod equality;
+mod functions;
 mod holding;
 mod identities;
 mod law;

@@ -1,0 +1,84 @@
+//! Where sums of inverse trigonometric functions lie: principal values, narrowed by the signs of arguments.
+
+use super::facts::Facts;
+use super::range::Range;
+use crate::expression::Operation;
+use crate::normal::{Fraction, Obstacle, Sign, Tower};
+use crate::polynomial::Polynomial;
+
+impl Facts {
+    /// Where a rational combination of inverse functions, of quantities and of π lies.
+    pub(crate) fn range(&self, tower: &mut Tower, angle: &Fraction) -> Result<Range, Obstacle> {
+        let mut range = Range::of_pi((0, 1, false), (0, 1, false));
+        let mut rest = Vec::new();
+        for (quantity, coefficient) in tower.linear_parts(angle)? {
+            match (tower.arc_of(&quantity), quantity.as_monomial()) {
+                (Some((operation, arguments)), _) => {
+                    let principal = self.principal_values(tower, operation, &arguments);
+                    range = range.add(&principal.scaled(&coefficient));
+                }
+                (None, Some(monomial)) => rest.push((monomial.to_vec(), coefficient)),
+                (None, None) => return Ok(Range::default()),
+            }
+        }
+        Ok(range.add(&self.ranges.of(tower.pi(), rest)))
+    }
+
+    /// atan q ∈ (−π/2, π/2), asin q ∈ [−π/2, π/2], acos q ∈ [0, π], atan2(y, x) ∈ (−π, π) off its cut, each in
+    /// the part that the signs of its arguments leave.
+    fn principal_values(&self, tower: &Tower, operation: Operation, arguments: &[Fraction]) -> Range {
+        use Sign::{Negative, Positive};
+        let signs: Vec<Option<Sign>> = arguments.iter().map(|q| self.sign_of_fraction(tower, q)).collect();
+        let (down, zero, up) = ((-1, 2), (0, 1), (1, 2));
+        let range = |(p, q): (i64, i64), open: bool, (r, s): (i64, i64), also: bool| {
+            Range::of_pi((p, q, open), (r, s, also))
+        };
+        match (operation, signs.as_slice()) {
+            (Operation::Atan, [Some(Positive)]) => range(zero, false, up, true),
+            (Operation::Atan, [Some(Negative)]) => range(down, true, zero, false),
+            (Operation::Atan, _) => range(down, true, up, true),
+            (Operation::Asin, [Some(Positive)]) => range(zero, false, up, false),
+            (Operation::Asin, [Some(Negative)]) => range(down, false, zero, false),
+            (Operation::Asin, _) => range(down, false, up, false),
+            (Operation::Acos, [Some(Positive)]) => range(zero, false, up, false),
+            (Operation::Acos, [Some(Negative)]) => range(up, false, (1, 1), false),
+            (Operation::Acos, _) => range(zero, false, (1, 1), false),
+            (_, [Some(Positive), Some(Positive)]) => range(zero, false, up, false),
+            (_, [Some(Negative), Some(Positive)]) => range(down, false, zero, false),
+            (_, [_, Some(Positive)]) => range(down, false, up, false),
+            (_, [Some(Positive), Some(Negative)]) => range(up, false, (1, 1), true),
+            (_, [Some(Negative), Some(Negative)]) => range((-1, 1), true, down, false),
+            (_, [Some(Positive), None]) => range(zero, false, (1, 1), true),
+            (_, [Some(Negative), None]) => range((-1, 1), true, zero, false),
+            _ => range((-1, 1), true, (1, 1), true),
+        }
+    }
+
+    /// The sign of a fraction from those of its factors, if they can be shown.
+    fn sign_of_fraction(&self, tower: &Tower, q: &Fraction) -> Option<Sign> {
+        let mut negative = self.is_negative(q.numerator())?;
+        for (polynomial, exponent) in tower.factors_of(q) {
+            if exponent % 2 != 0 {
+                negative ^= self.is_negative(polynomial)?;
+            }
+        }
+        Some(if negative { Sign::Negative } else { Sign::Positive })
+    }
+
+    /// Whether a polynomial is ≤ 0, or ≥ 0: a product of variables times a rest.
+    fn is_negative(&self, polynomial: &Polynomial) -> Option<bool> {
+        let of = |polynomial: &Polynomial| self.sign_of(polynomial).map(|sign| sign == Sign::Negative);
+        if let Some(known) = of(polynomial) {
+            return Some(known);
+        }
+        let monomial = polynomial.monomial_content();
+        let rest = polynomial.divide_by_monomial(&monomial)?;
+        let mut negative = of(&rest)?;
+        for (variable, exponent) in monomial {
+            if exponent % 2 != 0 {
+                negative ^= of(&Polynomial::variable(variable))?;
+            }
+        }
+        Some(negative)
+    }
+}

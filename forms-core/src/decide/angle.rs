@@ -1,0 +1,126 @@
+//! Equations between angles: combinations of inverse trigonometric functions that vanish.
+//!
+//! ```text
+//! difference D = Σ nₖ αₖ + rest, αₖ inverse functions, nₖ integers
+//!    sin D = 0 and cos D = 1, algebraically   ─▶ D is a multiple of 2π at every point
+//!    −2π < D < 2π, from principal values      ─▶ the multiple is 0
+//! ```
+//! The sine and cosine of an inverse function are algebraic in its argument, so the first step is an identity
+//! between normal forms; the second is exact arithmetic with ends a + bπ. Neither needs continuity, so the argument
+//! holds on regions of any shape: atan x + atan 1/x = π/2 is proved for x > 0, and for x < 0, where cos D = −1, it
+//! is not. This is the addition theorem with the branch accounted for, as in Abramowitz and Stegun, 4.4.34.
+//! Where D is no such combination, relations between its inverse functions are looked for first.
+
+use super::problem::Problem;
+use super::proof::{Outcome, Task, Turn, prove_full_turn, prove_zero};
+use super::relation;
+use crate::expression::{Expr, Node, Operation, Pool, Rational};
+use crate::normal::{Fraction, Obstacle, Tower, Trigonometry, WORK_LIMIT, is_arc, normalise};
+use crate::resolve::{Statement, Theory};
+
+/// Whether inverse functions occur in expressions.
+pub(super) fn occur_in(pool: &Pool, expressions: &[Expr]) -> bool {
+    let is_arc = |part: Expr| matches!(pool.node(part), Node::Apply(operation, _) if is_arc(*operation));
+    pool.reachable(expressions).into_iter().any(is_arc)
+}
+
+/// The angles of a proof: each vanishes since its sine is 0, its cosine is 1, and it lies within (−2π, 2π). None
+/// if that does not prove the statement, or if normal forms do without.
+pub fn vanishing_angles(theory: &mut Theory, statement: &Statement) -> Vec<Expr> {
+    let problem = Problem::new(theory, statement);
+    let task = Task { problem: &problem, work: WORK_LIMIT };
+    let mut shown = Vec::new();
+    let outcome = prove(&mut theory.pool, task, &problem.differences(), &mut shown);
+    if outcome == Outcome::Zero { shown } else { vec![] }
+}
+
+/// Tries to prove that the expressions vanish, those with inverse functions in them as angles, which are noted.
+pub(super) fn prove(pool: &mut Pool, task: Task, differences: &[Expr], shown: &mut Vec<Expr>) -> Outcome {
+    for &difference in differences {
+        let outcome = prove_difference(pool, task, difference, shown);
+        let outcome = match outcome {
+            Outcome::NotZero | Outcome::Outside(_) => {
+                let reduced = relation::eliminated(pool, task, difference, shown);
+                if reduced == difference { outcome } else { prove_difference(pool, task, reduced, shown) }
+            }
+            outcome => outcome,
+        };
+        if outcome != Outcome::Zero {
+            return outcome;
+        }
+    }
+    Outcome::Zero
+}
+
+/// By normal form, else as an angle.
+fn prove_difference(pool: &mut Pool, task: Task, difference: Expr, shown: &mut Vec<Expr>) -> Outcome {
+    match prove_zero(pool, task.problem, vec![difference], task.work) {
+        Outcome::NotZero | Outcome::Outside(_) => prove_component(pool, task, difference, shown),
+        outcome => outcome,
+    }
+}
+
+fn prove_component(pool: &mut Pool, task: Task, difference: Expr, shown: &mut Vec<Expr>) -> Outcome {
+    let Ok(Some(angles)) = angles_in(pool, difference) else { return Outcome::NotZero };
+    for angle in angles {
+        match prove_angle(pool, task, angle, shown) {
+            Outcome::Zero => {}
+            outcome => return outcome,
+        }
+    }
+    Outcome::Zero
+}
+
+/// Tries to prove that an angle D vanishes: as it is, with the signs of all arguments told apart, and twice it, whose
+/// sine and cosine have fewer roots in them.
+pub(super) fn prove_angle(pool: &mut Pool, task: Task, angle: Expr, shown: &mut Vec<Expr>) -> Outcome {
+    let two = pool.integer(2);
+    let twice = pool.multiply(two, angle);
+    let arguments = arguments_of_arcs(pool, angle);
+    let magnitudes: Vec<Expr> = arguments.iter().map(|&q| pool.apply(Operation::Abs, &[q])).collect();
+    let mut last = Outcome::NotZero;
+    for (angle, signs) in [(angle, &[] as &[Expr]), (twice, &[]), (angle, &magnitudes), (twice, &magnitudes)]
+    {
+        let (sine, cosine) = (pool.apply(Operation::Sin, &[angle]), pool.apply(Operation::Cos, &[angle]));
+        let one = pool.integer(1);
+        let versine = pool.subtract(one, cosine);
+        last = prove_full_turn(pool, task, vec![sine, versine], Turn { angle, signs: signs.to_vec() });
+        if last == Outcome::Zero {
+            shown.push(angle);
+            break;
+        }
+    }
+    last
+}
+
+fn arguments_of_arcs(pool: &Pool, angle: Expr) -> Vec<Expr> {
+    let arguments = |part: Expr| match pool.node(part) {
+        Node::Apply(operation, arguments) if is_arc(*operation) => arguments.to_vec(),
+        _ => vec![],
+    };
+    pool.reachable(&[angle]).into_iter().flat_map(arguments).collect()
+}
+
+/// Combinations with integers at the inverse functions, whose vanishing makes the expression vanish.
+fn angles_in(pool: &mut Pool, difference: Expr) -> Result<Option<Vec<Expr>>, Obstacle> {
+    let mut tower = Tower::new(Trigonometry::Circle);
+    let prepared = normalise(&mut tower, pool, &[difference])?;
+    let value = prepared.exact(&mut tower, pool)?.remove(0);
+    let Some(combinations) = tower.combinations_of_arcs(&value)? else { return Ok(None) };
+    if let [combination] = combinations.as_slice()
+        && let Some(factor) = quotient(&mut tower, combination, &value)?
+    {
+        let factor = pool.number(factor);
+        return Ok(Some(vec![pool.multiply(factor, difference)]));
+    }
+    if !prepared.is_unconditional() {
+        return Ok(None);
+    }
+    Ok(Some(combinations.iter().map(|combination| tower.raise(pool, combination)).collect()))
+}
+
+/// The number that a quotient is, if it is one.
+fn quotient(tower: &mut Tower, a: &Fraction, b: &Fraction) -> Result<Option<Rational>, Obstacle> {
+    let inverse = tower.inverse(b)?;
+    Ok(tower.multiply(a, &inverse)?.as_number())
+}

@@ -1,0 +1,127 @@
+//! Relations between inverse trigonometric functions: m α + n β = (k/12)π, found at a point and proved.
+//!
+//! ```text
+//! arcs ─ values at one point ─▶ candidates ─ proved as angles ─▶ β replaced by ((k/12)π − m α)/n
+//! ```
+//! The values only propose; nothing is replaced that has not been proved wherever the conditions hold.
+
+use super::angle::prove_angle;
+use super::problem::Problem;
+use super::proof::{Outcome, Task};
+use super::sample::{Sequence, simple_bounds};
+use crate::enclosure::{Enclosure, Precision, enclose};
+use crate::expression::{Expr, Node, Pool, Rational};
+use crate::normal::is_arc;
+
+/// Relations are looked for between at most so many functions.
+const MOST_ARCS: usize = 8;
+
+/// Points that are looked at for one at which all functions have values.
+const POINTS: u32 = 64;
+
+const PRECISION: Precision = Precision(96);
+
+/// The multiples m, n of a relation; the second function is replaced, so n is 1 or −1.
+const MULTIPLES: &[(i64, i64)] = &[(1, 1), (1, -1), (2, 1), (2, -1)];
+
+/// The part of π that the right side is a multiple of.
+const PARTS: i64 = 12;
+
+/// The expression with inverse functions that depend on others replaced.
+pub(super) fn eliminated(pool: &mut Pool, task: Task, expression: Expr, shown: &mut Vec<Expr>) -> Expr {
+    let mut arcs = arcs_in(pool, expression);
+    if arcs.len() > MOST_ARCS {
+        return expression;
+    }
+    let Some(values) = values_at_a_point(pool, task.problem, &arcs) else { return expression };
+    let mut reduced = expression;
+    let mut kept: Vec<(Expr, Enclosure)> = Vec::new();
+    for (arc, value) in arcs.drain(..).zip(values) {
+        let replacement = replacement(pool, task, (arc, &value), &kept, shown);
+        match replacement {
+            Some(other) => {
+                let wanted = pool.node(arc).clone();
+                let replaced = |node: &Node, _: &_| (*node == wanted).then_some(other);
+                reduced = pool.replace_all(&[reduced], replaced)[0];
+            }
+            None => kept.push((arc, value)),
+        }
+    }
+    reduced
+}
+
+fn arcs_in(pool: &Pool, expression: Expr) -> Vec<Expr> {
+    let is_arc = |part: &Expr| matches!(pool.node(*part), Node::Apply(operation, _) if is_arc(*operation));
+    pool.reachable(&[expression]).into_iter().filter(is_arc).collect()
+}
+
+/// What a function is by one of the kept ones, or as a part of π.
+fn replacement(
+    pool: &mut Pool,
+    task: Task,
+    (arc, value): (Expr, &Enclosure),
+    kept: &[(Expr, Enclosure)],
+    shown: &mut Vec<Expr>,
+) -> Option<Expr> {
+    if let Some(angle) = part_of_pi(pool, value)
+        && holds(pool, task, arc, angle, shown)
+    {
+        return Some(angle);
+    }
+    for (other, other_value) in kept {
+        for &(m, n) in MULTIPLES {
+            let (m, n) = (Rational::from_integer(m.into()), Rational::from_integer(n.into()));
+            let scaled = |q: &Rational, value: &Enclosure| Enclosure::exact(q, PRECISION).mul(value);
+            let sum = scaled(&m, other_value).add(&scaled(&n, value));
+            let Some(angle) = part_of_pi(pool, &sum) else { continue };
+            // n α = (k/12)π − m β
+            let (m, n) = (pool.number(m), pool.number(n));
+            let multiple = pool.multiply(m, *other);
+            let difference = pool.subtract(angle, multiple);
+            let candidate = pool.multiply(n, difference);
+            if holds(pool, task, arc, candidate, shown) {
+                return Some(candidate);
+            }
+        }
+    }
+    None
+}
+
+fn holds(pool: &mut Pool, task: Task, arc: Expr, candidate: Expr, shown: &mut Vec<Expr>) -> bool {
+    let angle = pool.subtract(arc, candidate);
+    prove_angle(pool, task, angle, shown) == Outcome::Zero
+}
+
+/// (k/12)π, if a value may be one.
+fn part_of_pi(pool: &mut Pool, value: &Enclosure) -> Option<Expr> {
+    let parts = Enclosure::integer(PARTS, PRECISION).mul(value).div(&Enclosure::pi(PRECISION)).ok()?;
+    let whole = parts.lower().round();
+    if !parts.contains(&whole) && !parts.contains(&(&whole + Rational::from_integer(1.into()))) {
+        return None;
+    }
+    let part = pool.number(whole / Rational::from_integer(PARTS.into()));
+    let pi = pool.pi();
+    Some(pool.multiply(part, pi))
+}
+
+/// The values of the functions at a point that meets the conditions.
+fn values_at_a_point(pool: &Pool, problem: &Problem, arcs: &[Expr]) -> Option<Vec<Enclosure>> {
+    let mut expressions: Vec<Expr> =
+        problem.assumptions.iter().flat_map(|condition| [condition.left, condition.right]).collect();
+    let sides = expressions.len();
+    expressions.extend(arcs);
+    let symbols = pool.symbols_in(&expressions);
+    let bounds = simple_bounds(pool, &problem.assumptions);
+    (0..POINTS).find_map(|round| {
+        let point = Sequence::new(u64::from(round) + 1).point(&symbols, &bounds, round);
+        let value_of = |symbol| point.get(&symbol).map(|value| Enclosure::exact(value, PRECISION));
+        let values = enclose(pool, &expressions, &value_of, &mut |_, _, _| None, PRECISION);
+        let values: Vec<Enclosure> = values.into_iter().collect::<Result<_, _>>().ok()?;
+        let holds = problem
+            .assumptions
+            .iter()
+            .zip(values[..sides].chunks(2))
+            .all(|(condition, pair)| pair[0].decide(condition.relation, &pair[1]) == Some(true));
+        holds.then(|| values[sides..].to_vec())
+    })
+}

@@ -1,0 +1,56 @@
+//! Signs that are seen from how an expression is written: squares, roots, exponentials, sums and products of them.
+
+use super::node::{Expr, Node, Pool};
+use super::operation::Operation;
+use num_traits::{Signed, Zero};
+use rustc_hash::FxHashMap;
+
+/// What is seen of a sign wherever the expression is defined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Nature {
+    /// Nothing.
+    Open,
+    /// It is not negative.
+    NotNegative,
+    /// It is positive.
+    Positive,
+}
+
+impl Pool {
+    /// What is seen of the sign of an expression.
+    pub(crate) fn nature(&self, expression: Expr) -> Nature {
+        let mut signs: FxHashMap<Expr, Nature> = FxHashMap::default();
+        for part in self.reachable(&[expression]) {
+            let of = |operand: &Expr| signs[operand];
+            let nature = match self.node(part) {
+                Node::Number(value) if value.is_positive() => Nature::Positive,
+                Node::Number(value) if value.is_zero() => Nature::NotNegative,
+                Node::Pi | Node::Apply(Operation::Exp | Operation::Cosh, _) => Nature::Positive,
+                Node::Apply(Operation::Abs, _) => Nature::NotNegative,
+                Node::Add(a, b) if of(a) != Nature::Open && of(b) != Nature::Open => of(a).max(of(b)),
+                Node::Multiply(a, b) | Node::Divide(a, b) => of(a).min(of(b)),
+                Node::Power(a, _) if of(a) == Nature::Positive => Nature::Positive,
+                Node::Power(_, r) if !r.is_integer() || r.numer() % 2 == 0 => Nature::NotNegative,
+                Node::Power(a, _) => of(a),
+                _ => Nature::Open,
+            };
+            signs.insert(part, nature);
+        }
+        signs[&expression]
+    }
+
+    /// The factors of a product as it is written, without powers, quotients and signs: it is zero where one is.
+    pub(crate) fn factors_that_may_vanish(&self, expression: Expr) -> Vec<Expr> {
+        let (mut found, mut rest) = (Vec::new(), vec![expression]);
+        while let Some(part) = rest.pop() {
+            match self.node(part) {
+                Node::Multiply(a, b) => rest.extend([*b, *a]),
+                Node::Divide(a, _) | Node::Negate(a) | Node::Power(a, _) => rest.push(*a),
+                Node::Number(value) if !value.is_zero() => {}
+                _ if self.nature(part) == Nature::Positive || found.contains(&part) => {}
+                _ => found.push(part),
+            }
+        }
+        found
+    }
+}

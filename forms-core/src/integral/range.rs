@@ -1,0 +1,261 @@
+//! From an antiderivative to the integral: the check of its derivative, its continuity over the range, its ends.
+
+use super::moments::by_moments;
+use super::search::Search;
+use super::signs::{Region, Strictness};
+use super::{Failure, any_normal_form, normal_form};
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Substitution, Symbol};
+use crate::normal::{Tower, Trigonometry};
+use crate::syntax::ast::Relation;
+use rustc_hash::FxHashMap;
+
+/// An integral and the conditions on parameters under which it has this value.
+#[derive(Clone, Debug)]
+pub(crate) struct Integral {
+    /// Its value.
+    pub(crate) value: Expr,
+    /// What has to hold of parameters.
+    pub(crate) conditions: Vec<Condition>,
+}
+
+impl Region {
+    /// The first of some conditions that is not known to hold all over the ranges, borders aside; those that are known
+    /// join what is assumed. That something is not zero is left to the integral itself.
+    pub(crate) fn unmet(&mut self, pool: &mut Pool, conditions: &[Condition]) -> Option<Condition> {
+        for &condition in conditions {
+            let symbols = pool.symbols_in(&[condition.left, condition.right]);
+            if !self.ranges.iter().any(|range| symbols.contains(&range.0)) {
+                continue;
+            }
+            let difference = pool.subtract(condition.left, condition.right);
+            let holds = match condition.relation {
+                Relation::NotEqual => true,
+                Relation::Greater | Relation::GreaterEqual => {
+                    self.sign(pool, difference).is_some_and(|sign| sign.0)
+                }
+                Relation::Less | Relation::LessEqual => {
+                    self.sign(pool, difference).is_some_and(|sign| !sign.0)
+                }
+            };
+            if !holds {
+                return Some(condition);
+            }
+            self.conditions.push(condition);
+        }
+        None
+    }
+
+    /// Leaves the innermost range, once it has been integrated over, and what is assumed of its variable.
+    pub(crate) fn forget_innermost(&mut self, pool: &Pool) {
+        let Some((symbol, ..)) = self.ranges.pop() else { return };
+        self.conditions.retain(|c| !pool.symbols_in(&[c.left, c.right]).contains(&symbol));
+    }
+
+    /// The integral over the innermost range.
+    ///
+    /// # Errors
+    /// Says in words why it cannot be integrated.
+    pub(crate) fn integral(&self, pool: &mut Pool, integrand: Expr) -> Result<Integral, String> {
+        let Some(&(variable, from, to)) = self.ranges.last() else {
+            return Ok(Integral { value: integrand, conditions: vec![] });
+        };
+        if from == to || pool.is_zero(integrand) {
+            return Ok(Integral { value: pool.integer(0), conditions: vec![] });
+        }
+        let mut tower = Tower::new(Trigonometry::Circle);
+        if let Ok(normal) = normal_form(pool, &mut tower, integrand, &self.conditions)
+            && let Ok(value) = by_moments(pool, &mut tower, &normal, variable, (from, to))
+        {
+            return Ok(Integral { value, conditions: vec![] });
+        }
+        self.by_antiderivative(pool, integrand).map_err(|failure| failure.0)
+    }
+
+    fn by_antiderivative(&self, pool: &mut Pool, integrand: Expr) -> Result<Integral, Failure> {
+        let whole = self.evaluated(pool, integrand);
+        let Some(&(variable, from, to)) = self.ranges.last() else { return whole };
+        if whole.is_ok() || !has_waves(pool, integrand, variable) {
+            return whole;
+        }
+        // tan(u/2) has a pole at u = π: about the middle of each half of a period it has none
+        let half = pool.ratio(1, 2);
+        let sum = pool.add(from, to);
+        let middle = pool.multiply(half, sum);
+        let mut total = Integral { value: pool.integer(0), conditions: vec![] };
+        for (from, to) in [(from, middle), (middle, to)] {
+            let Ok(part) = self.centred(pool, integrand, (from, to)) else { return whole };
+            total.value = pool.add(total.value, part.value);
+            total.conditions.extend(part.conditions);
+        }
+        Ok(total)
+    }
+
+    /// The integral over a part of the range, with the variable counted from the middle.
+    fn centred(
+        &self,
+        pool: &mut Pool,
+        integrand: Expr,
+        (from, to): (Expr, Expr),
+    ) -> Result<Integral, Failure> {
+        let Some((&(variable, ..), outer)) = self.ranges.split_last() else {
+            return Err("there is no range".into());
+        };
+        let half = pool.ratio(1, 2);
+        let (sum, difference) = (pool.add(from, to), pool.subtract(to, from));
+        let (middle, reach) = (pool.multiply(half, sum), pool.multiply(half, difference));
+        let x = pool.symbol(variable);
+        let moved = pool.add(x, middle);
+        let shift: Substitution = [(variable, moved)].into_iter().collect();
+        let lower = pool.negate(reach);
+        let mut ranges = outer.to_vec();
+        ranges.push((variable, lower, reach));
+        let mut conditions: Vec<Condition> =
+            self.conditions.iter().map(|condition| condition.substitute(pool, &shift)).collect();
+        conditions.push(Condition { left: x, relation: Relation::GreaterEqual, right: lower });
+        conditions.push(Condition { left: x, relation: Relation::LessEqual, right: reach });
+        let region = Region { ranges, conditions };
+        let shifted = pool.substitute(integrand, &shift);
+        region.evaluated(pool, shifted)
+    }
+
+    /// A(b) − A(a) for an antiderivative that is found, right and continuous.
+    fn evaluated(&self, pool: &mut Pool, integrand: Expr) -> Result<Integral, Failure> {
+        let Some(&(variable, from, to)) = self.ranges.last() else {
+            return Err("there is no range".into());
+        };
+        let mut search = Search { pool, region: self };
+        let found = search.antiderivative(integrand, variable, &self.conditions, super::search::DEPTH)?;
+        let antiderivative = self.without_magnitudes(pool, found, variable)?;
+        if !is_antiderivative(pool, antiderivative, integrand, variable, &self.conditions)? {
+            return Err(format!("no antiderivative of `{}` was found", pool.text(integrand)).into());
+        }
+        let conditions = self.where_continuous(pool, antiderivative, variable)?;
+        let upper = self.value_at(pool, antiderivative, variable, to);
+        let lower = self.value_at(pool, antiderivative, variable, from);
+        Ok(Integral { value: pool.subtract(upper, lower), conditions })
+    }
+
+    /// log|q| as log q or log(−q), by the sign of q over the range.
+    fn without_magnitudes(
+        &self,
+        pool: &mut Pool,
+        expression: Expr,
+        variable: Symbol,
+    ) -> Result<Expr, Failure> {
+        let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
+        for part in pool.reachable(&[expression]) {
+            let Node::Apply(Operation::Log, arguments) = pool.node(part) else { continue };
+            let Node::Apply(Operation::Abs, inner) = pool.node(arguments[0]).clone() else { continue };
+            let argument = match self.sign(pool, inner[0]) {
+                Some((true, _)) => inner[0],
+                Some((false, _)) => pool.negate(inner[0]),
+                None if self.varies(pool, inner[0]) => {
+                    return Err(not_known(pool, inner[0], Relation::NotEqual, variable));
+                }
+                None => continue,
+            };
+            let logarithm = pool.apply(Operation::Log, &[argument]);
+            images.insert(part, logarithm);
+        }
+        Ok(pool.replace(expression, &images))
+    }
+
+    /// Whether an expression depends on a variable of a range.
+    fn varies(&self, pool: &Pool, expression: Expr) -> bool {
+        let symbols = pool.symbols_in(&[expression]);
+        self.ranges.iter().any(|range| symbols.contains(&range.0))
+    }
+
+    /// That every part of an antiderivative is defined and continuous over the closed range. What does not depend on
+    /// the variable becomes a condition.
+    fn where_continuous(
+        &self,
+        pool: &mut Pool,
+        antiderivative: Expr,
+        variable: Symbol,
+    ) -> Result<Vec<Condition>, Failure> {
+        let mut conditions = Vec::new();
+        let zero = pool.integer(0);
+        for part in pool.reachable(&[antiderivative]) {
+            if matches!(pool.node(part), Node::Apply(Operation::Atan2, _) | Node::Select { .. }) {
+                return Err(format!("`{}` may jump", pool.text(part)).into());
+            }
+            if let Some(Condition { left, relation, .. }) = needs(pool, part) {
+                let sign = self.sign(pool, left);
+                let holds = match relation {
+                    Relation::GreaterEqual => matches!(sign, Some((true, _))),
+                    Relation::Greater => sign == Some((true, Strictness::Strict)),
+                    _ => matches!(sign, Some((_, Strictness::Strict))),
+                };
+                if holds {
+                    continue;
+                }
+                if self.varies(pool, left) {
+                    return Err(not_known(pool, left, relation, variable));
+                }
+                let factors = match relation {
+                    Relation::NotEqual => pool.factors_that_may_vanish(left),
+                    _ => vec![left],
+                };
+                conditions.extend(factors.into_iter().map(|left| Condition { left, relation, right: zero }));
+            }
+        }
+        Ok(conditions)
+    }
+}
+
+/// What stands in the way of continuity.
+fn not_known(pool: &Pool, left: Expr, relation: Relation, variable: Symbol) -> Failure {
+    let claim = match relation {
+        Relation::GreaterEqual => "is not negative",
+        Relation::Greater => "is positive",
+        _ => "is not zero",
+    };
+    let (left, name) = (pool.text(left), pool.symbol_name(variable));
+    format!("it is not known that `{left}` {claim} all over the range of `{name}`").into()
+}
+
+/// Whether A′ = f wherever the conditions hold.
+pub(super) fn is_antiderivative(
+    pool: &mut Pool,
+    candidate: Expr,
+    integrand: Expr,
+    variable: Symbol,
+    conditions: &[Condition],
+) -> Result<bool, Failure> {
+    let plain = without_magnitudes_in_logarithms(pool, candidate);
+    let derivative = pool.derivative(plain, variable);
+    let difference = pool.subtract(derivative, integrand);
+    let mut tower = Tower::new(Trigonometry::Circle);
+    Ok(any_normal_form(pool, &mut tower, difference, conditions)?.is_zero())
+}
+
+/// log|q| as log q, which has the same derivative q′/q.
+fn without_magnitudes_in_logarithms(pool: &mut Pool, expression: Expr) -> Expr {
+    let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
+    for part in pool.reachable(&[expression]) {
+        let Node::Apply(Operation::Log, arguments) = pool.node(part) else { continue };
+        let Node::Apply(Operation::Abs, inner) = pool.node(arguments[0]).clone() else { continue };
+        let logarithm = pool.apply(Operation::Log, &inner);
+        images.insert(part, logarithm);
+    }
+    pool.replace(expression, &images)
+}
+
+/// What has to hold for one operation to be defined, and with that continuous.
+fn needs(pool: &mut Pool, part: Expr) -> Option<Condition> {
+    match pool.node(part).clone() {
+        Node::Divide(_, divisor) => pool.quotient_domain(divisor),
+        Node::Power(base, exponent) => pool.power_domain(base, exponent),
+        Node::Apply(operation, arguments) => pool.operation_domain(operation, &arguments),
+        _ => None,
+    }
+}
+
+/// Whether a sine, cosine or tangent of the variable occurs.
+fn has_waves(pool: &Pool, expression: Expr, variable: Symbol) -> bool {
+    pool.reachable(&[expression]).into_iter().any(|part| {
+        matches!(pool.node(part), Node::Apply(Operation::Sin | Operation::Cos | Operation::Tan, q)
+            if pool.symbols_in(q).contains(&variable))
+    })
+}

@@ -1,0 +1,376 @@
+//! Nested radicals: factors A + Bρ that contain roots themselves, with ρ² = f.
+//!
+//! The norm n = A² − B² f ties such a factor to its conjugate A − Bρ and, where it is a square, to simpler
+//! factors:
+//! ```text
+//! A + Bρ = n / (A − Bρ)                          where the conjugate is a factor already
+//! A + Bρ = (A + m + Bρ)² / (2 (A + m))           where n = m²: √(3 + 2√2) = (4 + 2√2)/√8 = 1 + √2
+//! A + Bρ = s² / g                                where its product with a known factor g is a square s²
+//! A + Bρ = h³                                    where numbers A and B make it a cube
+//! ```
+//! Each is an identity of the field, so it serves roots and logarithms alike. What it divides by has to have a norm
+//! other than zero, down to an element without roots: that shows it not to be zero in disguise, so that it vanishes on a
+//! thin set at most, and what holds beside that set holds on it by continuity. A factor to which none applies joins the
+//! basis.
+
+use super::cube::cube_root;
+use super::factored::Factored;
+use super::fraction::Fraction;
+use super::generator::Generator;
+use super::root::prime_powers;
+use super::tower::{Obstacle, Relation, Tower};
+use crate::expression::Rational;
+use crate::polynomial::Polynomial;
+use num_rational::Ratio;
+use num_traits::Signed;
+
+/// Factors of more terms are not searched for relations.
+const MOST_TERMS: usize = 40;
+
+/// How many radicals within radicals one element may have taken apart.
+const MOST_DENESTED: u32 = 24;
+
+/// Products with more nested factors than this are not tried as squares.
+const MOST_PRODUCTS: usize = 8;
+
+/// A + Bρᵏ with ρ²ᵏ = f
+#[derive(Clone)]
+struct Split {
+    variable: u32,
+    half: u32,
+    radicand: Polynomial,
+    rational: Polynomial,
+    slope: Polynomial,
+}
+
+impl Split {
+    /// Bρᵏ
+    fn irrational(&self) -> Polynomial {
+        self.slope.multiply_by_monomial(&[(self.variable, self.half)])
+    }
+
+    fn conjugate(&self) -> Polynomial {
+        self.rational.sub(&self.irrational())
+    }
+}
+
+impl Tower {
+    /// Multiplies by a power of a primitive factor that contains bound generators.
+    pub(super) fn raise_nested(
+        &mut self,
+        part: &Polynomial,
+        exponent: Ratio<i64>,
+        factored: &mut Factored,
+    ) -> Result<(), Obstacle> {
+        let roots = self.roots_in(part);
+        if part.term_count() > MOST_TERMS || roots.is_empty() {
+            return self.raise_part(part, exponent, factored);
+        }
+        let coefficients = part.split_by(&roots);
+        let common = coefficients.iter().fold(Polynomial::zero(), |common, (_, c)| common.gcd(c));
+        if common.as_constant().is_none()
+            && let Some(rest) = part.divide_exact(&common)
+        {
+            self.factor_polynomial_into(&common, exponent, factored)?;
+            return self.factor_polynomial_into(&rest, exponent, factored);
+        }
+        let (_, powers) = part.square_free();
+        if powers.iter().any(|(_, multiplicity)| *multiplicity > 1) {
+            for (factor, multiplicity) in powers {
+                let power = exponent * Ratio::from_integer(i64::from(multiplicity));
+                self.factor_polynomial_into(&factor, power, factored)?;
+            }
+            return Ok(());
+        }
+        for &variable in &roots {
+            if let Some(rest) = self.divide_by_generator(part, variable) {
+                self.factor_polynomial_into(&Polynomial::variable(variable), exponent, factored)?;
+                return self.factor_polynomial_into(&rest, exponent, factored);
+            }
+        }
+        if factored.denested < MOST_DENESTED {
+            for &variable in roots.iter().rev() {
+                let Some(split) = self.split_at(part, variable) else { continue };
+                factored.denested += 1;
+                if self.by_conjugate(&split, exponent, factored)?
+                    || self.denest(&split, exponent, factored)?
+                    || self.by_cube(&split, exponent, factored)?
+                {
+                    return Ok(());
+                }
+                factored.denested -= 1;
+            }
+            if self.by_square_product(part, exponent, factored)? {
+                return Ok(());
+            }
+        }
+        self.raise_part(part, exponent, factored)
+    }
+
+    /// (A + Bρ)ᵉ = nᵉ (A − Bρ)⁻ᵉ
+    fn by_conjugate(
+        &mut self,
+        split: &Split,
+        exponent: Ratio<i64>,
+        factored: &mut Factored,
+    ) -> Result<bool, Obstacle> {
+        let conjugate = split.conjugate();
+        let primitive = conjugate.primitive_part();
+        let primitive = if primitive.is_negative() { primitive.neg() } else { primitive };
+        if !self.is_active_base(&primitive) {
+            return Ok(false);
+        }
+        let norm = self.norm(split)?;
+        if norm.is_zero() || self.full_norm(&conjugate)?.is_none() {
+            return Ok(false);
+        }
+        self.divides_by_norms = true;
+        self.factor_polynomial_into(&norm, exponent, factored)?;
+        self.factor_polynomial_into(&conjugate, -exponent, factored)?;
+        Ok(true)
+    }
+
+    /// (A + Bρ)ᵉ = (A + m + Bρ)²ᵉ (2 (A + m))⁻ᵉ where m² = A² − B² f
+    fn denest(
+        &mut self,
+        split: &Split,
+        exponent: Ratio<i64>,
+        factored: &mut Factored,
+    ) -> Result<bool, Obstacle> {
+        let norm = self.norm(split)?;
+        let available = self.roots_in(&split.rational.add(&split.irrational()));
+        let Some(m) = self.square_root(&norm, &available)? else { return Ok(false) };
+        let sum = self.add(&split.rational.clone().into(), &m)?;
+        if sum.is_zero() || self.full_norm(&sum.numerator)?.is_none() {
+            return Ok(false);
+        }
+        let whole = self.add(&sum, &split.irrational().into())?;
+        if whole.is_zero() {
+            return Ok(false);
+        }
+        self.divides_by_norms = true;
+        let two = Ratio::from_integer(2);
+        self.raise_fraction(&whole, exponent * two, factored)?;
+        self.raise_fraction(&sum, -exponent, factored)?;
+        self.multiply_constant(factored, &2.into(), -exponent);
+        Ok(true)
+    }
+
+    /// (A + Bρ)ᵉ = h³ᵉ for numbers A and B
+    fn by_cube(
+        &mut self,
+        split: &Split,
+        exponent: Ratio<i64>,
+        factored: &mut Factored,
+    ) -> Result<bool, Obstacle> {
+        let norm = self.norm(split)?;
+        let (Some(a), Some(norm)) = (split.rational.as_constant(), norm.as_constant()) else {
+            return Ok(false);
+        };
+        let is_number = split.slope.as_constant().is_some();
+        let Some((shift, below)) = cube_root(&a, &norm).filter(|_| is_number) else { return Ok(false) };
+        let above = split.rational.add(&split.irrational()).add(&Polynomial::constant(shift));
+        let three = Ratio::from_integer(3);
+        self.factor_polynomial_into(&above, exponent * three, factored)?;
+        self.multiply_constant(factored, &below, -exponent * three);
+        Ok(true)
+    }
+
+    /// fᵉ = s²ᵉ g⁻ᵉ for a factor g of the basis with f g = s²
+    fn by_square_product(
+        &mut self,
+        part: &Polynomial,
+        exponent: Ratio<i64>,
+        factored: &mut Factored,
+    ) -> Result<bool, Obstacle> {
+        let nested: Vec<Polynomial> = self
+            .bases()
+            .map(|(_, base)| base.polynomial.clone())
+            .filter(|g| g != part && g.term_count() <= MOST_TERMS && !self.roots_in(g).is_empty())
+            .filter(|g| g.variables().into_iter().all(|v| !self.is_stale_root(v)))
+            .collect();
+        if nested.len() > MOST_PRODUCTS {
+            return Ok(false);
+        }
+        for other in nested {
+            self.charge(part, &other)?;
+            let product = self.reduce(part.mul(&other))?;
+            let available = self.roots_in(&part.add(&other));
+            let Some(root) = self.square_root(&product, &available)? else { continue };
+            if root.is_zero() || self.full_norm(&other)?.is_none() {
+                continue;
+            }
+            factored.denested += 1;
+            self.divides_by_norms = true;
+            self.raise_fraction(&root, exponent * Ratio::from_integer(2), factored)?;
+            self.raise_part(&other, -exponent, factored)?;
+            return Ok(true);
+        }
+        Ok(false)
+    }
+
+    /// Multiplies by qᵉ, the number below included.
+    fn raise_fraction(
+        &mut self,
+        q: &Fraction,
+        exponent: Ratio<i64>,
+        factored: &mut Factored,
+    ) -> Result<(), Obstacle> {
+        self.factor_fraction_into(q, exponent, factored)?;
+        self.multiply_constant(factored, &q.divisor, -exponent);
+        Ok(())
+    }
+
+    /// s with s² = q in the field of q and the available roots, if it is found there.
+    fn square_root(&mut self, q: &Polynomial, available: &[u32]) -> Result<Option<Fraction>, Obstacle> {
+        if q.is_zero() || q.term_count() > MOST_TERMS {
+            return Ok(None);
+        }
+        let Some(variable) = self.roots_in(q).pop() else { return self.root_free_square_root(q, available) };
+        let Some(split) = self.split_at(q, variable) else { return Ok(None) };
+        let norm = self.norm(&split)?;
+        let Some(m) = self.square_root(&norm, available)? else { return Ok(None) };
+        let half = Fraction::number(&Rational::new(1.into(), 2.into()));
+        for m in [self.negate(&m), m] {
+            let sum = self.add(&split.rational.clone().into(), &m)?;
+            let square = self.multiply(&half, &sum)?;
+            let Some(a) = self.square_root_of_fraction(&square, available)? else { continue };
+            let twice = self.add(&a, &a)?;
+            let inverse = self.inverse(&twice)?;
+            let b = self.multiply(&split.irrational().into(), &inverse)?;
+            let root = self.add(&a, &b)?;
+            let square = self.multiply(&root, &root)?;
+            if self.subtract(&square, &q.clone().into())?.is_zero() {
+                return Ok(Some(root));
+            }
+        }
+        Ok(None)
+    }
+
+    /// √(N/(d D)) = √(N d D)/(d D)
+    fn square_root_of_fraction(
+        &mut self,
+        q: &Fraction,
+        available: &[u32],
+    ) -> Result<Option<Fraction>, Obstacle> {
+        let q = self.expanded(q)?;
+        if q.is_zero() {
+            return Ok(None);
+        }
+        let mut denominator = Polynomial::constant(q.divisor.clone());
+        for power in &q.factors {
+            let factor = self.factor_polynomial(power.factor).clone();
+            for _ in 0..power.exponent {
+                self.charge(&denominator, &factor)?;
+                denominator = self.reduce(denominator.mul(&factor))?;
+            }
+        }
+        self.charge(&denominator, &q.numerator)?;
+        let product = self.reduce(denominator.mul(&q.numerator))?;
+        let Some(root) = self.square_root(&product, available)? else { return Ok(None) };
+        let inverse = self.inverse(&denominator.into())?;
+        Ok(Some(self.multiply(&root, &inverse)?))
+    }
+
+    /// √(c ∏ pᵢ^eᵢ): what occurs to an odd power has to be a product of available radicands.
+    fn root_free_square_root(
+        &mut self,
+        q: &Polynomial,
+        available: &[u32],
+    ) -> Result<Option<Fraction>, Obstacle> {
+        if q.variables().into_iter().any(|v| self.relation_of(v).is_some()) {
+            return Ok(None);
+        }
+        let (content, parts) = q.square_free();
+        if content.is_negative() {
+            return Ok(None);
+        }
+        let (mut root, mut odd) = (Polynomial::one(), Polynomial::one());
+        let numbers = prime_powers(&content).into_iter().map(|(p, n)| (Polynomial::constant(p), n));
+        for (part, exponent) in numbers.chain(parts) {
+            root = root.mul(&part.pow(exponent / 2));
+            if exponent % 2 == 1 {
+                odd = odd.mul(&part);
+            }
+        }
+        for &variable in available {
+            let Some(relation) = self.relation_of(variable).cloned().filter(|r| r.order % 2 == 0) else {
+                continue;
+            };
+            if let Some(rest) = odd.divide_exact(&relation.value) {
+                odd = rest;
+                root = root.multiply_by_monomial(&[(variable, relation.order / 2)]);
+            }
+        }
+        Ok(odd.is_one().then(|| root.into()))
+    }
+
+    /// A² − B² f
+    fn norm(&mut self, split: &Split) -> Result<Polynomial, Obstacle> {
+        self.charge(&split.rational, &split.rational)?;
+        self.charge(&split.slope, &split.slope)?;
+        let slope = self.reduce(split.slope.square())?;
+        self.charge(&slope, &split.radicand)?;
+        let irrational = slope.mul(&split.radicand);
+        self.reduce(split.rational.square().sub(&irrational))
+    }
+
+    /// The product of all conjugates, free of roots; nothing if there is none or it is zero.
+    fn full_norm(&mut self, polynomial: &Polynomial) -> Result<Option<Polynomial>, Obstacle> {
+        let mut norm = polynomial.clone();
+        while let Some(variable) = self.roots_in(&norm).pop() {
+            let Some(split) = self.split_at(&norm, variable) else { return Ok(None) };
+            norm = self.norm(&split)?;
+            if norm.term_count() > MOST_TERMS {
+                return Ok(None);
+            }
+        }
+        Ok((!norm.is_zero()).then_some(norm))
+    }
+
+    /// The polynomial as A + Bρᵏ with ρ²ᵏ = f, if no other powers of ρ occur.
+    fn split_at(&self, polynomial: &Polynomial, variable: u32) -> Option<Split> {
+        let Relation { order, value, .. } = self.relation_of(variable)?.clone();
+        let half = order / 2;
+        let mut split = Split {
+            variable,
+            half,
+            radicand: value,
+            rational: Polynomial::zero(),
+            slope: Polynomial::zero(),
+        };
+        for (exponent, coefficient) in polynomial.coefficients_in(variable) {
+            match exponent {
+                0 => split.rational = coefficient,
+                _ if order % 2 == 0 && exponent == half => split.slope = coefficient,
+                _ => return None,
+            }
+        }
+        Some(split)
+    }
+
+    /// The roots that occur, those of simpler radicands first.
+    fn roots_in(&self, polynomial: &Polynomial) -> Vec<u32> {
+        let is_root = |variable: &u32| matches!(self.generator(*variable), Generator::Root { .. });
+        polynomial.variables().into_iter().filter(is_root).collect()
+    }
+
+    /// A root of a radicand that contains roots, if one is in use: it may depend on others in ways unknown here.
+    pub fn nested_radical(&self) -> Option<Fraction> {
+        let nested = |&variable: &u32| {
+            self.is_current_root(variable)
+                && self
+                    .relation_of(variable)
+                    .is_some_and(|relation| !self.roots_in(&relation.value).is_empty())
+        };
+        (0..self.generator_count()).find(nested).map(|variable| Polynomial::variable(variable).into())
+    }
+
+    fn is_stale_root(&self, variable: u32) -> bool {
+        matches!(self.generator(variable), Generator::Root { .. }) && !self.is_current_root(variable)
+    }
+
+    fn is_active_base(&self, polynomial: &Polynomial) -> bool {
+        self.bases().any(|(_, base)| base.polynomial == *polynomial)
+    }
+}

@@ -1,0 +1,64 @@
+//! Integrals that do not converge, are not known to, or are outside the class are refused with the reason.
+
+use super::quadrature::errors;
+
+fn reason(integral: &str) -> String {
+    let text = format!("chart R1(x); param c; fn f(x); let it = integral({integral});");
+    let found = errors(&text);
+    assert_eq!(found.len(), 1, "{integral}: {found:?}");
+    found[0].clone()
+}
+
+#[test]
+fn singular_integrands_are_refused() {
+    let table = [
+        (
+            "1/x, x = -1..1",
+            "cannot integrate over `x`: it is not known that `x` is not zero all over the range of `x`",
+        ),
+        (
+            "1/x, x = 0..1",
+            "cannot integrate over `x`: it is not known that `x` is positive all over the range of `x`",
+        ),
+        (
+            "1/x**2, x = -1..1",
+            "cannot integrate over `x`: it is not known that `x` is not zero all over the range of `x`",
+        ),
+        (
+            "1/(x - c), x = 0..1",
+            "cannot integrate over `x`: it is not known that `x - c` is not zero all over the range of `x`",
+        ),
+        ("sqrt(x)**2, x = -1..1", "cannot integrate: it is not known that `x >= 0` holds all over the range"),
+        (
+            "sqrt(1 - x**2), x = 0..2",
+            "cannot integrate: it is not known that `1 - x**2 >= 0` holds all over the range",
+        ),
+        ("log(x), x = -1..1", "cannot integrate: it is not known that `x > 0` holds all over the range"),
+        (
+            "1/cos(x)**2, x = 0..pi",
+            "cannot integrate over `x`: it is not known that `cos(1/2*x)` is not zero all over the range of `x`",
+        ),
+    ];
+    for (integral, message) in table {
+        assert_eq!(reason(integral), message, "{integral}");
+    }
+}
+
+#[test]
+fn what_is_outside_the_class_is_refused() {
+    let table = [
+        (
+            "exp(x**2), x = 0..1",
+            "cannot integrate over `x`: no antiderivative of `exp(x**2)` with respect to `x` is known",
+        ),
+        ("f, x = 0..1", "cannot integrate over `x`: no antiderivative of `f` with respect to `x` is known"),
+        ("if x > 0 { 1 } else { 0 }, x = 0..1", "cannot integrate over `x`: an expression with `if`"),
+        (
+            "1/(x**5 + x + 1), x = 0..1",
+            "cannot integrate over `x`: a denominator of degree 5 that was not factored",
+        ),
+    ];
+    for (integral, message) in table {
+        assert_eq!(reason(integral), message, "{integral}");
+    }
+}

@@ -1,0 +1,89 @@
+//! Random metrics as texts: entries are small polynomials and unknown functions, some off the diagonal.
+
+/// SplitMix64
+pub(crate) struct Random(pub(crate) u64);
+
+impl Random {
+    pub(crate) fn below(&mut self, bound: u64) -> usize {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) % bound) as usize
+    }
+
+    fn pick<'a>(&mut self, from: &[&'a str]) -> &'a str {
+        from[self.below(from.len() as u64)]
+    }
+}
+
+pub(crate) const COORDINATES: [&str; 4] = ["x", "y", "z", "w"];
+
+/// A symmetric matrix of texts.
+pub(crate) struct Metric {
+    pub(crate) entries: Vec<Vec<String>>,
+}
+
+impl Metric {
+    /// A metric of some dimension and signature.
+    pub(crate) fn draw(random: &mut Random, dimension: usize) -> Self {
+        let mut lower: Vec<Vec<String>> = Vec::new();
+        for size in 0..dimension {
+            let mut row: Vec<String> =
+                (0..size).map(|_| random.pick(&["0", "0", "1", "x", "y", "f"]).to_string()).collect();
+            let sign = random.pick(&["", "", "-"]);
+            row.push(format!("{sign}{}", random.pick(&["1", "2", "(1 + x**2)", "(3 + x*x)", "f"])));
+            lower.push(row);
+        }
+        let entry = |i: usize, j: usize| lower[i.max(j)][i.min(j)].clone();
+        let entries = (0..dimension).map(|i| (0..dimension).map(|j| entry(i, j)).collect()).collect();
+        Metric { entries }
+    }
+
+    pub(crate) fn dimension(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// The declarations: chart, an unknown function, the metric g.
+    pub(crate) fn preamble(&self) -> String {
+        let n = self.dimension();
+        let names = COORDINATES[..n].join(", ");
+        let pairs = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
+        let term = |(i, j): (usize, usize)| {
+            format!("({})*d{}*d{}", self.entries[i][j], COORDINATES[i], COORDINATES[j])
+        };
+        let terms: Vec<String> = pairs.map(term).collect();
+        format!(
+            "chart C({names}); fn f(x, y); fn p({names}); fn q({names}); metric g on C = {};",
+            terms.join(" + ")
+        )
+    }
+
+    /// Whether the determinant is zero everywhere.
+    pub(crate) fn is_degenerate(&self) -> bool {
+        !super::theory::errors(&self.preamble()).is_empty()
+    }
+}
+
+/// Metrics that are not degenerate, of dimension 2 and 3, the same in every run.
+pub(crate) fn metrics(count: usize) -> Vec<Metric> {
+    let mut random = Random(7);
+    let drawn = (0..).map(|number| Metric::draw(&mut random, 2 + number % 2));
+    drawn.filter(|metric| !metric.is_degenerate()).take(count).collect()
+}
+
+/// Every ordered choice of k of n places in ascending order.
+pub(crate) fn subsets(n: usize, k: usize) -> Vec<Vec<usize>> {
+    (0..1_u32 << n)
+        .filter(|set| set.count_ones() as usize == k)
+        .map(|set| (0..n).filter(|place| set >> place & 1 == 1).collect())
+        .collect()
+}
+
+/// dx∧dy as text; 1 for no factor.
+pub(crate) fn blade(places: &[usize]) -> String {
+    if places.is_empty() {
+        return "1".into();
+    }
+    places.iter().map(|&place| format!("d{}", COORDINATES[place])).collect::<Vec<_>>().join("^")
+}
