@@ -5,7 +5,8 @@ use astro_float::{BigFloat, Consts, RoundingMode};
 
 /// Bits of every operation.
 const BITS: usize = 320;
-const ROUNDING: RoundingMode = RoundingMode::ToEven;
+/// To the last bit but few: correct rounding would never end at an exact value such as 4^(1/2).
+const ROUNDING: RoundingMode = RoundingMode::None;
 
 /// Below this a divisor counts as zero, and a difference of the sides (as a part of their size) as none: 10⁻⁶⁰.
 const NOTHING: f64 = 1e-60;
@@ -66,11 +67,14 @@ impl Calculator {
             let raised = base.powi(n.unsigned_abs() as usize, p, rm);
             return Some(if n < 0 { BigFloat::from_i64(1, p).div(&raised, p, rm) } else { raised });
         }
-        if base.is_negative() || is_nothing(&base) {
+        if is_nothing(&base) {
+            return (n > 0).then(|| BigFloat::from_i64(0, p));
+        }
+        if base.is_negative() {
             return None;
         }
-        let exponent = self.ratio(n, d);
-        Some(base.pow(&exponent, p, rm, &mut self.constants))
+        let exponent = self.ratio(n, d).mul(&base.ln(p, rm, &mut self.constants), p, rm);
+        Some(exponent.exp(p, rm, &mut self.constants))
     }
 
     fn function(&mut self, name: &str, x: &BigFloat) -> Option<BigFloat> {
