@@ -1,67 +1,28 @@
-//! Known identities with random parts in them, put together, and damaged.
+//! Known identities with random parts in them, put together.
 
+use crate::conditional::conditional;
 use crate::dice::Dice;
+use crate::forms::exterior;
+use crate::parts::{angle, any, exponent, positive, square};
+use crate::statement::{Equation, Statement};
 use crate::tree::Tree::{self, *};
-use crate::tree::{apply, number, partial, power, variable};
-
-/// Two sides.
-pub type Equation = [Tree; 2];
-
-/// A small expression that is defined everywhere.
-fn any(dice: &mut Dice) -> Tree {
-    let [x, y, a] = [0, 1, 2].map(variable);
-    match dice.below(8) {
-        0 => x,
-        1 => y,
-        2 => number(dice.between(-3, 3)) * x + number(dice.between(1, 3)) * y,
-        3 => x * y,
-        4 => power(&x, (2, 1)) - y,
-        5 => a * x + number(dice.between(-2, 2)),
-        6 => x.clone() / (number(1) + power(&x, (2, 1))),
-        _ => Number(dice.between(1, 5), dice.between(1, 4)) * y,
-    }
-}
-
-/// An expression that is positive everywhere.
-fn positive(dice: &mut Dice) -> Tree {
-    let [x, y, a, b] = [0, 1, 2, 3].map(variable);
-    match dice.below(7) {
-        0 => a,
-        1 => a * b,
-        2 => power(&x, (2, 1)) + number(1),
-        3 => power(&x, (2, 1)) + power(&y, (2, 1)) + b,
-        4 => apply("exp", &any(dice)),
-        5 => a / (b + number(1)),
-        _ => power(&(x - y), (2, 1)) + number(dice.between(1, 3)),
-    }
-}
-
-/// An angle: linear in the variables.
-fn angle(dice: &mut Dice) -> Tree {
-    let [x, y, a] = [0, 1, 2].map(variable);
-    match dice.below(5) {
-        0 => x,
-        1 => y,
-        2 => number(dice.between(2, 3)) * x,
-        3 => x + y,
-        _ => a * y,
-    }
-}
+use crate::tree::{apply, atan2, number, partial, power, raised};
 
 /// A known identity; the variable of its derivatives is a coordinate.
-fn known(dice: &mut Dice) -> Equation {
-    match dice.below(6) {
+fn known(dice: &mut Dice) -> Statement {
+    let sides = match dice.below(10) {
         0 => rational(&any(dice), &any(dice), dice),
         1 => trigonometric(&angle(dice), &angle(dice), dice),
         2 => exponential(&any(dice), &any(dice), &positive(dice), &positive(dice), dice),
         3 => radical(&any(dice), &any(dice), &positive(dice), &positive(dice), dice),
         4 => inverse(&any(dice), &positive(dice), dice),
-        _ => differential(&any(dice), &positive(dice), dice.below(2) as usize, dice),
-    }
-}
-
-fn square(a: &Tree) -> Tree {
-    power(a, (2, 1))
+        5 => differential(&any(dice), &positive(dice), dice.below(2) as usize, dice),
+        6 => symbolic(&positive(dice), &positive(dice), [exponent(dice), exponent(dice)], dice),
+        7 => polar(&any(dice), &positive(dice), dice),
+        8 => exterior(dice),
+        _ => return conditional(dice),
+    };
+    sides.into()
 }
 
 fn rational(a: &Tree, b: &Tree, dice: &mut Dice) -> Equation {
@@ -75,7 +36,7 @@ fn rational(a: &Tree, b: &Tree, dice: &mut Dice) -> Equation {
 
 fn trigonometric(a: &Tree, b: &Tree, dice: &mut Dice) -> Equation {
     let [sin, cos, tan] = ["sin", "cos", "tan"].map(|name| move |of: &Tree| apply(name, of));
-    match dice.below(9) {
+    match dice.below(11) {
         0 => [square(&sin(a)) + square(&cos(a)), number(1)],
         1 => [sin(&(a + b)), sin(a) * cos(b) + cos(a) * sin(b)],
         2 => [cos(&(a - b)), cos(a) * cos(b) + sin(a) * sin(b)],
@@ -84,6 +45,8 @@ fn trigonometric(a: &Tree, b: &Tree, dice: &mut Dice) -> Equation {
         5 => [number(1) + square(&tan(a)), number(1) / square(&cos(a))],
         6 => [square(&sin(&(a.clone() / number(2)))), (number(1) - cos(a)) / number(2)],
         7 => [number(2) * sin(a) * sin(b), cos(&(a - b)) - cos(&(a + b))],
+        8 => [tan(&(a.clone() / number(2))), sin(a) / (number(1) + cos(a))],
+        9 => [sin(a) + sin(b), number(2) * sin(&((a + b) / number(2))) * cos(&((a - b) / number(2)))],
         _ => [tan(&(a + b)), (tan(a) + tan(b)) / (number(1) - tan(a) * tan(b))],
     }
 }
@@ -105,7 +68,7 @@ fn exponential(a: &Tree, b: &Tree, p: &Tree, q: &Tree, dice: &mut Dice) -> Equat
 
 fn radical(a: &Tree, b: &Tree, p: &Tree, q: &Tree, dice: &mut Dice) -> Equation {
     let [sqrt, abs] = ["sqrt", "abs"].map(|name| move |of: &Tree| apply(name, of));
-    match dice.below(9) {
+    match dice.below(15) {
         0 => [sqrt(p) * sqrt(q), sqrt(&(p * q))],
         1 => [sqrt(&square(a)), abs(a)],
         2 => [abs(&(a * b)), abs(a) * abs(b)],
@@ -114,7 +77,47 @@ fn radical(a: &Tree, b: &Tree, p: &Tree, q: &Tree, dice: &mut Dice) -> Equation 
         5 => [number(1) / (sqrt(p) + sqrt(q)), (sqrt(p) - sqrt(q)) / (p - q)],
         6 => [sqrt(p) / p.clone(), number(1) / sqrt(p)],
         7 => [sqrt(&(p + q + number(2) * sqrt(&(p * q)))), sqrt(p) + sqrt(q)],
+        8 => [(sqrt(p) + sqrt(q)) * (sqrt(p) - sqrt(q)), p - q],
+        9 => [sqrt(&(p / q)), sqrt(&(p * q)) / q.clone()],
+        10 => [square(&(abs(a) + abs(b))), square(a) + square(b) + number(2) * abs(&(a * b))],
+        11 => [abs(&(a / p)), abs(a) / p.clone()],
+        12 => [power(&square(a), (3, 2)), power(&abs(a), (3, 1))],
+        13 => [sqrt(a) * sqrt(b), sqrt(&(a * b))],
         _ => [square(&abs(a)), square(a)],
+    }
+}
+
+/// Powers with any exponents.
+fn symbolic(p: &Tree, q: &Tree, [e, f]: [Tree; 2], dice: &mut Dice) -> Equation {
+    match dice.below(8) {
+        0 => [raised(p, &e) * raised(p, &f), raised(p, &(e + f))],
+        1 => [raised(&raised(p, &e), &f), raised(p, &(e * f))],
+        2 => [raised(&(p * q), &e), raised(p, &e) * raised(q, &e)],
+        3 => [apply("log", &raised(p, &e)), e * apply("log", p)],
+        4 => [apply("exp", &(e.clone() * apply("log", p))), raised(p, &e)],
+        5 => [raised(p, &-e.clone()), number(1) / raised(p, &e)],
+        6 => [raised(&apply("exp", &e), &f), apply("exp", &(e * f))],
+        _ => {
+            let logarithmic = partial(&e, 0) * apply("log", p) + e.clone() * partial(p, 0) / p.clone();
+            [partial(&raised(p, &e), 0), raised(p, &e) * logarithmic]
+        }
+    }
+}
+
+/// The angle of a point.
+fn polar(a: &Tree, p: &Tree, dice: &mut Dice) -> Equation {
+    let angle = atan2(a, p);
+    let radius = || apply("sqrt", &(square(a) + square(p)));
+    match dice.below(6) {
+        0 => [apply("tan", &angle), a / p],
+        1 => [apply("cos", &angle), p.clone() / radius()],
+        2 => [apply("sin", &angle), a.clone() / radius()],
+        3 => [angle, apply("atan", &(a / p))],
+        4 => [atan2(&(a * p), &square(p)), angle],
+        _ => {
+            let area = partial(a, 1) * p.clone() - a.clone() * partial(p, 1);
+            [partial(&angle, 1), area / (square(a) + square(p))]
+        }
     }
 }
 
@@ -147,56 +150,16 @@ fn differential(a: &Tree, p: &Tree, x: usize, dice: &mut Dice) -> Equation {
 }
 
 /// Several identities put together in the same way on both sides.
-pub fn identity(dice: &mut Dice) -> Equation {
-    let [mut left, mut right] = known(dice);
+pub(crate) fn identity(dice: &mut Dice) -> Statement {
+    let Statement { sides: [mut left, mut right], mut conditions } = known(dice);
     for _ in 0..dice.below(3) {
-        let (factor, [l, r]) = (any(dice), known(dice));
+        let (factor, Statement { sides: [l, r], conditions: more }) = (any(dice), known(dice));
+        conditions.extend(more);
         (left, right) = match dice.below(3) {
             0 => (left + l, right + r),
             1 => (left * factor.clone() - l, right * factor - r),
             _ => (left * l, right * r),
         };
     }
-    if dice.below(2) == 0 { [right, left] } else { [left, right] }
-}
-
-/// Changes one part of one side: a sign, a number, an exponent, a function, a variable.
-pub fn damage(sides: &mut Equation, dice: &mut Dice) {
-    let side = &mut sides[dice.below(2) as usize];
-    let place = dice.below(side.size() as u64) as usize;
-    let (step, other) = (dice.between(1, 2), dice.below(4) as usize);
-    side.change(place, &mut |part| {
-        *part = match part.clone() {
-            Variable(_) => Variable(other),
-            Number(p, q) => Number(p + step, q),
-            Pi => number(3),
-            Sum(a, b) => Difference(a, b),
-            Difference(a, b) => Sum(a, b),
-            Product(a, b) => if step == 1 { Sum(a, b) } else { *a },
-            Quotient(a, b) => if step == 1 { Product(a, b) } else { Quotient(b, a) },
-            Negative(a) => *a,
-            Power(a, p, q) => Power(a, p + step, q),
-            Function(name, a) => Function(exchanged(name), a),
-            Partial(a, by) => if step == 1 { Partial(a, 1 - by) } else { *a },
-        };
-    });
-}
-
-/// A function that is easily mistaken for another.
-fn exchanged(name: &str) -> &'static str {
-    match name {
-        "sin" => "cos",
-        "cos" => "sin",
-        "tan" => "sin",
-        "exp" => "cosh",
-        "log" => "sqrt",
-        "sqrt" => "abs",
-        "abs" => "sqrt",
-        "atan" => "sin",
-        "asin" => "acos",
-        "acos" => "atan",
-        "sinh" => "cosh",
-        "cosh" => "sinh",
-        _ => "atan",
-    }
+    Statement::new(if dice.below(2) == 0 { [right, left] } else { [left, right] }, conditions)
 }

@@ -3,16 +3,24 @@
 //!
 //! `FORMS_STATEMENTS=100000` tries that many statements.
 
+mod conditional;
 mod dice;
+mod forms;
 mod identity;
+mod mutation;
+mod notation;
+mod parts;
+mod statement;
 mod tree;
 mod value;
 
+use ::forms::core::check::{decide_all, read_theory};
+use ::forms::core::decide::{Verdict, Witness};
 use astro_float::BigFloat;
 use dice::Dice;
-use forms::core::check::{decide_all, read_theory};
-use forms::core::decide::{Verdict, Witness};
-use identity::{Equation, damage, identity};
+use identity::identity;
+use mutation::damage;
+use statement::Statement;
 use tree::NAMES;
 use value::Calculator;
 
@@ -20,8 +28,8 @@ use value::Calculator;
 const STATEMENTS: u64 = 1_000;
 /// Of a hundred statements so many have to be decided.
 const DECIDED: u64 = 95;
-/// Points looked at, and how many of them where both sides are defined are enough.
-const POINTS: usize = 60;
+/// Points looked at, and how many of them of which the statement speaks are enough.
+const POINTS: usize = 100;
 const ENOUGH: usize = 6;
 
 /// What is found of the statements.
@@ -34,21 +42,31 @@ struct Tally {
     wrong: Vec<String>,
 }
 
+/// Values with some 90 digits, and with four times as many for what seems to differ.
+struct Values {
+    quick: Calculator,
+    sure: Calculator,
+}
+
 #[test]
 fn no_verdict_on_a_random_statement_contradicts_its_values() {
     let count = std::env::var("FORMS_STATEMENTS")
         .map_or(STATEMENTS, |text| text.parse().expect("FORMS_STATEMENTS is a number"));
-    let (mut tally, mut calculator) = (Tally::default(), Calculator::new());
+    let mut values = Values { quick: Calculator::new(320), sure: Calculator::new(1280) };
+    let mut tally = Tally::default();
     for case in 0..count {
         let mut dice = Dice::of(case);
-        let mut sides = identity(&mut dice);
+        let mut statement = identity(&mut dice);
         if dice.below(2) == 0 {
-            damage(&mut sides, &mut dice);
+            damage(&mut statement, &mut dice);
         }
-        judge(case, &sides, &mut dice, &mut calculator, &mut tally);
+        judge(case, &statement, &mut dice, &mut values, &mut tally);
     }
     let Tally { proved, refuted, empty, unknown, wrong } = tally;
-    println!("{count} statements: {proved} proved, {refuted} refuted, {empty} of no point, {} unknown", unknown.len());
+    println!(
+        "{count} statements: {proved} proved, {refuted} refuted, {empty} of no point, {} unknown",
+        unknown.len()
+    );
     for open in &unknown {
         println!("unknown: {open}");
     }
@@ -57,14 +75,13 @@ fn no_verdict_on_a_random_statement_contradicts_its_values() {
     assert!(proved * 4 > count && refuted * 4 > count, "{proved} proved and {refuted} refuted say little");
 }
 
-fn judge(case: u64, sides: &Equation, dice: &mut Dice, calculator: &mut Calculator, tally: &mut Tally) {
-    let equation = format!("{} == {}", sides[0], sides[1]);
-    let source = format!("chart P(x, y); param a, b where a > 0, b > 0; prove s: {equation};");
-    let (mut theory, errors) = read_theory(&source);
+fn judge(case: u64, statement: &Statement, dice: &mut Dice, values: &mut Values, tally: &mut Tally) {
+    let mut wrong = |what: &str| tally.wrong.push(format!("case {case}: {what}: {statement}"));
+    let (mut theory, errors) = read_theory(&statement.source());
     if !errors.is_empty() {
         // The resolver refuses a division by zero; the values must have no point either.
-        if differs_somewhere(sides, dice, calculator).is_some() {
-            tally.wrong.push(format!("case {case}: {equation}: {errors:?}"));
+        if values.differ_somewhere(statement, dice).is_some() {
+            wrong(&format!("it has points: {errors:?}"));
         }
         tally.empty += 1;
         return;
@@ -72,72 +89,84 @@ fn judge(case: u64, sides: &Equation, dice: &mut Dice, calculator: &mut Calculat
     match decide_all(&mut theory).remove(0) {
         Verdict::Proved(_) => {
             tally.proved += 1;
-            if differs_somewhere(sides, dice, calculator) == Some(true) {
-                tally.wrong.push(format!("case {case}: proved, and false: {equation}"));
+            if values.differ_somewhere(statement, dice) == Some(true) {
+                wrong("proved, and false");
             }
         }
         Verdict::Refuted(witness) => {
             tally.refuted += 1;
-            let point = point_of(&witness, calculator);
-            if calculator.differ([&sides[0], &sides[1]], &point) != Some(true) {
-                tally.wrong.push(format!("case {case}: refuted by a point that does not: {equation}: {witness}"));
+            if !values.bear_out(statement, &witness) {
+                wrong(&format!("refuted by a point that does not ({witness})"));
             }
         }
         Verdict::Unknown { reason } => {
-            let truth = match differs_somewhere(sides, dice, calculator) {
+            let truth = match values.differ_somewhere(statement, dice) {
                 Some(true) => "false",
                 Some(false) => "true",
                 None => "of no point",
             };
-            tally.unknown.push(format!("case {case}, {truth}: {equation}: {reason}"));
+            tally.unknown.push(format!("case {case}, {truth}: {statement}: {reason}"));
         }
         Verdict::Empty { reason } => {
             tally.empty += 1;
-            if differs_somewhere(sides, dice, calculator).is_some() {
-                tally.wrong.push(format!("case {case}: it has points: {equation}: {reason}"));
+            if values.differ_somewhere(statement, dice).is_some() {
+                wrong(&format!("it has points, in spite of \"{reason}\""));
             }
         }
     }
 }
 
-/// Random points with positive parameters.
-fn points(dice: &mut Dice, calculator: &Calculator) -> impl Iterator<Item = Vec<BigFloat>> + use<> {
-    let mut found = Vec::new();
-    for _ in 0..POINTS {
-        let coordinates = (0..2).map(|_| (dice.between(-40, 40), dice.between(7, 13)));
-        let mut point: Vec<(i64, i64)> = coordinates.collect();
-        point.extend((0..2).map(|_| (dice.between(1, 40), dice.between(7, 13))));
-        found.push(point.iter().map(|&(p, q)| calculator.ratio(p, q)).collect());
+impl Values {
+    /// Whether the sides differ at one of some random points; nothing where the statement speaks of none of them.
+    fn differ_somewhere(&mut self, statement: &Statement, dice: &mut Dice) -> Option<bool> {
+        let mut met = 0;
+        for _ in 0..POINTS {
+            let point = random_point(dice, &self.quick);
+            match differ(&mut self.quick, statement, &point) {
+                None => {}
+                Some(true) if differ(&mut self.sure, statement, &point) == Some(true) => return Some(true),
+                Some(_) => met += 1,
+            }
+            if met == ENOUGH {
+                break;
+            }
+        }
+        (met > 0).then_some(false)
     }
-    found.into_iter()
+
+    /// Whether the sides differ at the point of a witness; a variable it does not name has no influence.
+    fn bear_out(&mut self, statement: &Statement, witness: &Witness) -> bool {
+        let value =
+            |name: &str| witness.point.iter().find(|entry| entry.0 == name).map_or("1", |entry| &entry.1);
+        let point: Vec<BigFloat> = NAMES
+            .iter()
+            .map(|name| {
+                let text = value(name);
+                let (p, q) = text.split_once('/').unwrap_or((text, "1"));
+                let [p, q] = [p, q].map(|part| part.parse().expect("the value of a witness is a fraction"));
+                self.sure.ratio(p, q)
+            })
+            .collect();
+        differ(&mut self.sure, statement, &point) == Some(true)
+    }
 }
 
-/// Whether the sides differ at one of some random points; nothing where both are defined at none of them.
-fn differs_somewhere(sides: &Equation, dice: &mut Dice, calculator: &mut Calculator) -> Option<bool> {
-    let mut defined = 0;
-    for point in points(dice, calculator) {
-        match calculator.differ([&sides[0], &sides[1]], &point) {
-            None => {}
-            Some(true) => return Some(true),
-            Some(false) => defined += 1,
-        }
-        if defined == ENOUGH {
-            break;
+/// Whether the sides differ at a point; nothing where the statement does not speak of it.
+fn differ(calculator: &mut Calculator, statement: &Statement, point: &[BigFloat]) -> Option<bool> {
+    for condition in &statement.conditions {
+        if calculator.meets(condition, point) != Some(true) {
+            return None;
         }
     }
-    (defined > 0).then_some(false)
+    let [left, right] = &statement.sides;
+    calculator.differ([left, right], point)
 }
 
-/// The point of a witness; a variable it does not name has no influence.
-fn point_of(witness: &Witness, calculator: &Calculator) -> Vec<BigFloat> {
-    let value = |name: &str| witness.point.iter().find(|entry| entry.0 == name).map_or("1", |entry| &entry.1);
-    NAMES
-        .iter()
-        .map(|name| {
-            let text = value(name);
-            let (p, q) = text.split_once('/').unwrap_or((text, "1"));
-            let [p, q] = [p, q].map(|part| part.parse().expect("the value of a witness is a fraction"));
-            calculator.ratio(p, q)
-        })
-        .collect()
+/// A random point with positive parameters; every second coordinate is small.
+fn random_point(dice: &mut Dice, calculator: &Calculator) -> Vec<BigFloat> {
+    let mut coordinate = |low: i64| {
+        let high = if dice.below(2) == 0 { 40 } else { 13 };
+        (dice.between(low.max(-high), high), dice.between(7, 13))
+    };
+    [-40, -40, 1, 1].map(|low| coordinate(low)).map(|(p, q)| calculator.ratio(p, q)).to_vec()
 }

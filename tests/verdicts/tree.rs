@@ -1,13 +1,14 @@
 //! Expressions of the tests' own: written in the language, differentiated and evaluated without the engine.
 
+use crate::notation::Notation;
 use std::fmt;
 
 /// The variables: two coordinates, then two positive parameters.
-pub const NAMES: [&str; 4] = ["x", "y", "a", "b"];
+pub(crate) const NAMES: [&str; 4] = ["x", "y", "a", "b"];
 
 /// An expression.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Tree {
+pub(crate) enum Tree {
     Variable(usize),
     Number(i64, i64),
     Pi,
@@ -16,28 +17,38 @@ pub enum Tree {
     Product(Box<Tree>, Box<Tree>),
     Quotient(Box<Tree>, Box<Tree>),
     Negative(Box<Tree>),
+    /// A power with a rational exponent.
     Power(Box<Tree>, i64, i64),
+    /// A power of a positive base with any exponent.
+    Raised(Box<Tree>, Box<Tree>),
     Function(&'static str, Box<Tree>),
-    /// `diff(f, x)`
-    Partial(Box<Tree>, usize),
+    Atan2(Box<Tree>, Box<Tree>),
+    /// A scalar that the language is told by forms and fields.
+    Written(Notation, Vec<Tree>),
 }
 
 use Tree::*;
 
-pub fn number(value: i64) -> Tree {
+pub(crate) fn number(value: i64) -> Tree {
     Number(value, 1)
 }
-pub fn variable(place: usize) -> Tree {
+pub(crate) fn variable(place: usize) -> Tree {
     Variable(place)
 }
-pub fn power(base: &Tree, exponent: (i64, i64)) -> Tree {
+pub(crate) fn power(base: &Tree, exponent: (i64, i64)) -> Tree {
     Power(Box::new(base.clone()), exponent.0, exponent.1)
 }
-pub fn apply(name: &'static str, argument: &Tree) -> Tree {
+pub(crate) fn raised(base: &Tree, exponent: &Tree) -> Tree {
+    Raised(Box::new(base.clone()), Box::new(exponent.clone()))
+}
+pub(crate) fn apply(name: &'static str, argument: &Tree) -> Tree {
     Function(name, Box::new(argument.clone()))
 }
-pub fn partial(f: &Tree, place: usize) -> Tree {
-    Partial(Box::new(f.clone()), place)
+pub(crate) fn atan2(y: &Tree, x: &Tree) -> Tree {
+    Atan2(Box::new(y.clone()), Box::new(x.clone()))
+}
+pub(crate) fn partial(f: &Tree, place: usize) -> Tree {
+    Written(Notation::Partial(place), vec![f.clone()])
 }
 
 macro_rules! operator {
@@ -81,16 +92,19 @@ impl fmt::Display for Tree {
             Product(a, b) => write!(f, "({a}*{b})"),
             Quotient(a, b) => write!(f, "({a}/{b})"),
             Negative(a) => write!(f, "(-{a})"),
+            Power(a, p, 1) => write!(f, "({a})**({p})"),
             Power(a, p, q) => write!(f, "({a})**({p}/{q})"),
+            Raised(a, e) => write!(f, "({a})**({e})"),
             Function(name, a) => write!(f, "{name}({a})"),
-            Partial(a, place) => write!(f, "diff({a}, {})", NAMES[*place]),
+            Atan2(y, x) => write!(f, "atan2({y}, {x})"),
+            Written(notation, parts) => notation.write(parts, f),
         }
     }
 }
 
 impl Tree {
     /// The partial derivative by the rules of a textbook.
-    pub fn derivative(&self, place: usize) -> Tree {
+    pub(crate) fn derivative(&self, place: usize) -> Tree {
         let d = |tree: &Tree| tree.derivative(place);
         match self {
             Variable(own) => number(i64::from(*own == place)),
@@ -101,36 +115,69 @@ impl Tree {
             Quotient(a, b) => (d(a) * (**b).clone() - (**a).clone() * d(b)) / power(b, (2, 1)),
             Negative(a) => -d(a),
             Power(a, p, q) => Number(*p, *q) * power(a, (p - q, *q)) * d(a),
+            Raised(a, e) => self.clone() * (d(e) * apply("log", a) + (**e).clone() * d(a) / (**a).clone()),
             Function(name, a) => outer_derivative(name, a) * d(a),
-            Partial(a, by) => a.derivative(*by).derivative(place),
+            Atan2(y, x) => {
+                (d(y) * (**x).clone() - (**y).clone() * d(x)) / (power(y, (2, 1)) + power(x, (2, 1)))
+            }
+            Written(notation, parts) => notation.meaning(parts).derivative(place),
+        }
+    }
+
+    /// The expression at the image of a map.
+    pub(crate) fn composed(&self, image: &[Tree; 2]) -> Tree {
+        match self {
+            Variable(place) if *place < 2 => image[*place].clone(),
+            Written(notation, parts) => notation.meaning(parts).composed(image),
+            _ => {
+                let mut tree = self.clone();
+                tree.parts_mut().into_iter().for_each(|part| *part = part.composed(image));
+                tree
+            }
+        }
+    }
+
+    pub(crate) fn parts(&self) -> Vec<&Tree> {
+        match self {
+            Variable(_) | Number(..) | Pi => vec![],
+            Negative(a) | Power(a, ..) | Function(_, a) => vec![a],
+            Sum(a, b) | Difference(a, b) | Product(a, b) | Quotient(a, b) | Raised(a, b) | Atan2(a, b) => {
+                vec![a, b]
+            }
+            Written(_, parts) => parts.iter().collect(),
+        }
+    }
+
+    pub(crate) fn parts_mut(&mut self) -> Vec<&mut Tree> {
+        match self {
+            Variable(_) | Number(..) | Pi => vec![],
+            Negative(a) | Power(a, ..) | Function(_, a) => vec![a],
+            Sum(a, b) | Difference(a, b) | Product(a, b) | Quotient(a, b) | Raised(a, b) | Atan2(a, b) => {
+                vec![a, b]
+            }
+            Written(_, parts) => parts.iter_mut().collect(),
         }
     }
 
     /// How many parts it has, itself counted.
-    pub fn size(&self) -> usize {
-        1 + match self {
-            Variable(_) | Number(..) | Pi => 0,
-            Sum(a, b) | Difference(a, b) | Product(a, b) | Quotient(a, b) => a.size() + b.size(),
-            Negative(a) | Power(a, ..) | Function(_, a) | Partial(a, _) => a.size(),
-        }
+    pub(crate) fn size(&self) -> usize {
+        1 + self.parts().into_iter().map(Tree::size).sum::<usize>()
     }
 
-    /// Changes the part of that number, itself being number 0.
-    pub fn change(&mut self, place: usize, by: &mut dyn FnMut(&mut Tree)) {
+    /// The part of that number, itself being number 0.
+    pub(crate) fn part_mut(&mut self, place: usize) -> &mut Tree {
         if place == 0 {
-            return by(self);
+            return self;
         }
-        match self {
-            Variable(_) | Number(..) | Pi => {}
-            Sum(a, b) | Difference(a, b) | Product(a, b) | Quotient(a, b) => {
-                if place <= a.size() {
-                    a.change(place - 1, by);
-                } else {
-                    b.change(place - 1 - a.size(), by);
-                }
+        let mut rest = place - 1;
+        for part in self.parts_mut() {
+            let size = part.size();
+            if rest < size {
+                return part.part_mut(rest);
             }
-            Negative(a) | Power(a, ..) | Function(_, a) | Partial(a, _) => a.change(place - 1, by),
+            rest -= size;
         }
+        unreachable!("a tree has as many parts as its size says")
     }
 }
 
