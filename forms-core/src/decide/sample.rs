@@ -135,6 +135,11 @@ pub(super) struct Sequence(SplitMix);
 const SIMPLE: &[(i64, i64)] =
     &[(1, 1), (2, 1), (1, 2), (3, 1), (-1, 1), (3, 2), (-2, 1), (1, 3), (5, 1), (0, 1)];
 
+/// From one round on, of so many rounds one tries numbers close to zero: what holds for x > 0 fails between −1/10 and
+/// 0, if anywhere, where a condition says x > −1/10.
+const FIRST_CLOSE: u32 = 24;
+const CLOSE: u32 = 3;
+
 impl Sequence {
     pub(super) fn new(seed: u64) -> Self {
         Sequence(SplitMix(seed))
@@ -152,7 +157,9 @@ impl Sequence {
         let numerator = (random >> 8) as i64 % (8 * magnitude + 1);
         let denominator = 1 + (random >> 40) as i64 % 7;
         let sign = if random & 1 == 0 { 1 } else { -1 };
-        Rational::new((sign * numerator).into(), denominator.into())
+        let number = Rational::new((sign * numerator).into(), denominator.into());
+        let is_close = round >= FIRST_CLOSE && round % CLOSE == 0 && numerator > denominator;
+        if is_close { number.recip() } else { number }
     }
 
     /// Values for the variables, within their bounds.
