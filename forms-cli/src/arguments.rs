@@ -35,6 +35,9 @@ pub(crate) enum Command {
         /// The notation
         #[arg(long = "as", value_enum, default_value_t = Notation::Text, value_name = "NOTATION")]
         notation: Notation,
+        /// Of a closed form: whether it has a potential, or else a cycle with its period
+        #[arg(long, conflicts_with = "notation")]
+        topology: bool,
     },
     /// Print the steps that decide one statement
     ///

@@ -301,3 +301,17 @@ fn a_derivation_is_printed_in_every_notation_and_its_status_tells_the_verdict() 
     assert_eq!(missing.status, 2);
     assert!(missing.errors.contains("it has square, shifted"), "{}", missing.errors);
 }
+
+#[test]
+fn the_angle_form_is_closed_and_has_no_potential_around_the_origin() {
+    let plane = "chart P(x, y) where x**2 + y**2 > 0; form angle = (x*dy - y*dx)/(x**2 + y**2); let f = x;";
+    let folder = Folder::with(&[("plane.forms", plane)]);
+    let run = forms(&folder, &["show", "plane.forms", "angle", "--topology"]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    for part in ["goes around x = 0, y = 0", "== 2*pi    (proved)", "let A = (atan2(y, x));"] {
+        assert!(run.output.contains(part), "{part}: {}", run.output);
+    }
+    let scalar = forms(&folder, &["show", "plane.forms", "f", "--topology"]);
+    assert_eq!(scalar.status, 2);
+    assert!(scalar.errors.contains("only forms have periods"), "{}", scalar.errors);
+}

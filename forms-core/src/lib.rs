@@ -26,6 +26,7 @@ pub mod polynomial;
 mod random;
 pub mod resolve;
 pub mod syntax;
+pub mod topology;
 
 #[cfg(test)]
 extern crate self as forms_core;

@@ -6,6 +6,7 @@ mod eval;
 mod kernels;
 mod prove;
 mod show;
+mod topology;
 mod tour;
 
 use crate::arguments::{Arguments, Command};
@@ -17,7 +18,8 @@ pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<S
     match &arguments.command {
         None => tour::tour(output),
         Some(Command::Prove { files, json }) => prove::prove(files, *json, output),
-        Some(Command::Show { file, name, notation }) => show::show(file, name, *notation, output),
+        Some(Command::Show { file, name, topology: true, .. }) => topology::topology(file, name, output),
+        Some(Command::Show { file, name, notation, .. }) => show::show(file, name, *notation, output),
         Some(Command::Derive { file, name, notation }) => derive::derive(file, name, *notation, output),
         Some(Command::Eval { file, kernel, precision, tier }) => {
             eval::eval(file, kernel, precision, *tier, output)

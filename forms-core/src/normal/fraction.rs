@@ -64,6 +64,11 @@ impl Fraction {
         self.factors.is_empty().then_some(&self.numerator)
     }
 
+    /// The positive number below the line.
+    pub fn divisor(&self) -> &BigInt {
+        &self.divisor
+    }
+
     /// The reduced numerator.
     pub fn numerator(&self) -> &Polynomial {
         &self.numerator
