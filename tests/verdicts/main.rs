@@ -52,17 +52,14 @@ struct Values {
 fn no_verdict_on_a_random_statement_contradicts_its_values() {
     let count = std::env::var("FORMS_STATEMENTS")
         .map_or(STATEMENTS, |text| text.parse().expect("FORMS_STATEMENTS is a number"));
-    let mut values = Values { quick: Calculator::new(320), sure: Calculator::new(1280) };
-    let mut tally = Tally::default();
-    for case in 0..count {
-        let mut dice = Dice::of(case);
-        let mut statement = identity(&mut dice);
-        if dice.below(2) == 0 {
-            damage(&mut statement, &mut dice);
-        }
-        judge(case, &statement, &mut dice, &mut values, &mut tally);
-    }
-    let Tally { proved, refuted, empty, unknown, wrong } = tally;
+    let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get() as u64);
+    let tallies: Vec<Tally> = std::thread::scope(|scope| {
+        let share = |first: u64| scope.spawn(move || tally((first..count).step_by(threads as usize)));
+        let shares: Vec<_> = (0..threads).map(share).collect();
+        shares.into_iter().map(|share| share.join().expect("no case panics")).collect()
+    });
+    let Tally { proved, refuted, empty, unknown, wrong } =
+        tallies.into_iter().fold(Tally::default(), Tally::with);
     println!(
         "{count} statements: {proved} proved, {refuted} refuted, {empty} of no point, {} unknown",
         unknown.len()
@@ -73,6 +70,30 @@ fn no_verdict_on_a_random_statement_contradicts_its_values() {
     assert!(wrong.is_empty(), "{} wrong verdicts:\n{}", wrong.len(), wrong.join("\n"));
     assert!((count - unknown.len() as u64) * 100 >= count * DECIDED, "{} unknown of {count}", unknown.len());
     assert!(proved * 4 > count && refuted * 4 > count, "{proved} proved and {refuted} refuted say little");
+}
+
+/// Decides these cases.
+fn tally(cases: impl Iterator<Item = u64>) -> Tally {
+    let mut values = Values { quick: Calculator::new(320), sure: Calculator::new(1280) };
+    let mut tally = Tally::default();
+    for case in cases {
+        let mut dice = Dice::of(case);
+        let mut statement = identity(&mut dice);
+        if dice.below(2) == 0 {
+            damage(&mut statement, &mut dice);
+        }
+        judge(case, &statement, &mut dice, &mut values, &mut tally);
+    }
+    tally
+}
+
+impl Tally {
+    fn with(mut self, other: Tally) -> Tally {
+        self.unknown.extend(other.unknown);
+        self.wrong.extend(other.wrong);
+        let (proved, refuted) = (self.proved + other.proved, self.refuted + other.refuted);
+        Tally { proved, refuted, empty: self.empty + other.empty, ..self }
+    }
 }
 
 fn judge(case: u64, statement: &Statement, dice: &mut Dice, values: &mut Values, tally: &mut Tally) {
