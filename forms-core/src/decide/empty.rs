@@ -29,13 +29,14 @@ pub(super) fn contradiction(pool: &mut Pool, problem: &Problem) -> Option<String
     facts.learn_functions(&tower);
     let by_nature = Facts::of(&tower);
     for (condition, difference) in &known {
-        let Some(polynomial) = difference.as_polynomial() else { continue };
-        let sign = by_nature.sign_of(polynomial);
+        let Ok(polynomial) = tower.with_the_sign_of(difference) else { continue };
+        let sign = by_nature.sign_of(&polynomial);
         let impossible = match condition.relation {
             Relation::NotEqual => difference.is_zero(),
             Relation::Greater => difference.is_zero() || sign == Some(Sign::Negative),
             Relation::Less => difference.is_zero() || sign == Some(Sign::Positive),
-            Relation::GreaterEqual | Relation::LessEqual => false,
+            Relation::GreaterEqual => sign == Some(Sign::Negative) && by_nature.never_zero(&polynomial),
+            Relation::LessEqual => sign == Some(Sign::Positive) && by_nature.never_zero(&polynomial),
         };
         if impossible {
             return Some(format!("nothing meets `{}`", condition.text(pool)));

@@ -12,6 +12,9 @@ use crate::expression::{Condition, Expr, Pool};
 const FIRST_CANDIDATES: usize = 24;
 const FIRST_POINTS: usize = 1;
 
+/// Good points looked at after normal forms that are not zero: to prove equations of angles costs more than points.
+const POINTS_BEFORE_ANGLES: usize = 6;
+
 /// How much may be spent on one problem, in steps.
 #[derive(Clone, Copy)]
 pub(crate) struct Effort {
@@ -65,16 +68,20 @@ pub(crate) fn contradiction(pool: &mut Pool, conditions: &[Condition]) -> Option
 
 pub(super) fn find(pool: &mut Pool, problem: &Problem, effort: Effort) -> Finding {
     let seems_true = Search::new(pool, problem, 0).sees_agreement(FIRST_CANDIDATES);
-    let early = seems_true.then(|| proof::outcome(pool, problem, effort.work));
+    let early = seems_true.then(|| proof::by_normal_forms(pool, problem, effort.work));
     if early == Some(Outcome::Zero) {
         return Finding::Equal { points: FIRST_POINTS };
     }
     let mut survey = Survey::default();
+    if early.is_some() {
+        survey.enough = POINTS_BEFORE_ANGLES;
+    }
     let position = survey.look(pool, problem, 0, FIRST_CANDIDATES);
     if let Some(difference) = survey.difference.take() {
         return Finding::Different(report::witness(pool, problem, &difference));
     }
-    let outcome = early.unwrap_or_else(|| proof::outcome(pool, problem, effort.work));
+    let outcome = early.unwrap_or_else(|| proof::by_normal_forms(pool, problem, effort.work));
+    let outcome = proof::as_angles(pool, problem, effort.work, outcome);
     if outcome == Outcome::Zero && survey.points > 0 {
         return Finding::Equal { points: survey.points };
     }

@@ -31,20 +31,24 @@ pub(super) struct Task<'a> {
     pub(super) work: u64,
 }
 
-/// Tries to prove that every component vanishes: by normal forms or, where these are not zero, as angles.
-pub(super) fn outcome(pool: &mut Pool, problem: &Problem, work: u64) -> Outcome {
+/// Tries to prove that every component vanishes, by normal forms.
+pub(super) fn by_normal_forms(pool: &mut Pool, problem: &Problem, work: u64) -> Outcome {
     if problem.components.is_empty() {
         return Outcome::Zero;
     }
+    prove_zero(pool, problem, problem.differences(), work)
+}
+
+/// Tries to prove it of angles, where the normal forms gave another outcome than zero.
+pub(super) fn as_angles(pool: &mut Pool, problem: &Problem, work: u64, outcome: Outcome) -> Outcome {
     let differences = problem.differences();
-    match prove_zero(pool, problem, differences.clone(), work) {
-        outcome @ (Outcome::NotZero | Outcome::Outside(_)) if angle::occur_in(pool, &differences) => {
-            match angle::prove(pool, Task { problem, work }, &differences, &mut Vec::new()) {
-                Outcome::Zero => Outcome::Zero,
-                _ => outcome,
-            }
-        }
-        outcome => outcome,
+    let is_open = matches!(outcome, Outcome::NotZero | Outcome::Outside(_));
+    if !is_open || !angle::occur_in(pool, &differences) {
+        return outcome;
+    }
+    match angle::prove(pool, Task { problem, work }, &differences, &mut Vec::new()) {
+        Outcome::Zero => Outcome::Zero,
+        _ => outcome,
     }
 }
 

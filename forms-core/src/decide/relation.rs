@@ -3,6 +3,9 @@
 //! ```text
 //! arcs ─ values at one point ─▶ candidates ─ proved as angles ─▶ β replaced by ((k/12)π − m α)/n
 //! ```
+//! α is another inverse function or an angle whose sine, cosine or tangent is in the argument of β: asin(sin x) is
+//! x, or π − x, as the conditions on x say.
+//!
 //! The values only propose; nothing is replaced that has not been proved wherever the conditions hold.
 
 use super::angle::prove_angle;
@@ -10,7 +13,7 @@ use super::problem::Problem;
 use super::proof::{Outcome, Task};
 use super::sample::{Sequence, simple_bounds};
 use crate::enclosure::{Enclosure, Precision, enclose};
-use crate::expression::{Expr, Node, Pool, Rational};
+use crate::expression::{Expr, Node, Operation, Pool, Rational};
 use crate::normal::is_arc;
 
 /// Relations are looked for between at most so many functions.
@@ -18,6 +21,9 @@ const MOST_ARCS: usize = 8;
 
 /// Points that are looked at for one at which all functions have values.
 const POINTS: u32 = 64;
+
+/// Of the work that one normal form may cost, a candidate may take this part: most are wrong.
+const SHARE: u64 = 16;
 
 const PRECISION: Precision = Precision(96);
 
@@ -33,11 +39,18 @@ pub(super) fn eliminated(pool: &mut Pool, task: Task, expression: Expr, shown: &
     if arcs.len() > MOST_ARCS {
         return expression;
     }
-    let Some(values) = values_at_a_point(pool, task.problem, &arcs) else { return expression };
+    let angles = angles_in(pool, &arcs);
+    let sought: Vec<Expr> = angles.iter().chain(&arcs).copied().collect();
+    let Some(mut values) = values_at_a_point(pool, task.problem, &sought) else { return expression };
+    let values_of_arcs = values.split_off(angles.len());
+    let angles: Vec<(Expr, Enclosure)> = angles.into_iter().zip(values).collect();
     let mut reduced = expression;
     let mut kept: Vec<(Expr, Enclosure)> = Vec::new();
-    for (arc, value) in arcs.drain(..).zip(values) {
-        let replacement = replacement(pool, task, (arc, &value), &kept, shown);
+    for (arc, value) in arcs.drain(..).zip(values_of_arcs) {
+        let own = angles_in(pool, &[arc]);
+        let others: Vec<&(Expr, Enclosure)> =
+            angles.iter().filter(|(angle, _)| own.contains(angle)).chain(&kept).collect();
+        let replacement = replacement(pool, task, (arc, &value), &others, shown);
         match replacement {
             Some(other) => {
                 let wanted = pool.node(arc).clone();
@@ -55,12 +68,27 @@ fn arcs_in(pool: &Pool, expression: Expr) -> Vec<Expr> {
     pool.reachable(&[expression]).into_iter().filter(is_arc).collect()
 }
 
-/// What a function is by one of the kept ones, or as a part of π.
+/// What sines, cosines and tangents within expressions are of.
+fn angles_in(pool: &Pool, expressions: &[Expr]) -> Vec<Expr> {
+    let angle = |part: Expr| match pool.node(part) {
+        Node::Apply(Operation::Sin | Operation::Cos | Operation::Tan, of) => Some(of[0]),
+        _ => None,
+    };
+    let mut angles: Vec<Expr> = Vec::new();
+    for angle in pool.reachable(expressions).into_iter().filter_map(angle) {
+        if !angles.contains(&angle) {
+            angles.push(angle);
+        }
+    }
+    angles
+}
+
+/// What a function is by one of the others, or as a part of π.
 fn replacement(
     pool: &mut Pool,
     task: Task,
     (arc, value): (Expr, &Enclosure),
-    kept: &[(Expr, Enclosure)],
+    others: &[&(Expr, Enclosure)],
     shown: &mut Vec<Expr>,
 ) -> Option<Expr> {
     if let Some(angle) = part_of_pi(pool, value)
@@ -68,7 +96,7 @@ fn replacement(
     {
         return Some(angle);
     }
-    for (other, other_value) in kept {
+    for (other, other_value) in others {
         for &(m, n) in MULTIPLES {
             let (m, n) = (Rational::from_integer(m.into()), Rational::from_integer(n.into()));
             let scaled = |q: &Rational, value: &Enclosure| Enclosure::exact(q, PRECISION).mul(value);
@@ -89,6 +117,7 @@ fn replacement(
 
 fn holds(pool: &mut Pool, task: Task, arc: Expr, candidate: Expr, shown: &mut Vec<Expr>) -> bool {
     let angle = pool.subtract(arc, candidate);
+    let task = Task { work: task.work / SHARE, ..task };
     prove_angle(pool, task, angle, shown) == Outcome::Zero
 }
 

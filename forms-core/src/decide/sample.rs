@@ -10,6 +10,9 @@ use rustc_hash::FxHashMap;
 /// How long a chain of variables a < b < c … passes its bounds on.
 const CHAIN: usize = 4;
 
+/// Bits of the bounds.
+const PRECISION: Precision = Precision(64);
+
 /// Bounds of one variable by numbers; either may be missing.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Bounds {
@@ -17,16 +20,14 @@ pub(super) struct Bounds {
     upper: Option<Rational>,
 }
 
-/// What the conditions `x < c`, `c <= x`, `abs(x) < c` say of each variable, with c any expression of numbers.
+/// What conditions on a x + c say of each variable x, with c any expression of numbers: `x < c`, `0 < 1 - 2*x`,
+/// `abs(x) < c`.
 pub(super) fn simple_bounds(pool: &Pool, conditions: &[Condition]) -> FxHashMap<Symbol, Bounds> {
     let mut bounds: FxHashMap<Symbol, Bounds> = FxHashMap::default();
     for condition in conditions {
-        let (left, right) = (condition.left, condition.right);
-        for (side, relation, other) in
-            [(left, condition.relation, right), (right, condition.relation.mirrored(), left)]
-        {
-            if let Some(value) = constant(pool, other) {
-                restrict_side(pool, side, (relation, &value), &mut bounds);
+        if pool.symbols_in(&[condition.left, condition.right]).len() == 1 {
+            for (left, relation, right) in without_magnitude(pool, condition) {
+                restrict(pool, left, relation, right, &mut bounds);
             }
         }
     }
@@ -36,23 +37,42 @@ pub(super) fn simple_bounds(pool: &Pool, conditions: &[Condition]) -> FxHashMap<
     bounds
 }
 
-/// From `x relation c`, or from |x| < c, which is −c < x < c.
-fn restrict_side(
+/// The sides as factor and expression: |q| < c says q < c and −q < c.
+fn without_magnitude(pool: &Pool, condition: &Condition) -> Vec<(Side, Relation, Side)> {
+    let (one, minus) = (Rational::one(), -Rational::one());
+    let mirrored = condition.relation.mirrored();
+    for (left, relation, right) in
+        [(condition.left, condition.relation, condition.right), (condition.right, mirrored, condition.left)]
+    {
+        if let Node::Apply(Operation::Abs, inner) = pool.node(left)
+            && matches!(relation, Relation::Less | Relation::LessEqual)
+        {
+            let bound = |sign: &Rational| ((sign.clone(), inner[0]), relation, (one.clone(), right));
+            return vec![bound(&one), bound(&minus)];
+        }
+    }
+    vec![((one.clone(), condition.left), condition.relation, (one, condition.right))]
+}
+
+type Side = (Rational, Expr);
+
+fn restrict(
     pool: &Pool,
-    side: Expr,
-    (relation, value): (Relation, &Enclosure),
+    left: Side,
+    relation: Relation,
+    right: Side,
     bounds: &mut FxHashMap<Symbol, Bounds>,
 ) {
-    match pool.node(side) {
-        Node::Symbol(symbol) => bounds.entry(*symbol).or_default().restrict(relation, value),
-        Node::Apply(Operation::Abs, inner) if matches!(relation, Relation::Less | Relation::LessEqual) => {
-            if let Node::Symbol(symbol) = pool.node(inner[0]) {
-                let known = bounds.entry(*symbol).or_default();
-                known.restrict(relation, value);
-                known.restrict(relation.mirrored(), &value.neg());
-            }
-        }
-        _ => {}
+    let side = |(factor, expression): Side| Some(Linear::of(pool, expression, DEEPEST)?.scaled(&factor));
+    let (Some(left), Some(right)) = (side(left), side(right)) else { return };
+    let Some(Linear { symbol: Some(symbol), slope, constant }) = left.add(&right.scaled(&-Rational::one()))
+    else {
+        return;
+    };
+    if !slope.is_zero() {
+        let relation = if slope.is_negative() { relation.mirrored() } else { relation };
+        let bound = constant.mul(&Enclosure::exact(&-slope.recip(), PRECISION));
+        bounds.entry(symbol).or_default().restrict(relation, &bound);
     }
 }
 
@@ -75,11 +95,61 @@ fn pass_on(pool: &Pool, condition: &Condition, bounds: &mut FxHashMap<Symbol, Bo
     above.lower = above.lower.take().into_iter().chain(lower).max();
 }
 
-fn constant(pool: &Pool, expression: Expr) -> Option<Enclosure> {
-    if let Some(value) = pool.as_number(expression) {
-        return Some(Enclosure::exact(value, Precision(64)));
+/// Operations within operations that a linear expression is recognised through.
+const DEEPEST: u32 = 8;
+
+/// a x + c; with a = 0 and no x for a number.
+struct Linear {
+    symbol: Option<Symbol>,
+    slope: Rational,
+    constant: Enclosure,
+}
+
+impl Linear {
+    /// How an expression depends on its only variable, if that is seen at once.
+    fn of(pool: &Pool, expression: Expr, depth: u32) -> Option<Linear> {
+        let depth = depth.checked_sub(1)?;
+        match pool.node(expression) {
+            Node::Symbol(symbol) => {
+                let constant = Enclosure::integer(0, PRECISION);
+                Some(Linear { symbol: Some(*symbol), slope: Rational::one(), constant })
+            }
+            Node::Add(a, b) => Linear::of(pool, *a, depth)?.add(&Linear::of(pool, *b, depth)?),
+            Node::Negate(a) => Some(Linear::of(pool, *a, depth)?.scaled(&-Rational::one())),
+            Node::Multiply(a, b) => match (pool.as_number(*a), pool.as_number(*b)) {
+                (Some(factor), None) => Some(Linear::of(pool, *b, depth)?.scaled(factor)),
+                (None, Some(factor)) => Some(Linear::of(pool, *a, depth)?.scaled(factor)),
+                _ => Linear::number(pool, expression),
+            },
+            Node::Divide(a, b) => match pool.as_number(*b) {
+                Some(divisor) if !divisor.is_zero() => {
+                    Some(Linear::of(pool, *a, depth)?.scaled(&divisor.recip()))
+                }
+                _ => Linear::number(pool, expression),
+            },
+            _ => Linear::number(pool, expression),
+        }
     }
-    enclose(pool, &[expression], &|_| None, &mut |_, _, _| None, Precision(64)).remove(0).ok()
+
+    fn number(pool: &Pool, expression: Expr) -> Option<Linear> {
+        let value = enclose(pool, &[expression], &|_| None, &mut |_, _, _| None, PRECISION).remove(0).ok()?;
+        Some(Linear { symbol: None, slope: Rational::zero(), constant: value })
+    }
+
+    /// The sum, if it is of one variable.
+    fn add(&self, other: &Linear) -> Option<Linear> {
+        let symbol = match (self.symbol, other.symbol) {
+            (Some(own), Some(other)) if own != other => return None,
+            (own, other) => own.or(other),
+        };
+        let constant = self.constant.add(&other.constant);
+        Some(Linear { symbol, slope: &self.slope + &other.slope, constant })
+    }
+
+    fn scaled(&self, by: &Rational) -> Linear {
+        let constant = self.constant.mul(&Enclosure::exact(by, PRECISION));
+        Linear { symbol: self.symbol, slope: &self.slope * by, constant }
+    }
 }
 
 impl Bounds {
@@ -104,6 +174,33 @@ impl Bounds {
     /// One end of the range, if it has one.
     fn end(&self) -> Option<Rational> {
         self.lower.as_ref().or(self.upper.as_ref()).cloned()
+    }
+
+    /// A number within the bounds and close to one of them, the closer the smaller the free one is.
+    fn place_close(&self, free: Rational) -> Rational {
+        if self.lower.is_none() && self.upper.is_none() {
+            return free;
+        }
+        let one = Rational::one();
+        let near = if free.is_zero() { Rational::new(1.into(), 64.into()) } else { free.abs() };
+        let width = match (&self.lower, &self.upper) {
+            (Some(lower), Some(upper)) => upper - lower,
+            _ => one.clone(),
+        };
+        // 0 < n/(1 + n) < 1 for every n > 0
+        let distance = width * &near / (one + &near);
+        let from_below = self.upper.is_none() || (self.lower.is_some() && free.is_positive());
+        match (&self.lower, &self.upper) {
+            (Some(lower), _) if from_below => {
+                let value = lower + &distance;
+                short_between(&value, lower, &(&value + &distance))
+            }
+            (_, Some(upper)) => {
+                let value = upper - &distance;
+                short_between(&value, &(&value - &distance), upper)
+            }
+            _ => free,
+        }
     }
 
     /// A number within the bounds, from one that knows none.
@@ -153,6 +250,15 @@ pub(super) struct Sequence(SplitMix);
 const SIMPLE: &[(i64, i64)] =
     &[(1, 1), (2, 1), (1, 2), (3, 1), (-1, 1), (3, 2), (-2, 1), (1, 3), (5, 1), (0, 1)];
 
+/// From one round on, of so many rounds one tries small numbers, close to the bounds: what holds for x > 0 fails
+/// between −1/10 and 0, if anywhere, where a condition says x > −1/10.
+const FIRST_CLOSE: u32 = 24;
+const CLOSE: u32 = 2;
+
+fn is_close(round: u32) -> bool {
+    round >= FIRST_CLOSE && round.is_multiple_of(CLOSE)
+}
+
 impl Sequence {
     pub(super) fn new(seed: u64) -> Self {
         Sequence(SplitMix(seed))
@@ -170,7 +276,8 @@ impl Sequence {
         let numerator = (random >> 8) as i64 % (8 * magnitude + 1);
         let denominator = 1 + (random >> 40) as i64 % 7;
         let sign = if random & 1 == 0 { 1 } else { -1 };
-        Rational::new((sign * numerator).into(), denominator.into())
+        let number = Rational::new((sign * numerator).into(), denominator.into());
+        if is_close(round) && numerator > denominator { number.recip() } else { number }
     }
 
     /// Values for the variables, within their bounds.
@@ -187,6 +294,7 @@ impl Sequence {
                 let value = match bounds.get(symbol) {
                     // a bound may belong to the range; the condition itself says so
                     Some(bounds) if free.is_zero() && round % 2 == 1 => bounds.end().unwrap_or(free),
+                    Some(bounds) if is_close(round) => bounds.place_close(free),
                     Some(bounds) => bounds.place(free),
                     None => free,
                 };

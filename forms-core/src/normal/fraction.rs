@@ -94,6 +94,7 @@ impl Tower {
         }
         if a.factors == b.factors && a.divisor == b.divisor {
             let sum = a.numerator.add(&b.numerator);
+            self.charge_divisions(&sum, &a.factors)?;
             return Ok(self.cancel(sum, a.divisor.clone(), a.factors.clone()));
         }
         if a.factors != b.factors
@@ -106,6 +107,7 @@ impl Tower {
         let left = self.raised(&a.numerator, &(&divisor / &a.divisor), &common.lacking_left)?;
         let right = self.raised(&b.numerator, &(&divisor / &b.divisor), &common.lacking_right)?;
         let sum = left.add(&right);
+        self.charge_divisions(&sum, &common.all)?;
         Ok(self.cancel(sum, divisor, common.all))
     }
 
@@ -132,6 +134,17 @@ impl Tower {
             }
         }
         self.reduce(raised)
+    }
+
+    /// A polynomial that has the sign of N / ∏ Fᵉ wherever that is defined: N times the odd powers.
+    ///
+    /// # Errors
+    /// [`Obstacle::TooLarge`] where the work passes the tower's limit.
+    pub(crate) fn with_the_sign_of(&mut self, a: &Fraction) -> Result<Polynomial, Obstacle> {
+        let is_odd = |power: &&FactorPower| power.exponent % 2 != 0;
+        let odd: Vec<FactorPower> =
+            a.factors.iter().filter(is_odd).map(|power| FactorPower { exponent: 1, ..*power }).collect();
+        self.raised(&a.numerator, &BigInt::one(), &odd)
     }
 
     /// The same element with every factor above the line multiplied out.
@@ -186,6 +199,7 @@ impl Tower {
         let bound = self.relations.iter().any(|relation| product.degree(relation.variable) >= relation.order);
         let reduced = if bound { self.reduce(product)? } else { product };
         if bound || factors.iter().any(|power| power.exponent < 0) {
+            self.charge_divisions(&reduced, &factors)?;
             return Ok(self.cancel(reduced, divisor, factors));
         }
         Ok(Fraction { numerator: reduced, divisor, factors })

@@ -16,6 +16,12 @@ use std::collections::BTreeSet;
 /// form is given up: a few seconds of work.
 pub(crate) const WORK_LIMIT: u64 = 100_000_000;
 
+/// What dividing one term by a factor costs, in products of terms: it takes the term's image modulo p.
+const DIVISION_COST: u64 = 16;
+
+/// Divisions of numerators of no more terms are not counted.
+const SMALL_NUMERATOR: u64 = 256;
+
 /// The largest exponent of a generator or a known factor.
 const LARGEST_EXPONENT: u32 = 1 << 20;
 
@@ -358,7 +364,22 @@ impl Tower {
         Self::check_exponent(a.exponent_bound().saturating_add(b.exponent_bound()))?;
         let terms = (a.term_count() as u64).saturating_mul(b.term_count() as u64);
         let words = a.coefficient_words().saturating_mul(b.coefficient_words());
-        self.work = self.work.saturating_add(terms.saturating_mul(words));
+        self.spend(terms.saturating_mul(words))
+    }
+
+    /// Counts the work of trying to divide by the factors below the line, before it is done.
+    pub(super) fn charge_divisions(
+        &mut self,
+        numerator: &Polynomial,
+        factors: &[FactorPower],
+    ) -> Result<(), Obstacle> {
+        let tried = factors.iter().filter(|power| power.exponent > 0).count();
+        let terms = (numerator.term_count() as u64).saturating_sub(SMALL_NUMERATOR);
+        self.spend(terms.saturating_mul(tried as u64).saturating_mul(DIVISION_COST))
+    }
+
+    fn spend(&mut self, work: u64) -> Result<(), Obstacle> {
+        self.work = self.work.saturating_add(work);
         if self.work > self.work_limit {
             return Err(Obstacle::TooLarge(format!(
                 "it takes more than {} products of terms",

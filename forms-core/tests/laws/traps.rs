@@ -259,3 +259,52 @@ fn an_integral_that_may_run_backwards_knows_no_sign_inside() {
         &["integral(abs(u), u = 0..n) == n**2/2", "integral(abs(u - 2), u = 0..1) == 3/2"],
     );
 }
+
+/// What holds for q > 0 fails between −1/10 and 0, and nowhere else where q > −1/10.
+#[test]
+fn a_condition_that_says_nearly_enough_is_not_enough() {
+    assert_verdicts(
+        "refuted",
+        &[
+            "sqrt(x**2) == x where 0 < x + 1/10",
+            "abs(x - 3) == x - 3 where 0 <= x - 3 + 1/10",
+            "sqrt(x**2 - 2*x + 1) == 1 - x where x < 1 + 1/10",
+            "acos(cos(x)) == x where 0 < x, x < pi + 1/10",
+            "atan2(sin(x), cos(x)) == x where -pi < x + 1/10, x < pi",
+            "(x**2)**(1/2)*y == x*y where 1/10 - 2*x < 1/2",
+        ],
+    );
+}
+
+#[test]
+fn an_inverse_function_beyond_its_range_speaks_of_no_point() {
+    assert_verdicts(
+        "empty",
+        &["asin(sqrt(1 + x**2)/x) == atan(x)", "acos((x**2 + 2)/(x**2 + 1)) == y", "sqrt(-1/x**2) == y"],
+    );
+    assert_never(
+        "empty",
+        &["acos((x**2 + 1)/(2*x)) == 0", "sqrt(-x**2) == 0", "asin((1 + x**2)/x**2 - 1/x**2) == pi/2"],
+    );
+}
+
+#[test]
+fn an_inverse_function_of_a_sine_is_an_angle_within_other_expressions_too() {
+    assert_verdicts(
+        "proved",
+        &[
+            "x*asin(sin(x)) + y == x**2 + y where -pi/2 < x, x < pi/2",
+            "y*acos(sin(x)) == (pi/2 - x)*y where -pi/2 < x, x < pi/2",
+            "atan2(sin(x), cos(x))**2 == x**2 where -pi < x, x < pi",
+            "exp(y)*atan(tan(x - y)) == exp(y)*(x - y) where -pi/2 < x - y, x - y < pi/2",
+        ],
+    );
+    assert_verdicts(
+        "refuted",
+        &[
+            "x*asin(sin(x)) + y == x**2 + y",
+            "y*acos(cos(x)) == x*y where -pi < x, x < pi",
+            "atan2(sin(x), cos(x))**2 == x**2 where -pi < x, x < 2*pi",
+        ],
+    );
+}

@@ -1,0 +1,193 @@
+//! Verdicts against values: random statements, made from known identities by putting them together and damaging
+//! some, are decided; whoever is right must agree with values of some 90 digits from another library.
+//!
+//! `FORMS_STATEMENTS=100000` tries that many statements.
+
+mod conditional;
+mod dice;
+mod forms;
+mod identity;
+mod mutation;
+mod notation;
+mod parts;
+mod statement;
+mod tree;
+mod value;
+
+use ::forms::core::check::{decide_all, read_theory};
+use ::forms::core::decide::{Verdict, Witness};
+use astro_float::BigFloat;
+use dice::Dice;
+use identity::identity;
+use mutation::damage;
+use statement::Statement;
+use tree::NAMES;
+use value::Calculator;
+
+/// How many statements are tried where nobody asks for more.
+const STATEMENTS: u64 = 1_000;
+/// Of a hundred statements so many have to be decided.
+const DECIDED: u64 = 95;
+/// Points looked at, and how many of them of which the statement speaks are enough.
+const POINTS: usize = 100;
+const ENOUGH: usize = 6;
+
+/// What is found of the statements.
+#[derive(Default)]
+struct Tally {
+    proved: u64,
+    refuted: u64,
+    empty: u64,
+    unknown: Vec<String>,
+    wrong: Vec<String>,
+}
+
+/// Values with some 90 digits, and with four times as many for what seems to differ.
+struct Values {
+    quick: Calculator,
+    sure: Calculator,
+}
+
+#[test]
+fn no_verdict_on_a_random_statement_contradicts_its_values() {
+    let count = std::env::var("FORMS_STATEMENTS")
+        .map_or(STATEMENTS, |text| text.parse().expect("FORMS_STATEMENTS is a number"));
+    let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get() as u64);
+    let tallies: Vec<Tally> = std::thread::scope(|scope| {
+        let share = |first: u64| scope.spawn(move || tally((first..count).step_by(threads as usize)));
+        let shares: Vec<_> = (0..threads).map(share).collect();
+        shares.into_iter().map(|share| share.join().expect("no case panics")).collect()
+    });
+    let Tally { proved, refuted, empty, unknown, wrong } =
+        tallies.into_iter().fold(Tally::default(), Tally::with);
+    println!(
+        "{count} statements: {proved} proved, {refuted} refuted, {empty} of no point, {} unknown",
+        unknown.len()
+    );
+    for open in &unknown {
+        println!("unknown: {open}");
+    }
+    assert!(wrong.is_empty(), "{} wrong verdicts:\n{}", wrong.len(), wrong.join("\n"));
+    assert!((count - unknown.len() as u64) * 100 >= count * DECIDED, "{} unknown of {count}", unknown.len());
+    assert!(proved * 4 > count && refuted * 4 > count, "{proved} proved and {refuted} refuted say little");
+}
+
+/// Decides these cases.
+fn tally(cases: impl Iterator<Item = u64>) -> Tally {
+    let mut values = Values { quick: Calculator::new(320), sure: Calculator::new(1280) };
+    let mut tally = Tally::default();
+    for case in cases {
+        let mut dice = Dice::of(case);
+        let mut statement = identity(&mut dice);
+        if dice.below(2) == 0 {
+            damage(&mut statement, &mut dice);
+        }
+        judge(case, &statement, &mut dice, &mut values, &mut tally);
+    }
+    tally
+}
+
+impl Tally {
+    fn with(mut self, other: Tally) -> Tally {
+        self.unknown.extend(other.unknown);
+        self.wrong.extend(other.wrong);
+        let (proved, refuted) = (self.proved + other.proved, self.refuted + other.refuted);
+        Tally { proved, refuted, empty: self.empty + other.empty, ..self }
+    }
+}
+
+fn judge(case: u64, statement: &Statement, dice: &mut Dice, values: &mut Values, tally: &mut Tally) {
+    let mut wrong = |what: &str| tally.wrong.push(format!("case {case}: {what}: {statement}"));
+    let (mut theory, errors) = read_theory(&statement.source());
+    if !errors.is_empty() {
+        // The resolver refuses a division by zero; the values must have no point either.
+        if values.differ_somewhere(statement, dice).is_some() {
+            wrong(&format!("it has points: {errors:?}"));
+        }
+        tally.empty += 1;
+        return;
+    }
+    match decide_all(&mut theory).remove(0) {
+        Verdict::Proved(_) => {
+            tally.proved += 1;
+            if values.differ_somewhere(statement, dice) == Some(true) {
+                wrong("proved, and false");
+            }
+        }
+        Verdict::Refuted(witness) => {
+            tally.refuted += 1;
+            if !values.bear_out(statement, &witness) {
+                wrong(&format!("refuted by a point that does not ({witness})"));
+            }
+        }
+        Verdict::Unknown { reason } => {
+            let truth = match values.differ_somewhere(statement, dice) {
+                Some(true) => "false",
+                Some(false) => "true",
+                None => "of no point",
+            };
+            tally.unknown.push(format!("case {case}, {truth}: {statement}: {reason}"));
+        }
+        Verdict::Empty { reason } => {
+            tally.empty += 1;
+            if values.differ_somewhere(statement, dice).is_some() {
+                wrong(&format!("it has points, in spite of \"{reason}\""));
+            }
+        }
+    }
+}
+
+impl Values {
+    /// Whether the sides differ at one of some random points; nothing where the statement speaks of none of them.
+    fn differ_somewhere(&mut self, statement: &Statement, dice: &mut Dice) -> Option<bool> {
+        let mut met = 0;
+        for _ in 0..POINTS {
+            let point = random_point(dice, &self.quick);
+            match differ(&mut self.quick, statement, &point) {
+                None => {}
+                Some(true) if differ(&mut self.sure, statement, &point) == Some(true) => return Some(true),
+                Some(_) => met += 1,
+            }
+            if met == ENOUGH {
+                break;
+            }
+        }
+        (met > 0).then_some(false)
+    }
+
+    /// Whether the sides differ at the point of a witness; a variable it does not name has no influence.
+    fn bear_out(&mut self, statement: &Statement, witness: &Witness) -> bool {
+        let value =
+            |name: &str| witness.point.iter().find(|entry| entry.0 == name).map_or("1", |entry| &entry.1);
+        let point: Vec<BigFloat> = NAMES
+            .iter()
+            .map(|name| {
+                let text = value(name);
+                let (p, q) = text.split_once('/').unwrap_or((text, "1"));
+                let [p, q] = [p, q].map(|part| part.parse().expect("the value of a witness is a fraction"));
+                self.sure.ratio(p, q)
+            })
+            .collect();
+        differ(&mut self.sure, statement, &point) == Some(true)
+    }
+}
+
+/// Whether the sides differ at a point; nothing where the statement does not speak of it.
+fn differ(calculator: &mut Calculator, statement: &Statement, point: &[BigFloat]) -> Option<bool> {
+    for condition in &statement.conditions {
+        if calculator.meets(condition, point) != Some(true) {
+            return None;
+        }
+    }
+    let [left, right] = &statement.sides;
+    calculator.differ([left, right], point)
+}
+
+/// A random point with positive parameters; every second coordinate is small.
+fn random_point(dice: &mut Dice, calculator: &Calculator) -> Vec<BigFloat> {
+    let mut coordinate = |low: i64| {
+        let high = if dice.below(2) == 0 { 40 } else { 13 };
+        (dice.between(low.max(-high), high), dice.between(7, 13))
+    };
+    [-40, -40, 1, 1].map(|low| coordinate(low)).map(|(p, q)| calculator.ratio(p, q)).to_vec()
+}
