@@ -1,14 +1,14 @@
 //! `forms prove`: every statement of every file, decided.
 
+use crate::decisions::{DecidedFile, for_each_file};
 use crate::json::{Point, StatementRecord, write_error, write_record};
 use crate::layout::{counted, duration};
 use crate::palette::Palette;
 use crate::status::Status;
-use crate::theory_file::{self, FileError, TheoryFile, complain};
+use crate::theory_file::{FileError, complain};
 use crate::verdict_line::Decided;
-use forms::core::decide::{Verdict, decide};
+use forms::core::decide::Verdict;
 use forms::core::diagnostic::Diagnostic;
-use forms::core::resolve::{Statement, Theory};
 use forms::core::syntax::ast::Claim;
 use std::io::{self, Write};
 use std::time::{Duration, Instant};
@@ -18,26 +18,20 @@ pub(crate) fn prove(files: &[String], json: bool, output: &mut dyn Write) -> io:
     let start = Instant::now();
     let mut report = Report { output, json, palette: Palette::of_output(), totals: Totals::default() };
     let mut status = Status::AsStated;
-    for name in files {
-        status = status.max(match theory_file::read(name) {
-            Ok(file) => report.file(file)?,
+    for_each_file(files, |file| {
+        status = status.max(match file {
+            Ok(file) => report.file(&file)?,
             Err(errors) => {
                 report.totals.unread += 1;
                 report.errors(&errors)?
             }
         });
-    }
+        Ok(())
+    })?;
     if !json {
         report.totals(start.elapsed())?;
     }
     Ok(status)
-}
-
-/// Decides one statement and takes the time.
-pub(super) fn timed<'a>(theory: &mut Theory, statement: &'a Statement) -> Decided<'a> {
-    let start = Instant::now();
-    let verdict = decide(theory, statement);
-    Decided { statement, verdict, time: start.elapsed() }
 }
 
 #[derive(Default)]
@@ -92,21 +86,21 @@ struct Report<'a> {
 }
 
 impl Report<'_> {
-    fn file(&mut self, file: TheoryFile) -> io::Result<Status> {
-        let TheoryFile { source, mut theory, .. } = file;
+    fn file(&mut self, file: &DecidedFile) -> io::Result<Status> {
+        let source = &file.source;
         if !self.json {
             writeln!(self.output, "{}", self.palette.heading(&source.name))?;
         }
         let mut status = Status::AsStated;
         let mut errors = Vec::new();
-        for statement in &theory.statements.clone() {
-            let decided = timed(&mut theory, statement);
+        for decided in &file.statements {
+            let statement = &decided.statement;
             if let Verdict::Empty { reason } = &decided.verdict {
                 let message = format!("`{}` speaks of no point: {reason}", statement.name);
-                errors.push(FileError::at(&source, &Diagnostic::new(statement.span, message)));
+                errors.push(FileError::at(source, &Diagnostic::new(statement.span, message)));
             }
             status = status.max(if decided.ok() { Status::AsStated } else { Status::NotAsStated });
-            self.statement(&source.name, &decided)?;
+            self.statement(&source.name, decided)?;
         }
         if !self.json {
             writeln!(self.output)?;
@@ -114,6 +108,7 @@ impl Report<'_> {
         if !errors.is_empty() {
             status = self.errors(&errors)?;
         }
+        self.output.flush()?;
         Ok(status)
     }
 
@@ -126,7 +121,7 @@ impl Report<'_> {
         for line in decided.grounds(self.palette) {
             writeln!(self.output, "{line}")?;
         }
-        self.output.flush()
+        Ok(())
     }
 
     fn errors(&mut self, errors: &[FileError]) -> io::Result<Status> {
@@ -156,7 +151,7 @@ impl Report<'_> {
             some => self.palette.bad(&format!("{some} are not as stated")),
         };
         writeln!(self.output, "{}; {end}", totals.sentence())?;
-        let times = format!("{} to decide, {} with reading", duration(totals.time), duration(all));
+        let times = format!("{} of deciding in {}", duration(totals.time), duration(all));
         writeln!(self.output, "{}", self.palette.quiet(&times))
     }
 }
