@@ -25,3 +25,32 @@ impl Polynomial {
         groups.iter().map(sum).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_sums_of_groups_are_the_sums_of_each_whatever_the_work() {
+        let sum = (0..4).fold(Polynomial::one(), |sum, index| sum.add(&Polynomial::variable(index)));
+        for exponent in [0, 2, 5] {
+            let factors: Vec<Polynomial> =
+                (0..6).map(|index| sum.pow(exponent).add(&Polynomial::variable(index))).collect();
+            let groups: Vec<Vec<_>> = (0..6)
+                .map(|group| {
+                    (0..4).map(|k| (k as i64 - 2, &factors[group], &factors[(group + k) % 6])).collect()
+                })
+                .collect();
+            let sums = Polynomial::sums_of_products(&groups);
+            let expected: Vec<Polynomial> = groups
+                .iter()
+                .map(|group| {
+                    group
+                        .iter()
+                        .fold(Polynomial::zero(), |sum, &(sign, a, b)| sum.add(&a.mul(b).scale(&sign.into())))
+                })
+                .collect();
+            assert_eq!(sums, expected);
+        }
+    }
+}
