@@ -25,6 +25,7 @@ const TASK: usize = 16;
 /// A file without errors and its statements, decided.
 pub(crate) struct DecidedFile {
     pub(crate) source: Source,
+    pub(crate) theory: Theory,
     pub(crate) statements: Vec<Decided>,
 }
 
@@ -76,16 +77,17 @@ fn workers() -> io::Result<ThreadPool> {
 
 fn decided_file(file: TheoryFile) -> DecidedFile {
     let TheoryFile { source, mut theory, .. } = file;
-    let statements = std::mem::take(&mut theory.statements);
-    DecidedFile { source, statements: decide_all(theory, statements) }
+    let statements = decide_all(&mut theory);
+    DecidedFile { source, theory, statements }
 }
 
 /// The statements of one theory, decided in order.
-fn decide_all(mut theory: Theory, statements: Vec<Statement>) -> Vec<Decided> {
+fn decide_all(theory: &mut Theory) -> Vec<Decided> {
+    let statements = theory.statements.clone();
     if statements.len() <= TASK {
-        return statements.into_iter().map(|statement| timed(&mut theory, statement)).collect();
+        return statements.into_iter().map(|statement| timed(theory, statement)).collect();
     }
-    let theory = &theory;
+    let theory = &*theory;
     let tasks = statements.par_chunks(TASK).flat_map_iter(|task| {
         let mut theory = theory.clone();
         task.iter().map(move |statement| timed(&mut theory, statement.clone()))

@@ -62,6 +62,12 @@ pub(crate) fn read(path: &str) -> Result<TheoryFile, Vec<FileError>> {
     }
 }
 
+/// The text of a file, unless it is too large.
+pub(crate) fn text(path: &str) -> Result<String, String> {
+    let text = String::from_utf8(bytes(path)?);
+    text.map_err(|_| "the file is not UTF-8 text".to_string())
+}
+
 fn bytes(path: &str) -> Result<Vec<u8>, String> {
     let cannot = |error: std::io::Error| format!("cannot read the file: {error}");
     let mut bytes = Vec::new();

@@ -328,3 +328,49 @@ fn the_output_does_not_depend_on_the_number_of_threads() {
     assert!(printed.iter().zip(&names).all(|(line, name)| line.contains(name.as_str())), "{printed:?}");
     assert!(printed.iter().all(|line| line.contains("\"ok\":true")), "{printed:?}");
 }
+
+#[test]
+fn a_certificate_is_checked_without_the_prover() {
+    let folder = Folder::with(&[("good.forms", THEORY)]);
+    let run = forms(&folder, &["prove", "--certificate", "good.certificate", "good.forms"]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    let run = forms(&folder, &["check", "good.certificate"]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    assert!(run.output.contains("2 statements: 2 accepted, 0 rejected, 0 not covered"), "{}", run.output);
+
+    let lines = String::from_utf8(folder.read("good.certificate")).expect("text");
+    folder.write("false.certificate", lines.replace("component", "compound").as_bytes());
+    assert_eq!(forms(&folder, &["check", "false.certificate"]).status, 2);
+    folder.write("false.certificate", lines.replace("left ", "left 5 + ").as_bytes());
+    let run = forms(&folder, &["check", "false.certificate"]);
+    assert_eq!(run.status, 1);
+    assert!(run.output.contains("✗ shifted") && run.output.contains("1 rejected"), "{}", run.output);
+
+    folder.write("good.forms", THEORY.replace("2*x + 1", "2*x + 2").as_bytes());
+    let run = forms(&folder, &["check", "good.certificate"]);
+    assert!(run.status == 2 && run.errors.contains("hash differs"), "{}", run.errors);
+    assert_eq!(forms(&folder, &["check", "missing.certificate"]).status, 2);
+}
+
+#[test]
+fn what_the_checker_does_not_know_is_not_accepted_unless_allowed() {
+    let folder = Folder::with(&[("a.forms", "chart L(x); prove area: integral(x, x = 0..1) == 1/2;")]);
+    assert_eq!(forms(&folder, &["prove", "--certificate", "a.certificate", "a.forms"]).status, 0);
+    let run = forms(&folder, &["check", "a.certificate"]);
+    assert!(run.status == 1 && run.output.contains("1 not covered"), "{}", run.output);
+    assert_eq!(forms(&folder, &["check", "--allow-uncovered", "a.certificate"]).status, 0);
+}
+
+#[test]
+fn the_angle_form_is_closed_and_has_no_potential_around_the_origin() {
+    let plane = "chart P(x, y) where x**2 + y**2 > 0; form angle = (x*dy - y*dx)/(x**2 + y**2); let f = x;";
+    let folder = Folder::with(&[("plane.forms", plane)]);
+    let run = forms(&folder, &["show", "plane.forms", "angle", "--topology"]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    for part in ["goes around x = 0, y = 0", "== 2*pi    (proved)", "let A = (atan2(y, x));"] {
+        assert!(run.output.contains(part), "{part}: {}", run.output);
+    }
+    let scalar = forms(&folder, &["show", "plane.forms", "f", "--topology"]);
+    assert_eq!(scalar.status, 2);
+    assert!(scalar.errors.contains("only forms have periods"), "{}", scalar.errors);
+}

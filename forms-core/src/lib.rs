@@ -11,6 +11,7 @@
 
 mod assume;
 pub mod calculus;
+pub mod certificate;
 pub mod check;
 pub mod decide;
 pub mod derivation;
@@ -26,6 +27,7 @@ pub mod polynomial;
 mod random;
 pub mod resolve;
 pub mod syntax;
+pub mod topology;
 
 #[cfg(test)]
 extern crate self as forms_core;

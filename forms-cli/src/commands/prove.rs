@@ -1,5 +1,6 @@
 //! `forms prove`: every statement of every file, decided.
 
+use crate::certificate::Certificate;
 use crate::decisions::{DecidedFile, for_each_file};
 use crate::json::{Point, StatementRecord, write_error, write_record};
 use crate::layout::{counted, duration};
@@ -14,13 +15,20 @@ use std::io::{self, Write};
 use std::time::{Duration, Instant};
 
 /// Decides the statements of files and prints what was found.
-pub(crate) fn prove(files: &[String], json: bool, output: &mut dyn Write) -> io::Result<Status> {
+pub(crate) fn prove(
+    files: &[String],
+    json: bool,
+    certificate: Option<&str>,
+    output: &mut dyn Write,
+) -> io::Result<Status> {
     let start = Instant::now();
-    let mut report = Report { output, json, palette: Palette::of_output(), totals: Totals::default() };
+    let certificate = certificate.map(Certificate::new);
+    let palette = Palette::of_output();
+    let mut report = Report { output, json, palette, totals: Totals::default(), certificate };
     let mut status = Status::AsStated;
     for_each_file(files, |file| {
         status = status.max(match file {
-            Ok(file) => report.file(&file)?,
+            Ok(file) => report.file(file)?,
             Err(errors) => {
                 report.totals.unread += 1;
                 report.errors(&errors)?
@@ -31,7 +39,10 @@ pub(crate) fn prove(files: &[String], json: bool, output: &mut dyn Write) -> io:
     if !json {
         report.totals(start.elapsed())?;
     }
-    Ok(status)
+    match report.certificate.map(Certificate::write) {
+        Some(Err(message)) => Ok(super::refuse(&message)),
+        Some(Ok(())) | None => Ok(status),
+    }
 }
 
 #[derive(Default)]
@@ -83,24 +94,31 @@ struct Report<'a> {
     json: bool,
     palette: Palette,
     totals: Totals,
+    certificate: Option<Certificate>,
 }
 
 impl Report<'_> {
-    fn file(&mut self, file: &DecidedFile) -> io::Result<Status> {
-        let source = &file.source;
+    fn file(&mut self, file: DecidedFile) -> io::Result<Status> {
+        let DecidedFile { source, mut theory, statements } = file;
         if !self.json {
             writeln!(self.output, "{}", self.palette.heading(&source.name))?;
         }
+        if let Some(certificate) = &mut self.certificate {
+            certificate.begin(&source);
+        }
         let mut status = Status::AsStated;
         let mut errors = Vec::new();
-        for decided in &file.statements {
+        for decided in &statements {
             let statement = &decided.statement;
             if let Verdict::Empty { reason } = &decided.verdict {
                 let message = format!("`{}` speaks of no point: {reason}", statement.name);
-                errors.push(FileError::at(source, &Diagnostic::new(statement.span, message)));
+                errors.push(FileError::at(&source, &Diagnostic::new(statement.span, message)));
             }
             status = status.max(if decided.ok() { Status::AsStated } else { Status::NotAsStated });
             self.statement(&source.name, decided)?;
+            if let Some(certificate) = &mut self.certificate {
+                certificate.add(&mut theory, statement, &decided.verdict);
+            }
         }
         if !self.json {
             writeln!(self.output)?;

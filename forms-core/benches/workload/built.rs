@@ -43,7 +43,7 @@ fn inverse_stereographic(pool: &mut Pool, u: Expr, v: Expr) -> [Expr; 3] {
     above.map(|numerator| pool.divide(numerator, below))
 }
 
-/// The solid-angle form pulled back to 4/(1 + u² + v²)² du∧dv.
+/// The solid-angle form pulled back to −4/(1 + u² + v²)² du∧dv: the map turns the orientation around.
 pub(crate) fn stereographic_pullback() -> Work {
     let mut patch = Patch::new(3);
     let beta = patch.solid_angle();
@@ -65,7 +65,7 @@ pub(crate) fn stereographic_pullback() -> Work {
         let prepared = normalise(&mut tower, &pool, &[form.terms()[0].1]).expect("rational");
         let fraction = prepared.exact(&mut tower, &pool).expect("small").remove(0);
         let simplified = tower.raise(&mut pool, &fraction);
-        assert_eq!(pool.text(simplified), "4/(u**2 + v**2 + 1)**2");
+        assert_eq!(pool.text(simplified), "-4/(u**2 + v**2 + 1)**2");
     })
 }
 

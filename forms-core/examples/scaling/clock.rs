@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 /// Batches of which the median is taken.
 const BATCHES: usize = 5;
 /// The least time of a batch: far above the resolution of the clock.
-const BATCH: Duration = Duration::from_millis(40);
+const BATCH: Duration = Duration::from_millis(20);
 
 /// A clock, started.
 enum Clock {

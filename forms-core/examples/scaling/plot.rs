@@ -9,6 +9,7 @@ const FRAME: [f64; 4] = [76.0, 52.0, 700.0, 376.0];
 /// Where the first line of the legend stands, and how far apart they are.
 const LEGEND: [f64; 2] = [94.0, 72.0];
 const LEGEND_STEP: f64 = 21.0;
+const LEGEND_WIDTH: f64 = 400.0;
 /// Half the width of a mark.
 const MARK: f64 = 4.0;
 
@@ -75,13 +76,30 @@ impl Plot {
                 .map(|&[x, y]| [across.place(self.spread(x)), up.place(y.log10())])
                 .collect();
             line(&mut svg, number, &places);
-            let y = LEGEND[1] + LEGEND_STEP * number as f64;
-            line(&mut svg, number, &[[LEGEND[0], y], [LEGEND[0] + 28.0, y]]);
-            text(&mut svg, [LEGEND[0] + 40.0, y + 4.5], "start", "ink", &series.name);
         }
+        self.legend(&mut svg);
         text(&mut svg, [FRAME[0], 30.0], "start", "ink title", &self.title);
         text(&mut svg, [FRAME[2], SIZE[1] - 14.0], "end", "quiet", &caption);
         svg + "</svg>\n"
+    }
+
+    /// The names of the lines on paper of their own, which no rule crosses.
+    fn legend(&self, svg: &mut String) {
+        let [x, y] = LEGEND;
+        let height = LEGEND_STEP * self.series.len() as f64;
+        let top = y - LEGEND_STEP / 2.0;
+        put(
+            svg,
+            format_args!(
+                "<rect class=\"paper\" x=\"{}\" y=\"{top}\" width=\"{LEGEND_WIDTH}\" height=\"{height}\"/>",
+                x - 8.0
+            ),
+        );
+        for (number, series) in self.series.iter().enumerate() {
+            let y = y + LEGEND_STEP * number as f64;
+            line(svg, number, &[[x, y], [x + 28.0, y]]);
+            text(svg, [x + 40.0, y + 4.5], "start", "ink", &series.name);
+        }
     }
 
     fn spread(&self, x: f64) -> f64 {
@@ -124,7 +142,7 @@ impl Plot {
         }
         rule(svg, "frame", [left, bottom], [right, bottom]);
         rule(svg, "frame", [left, top], [left, bottom]);
-        text(svg, [left, bottom + 42.0], "start", "ink", &self.across);
+        text(svg, [(left + right) / 2.0, bottom + 38.0], "middle", "ink", &self.across);
     }
 
     /// Every integer, or every decade.

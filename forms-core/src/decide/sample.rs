@@ -1,7 +1,7 @@
 //! Candidate points: small exact numbers first, inside the simple bounds that conditions give.
 
 use crate::enclosure::{Enclosure, Precision, enclose};
-use crate::expression::{Condition, Expr, Node, Pool, Rational, Symbol};
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational, Symbol};
 use crate::random::SplitMix;
 use crate::syntax::ast::Relation;
 use num_traits::{One, Signed, Zero};
@@ -17,26 +17,43 @@ pub(super) struct Bounds {
     upper: Option<Rational>,
 }
 
-/// What the conditions `x < c`, `c <= x` say of each variable, with c any expression of numbers.
+/// What the conditions `x < c`, `c <= x`, `abs(x) < c` say of each variable, with c any expression of numbers.
 pub(super) fn simple_bounds(pool: &Pool, conditions: &[Condition]) -> FxHashMap<Symbol, Bounds> {
     let mut bounds: FxHashMap<Symbol, Bounds> = FxHashMap::default();
     for condition in conditions {
         let (left, right) = (condition.left, condition.right);
-        if let Node::Symbol(symbol) = pool.node(left)
-            && let Some(value) = constant(pool, right)
+        for (side, relation, other) in
+            [(left, condition.relation, right), (right, condition.relation.mirrored(), left)]
         {
-            bounds.entry(*symbol).or_default().restrict(condition.relation, &value);
-        }
-        if let Node::Symbol(symbol) = pool.node(right)
-            && let Some(value) = constant(pool, left)
-        {
-            bounds.entry(*symbol).or_default().restrict(condition.relation.mirrored(), &value);
+            if let Some(value) = constant(pool, other) {
+                restrict_side(pool, side, (relation, &value), &mut bounds);
+            }
         }
     }
     for _ in 0..CHAIN {
         conditions.iter().for_each(|condition| pass_on(pool, condition, &mut bounds));
     }
     bounds
+}
+
+/// From `x relation c`, or from |x| < c, which is −c < x < c.
+fn restrict_side(
+    pool: &Pool,
+    side: Expr,
+    (relation, value): (Relation, &Enclosure),
+    bounds: &mut FxHashMap<Symbol, Bounds>,
+) {
+    match pool.node(side) {
+        Node::Symbol(symbol) => bounds.entry(*symbol).or_default().restrict(relation, value),
+        Node::Apply(Operation::Abs, inner) if matches!(relation, Relation::Less | Relation::LessEqual) => {
+            if let Node::Symbol(symbol) = pool.node(inner[0]) {
+                let known = bounds.entry(*symbol).or_default();
+                known.restrict(relation, value);
+                known.restrict(relation.mirrored(), &value.neg());
+            }
+        }
+        _ => {}
+    }
 }
 
 /// For a < b every upper bound of b is one of a, and every lower bound of a is one of b.
@@ -100,9 +117,10 @@ impl Bounds {
             (None, Some(upper)) => short(&(upper - free.abs() - half)),
             (Some(lower), Some(upper)) if *lower < free && free < *upper => free,
             (Some(lower), Some(upper)) => {
-                // 0 < w/(1 + w) < 1 for every w > 0
+                // 0 < w/(1 + w) < 1 for every w > 0, nearer to the end that the sign tells
                 let w = free.abs() + half;
-                let share = &w / (Rational::one() + &w);
+                let above = if free.is_negative() { Rational::one() } else { w.clone() };
+                let share = above / (Rational::one() + &w);
                 short_between(&(lower + share * (upper - lower)), lower, upper)
             }
         }

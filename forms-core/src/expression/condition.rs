@@ -21,6 +21,12 @@ impl Condition {
         format!("{} {} {}", pool.text(self.left), self.relation.text(), pool.text(self.right))
     }
 
+    /// Whether it holds, where both sides are numbers.
+    pub fn decided(&self, pool: &Pool) -> Option<bool> {
+        let (left, right) = (pool.as_number(self.left)?, pool.as_number(self.right)?);
+        Some(self.relation.admits(left.cmp(right)))
+    }
+
     /// The condition with every variable replaced at once.
     #[must_use]
     pub fn substitute(&self, pool: &mut Pool, values: &Substitution) -> Self {

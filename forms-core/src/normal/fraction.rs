@@ -64,6 +64,11 @@ impl Fraction {
         self.factors.is_empty().then_some(&self.numerator)
     }
 
+    /// The positive number below the line.
+    pub fn divisor(&self) -> &BigInt {
+        &self.divisor
+    }
+
     /// The reduced numerator.
     pub fn numerator(&self) -> &Polynomial {
         &self.numerator
@@ -90,6 +95,11 @@ impl Tower {
         if a.factors == b.factors && a.divisor == b.divisor {
             let sum = a.numerator.add(&b.numerator);
             return Ok(self.cancel(sum, a.divisor.clone(), a.factors.clone()));
+        }
+        if a.factors != b.factors
+            && let Some((a, b)) = self.over_finer_factors(a, b)?
+        {
+            return self.add(&a, &b);
         }
         let divisor = a.divisor.lcm(&b.divisor);
         let common = common_powers(&a.factors, &b.factors);
