@@ -36,8 +36,9 @@ pub(crate) fn all() -> Vec<Work> {
         text::polynomial_pullback(),
         text::box_integral(),
         text::sphere_integral(),
-        text::triangle_gradient(),
         text::harmonicity(),
+        text::harmonicity_of_arc_tangent(),
+        text::triangle_gradient(),
     ]);
     works
 }

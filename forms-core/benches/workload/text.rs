@@ -162,10 +162,16 @@ const TRIANGLE: &str = "chart R3(x, y, z) where x > 0, y > 0, z > 0;\
     let ebc = (rb + rc)/(rb*rc*(rb*rc + bc));\
     let eca = (rc + ra)/(rc*ra*(rc*ra + ca));";
 
-/// The solid angle of a triangle is harmonic.
+/// The solid angle of a triangle is harmonic: the flux of its gradient is closed.
 pub(crate) fn harmonicity() -> Work {
+    let text = format!("{TRIANGLE} prove s: d(hodge[g](d(2*atan2(N, D)))) == 0;");
+    proof("d⋆dΩ = 0, Ω the solid angle of a triangle", "50 ms", text)
+}
+
+/// The same by the Laplacian of one arc tangent, which divides by D.
+pub(crate) fn harmonicity_of_arc_tangent() -> Work {
     let text = format!("{TRIANGLE} prove s: laplace[g](2*atan(N/D)) == 0;");
-    proof("harmonicity of a triangle’s solid angle", "50 ms", text)
+    proof("Δ(2 atan(N/D)) = 0 for the same triangle", "50 ms", text)
 }
 
 /// Its gradient is a sum over the edges (Biot–Savart).
@@ -174,5 +180,5 @@ pub(crate) fn triangle_gradient() -> Work {
         "{TRIANGLE} prove s: d(2*atan(N/D)) == eab*(b*z*dx + a*z*dy + (a*b - b*x - a*y)*dz)\
          + ebc*((b*c - c*y - b*z)*dx + c*x*dy + b*x*dz) + eca*(c*y*dx + (a*c - a*z - c*x)*dy + a*y*dz);"
     );
-    proof("gradient of a triangle’s solid angle", "20 ms", text)
+    proof("dΩ as a sum over the edges", "20 ms", text)
 }

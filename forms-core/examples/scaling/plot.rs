@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-const SIZE: [f64; 2] = [720.0, 440.0];
+const SIZE: [f64; 2] = [720.0, 456.0];
 /// The frame: left, top, right and bottom.
 const FRAME: [f64; 4] = [76.0, 52.0, 700.0, 376.0];
 /// Where the first line of the legend stands, and how far apart they are.
