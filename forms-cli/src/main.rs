@@ -1,7 +1,7 @@
 //! The program `forms`: files of the language go in, verdicts, notation, numbers, source and pictures come out.
 //!
 //! ```text
-//! arguments ─▶ commands ─┬─ prove    ─▶ verdicts       (theory_file, verdict_line, json)
+//! arguments ─▶ commands ─┬─ prove    ─▶ verdicts       (decisions, theory_file, verdict_line, json)
 //!                        ├─ check    ─▶ certificates   (certificate)
 //!                        ├─ show     ─▶ notation       (mathml)
 //!                        ├─ derive   ─▶ steps          (mathml)
@@ -17,6 +17,7 @@ mod arguments;
 mod certificate;
 mod commands;
 mod decimal;
+mod decisions;
 mod json;
 mod kernel;
 mod layout;
@@ -31,7 +32,7 @@ use status::Status;
 use std::io::{BufWriter, ErrorKind, Write};
 use std::process::ExitCode;
 
-/// Stack of the thread that does the work: trees as deep as the parser admits are walked by recursion.
+/// Stack of every thread that does work: trees as deep as the parser admits are walked by recursion.
 const STACK_BYTES: usize = 256 << 20;
 
 fn main() -> ExitCode {

@@ -20,13 +20,13 @@ const AS_PRINTED: &str = "_as_printed";
 const LONGEST_LIST: usize = 240;
 
 /// A statement that has been decided.
-pub(crate) struct Decided<'a> {
-    pub(crate) statement: &'a Statement,
+pub(crate) struct Decided {
+    pub(crate) statement: Statement,
     pub(crate) verdict: Verdict,
     pub(crate) time: Duration,
 }
 
-impl Decided<'_> {
+impl Decided {
     /// Whether it is as stated.
     pub(crate) fn ok(&self) -> bool {
         self.verdict.bears_out(self.statement.claim)

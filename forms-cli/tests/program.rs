@@ -3,7 +3,7 @@
 mod process;
 mod readme;
 
-use process::{Folder, forms, forms_on};
+use process::{Folder, Run, forms, forms_on, forms_with_threads};
 
 const THEORY: &str = "chart Line(x);\nchart UV(u, v);\n\
     prove square: (x + 1)**2 == x**2 + 2*x + 1;\n\
@@ -313,6 +313,33 @@ fn a_derivation_is_printed_in_every_notation_and_its_status_tells_the_verdict() 
     let missing = forms(&folder, &["derive", "good.forms", "nothing"]);
     assert_eq!(missing.status, 2);
     assert!(missing.errors.contains("it has square, shifted"), "{}", missing.errors);
+}
+
+/// Twenty statements, more than one task holds, among them false ones and one of no point.
+fn many_statements() -> String {
+    let statements = (1..=20).map(|k| match k % 3 {
+        0 => format!("refute s{k}: (x + y)**{k} == x**{k} + y**{k};"),
+        1 => format!("prove s{k}: sqrt((x + {k})**2) == abs(x + {k});"),
+        _ => format!("prove s{k}: d(x**{k}*dy) == {k}*x**{}*dx^dy;", k - 1),
+    });
+    let statements: Vec<String> = statements.collect();
+    format!("chart R2(x, y);\n{}\nprove nothing: x == y where x < 0, x > 1;\n", statements.join("\n"))
+}
+
+#[test]
+fn the_output_does_not_depend_on_the_number_of_threads() {
+    let many = many_statements();
+    let one = "chart R2(x, y); prove one: d(d(x*y)) == 0;";
+    let folder = Folder::with(&[("many.forms", &many), ("one.forms", one), ("broken.forms", "chart R2(x")]);
+    let arguments = ["prove", "--json", "one.forms", "many.forms", "broken.forms", "one.forms"];
+    let [serial, parallel] = ["1", "4"].map(|threads| forms_with_threads(&folder, &arguments, threads));
+    let lines = |run: &Run| run.output.lines().map(without_micros).collect::<Vec<_>>();
+    assert_eq!(lines(&serial), lines(&parallel));
+    assert_eq!((serial.status, parallel.status), (2, 2));
+    let names: Vec<String> = (1..=20).map(|k| format!("\"name\":\"s{k}\"")).collect();
+    let printed = &lines(&serial)[1..=20];
+    assert!(printed.iter().zip(&names).all(|(line, name)| line.contains(name.as_str())), "{printed:?}");
+    assert!(printed.iter().all(|line| line.contains("\"ok\":true")), "{printed:?}");
 }
 
 #[test]

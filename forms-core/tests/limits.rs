@@ -1,8 +1,19 @@
 //! Absurd exponents end in an answer: a verdict where one monomial does, `unknown` where terms would not fit.
 
 use forms_core::decide::{Verdict, decide};
+use forms_core::normal::{Obstacle, Tower, Trigonometry};
+use forms_core::polynomial::Polynomial;
 use forms_core::resolve::resolve;
 use forms_core::syntax::read;
+
+/// The message of the only error of a text.
+fn error(text: &str) -> String {
+    let (file, errors) = read(text);
+    assert!(errors.is_empty(), "{errors:?}");
+    let (_, errors) = resolve(&file);
+    assert_eq!(errors.len(), 1, "{errors:?}");
+    errors[0].message.clone()
+}
 
 /// The verdict on one statement about x, y, z, u and v.
 fn verdict(statement: &str) -> Verdict {
@@ -31,10 +42,22 @@ fn large_powers_of_a_variable_are_monomials() {
 
 #[test]
 fn what_would_not_fit_is_unknown() {
-    let sum = "(x + y + z + u + v + 1)";
     let power = vec!["x**1000000"; 30].join(" * ");
+    let parts = ["x", "y", "z", "u", "v", "x*y", "x*z", "x*u", "x*v", "y*z", "y*u"];
+    let backwards: Vec<&str> = parts.iter().rev().copied().collect();
+    let factors = ["x", "y", "z", "u", "v", "(x + 1)", "(y + 1)", "(z + 1)", "(u + 1)"];
+    let squares: Vec<String> = factors.iter().map(|factor| format!("{factor}**2")).collect();
+    let roots: Vec<String> = squares.iter().map(|square| format!("sqrt({square})")).collect();
     for (statement, limit) in [
-        (format!("({sum}**600 + 1) * ({sum}**600 - 1) == {sum}**1200 - 1"), "products of terms"),
+        ("x**(1/65) * x**(1/65) == x**(2/65) where x > 0".into(), "a root of order 65"),
+        (
+            format!("sin({})**2 == 1 - cos({})**2", parts.join(" + "), backwards.join(" + ")),
+            "an angle of more than 10 parts",
+        ),
+        (
+            format!("sqrt({}) == {}", squares.join(" * "), roots.join(" * ")),
+            "too many factors of radicands have an open sign",
+        ),
         (format!("{power} * (x + 1) == {power} * x + {power}"), "an exponent is beyond"),
         (
             format!("(y + 1) / ({power}) == y / ({power}) + 1 / ({power}) where x > 0"),
@@ -47,6 +70,34 @@ fn what_would_not_fit_is_unknown() {
             other => panic!("{shown}: {}", other.name()),
         }
     }
+}
+
+#[test]
+fn a_power_of_more_terms_than_the_work_allows_is_refused_beforehand() {
+    let sum = (0..5).fold(Polynomial::one(), |sum, index| sum.add(&Polynomial::variable(index)));
+    let power = Tower::new(Trigonometry::Circle).integer_power(&sum.into(), 600);
+    assert_eq!(power, Err(Obstacle::TooLarge("it takes more than 100000000 products of terms".into())));
+}
+
+#[test]
+fn a_power_of_a_sum_has_a_limit_of_its_own() {
+    let sum = Polynomial::variable(0).add(&Polynomial::one());
+    let power = Tower::new(Trigonometry::Circle).integer_power(&sum.into(), 16_385);
+    assert_eq!(power, Err(Obstacle::TooLarge("a power of a sum is beyond 16384".into())));
+}
+
+#[test]
+fn a_file_beyond_a_limit_is_told_which() {
+    let coordinates = |count: usize| (0..count).map(|i| format!("x{i}")).collect::<Vec<_>>();
+    let chart = |count: usize| format!("chart C({});", coordinates(count).join(", "));
+    assert_eq!(error(&chart(129)), "a file may declare 128 coordinates, and this is one more");
+    let differentials: Vec<String> = coordinates(9).iter().map(|name| format!("d{name}")).collect();
+    let squares: Vec<String> = differentials.iter().map(|dx| format!("{dx}**2")).collect();
+    let metric = format!("metric g on C = ({})**2 + {};", differentials.join(" + "), squares.join(" + "));
+    let expected = "the metric couples more than 8 coordinates with each other";
+    assert_eq!(error(&format!("{}{metric}", chart(9))), expected);
+    let beyond = "chart R(x); prove s: x**1000001 == 0;";
+    assert_eq!(error(beyond), "the exponent is beyond the limit of 1000000");
 }
 
 #[test]

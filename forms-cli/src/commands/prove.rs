@@ -1,15 +1,15 @@
 //! `forms prove`: every statement of every file, decided.
 
 use crate::certificate::Certificate;
+use crate::decisions::{DecidedFile, for_each_file};
 use crate::json::{Point, StatementRecord, write_error, write_record};
 use crate::layout::{counted, duration};
 use crate::palette::Palette;
 use crate::status::Status;
-use crate::theory_file::{self, FileError, TheoryFile, complain};
+use crate::theory_file::{FileError, complain};
 use crate::verdict_line::Decided;
-use forms::core::decide::{Verdict, decide};
+use forms::core::decide::Verdict;
 use forms::core::diagnostic::Diagnostic;
-use forms::core::resolve::{Statement, Theory};
 use forms::core::syntax::ast::Claim;
 use std::io::{self, Write};
 use std::time::{Duration, Instant};
@@ -26,15 +26,16 @@ pub(crate) fn prove(
     let palette = Palette::of_output();
     let mut report = Report { output, json, palette, totals: Totals::default(), certificate };
     let mut status = Status::AsStated;
-    for name in files {
-        status = status.max(match theory_file::read(name) {
+    for_each_file(files, |file| {
+        status = status.max(match file {
             Ok(file) => report.file(file)?,
             Err(errors) => {
                 report.totals.unread += 1;
                 report.errors(&errors)?
             }
         });
-    }
+        Ok(())
+    })?;
     if !json {
         report.totals(start.elapsed())?;
     }
@@ -42,13 +43,6 @@ pub(crate) fn prove(
         Some(Err(message)) => Ok(super::refuse(&message)),
         Some(Ok(())) | None => Ok(status),
     }
-}
-
-/// Decides one statement and takes the time.
-pub(super) fn timed<'a>(theory: &mut Theory, statement: &'a Statement) -> Decided<'a> {
-    let start = Instant::now();
-    let verdict = decide(theory, statement);
-    Decided { statement, verdict, time: start.elapsed() }
 }
 
 #[derive(Default)]
@@ -104,8 +98,8 @@ struct Report<'a> {
 }
 
 impl Report<'_> {
-    fn file(&mut self, file: TheoryFile) -> io::Result<Status> {
-        let TheoryFile { source, mut theory, .. } = file;
+    fn file(&mut self, file: DecidedFile) -> io::Result<Status> {
+        let DecidedFile { source, mut theory, statements } = file;
         if !self.json {
             writeln!(self.output, "{}", self.palette.heading(&source.name))?;
         }
@@ -114,14 +108,14 @@ impl Report<'_> {
         }
         let mut status = Status::AsStated;
         let mut errors = Vec::new();
-        for statement in &theory.statements.clone() {
-            let decided = timed(&mut theory, statement);
+        for decided in &statements {
+            let statement = &decided.statement;
             if let Verdict::Empty { reason } = &decided.verdict {
                 let message = format!("`{}` speaks of no point: {reason}", statement.name);
                 errors.push(FileError::at(&source, &Diagnostic::new(statement.span, message)));
             }
             status = status.max(if decided.ok() { Status::AsStated } else { Status::NotAsStated });
-            self.statement(&source.name, &decided)?;
+            self.statement(&source.name, decided)?;
             if let Some(certificate) = &mut self.certificate {
                 certificate.add(&mut theory, statement, &decided.verdict);
             }
@@ -132,6 +126,7 @@ impl Report<'_> {
         if !errors.is_empty() {
             status = self.errors(&errors)?;
         }
+        self.output.flush()?;
         Ok(status)
     }
 
@@ -144,7 +139,7 @@ impl Report<'_> {
         for line in decided.grounds(self.palette) {
             writeln!(self.output, "{line}")?;
         }
-        self.output.flush()
+        Ok(())
     }
 
     fn errors(&mut self, errors: &[FileError]) -> io::Result<Status> {
@@ -174,7 +169,7 @@ impl Report<'_> {
             some => self.palette.bad(&format!("{some} are not as stated")),
         };
         writeln!(self.output, "{}; {end}", totals.sentence())?;
-        let times = format!("{} to decide, {} with reading", duration(totals.time), duration(all));
+        let times = format!("{} of deciding in {}", duration(totals.time), duration(all));
         writeln!(self.output, "{}", self.palette.quiet(&times))
     }
 }

@@ -2,7 +2,7 @@
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::PathBuf;
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A folder that lasts as long as its test.
@@ -54,7 +54,16 @@ pub(crate) fn forms_on(folder: &Folder, arguments: &[&str], input: &str) -> Run 
     // A program that refuses its arguments does not wait for its input.
     let _ = pipe.write_all(input.as_bytes());
     drop(pipe);
-    let ended = child.wait_with_output().expect("the program ends");
+    run(child.wait_with_output().expect("the program ends"))
+}
+
+/// Runs the program on so many threads.
+pub(crate) fn forms_with_threads(folder: &Folder, arguments: &[&str], threads: &str) -> Run {
+    let mut command = command(folder, arguments);
+    run(command.env("RAYON_NUM_THREADS", threads).output().expect("the program ends"))
+}
+
+fn run(ended: Output) -> Run {
     let text = |bytes| String::from_utf8(bytes).expect("the program writes text");
     Run { status: ended.status.code().unwrap_or(-1), output: text(ended.stdout), errors: text(ended.stderr) }
 }
@@ -70,15 +79,16 @@ pub(crate) fn first_line_only(folder: &Folder, arguments: &[&str]) -> String {
     errors
 }
 
-fn started(folder: &Folder, arguments: &[&str]) -> std::process::Child {
-    Command::new(env!("CARGO_BIN_EXE_forms"))
-        .current_dir(&folder.0)
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program starts")
+fn command(folder: &Folder, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_forms"));
+    command.current_dir(&folder.0).args(arguments);
+    command
+}
+
+fn started(folder: &Folder, arguments: &[&str]) -> Child {
+    let mut command = command(folder, arguments);
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    command.spawn().expect("the program starts")
 }
 
 /// Whether a Rust source compiles as a library without a warning.

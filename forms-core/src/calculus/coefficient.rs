@@ -4,6 +4,9 @@ use super::blade::Coordinate;
 use super::metric::Quotients;
 use crate::expression::{Expr, Nature, Operation, Pool, Symbol};
 
+/// A signed product ±a b.
+pub type Product<'a, S> = (i8, &'a S, &'a S);
+
 /// A commutative ring with one derivation for each coordinate.
 ///
 /// Zero may be hidden (a structured expression need not know that it vanishes); [`Coefficients::is_zero`]
@@ -28,7 +31,7 @@ pub trait Coefficients {
     fn derivative(&mut self, a: &Self::Scalar, by: Coordinate) -> Self::Scalar;
 
     /// Σ ±a b, where a ring that can is faster than by single products.
-    fn sum_of_products(&mut self, terms: &[(i8, &Self::Scalar, &Self::Scalar)]) -> Self::Scalar {
+    fn sum_of_products(&mut self, terms: &[Product<'_, Self::Scalar>]) -> Self::Scalar {
         let mut sum = self.zero();
         for &(sign, a, b) in terms {
             let product = self.multiply(a, b);
@@ -36,6 +39,11 @@ pub trait Coefficients {
             sum = self.add(&sum, &signed);
         }
         sum
+    }
+
+    /// One Σ ±a b for each group, where a ring that can computes them side by side.
+    fn sums_of_products(&mut self, groups: &[Vec<Product<'_, Self::Scalar>>]) -> Vec<Self::Scalar> {
+        groups.iter().map(|group| self.sum_of_products(group)).collect()
     }
 
     /// Σ ±∂a/∂x, where a ring that can is faster than by single derivatives.

@@ -1,11 +1,11 @@
 //! Differential forms of one degree: coefficients by basis form.
 
 use super::blade::{Blade, Coordinate};
-use super::coefficient::Coefficients;
+use super::coefficient::{Coefficients, Product};
 use std::collections::BTreeMap;
 
 /// Signed products of coefficients, grouped by the basis form they belong to.
-pub(super) type Products<'a, S> = BTreeMap<Blade, Vec<(i8, &'a S, &'a S)>>;
+pub(super) type Products<'a, S> = BTreeMap<Blade, Vec<Product<'a, S>>>;
 
 /// A k-form Σ w_I dx_I, its blades in ascending order. The zero form keeps its degree.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,13 +50,9 @@ impl<S: Clone> Form<S> {
         degree: u32,
         products: Products<S>,
     ) -> Self {
-        let mut terms = Vec::with_capacity(products.len());
-        for (blade, group) in products {
-            let value = ring.sum_of_products(&group);
-            if !ring.is_zero(&value) {
-                terms.push((blade, value));
-            }
-        }
+        let (blades, groups): (Vec<Blade>, Vec<_>) = products.into_iter().unzip();
+        let mut terms: Vec<(Blade, S)> = blades.into_iter().zip(ring.sums_of_products(&groups)).collect();
+        terms.retain(|term| !ring.is_zero(&term.1));
         Form { degree, terms }
     }
 

@@ -26,7 +26,7 @@ mod pullback;
 mod wedge;
 
 pub use blade::{Blade, Coordinate, MAXIMUM_COORDINATES};
-pub use coefficient::{Coefficients, Structured};
+pub use coefficient::{Coefficients, Product, Structured};
 pub use exterior::exterior_derivative;
 pub use field::{Field, bracket, derivative_along};
 pub use form::Form;

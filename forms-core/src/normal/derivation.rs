@@ -7,7 +7,7 @@ use super::factor::FactorPower;
 use super::fraction::Fraction;
 use super::generator::{Generator, Quantity, Unit};
 use super::tower::{Obstacle, Tower};
-use crate::calculus::{Coefficients, Coordinate};
+use crate::calculus::{Coefficients, Coordinate, Product};
 use crate::expression::{Operation, Rational, Symbol};
 use crate::polynomial::Polynomial;
 use num_traits::One;
@@ -100,17 +100,34 @@ impl Tower {
         }
     }
 
-    /// Σ ±a b without denominators, reduced once.
-    fn sum_of_polynomial_products(
+    /// The products ±a b without denominators, their work counted.
+    fn charged<'f>(
         &mut self,
-        terms: &[(i8, &Fraction, &Fraction)],
-    ) -> Result<Fraction, Obstacle> {
+        terms: &[Product<'f, Fraction>],
+    ) -> Result<Vec<(i64, &'f Polynomial, &'f Polynomial)>, Obstacle> {
         let mut products = Vec::with_capacity(terms.len());
         for (sign, a, b) in terms {
             self.charge(&a.numerator, &b.numerator)?;
             products.push((i64::from(*sign), &a.numerator, &b.numerator));
         }
+        Ok(products)
+    }
+
+    /// Σ ±a b without denominators, reduced once.
+    fn sum_of_polynomial_products(&mut self, terms: &[Product<'_, Fraction>]) -> Result<Fraction, Obstacle> {
+        let products = self.charged(terms)?;
         Ok(self.reduce(Polynomial::sum_of_products(&products))?.into())
+    }
+
+    /// The same for each group.
+    fn sums_of_polynomial_products(
+        &mut self,
+        groups: &[Vec<Product<'_, Fraction>>],
+    ) -> Result<Vec<Fraction>, Obstacle> {
+        let products: Vec<Vec<_>> =
+            groups.iter().map(|group| self.charged(group)).collect::<Result<_, _>>()?;
+        let sums = Polynomial::sums_of_products(&products);
+        sums.into_iter().map(|sum| Ok(self.reduce(sum)?.into())).collect()
     }
 
     fn times_derivative_of_unit(
@@ -259,8 +276,18 @@ impl Coefficients for Normal<'_> {
         self.keep(sum)
     }
 
-    fn sum_of_products(&mut self, terms: &[(i8, &Fraction, &Fraction)]) -> Fraction {
-        if terms.iter().all(|(_, a, b)| a.is_polynomial() && b.is_polynomial()) {
+    fn sums_of_products(&mut self, groups: &[Vec<Product<'_, Fraction>>]) -> Vec<Fraction> {
+        if !groups.iter().all(|group| without_denominators(group)) {
+            return groups.iter().map(|group| self.sum_of_products(group)).collect();
+        }
+        self.tower.sums_of_polynomial_products(groups).unwrap_or_else(|obstacle| {
+            self.obstacle.get_or_insert(obstacle);
+            vec![Fraction::zero(); groups.len()]
+        })
+    }
+
+    fn sum_of_products(&mut self, terms: &[Product<'_, Fraction>]) -> Fraction {
+        if without_denominators(terms) {
             let sum = self.tower.sum_of_polynomial_products(terms);
             return self.keep(sum);
         }
@@ -272,4 +299,8 @@ impl Coefficients for Normal<'_> {
         }
         sum
     }
+}
+
+fn without_denominators(terms: &[Product<'_, Fraction>]) -> bool {
+    terms.iter().all(|(_, a, b)| a.is_polynomial() && b.is_polynomial())
 }

@@ -127,7 +127,7 @@ impl Tower {
                 continue;
             }
             let polynomial = self.factor_polynomial(power.factor).clone();
-            Self::check_power(&polynomial, u64::from(times))?;
+            self.check_power(&raised, &polynomial, u64::from(times))?;
             for _ in 0..times {
                 self.charge(&raised, &polynomial)?;
                 raised = self.reduce(raised.mul(&polynomial))?;
@@ -279,7 +279,7 @@ impl Tower {
             let inverse = self.inverse(a)?;
             return self.integer_power(&inverse, -exponent);
         }
-        Self::check_power(&a.numerator, exponent.unsigned_abs())?;
+        self.check_power(&Polynomial::one(), &a.numerator, exponent.unsigned_abs())?;
         if let Some(power) = self.power_of_generators(a, exponent.unsigned_abs())? {
             return Ok(power);
         }

@@ -29,7 +29,7 @@ impl Tower {
         let mut powers: Vec<Powers> = Vec::with_capacity(relations.len());
         for relation in relations {
             let highest = polynomial.degree(relation.variable) / relation.order;
-            Self::check_power(&relation.value, u64::from(highest))?;
+            self.check_power(&Polynomial::one(), &relation.value, u64::from(highest))?;
             powers.push(Powers(vec![Polynomial::one()]));
         }
         let orders: Vec<(u32, u32)> = relations.iter().map(|r| (r.variable, r.order)).collect();

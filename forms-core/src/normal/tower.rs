@@ -351,10 +351,16 @@ impl Tower {
         Ok(())
     }
 
-    /// Refuses powers of sums that are hopeless to multiply out.
-    pub(super) fn check_power(base: &Polynomial, exponent: u64) -> Result<(), Obstacle> {
-        if base.term_count() > 1 && exponent > LARGEST_POWER_OF_SUM {
+    /// Refuses a·fⁿ where it is hopeless to multiply it out: each of its terms takes a product at least.
+    pub(super) fn check_power(&self, a: &Polynomial, f: &Polynomial, n: u64) -> Result<(), Obstacle> {
+        if f.term_count() > 1 && n > LARGEST_POWER_OF_SUM {
             return Err(Obstacle::TooLarge(format!("a power of a sum is beyond {LARGEST_POWER_OF_SUM}")));
+        }
+        // With a bound generator terms may go when the power is reduced.
+        let is_free =
+            |f: &Polynomial| f.variables().into_iter().all(|variable| self.relation_of(variable).is_none());
+        if is_free(a) && is_free(f) && a.least_terms_with_power(f, n) > self.work_limit {
+            return Err(self.work_is_spent());
         }
         Ok(())
     }
@@ -381,11 +387,12 @@ impl Tower {
     fn spend(&mut self, work: u64) -> Result<(), Obstacle> {
         self.work = self.work.saturating_add(work);
         if self.work > self.work_limit {
-            return Err(Obstacle::TooLarge(format!(
-                "it takes more than {} products of terms",
-                self.work_limit
-            )));
+            return Err(self.work_is_spent());
         }
         Ok(())
+    }
+
+    fn work_is_spent(&self) -> Obstacle {
+        Obstacle::TooLarge(format!("it takes more than {} products of terms", self.work_limit))
     }
 }

@@ -18,6 +18,7 @@ mod coefficient;
 mod division;
 mod evaluation;
 mod gcd;
+mod growth;
 mod image;
 mod interpolation;
 pub mod modular;

@@ -1,7 +1,8 @@
 //! The theory of radiance, statement by statement, and where its source is wrong as printed.
 
 use super::heading;
-use crate::commands::prove::{Totals, timed};
+use crate::commands::prove::Totals;
+use crate::decisions::timed;
 use crate::layout::{duration, few_digits, wrap};
 use crate::palette::Palette;
 use crate::status::Status;
@@ -35,10 +36,9 @@ pub(super) fn prove(palette: Palette, output: &mut dyn Write) -> io::Result<Stat
     }
     writeln!(output)?;
     let mut theory = file.theory;
-    let statements = theory.statements.clone();
     let mut totals = Totals::default();
     let mut wrong = Vec::new();
-    for statement in &statements {
+    for statement in std::mem::take(&mut theory.statements) {
         let decided = timed(&mut theory, statement);
         totals.count(&decided);
         writeln!(output, "{}", decided.line(palette))?;
@@ -66,7 +66,7 @@ fn as_printed(
     writeln!(output, "{}\n", palette.heading("   Wrong as printed"))?;
     for decided in wrong {
         writeln!(output, "  {}", decided.statement.name)?;
-        for line in wrap(&equation(source, decided.statement), INDENT) {
+        for line in wrap(&equation(source, &decided.statement), INDENT) {
             writeln!(output, "{}", palette.notable(&line))?;
         }
         if let Verdict::Refuted(witness) = &decided.verdict {

@@ -9,6 +9,7 @@
 //! ```
 
 mod dense;
+mod groups;
 mod insertion;
 mod keyed;
 mod lanes;

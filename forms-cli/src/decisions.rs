@@ -1,0 +1,103 @@
+//! Decisions: the statements of files, decided on all processors and handed over in the order of the files.
+//!
+//! ```text
+//! names ─ a task each: read ─▶ TheoryFile ─ a task for some statements each: decide ─▶ DecidedFile ─ in order ─▶ visit
+//! ```
+//! Deciding adds to the pool of a theory, so tasks have copies of it. Which statements make a task does not depend on
+//! the number of processors: the same input gives the same output on every machine.
+
+use crate::STACK_BYTES;
+use crate::theory_file::{self, FileError, TheoryFile};
+use crate::verdict_line::Decided;
+use forms::core::decide::decide;
+use forms::core::resolve::{Statement, Theory};
+use forms::core::syntax::Source;
+use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::collections::BTreeMap;
+use std::io;
+use std::sync::mpsc;
+use std::time::Instant;
+
+/// So many statements are one task, on average ten times the work of copying their theory or more.
+const TASK: usize = 16;
+
+/// A file without errors and its statements, decided.
+pub(crate) struct DecidedFile {
+    pub(crate) source: Source,
+    pub(crate) theory: Theory,
+    pub(crate) statements: Vec<Decided>,
+}
+
+/// What became of a file: its errors if there are any.
+pub(crate) type Outcome = Result<DecidedFile, Vec<FileError>>;
+
+/// Reads files and decides their statements. Each outcome is visited as soon as those before it have been.
+pub(crate) fn for_each_file(
+    names: &[String],
+    mut visit: impl FnMut(Outcome) -> io::Result<()>,
+) -> io::Result<()> {
+    // A file with no more statements than one task holds is not worth a thread.
+    if let [name] = names {
+        let file = theory_file::read(name);
+        if file.as_ref().map_or(0, |file| file.theory.statements.len()) <= TASK {
+            return visit(file.map(decided_file));
+        }
+        let pool = workers()?;
+        return visit(file.map(|file| pool.install(|| decided_file(file))));
+    }
+    let pool = workers()?;
+    pool.in_place_scope(|scope| {
+        let (sender, receiver) = mpsc::channel();
+        for (place, name) in names.iter().enumerate() {
+            let sender = sender.clone();
+            scope.spawn(move |_| {
+                // Nobody listens any more once a reader of the output has gone away.
+                let _ = sender.send((place, theory_file::read(name).map(decided_file)));
+            });
+        }
+        drop(sender);
+        let mut waiting = BTreeMap::new();
+        let mut next = 0;
+        for (place, outcome) in receiver {
+            waiting.insert(place, outcome);
+            while let Some(outcome) = waiting.remove(&next) {
+                visit(outcome)?;
+                next += 1;
+            }
+        }
+        Ok(())
+    })
+}
+
+/// A thread for each processor, or as many as `RAYON_NUM_THREADS` says.
+fn workers() -> io::Result<ThreadPool> {
+    ThreadPoolBuilder::new().stack_size(STACK_BYTES).build().map_err(io::Error::other)
+}
+
+fn decided_file(file: TheoryFile) -> DecidedFile {
+    let TheoryFile { source, mut theory, .. } = file;
+    let statements = decide_all(&mut theory);
+    DecidedFile { source, theory, statements }
+}
+
+/// The statements of one theory, decided in order.
+fn decide_all(theory: &mut Theory) -> Vec<Decided> {
+    let statements = theory.statements.clone();
+    if statements.len() <= TASK {
+        return statements.into_iter().map(|statement| timed(theory, statement)).collect();
+    }
+    let theory = &*theory;
+    let tasks = statements.par_chunks(TASK).flat_map_iter(|task| {
+        let mut theory = theory.clone();
+        task.iter().map(move |statement| timed(&mut theory, statement.clone()))
+    });
+    tasks.collect()
+}
+
+/// Decides one statement and takes the time.
+pub(crate) fn timed(theory: &mut Theory, statement: Statement) -> Decided {
+    let start = Instant::now();
+    let verdict = decide(theory, &statement);
+    Decided { statement, verdict, time: start.elapsed() }
+}

@@ -1,0 +1,51 @@
+//! The workloads of the bench `symbolic` and of the example `scaling`: each asserts its result, so that what is timed is right.
+
+pub(crate) mod built;
+mod patch;
+mod random;
+pub(crate) mod text;
+
+/// Something to be timed.
+pub(crate) struct Work {
+    /// What it is.
+    pub(crate) name: String,
+    /// The time it should stay below, if one was set.
+    pub(crate) goal: &'static str,
+    /// Does it once.
+    pub(crate) run: Box<dyn FnMut()>,
+}
+
+impl Work {
+    fn new(name: impl Into<String>, goal: &'static str, run: impl FnMut() + 'static) -> Self {
+        Work { name: name.into(), goal, run: Box::new(run) }
+    }
+}
+
+/// Every workload, in the order of the table.
+pub(crate) fn all() -> Vec<Work> {
+    let mut works: Vec<Work> = (3..=8).map(built::closed).collect();
+    works.extend((3..=8).map(text::closed));
+    works.push(built::derivative_twice(4));
+    works.push(built::stereographic_pullback());
+    works.extend((3..=6).map(built::power_of_two_form));
+    works.push(built::product(15));
+    works.extend([(3, 1), (3, 2), (4, 1), (4, 2)].map(|(n, k)| text::two_stars(n, k)));
+    works.extend([
+        text::spherical_laplacian(),
+        text::lie_derivative(6),
+        text::polynomial_pullback(),
+        text::box_integral(),
+        text::sphere_integral(),
+        text::harmonicity(),
+        text::harmonicity_of_arc_tangent(),
+        text::triangle_gradient(),
+    ]);
+    works
+}
+
+/// The name of the processor, where the system tells it.
+pub(crate) fn processor() -> String {
+    let information = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = information.lines().find_map(|line| line.strip_prefix("model name"));
+    name.map_or("unknown", |name| name.trim_start_matches(['\t', ' ', ':'])).to_string()
+}

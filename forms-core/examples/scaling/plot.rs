@@ -1,0 +1,218 @@
+//! A plot: lines of measured times over a logarithmic axis, as SVG text. It is read on light and on dark paper, and
+//! without colour: each line has marks of its own.
+
+use std::fmt::Write;
+
+const SIZE: [f64; 2] = [720.0, 456.0];
+/// The frame: left, top, right and bottom.
+const FRAME: [f64; 4] = [76.0, 52.0, 700.0, 376.0];
+/// Where the first line of the legend stands, and how far apart they are.
+const LEGEND: [f64; 2] = [94.0, 72.0];
+const LEGEND_STEP: f64 = 21.0;
+const LEGEND_WIDTH: f64 = 400.0;
+/// Half the width of a mark.
+const MARK: f64 = 4.0;
+
+const STYLE: &str = "\
+    .paper{fill:#fff}.ink{fill:#222}.quiet{fill:#666}.grid{stroke:#e2e2e2}.frame{stroke:#999}.title{font-weight:bold;font-size:15px}\
+    .s0{--c:#b5482f}.s1{--c:#2f6f9f}.s2{--c:#4d7f3a}.line{stroke:var(--c);fill:none;stroke-width:1.8}\
+    .mark{stroke:var(--c);fill:var(--c);stroke-width:1.4}.hollow{fill:#fff}\
+    @media(prefers-color-scheme:dark){.paper,.hollow{fill:#16181c}.ink{fill:#e8e8e8}.quiet{fill:#a4a8ae}\
+    .grid{stroke:#30343a}.frame{stroke:#6c7178}.s0{--c:#ee8d70}.s1{--c:#76b7e6}.s2{--c:#96cb7f}}";
+
+/// How places are spread along the lower axis.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Scale {
+    Linear,
+    Logarithmic,
+}
+
+/// One line: places and seconds.
+pub(crate) struct Series {
+    pub(crate) name: String,
+    pub(crate) points: Vec<[f64; 2]>,
+}
+
+/// What is drawn.
+pub(crate) struct Plot {
+    pub(crate) title: String,
+    pub(crate) caption: String,
+    /// What the lower axis counts.
+    pub(crate) across: String,
+    pub(crate) scale: Scale,
+    pub(crate) series: Vec<Series>,
+}
+
+/// The range of an axis and the paper it falls on.
+struct Axis {
+    range: [f64; 2],
+    paper: [f64; 2],
+}
+
+impl Axis {
+    fn place(&self, value: f64) -> f64 {
+        let share = (value - self.range[0]) / (self.range[1] - self.range[0]);
+        self.paper[0] + share * (self.paper[1] - self.paper[0])
+    }
+}
+
+impl Plot {
+    /// The whole file.
+    pub(crate) fn svg(&self) -> String {
+        let [width, height] = SIZE;
+        let (title, caption) = (escaped(&self.title), escaped(&self.caption));
+        let mut svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
+             height=\"{height}\" role=\"img\" font-family=\"'DejaVu Sans', Verdana, sans-serif\" \
+             font-size=\"12.5\">\n<title>{title}</title>\n<style>{STYLE}</style>\n\
+             <rect class=\"paper\" width=\"{width}\" height=\"{height}\"/>\n"
+        );
+        let (across, up) = (self.across_axis(), self.up_axis());
+        self.grid(&mut svg, &across, &up);
+        for (number, series) in self.series.iter().enumerate() {
+            let places: Vec<[f64; 2]> = series
+                .points
+                .iter()
+                .map(|&[x, y]| [across.place(self.spread(x)), up.place(y.log10())])
+                .collect();
+            line(&mut svg, number, &places);
+        }
+        self.legend(&mut svg);
+        text(&mut svg, [FRAME[0], 30.0], "start", "ink title", &self.title);
+        text(&mut svg, [FRAME[2], SIZE[1] - 14.0], "end", "quiet", &caption);
+        svg + "</svg>\n"
+    }
+
+    /// The names of the lines on paper of their own, which no rule crosses.
+    fn legend(&self, svg: &mut String) {
+        let [x, y] = LEGEND;
+        let height = LEGEND_STEP * self.series.len() as f64;
+        let top = y - LEGEND_STEP / 2.0;
+        put(
+            svg,
+            format_args!(
+                "<rect class=\"paper\" x=\"{}\" y=\"{top}\" width=\"{LEGEND_WIDTH}\" height=\"{height}\"/>",
+                x - 8.0
+            ),
+        );
+        for (number, series) in self.series.iter().enumerate() {
+            let y = y + LEGEND_STEP * number as f64;
+            line(svg, number, &[[x, y], [x + 28.0, y]]);
+            text(svg, [x + 40.0, y + 4.5], "start", "ink", &series.name);
+        }
+    }
+
+    fn spread(&self, x: f64) -> f64 {
+        if self.scale == Scale::Logarithmic { x.log10() } else { x }
+    }
+
+    fn across_axis(&self) -> Axis {
+        let places =
+            || self.series.iter().flat_map(|series| &series.points).map(|point| self.spread(point[0]));
+        let [least, greatest] = [places().fold(f64::MAX, f64::min), places().fold(f64::MIN, f64::max)];
+        let margin = 0.03 * (greatest - least);
+        Axis { range: [least - margin, greatest + margin], paper: [FRAME[0], FRAME[2]] }
+    }
+
+    /// Whole decades, with room for the legend above the lines.
+    fn up_axis(&self) -> Axis {
+        let times = || self.series.iter().flat_map(|series| &series.points).map(|point| point[1].log10());
+        let least = times().fold(f64::MAX, f64::min).floor();
+        let greatest = times().fold(f64::MIN, f64::max).ceil();
+        let legend = (LEGEND[1] - FRAME[1] + LEGEND_STEP * self.series.len() as f64) / (FRAME[3] - FRAME[1]);
+        let top = least + (greatest - least) / (1.0 - legend);
+        Axis { range: [least, top], paper: [FRAME[3], FRAME[1]] }
+    }
+
+    fn grid(&self, svg: &mut String, across: &Axis, up: &Axis) {
+        let [left, top, right, bottom] = FRAME;
+        let unit = ["ns", "µs", "ms", "s"];
+        for decade in up.range[0] as i32..=up.range[1] as i32 {
+            let y = up.place(f64::from(decade));
+            rule(svg, "grid", [left, y], [right, y]);
+            let thousand = (decade + 9).div_euclid(3);
+            let number = 10_i32.pow((decade + 9).rem_euclid(3) as u32);
+            let label = format!("{number} {}", unit[thousand.clamp(0, 3) as usize]);
+            text(svg, [left - 9.0, y + 4.5], "end", "quiet", &label);
+        }
+        for (value, label) in self.ticks(across) {
+            let x = across.place(value);
+            rule(svg, "grid", [x, top], [x, bottom]);
+            text(svg, [x, bottom + 19.0], "middle", "quiet", &label);
+        }
+        rule(svg, "frame", [left, bottom], [right, bottom]);
+        rule(svg, "frame", [left, top], [left, bottom]);
+        text(svg, [(left + right) / 2.0, bottom + 38.0], "middle", "ink", &self.across);
+    }
+
+    /// Every integer, or every decade.
+    fn ticks(&self, across: &Axis) -> Vec<(f64, String)> {
+        let [first, last] = [across.range[0].ceil() as i32, across.range[1].floor() as i32];
+        let label = |tick: i32| match self.scale {
+            Scale::Linear => tick.to_string(),
+            Scale::Logarithmic => thousands(10_u64.pow(tick as u32)),
+        };
+        (first..=last).map(|tick| (f64::from(tick), label(tick))).collect()
+    }
+}
+
+/// A line with a mark at each place; the number selects colour and mark.
+fn line(svg: &mut String, number: usize, places: &[[f64; 2]]) {
+    let points: Vec<String> = places.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
+    put(
+        svg,
+        format_args!("<g class=\"s{number}\"><polyline class=\"line\" points=\"{}\"/>", points.join(" ")),
+    );
+    for &[x, y] in places {
+        let (left, top, wide) = (x - MARK, y - MARK, 2.0 * MARK);
+        match number {
+            0 => put(svg, format_args!("<circle class=\"mark\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{MARK}\"/>")),
+            1 => put(
+                svg,
+                format_args!(
+                    "<rect class=\"mark\" x=\"{left:.1}\" y=\"{top:.1}\" width=\"{wide}\" height=\"{wide}\"/>"
+                ),
+            ),
+            _ => put(
+                svg,
+                format_args!("<circle class=\"mark hollow\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{MARK}\"/>"),
+            ),
+        }
+    }
+    put(svg, format_args!("</g>"));
+}
+
+fn rule(svg: &mut String, class: &str, [x0, y0]: [f64; 2], [x1, y1]: [f64; 2]) {
+    put(svg, format_args!("<path class=\"{class}\" d=\"M{x0:.1} {y0:.1}L{x1:.1} {y1:.1}\"/>"));
+}
+
+fn text(svg: &mut String, [x, y]: [f64; 2], anchor: &str, class: &str, words: &str) {
+    let words = escaped(words);
+    put(
+        svg,
+        format_args!(
+            "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\" class=\"{class}\">{words}</text>"
+        ),
+    );
+}
+
+fn put(svg: &mut String, element: std::fmt::Arguments<'_>) {
+    writeln!(svg, "{element}").expect("a String takes all text");
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;")
+}
+
+/// `10 000`
+fn thousands(number: u64) -> String {
+    let digits = number.to_string();
+    let mut grouped = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) {
+            grouped.push('\u{2009}');
+        }
+        grouped.push(digit);
+    }
+    grouped
+}
