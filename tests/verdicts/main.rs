@@ -159,15 +159,7 @@ impl Values {
     fn bear_out(&mut self, statement: &Statement, witness: &Witness) -> bool {
         let value =
             |name: &str| witness.point.iter().find(|entry| entry.0 == name).map_or("1", |entry| &entry.1);
-        let point: Vec<BigFloat> = NAMES
-            .iter()
-            .map(|name| {
-                let text = value(name);
-                let (p, q) = text.split_once('/').unwrap_or((text, "1"));
-                let [p, q] = [p, q].map(|part| part.parse().expect("the value of a witness is a fraction"));
-                self.sure.ratio(p, q)
-            })
-            .collect();
+        let point: Vec<BigFloat> = NAMES.iter().map(|name| self.sure.fraction(value(name))).collect();
         differ(&mut self.sure, statement, &point) == Some(true)
     }
 }
