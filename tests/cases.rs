@@ -36,6 +36,7 @@ case_files! {
     stokes "tests/cases/stokes.forms";
     symplectic "tests/cases/symplectic.forms";
     triangle_gradient "tests/cases/triangle_gradient.forms";
+    triangle_harmonicity "tests/cases/triangle_harmonicity.forms";
     trigonometry "tests/cases/trigonometry.forms";
     wedge_and_interior "tests/cases/wedge_and_interior.forms";
 }

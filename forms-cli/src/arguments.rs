@@ -25,6 +25,20 @@ pub(crate) enum Command {
         /// One JSON object a line
         #[arg(long)]
         json: bool,
+        /// Write what is needed to check each verdict
+        #[arg(long, value_name = "FILE")]
+        certificate: Option<String>,
+    },
+    /// Check a certificate of `prove` without the prover
+    ///
+    /// Exit status: 0 if every entry is accepted, 1 if some are rejected or not covered, 2 if the certificate or a
+    /// file it names cannot be read or is not the one that was certified.
+    Check {
+        /// A certificate; the files it names are found from its folder
+        file: String,
+        /// Entries that the checker does not cover do no harm
+        #[arg(long)]
+        allow_uncovered: bool,
     },
     /// Print one named object of a file, simplified
     Show {

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! arguments ─▶ commands ─┬─ prove    ─▶ verdicts       (theory_file, verdict_line, json)
+//!                        ├─ check    ─▶ certificates   (certificate)
 //!                        ├─ show     ─▶ notation       (mathml)
 //!                        ├─ derive   ─▶ steps          (mathml)
 //!                        ├─ eval     ─▶ numbers        (decimal, kernel)
@@ -13,6 +14,7 @@
 //! computed here that the libraries do not compute.
 
 mod arguments;
+mod certificate;
 mod commands;
 mod decimal;
 mod json;

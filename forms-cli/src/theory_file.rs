@@ -1,9 +1,9 @@
 //! Files: the text of a file becomes a theory, or everything that is wrong with it.
 
-use forms::core::check::read_file;
+use forms::core::check::read_theory;
 use forms::core::diagnostic::{Diagnostic, Span};
 use forms::core::resolve::Theory;
-use forms::core::syntax::{Source, ast};
+use forms::core::syntax::Source;
 use std::fs::File;
 use std::io::Read;
 
@@ -13,7 +13,6 @@ const LARGEST_FILE: u64 = 16 << 20;
 /// A file without errors.
 pub(crate) struct TheoryFile {
     pub(crate) source: Source,
-    pub(crate) tree: ast::File,
     pub(crate) theory: Theory,
 }
 
@@ -62,6 +61,12 @@ pub(crate) fn read(path: &str) -> Result<TheoryFile, Vec<FileError>> {
     }
 }
 
+/// The text of a file, unless it is too large.
+pub(crate) fn text(path: &str) -> Result<String, String> {
+    let text = String::from_utf8(bytes(path)?);
+    text.map_err(|_| "the file is not UTF-8 text".to_string())
+}
+
 fn bytes(path: &str) -> Result<Vec<u8>, String> {
     let cannot = |error: std::io::Error| format!("cannot read the file: {error}");
     let mut bytes = Vec::new();
@@ -76,9 +81,9 @@ fn bytes(path: &str) -> Result<Vec<u8>, String> {
 /// Parses and resolves a text; the errors are in the order of the text.
 pub(crate) fn from_text(name: &str, text: impl Into<String>) -> Result<TheoryFile, Vec<FileError>> {
     let source = Source::new(name, text);
-    let (tree, theory, diagnostics) = read_file(&source.text);
+    let (theory, diagnostics) = read_theory(&source.text);
     if diagnostics.is_empty() {
-        return Ok(TheoryFile { source, tree, theory });
+        return Ok(TheoryFile { source, theory });
     }
     Err(diagnostics.iter().map(|diagnostic| FileError::at(&source, diagnostic)).collect())
 }

@@ -139,6 +139,12 @@ fn a_named_object_is_shown_simplified() {
     }
     let mathml = forms(&folder, &["show", "good.forms", "w", "--as", "mathml"]);
     assert!(mathml.output.starts_with("<math") && mathml.output.trim_end().ends_with("</math>"));
+    let measured = Folder::with(&[("units.forms", "chart R(x: m, t: s); let v = x/t;")]);
+    assert_eq!(forms(&measured, &["show", "units.forms", "v"]).output.trim_end(), "x/t  // in m/s");
+    assert_eq!(
+        forms(&measured, &["show", "units.forms", "v", "--as", "latex"]).output.trim_end(),
+        "\\frac{x}{t}"
+    );
     let missing = forms(&folder, &["show", "good.forms", "nothing"]);
     assert_eq!((missing.status, missing.output.as_str()), (2, ""));
     assert!(missing.errors.contains("`nothing`"));
@@ -205,11 +211,18 @@ fn every_kernel_of_the_library_is_listed_evaluated_and_emitted() {
     for name in ["measure_area_to_solid_angle", "half_vector_jacobian", "transmittance", "basic_radiance"] {
         assert!(list.lines().any(|line| line == name), "{list}");
     }
-    assert!(list.contains("r2 [m**2], cos_theta [1]") && list.contains("= cos_theta/r2"), "{list}");
+    assert!(
+        list.contains("r2 [m**2], cos_theta [1], in sr/m**2") && list.contains("= cos_theta/r2"),
+        "{list}"
+    );
     let run = forms_on(&folder, &["eval", "-", "half_vector_jacobian"], "cos_oh\n0.5\n");
     assert_eq!(run.output, "cos_oh,half_vector_jacobian\n5.0000000000000000e-1,5.0000000000000000e-1\n");
     let source = forms(&folder, &["emit", "-", "--target", "rust"]).output;
     assert!(process::compiles(&folder, &source), "{source}");
+    assert!(
+        source.contains("/// Units: `r2` in `m**2`, `cos_theta` in `1`; result in `sr/m**2`."),
+        "{source}"
+    );
 }
 
 #[test]
@@ -300,6 +313,48 @@ fn a_derivation_is_printed_in_every_notation_and_its_status_tells_the_verdict() 
     let missing = forms(&folder, &["derive", "good.forms", "nothing"]);
     assert_eq!(missing.status, 2);
     assert!(missing.errors.contains("it has square, shifted"), "{}", missing.errors);
+}
+
+#[test]
+fn a_certificate_is_checked_without_the_prover() {
+    let folder = Folder::with(&[("good.forms", THEORY)]);
+    let run = forms(&folder, &["prove", "--certificate", "good.certificate", "good.forms"]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    let run = forms(&folder, &["check", "good.certificate"]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    assert!(run.output.contains("2 statements: 2 accepted, 0 rejected, 0 not covered"), "{}", run.output);
+
+    let lines = String::from_utf8(folder.read("good.certificate")).expect("text");
+    folder.write("false.certificate", lines.replace("component", "compound").as_bytes());
+    assert_eq!(forms(&folder, &["check", "false.certificate"]).status, 2);
+    folder.write("false.certificate", lines.replace("left ", "left 5 + ").as_bytes());
+    let run = forms(&folder, &["check", "false.certificate"]);
+    assert_eq!(run.status, 1);
+    assert!(run.output.contains("✗ shifted") && run.output.contains("1 rejected"), "{}", run.output);
+
+    folder.write("good.forms", THEORY.replace("2*x + 1", "2*x + 2").as_bytes());
+    let run = forms(&folder, &["check", "good.certificate"]);
+    assert!(run.status == 2 && run.errors.contains("hash differs"), "{}", run.errors);
+    assert_eq!(forms(&folder, &["check", "missing.certificate"]).status, 2);
+}
+
+#[test]
+fn the_checker_passes_over_units() {
+    let text = "chart R(x: m, t: s); param k: m**(1/2), c: m/s where k > 0; let v: m/s = x/t; form w: 1, m on R = d(x);
+prove p: v*t == x where c > 0; prove q: k**2*v*w == k**2*x/t*dx;";
+    let folder = Folder::with(&[("units.forms", text)]);
+    assert_eq!(forms(&folder, &["prove", "--certificate", "units.certificate", "units.forms"]).status, 0);
+    let run = forms(&folder, &["check", "units.certificate"]);
+    assert!(run.output.contains("2 accepted, 0 rejected, 0 not covered"), "{}", run.output);
+}
+
+#[test]
+fn what_the_checker_does_not_know_is_not_accepted_unless_allowed() {
+    let folder = Folder::with(&[("a.forms", "chart L(x); prove area: integral(x, x = 0..1) == 1/2;")]);
+    assert_eq!(forms(&folder, &["prove", "--certificate", "a.certificate", "a.forms"]).status, 0);
+    let run = forms(&folder, &["check", "a.certificate"]);
+    assert!(run.status == 1 && run.output.contains("1 not covered"), "{}", run.output);
+    assert_eq!(forms(&folder, &["check", "--allow-uncovered", "a.certificate"]).status, 0);
 }
 
 #[test]

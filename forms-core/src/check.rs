@@ -1,23 +1,24 @@
 //! A whole source checked: what it declares, and everything its author has to be told.
 //!
 //! ```text
-//! tokens ─ parse ─ resolve ─▶ Theory ─ decide ─▶ verdicts
-//!             └───────┴───────────────────┴────▶ diagnostics, in the order of the source
+//! tokens ─ parse ─ resolve ─ units ─▶ Theory ─ decide ─▶ verdicts
+//!             └───────┴────────┴───────────────────┴────▶ diagnostics, in the order of the source
 //! ```
 //! A false claim is an error of the source like a missing bracket, so it is a [`Diagnostic`] too.
 
 use crate::decide::{Verdict, Witness, decide};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::resolve::{Statement, Theory, resolve};
+use crate::resolve::{Statement, Theory, resolve, resolve_traced};
 use crate::syntax::ast::{Claim, File};
 use crate::syntax::token::{Token, TokenKind};
 use crate::syntax::{Source, end_of, lex, parse};
+use crate::units;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Resolves what was parsed from `tokens`. Names that only an unreadable item may have declared are not reported
 /// as unknown: that one mistake has been reported.
 pub fn resolve_parsed(tokens: &[Token], file: &File) -> (Theory, Vec<Diagnostic>) {
-    let (theory, mut diagnostics) = resolve(file);
+    let (theory, mut diagnostics) = resolve_with_units(file);
     let unread = unread_names(tokens, file);
     if !unread.is_empty() && !diagnostics.is_empty() {
         let names: FxHashMap<Span, &str> =
@@ -29,6 +30,16 @@ pub fn resolve_parsed(tokens: &[Token], file: &File) -> (Theory, Vec<Diagnostic>
         };
         diagnostics.retain(|diagnostic| !is_consequence(diagnostic));
     }
+    (theory, diagnostics)
+}
+
+/// Resolves, and where units are stated checks them.
+fn resolve_with_units(file: &File) -> (Theory, Vec<Diagnostic>) {
+    if !units::are_stated(file) {
+        return resolve(file);
+    }
+    let (mut theory, trace, mut diagnostics) = resolve_traced(file);
+    diagnostics.extend(units::check(file, &mut theory, &trace));
     (theory, diagnostics)
 }
 

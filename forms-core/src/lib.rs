@@ -11,6 +11,7 @@
 
 mod assume;
 pub mod calculus;
+pub mod certificate;
 pub mod check;
 pub mod decide;
 pub mod derivation;
@@ -27,6 +28,7 @@ mod random;
 pub mod resolve;
 pub mod syntax;
 pub mod topology;
+pub mod units;
 
 #[cfg(test)]
 extern crate self as forms_core;

@@ -184,6 +184,7 @@ fn documentation(
         formula: format!("{}({}) = {value}", kernel.name, arguments.join(", ")),
         statements: kernel.statements.iter().filter(is_proved).cloned().collect(),
         conditions: kernel.domain.iter().map(|condition| condition.text(&theory.pool)).collect(),
+        units: forms_core::units::sentence(theory, kernel).unwrap_or_default(),
         translation: translation.to_string(),
         docs: kernel.docs.clone(),
     }

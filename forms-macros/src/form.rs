@@ -39,7 +39,7 @@ pub(crate) fn value(body: Body) -> TokenStream {
 fn named(value: ast::Expr) -> Item {
     let span = value.span;
     let name = Name { text: NAME.to_owned(), span };
-    Item { docs: Vec::new(), public: false, span, kind: ItemKind::Let { name, value } }
+    Item { docs: Vec::new(), public: false, span, kind: ItemKind::Let { name, unit: None, value } }
 }
 
 /// The expression's value as a constant; no diagnostic if what keeps it from having one was reported.

@@ -25,6 +25,7 @@ pub const RADIANCE: TheoryFile = theory_file!("radiance.forms");
 pub fn theory() -> &'static [TheoryFile] {
     &[
         theory_file!("quantities.forms"),
+        theory_file!("units.forms"),
         theory_file!("lambert.forms"),
         theory_file!("photons.forms"),
         theory_file!("sun.forms"),

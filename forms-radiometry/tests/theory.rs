@@ -33,6 +33,7 @@ theory_files! {
     sampling "theory/sampling.forms";
     sun "theory/sun.forms";
     transport_equation "theory/transport_equation.forms";
+    units "theory/units.forms";
     vector_irradiance "theory/vector_irradiance.forms";
 }
 

@@ -6,6 +6,7 @@ use crate::status::Status;
 use crate::theory_file::{TheoryFile, complain};
 use forms::core::kernel::{RustDocs, emit_rust};
 use forms::core::resolve::Kernel;
+use forms::core::units::sentence;
 use std::io::{self, Write};
 
 /// Longer formulas are documented as they are written in their file.
@@ -73,6 +74,7 @@ fn source(file: &TheoryFile, kernel: &Kernel) -> Result<String, Vec<crate::theor
         formula: formula(file, kernel),
         statements: kernel.statements.clone(),
         conditions: Vec::new(),
+        units: sentence(&file.theory, kernel).unwrap_or_default(),
         translation: generated.translation.to_string(),
         docs: kernel.docs.clone(),
     };

@@ -5,9 +5,9 @@ use crate::layout::wrap;
 use crate::palette::Palette;
 use crate::status::Status;
 use crate::theory_file::{TheoryFile, complain};
+use forms::core::expression::Symbol;
 use forms::core::notation::{simplify_expression, text};
-use forms::core::resolve::{Kernel, Value};
-use forms::core::syntax::ast::{Declared, ItemKind};
+use forms::core::resolve::{Kernel, KernelUnits, Value};
 use std::io::{self, Write};
 
 /// Where descriptions begin.
@@ -62,20 +62,21 @@ fn describe(
     writeln!(output)
 }
 
-/// The arguments with their units as they were written: `r2 [m**2], cos_theta [1]`.
+/// The arguments and the results with their units: `of r2 [m**2], cos_theta [1], in sr/m**2`.
 fn signature(file: &TheoryFile, kernel: &Kernel) -> String {
-    let arguments = file.tree.items.iter().find_map(|item| match &item.kind {
-        ItemKind::Kernel { name, arguments, .. } if name.text == kernel.name => Some(arguments),
-        _ => None,
-    });
-    let argument = |declared: &Declared| match &declared.unit {
-        Some(unit) => {
-            let span = unit.span;
-            let unit = file.source.text.get(span.start as usize..span.end as usize).unwrap_or_default();
-            format!("{}\u{a0}[{unit}]", declared.name.text)
+    let KernelUnits { arguments: units, outputs } = &kernel.units;
+    let argument = |(place, &symbol): (usize, &Symbol)| {
+        let name = file.theory.pool.symbol_name(symbol);
+        match units.get(place).and_then(Option::as_deref) {
+            Some(unit) => format!("{name} [{unit}]"),
+            None => name.to_owned(),
         }
-        None => declared.name.text.clone(),
     };
-    let arguments: Vec<String> = arguments.into_iter().flatten().map(argument).collect();
-    format!("of {}", arguments.join(", ")).replace('\u{a0}', " ")
+    let arguments: Vec<String> = kernel.arguments.iter().enumerate().map(argument).collect();
+    let outputs: Option<Vec<&str>> = outputs.iter().map(Option::as_deref).collect();
+    let results = match outputs.as_deref() {
+        None | Some([]) => String::new(),
+        Some(units) => format!(", in {}", units.join(", ")),
+    };
+    format!("of {}{results}", arguments.join(", "))
 }

@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+mod check;
 mod derive;
 mod emit;
 mod eval;
@@ -17,7 +18,10 @@ use std::io::{self, Write};
 pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<Status> {
     match &arguments.command {
         None => tour::tour(output),
-        Some(Command::Prove { files, json }) => prove::prove(files, *json, output),
+        Some(Command::Prove { files, json, certificate }) => {
+            prove::prove(files, *json, certificate.as_deref(), output)
+        }
+        Some(Command::Check { file, allow_uncovered }) => check::check(file, *allow_uncovered, output),
         Some(Command::Show { file, name, topology: true, .. }) => topology::topology(file, name, output),
         Some(Command::Show { file, name, notation, .. }) => show::show(file, name, *notation, output),
         Some(Command::Derive { file, name, notation }) => derive::derive(file, name, *notation, output),

@@ -1,5 +1,6 @@
 //! `forms prove`: every statement of every file, decided.
 
+use crate::certificate::Certificate;
 use crate::json::{Point, StatementRecord, write_error, write_record};
 use crate::layout::{counted, duration};
 use crate::palette::Palette;
@@ -14,9 +15,16 @@ use std::io::{self, Write};
 use std::time::{Duration, Instant};
 
 /// Decides the statements of files and prints what was found.
-pub(crate) fn prove(files: &[String], json: bool, output: &mut dyn Write) -> io::Result<Status> {
+pub(crate) fn prove(
+    files: &[String],
+    json: bool,
+    certificate: Option<&str>,
+    output: &mut dyn Write,
+) -> io::Result<Status> {
     let start = Instant::now();
-    let mut report = Report { output, json, palette: Palette::of_output(), totals: Totals::default() };
+    let certificate = certificate.map(Certificate::new);
+    let palette = Palette::of_output();
+    let mut report = Report { output, json, palette, totals: Totals::default(), certificate };
     let mut status = Status::AsStated;
     for name in files {
         status = status.max(match theory_file::read(name) {
@@ -30,7 +38,10 @@ pub(crate) fn prove(files: &[String], json: bool, output: &mut dyn Write) -> io:
     if !json {
         report.totals(start.elapsed())?;
     }
-    Ok(status)
+    match report.certificate.map(Certificate::write) {
+        Some(Err(message)) => Ok(super::refuse(&message)),
+        Some(Ok(())) | None => Ok(status),
+    }
 }
 
 /// Decides one statement and takes the time.
@@ -89,6 +100,7 @@ struct Report<'a> {
     json: bool,
     palette: Palette,
     totals: Totals,
+    certificate: Option<Certificate>,
 }
 
 impl Report<'_> {
@@ -96,6 +108,9 @@ impl Report<'_> {
         let TheoryFile { source, mut theory, .. } = file;
         if !self.json {
             writeln!(self.output, "{}", self.palette.heading(&source.name))?;
+        }
+        if let Some(certificate) = &mut self.certificate {
+            certificate.begin(&source);
         }
         let mut status = Status::AsStated;
         let mut errors = Vec::new();
@@ -107,6 +122,9 @@ impl Report<'_> {
             }
             status = status.max(if decided.ok() { Status::AsStated } else { Status::NotAsStated });
             self.statement(&source.name, &decided)?;
+            if let Some(certificate) = &mut self.certificate {
+                certificate.add(&mut theory, statement, &decided.verdict);
+            }
         }
         if !self.json {
             writeln!(self.output)?;

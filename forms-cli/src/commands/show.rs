@@ -53,8 +53,12 @@ impl Writer<'_> {
         Some(match named {
             Named::Chart(number) => self.chart(number),
             Named::Object(number) => {
-                let value = self.theory.objects[number].value.clone();
-                self.value(&value)
+                let object = self.theory.objects[number].clone();
+                let shown = self.value(&object.value);
+                match object.unit {
+                    Some(unit) if self.is_text() => format!("{shown}  // in {unit}"),
+                    _ => shown,
+                }
             }
             Named::Map(number) => {
                 let components = self.theory.maps[number].components.clone();

@@ -244,6 +244,11 @@ impl Facts {
         Some(if negative { Sign::Negative } else { Sign::Positive })
     }
 
+    /// The bounds known of a generator, from below and from above.
+    pub(crate) fn bounds(&self, variable: u32) -> (Option<&BigRational>, Option<&BigRational>) {
+        (self.lower.get(&variable), self.upper.get(&variable))
+    }
+
     fn bound(&mut self, variable: u32, from_below: bool, bound: BigRational) {
         if from_below {
             self.at_least(variable, bound);

@@ -85,6 +85,24 @@ impl Assumptions {
         Ok(Cases::Signs(distinct))
     }
 
+    /// The factors that the cases rest on, those to be told apart first, and what is known of generators. Nothing if
+    /// the conditions contradict each other.
+    pub(crate) fn grounds(
+        &self,
+        tower: &mut Tower,
+        pool: &Pool,
+        expressions: &[Expr],
+        given: &[(usize, Sign)],
+    ) -> Result<Option<(Vec<usize>, Facts)>, Obstacle> {
+        let found = self.region(tower, pool, expressions, given)?;
+        Ok(found.map(|(region, mut wanted, facts)| {
+            let others =
+                region.factors.iter().map(|factor| factor.0).filter(|factor| !wanted.contains(factor));
+            wanted.extend(others.collect::<Vec<_>>());
+            (wanted, facts)
+        }))
+    }
+
     /// The factors whose signs matter, with all that is known of them; and those to be told apart. Nothing if the
     /// conditions contradict each other.
     fn region(

@@ -5,6 +5,7 @@
 
 use super::problem::{Component, Problem};
 use super::proof::settled_cases;
+use super::translation;
 use crate::expression::{Expr, Node, Pool};
 use crate::normal::{Fraction, Generator, Obstacle, Sign, Tower, Trigonometry, normalise};
 use crate::resolve::{Statement, Theory};
@@ -58,8 +59,9 @@ pub struct Cancellation {
 /// The account of a proof by normal forms; nothing if that does not prove the statement.
 pub fn account(theory: &mut Theory, statement: &Statement) -> Option<Account> {
     let problem = Problem::new(theory, statement);
-    let mut tower = Tower::new(Trigonometry::Circle);
-    let settled = settled_cases(&mut theory.pool, &problem, &mut tower)?;
+    let frame = translation::frame(&theory.pool, &problem.differences());
+    let mut tower = Tower::new(Trigonometry::Circle).in_frame(frame);
+    let settled = settled_cases(&mut theory.pool, &problem, &mut tower, None)?;
     let cases = settled
         .iter()
         .map(|signs| case(&mut theory.pool, &mut tower, &problem, signs))

@@ -23,6 +23,7 @@ mod ratio;
 mod relation;
 mod report;
 mod sample;
+mod translation;
 mod verdict;
 mod witness;
 
@@ -34,7 +35,9 @@ pub(crate) use report::simplified;
 pub use report::simplified_where;
 pub use verdict::{Theorem, Verdict, Witness};
 
+use crate::certificate::Observer;
 use crate::expression::Condition;
+use crate::normal::{Tower, Trigonometry};
 use crate::resolve::{Statement, Theory};
 use problem::Problem;
 
@@ -63,6 +66,17 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
         Finding::Empty(reason) => Verdict::Empty { reason },
         Finding::Unknown { reason, .. } => Verdict::Unknown { reason },
     }
+}
+
+/// Proves a statement again, telling an observer how; whether it is proved.
+pub(crate) fn retrace(theory: &mut Theory, statement: &Statement, observer: &mut dyn Observer) -> bool {
+    let problem = Problem::new(theory, statement);
+    let mut tower = Tower::new(Trigonometry::Circle);
+    if problem.components.is_empty() {
+        observer.zero(&tower, &[]);
+        return true;
+    }
+    proof::settled_cases(&mut theory.pool, &problem, &mut tower, Some(observer)).is_some()
 }
 
 /// What a verdict on a statement assumes, the texts of which it carries.

@@ -2,9 +2,11 @@
 
 use super::angle;
 use super::problem::Problem;
+use super::translation;
 use crate::assume::{Assumptions, Cases};
+use crate::certificate::Observer;
 use crate::expression::{Expr, Pool};
-use crate::normal::{Fraction, Obstacle, Sign, Tower, Trigonometry, normalise};
+use crate::normal::{Drift, Fraction, Obstacle, Sign, Tower, Trigonometry, normalise};
 
 /// What the normal forms say.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,6 +58,7 @@ pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Ex
 }
 
 /// An angle that has to keep within (−2π, 2π), and expressions whose signs are told apart for that.
+#[derive(Clone)]
 pub(super) struct Turn {
     pub(super) angle: Expr,
     pub(super) signs: Vec<Expr>,
@@ -66,12 +69,33 @@ pub(super) fn prove_full_turn(pool: &mut Pool, task: Task, differences: Vec<Expr
     prove_in_all_cases(pool, task, differences, Some(turn))
 }
 
+/// First in the frame of the translations that change no difference. Bounds of single variables say less in it: where
+/// it left several cases and no proof, the expressions are looked at as they stand, unless the work was too much.
 fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn: Option<Turn>) -> Outcome {
+    let frame = translation::frame(pool, &differences);
+    if frame.is_empty() {
+        return explored(pool, task, differences, turn, frame).0;
+    }
+    match explored(pool, task, differences.clone(), turn.clone(), frame) {
+        (Outcome::NotZero | Outcome::Empty(_), true) => explored(pool, task, differences, turn, Vec::new()).0,
+        (outcome, _) => outcome,
+    }
+}
+
+/// The outcome in a frame, and whether several cases were told apart.
+fn explored(
+    pool: &mut Pool,
+    task: Task,
+    differences: Vec<Expr>,
+    turn: Option<Turn>,
+    frame: Vec<Drift>,
+) -> (Outcome, bool) {
     let assumptions = Assumptions::new(pool, &task.problem.assumptions);
-    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(task.work);
+    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(task.work).in_frame(frame);
     let mut proof = Proof::new(pool, &mut tower, assumptions, differences, turn);
     let explored = proof.explore(&[]);
-    match explored {
+    let several = proof.several;
+    let outcome = match explored {
         Ok(Outcome::NotZero) => match tower.nested_radical() {
             Some(radical) => {
                 let radical = tower.raise(pool, &radical);
@@ -84,20 +108,24 @@ fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn:
         Err(Obstacle::Outside(part)) => Outcome::Outside(format!("{OUTSIDE}: {part}")),
         Err(Obstacle::TooLarge(limit)) => Outcome::Outside(format!("the normal form is too large: {limit}")),
         Err(Obstacle::Refine) => Outcome::Outside("its radicands could not be factored".into()),
-    }
+    };
+    (outcome, several)
 }
 
 const OUTSIDE: &str = "outside the class that is decided";
 
 /// The cases in which the normal forms are zero, by the signs that tell them apart; nothing if that is no proof.
-pub(super) fn settled_cases(
-    pool: &mut Pool,
+/// An observer is told how it goes.
+pub(super) fn settled_cases<'a>(
+    pool: &'a mut Pool,
     problem: &Problem,
-    tower: &mut Tower,
+    tower: &'a mut Tower,
+    observer: Option<&'a mut (dyn Observer + 'a)>,
 ) -> Option<Vec<Vec<(usize, Sign)>>> {
     let assumptions = Assumptions::new(pool, &problem.assumptions);
     let differences = problem.differences();
     let mut proof = Proof::new(pool, tower, assumptions, differences, None);
+    proof.observer = observer;
     let outcome = proof.explore(&[]);
     (outcome == Ok(Outcome::Zero)).then_some(proof.settled)
 }
@@ -113,6 +141,9 @@ struct Proof<'a> {
     cases: usize,
     /// The signs of the cases in which everything is zero.
     settled: Vec<Vec<(usize, Sign)>>,
+    observer: Option<&'a mut (dyn Observer + 'a)>,
+    /// Whether there was more than one case to tell apart at a time.
+    several: bool,
 }
 
 impl<'a> Proof<'a> {
@@ -123,7 +154,8 @@ impl<'a> Proof<'a> {
         differences: Vec<Expr>,
         turn: Option<Turn>,
     ) -> Self {
-        Proof { pool, tower, differences, turn, assumptions, cases: 0, settled: Vec::new() }
+        let (cases, settled, observer, several) = (0, Vec::new(), None, false);
+        Proof { pool, tower, differences, turn, assumptions, cases, settled, observer, several }
     }
 
     /// Decides where the given signs hold, going through the cases of those that are open.
@@ -131,23 +163,36 @@ impl<'a> Proof<'a> {
         self.cases += 1;
         match self.settle(given) {
             Ok(Some(Outcome::Zero)) => {
+                if let Some(observer) = &mut self.observer {
+                    observer.zero(self.tower, &self.differences);
+                }
                 self.settled.push(given.to_vec());
                 return Ok(Outcome::Zero);
             }
             Ok(_) => {}
-            Err(Obstacle::DivisionByZero) => return Ok(Outcome::Empty(DIVIDES_BY_ZERO.into())),
+            Err(Obstacle::DivisionByZero) => {
+                self.observe(|observer| observer.undefined());
+                return Ok(Outcome::Empty(DIVIDES_BY_ZERO.into()));
+            }
             Err(obstacle) => return Err(obstacle),
         }
         let cases = match self.assumptions.cases(self.tower, self.pool, &self.expressions(), given)? {
-            Cases::Empty => return Ok(Outcome::Empty("no point meets its conditions".into())),
+            Cases::Empty => {
+                self.observe_split(given, &[])?;
+                self.observe(|observer| observer.end());
+                return Ok(Outcome::Empty("no point meets its conditions".into()));
+            }
             Cases::Signs(cases) if cases.iter().all(Vec::is_empty) => return Ok(Outcome::NotZero),
             Cases::Signs(cases) if self.cases + cases.len() <= MOST_CASES => cases,
             Cases::Signs(_) | Cases::TooMany => {
                 return Ok(Outcome::Outside("too many factors of radicands have an open sign".into()));
             }
         };
+        self.several |= cases.len() > 1;
         let mut together: Option<Outcome> = None;
+        self.observe_split(given, &cases)?;
         for case in cases {
+            self.observe(|observer| observer.case(&case));
             let signs: Vec<(usize, Sign)> = given.iter().copied().chain(case).collect();
             together = match (self.explore(&signs)?, together) {
                 (failure @ (Outcome::NotZero | Outcome::Outside(_)), _) => return Ok(failure),
@@ -156,7 +201,27 @@ impl<'a> Proof<'a> {
                 (Outcome::Zero, _) => Some(Outcome::Zero),
             };
         }
+        self.observe(|observer| observer.end());
         Ok(together.unwrap_or(Outcome::NotZero))
+    }
+
+    fn observe(&mut self, tell: impl FnOnce(&mut dyn Observer)) {
+        if let Some(observer) = &mut self.observer {
+            tell(*observer);
+        }
+    }
+
+    /// Tells whoever writes the proof down what the cases rest on.
+    fn observe_split(
+        &mut self,
+        given: &[(usize, Sign)],
+        cases: &[Vec<(usize, Sign)>],
+    ) -> Result<(), Obstacle> {
+        let Some(observer) = &mut self.observer else { return Ok(()) };
+        let (factors, facts) =
+            self.assumptions.grounds(self.tower, self.pool, &self.differences, given)?.unwrap_or_default();
+        observer.split(self.tower, &factors, &facts, cases);
+        Ok(())
     }
 
     /// The filter first, then the exact normal forms; nothing where they depend on an open sign.

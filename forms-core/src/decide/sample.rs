@@ -1,7 +1,7 @@
 //! Candidate points: small exact numbers first, inside the simple bounds that conditions give.
 
 use crate::enclosure::{Enclosure, Precision, enclose};
-use crate::expression::{Condition, Expr, Node, Pool, Rational, Symbol};
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational, Symbol};
 use crate::random::SplitMix;
 use crate::syntax::ast::Relation;
 use num_traits::{One, Signed, Zero};
@@ -20,30 +20,60 @@ pub(super) struct Bounds {
     upper: Option<Rational>,
 }
 
-/// What conditions on a x + c say of each variable x, with c any expression of numbers: `x < c`, `0 < 1 - 2*x`.
+/// What conditions on a x + c say of each variable x, with c any expression of numbers: `x < c`, `0 < 1 - 2*x`,
+/// `abs(x) < c`.
 pub(super) fn simple_bounds(pool: &Pool, conditions: &[Condition]) -> FxHashMap<Symbol, Bounds> {
     let mut bounds: FxHashMap<Symbol, Bounds> = FxHashMap::default();
     for condition in conditions {
-        if pool.symbols_in(&[condition.left, condition.right]).len() != 1 {
-            continue;
-        }
-        let [left, right] = [condition.left, condition.right].map(|side| Linear::of(pool, side, DEEPEST));
-        let (Some(left), Some(right)) = (left, right) else { continue };
-        let Some(Linear { symbol: Some(symbol), slope, constant }) =
-            left.add(&right.scaled(&-Rational::one()))
-        else {
-            continue;
-        };
-        let relation = if slope.is_negative() { condition.relation.mirrored() } else { condition.relation };
-        if !slope.is_zero() {
-            let bound = constant.mul(&Enclosure::exact(&-slope.recip(), PRECISION));
-            bounds.entry(symbol).or_default().restrict(relation, &bound);
+        if pool.symbols_in(&[condition.left, condition.right]).len() == 1 {
+            for (left, relation, right) in without_magnitude(pool, condition) {
+                restrict(pool, left, relation, right, &mut bounds);
+            }
         }
     }
     for _ in 0..CHAIN {
         conditions.iter().for_each(|condition| pass_on(pool, condition, &mut bounds));
     }
     bounds
+}
+
+/// The sides as factor and expression: |q| < c says q < c and −q < c.
+fn without_magnitude(pool: &Pool, condition: &Condition) -> Vec<(Side, Relation, Side)> {
+    let (one, minus) = (Rational::one(), -Rational::one());
+    let mirrored = condition.relation.mirrored();
+    for (left, relation, right) in
+        [(condition.left, condition.relation, condition.right), (condition.right, mirrored, condition.left)]
+    {
+        if let Node::Apply(Operation::Abs, inner) = pool.node(left)
+            && matches!(relation, Relation::Less | Relation::LessEqual)
+        {
+            let bound = |sign: &Rational| ((sign.clone(), inner[0]), relation, (one.clone(), right));
+            return vec![bound(&one), bound(&minus)];
+        }
+    }
+    vec![((one.clone(), condition.left), condition.relation, (one, condition.right))]
+}
+
+type Side = (Rational, Expr);
+
+fn restrict(
+    pool: &Pool,
+    left: Side,
+    relation: Relation,
+    right: Side,
+    bounds: &mut FxHashMap<Symbol, Bounds>,
+) {
+    let side = |(factor, expression): Side| Some(Linear::of(pool, expression, DEEPEST)?.scaled(&factor));
+    let (Some(left), Some(right)) = (side(left), side(right)) else { return };
+    let Some(Linear { symbol: Some(symbol), slope, constant }) = left.add(&right.scaled(&-Rational::one()))
+    else {
+        return;
+    };
+    if !slope.is_zero() {
+        let relation = if slope.is_negative() { relation.mirrored() } else { relation };
+        let bound = constant.mul(&Enclosure::exact(&-slope.recip(), PRECISION));
+        bounds.entry(symbol).or_default().restrict(relation, &bound);
+    }
 }
 
 /// For a < b every upper bound of b is one of a, and every lower bound of a is one of b.
@@ -185,9 +215,10 @@ impl Bounds {
             (None, Some(upper)) => short(&(upper - free.abs() - half)),
             (Some(lower), Some(upper)) if *lower < free && free < *upper => free,
             (Some(lower), Some(upper)) => {
-                // 0 < w/(1 + w) < 1 for every w > 0
+                // 0 < w/(1 + w) < 1 for every w > 0, nearer to the end that the sign tells
                 let w = free.abs() + half;
-                let share = &w / (Rational::one() + &w);
+                let above = if free.is_negative() { Rational::one() } else { w.clone() };
+                let share = above / (Rational::one() + &w);
                 short_between(&(lower + share * (upper - lower)), lower, upper)
             }
         }

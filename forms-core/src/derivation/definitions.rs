@@ -30,7 +30,7 @@ pub(super) fn step(scribe: &Scribe, items: &[&ItemKind]) -> Option<Step> {
 fn line(scribe: &Scribe, item: &ItemKind) -> Option<Formula> {
     let named = |name: &str| Formula::new(name, latex_of_name(name));
     match item {
-        ItemKind::Let { name, value }
+        ItemKind::Let { name, value, .. }
         | ItemKind::Form { name, value, .. }
         | ItemKind::Field { name, value, .. }
         | ItemKind::Metric { name, value, .. } => Some(named(&name.text).equals(scribe.written(value))),

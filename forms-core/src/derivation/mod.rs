@@ -71,7 +71,7 @@ impl Step {
 /// ```
 pub fn derive(source: &Source, name: &str) -> Option<Derivation> {
     let (file, _) = read(&source.text);
-    let (mut theory, trace) = resolve_traced(&file);
+    let (mut theory, trace, _) = resolve_traced(&file);
     let statement = theory.statements.iter().find(|statement| statement.name == name)?.clone();
     let verdict = decide(&mut theory, &statement);
     let claim = claim(&file, name)?;

@@ -1,12 +1,13 @@
 //! Partial derivatives of structured expressions: the chain rule along the graph, each node once.
 
-use super::node::{Expr, Node, Pool, Symbol};
+use super::node::{Expr, Node, Origin, Pool, Symbol};
 use num_rational::Ratio;
 
 impl Pool {
     /// ∂e/∂x. Derivatives are remembered, so a shared subexpression is differentiated once.
     pub fn derivative(&mut self, expression: Expr, by: Symbol) -> Expr {
         if let Some(&known) = self.derivatives.get(&(expression, by)) {
+            self.note_origin(known, expression, by);
             return known;
         }
         let order = self.reachable(&[expression]);
@@ -17,7 +18,24 @@ impl Pool {
                 self.derivatives.insert((node, by), value);
             }
         }
-        self.derivatives[&(expression, by)]
+        let derivative = self.derivatives[&(expression, by)];
+        self.note_origin(derivative, expression, by);
+        derivative
+    }
+
+    /// Remembers what was differentiated, where that came first.
+    fn note_origin(&mut self, derivative: Expr, of: Expr, by: Symbol) {
+        let trivial = matches!(self.node(derivative), Node::Number(_) | Node::Symbol(_) | Node::Pi);
+        if trivial || of >= derivative || self.origins.contains_key(&derivative) {
+            return;
+        }
+        let repeated = self.reachable(&[of]).iter().any(|part| self.origins.contains_key(part));
+        self.origins.insert(derivative, Origin { of, by, repeated });
+    }
+
+    /// What an expression is a derivative of, where that holds derivatives itself.
+    pub(crate) fn repeated_derivative(&self, expression: Expr) -> Option<(Expr, Symbol)> {
+        self.origins.get(&expression).filter(|origin| origin.repeated).map(|origin| (origin.of, origin.by))
     }
 
     /// The derivative of one node whose operands' derivatives are known.

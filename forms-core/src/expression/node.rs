@@ -144,6 +144,17 @@ impl Node {
     }
 }
 
+/// What an expression is a derivative of.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Origin {
+    /// f of ∂f/∂x
+    pub(crate) of: Expr,
+    /// x of ∂f/∂x
+    pub(crate) by: Symbol,
+    /// Whether f holds derivatives itself.
+    pub(crate) repeated: bool,
+}
+
 /// The owner of all nodes, symbols and unknown functions of one file or macro body.
 #[derive(Clone, Debug)]
 pub struct Pool {
@@ -152,6 +163,8 @@ pub struct Pool {
     symbols: Vec<(String, SymbolKind)>,
     functions: Vec<Unknown>,
     pub(super) derivatives: FxHashMap<(Expr, Symbol), Expr>,
+    /// What was differentiated to give an expression.
+    pub(super) origins: FxHashMap<Expr, Origin>,
     /// The numbers that building has asked for by their integer values.
     pub(super) integers: FxHashMap<i64, Expr>,
 }
@@ -167,6 +180,7 @@ impl Default for Pool {
             symbols: Vec::new(),
             functions: Vec::new(),
             derivatives: FxHashMap::default(),
+            origins: FxHashMap::default(),
             integers: FxHashMap::default(),
         }
     }

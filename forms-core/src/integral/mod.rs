@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! integrand ─ normal form under the conditions ─┬─ polynomial and waves of one frequency ─▶ moments
-//!                                               └─ search: partial fractions, exponentials, roots, substitution, parts
+//!                                               └─ search: partial fractions, exponentials, roots, substitution,
+//!                                                     parts, derivatives of what unknown functions occur in
 //!                                                     ─▶ A(x) ─ A′ = f? ─ continuous on [a, b]? ─▶ A(b) − A(a)
 //! ```
 //! The search may do what it likes: nothing is believed of an antiderivative but what its derivative and its
@@ -21,6 +22,7 @@ mod rational;
 mod search;
 mod signs;
 mod substitution;
+mod unknown;
 
 pub(crate) use moments::power_integral;
 pub(crate) use signs::Region;

@@ -19,23 +19,30 @@ pub(crate) struct Integral {
 }
 
 impl Region {
-    /// The first of some conditions that is not known to hold all over the ranges, borders aside; those that are known
-    /// join what is assumed. That something is not zero is left to the integral itself.
-    pub(crate) fn unmet(&mut self, pool: &mut Pool, conditions: &[Condition]) -> Option<Condition> {
+    /// The first of some conditions that is not known to hold all over the ranges; those that are known join what is
+    /// assumed. Borders, and that something is not zero, are left to the continuity of the antiderivative, which says
+    /// nothing of an unknown function: where one occurs, conditions have to hold on the closed ranges.
+    pub(crate) fn unmet(
+        &mut self,
+        pool: &mut Pool,
+        integrand: Expr,
+        conditions: &[Condition],
+    ) -> Option<Condition> {
+        let is_closed = self.has_unknowns(pool, integrand);
         for &condition in conditions {
             let symbols = pool.symbols_in(&[condition.left, condition.right]);
             if !self.ranges.iter().any(|range| symbols.contains(&range.0)) {
                 continue;
             }
             let difference = pool.subtract(condition.left, condition.right);
+            let sign = self.sign(pool, difference);
+            let is_far = !is_closed || sign.is_some_and(|sign| sign.1 == Strictness::Strict);
             let holds = match condition.relation {
-                Relation::NotEqual => true,
-                Relation::Greater | Relation::GreaterEqual => {
-                    self.sign(pool, difference).is_some_and(|sign| sign.0)
-                }
-                Relation::Less | Relation::LessEqual => {
-                    self.sign(pool, difference).is_some_and(|sign| !sign.0)
-                }
+                Relation::NotEqual => is_far,
+                Relation::Greater => is_far && sign.is_some_and(|sign| sign.0),
+                Relation::Less => is_far && sign.is_some_and(|sign| !sign.0),
+                Relation::GreaterEqual => sign.is_some_and(|sign| sign.0),
+                Relation::LessEqual => sign.is_some_and(|sign| !sign.0),
             };
             if !holds {
                 return Some(condition);
@@ -43,6 +50,13 @@ impl Region {
             self.conditions.push(condition);
         }
         None
+    }
+
+    /// Whether an unknown function is taken at places that depend on a variable of a range.
+    fn has_unknowns(&self, pool: &Pool, expression: Expr) -> bool {
+        let is_unknown =
+            |part: &Expr| matches!(pool.node(*part), Node::Jet { .. }) && self.varies(pool, *part);
+        pool.reachable(&[expression]).iter().any(is_unknown)
     }
 
     /// Leaves the innermost range, once it has been integrated over, and what is assumed of its variable.

@@ -62,6 +62,9 @@ impl Search<'_> {
         if integrand.such_that(is_variable).len() == integrand.generators.len() {
             return self.rational(integrand.tower, &integrand.normal, integrand.symbol);
         }
+        if let Some(found) = self.by_unknown_functions(integrand, depth)? {
+            return Ok(found);
+        }
         if let Some(found) = self.exponential(integrand)? {
             return Ok(found);
         }

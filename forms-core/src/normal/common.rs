@@ -38,4 +38,17 @@ impl Tower {
         let inverse = Fraction { numerator: Polynomial::one(), divisor, factors };
         Ok(Together { numerators, inverse })
     }
+
+    /// Σ a over one denominator, looked at for common factors once.
+    ///
+    /// # Errors
+    /// [`Obstacle::TooLarge`] where the work passes the tower's limit.
+    pub(super) fn sum(&mut self, fractions: &[Fraction]) -> Result<Fraction, Obstacle> {
+        let together = self.together(fractions)?;
+        let mut sum = Polynomial::zero();
+        for numerator in &together.numerators {
+            sum = sum.add(&numerator.numerator);
+        }
+        Ok(self.cancel(sum, together.inverse.divisor, together.inverse.factors))
+    }
 }

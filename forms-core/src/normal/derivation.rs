@@ -1,7 +1,7 @@
 //! The tower as a ring of coefficients: partial derivatives of fractions.
 //!
-//! D(N ∏ Fᵉ⁻) = (DN ∏F − N Σ eⱼ DFⱼ ∏_{i≠j} Fᵢ) / ∏ Fᵉ⁺¹, with Dρ = Df ρ/(n f) for ρⁿ = f, Dcos u = −sin u Du,
-//! Dsin u = cos u Du, Dtan(u/2) = (1 + tan²(u/2)) Du/2, Dexp u = exp u Du, Dlog|g| = Dg/g, and the chain rule for jets.
+//! By the chain rule over the generators, with Dρ = Df/(n ρⁿ⁻¹) for ρⁿ = f, Dcos u = −sin u Du, Dsin u = cos u Du,
+//! Dtan(u/2) = (1 + tan²(u/2)) Du/2, Dexp u = exp u Du, Dlog|g| = Dg/g, and the chain rule for jets.
 
 use super::factor::FactorPower;
 use super::fraction::Fraction;
@@ -21,39 +21,7 @@ impl Tower {
         if let Some(derivative) = self.plain_divergence(&[(1, a, by)])? {
             return Ok(derivative);
         }
-        let numerator = self.derivative_of_polynomial(&a.numerator, by)?;
-        if a.factors.is_empty() {
-            return Ok(self.divide_by_integer(numerator, &a.divisor.clone()));
-        }
-        let over =
-            Fraction { numerator: Polynomial::one(), divisor: a.divisor.clone(), factors: a.factors.clone() };
-        let mut sum = self.multiply(&numerator, &over)?;
-        for power in &a.factors {
-            let (factor, exponent) = (power.factor, power.exponent);
-            let polynomial = self.factor_polynomial(factor).clone();
-            let inner = self.derivative_of_polynomial(&polynomial, by)?;
-            if inner.is_zero() {
-                continue;
-            }
-            let scale = Polynomial::integer(-i64::from(exponent));
-            let scaled = self.multiply(&inner, &scale.into())?;
-            let once = Fraction {
-                numerator: Polynomial::one(),
-                divisor: One::one(),
-                factors: vec![FactorPower { factor, exponent: 1 }],
-            };
-            let lowered = self.multiply(&scaled, &once)?;
-            let term = self.multiply(a, &lowered)?;
-            sum = self.add(&sum, &term)?;
-        }
-        Ok(sum)
-    }
-
-    fn divide_by_integer(&mut self, a: Fraction, divisor: &num_bigint::BigInt) -> Fraction {
-        if divisor.is_one() {
-            return a;
-        }
-        self.cancel(a.numerator, a.divisor * divisor, a.factors)
+        self.divergence(&[(1, a, by)])
     }
 
     /// Σ ∂N/∂γ Dγ over the generators.
@@ -75,9 +43,17 @@ impl Tower {
         Ok(sum)
     }
 
-    fn derivative_of_generator(&mut self, variable: u32, by: Symbol) -> Result<Fraction, Obstacle> {
+    pub(super) fn derivative_of_generator(
+        &mut self,
+        variable: u32,
+        by: Symbol,
+    ) -> Result<Fraction, Obstacle> {
         match self.generator(variable).clone() {
-            Generator::Variable(symbol) => Ok(if symbol == by { Fraction::one() } else { Fraction::zero() }),
+            Generator::Variable(_) => {
+                let motion = self.motion(by);
+                let speed = motion.iter().find(|(moved, _)| *moved == variable).map_or(0, |entry| entry.1);
+                Ok(Polynomial::integer(speed).into())
+            }
             Generator::Pi | Generator::Chord { .. } => Ok(Fraction::zero()),
             Generator::Jet { function, orders, arguments } => {
                 let mut sum = Fraction::zero();
@@ -270,37 +246,17 @@ impl Coefficients for Normal<'_> {
         let coordinates = self.coordinates;
         let symbols: Vec<_> =
             terms.iter().map(|&(sign, a, by)| (sign, a, coordinates[by.0 as usize])).collect();
-        match self.tower.plain_divergence(&symbols) {
-            Ok(Some(sum)) => return self.tower.cancel(sum.numerator, sum.divisor, sum.factors),
-            Ok(None) => {}
-            Err(obstacle) => return self.keep(Err(obstacle)),
-        }
-        let mut partials = Vec::with_capacity(terms.len());
-        for &(sign, a, by) in terms {
-            partials.push((sign, self.derivative(a, by)));
-        }
-        self.sum(&partials)
+        let sum = self.tower.divergence(&symbols);
+        self.keep(sum)
     }
 
     fn sum(&mut self, terms: &[(i8, Fraction)]) -> Fraction {
-        let alike = |(_, term): &(i8, Fraction)| {
-            let first = &terms[0].1;
-            term.factors == first.factors && term.divisor == first.divisor
-        };
-        if !terms.is_empty() && terms.iter().all(alike) {
-            let mut sum = Polynomial::zero();
-            for (sign, term) in terms {
-                sum = if *sign < 0 { sum.sub(&term.numerator) } else { sum.add(&term.numerator) };
-            }
-            let first = &terms[0].1;
-            return self.tower.cancel(sum, first.divisor.clone(), first.factors.clone());
-        }
-        let mut sum = Fraction::zero();
-        for (sign, term) in terms {
-            let signed = if *sign < 0 { self.tower.negate(term) } else { term.clone() };
-            sum = self.add(&sum, &signed);
-        }
-        sum
+        let signed: Vec<Fraction> = terms
+            .iter()
+            .map(|(sign, term)| if *sign < 0 { self.tower.negate(term) } else { term.clone() })
+            .collect();
+        let sum = self.tower.sum(&signed);
+        self.keep(sum)
     }
 
     fn sum_of_products(&mut self, terms: &[(i8, &Fraction, &Fraction)]) -> Fraction {

@@ -104,17 +104,18 @@ impl Tower {
         Ok((content, powers.into_iter().fold(Vec::new(), |all, power| merge_powers(&all, &[power]))))
     }
 
-    /// Divides out radicands, each as the power ρⁿ of its root, so that it has one name only.
+    /// Divides out roots ρ, and radicands as their powers ρⁿ: what is a product of a root with a sum is known by the
+    /// sum, wherever that occurs without the root.
     fn split_radicands(&mut self, rest: &mut Polynomial, powers: &mut Vec<FactorPower>) {
         for number in 0..self.relations.len() {
             let relation = self.relations[number].clone();
             if relation.value.term_count() < 2 || !self.is_current_root(relation.variable) {
                 continue;
             }
-            let exponent = divide_out(rest, |rest| rest.divide_exact(&relation.value));
+            let exponent = divide_out(rest, |rest| self.divide_by_generator(rest, relation.variable));
             if exponent > 0 {
                 let factor = self.factor(Polynomial::variable(relation.variable));
-                powers.push(FactorPower { factor, exponent: exponent * relation.order as i32 });
+                powers.push(FactorPower { factor, exponent });
             }
         }
     }
@@ -123,23 +124,39 @@ impl Tower {
     fn split_known(&mut self, rest: &mut Polynomial, powers: &mut Vec<FactorPower>) -> Result<(), Obstacle> {
         for number in 0..self.factors.len() {
             let known = self.factors[number].clone();
-            let foreign =
-                |v: &u32| matches!(self.generator(*v), Generator::Root { .. }) && !self.is_current_root(*v);
+            let factor = FactorId(number as u32);
             if known.term_count() < 2
                 || known.term_count() > rest.term_count()
-                || known.variables().iter().any(foreign)
+                || self.products.contains_key(&factor)
+                || !self.is_current(factor)
             {
                 continue;
             }
-            let exponent = match self.conjugate(&known)? {
-                None => divide_out(rest, |rest| rest.divide_exact(&known)),
-                Some((conjugate, norm)) => self.divide_out_by_norm(rest, &conjugate, &norm)?,
-            };
+            let exponent = self.divide_out_factor(rest, &known)?;
             if exponent > 0 {
-                powers.push(FactorPower { factor: FactorId(number as u32), exponent });
+                powers.push(FactorPower { factor, exponent });
             }
         }
         Ok(())
+    }
+
+    /// Whether a factor holds no root of another case.
+    pub(super) fn is_current(&self, factor: FactorId) -> bool {
+        let foreign =
+            |v: &u32| matches!(self.generator(*v), Generator::Root { .. }) && !self.is_current_root(*v);
+        !self.factor_polynomial(factor).variables().iter().any(foreign)
+    }
+
+    /// Divides by a factor as often as it goes, by its conjugate if it has roots.
+    pub(super) fn divide_out_factor(
+        &mut self,
+        rest: &mut Polynomial,
+        factor: &Polynomial,
+    ) -> Result<i32, Obstacle> {
+        match self.conjugate(factor)? {
+            None => Ok(divide_out(rest, |rest| rest.divide_exact(factor))),
+            Some((conjugate, norm)) => self.divide_out_by_norm(rest, &conjugate, &norm),
+        }
     }
 
     /// Divides by F as often as it goes, as N/F = N G/n.

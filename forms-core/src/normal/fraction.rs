@@ -97,6 +97,11 @@ impl Tower {
             self.charge_divisions(&sum, &a.factors)?;
             return Ok(self.cancel(sum, a.divisor.clone(), a.factors.clone()));
         }
+        if a.factors != b.factors
+            && let Some((a, b)) = self.over_finer_factors(a, b)?
+        {
+            return self.add(&a, &b);
+        }
         let divisor = a.divisor.lcm(&b.divisor);
         let common = common_powers(&a.factors, &b.factors);
         let left = self.raised(&a.numerator, &(&divisor / &a.divisor), &common.lacking_left)?;

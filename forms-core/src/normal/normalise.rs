@@ -5,6 +5,7 @@
 
 use super::fraction::Fraction;
 use super::generator::Generator;
+use super::plan::{Step, steps};
 use super::root::SignConstraint;
 use super::tower::{Obstacle, Tower};
 use crate::expression::{Expr, FunctionId, Node, Operation, Pool};
@@ -38,7 +39,7 @@ pub fn normalise(tower: &mut Tower, pool: &Pool, roots: &[Expr]) -> Result<Norma
         let is_within =
             |expression: Expr| within_atoms.get(expression.0 as usize).is_some_and(|within| *within);
         let wanted = |expression| is_within(expression) || is_atom(pool, expression);
-        match walk(tower, pool, &order, wanted) {
+        match walk(tower, pool, |walk| walk.run(&order, wanted)) {
             Err(Obstacle::Refine) => tower.start_again(),
             result => {
                 let prepared = Normalised::of(tower, pool, order, roots, wanted);
@@ -85,7 +86,8 @@ impl Normalised {
     /// # Errors
     /// Where one divides by zero everywhere or grows beyond the limit.
     pub fn exact(&self, tower: &mut Tower, pool: &Pool) -> Result<Vec<Fraction>, Obstacle> {
-        walk(tower, pool, &self.order, |_| true)?;
+        let steps = steps(tower, pool, &self.roots);
+        walk(tower, pool, |walk| walk.follow(steps))?;
         Ok(self.roots.iter().map(|root| tower.elements[root].clone()).collect())
     }
 
@@ -103,18 +105,17 @@ impl Normalised {
     }
 }
 
-/// Computes the wanted elements that the tower does not know.
-fn walk(
-    tower: &mut Tower,
-    pool: &Pool,
-    order: &[Expr],
-    wanted: impl Fn(Expr) -> bool,
+/// Computes elements that the tower does not know.
+fn walk<'a>(
+    tower: &'a mut Tower,
+    pool: &'a Pool,
+    compute: impl FnOnce(&mut Walk<'a>) -> Result<(), Obstacle>,
 ) -> Result<(), Obstacle> {
     tower.take_signs_asked();
     let elements = std::mem::take(&mut tower.elements);
     let mut walk = Walk { tower, pool, elements, inverses: FxHashMap::default() };
-    let result = walk.run(order, wanted);
-    tower.elements = walk.elements;
+    let result = compute(&mut walk);
+    walk.tower.elements = walk.elements;
     result
 }
 
@@ -151,6 +152,23 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
+    fn follow(&mut self, steps: Vec<(Expr, Step)>) -> Result<(), Obstacle> {
+        self.elements.reserve(steps.len());
+        for (expression, step) in steps {
+            let element = match step {
+                Step::Operation => self.element(expression)?,
+                Step::Divergence(terms) => {
+                    let terms: Vec<_> =
+                        terms.iter().map(|&(sign, of, by)| (sign, &self.elements[&of], by)).collect();
+                    self.tower.divergence(&terms)?
+                }
+            };
+            self.tower.note_signs_asked(expression);
+            self.elements.insert(expression, element);
+        }
+        Ok(())
+    }
+
     fn run(&mut self, order: &[Expr], wanted: impl Fn(Expr) -> bool) -> Result<(), Obstacle> {
         self.elements.reserve(order.len().saturating_sub(self.elements.len()));
         for &expression in order {
@@ -171,7 +189,7 @@ impl Walk<'_> {
         match self.pool.node(expression) {
             Node::Number(value) => Ok(Fraction::number(value)),
             Node::Pi => Ok(self.tower.element(Generator::Pi)),
-            Node::Symbol(symbol) => Ok(self.tower.element(Generator::Variable(*symbol))),
+            Node::Symbol(symbol) => Ok(self.tower.variable_in_frame(*symbol).into()),
             Node::Add(a, b) => self.tower.add(&self.elements[a], &self.elements[b]),
             Node::Negate(a) => Ok(self.tower.negate(&self.elements[a])),
             Node::Multiply(a, b) => self.tower.multiply(&self.elements[a], &self.elements[b]),

@@ -9,6 +9,7 @@
 
 use super::factor::FactorPower;
 use super::fraction::Fraction;
+use super::frame::derivative_along;
 use super::generator::Generator;
 use super::tower::{Obstacle, Tower};
 use crate::expression::Symbol;
@@ -20,6 +21,9 @@ struct Plain {
     exponent: i32,
     order: u32,
 }
+
+/// What a partial derivative by a variable acts on.
+type Motion = Vec<(u32, i64)>;
 
 impl Tower {
     /// Σ ±∂a/∂x by the quotient rule, not looked at for common factors; nothing if denominators differ or a generator
@@ -34,15 +38,14 @@ impl Tower {
                 return Ok(None);
             }
         }
-        let variables: Vec<u32> =
-            terms.iter().map(|term| self.variable_of(Generator::Variable(term.2))).collect();
-        let Some((dependent, factors)) = self.raised_factors(&first.factors, &variables) else {
+        let motions: Vec<Motion> = terms.iter().map(|term| self.motion(term.2)).collect();
+        let Some((dependent, factors)) = self.raised_factors(&first.factors, &motions) else {
             return Ok(None);
         };
         let mut numerators = Vec::with_capacity(terms.len());
         let mut own = Polynomial::zero();
-        for (&(sign, a, _), &x) in terms.iter().zip(&variables) {
-            let partial = a.numerator.derivative(x);
+        for (&(sign, a, _), x) in terms.iter().zip(&motions) {
+            let partial = derivative_along(&a.numerator, x);
             own = if sign < 0 { own.sub(&partial) } else { own.add(&partial) };
             numerators.push((i64::from(sign), &a.numerator, x));
         }
@@ -62,12 +65,12 @@ impl Tower {
     fn raised_factors(
         &self,
         powers: &[FactorPower],
-        variables: &[u32],
+        motions: &[Motion],
     ) -> Option<(Vec<Plain>, Vec<FactorPower>)> {
         let (mut dependent, mut factors) = (Vec::new(), Vec::new());
         for power in powers {
             let plain = self.plain_factor(*power)?;
-            let depends = variables.iter().any(|&x| plain.polynomial.contains(x));
+            let depends = motions.iter().flatten().any(|&(x, _)| plain.polynomial.contains(x));
             let exponent = power.exponent + if depends { plain.order as i32 } else { 0 };
             if exponent != 0 {
                 factors.push(FactorPower { exponent, ..*power });
@@ -83,7 +86,7 @@ impl Tower {
     fn over_one_denominator(
         &mut self,
         own: &Polynomial,
-        numerators: &[(i64, &Polynomial, u32)],
+        numerators: &[(i64, &Polynomial, &Motion)],
         factors: &[Plain],
         order: i64,
     ) -> Result<Polynomial, Obstacle> {
@@ -94,7 +97,7 @@ impl Tower {
         }
         let mut logarithmic = Vec::with_capacity(numerators.len());
         for (_, numerator, x) in numerators {
-            let sum = self.logarithmic_derivative(factors, order, *x)?;
+            let sum = self.logarithmic_derivative(factors, order, x)?;
             self.charge(numerator, &sum)?;
             logarithmic.push(sum);
         }
@@ -111,13 +114,13 @@ impl Tower {
         &mut self,
         factors: &[Plain],
         order: i64,
-        x: u32,
+        x: &Motion,
     ) -> Result<Polynomial, Obstacle> {
         let mut sum = Polynomial::zero();
         let mut before = Polynomial::one();
         for (place, plain) in factors.iter().enumerate() {
             let share = order / i64::from(plain.order) * i64::from(plain.exponent);
-            let inner = plain.polynomial.derivative(x).scale(&share.into());
+            let inner = derivative_along(&plain.polynomial, x).scale(&share.into());
             if place == 0 {
                 sum = inner;
             } else {

@@ -4,7 +4,7 @@ use super::fraction::Fraction;
 use super::generator::{Generator, Unit};
 use super::root::{Base, Sign};
 use super::tower::Tower;
-use crate::expression::{Expr, Operation, Pool, Rational};
+use crate::expression::{Expr, Operation, Pool, Rational, Symbol};
 use crate::polynomial::Polynomial;
 use num_bigint::BigInt;
 use num_rational::Ratio;
@@ -84,7 +84,7 @@ impl Tower {
     fn raise_generator(&self, pool: &mut Pool, variable: u32, exponent: u32) -> Expr {
         let n = Ratio::from_integer(i64::from(exponent));
         let base = match self.generator(variable).clone() {
-            Generator::Variable(symbol) => pool.symbol(symbol),
+            Generator::Variable(symbol) => self.raise_real_variable(pool, symbol),
             Generator::Pi => pool.pi(),
             Generator::Chord { sides, sine } => {
                 let (part, pi, two) = (pool.ratio(2, i64::from(sides)), pool.pi(), pool.integer(2));
@@ -122,6 +122,18 @@ impl Tower {
             }
         };
         pool.power(base, n)
+    }
+
+    /// s′ = s − Σ v f
+    fn raise_real_variable(&self, pool: &mut Pool, symbol: Symbol) -> Expr {
+        let mut difference = pool.symbol(symbol);
+        for drift in self.drifts_of(symbol) {
+            let with = pool.symbol(drift.with);
+            let speed = pool.integer(drift.speed);
+            let part = pool.multiply(speed, with);
+            difference = pool.subtract(difference, part);
+        }
+        difference
     }
 
     fn raise_function(&self, pool: &mut Pool, operation: Operation, unit: &Unit, halves: u32) -> Expr {

@@ -78,6 +78,7 @@ impl Tower {
         let exponentials: Vec<_> = factored.exponentials.iter().map(|&(v, e)| (v, e * r)).collect();
         let exponent = self.exponent_of(&exponentials)?;
         let mut result = self.exponential(&exponent)?;
+        self.met.extend(factored.powers.iter().map(|power| power.base));
         for Power { base, exponent, .. } in factored.powers {
             let power = self.base_power(base, exponent * r)?;
             result = self.multiply(&result, &power)?;

@@ -2,12 +2,14 @@
 
 use super::factor::FactorPower;
 use super::fraction::Fraction;
+use super::frame::Drift;
 use super::generator::{FactorId, Generator, Quantity};
+use super::refinement::Product;
 use super::root::{Base, Sign, SignConstraint};
 use crate::expression::Expr;
 use crate::polynomial::Polynomial;
 use num_traits::Signed;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeSet;
 
 /// Products of terms, weighted by the words of their coefficients, that one statement may cost before its normal
@@ -63,11 +65,18 @@ pub struct Tower {
     numbers: FxHashMap<Generator, u32>,
     pub(super) factors: Vec<Polynomial>,
     factor_numbers: FxHashMap<Polynomial, FactorId>,
+    /// Factors that turned out to be products of others.
+    pub(super) products: FxHashMap<FactorId, Product>,
+    /// Pairs of factors the second of which was divided by the first.
+    pub(super) divisions_tried: FxHashSet<(FactorId, FactorId)>,
     pub(super) relations: Vec<Relation>,
     pub(super) bases: Vec<Base>,
     /// The bases whose signs were asked for by the element being computed.
     asked: Vec<usize>,
     asked_by: FxHashMap<Expr, Vec<usize>>,
+    /// The bases that the element being computed is factored over, and those of the elements known.
+    pub(super) met: Vec<usize>,
+    pub(super) met_by: FxHashMap<Expr, Vec<usize>>,
     pub(super) divisors: FxHashMap<Quantity, u32>,
     /// Into how many parts the exponents are divided.
     pub(super) exponent_divisors: FxHashMap<Quantity, u32>,
@@ -79,6 +88,8 @@ pub struct Tower {
     pub(super) trigonometry: Trigonometry,
     pub(super) elements: FxHashMap<Expr, Fraction>,
     constraints: FxHashMap<Expr, SignConstraint>,
+    /// The variables that are written relative to others.
+    pub(super) frame: Vec<Drift>,
     work: u64,
     work_limit: u64,
 }
@@ -91,10 +102,14 @@ impl Tower {
             numbers: FxHashMap::default(),
             factors: Vec::new(),
             factor_numbers: FxHashMap::default(),
+            products: FxHashMap::default(),
+            divisions_tried: FxHashSet::default(),
             relations: Vec::new(),
             bases: Vec::new(),
             asked: Vec::new(),
             asked_by: FxHashMap::default(),
+            met: Vec::new(),
+            met_by: FxHashMap::default(),
             divisors: FxHashMap::default(),
             exponent_divisors: FxHashMap::default(),
             exponent_denominator: Vec::new(),
@@ -102,6 +117,7 @@ impl Tower {
             trigonometry,
             elements: FxHashMap::default(),
             constraints: FxHashMap::default(),
+            frame: Vec::new(),
             work: 0,
             work_limit: WORK_LIMIT,
         }
@@ -175,6 +191,7 @@ impl Tower {
         std::mem::take(&mut self.asked)
     }
 
+    /// Remembers the signs that an expression itself depends on, and the bases it is factored over.
     /// The open ones among the signs asked for since the last call.
     pub(crate) fn open_signs_asked(&mut self) -> Vec<usize> {
         let asked = self.take_signs_asked();
@@ -183,6 +200,10 @@ impl Tower {
 
     /// Remembers the signs that an expression itself depends on.
     pub(super) fn note_signs_asked(&mut self, expression: Expr) {
+        let met = std::mem::take(&mut self.met);
+        if !met.is_empty() {
+            self.met_by.insert(expression, met);
+        }
         let mut asked = self.take_signs_asked();
         if !asked.is_empty() {
             asked.sort_unstable();
@@ -203,6 +224,8 @@ impl Tower {
         self.constraints.clear();
         self.asked.clear();
         self.asked_by.clear();
+        self.met.clear();
+        self.met_by.clear();
         self.bases.iter_mut().for_each(|base| base.sign_needed = false);
     }
 
@@ -318,38 +341,6 @@ impl Tower {
             [(variable, 1)] => Some(*variable),
             _ => None,
         }
-    }
-
-    /// Writes a polynomial in reduced form: every bound generator below the order of its relation.
-    pub(super) fn reduce(&mut self, polynomial: Polynomial) -> Result<Polynomial, Obstacle> {
-        let mut reduced = polynomial;
-        while let Some(relation) =
-            self.relations.iter().rev().find(|relation| reduced.degree(relation.variable) >= relation.order)
-        {
-            let relation = relation.clone();
-            reduced = self.reduce_by(&reduced, &relation)?;
-        }
-        Ok(reduced)
-    }
-
-    /// Σ A_k ρᵏ with k = q n + r becomes Σ A_k f^q ρʳ.
-    fn reduce_by(&mut self, polynomial: &Polynomial, relation: &Relation) -> Result<Polynomial, Obstacle> {
-        let mut powers: Vec<Polynomial> = vec![Polynomial::one()];
-        let mut sum = Polynomial::zero();
-        Self::check_power(&relation.value, u64::from(polynomial.degree(relation.variable) / relation.order))?;
-        for (exponent, coefficient) in polynomial.coefficients_in(relation.variable) {
-            let (quotient, rest) = ((exponent / relation.order) as usize, exponent % relation.order);
-            while powers.len() <= quotient {
-                let last = &powers[powers.len() - 1];
-                self.charge(last, &relation.value)?;
-                powers.push(last.mul(&relation.value));
-            }
-            self.charge(&coefficient, &powers[quotient])?;
-            let term = coefficient.mul(&powers[quotient]);
-            let term = if rest > 0 { term.multiply_by_monomial(&[(relation.variable, rest)]) } else { term };
-            sum = sum.add(&term);
-        }
-        Ok(sum)
     }
 
     /// Refuses exponents beyond what is computed with.

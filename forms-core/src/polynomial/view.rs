@@ -4,6 +4,7 @@ use super::Polynomial;
 use super::coefficient::{Coefficient, Coefficients, Rung, on_rung};
 use num_bigint::BigInt;
 use num_integer::Integer;
+use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
 impl Polynomial {
@@ -174,6 +175,44 @@ impl Polynomial {
                 (exponents, Self::settle(self.layout, monomials, coefficients))
             })
             .collect()
+    }
+
+    /// f as Σ Aₖ ∏ (xᵢ^nᵢ)^kᵢ with every Aₖ of a degree below nᵢ in xᵢ: each k with its Aₖ. Within one k all terms
+    /// are divided by the same monomial, so they stay in order.
+    pub fn split_by_powers(&self, powers: &[(u32, u32)]) -> Vec<(Vec<u32>, Polynomial)> {
+        on_rung!(self.coefficients.rung(), C => self.split_powers_on_rung::<C>(powers))
+    }
+
+    fn split_powers_on_rung<C: Coefficient>(&self, powers: &[(u32, u32)]) -> Vec<(Vec<u32>, Polynomial)> {
+        let numbers = C::view(&self.coefficients);
+        let fields: Vec<_> = powers.iter().map(|&(variable, _)| self.layout.field(variable)).collect();
+        let mut places: FxHashMap<Vec<u32>, usize> = FxHashMap::default();
+        let mut groups: Vec<(Vec<u32>, Vec<u64>, Vec<C>)> = Vec::new();
+        let mut quotients = vec![0; powers.len()];
+        for term in 0..self.term_count() {
+            let monomial = self.monomial(term);
+            for (quotient, &(variable, order)) in quotients.iter_mut().zip(powers) {
+                *quotient = self.layout.exponent(monomial, variable) / order;
+            }
+            let place = places.get(quotients.as_slice()).copied().unwrap_or_else(|| {
+                places.insert(quotients.clone(), groups.len());
+                groups.push((quotients.clone(), Vec::new(), Vec::new()));
+                groups.len() - 1
+            });
+            let (_, monomials, coefficients) = &mut groups[place];
+            let start = monomials.len();
+            monomials.extend_from_slice(monomial);
+            for ((field, &quotient), &(_, order)) in fields.iter().zip(&quotients).zip(powers) {
+                if let Some((word, shift)) = *field {
+                    monomials[start + word] -= u64::from(quotient * order) << shift;
+                }
+            }
+            coefficients.push(numbers[term].clone());
+        }
+        let settled = |(quotients, monomials, coefficients)| {
+            (quotients, Self::settle(self.layout, monomials, coefficients))
+        };
+        groups.into_iter().map(settled).collect()
     }
 
     /// f with a polynomial in the place of a variable, by Horner's rule.

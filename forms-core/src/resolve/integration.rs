@@ -75,7 +75,7 @@ impl Evaluator<'_> {
         span: Span,
     ) -> Evaluated<Expr> {
         let mut region = self.region(integrand, defined, ranges);
-        if let Some(condition) = region.unmet(&mut self.theory.pool, defined) {
+        if let Some(condition) = region.unmet(&mut self.theory.pool, integrand, defined) {
             let text = condition.text(&self.theory.pool);
             let message = format!("cannot integrate: it is not known that `{text}` holds all over the range");
             return Err(Diagnostic::new(span, message));

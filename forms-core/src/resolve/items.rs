@@ -34,10 +34,10 @@ pub fn resolve(file: &ast::File) -> (Theory, Vec<Diagnostic>) {
 }
 
 /// Resolves a whole file and notes what each of its expressions is evaluated to.
-pub fn resolve_traced(file: &ast::File) -> (Theory, Trace) {
+pub fn resolve_traced(file: &ast::File) -> (Theory, Trace, Vec<Diagnostic>) {
     let mut resolver = Resolver { trace: Some(Trace::default()), ..Resolver::default() };
     resolver.file(file);
-    (resolver.theory, resolver.trace.unwrap_or_default())
+    (resolver.theory, resolver.trace.unwrap_or_default(), resolver.errors)
 }
 
 #[derive(Default)]
@@ -68,8 +68,10 @@ impl Resolver {
             ItemKind::Function { name, arguments, conditions, .. } => {
                 self.function(name, arguments, conditions)
             }
-            ItemKind::Let { name, value } => self.object(name, value, |_, _| Ok(())),
-            ItemKind::Form { name, degree, chart, value } => self.form(name, *degree, chart.as_ref(), value),
+            ItemKind::Let { name, value, .. } => self.object(name, value, |_, _| Ok(())),
+            ItemKind::Form { name, degree, chart, value, .. } => {
+                self.form(name, *degree, chart.as_ref(), value)
+            }
             ItemKind::Field { name, chart, value } => self.field(name, chart.as_ref(), value),
             ItemKind::Map { name, source, target, components } => self.map(name, source, target, components),
             ItemKind::Metric { name, chart, value } => self.metric(name, chart.as_ref(), value),
@@ -257,7 +259,7 @@ impl Resolver {
             check(evaluator, &mut evaluated)?;
             Ok(evaluated)
         })?;
-        self.theory.objects.push(Object { value, domain, used });
+        self.theory.objects.push(Object { value, domain, used, unit: None });
         self.theory.names.set(name, Named::Object(self.theory.objects.len() - 1));
         Ok(())
     }

@@ -18,7 +18,7 @@ use crate::syntax::ast::{self, ExprKind, Name, Relation};
 use num_rational::Ratio;
 
 /// The functions written with a metric in square brackets.
-pub(super) const METRIC_OPERATIONS: &[&str] =
+pub(crate) const METRIC_OPERATIONS: &[&str] =
     &["hodge", "codiff", "laplace", "flat", "sharp", "inner", "norm", "volume", "grad", "curl", "div"];
 
 /// Coordinates that one metric may couple with each other: of more there are too many minors.

@@ -27,5 +27,6 @@ mod value;
 
 pub use evaluation::Trace;
 pub use items::{resolve, resolve_traced};
-pub use theory::{Chart, Kernel, Map, Named, NamedMetric, Object, Statement, Theory};
+pub(crate) use metric::METRIC_OPERATIONS;
+pub use theory::{Chart, Kernel, KernelUnits, Map, Named, NamedMetric, Object, Statement, Theory};
 pub use value::Value;

@@ -95,7 +95,7 @@ impl Evaluator<'_> {
         let mut region = Region { ranges: vec![(t, zero, one)], conditions };
         let along: Vec<Condition> =
             defined.iter().map(|condition| condition.substitute(pool, &dilated)).collect();
-        if let Some(condition) = region.unmet(pool, &along) {
+        if let Some(condition) = region.unmet(pool, integrand, &along) {
             return Err(format!(
                 "it is not known that `{}` holds on the way from the origin",
                 condition.text(pool)

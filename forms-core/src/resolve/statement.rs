@@ -3,7 +3,7 @@
 use super::evaluation::{Evaluated, Evaluator};
 use super::items::Resolver;
 use super::names::describe;
-use super::theory::{Kernel, Named, Statement};
+use super::theory::{Kernel, KernelUnits, Named, Statement};
 use super::value::Value;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Condition, Expr, Node, Symbol, SymbolKind};
@@ -118,6 +118,7 @@ impl Resolver {
             outputs,
             domain,
             formula,
+            units: KernelUnits::default(),
             statements: Vec::new(),
             mentioned,
         });

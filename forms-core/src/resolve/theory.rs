@@ -57,6 +57,8 @@ pub struct Object {
     pub domain: Vec<Condition>,
     /// The variables it is written with.
     pub used: Vec<Symbol>,
+    /// Its unit in the language's notation, that of a form as a whole; none where nothing states it.
+    pub unit: Option<String>,
 }
 
 /// An equation that is claimed to hold or not to hold.
@@ -103,10 +105,22 @@ pub struct Kernel {
     pub domain: Vec<Condition>,
     /// The formula as it was written.
     pub formula: Vec<String>,
+    /// The units of its arguments and outputs, as far as they are known.
+    pub units: KernelUnits,
     /// The names of the claims that speak of what the kernel is computed from.
     pub statements: Vec<String>,
     /// The maps and named values that it mentions.
     pub(super) mentioned: BTreeSet<String>,
+}
+
+/// The units of a kernel's arguments and outputs in the language's notation; none where nothing states them. Both lists
+/// are empty in a file that states no unit.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct KernelUnits {
+    /// One for each argument.
+    pub arguments: Vec<Option<String>>,
+    /// One for each output.
+    pub outputs: Vec<Option<String>>,
 }
 
 /// What a name of the file stands for.

@@ -53,10 +53,10 @@ pub enum ItemKind {
     Param { names: Vec<Declared>, conditions: Vec<Condition> },
     /// `fn L(x, y): W/m**2 where …;`
     Function { name: Name, arguments: Vec<Name>, unit: Option<Expr>, conditions: Vec<Condition> },
-    /// `let r = …;`
-    Let { name: Name, value: Expr },
-    /// `form beta: 2 on R3 = …;`
-    Form { name: Name, degree: Option<(u32, Span)>, chart: Option<Name>, value: Expr },
+    /// `let r: m = …;`
+    Let { name: Name, unit: Option<Expr>, value: Expr },
+    /// `form beta: 2, sr on R3 = …;`
+    Form { name: Name, degree: Option<(u32, Span)>, unit: Option<Expr>, chart: Option<Name>, value: Expr },
     /// `field X on R3 = …;`
     Field { name: Name, chart: Option<Name>, value: Expr },
     /// `map patch: UV -> R3 = (…);`
@@ -65,10 +65,12 @@ pub enum ItemKind {
     Metric { name: Name, chart: Option<Name>, value: Expr },
     /// `prove name: … == … where …;` or `refute …`
     Statement { claim: Claim, name: Name, left: Expr, right: Expr, conditions: Vec<Condition> },
-    /// `kernel f(u, v) = … where … effects { … };`
+    /// `kernel f(u: m, v: s): m/s = … where … effects { … };`
     Kernel {
         name: Name,
         arguments: Vec<Declared>,
+        /// The units of the outputs, or none.
+        units: Vec<Expr>,
         /// One expression, or several for `(a, b, …)`.
         outputs: Vec<Expr>,
         conditions: Vec<Condition>,

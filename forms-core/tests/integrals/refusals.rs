@@ -3,7 +3,8 @@
 use super::quadrature::errors;
 
 fn reason(integral: &str) -> String {
-    let text = format!("chart R1(x); param c; fn f(x); let it = integral({integral});");
+    let functions = "fn f(x); fn g(x); fn half(x) where x > 0; fn holed(x) where x != 0;";
+    let text = format!("chart R1(x); param c; {functions} let it = integral({integral});");
     let found = errors(&text);
     assert_eq!(found.len(), 1, "{integral}: {found:?}");
     found[0].clone()
@@ -56,6 +57,38 @@ fn what_is_outside_the_class_is_refused() {
         (
             "1/(x**5 + x + 1), x = 0..1",
             "cannot integrate over `x`: a denominator of degree 5 that was not factored",
+        ),
+    ];
+    for (integral, message) in table {
+        assert_eq!(reason(integral), message, "{integral}");
+    }
+}
+
+#[test]
+fn integrands_with_unknown_functions_that_are_no_derivatives_are_refused() {
+    for integrand in
+        ["diff(f, x)*g", "diff(f, x)**2", "diff(f, x)*exp(x)", "x*f", "f(2*x)", "diff(f(g(x)), x) + f"]
+    {
+        let reason = reason(&format!("{integrand}, x = 0..1"));
+        assert!(reason.contains("no antiderivative of"), "{integrand}: {reason}");
+    }
+}
+
+/// An unknown function may be singular where its conditions end, log x at 0 for x > 0 and 1/x for x ≠ 0.
+#[test]
+fn unknown_functions_are_integrated_only_where_their_conditions_hold_up_to_the_ends() {
+    let table = [
+        (
+            "diff(half, x), x = 0..1",
+            "cannot integrate: it is not known that `x > 0` holds all over the range",
+        ),
+        (
+            "diff(holed, x), x = -1..1",
+            "cannot integrate: it is not known that `x != 0` holds all over the range",
+        ),
+        (
+            "diff(holed, x), x = 0..1",
+            "cannot integrate: it is not known that `x != 0` holds all over the range",
         ),
     ];
     for (integral, message) in table {

@@ -131,6 +131,7 @@ fn a_kernel_reads_as_written_by_hand() {
         formula: formulas.pool.texts(&[first, second]).join(", "),
         statements: vec!["gauss".to_string()],
         conditions: vec!["x != 0".to_string()],
+        units: "Units: `x` in `m`.".to_string(),
         translation: "Proved.".to_string(),
         docs: vec!["A field and a choice.".to_string()],
     };
@@ -139,6 +140,8 @@ fn a_kernel_reads_as_written_by_hand() {
 /// ```text
 /// x/(x**2 + y**2)**(3/2), (if x < y { -2*x } else { y/pi })
 /// ```
+///
+/// Units: `x` in `m`.
 ///
 /// Rests on `gauss`.
 ///

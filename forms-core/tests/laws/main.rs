@@ -3,6 +3,7 @@
 mod algebra;
 mod angles;
 mod coefficients;
+mod divergences;
 mod equality;
 mod functions;
 mod holding;

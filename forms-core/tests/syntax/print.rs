@@ -139,10 +139,13 @@ impl Brackets {
                 let arguments = joined(arguments, |argument| argument.text.clone());
                 format!("fn {}({arguments}){}{}", name.text, self.unit(unit), self.conditions(conditions))
             }
-            ItemKind::Let { name, value } => format!("let {} = {}", name.text, self.expr(value)),
-            ItemKind::Form { name, degree, chart, value } => {
+            ItemKind::Let { name, unit, value } => {
+                format!("let {}{} = {}", name.text, self.unit(unit), self.expr(value))
+            }
+            ItemKind::Form { name, degree, unit, chart, value } => {
                 let degree = degree.map_or(String::new(), |(degree, _)| format!(": {degree}"));
-                format!("form {}{degree}{} = {}", name.text, on(chart), self.expr(value))
+                let unit = unit.as_ref().map_or(String::new(), |unit| format!(", {}", self.expr(unit)));
+                format!("form {}{degree}{unit}{} = {}", name.text, on(chart), self.expr(value))
             }
             ItemKind::Field { name, chart, value } => {
                 format!("field {}{} = {}", name.text, on(chart), self.expr(value))
@@ -159,11 +162,13 @@ impl Brackets {
                 let (left, right) = (self.expr(left), self.expr(right));
                 format!("{claim} {}: {left} == {right}{}", name.text, self.conditions(conditions))
             }
-            ItemKind::Kernel { name, arguments, outputs, conditions, effects } => {
+            ItemKind::Kernel { name, arguments, units, outputs, conditions, effects } => {
                 let arguments = self.declared(arguments);
                 let (values, effects) = (self.values(outputs), self.effects(effects));
+                let units =
+                    if units.is_empty() { String::new() } else { format!(": {}", self.values(units)) };
                 format!(
-                    "kernel {}({arguments}) = {values}{}{effects}",
+                    "kernel {}({arguments}){units} = {values}{}{effects}",
                     name.text,
                     self.conditions(conditions)
                 )

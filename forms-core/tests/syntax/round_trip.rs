@@ -72,6 +72,23 @@ fn a_range_begins_behind_its_number() {
 }
 
 #[test]
+fn units_stand_behind_what_they_belong_to() {
+    for text in [
+        "chart R3(x: m, y: m**2/s, z);\n",
+        "param n, sigma: 1/m where sigma > 0;\n",
+        "fn L(x, y): W/m**2/sr where L > 0;\n",
+        "let r: m**(1/2) = sqrt(x);\n",
+        "form beta: 2, sr/m on R3 = dx^dy;\n",
+        "kernel f(a: m, b): m/s = a/b;\n",
+        "kernel f(a: m, b): (m, 1/s) = (a, b) where b > 0;\n",
+    ] {
+        let (file, diagnostics) = read(text);
+        assert_eq!(diagnostics, [], "{text}");
+        assert_eq!(Brackets::Fewest.file(&file), text);
+    }
+}
+
+#[test]
 fn where_and_effects_stand_in_either_order() {
     let kernels = [
         "kernel f(x) = x where x > 0 effects { a: x = 0; b: x = 1; };",

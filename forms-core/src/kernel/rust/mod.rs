@@ -22,6 +22,8 @@ pub struct RustDocs {
     pub statements: Vec<String>,
     /// Under which conditions.
     pub conditions: Vec<String>,
+    /// The units of arguments and results, where they are known.
+    pub units: String,
     /// What is known of the agreement of the program with the formula.
     pub translation: String,
     /// The author's own lines.
@@ -46,6 +48,10 @@ fn documentation(program: &Program, docs: &RustDocs) -> String {
         lines.push("```text".to_string());
         lines.extend(docs.formula.lines().map(str::to_string));
         lines.push("```".to_string());
+    }
+    if !docs.units.is_empty() {
+        separate(&mut lines);
+        lines.push(docs.units.clone());
     }
     if !docs.statements.is_empty() {
         separate(&mut lines);

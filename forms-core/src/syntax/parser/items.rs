@@ -2,7 +2,7 @@
 
 use super::cursor::{Parsed, Parser, Reported};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::syntax::ast::{Claim, Declared, Equation, File, Item, ItemKind, Name};
+use crate::syntax::ast::{Claim, Declared, Equation, Expr, File, Item, ItemKind, Name};
 use crate::syntax::number;
 use crate::syntax::token::{Symbol, TokenKind};
 use num_traits::ToPrimitive;
@@ -120,7 +120,7 @@ impl Parser<'_> {
             let message = "an argument of a `fn` has the unit of the coordinate or parameter it names";
             self.report(Diagnostic::new(unit.span, message).with_help("remove the unit"));
         }
-        let unit = if self.eat(Symbol::Colon).is_some() { Some(self.expression()?) } else { None };
+        let unit = self.unit()?;
         if self.at(Symbol::Assign) {
             let help = "a `fn` is unknown; a known function is a `let` or a `kernel`";
             return Err(self.unexpected("`;` after the statement", Some(help)));
@@ -129,24 +129,32 @@ impl Parser<'_> {
         Ok(ItemKind::Function { name, arguments, unit, conditions: self.conditions()? })
     }
 
-    /// `let r = …`
+    /// `let r: m = …`
     fn definition(&mut self) -> Parsed<ItemKind> {
         let name = self.name("a name")?;
+        let unit = if self.at_annotation() { self.unit()? } else { None };
         self.assign()?;
-        Ok(ItemKind::Let { name, value: self.expression()? })
+        Ok(ItemKind::Let { name, unit, value: self.expression()? })
     }
 
-    /// `form beta: 2 on R3 = …`
+    /// `form beta: 2, sr on R3 = …`
     fn form(&mut self) -> Parsed<ItemKind> {
         let name = self.name("the form's name")?;
-        let degree = if self.at_degree() { Some(self.degree()?) } else { None };
+        let degree = if self.at_annotation() { Some(self.degree()?) } else { None };
+        let has_unit = degree.is_some() && self.eat(Symbol::Comma).is_some();
+        let unit = if has_unit { Some(self.expression()?) } else { None };
         let chart = self.chart_reference()?;
         self.assign()?;
-        Ok(ItemKind::Form { name, degree, chart, value: self.expression()? })
+        Ok(ItemKind::Form { name, degree, unit, chart, value: self.expression()? })
     }
 
-    /// Whether `: degree` follows, rather than the `:=` of other languages.
-    fn at_degree(&self) -> bool {
+    /// `: m`, or nothing.
+    fn unit(&mut self) -> Parsed<Option<Expr>> {
+        if self.eat(Symbol::Colon).is_some() { Ok(Some(self.expression()?)) } else { Ok(None) }
+    }
+
+    /// Whether `:` and more follows, rather than the `:=` of other languages.
+    pub(super) fn at_annotation(&self) -> bool {
         self.at(Symbol::Colon) && self.peek_at(1) != Some(&TokenKind::Symbol(Symbol::Assign))
     }
 
@@ -272,7 +280,7 @@ impl Parser<'_> {
     /// `x` or `x: m`
     fn declared(&mut self, role: &str) -> Parsed<Declared> {
         let name = self.name(role)?;
-        let unit = if self.eat(Symbol::Colon).is_some() { Some(self.expression()?) } else { None };
+        let unit = self.unit()?;
         Ok(Declared { name, unit })
     }
 }

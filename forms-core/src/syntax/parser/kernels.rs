@@ -1,7 +1,7 @@
 //! Kernels, and the bodies that may have several values.
 //!
 //! ```text
-//! kernel  = "kernel" name "(" { declared } ")" "=" values { where | effects }
+//! kernel  = "kernel" name "(" { declared } ")" [ ":" values ] "=" values { where | effects }
 //! values  = "(" sum "," … ")" | sum
 //! effects = "effects" "{" name ":" name "=" sum { ";" … } "}"
 //! ```
@@ -15,6 +15,11 @@ impl Parser<'_> {
     pub(super) fn kernel(&mut self) -> Parsed<ItemKind> {
         let name = self.name("the kernel's name")?;
         let arguments = self.declared_list("an argument")?;
+        let mut units = Vec::new();
+        if self.at_annotation() {
+            self.expect(Symbol::Colon)?;
+            units = self.values()?;
+        }
         self.assign()?;
         let outputs = self.values()?;
         let mut conditions = Vec::new();
@@ -30,7 +35,7 @@ impl Parser<'_> {
                 self.effects(&mut effects)?;
                 repeated.then_some("`effects`")
             } else {
-                return Ok(ItemKind::Kernel { name, arguments, outputs, conditions, effects });
+                return Ok(ItemKind::Kernel { name, arguments, units, outputs, conditions, effects });
             };
             if let Some(word) = repeated {
                 self.report(Diagnostic::new(place, format!("a kernel has one {word}")));

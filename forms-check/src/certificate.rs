@@ -1,0 +1,100 @@
+//! The lines of a certificate: files, and for each statement a proof, a refutation or why there is neither.
+
+use crate::proof::Proof;
+use crate::theory::Theory;
+use crate::{Checked, Outcome, Stop, malformed, witness};
+
+/// A keyword and what follows it.
+pub(crate) type Line = (String, String);
+
+/// The first line of every certificate.
+const HEADER: &str = "forms certificate 1";
+
+/// FNV-1a: it tells a changed file, and nothing rests on it.
+fn hash(text: &str) -> String {
+    let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+    format!("{:016x}", text.bytes().fold(0xcbf2_9ce4_8422_2325, step))
+}
+
+fn lines(text: &str) -> Result<Vec<Line>, Stop> {
+    let mut rows = text.lines().map(str::trim).filter(|row| !row.is_empty());
+    if rows.next() != Some(HEADER) {
+        return Err(malformed(format!("the first line is not `{HEADER}`")));
+    }
+    let split = |row: &str| match row.split_once(' ') {
+        Some((keyword, rest)) => (keyword.to_string(), rest.trim().to_string()),
+        None => (row.to_string(), String::new()),
+    };
+    Ok(rows.map(split).collect())
+}
+
+/// Checks every entry; `read` gives the text of a file by the name in the certificate.
+pub(crate) fn check(
+    text: &str,
+    read: &mut dyn FnMut(&str) -> Result<String, String>,
+) -> Result<Vec<Checked>, Stop> {
+    let lines = lines(text)?;
+    let mut checked: Vec<Checked> = Vec::new();
+    let mut sections = lines.split(|line| line.0 == "file");
+    if sections.next().is_some_and(|before| !before.is_empty()) {
+        return Err(malformed("something before the first file"));
+    }
+    let names = lines.iter().filter(|line| line.0 == "file").map(|line| &line.1);
+    for (file, section) in names.zip(sections) {
+        let source = read(file).map_err(malformed)?;
+        let Some(((keyword, listed), entries)) = section.split_first() else {
+            return Err(malformed("a file without its hash"));
+        };
+        if keyword != "hash" || *listed != hash(&source) {
+            return Err(malformed(format!("{file} is not the file that was certified: its hash differs")));
+        }
+        let mut theory = Theory::read(&source)?;
+        let is_start = |line: &Line| ["proved", "refuted", "uncovered"].contains(&line.0.as_str());
+        let mut rest = entries;
+        while let Some((head, after)) = rest.split_first() {
+            let length = after.iter().position(is_start).unwrap_or(after.len());
+            let (body, next) = after.split_at(length);
+            rest = next;
+            let name = head.1.split(' ').next().unwrap_or_default().to_string();
+            if checked.iter().any(|known| known.file == *file && known.name == name) {
+                return Err(malformed(format!("`{name}` stands twice")));
+            }
+            let outcome = entry(&mut theory, head, &name, body)?;
+            checked.push(Checked { file: file.clone(), name, outcome });
+        }
+        for name in theory.statement_names() {
+            if !checked.iter().any(|known| known.file == *file && known.name == name) {
+                let outcome = Outcome::NotCovered("the certificate has no entry".into());
+                checked.push(Checked { file: file.clone(), name, outcome });
+            }
+        }
+    }
+    Ok(checked)
+}
+
+fn entry(theory: &mut Theory, head: &Line, name: &str, body: &[Line]) -> Result<Outcome, Stop> {
+    // the prover has read the source: what the checker cannot read there is beyond it
+    let statement = match theory.statement(name) {
+        Err(Stop::Malformed(what)) => return Ok(Outcome::NotCovered(what)),
+        other => other,
+    };
+    let result = statement.and_then(|statement| match head.0.as_str() {
+        "proved" => {
+            let mut proof = Proof { theory, statement: &statement, lines: body.iter() };
+            proof.check(&[], 0)?;
+            if proof.lines.next().is_some() { Err(malformed("lines after a proof")) } else { Ok(()) }
+        }
+        "refuted" => witness::check(theory, &statement, body),
+        "uncovered" => {
+            Err(Stop::Uncovered(head.1.split_once(' ').map_or(String::new(), |(_, why)| why.to_string())))
+        }
+        other => Err(malformed(format!("`{other}` begins no entry"))),
+    });
+    match result {
+        Ok(()) => Ok(Outcome::Accepted),
+        Err(Stop::Malformed(why)) => Err(malformed(format!("{name}: {why}"))),
+        Err(Stop::Uncovered(what)) => Ok(Outcome::NotCovered(what)),
+        Err(Stop::Rejected(why)) => Ok(Outcome::Rejected(why)),
+        Err(Stop::Undefined) => Ok(Outcome::Rejected("it divides by zero".into())),
+    }
+}

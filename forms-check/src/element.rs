@@ -1,0 +1,383 @@
+//! Expressions as fractions: roots by bases, sines and exponentials by units, the rest as generators.
+
+use crate::expression::Operation::{Add, Divide, Function, Jet, Multiply, Number, Pi, Power, Variable};
+use crate::expression::{Expr, Operation, Pool, rational};
+use crate::field::{Field, Fraction, Kind};
+use crate::polynomial::{MOST_GENERATORS, Polynomial};
+use crate::{Stop, rejected, uncovered};
+use num_bigint::BigInt;
+use num_rational::{BigRational, Ratio};
+use std::collections::BTreeMap;
+
+/// The largest numerator and denominator of an exponent.
+const LARGEST_ROOT: i64 = 4096;
+
+/// cos and sin of an angle.
+type Point = (Fraction, Fraction);
+
+/// c ∏ gᵉ ∏ exp(u)ᵏ over the bases g and the units u of exponents; with g stands whether g itself, apart from its roots, occurs to an odd power.
+pub(crate) struct Factored {
+    pub(crate) constant: BigRational,
+    pub(crate) powers: BTreeMap<usize, (Ratio<i64>, bool)>,
+    exponentials: BTreeMap<usize, i64>,
+}
+
+fn one() -> Fraction {
+    Fraction::number(rational(1, 1))
+}
+
+fn gcd(a: i64, b: i64) -> i64 {
+    if b == 0 { a.abs() } else { gcd(b, a % b) }
+}
+
+impl Field {
+    /// The element an expression stands for.
+    pub(crate) fn element(&mut self, pool: &Pool, expr: Expr) -> Result<Fraction, Stop> {
+        for part in pool.parts(&[expr]) {
+            if !self.elements.contains_key(&part) {
+                let (operation, operands) = pool.node(part);
+                let a: Vec<Fraction> =
+                    operands.iter().map(|operand| self.elements[operand].clone()).collect();
+                let element = match operation {
+                    Number(value) => Fraction::number(value.clone()),
+                    Pi | Variable(_) | Jet(..) => self.generator(operation, &a)?,
+                    Add => self.add(&a[0], &a[1])?,
+                    Multiply => self.multiply(&a[0], &a[1])?,
+                    Divide => self.quotient(&a[0], &a[1])?,
+                    Power(p, 1) => self.integer_power(&a[0], *p)?,
+                    Power(p, q) => {
+                        let known = self.magnitude(&a[0], Ratio::new(*p, *q));
+                        if let Err(Stop::Rejected(_)) = known {
+                            self.free_root(&a[0], *p, *q)?
+                        } else {
+                            known?
+                        }
+                    }
+                    Function(name) => match self.function(name, &a) {
+                        // only its arguments are known
+                        Err(Stop::Rejected(_)) => self.generator(operation, &a)?,
+                        known => known?,
+                    },
+                };
+                self.elements.insert(part, element);
+            }
+        }
+        Ok(self.elements[&expr].clone())
+    }
+
+    /// The generator of an operation at arguments: the one known for equal arguments, or another.
+    fn generator(&mut self, operation: &Operation, a: &[Fraction]) -> Result<Fraction, Stop> {
+        for number in 0..self.generators.len() {
+            let known = self.generators[number].clone().filter(|known| known.0 == *operation);
+            let Some((_, arguments)) = known else { continue };
+            let mut same = true;
+            for (x, y) in arguments.iter().zip(a) {
+                same = same && self.equal(x, y)?;
+            }
+            if same {
+                return Ok(Polynomial::generator(number, 1).into());
+            }
+        }
+        Ok(Polynomial::generator(self.new_generator(Some((operation.clone(), a.to_vec())))?, 1).into())
+    }
+
+    /// a^(p/q) = ρᵖ with ρ^q = a
+    fn free_root(&mut self, a: &Fraction, p: i64, q: i64) -> Result<Fraction, Stop> {
+        let count = self.generators.len();
+        let root = self.generator(&Power(1, q), std::slice::from_ref(a))?;
+        let order = u8::try_from(q).ok().filter(|_| self.generators.len() > count && a.factors.is_empty());
+        if let Some(order) = order {
+            self.bind(count, order, a.numerator.clone());
+        }
+        self.integer_power(&root, p)
+    }
+
+    fn function(&mut self, name: &str, a: &[Fraction]) -> Result<Fraction, Stop> {
+        match name {
+            "sin" => Ok(self.circular(&a[0])?.1),
+            "cos" => Ok(self.circular(&a[0])?.0),
+            "tan" => self.tangent(&a[0]),
+            "exp" => self.exponential(&a[0]),
+            "abs" => self.magnitude(&a[0], Ratio::from_integer(1)),
+            "asin" | "atan" if a[0].numerator.is_zero() => Ok(Fraction::default()),
+            "log" => self.logarithm(&a[0]),
+            _ => rejected("nothing is known of it"),
+        }
+    }
+
+    /// |q|^r = |c|^r ∏ |g|^(e r)
+    pub(crate) fn magnitude(&mut self, q: &Fraction, r: Ratio<i64>) -> Result<Fraction, Stop> {
+        if q.numerator.is_zero() {
+            return if r > Ratio::from_integer(0) { Ok(Fraction::default()) } else { Err(Stop::Undefined) };
+        }
+        if *r.denom() > LARGEST_ROOT || r.numer().abs() > LARGEST_ROOT {
+            return uncovered("so large a power");
+        }
+        let Factored { constant, powers, exponentials } = self.factored(q)?;
+        let numbers = if r.is_integer() { BTreeMap::new() } else { self.number_powers(&constant)? };
+        let plain = if r.is_integer() { constant.pow(*r.numer() as i32) } else { rational(1, 1) };
+        let mut result = Fraction::number(if plain < rational(0, 1) { -plain } else { plain });
+        let powers = powers.into_iter().map(|(base, (exponent, _))| (base, exponent));
+        for (base, exponent) in powers.chain(numbers) {
+            let power = self.base_power(base, exponent * r)?;
+            result = self.multiply(&result, &power)?;
+        }
+        for (unit, exponent) in exponentials {
+            let times = r * exponent;
+            if !times.is_integer() {
+                return rejected("a unit of exponents is too coarse");
+            }
+            let itself = Polynomial::generator(self.units[unit].generator, 1).into();
+            let power = self.integer_power(&itself, times.to_integer())?;
+            result = self.multiply(&result, &power)?;
+        }
+        Ok(result)
+    }
+
+    /// log |q| = Σ e log |g| + Σ k u
+    fn logarithm(&mut self, q: &Fraction) -> Result<Fraction, Stop> {
+        if q.numerator.is_zero() {
+            return Err(Stop::Undefined);
+        }
+        let Factored { constant, powers, exponentials } = self.factored(q)?;
+        let numbers = self.number_powers(&constant)?;
+        let mut sum = Fraction::default();
+        for (base, exponent) in powers.into_iter().map(|(base, (e, _))| (base, e)).chain(numbers) {
+            let Some(logarithm) = self.bases[base].logarithm else {
+                return rejected(format!("base {} lacks a logarithm", base + 1));
+            };
+            let term = Fraction::from(Polynomial::generator(logarithm, 1));
+            sum = self.add(&sum, &term.scale(&rational(*exponent.numer(), *exponent.denom())))?;
+        }
+        for (unit, exponent) in exponentials {
+            let term = self.units[unit].value.scale(&rational(exponent, 1));
+            sum = self.add(&sum, &term)?;
+        }
+        Ok(sum)
+    }
+
+    /// An element over the bases, which has to leave nothing but a number.
+    pub(crate) fn factored(&mut self, q: &Fraction) -> Result<Factored, Stop> {
+        let mut found =
+            Factored { constant: rational(1, 1), powers: BTreeMap::new(), exponentials: BTreeMap::new() };
+        let below = q.factors.iter().map(|(factor, n)| (self.factor(*factor).clone(), -i64::from(*n)));
+        for (mut rest, times) in std::iter::once((q.numerator.clone(), 1)).chain(below.collect::<Vec<_>>()) {
+            for (number, base) in self.bases.iter_mut().enumerate() {
+                let mut raise = |by: Ratio<i64>, is_whole: bool| {
+                    let entry = found.powers.entry(number).or_insert((Ratio::from_integer(0), false));
+                    *entry = (entry.0 + by * times, entry.1 ^ (is_whole && times % 2 != 0));
+                };
+                let root = base.root.map(|root| (Polynomial::generator(root, 1), Ratio::new(1, base.order)));
+                let itself = Some((base.polynomial.clone(), Ratio::from_integer(1)));
+                for (divisor, exponent) in [root, itself].into_iter().flatten() {
+                    while divisor.as_constant().is_none() && rest.as_constant().is_none() {
+                        let Some(quotient) = rest.divide(&divisor) else { break };
+                        rest = quotient;
+                        base.used = base.used.max(1);
+                        raise(exponent, exponent.is_integer());
+                    }
+                }
+            }
+            for (number, unit) in self.units.iter().enumerate().filter(|unit| unit.1.kind == Kind::Exponent) {
+                while let Some(quotient) = rest.divide(&Polynomial::generator(unit.generator, 1)) {
+                    rest = quotient;
+                    *found.exponentials.entry(number).or_default() += times;
+                }
+            }
+            let Some(constant) = rest.as_constant() else {
+                return rejected("a radicand is not a product of the bases");
+            };
+            found.constant *= constant.pow(times as i32);
+        }
+        Ok(found)
+    }
+
+    /// |c| over the bases that are numbers
+    fn number_powers(&mut self, c: &BigRational) -> Result<BTreeMap<usize, Ratio<i64>>, Stop> {
+        let mut parts = [BigInt::from(c.numer().magnitude().clone()), c.denom().clone()];
+        let mut powers = BTreeMap::new();
+        for (number, base) in self.bases.iter_mut().enumerate() {
+            let Some(prime) = base.polynomial.as_constant().filter(|p| *p > rational(1, 1)) else { continue };
+            for (part, step) in parts.iter_mut().zip([1, -1]) {
+                while *part != BigInt::from(0) && &*part % prime.numer() == BigInt::from(0) {
+                    *part /= prime.numer();
+                    base.used = base.used.max(1);
+                    *powers.entry(number).or_insert(Ratio::from_integer(0)) += step;
+                }
+            }
+        }
+        if parts == [BigInt::from(1), BigInt::from(1)] {
+            return Ok(powers);
+        }
+        rejected("a number is no product of the bases")
+    }
+
+    /// |g|ᵉ: by g itself for integers, by its root otherwise
+    fn base_power(&mut self, number: usize, exponent: Ratio<i64>) -> Result<Fraction, Stop> {
+        let base = &mut self.bases[number];
+        let itself: Fraction = base.polynomial.clone().into();
+        if exponent.is_integer() && exponent.numer() % 2 == 0 {
+            return self.integer_power(&itself, *exponent.numer());
+        }
+        let Some(sign) = base.sign else {
+            return rejected(format!("the sign of base {} matters", number + 1));
+        };
+        let signed = itself.scale(&rational(sign, 1));
+        if exponent.is_integer() {
+            base.used = base.used.max(1);
+            return self.integer_power(&signed, *exponent.numer());
+        }
+        let times = exponent * base.order;
+        let Some(order) = u8::try_from(base.order).ok().filter(|_| times.is_integer()) else {
+            return rejected(format!("base {} lacks a root", number + 1));
+        };
+        base.used = base.used.max(1) / gcd(base.used.max(1), *exponent.denom()) * exponent.denom();
+        let root = match base.root {
+            Some(root) => root,
+            None => {
+                let root = self.new_generator(None)?;
+                self.bases[number].root = Some(root);
+                self.bind(root, order, signed.numerator);
+                root
+            }
+        };
+        self.integer_power(&Polynomial::generator(root, 1).into(), times.to_integer())
+    }
+
+    /// The terms of an angle or exponent, each a number times a quantity.
+    fn terms(&mut self, a: &Fraction) -> Result<Vec<(Fraction, BigRational)>, Stop> {
+        let a = self.expanded(a)?;
+        let term = |(monomial, c): (&[u8; MOST_GENERATORS], &BigRational)| {
+            let numerator = Polynomial(BTreeMap::from([(*monomial, rational(1, 1))]));
+            (Fraction { numerator, factors: a.factors.clone() }, c.clone())
+        };
+        Ok(a.numerator.0.iter().map(term).collect())
+    }
+
+    /// The unit that c·quantity is an integer multiple of, and the multiple; with halves if asked for.
+    fn multiple(
+        &mut self,
+        quantity: &Fraction,
+        c: &BigRational,
+        exponent: bool,
+    ) -> Result<(usize, i64), Stop> {
+        for number in 0..self.units.len() {
+            let unit = self.units[number].value.clone();
+            if (self.units[number].kind == Kind::Exponent) != exponent {
+                continue;
+            }
+            let scale = rational(1, 1) / unit.numerator.leading();
+            if self.equal(&unit.scale(&scale), quantity)? {
+                let times = c * scale;
+                let Some(n) =
+                    i64::try_from(times.numer()).ok().filter(|n| times.is_integer() && n.abs() < 256)
+                else {
+                    return rejected("an angle or exponent is no multiple of its unit");
+                };
+                self.units[number].used = gcd(self.units[number].used, n);
+                return Ok((number, n));
+            }
+        }
+        rejected("an angle or exponent has no unit")
+    }
+
+    fn circular(&mut self, angle: &Fraction) -> Result<Point, Stop> {
+        let mut point = (one(), Fraction::default());
+        for (quantity, c) in self.terms(angle)? {
+            let (step, times) = self.step(&quantity, &c)?;
+            let sine = step.1.scale(&rational(times.signum(), 1));
+            for _ in 0..times.abs() {
+                point = self.turned(&point, &(step.0.clone(), sine.clone()))?;
+            }
+        }
+        Ok(point)
+    }
+
+    /// cos(a + b) = cos a cos b − sin a sin b, sin(a + b) = sin a cos b + cos a sin b
+    fn turned(&mut self, a: &Point, b: &Point) -> Result<Point, Stop> {
+        let (cc, ss) = (self.multiply(&a.0, &b.0)?, self.multiply(&a.1, &b.1)?);
+        let (sc, cs) = (self.multiply(&a.1, &b.0)?, self.multiply(&a.0, &b.1)?);
+        Ok((self.subtract(&cc, &ss)?, self.add(&sc, &cs)?))
+    }
+
+    /// The point of an angle that c·quantity is a multiple of: a quarter turn, an inverse function, a unit.
+    fn step(&mut self, quantity: &Fraction, c: &BigRational) -> Result<(Point, i64), Stop> {
+        let generator = (0..self.generators.len())
+            .find(|g| quantity.factors.is_empty() && quantity.numerator == Polynomial::generator(*g, 1));
+        let quarters = c * rational(2, 1);
+        match generator.and_then(|g| self.generators[g].clone()) {
+            Some((Pi, _)) if quarters.is_integer() => {
+                let rest = i64::try_from(quarters.numer() % BigInt::from(4)).unwrap_or(0);
+                return Ok(((Fraction::default(), one()), rest));
+            }
+            Some((Function(name @ ("asin" | "atan")), a)) if c.is_integer() => {
+                let times = i64::try_from(c.numer()).ok().filter(|n| n.abs() < 256);
+                let Some(times) = times else { return rejected("so large a multiple of an angle") };
+                return Ok((self.inverse_point(name, &a[0])?, times));
+            }
+            _ => {}
+        }
+        let (number, times) = self.multiple(quantity, c, false)?;
+        let unit = self.units[number].clone();
+        let first = Polynomial::generator(unit.generator, 1).into();
+        if unit.kind == Kind::Circle {
+            return Ok(((first, Polynomial::generator(unit.generator + 1, 1).into()), times));
+        }
+        // ((1 − t²)/(1 + t²), 2t/(1 + t²))
+        let square = self.multiply(&first, &first)?;
+        let (below, above) = (self.add(&one(), &square)?, self.subtract(&one(), &square)?);
+        let cosine = self.quotient(&above, &below)?;
+        let sine = self.quotient(&first.scale(&rational(2, 1)), &below)?;
+        Ok(((cosine, sine), times))
+    }
+
+    /// cos and sin of asin q and atan q
+    fn inverse_point(&mut self, name: &str, q: &Fraction) -> Result<Point, Stop> {
+        let sign = rational(if name == "asin" { -1 } else { 1 }, 1);
+        let square = self.multiply(q, q)?.scale(&sign);
+        let sum = self.add(&one(), &square)?;
+        let root = self.magnitude(&sum, Ratio::new(1, 2))?;
+        if name == "asin" {
+            return Ok((root, q.clone()));
+        }
+        Ok((self.inverse(&root)?, self.quotient(q, &root)?))
+    }
+
+    /// tan(u/2) of a unit is its generator; any other is sine over cosine.
+    fn tangent(&mut self, angle: &Fraction) -> Result<Fraction, Stop> {
+        for number in 0..self.units.len() {
+            let unit = self.units[number].clone();
+            if unit.kind == Kind::Tangent && self.equal(&angle.scale(&rational(2, 1)), &unit.value)? {
+                return Ok(Polynomial::generator(unit.generator, 1).into());
+            }
+        }
+        let (cosine, sine) = self.circular(angle)?;
+        self.quotient(&sine, &cosine)
+    }
+
+    /// exp of Σ nₖ uₖ + Σ rₖ log qₖ is ∏ exp(uₖ)^nₖ ∏ qₖ^rₖ.
+    fn exponential(&mut self, exponent: &Fraction) -> Result<Fraction, Stop> {
+        let mut product = one();
+        for (quantity, c) in self.terms(exponent)? {
+            let is_quantity = |g: usize| quantity.numerator == Polynomial::generator(g, 1);
+            let of_base = self.bases.iter().find(|base| base.logarithm.is_some_and(is_quantity));
+            let opaque = self.generators.iter().enumerate().find_map(|(g, generator)| match generator {
+                Some((Function("log"), q)) if is_quantity(g) => Some(q[0].clone()),
+                _ => None,
+            });
+            let logarithm = of_base.map(|base| base.polynomial.clone().into()).or(opaque);
+            let rational_exponent = [c.numer(), c.denom()].map(|part| i64::try_from(part).ok());
+            let power = match (self.multiple(&quantity, &c, true), logarithm, rational_exponent) {
+                (Ok((number, n)), ..) => {
+                    self.integer_power(&Polynomial::generator(self.units[number].generator, 1).into(), n)?
+                }
+                (Err(_), Some(q), [Some(n), Some(d)]) if quantity.factors.is_empty() => {
+                    self.magnitude(&q, Ratio::new(n, d))?
+                }
+                (Err(stop), ..) => return Err(stop),
+            };
+            product = self.multiply(&product, &power)?;
+        }
+        Ok(product)
+    }
+}

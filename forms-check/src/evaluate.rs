@@ -1,0 +1,328 @@
+//! Expressions of the language, evaluated as they are read: scalars, forms and fields, and what they need.
+
+use crate::calculus::{Value, order};
+use crate::expression::Operation::{Divide, Function, Jet, Multiply, Pi, Power, Variable};
+use crate::expression::{Expr, rational};
+use crate::theory::{Condition, DERIVED, FUNCTIONS, Named, Relation, Scope, Theory};
+use crate::tokens::{Reader, Token};
+use crate::{Stop, malformed, uncovered};
+use std::collections::{BTreeSet, HashMap};
+
+/// Brackets and signs within one another: more is refused.
+const DEEPEST: usize = 120;
+
+impl Theory {
+    /// `a < b <= c` as conditions on differences
+    pub(crate) fn relations(&mut self, reader: &mut Reader) -> Result<Vec<Condition>, Stop> {
+        let mut all = Vec::new();
+        let mut left = self.sum(reader)?;
+        while let Some(sign) = reader.one_of(&["<=", ">=", "!=", "<", ">"]) {
+            let right = self.sum(reader)?;
+            let (more, less) = if sign.starts_with('<') { (&right, &left) } else { (&left, &right) };
+            let relation = match sign {
+                "!=" => Relation::NotZero,
+                "<" | ">" => Relation::Positive,
+                _ => Relation::NotNegative,
+            };
+            let difference = more.add(&mut self.pool, less, -1);
+            all.push((self.as_scalar(&difference)?, relation));
+            left = right;
+        }
+        Ok(all)
+    }
+
+    fn require(&mut self, expr: Expr, relation: Relation) {
+        let zero = rational(0, 1);
+        let holds = self.pool.as_number(expr).is_some_and(|value| match relation {
+            Relation::Positive => *value > zero,
+            Relation::NotNegative => *value >= zero,
+            Relation::NotZero => *value != zero,
+        });
+        if !holds && !self.scope.conditions.contains(&(expr, relation)) {
+            self.scope.conditions.push((expr, relation));
+        }
+    }
+
+    fn require_all(&mut self, scope: &Scope) {
+        self.scope.used.extend(&scope.used);
+        scope.conditions.iter().for_each(|(expr, relation)| self.require(*expr, *relation));
+    }
+
+    /// Requires conditions at the images of their variables.
+    fn require_at(&mut self, conditions: &[Condition], images: &HashMap<usize, Expr>) {
+        for (expr, relation) in conditions {
+            let composed = self.pool.substitute(*expr, images);
+            self.require(composed, *relation);
+        }
+    }
+
+    fn as_scalar(&mut self, value: &Value) -> Result<Expr, Stop> {
+        value.as_scalar(&mut self.pool).ok_or_else(|| malformed("expected a scalar"))
+    }
+
+    pub(crate) fn scalar(&mut self, reader: &mut Reader) -> Result<Expr, Stop> {
+        let value = self.sum(reader)?;
+        self.as_scalar(&value)
+    }
+
+    pub(crate) fn sum(&mut self, reader: &mut Reader) -> Result<Value, Stop> {
+        let mut value = self.product(reader)?;
+        while let Some(sign) = reader.one_of(&["+", "-"]) {
+            let right = self.product(reader)?;
+            value = value.add(&mut self.pool, &right, if sign == "+" { 1 } else { -1 });
+        }
+        Ok(value)
+    }
+
+    fn product(&mut self, reader: &mut Reader) -> Result<Value, Stop> {
+        let mut left = self.signed(reader)?;
+        while let Some(sign) = reader.one_of(&["*", "/", "^"]) {
+            let mut right = self.signed(reader)?;
+            if sign == "/" {
+                let (divisor, one) = (self.as_scalar(&right)?, self.pool.number(rational(1, 1)));
+                self.require(divisor, Relation::NotZero);
+                if let Some(c) = left.as_scalar(&mut self.pool) {
+                    left = Value::of(0, self.pool.make(Divide, vec![c, divisor]));
+                    continue;
+                }
+                right = Value::of(0, self.pool.make(Divide, vec![one, divisor]));
+            }
+            let scalars = [&left, &right].map(|value| value.as_scalar(&mut self.pool).is_some());
+            if scalars == [false, false] && (sign == "*" || left.is_field || right.is_field) {
+                return Err(malformed("a product that needs a scalar"));
+            }
+            left = left.wedge(&mut self.pool, &right);
+        }
+        Ok(left)
+    }
+
+    /// A sign binds less tightly than a power: `-x**2` is −(x²), and `x**-2` is allowed.
+    fn signed(&mut self, reader: &mut Reader) -> Result<Value, Stop> {
+        reader.depth += 1;
+        if reader.depth > DEEPEST {
+            return uncovered(format!("brackets and signs more than {DEEPEST} deep"));
+        }
+        let value = if reader.take("-") {
+            let inner = self.signed(reader)?;
+            Value::default().add(&mut self.pool, &inner, -1)
+        } else {
+            self.power(reader)?
+        };
+        reader.depth -= 1;
+        Ok(value)
+    }
+
+    fn power(&mut self, reader: &mut Reader) -> Result<Value, Stop> {
+        let mut value = self.atom(reader)?;
+        while reader.take("[") {
+            value = self.coefficient(&value, reader)?;
+        }
+        if !reader.take("**") {
+            return Ok(value);
+        }
+        let exponent = self.signed(reader)?;
+        let (base, exponent) = (self.as_scalar(&value)?, self.as_scalar(&exponent)?);
+        Ok(Value::of(0, self.raised(base, exponent)?))
+    }
+
+    /// qʳ for a number r, exp(e log q) otherwise
+    fn raised(&mut self, base: Expr, exponent: Expr) -> Result<Expr, Stop> {
+        let Some(value) = self.pool.as_number(exponent).cloned() else {
+            self.require(base, Relation::Positive);
+            let logarithm = self.pool.make(Function("log"), vec![base]);
+            let product = self.pool.make(Multiply, vec![exponent, logarithm]);
+            return Ok(self.pool.make(Function("exp"), vec![product]));
+        };
+        let small = [value.numer(), value.denom()].map(|part| i64::try_from(part).ok());
+        let [Some(p), Some(q)] = small.map(|part| part.filter(|p| p.abs() <= 1 << 20)) else {
+            return uncovered("so large a power");
+        };
+        match (q == 1, p < 0) {
+            (true, true) => self.require(base, Relation::NotZero),
+            (true, false) => {}
+            (false, true) => self.require(base, Relation::Positive),
+            (false, false) => self.require(base, Relation::NotNegative),
+        }
+        Ok(self.pool.make(Power(p, q), vec![base]))
+    }
+
+    fn atom(&mut self, reader: &mut Reader) -> Result<Value, Stop> {
+        if reader.take("(") {
+            let inner = self.sum(reader)?;
+            reader.expect(")")?;
+            return Ok(inner);
+        }
+        if reader.take("@") {
+            let v = self.variable(&reader.name()?)?;
+            self.scope.used.insert(v);
+            return Ok(Value { is_field: true, ..Value::differential(&mut self.pool, v) });
+        }
+        if let Some(Token::Number(value)) = reader.peek().cloned() {
+            reader.place += 1;
+            let is_zero = value == rational(0, 1);
+            return Ok(if is_zero { Value::default() } else { Value::of(0, self.pool.number(value)) });
+        }
+        let name = reader.name()?;
+        if reader.take("(") {
+            return self.call(&name, reader);
+        }
+        match self.names.get(&name).cloned() {
+            _ if name == "pi" => Ok(Value::of(0, self.pool.make(Pi, vec![]))),
+            Some(Named::Variable(v)) => Ok(Value::of(0, self.use_variable(v))),
+            Some(Named::Differential(v)) => {
+                self.scope.used.insert(v);
+                Ok(Value::differential(&mut self.pool, v))
+            }
+            Some(Named::Function(f)) => {
+                let own = self.functions[f].0.clone();
+                let arguments = own.into_iter().map(|v| self.use_variable(v)).collect();
+                Ok(Value::of(0, self.unknown(f, arguments)))
+            }
+            Some(Named::Object(value, scope)) => {
+                self.require_all(&scope);
+                Ok(value)
+            }
+            Some(Named::Uncovered(what)) => uncovered(what),
+            None if name == "d" && reader.take("[") => {
+                let (along, _) = self.chart_named(&reader.name()?)?;
+                reader.expect("]")?;
+                reader.expect("(")?;
+                let w = self.sum(reader)?;
+                reader.expect(")")?;
+                Ok(w.exterior(&mut self.pool, &along))
+            }
+            None if matches!(reader.peek(), Some(Token::Sign("["))) => uncovered(format!("`{name}`")),
+            _ => Err(malformed(format!("`{name}` has no value"))),
+        }
+    }
+
+    fn use_variable(&mut self, v: usize) -> Expr {
+        let conditions = self.params.get(&v).cloned().unwrap_or_default();
+        self.require_all(&Scope { conditions, used: BTreeSet::from([v]) });
+        self.pool.make(Variable(v), vec![])
+    }
+
+    /// An unknown function at its arguments, with the conditions it was declared with.
+    fn unknown(&mut self, f: usize, arguments: Vec<Expr>) -> Expr {
+        let (own, conditions) = self.functions[f].clone();
+        self.require_at(&conditions, &own.into_iter().zip(arguments.iter().copied()).collect());
+        self.pool.make(Jet(f, vec![0; arguments.len()]), arguments)
+    }
+
+    fn scalars(&mut self, reader: &mut Reader, wanted: usize) -> Result<Vec<Expr>, Stop> {
+        let mut values = Vec::new();
+        while values.len() < wanted {
+            if !values.is_empty() {
+                reader.expect(",")?;
+            }
+            values.push(self.scalar(reader)?);
+        }
+        reader.expect(")")?;
+        Ok(values)
+    }
+
+    /// A function whose bracket is open.
+    fn call(&mut self, name: &str, reader: &mut Reader) -> Result<Value, Stop> {
+        if let Some(Named::Function(f)) = self.names.get(name) {
+            let f = *f;
+            let values = self.scalars(reader, self.functions[f].0.len())?;
+            return Ok(Value::of(0, self.unknown(f, values)));
+        }
+        let plain = FUNCTIONS.iter().find(|row| row.0 == name).map(|row| row.0);
+        let derived = DERIVED.iter().find(|row| row.0 == name);
+        if plain.is_some() || derived.is_some() {
+            let values = self.scalars(reader, derived.map_or(1, |row| row.1))?;
+            let images = values.iter().copied().enumerate().collect();
+            self.require_at(&self.domains.get(name).cloned().unwrap_or_default(), &images);
+            return Ok(Value::of(
+                0,
+                match plain {
+                    Some(function) => self.pool.make(Function(function), values),
+                    None => self.pool.substitute(self.pool.templates[name], &images),
+                },
+            ));
+        }
+        if name == "sqrt" {
+            let (q, half) = (self.scalars(reader, 1)?[0], self.pool.number(rational(1, 2)));
+            return Ok(Value::of(0, self.raised(q, half)?));
+        }
+        let value = match name {
+            "pullback" => self.pullback(reader)?,
+            "diff" => {
+                let mut value = self.scalar(reader)?;
+                while reader.take(",") {
+                    let v = self.variable(&reader.name()?)?;
+                    value = self.pool.derivative(value, v);
+                }
+                Value::of(0, value)
+            }
+            "d" | "interior" | "lie" | "bracket" | "pair" => self.calculus(name, reader)?,
+            _ => return uncovered(format!("`{name}`")),
+        };
+        reader.expect(")")?;
+        if name == "diff" && reader.take("(") {
+            // `diff(f, x)(a)` is a derivative of an unknown function at other arguments
+            let derivative = self.as_scalar(&value)?;
+            let Jet(f, orders) = self.pool.node(derivative).0.clone() else {
+                return Err(malformed("only a derivative of an unknown function is taken elsewhere"));
+            };
+            let arguments = self.scalars(reader, orders.len())?;
+            return Ok(Value::of(0, self.pool.make(Jet(f, orders), arguments)));
+        }
+        Ok(value)
+    }
+
+    fn calculus(&mut self, name: &str, reader: &mut Reader) -> Result<Value, Stop> {
+        let mut values = vec![self.sum(reader)?];
+        while reader.take(",") {
+            values.push(self.sum(reader)?);
+        }
+        let along: Vec<usize> = (0..self.variables.len()).filter(|v| self.variables[*v].1).collect();
+        let pool = &mut self.pool;
+        match (name, values.as_slice()) {
+            ("d", [w]) => Ok(w.exterior(pool, &along)),
+            ("interior", [x, w]) => Ok(w.interior(pool, x)),
+            ("lie" | "bracket", [x, w]) => Ok(w.lie(pool, x, &along)),
+            ("pair", [w, fields @ ..]) => Ok(fields.iter().fold(w.clone(), |w, x| w.interior(pool, x))),
+            _ => Err(malformed(format!("another number of arguments of `{name}`"))),
+        }
+    }
+
+    /// What the form needs is needed at the image points, and the target chart's conditions hold there.
+    fn pullback(&mut self, reader: &mut Reader) -> Result<Value, Stop> {
+        let name = reader.name()?;
+        let (source, images, bound, scope) = match self.names.get(&name).cloned() {
+            Some(Named::Map(source, images, bound, scope)) => (source, images, bound, scope),
+            Some(Named::Uncovered(what)) => return uncovered(what),
+            _ => return Err(malformed(format!("`{name}` is no map"))),
+        };
+        reader.expect(",")?;
+        let outer = std::mem::take(&mut self.scope);
+        let value = self.sum(reader);
+        let inner = std::mem::replace(&mut self.scope, outer);
+        self.require_at(&inner.conditions, &images);
+        self.require_at(&bound, &images);
+        self.require_all(&scope);
+        self.scope.used.extend(inner.used.into_iter().filter(|v| !images.contains_key(v)));
+        Ok(value?.pullback(&mut self.pool, &images, &source))
+    }
+
+    /// `w[dx^dy]`, `X[x]` after the bracket
+    fn coefficient(&mut self, value: &Value, reader: &mut Reader) -> Result<Value, Stop> {
+        let (mut blade, mut sign) = (0, 1);
+        while blade == 0 || reader.take("^") {
+            let name = reader.name()?;
+            let v = match self.names.get(&name) {
+                Some(Named::Variable(v)) if value.is_field => *v,
+                Some(Named::Differential(v)) if !value.is_field => *v,
+                _ => return Err(malformed(format!("`{name}` is no differential"))),
+            };
+            sign *= order(blade, 1 << v).ok_or_else(|| malformed("a differential occurs twice"))?;
+            blade |= 1 << v;
+        }
+        reader.expect("]")?;
+        let zero = self.pool.number(rational(0, 1));
+        let c = value.terms.get(&blade).copied().unwrap_or(zero);
+        Ok(Value::of(0, if sign < 0 { self.pool.negate(c) } else { c }))
+    }
+}

@@ -1,0 +1,185 @@
+//! Scalar expressions, each part once: operands come before what is made of them.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use std::collections::{BTreeSet, HashMap};
+
+/// The most parts that are made for one file.
+const MOST_PARTS: usize = 200_000;
+
+/// A part of an expression, by its number.
+pub(crate) type Expr = usize;
+
+/// What a part is; its operands stand beside it.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Operation {
+    Number(BigRational),
+    Pi,
+    /// A coordinate or param.
+    Variable(usize),
+    Add,
+    Multiply,
+    Divide,
+    /// a^(p/q) in lowest terms, q > 0
+    Power(i64, i64),
+    /// A function by its name in the language.
+    Function(&'static str),
+    /// An unknown function, differentiated so often by each argument.
+    Jet(usize, Vec<u32>),
+}
+
+use Operation::{Add, Divide, Function, Jet, Multiply, Number, Power, Variable};
+
+/// The owner of expressions.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Pool {
+    nodes: Vec<(Operation, Vec<Expr>)>,
+    numbers: HashMap<(Operation, Vec<Expr>), Expr>,
+    /// The derivative of each function, or what it is, in its arguments as the variables 0 and 1.
+    pub(crate) templates: HashMap<&'static str, Expr>,
+}
+
+pub(crate) fn rational(p: i64, q: i64) -> BigRational {
+    BigRational::new(BigInt::from(p), BigInt::from(q))
+}
+
+impl Pool {
+    pub(crate) fn node(&self, expr: Expr) -> (&Operation, &[Expr]) {
+        (&self.nodes[expr].0, &self.nodes[expr].1)
+    }
+
+    /// Whether so many parts were made that the last one stands for others too.
+    pub(crate) fn is_full(&self) -> bool {
+        self.nodes.len() >= MOST_PARTS
+    }
+
+    pub(crate) fn as_number(&self, expr: Expr) -> Option<&BigRational> {
+        if let Number(value) = &self.nodes[expr].0 { Some(value) } else { None }
+    }
+
+    pub(crate) fn is(&self, expr: Expr, value: i64) -> bool {
+        self.as_number(expr).is_some_and(|number| *number == rational(value, 1))
+    }
+
+    /// An operation on operands; sums and products with 0 and 1 are not kept.
+    pub(crate) fn make(&mut self, operation: Operation, operands: Vec<Expr>) -> Expr {
+        let is = |place: usize, value| self.is(operands[place], value);
+        match operation {
+            Add if is(0, 0) => return operands[1],
+            Add if is(1, 0) => return operands[0],
+            Multiply if is(0, 0) || is(1, 1) => return operands[0],
+            Multiply if is(1, 0) || is(0, 1) => return operands[1],
+            Divide if is(1, 1) => return operands[0],
+            Power(1, 1) => return operands[0],
+            Power(0, _) => return self.number(rational(1, 1)),
+            _ => {}
+        }
+        if let [Some(a), Some(b)] = [0, 1].map(|k| operands.get(k).and_then(|e| self.as_number(*e))) {
+            match operation {
+                Add => return self.number(a + b),
+                Multiply => return self.number(a * b),
+                Divide if *b != rational(0, 1) => return self.number(a / b),
+                _ => {}
+            }
+        }
+        let node = (operation, operands);
+        if let Some(known) = self.numbers.get(&node) {
+            return *known;
+        }
+        if !self.is_full() {
+            self.numbers.insert(node.clone(), self.nodes.len());
+            self.nodes.push(node);
+        }
+        self.nodes.len() - 1
+    }
+
+    pub(crate) fn number(&mut self, value: BigRational) -> Expr {
+        self.make(Number(value), vec![])
+    }
+
+    pub(crate) fn negate(&mut self, a: Expr) -> Expr {
+        let minus = self.number(rational(-1, 1));
+        self.make(Multiply, vec![minus, a])
+    }
+
+    /// All parts of some expressions, operands first.
+    pub(crate) fn parts(&self, roots: &[Expr]) -> BTreeSet<Expr> {
+        let (mut open, mut parts) = (roots.to_vec(), BTreeSet::new());
+        while let Some(expr) = open.pop() {
+            if parts.insert(expr) {
+                open.extend(&self.nodes[expr].1);
+            }
+        }
+        parts
+    }
+
+    /// The variables an expression depends on.
+    pub(crate) fn variables(&self, root: Expr) -> BTreeSet<usize> {
+        let variable = |part: Expr| if let Variable(v) = self.nodes[part].0 { Some(v) } else { None };
+        self.parts(&[root]).into_iter().filter_map(variable).collect()
+    }
+
+    /// The expression with variables replaced.
+    pub(crate) fn substitute(&mut self, root: Expr, images: &HashMap<usize, Expr>) -> Expr {
+        let mut done: HashMap<Expr, Expr> = HashMap::new();
+        for part in self.parts(&[root]) {
+            let (operation, operands) = self.nodes[part].clone();
+            let image = match operation {
+                Variable(v) => images.get(&v).copied().unwrap_or(part),
+                other => self.make(other, operands.iter().map(|operand| done[operand]).collect()),
+            };
+            done.insert(part, image);
+        }
+        done[&root]
+    }
+
+    /// ∂root/∂x = Σ ∂root/∂aₖ ∂aₖ/∂x over the operands
+    pub(crate) fn derivative(&mut self, root: Expr, x: usize) -> Expr {
+        let mut done: HashMap<Expr, Expr> = HashMap::new();
+        for part in self.parts(&[root]) {
+            let (operation, operands) = self.nodes[part].clone();
+            let mut sum = self.number(rational(i64::from(operation == Variable(x)), 1));
+            for (place, operand) in operands.iter().enumerate() {
+                if !self.is(done[operand], 0) {
+                    let outer = self.partial(part, &operation, &operands, place);
+                    let term = self.make(Multiply, vec![outer, done[operand]]);
+                    sum = self.make(Add, vec![sum, term]);
+                }
+            }
+            done.insert(part, sum);
+        }
+        done[&root]
+    }
+
+    /// The derivative of an operation by its operand of that place.
+    fn partial(&mut self, part: Expr, operation: &Operation, a: &[Expr], place: usize) -> Expr {
+        let one = self.number(rational(1, 1));
+        match operation {
+            Multiply => a[1 - place],
+            Divide if place == 0 => self.make(Divide, vec![one, a[1]]),
+            Divide => {
+                let quotient = self.make(Divide, vec![part, a[1]]);
+                self.negate(quotient)
+            }
+            Power(p, 1) => {
+                let (factor, lowered) =
+                    (self.number(rational(*p, 1)), self.make(Power(p - 1, 1), vec![a[0]]));
+                self.make(Multiply, vec![factor, lowered])
+            }
+            Power(p, q) => {
+                let (factor, lowered) = (self.number(rational(*p, *q)), self.make(Divide, vec![part, a[0]]));
+                self.make(Multiply, vec![factor, lowered])
+            }
+            Jet(f, orders) => {
+                let mut raised = orders.clone();
+                raised[place] += 1;
+                self.make(Jet(*f, raised), a.to_vec())
+            }
+            Function(name) => {
+                let slope = self.templates.get(name).copied().unwrap_or(one);
+                self.substitute(slope, &HashMap::from([(0, a[0])]))
+            }
+            _ => one,
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! Intervals with rational ends, rounded outwards: enclosures of real functions.
+
+use crate::expression::rational;
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+/// Ends are multiples of 2^−BITS.
+const BITS: u32 = 160;
+
+/// Terms of a series whose ratio is at most a half.
+const TERMS: i64 = 170;
+
+/// The largest angle, and the largest logarithm, that are enclosed.
+const LARGEST: i64 = 4096;
+
+/// Numerators of more bits are not computed with.
+const LARGEST_BITS: u64 = 1 << 16;
+
+/// All numbers from `low` to `high`.
+#[derive(Clone, Debug)]
+pub(crate) struct Interval {
+    pub(crate) low: BigRational,
+    pub(crate) high: BigRational,
+}
+
+impl Interval {
+    pub(crate) fn number(value: BigRational) -> Self {
+        Interval { low: value.clone(), high: value }
+    }
+
+    fn rounded(self) -> Self {
+        let scale = BigRational::from_integer(BigInt::from(1) << BITS);
+        let is_short = |end: &BigRational| end.denom().bits() <= u64::from(BITS);
+        let low = if is_short(&self.low) { self.low } else { (self.low * &scale).floor() / &scale };
+        let high = if is_short(&self.high) { self.high } else { (self.high * &scale).ceil() / &scale };
+        Interval { low, high }
+    }
+
+    pub(crate) fn add(&self, other: &Interval) -> Self {
+        Interval { low: &self.low + &other.low, high: &self.high + &other.high }
+    }
+
+    pub(crate) fn scale(&self, by: &BigRational) -> Self {
+        self.multiply(&Interval::number(by.clone()))
+    }
+
+    pub(crate) fn subtract(&self, other: &Interval) -> Self {
+        Interval { low: &self.low - &other.high, high: &self.high - &other.low }
+    }
+
+    pub(crate) fn multiply(&self, other: &Interval) -> Self {
+        let products = [&self.low * &other.low, &self.low * &other.high, &self.high * &other.low];
+        let last = &self.high * &other.high;
+        let low = products.iter().fold(last.clone(), |m, p| m.min(p.clone()));
+        Interval { low, high: products.into_iter().fold(last, Ord::max) }.rounded()
+    }
+
+    fn widened(&self, by: &BigRational) -> Self {
+        Interval { low: &self.low - by, high: &self.high + by }.rounded()
+    }
+
+    /// The largest absolute value.
+    fn magnitude(&self) -> BigRational {
+        self.high.clone().max(-self.low.clone())
+    }
+
+    /// 1, −1 or 0 for an interval of one sign, nothing for any other.
+    pub(crate) fn sign(&self) -> Option<i64> {
+        let zero = rational(0, 1);
+        match (self.low > zero, self.high < zero) {
+            (true, _) => Some(1),
+            (_, true) => Some(-1),
+            _ => (self.low == self.high).then_some(0),
+        }
+    }
+
+    pub(crate) fn divide(&self, by: &Interval) -> Option<Self> {
+        by.sign().filter(|sign| *sign != 0)?;
+        let one = rational(1, 1);
+        Some(self.multiply(&Interval { low: &one / &by.high, high: &one / &by.low }.rounded()))
+    }
+
+    pub(crate) fn integer_power(&self, n: i64) -> Option<Self> {
+        let mut power = Interval::number(rational(1, 1));
+        if n.abs() > LARGEST {
+            return None;
+        }
+        for _ in 0..n.abs() {
+            power = Some(power.multiply(self)).filter(|p| p.magnitude().numer().bits() < LARGEST_BITS)?;
+        }
+        if n < 0 { Interval::number(rational(1, 1)).divide(&power) } else { Some(power) }
+    }
+
+    /// x^(p/q) = exp((p/q) log x) for x > 0; 0 for x = 0 and p > 0.
+    pub(crate) fn power(&self, p: i64, q: i64) -> Option<Self> {
+        match self.sign() {
+            _ if q == 1 => self.integer_power(p),
+            Some(1) => self.logarithm()?.scale(&rational(p, q)).exponential(),
+            Some(0) if p > 0 => Some(self.clone()),
+            _ => None,
+        }
+    }
+
+    /// Σ xⁿ/n!, Σ (−1)ⁿ x²ⁿ/(2n)!, Σ (−1)ⁿ x²ⁿ⁺¹/(2n+1)!; the rest is at most twice the next term where terms halve.
+    fn taylor(&self) -> [Self; 3] {
+        let zero = Interval::number(rational(0, 1));
+        let mut sums = [zero.clone(), zero.clone(), zero];
+        let mut term = Interval::number(rational(1, 1));
+        let mut n = 0;
+        let end = self.magnitude() * rational(4, 1) + rational(TERMS, 1);
+        while rational(n, 1) < end {
+            let alternating = if n % 4 < 2 { term.clone() } else { term.scale(&rational(-1, 1)) };
+            let circular = 1 + (n % 2) as usize;
+            sums[0] = sums[0].add(&term);
+            sums[circular] = sums[circular].add(&alternating);
+            n += 1;
+            term = term.multiply(self).scale(&rational(1, n));
+        }
+        sums.map(|sum| sum.widened(&(term.magnitude() * rational(2, 1))))
+    }
+
+    /// exp x = exp(x/2ᵏ)^(2ᵏ)
+    pub(crate) fn exponential(&self) -> Option<Self> {
+        let (mut reduced, mut squarings) = (self.clone(), 0);
+        while reduced.magnitude() > rational(1, 2) {
+            reduced = reduced.scale(&rational(1, 2));
+            squarings += 1;
+        }
+        if squarings > 13 {
+            return None;
+        }
+        let [start, ..] = reduced.taylor();
+        Some((0..squarings).fold(start, |power, _| power.multiply(&power)))
+    }
+
+    /// cos x and sin x
+    pub(crate) fn circular(&self) -> Option<[Self; 2]> {
+        let [_, cosine, sine] = self.taylor_within(64)?;
+        Some([cosine, sine])
+    }
+
+    fn taylor_within(&self, largest: i64) -> Option<[Self; 3]> {
+        (self.magnitude() <= rational(largest, 1)).then(|| self.taylor())
+    }
+
+    /// Σ sⁿ w²ⁿ⁺¹/(2n+1) for |w| ≤ 1/2: atan w for s = −1, artanh w for s = 1
+    fn odd_series(&self, s: i64) -> Self {
+        let square = self.multiply(self).scale(&rational(s, 1));
+        let (mut sum, mut power) = (Interval::number(rational(0, 1)), self.clone());
+        for n in 0..TERMS / 2 {
+            sum = sum.add(&power.scale(&rational(1, 2 * n + 1)));
+            power = power.multiply(&square);
+        }
+        sum.widened(&(power.magnitude() * rational(2, 1)))
+    }
+
+    /// log x = k log 2 + 2 artanh((z − 1)/(z + 1)) for x = 2ᵏ z
+    pub(crate) fn logarithm(&self) -> Option<Self> {
+        self.sign().filter(|sign| *sign > 0)?;
+        let (mut z, mut k) = (self.clone(), 0);
+        for (too_large, factor) in [(true, rational(1, 2)), (false, rational(2, 1))] {
+            while k < LARGEST && if too_large { z.high > rational(3, 2) } else { z.low < rational(2, 3) } {
+                z = z.scale(&factor);
+                k += if too_large { 1 } else { -1 };
+            }
+        }
+        let one = Interval::number(rational(1, 1));
+        let w = z.subtract(&one).divide(&z.add(&one))?;
+        let two = Interval::number(rational(1, 3)).odd_series(1).scale(&rational(2 * k, 1));
+        (w.magnitude() <= rational(1, 2)).then(|| two.add(&w.odd_series(1).scale(&rational(2, 1))))
+    }
+
+    pub(crate) fn pi() -> Self {
+        let part = |q| Interval::number(rational(1, q)).odd_series(-1);
+        part(2).add(&part(3)).scale(&rational(4, 1))
+    }
+
+    /// atan x = π/2 − atan(1/x) for x > 1, atan x = atan ½ + atan((x − ½)/(1 + x/2)) for ½ < x ≤ 1
+    pub(crate) fn arctangent(&self) -> Option<Self> {
+        let (half, one) = (Interval::number(rational(1, 2)), Interval::number(rational(1, 1)));
+        if self.magnitude() <= rational(1, 2) {
+            return Some(self.odd_series(-1));
+        }
+        if self.sign()? < 0 {
+            return Some(self.scale(&rational(-1, 1)).arctangent()?.scale(&rational(-1, 1)));
+        }
+        if self.high > rational(1, 1) {
+            let turned = Some(one.divide(self)?).filter(|turned| turned.high <= rational(1, 1))?;
+            return Some(Interval::pi().multiply(&half).subtract(&turned.arctangent()?));
+        }
+        let w = self.subtract(&half).divide(&one.add(&self.multiply(&half)))?;
+        Some(half.odd_series(-1).add(&w.odd_series(-1)))
+    }
+
+    /// A function of the language at arguments, where it is certain.
+    pub(crate) fn function(name: &str, x: &Interval) -> Option<Self> {
+        let one = Interval::number(rational(1, 1));
+        match name {
+            "exp" => x.exponential(),
+            "log" => x.logarithm(),
+            "atan" => x.arctangent(),
+            "abs" => Some(if x.sign()? < 0 { x.scale(&rational(-1, 1)) } else { x.clone() }),
+            "cos" => Some(x.circular()?[0].clone()),
+            "sin" => Some(x.circular()?[1].clone()),
+            "tan" => {
+                let [cosine, sine] = x.circular()?;
+                sine.divide(&cosine)
+            }
+            // asin x = atan(x/√(1 − x²))
+            "asin" => x.divide(&one.subtract(&x.multiply(x)).power(1, 2)?)?.arctangent(),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! A checker of certificates, independent of the prover: it shares the file format with it and nothing else.
+//!
+//! ```text
+//! source file ─▶ tokens ─▶ theory, evaluate ─▶ both sides, conditions      (expression, calculus)
+//! certificate ─▶ proof   ─▶ bases, units, signs ─▶ is left − right zero?   (field, element, sign, polynomial)
+//!             └▶ witness ─▶ a point             ─▶ are left and right apart? (interval)
+//! ```
+//! A certificate chooses: which polynomials have roots, what angles are multiples of, which signs are told apart
+//! and why, at which point sides differ. The checker derives everything else, so a wrong choice is rejected and
+//! no choice makes it accept what does not follow from the source.
+
+mod calculus;
+mod certificate;
+mod element;
+mod evaluate;
+mod expression;
+mod field;
+mod interval;
+mod polynomial;
+mod proof;
+mod sign;
+mod theory;
+mod tokens;
+mod witness;
+
+/// What became of one entry of a certificate.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// The verdict follows from the source.
+    Accepted,
+    /// The entry does not show what it claims.
+    Rejected(String),
+    /// It rests on something that the checker does not know.
+    NotCovered(String),
+}
+
+/// One statement of one file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Checked {
+    /// The file as the certificate names it.
+    pub file: String,
+    /// The statement's name.
+    pub name: String,
+    /// What was found.
+    pub outcome: Outcome,
+}
+
+/// Checks a certificate. `read` gives the text of a file that it names.
+///
+/// # Errors
+/// What is malformed: the certificate, or a file that cannot be read or is not the one that was certified.
+pub fn check(
+    certificate: &str,
+    mut read: impl FnMut(&str) -> Result<String, String>,
+) -> Result<Vec<Checked>, String> {
+    certificate::check(certificate, &mut read).map_err(Stop::into_text)
+}
+
+/// Why a check ends early.
+#[derive(Clone, Debug)]
+pub(crate) enum Stop {
+    Malformed(String),
+    Rejected(String),
+    Uncovered(String),
+    /// Something divides by zero everywhere.
+    Undefined,
+}
+
+impl Stop {
+    fn into_text(self) -> String {
+        match self {
+            Stop::Malformed(what) | Stop::Rejected(what) | Stop::Uncovered(what) => what,
+            Stop::Undefined => "division by zero".into(),
+        }
+    }
+}
+
+fn malformed(what: impl Into<String>) -> Stop {
+    Stop::Malformed(what.into())
+}
+
+fn rejected<T>(why: impl Into<String>) -> Result<T, Stop> {
+    Err(Stop::Rejected(why.into()))
+}
+
+fn uncovered<T>(what: impl Into<String>) -> Result<T, Stop> {
+    Err(Stop::Uncovered(what.into()))
+}

@@ -1,0 +1,141 @@
+//! Polynomials in numbered generators with rational coefficients.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use std::collections::{BTreeMap, HashMap};
+
+/// The most generators of one proof.
+pub(crate) const MOST_GENERATORS: usize = 32;
+
+/// The exponent of each generator. Products respect the lexicographic order; who multiplies bounds exponents.
+type Monomial = [u8; MOST_GENERATORS];
+
+/// Σ c m without zero coefficients; the last term leads.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Polynomial(pub(crate) BTreeMap<Monomial, BigRational>);
+
+fn zero() -> BigRational {
+    BigRational::from_integer(BigInt::from(0))
+}
+
+/// sum + a b, for integers without a common divisor to look for
+fn plus_product(sum: &BigRational, a: &BigRational, b: &BigRational) -> BigRational {
+    if [sum, a, b].iter().all(|c| c.is_integer()) {
+        return BigRational::from_integer(sum.numer() + a.numer() * b.numer());
+    }
+    sum + a * b
+}
+
+fn quotient_of(a: &Monomial, b: &Monomial) -> Option<Monomial> {
+    let mut quotient = *a;
+    for (rest, exponent) in quotient.iter_mut().zip(b) {
+        *rest = rest.checked_sub(*exponent)?;
+    }
+    Some(quotient)
+}
+
+impl Polynomial {
+    pub(crate) fn constant(value: BigRational) -> Self {
+        let is_zero = value == zero();
+        Polynomial(if is_zero { BTreeMap::new() } else { BTreeMap::from([([0; MOST_GENERATORS], value)]) })
+    }
+
+    pub(crate) fn integer(value: i64) -> Self {
+        Polynomial::constant(BigRational::from_integer(value.into()))
+    }
+
+    /// gᵉ
+    pub(crate) fn generator(number: usize, exponent: u8) -> Self {
+        let mut monomial = [0; MOST_GENERATORS];
+        monomial[number] = exponent;
+        Polynomial(BTreeMap::from([(monomial, BigRational::from_integer(1.into()))]))
+    }
+
+    pub(crate) fn is_zero(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    pub(crate) fn as_constant(&self) -> Option<BigRational> {
+        match self.0.last_key_value() {
+            None => Some(zero()),
+            Some((monomial, value)) => (*monomial == [0; MOST_GENERATORS]).then(|| value.clone()),
+        }
+    }
+
+    /// The largest exponent of a generator, or of all.
+    pub(crate) fn degree(&self, generator: Option<usize>) -> u8 {
+        let of = |m: &Monomial| generator.map_or(m.iter().max().copied(), |g| Some(m[g]));
+        self.0.keys().filter_map(of).max().unwrap_or(0)
+    }
+
+    /// The leading coefficient; zero has none but 1 serves.
+    pub(crate) fn leading(&self) -> BigRational {
+        self.0.last_key_value().map_or(BigRational::from_integer(1.into()), |term| term.1.clone())
+    }
+
+    pub(crate) fn add(mut self, other: &Polynomial) -> Self {
+        for (monomial, value) in &other.0 {
+            let sum = self.0.remove(monomial).unwrap_or_else(zero) + value;
+            if sum != zero() {
+                self.0.insert(*monomial, sum);
+            }
+        }
+        self
+    }
+
+    pub(crate) fn scale(mut self, by: &BigRational) -> Self {
+        self.0.values_mut().for_each(|value| *value *= by);
+        self
+    }
+
+    pub(crate) fn multiply(&self, other: &Polynomial) -> Self {
+        let mut sums: HashMap<Monomial, BigRational> = HashMap::new();
+        for (m, a) in &self.0 {
+            for (n, b) in &other.0 {
+                let mut product = *m;
+                product.iter_mut().zip(n).for_each(|(exponent, more)| *exponent += more);
+                let sum = sums.entry(product).or_insert_with(zero);
+                *sum = plus_product(sum, a, b);
+            }
+        }
+        Polynomial(sums.into_iter().filter(|term| term.1 != zero()).collect())
+    }
+
+    /// The quotient, if the division leaves no rest.
+    pub(crate) fn divide(&self, by: &Polynomial) -> Option<Self> {
+        let (leading, coefficient) = by.0.last_key_value()?;
+        if let (Some(own), Some(least)) = (self.0.first_key_value(), by.0.first_key_value()) {
+            // the last terms divide each other too, which is quickly seen
+            quotient_of(own.0, least.0)?;
+        }
+        let (mut rest, mut quotient) = (self.clone(), Polynomial::default());
+        while let Some((monomial, value)) = rest.0.last_key_value() {
+            let term = Polynomial(BTreeMap::from([(quotient_of(monomial, leading)?, -value / coefficient)]));
+            rest = rest.add(&by.multiply(&term));
+            quotient = quotient.add(&term);
+        }
+        Some(quotient.scale(&-BigRational::from_integer(1.into())))
+    }
+
+    /// The remainder by gⁿ = value: gᵏ becomes value^⌊k/n⌋ g^(k mod n).
+    pub(crate) fn reduce(&self, generator: usize, order: u8, value: &Polynomial) -> Self {
+        let (mut sum, mut parts) = (Polynomial::default(), BTreeMap::<u8, Polynomial>::new());
+        for (monomial, c) in &self.0 {
+            let mut rest = *monomial;
+            rest[generator] %= order;
+            let part = if rest == *monomial {
+                &mut sum
+            } else {
+                parts.entry(monomial[generator] / order).or_default()
+            };
+            part.0.insert(rest, c.clone());
+        }
+        let (mut power, mut reached) = (Polynomial::integer(1), 0);
+        for (times, part) in parts {
+            power = (reached..times).fold(power, |power, _| power.multiply(value));
+            reached = times;
+            sum = sum.add(&part.multiply(&power));
+        }
+        sum
+    }
+}

@@ -1,0 +1,319 @@
+//! What a file declares: charts, params, unknown functions, maps and named values, and where its statements are.
+
+use crate::calculus::{Value, coordinates};
+use crate::expression::{Expr, Pool, rational};
+use crate::tokens::Reader;
+use crate::{Stop, malformed, rejected, uncovered};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+/// The most coordinates and params of a file: each coordinate is a bit of a blade.
+const MOST_VARIABLES: usize = 128;
+
+/// What is required of a condition's expression.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Relation {
+    Positive,
+    NotNegative,
+    NotZero,
+}
+
+/// A condition on the points a statement speaks of.
+pub(crate) type Condition = (Expr, Relation);
+
+/// What a value needs: where it is defined, and the variables it is written with.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Scope {
+    pub(crate) conditions: Vec<Condition>,
+    pub(crate) used: BTreeSet<usize>,
+}
+
+/// A chart: its coordinates and its domain.
+type Chart = (Vec<usize>, Vec<Condition>);
+
+/// What a name stands for.
+#[derive(Clone, Debug)]
+pub(crate) enum Named {
+    Chart(Chart),
+    Variable(usize),
+    Differential(usize),
+    Function(usize),
+    Object(Value, Scope),
+    /// The source's coordinates, the image of each target coordinate, the target's conditions.
+    Map(Vec<usize>, HashMap<usize, Expr>, Vec<Condition>, Scope),
+    /// A declaration that uses what the checker does not know.
+    Uncovered(String),
+}
+
+/// Both sides of a statement by component, and the points it speaks of.
+#[derive(Clone, Debug)]
+pub(crate) struct Statement {
+    pub(crate) components: BTreeMap<String, [Expr; 2]>,
+    pub(crate) conditions: Vec<Condition>,
+}
+
+/// The functions of the language of the arguments a and b: the derivative, and where it is real.
+pub(crate) const FUNCTIONS: [(&str, &str, &str); 8] = [
+    ("sin", "cos(a)", ""),
+    ("cos", "-sin(a)", ""),
+    ("tan", "1 + tan(a)**2", "cos(a) != 0"),
+    ("asin", "1/sqrt(1 - a**2)", "1 - a**2 >= 0"),
+    ("atan", "1/(1 + a**2)", ""),
+    ("exp", "exp(a)", ""),
+    ("log", "1/a", "a > 0"),
+    ("abs", "abs(a)/a", ""),
+];
+
+/// Functions written with those: how many arguments, what it is, and where it is real.
+pub(crate) const DERIVED: [(&str, usize, &str, &str); 5] = [
+    ("acos", 1, "pi/2 - asin(a)", "1 - a**2 >= 0"),
+    ("atan2", 2, "2*atan(a/(sqrt(a**2 + b**2) + b))", "sqrt(a**2 + b**2) + b > 0"),
+    ("sinh", 1, "(exp(a) - exp(-a))/2", ""),
+    ("cosh", 1, "(exp(a) + exp(-a))/2", ""),
+    ("tanh", 1, "(exp(a) - exp(-a))/(exp(a) + exp(-a))", ""),
+];
+
+/// A file.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Theory {
+    pub(crate) pool: Pool,
+    pub(crate) names: HashMap<String, Named>,
+    /// Names of variables, and whether each is a coordinate.
+    pub(crate) variables: Vec<(String, bool)>,
+    /// The arguments of unknown functions, and the conditions on their values.
+    pub(crate) functions: Vec<(Vec<usize>, Vec<Condition>)>,
+    pub(crate) params: HashMap<usize, Vec<Condition>>,
+    /// Where each function of the language is real.
+    pub(crate) domains: HashMap<&'static str, Vec<Condition>>,
+    charts: Vec<Chart>,
+    statements: HashMap<String, Reader>,
+    pub(crate) scope: Scope,
+}
+
+impl Theory {
+    pub(crate) fn read(text: &str) -> Result<Self, Stop> {
+        let mut theory = Theory::default();
+        for name in ["a", "b"] {
+            theory.new_variable(name, false)?;
+        }
+        for (name, text, domain) in FUNCTIONS.into_iter().chain(DERIVED.map(|row| (row.0, row.2, row.3))) {
+            let expr = theory.scalar(&mut Reader::new(text)?)?;
+            theory.pool.templates.insert(name, expr);
+            if !domain.is_empty() {
+                let conditions = theory.relations(&mut Reader::new(domain)?)?;
+                theory.domains.insert(name, conditions);
+            }
+        }
+        theory.names.clear();
+        let mut reader = Reader::new(text)?;
+        while reader.peek().is_some() {
+            theory.scope = Scope::default();
+            theory.item(&mut reader)?;
+        }
+        Ok(theory)
+    }
+
+    /// Derives both sides of a statement.
+    pub(crate) fn statement(&mut self, name: &str) -> Result<Statement, Stop> {
+        let Some(mut reader) = self.statements.get(name).cloned() else {
+            return rejected("the file has no such statement");
+        };
+        self.scope = Scope::default();
+        let left = self.sum(&mut reader)?;
+        reader.expect("==")?;
+        let sides = [left, self.sum(&mut reader)?];
+        let mut conditions = self.bounds(&mut reader)?;
+        reader.expect(";")?;
+        conditions.append(&mut self.scope.conditions);
+        // a chart binds what uses its coordinates, if all that its condition mentions are among them
+        let used = &self.scope.used;
+        for (_, bound) in self.charts.iter().filter(|chart| chart.0.iter().any(|v| used.contains(v))) {
+            let is_used = |v: &usize| !self.variables[*v].1 || used.contains(v);
+            conditions.extend(bound.iter().filter(|c| self.pool.variables(c.0).iter().all(is_used)));
+        }
+        let zero = self.pool.number(rational(0, 1));
+        let mut components: BTreeMap<String, [Expr; 2]> = BTreeMap::new();
+        for (place, side) in sides.iter().enumerate() {
+            for (blade, c) in &side.terms {
+                let sign = if side.is_field { "@" } else { "d" };
+                let names = coordinates(*blade).map(|v| format!("{sign}{}", self.variables[v].0));
+                components.entry(names.collect::<Vec<_>>().join("^")).or_insert([zero, zero])[place] = *c;
+            }
+        }
+        self.check_size()?;
+        Ok(Statement { components, conditions })
+    }
+
+    pub(crate) fn statement_names(&self) -> Vec<String> {
+        let mut names: Vec<String> = self.statements.keys().cloned().collect();
+        names.sort();
+        names
+    }
+
+    /// A scalar that the certificate writes; what it needs is no condition of the statement.
+    pub(crate) fn expression(&mut self, text: &str) -> Result<Expr, Stop> {
+        let mut reader = Reader::new(text)?;
+        let expr = self.scalar(&mut reader)?;
+        self.check_size()?;
+        if reader.peek().is_none() { Ok(expr) } else { Err(reader.wrong("the end of the line")) }
+    }
+
+    fn check_size(&self) -> Result<(), Stop> {
+        if self.pool.is_full() { uncovered("expressions of so many parts") } else { Ok(()) }
+    }
+
+    fn item(&mut self, reader: &mut Reader) -> Result<(), Stop> {
+        reader.word("pub");
+        let keyword = reader.name()?;
+        if keyword == "kernel" {
+            reader.pass_item();
+            return Ok(());
+        }
+        if keyword == "param" {
+            return self.parameters(reader);
+        }
+        let (name, start) = (reader.name()?, reader.place);
+        let named = match keyword.as_str() {
+            "chart" => self.chart(reader),
+            "fn" => self.unknown_function(&name, reader),
+            "let" | "form" | "field" => self.object(reader),
+            "map" => self.map(reader),
+            "metric" => uncovered("a metric"),
+            "prove" | "refute" => {
+                reader.expect(":")?;
+                self.statements.insert(name, reader.clone());
+                reader.pass_item();
+                return Ok(());
+            }
+            other => return Err(malformed(format!("an item cannot begin with `{other}`"))),
+        };
+        // a declaration that is not understood is an obstacle only to what uses it
+        let named = named.and_then(|named| reader.expect(";").map(|()| named)).unwrap_or_else(|stop| {
+            reader.place = start;
+            reader.pass_item();
+            Named::Uncovered(stop.into_text())
+        });
+        self.names.insert(name, named);
+        Ok(())
+    }
+
+    fn chart(&mut self, reader: &mut Reader) -> Result<Named, Stop> {
+        let (mut coordinates, mut conditions) = (vec![], vec![]);
+        if reader.take("=") {
+            for factor in reader.names("*")? {
+                let (more, bound) = self.chart_named(&factor)?;
+                coordinates.extend(more);
+                conditions.extend(bound);
+            }
+        } else {
+            reader.expect("(")?;
+            for name in reader.names(",")? {
+                let number = self.variable(&name).or_else(|_| self.new_variable(&name, true))?;
+                self.names.insert(format!("d{name}"), Named::Differential(number));
+                coordinates.push(number);
+            }
+            reader.expect(")")?;
+        }
+        conditions.extend(self.domain(reader)?);
+        self.charts.push((coordinates.clone(), conditions.clone()));
+        Ok(Named::Chart((coordinates, conditions)))
+    }
+
+    pub(crate) fn chart_named(&self, name: &str) -> Result<Chart, Stop> {
+        match self.names.get(name) {
+            Some(Named::Chart(chart)) => Ok(chart.clone()),
+            _ => Err(malformed(format!("`{name}` is no chart"))),
+        }
+    }
+
+    fn new_variable(&mut self, name: &str, is_coordinate: bool) -> Result<usize, Stop> {
+        if self.variables.len() == MOST_VARIABLES {
+            return Err(malformed(format!("more than {MOST_VARIABLES} variables")));
+        }
+        self.variables.push((name.to_string(), is_coordinate));
+        self.names.insert(name.to_string(), Named::Variable(self.variables.len() - 1));
+        Ok(self.variables.len() - 1)
+    }
+
+    pub(crate) fn variable(&self, name: &str) -> Result<usize, Stop> {
+        match self.names.get(name) {
+            Some(Named::Variable(number)) => Ok(*number),
+            _ => Err(malformed(format!("`{name}` is no coordinate or param"))),
+        }
+    }
+
+    /// Params with the conditions that bind them, directly or through others of the same declaration.
+    fn parameters(&mut self, reader: &mut Reader) -> Result<(), Stop> {
+        let names = reader.names(",")?;
+        let numbers: Vec<usize> =
+            names.iter().map(|name| self.new_variable(name, false)).collect::<Result<_, _>>()?;
+        let conditions = self.domain(reader)?;
+        for number in &numbers {
+            let (mut reached, mut found): (_, Vec<Condition>) = (BTreeSet::from([*number]), vec![]);
+            while let Some(next) = conditions.iter().find(|condition| {
+                !found.contains(condition) && !self.pool.variables(condition.0).is_disjoint(&reached)
+            }) {
+                found.push(*next);
+                reached.extend(self.pool.variables(next.0).into_iter().filter(|v| numbers.contains(v)));
+            }
+            self.params.insert(*number, found);
+        }
+        reader.expect(";")
+    }
+
+    fn unknown_function(&mut self, name: &str, reader: &mut Reader) -> Result<Named, Stop> {
+        reader.expect("(")?;
+        let arguments = reader.names(",")?.iter().map(|a| self.variable(a)).collect::<Result<_, _>>()?;
+        reader.expect(")")?;
+        let number = self.functions.len();
+        self.functions.push((arguments, vec![]));
+        self.names.insert(name.to_string(), Named::Function(number));
+        reader.pass_unit();
+        self.functions[number].1 = self.domain(reader)?;
+        Ok(Named::Function(number))
+    }
+
+    fn object(&mut self, reader: &mut Reader) -> Result<Named, Stop> {
+        while !reader.take("=") {
+            reader.place += 1;
+            if reader.peek().is_none() {
+                return Err(reader.wrong("="));
+            }
+        }
+        let value = self.sum(reader)?;
+        Ok(Named::Object(value, std::mem::take(&mut self.scope)))
+    }
+
+    fn map(&mut self, reader: &mut Reader) -> Result<Named, Stop> {
+        reader.expect(":")?;
+        let (source, _) = self.chart_named(&reader.name()?)?;
+        reader.expect("->")?;
+        let (target, bound) = self.chart_named(&reader.name()?)?;
+        reader.expect("=")?;
+        reader.expect("(")?;
+        let mut images = HashMap::new();
+        for (number, coordinate) in target.into_iter().enumerate() {
+            if number > 0 {
+                reader.expect(",")?;
+            }
+            images.insert(coordinate, self.scalar(reader)?);
+        }
+        reader.expect(")")?;
+        Ok(Named::Map(source, images, bound, std::mem::take(&mut self.scope)))
+    }
+
+    /// The relations of a `where`, and where their sides are defined.
+    fn domain(&mut self, reader: &mut Reader) -> Result<Vec<Condition>, Stop> {
+        self.scope = Scope::default();
+        let mut all = self.bounds(reader)?;
+        all.append(&mut self.scope.conditions);
+        Ok(all)
+    }
+
+    fn bounds(&mut self, reader: &mut Reader) -> Result<Vec<Condition>, Stop> {
+        let mut all = Vec::new();
+        while if all.is_empty() { reader.word("where") } else { reader.take(",") } {
+            all.extend(self.relations(reader)?);
+        }
+        Ok(all)
+    }
+}

@@ -1,0 +1,161 @@
+//! A text as numbers, names and signs, and a reader that goes along them.
+
+use crate::{Stop, malformed};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use std::rc::Rc;
+
+/// A number, name or sign.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Token {
+    Number(BigRational),
+    Name(String),
+    Sign(&'static str),
+}
+
+const SIGNS: [&str; 25] = [
+    "**", "==", "<=", ">=", "!=", "->", "..", "+", "-", "*", "/", "^", "(", ")", "[", "]", "{", "}", ",",
+    ";", ":", "=", "<", ">", "@",
+];
+
+/// A place in a text.
+#[derive(Clone, Debug)]
+pub(crate) struct Reader {
+    tokens: Rc<Vec<Token>>,
+    pub(crate) place: usize,
+    /// How many brackets and signs are open.
+    pub(crate) depth: usize,
+}
+
+impl Reader {
+    pub(crate) fn new(text: &str) -> Result<Self, Stop> {
+        let mut tokens = Vec::new();
+        let mut rest = text.trim_start();
+        while let Some(first) = rest.chars().next() {
+            let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+            let length = match first {
+                '/' if rest.starts_with("//") => rest.find('\n').unwrap_or(rest.len()),
+                '0'..='9' => number_length(rest.as_bytes()),
+                _ => rest.find(|c| !is_word(c)).unwrap_or(rest.len()),
+            };
+            let (word, after) = rest.split_at(length);
+            rest = after;
+            if first.is_ascii_digit() {
+                tokens.push(Token::Number(
+                    number(word).ok_or_else(|| malformed(format!("the number {word}")))?,
+                ));
+            } else if is_word(first) {
+                tokens.push(Token::Name(word.to_string()));
+            } else if word.is_empty() {
+                let sign = SIGNS.iter().find(|sign| rest.starts_with(**sign));
+                let sign = sign.ok_or_else(|| malformed(format!("the character {first:?}")))?;
+                tokens.push(Token::Sign(sign));
+                rest = &rest[sign.len()..];
+            }
+            rest = rest.trim_start();
+        }
+        Ok(Reader { tokens: Rc::new(tokens), place: 0, depth: 0 })
+    }
+
+    pub(crate) fn peek(&self) -> Option<&Token> {
+        self.tokens.get(self.place)
+    }
+
+    pub(crate) fn take(&mut self, sign: &str) -> bool {
+        let found = matches!(self.peek(), Some(Token::Sign(s)) if *s == sign);
+        self.place += usize::from(found);
+        found
+    }
+
+    pub(crate) fn one_of(&mut self, signs: &[&'static str]) -> Option<&'static str> {
+        signs.iter().find(|sign| self.take(sign)).copied()
+    }
+
+    pub(crate) fn expect(&mut self, sign: &str) -> Result<(), Stop> {
+        if self.take(sign) { Ok(()) } else { Err(self.wrong(sign)) }
+    }
+
+    pub(crate) fn wrong(&self, wanted: &str) -> Stop {
+        malformed(format!("expected {wanted}, found {:?} (token {})", self.peek(), self.place))
+    }
+
+    pub(crate) fn word(&mut self, word: &str) -> bool {
+        let found = matches!(self.peek(), Some(Token::Name(name)) if name == word);
+        self.place += usize::from(found);
+        found
+    }
+
+    pub(crate) fn name(&mut self) -> Result<String, Stop> {
+        let Some(Token::Name(name)) = self.peek().cloned() else { return Err(self.wrong("a name")) };
+        self.place += 1;
+        Ok(name)
+    }
+
+    /// The names of a declaration, separated by a sign, units passed over.
+    pub(crate) fn names(&mut self, separator: &str) -> Result<Vec<String>, Stop> {
+        let mut names = Vec::new();
+        while names.is_empty() || self.take(separator) {
+            names.push(self.name()?);
+            self.pass_unit();
+        }
+        Ok(names)
+    }
+
+    /// Goes past `: unit`, which may have an exponent in brackets.
+    pub(crate) fn pass_unit(&mut self) {
+        if !self.take(":") {
+            return;
+        }
+        let is = |token: &Token, sign: &'static str| *token == Token::Sign(sign);
+        let mut open = 0_usize;
+        while let Some(token) = self.peek() {
+            let ends = match token {
+                Token::Name(name) => name == "where",
+                other => [",", ")", ";"].iter().any(|sign| is(other, sign)),
+            };
+            if open == 0 && ends {
+                return;
+            }
+            open = (open + usize::from(is(token, "("))).saturating_sub(usize::from(is(token, ")")));
+            self.place += 1;
+        }
+    }
+
+    /// Goes past the end of an item, semicolons within braces passed over.
+    pub(crate) fn pass_item(&mut self) {
+        let mut open = 0_usize;
+        while let Some(token) = self.peek() {
+            open += usize::from(*token == Token::Sign("{"));
+            open = open.saturating_sub(usize::from(*token == Token::Sign("}")));
+            let ends = open == 0 && *token == Token::Sign(";");
+            self.place += 1;
+            if ends {
+                break;
+            }
+        }
+    }
+}
+
+/// Digits, a fraction, an exponent; the dots of a range belong to no number.
+fn number_length(text: &[u8]) -> usize {
+    let is_digit = |at: usize| text.get(at).is_some_and(u8::is_ascii_digit);
+    let digits = |from: usize| (from..).find(|at| !is_digit(*at)).unwrap_or(from);
+    let mut end = digits(0);
+    if text.get(end) == Some(&b'.') && is_digit(end + 1) {
+        end = digits(end + 1);
+    }
+    let sign = usize::from(matches!(text.get(end + 1), Some(b'+' | b'-')));
+    let has_exponent = matches!(text.get(end), Some(b'e' | b'E')) && is_digit(end + 1 + sign);
+    if has_exponent { digits(end + 1 + sign) } else { end }
+}
+
+fn number(text: &str) -> Option<BigRational> {
+    let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let exponent: i32 = exponent.parse().ok().filter(|e: &i32| e.abs() <= 4096)?;
+    let digits: BigInt = format!("{whole}{part}").parse().ok()?;
+    Some(
+        BigRational::from_integer(digits)
+            * BigRational::from_integer(10.into()).pow(exponent - part.len() as i32),
+    )
+}

@@ -1,0 +1,50 @@
+//! What is checked of the case files and of the theory of radiance, and what is not covered.
+
+use crate::support::{case_file, certificate, checked};
+use forms_check::Outcome;
+
+/// The statements of a text that are not accepted.
+fn not_covered(source: &str) -> Vec<String> {
+    let all = checked(&certificate(source), source).expect("a certificate that can be read");
+    assert!(!all.is_empty());
+    let open = all.into_iter().filter(|one| one.outcome != Outcome::Accepted);
+    open.map(|one| one.name).collect()
+}
+
+#[test]
+fn of_the_theory_of_radiance_integrals_are_not_covered() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../forms-radiometry/theory/radiance.forms");
+    let source = std::fs::read_to_string(path).expect("the theory");
+    let open = ["uniform_hemisphere_up", "uniform_hemisphere_sideways", "whole_sphere"];
+    assert_eq!(not_covered(&source), open);
+}
+
+#[test]
+fn these_case_files_are_covered_in_full() {
+    for name in [
+        "change_of_variables",
+        "etendue",
+        "exterior_derivative",
+        "half_vectors",
+        "lie_and_cartan",
+        "solid_angle",
+        "sphere_pullbacks",
+        "symplectic",
+        "wedge_and_interior",
+    ] {
+        assert_eq!(not_covered(&case_file(name)), Vec::<String>::new(), "{name}");
+    }
+}
+
+#[test]
+fn of_these_case_files_nested_roots_and_relations_of_angles_are_not_covered() {
+    let open = [
+        ("not_identities", vec!["atan_of_inverse"]),
+        ("pullbacks", vec![]),
+        ("radicals", vec!["nested_radicals_product", "nested_radicals_product_abs"]),
+        ("sampling_densities", vec![]),
+        ("trigonometry", vec![]),
+    ];
+    let found: Vec<_> = open.iter().map(|(name, _)| (*name, not_covered(&case_file(name)))).collect();
+    assert_eq!(found, open.map(|(name, list)| (name, list.into_iter().map(String::from).collect())));
+}

@@ -1,0 +1,6 @@
+//! Certificates of the prover are accepted; those with a mistake are not.
+
+mod coverage;
+mod mutations;
+mod support;
+mod written_by_hand;

@@ -1,0 +1,88 @@
+//! Certificates on disk: each file they speak of is named as it is found from the certificate's folder.
+
+use forms::core::certificate::{HEADER, entry, file_lines};
+use forms::core::decide::Verdict;
+use forms::core::resolve::{Statement, Theory};
+use forms::core::syntax::Source;
+use forms_check::Outcome;
+use std::path::{Component, Path, PathBuf};
+
+/// A certificate that is being written.
+pub(crate) struct Certificate {
+    path: String,
+    lines: String,
+    /// The text of the file that the entries are about.
+    source: String,
+}
+
+impl Certificate {
+    pub(crate) fn new(path: &str) -> Self {
+        Certificate { path: path.to_string(), lines: HEADER.to_string(), source: String::new() }
+    }
+
+    /// Begins the entries of a file.
+    pub(crate) fn begin(&mut self, source: &Source) {
+        self.source.clone_from(&source.text);
+        self.lines += &file_lines(&name_from(&self.path, &source.name), &source.text);
+    }
+
+    /// Adds what shows a verdict.
+    /// What the checker does not accept is written as uncovered, with what it says.
+    pub(crate) fn add(&mut self, theory: &mut Theory, statement: &Statement, verdict: &Verdict) {
+        let lines = entry(theory, statement, verdict);
+        let alone = format!("{HEADER}{}{lines}", file_lines("itself", &self.source));
+        let checked = forms_check::check(&alone, |_| Ok(self.source.clone()));
+        let refused = match checked.map(|mut all| all.swap_remove(0).outcome) {
+            Ok(Outcome::Rejected(why) | Outcome::NotCovered(why)) => Some(why),
+            Ok(Outcome::Accepted) => None,
+            Err(why) => Some(why),
+        };
+        self.lines += &match refused {
+            Some(why) if !lines.trim_start().starts_with("uncovered") => {
+                format!("\nuncovered {} {why}\n", statement.name)
+            }
+            _ => lines,
+        };
+    }
+
+    /// Writes it to its place.
+    pub(crate) fn write(self) -> Result<(), String> {
+        std::fs::write(&self.path, self.lines).map_err(|error| format!("cannot write {}: {error}", self.path))
+    }
+}
+
+/// Where a file named by a certificate is.
+pub(crate) fn place_of(certificate: &str, name: &str) -> String {
+    let folder = Path::new(certificate).parent().unwrap_or(Path::new(""));
+    folder.join(name).to_string_lossy().into_owned()
+}
+
+/// A file's name as seen from the certificate's folder; as it is where that cannot be said.
+fn name_from(certificate: &str, file: &str) -> String {
+    let absolute = |path: &Path| std::path::absolute(path).ok();
+    let folder = absolute(Path::new(certificate)).and_then(|path| path.parent().map(Path::to_path_buf));
+    let (Some(folder), Some(file_path)) = (folder, absolute(Path::new(file))) else {
+        return file.to_string();
+    };
+    let (from, to): (Vec<Component>, Vec<Component>) =
+        (folder.components().collect(), file_path.components().collect());
+    if from.iter().chain(&to).any(|part| *part == Component::ParentDir) {
+        return file_path.to_string_lossy().into_owned();
+    }
+    let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
+    let up = from[shared..].iter().map(|_| Component::ParentDir);
+    let relative: PathBuf = up.chain(to[shared..].iter().copied()).collect();
+    relative.to_string_lossy().replace('\\', "/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_leads_from_the_certificate_to_the_file() {
+        assert_eq!(name_from("out/a.certificate", "cases/b.forms"), "../cases/b.forms");
+        assert_eq!(name_from("a.certificate", "cases/b.forms"), "cases/b.forms");
+        assert_eq!(place_of("out/a.certificate", "../cases/b.forms"), "out/../cases/b.forms");
+    }
+}

@@ -1,0 +1,75 @@
+//! Certificates: what has to be known to check verdicts without trusting the prover.
+//!
+//! ```text
+//! proof, observed ─▶ bases of radicands, units, cases of signs with reasons ─▶ lines
+//! refutation      ─▶ the point, the component, both values                  ─▶ lines
+//! ```
+//! The format is described in `docs/certificates.md`; `forms-check` reads it. Generators are written as
+//! expressions of the language, so that a checker can name them in its own way.
+
+mod reason;
+mod writer;
+
+use crate::assume::Facts;
+use crate::decide::{Verdict, retrace};
+use crate::expression::Expr;
+use crate::normal::{Sign, Tower};
+use crate::resolve::{Statement, Theory};
+use std::fmt::Write;
+use writer::Writer;
+
+/// The first line of a certificate.
+pub const HEADER: &str = "forms certificate 1\n";
+
+/// The lines that begin the entries of one file, which the reader finds by that name.
+pub fn file_lines(name: &str, text: &str) -> String {
+    format!("\nfile {name}\nhash {:016x}\n", fnv1a(text))
+}
+
+/// FNV-1a, 64 bits: it tells a changed file.
+fn fnv1a(text: &str) -> u64 {
+    let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, step)
+}
+
+/// The entry of one decided statement.
+pub fn entry(theory: &mut Theory, statement: &Statement, verdict: &Verdict) -> String {
+    let name = &statement.name;
+    match verdict {
+        Verdict::Proved(_) => {
+            let mut writer = Writer::new(theory.pool.clone());
+            let proved = retrace(theory, statement, &mut writer);
+            match writer.finish() {
+                Ok(lines) if proved => format!("\nproved {name}\n{lines}"),
+                Ok(_) => format!("\nuncovered {name} the proof was not found again\n"),
+                Err(reason) => format!("\nuncovered {name} {reason}\n"),
+            }
+        }
+        Verdict::Refuted(witness) => {
+            let mut lines = format!("\nrefuted {name}\n");
+            for (place, value) in &witness.point {
+                let _ = writeln!(lines, "at {place} = {value}");
+            }
+            let _ = writeln!(lines, "component {}", witness.component);
+            let _ = writeln!(lines, "left {}\nright {}", witness.left, witness.right);
+            lines
+        }
+        Verdict::Unknown { .. } | Verdict::Empty { .. } => {
+            format!("\nuncovered {name} the statement is not decided\n")
+        }
+    }
+}
+
+/// Whoever is told how a proof goes.
+pub(crate) trait Observer {
+    /// The differences are zero in this case.
+    fn zero(&mut self, tower: &Tower, differences: &[Expr]);
+    /// In this case a side divides by zero everywhere.
+    fn undefined(&mut self);
+    /// The proof goes on by cases; the factors they rest on, those told apart first.
+    fn split(&mut self, tower: &Tower, factors: &[usize], facts: &Facts, cases: &[Vec<(usize, Sign)>]);
+    /// One of the cases begins.
+    fn case(&mut self, signs: &[(usize, Sign)]);
+    /// The cases are through.
+    fn end(&mut self);
+}

@@ -1,0 +1,141 @@
+//! Integrands with unknown functions in them that are derivatives of an expression: the fundamental theorem.
+//!
+//! Let u stand for an unknown function along the variable x. A derivative DG is linear in the highest derivative u⁽ⁿ⁾ in
+//! it, n ≥ 1, and the coefficient is ∂G/∂u⁽ⁿ⁻¹⁾:
+//!
+//! ```text
+//! f = A u⁽ⁿ⁾ + B,   G₀ = ∫ A du⁽ⁿ⁻¹⁾,   f − DG₀ has lower derivatives of u
+//! ```
+//! So the reduction ends: with an integrand free of unknown functions, or with one that is no derivative. This is the
+//! reduction of Boulier, Lemaire, Regensburger and Rosenkranz, On the Integration of Differential Fractions (ISSAC 2013),
+//! with the partial derivatives of a function of several arguments, f(a(x), b(x), …), ranked by total order and then
+//! lexicographically: D f = a′ f₁ + b′ f₂ + … is led by the derivative by the first argument that moves.
+
+use super::search::{Integrand, Search};
+use super::{Failure, normal_form};
+use crate::expression::{Condition, Expr, FunctionId, Node, SymbolKind};
+use crate::normal::{Generator, Tower, Trigonometry};
+use crate::polynomial::Polynomial;
+use rustc_hash::FxHashMap;
+
+/// How many derivatives are reduced in one integrand.
+const MOST_REDUCTIONS: u32 = 64;
+
+/// Where a derivative stands among those of one integrand; the class, then the total order and the orders by the
+/// arguments that depend on the variable.
+type Rank = (Class, u32, Vec<u32>);
+
+/// What is one unknown function along the variable: the function, where it is taken, the orders by the other arguments.
+type Class = (FunctionId, Vec<Expr>, Vec<u32>);
+
+/// A derivative of an unknown function that depends on the variable.
+struct Derivative {
+    generator: u32,
+    rank: Rank,
+    function: FunctionId,
+    orders: Vec<u32>,
+    arguments: Vec<Expr>,
+    /// The first argument that depends on the variable.
+    first: usize,
+}
+
+impl Search<'_> {
+    /// An antiderivative where unknown functions of the variable occur; nothing where none do.
+    pub(super) fn by_unknown_functions(
+        &mut self,
+        integrand: &mut Integrand,
+        depth: u32,
+    ) -> Result<Option<Expr>, Failure> {
+        if integrand.such_that(|generator| matches!(generator, Generator::Jet { .. })).is_empty() {
+            return Ok(None);
+        }
+        let (symbol, conditions) = (integrand.symbol, integrand.conditions);
+        let (mut found, mut rest) = (self.pool.integer(0), integrand.expression);
+        for _ in 0..MOST_REDUCTIONS {
+            let mut tower = Tower::new(Trigonometry::Circle);
+            let normal = normal_form(self.pool, &mut tower, rest, conditions)?;
+            let generators = tower.generators_in(&normal, symbol);
+            let mut left =
+                Integrand { expression: rest, normal, tower: &mut tower, symbol, generators, conditions };
+            let Some(leading) = self.leading(&left) else {
+                let last = self.antiderivative(rest, symbol, conditions, depth)?;
+                return Ok(Some(self.pool.add(found, last)));
+            };
+            let Some(part) = self.reduction(&mut left, &leading, depth) else { break };
+            found = self.pool.add(found, part);
+            let derivative = self.pool.derivative(part, symbol);
+            rest = self.pool.subtract(rest, derivative);
+        }
+        Err(self.not_integrable(integrand))
+    }
+
+    /// ∫ A du⁽ⁿ⁻¹⁾ for the leading derivative u⁽ⁿ⁾, if the integrand may be a derivative.
+    fn reduction(&mut self, integrand: &mut Integrand, leading: &Derivative, depth: u32) -> Option<Expr> {
+        let terms = integrand.tower.laurent_terms(&integrand.normal, &[leading.generator])?;
+        if leading.orders[leading.first] == 0 || terms.iter().any(|(powers, _)| !(0..=1).contains(&powers[0]))
+        {
+            return None;
+        }
+        let (_, coefficient) = terms.into_iter().find(|(powers, _)| powers[0] == 1)?;
+        let coefficient = integrand.tower.raise(self.pool, &coefficient);
+        let mut orders = leading.orders.clone();
+        orders[leading.first] -= 1;
+        let lowered = self.pool.jet(leading.function, &orders, &leading.arguments);
+        let speed = self.pool.derivative(leading.arguments[leading.first], integrand.symbol);
+        let share = self.pool.divide(coefficient, speed);
+        let value = self.pool.declare_symbol("u", SymbolKind::Local);
+        let images: FxHashMap<Expr, Expr> = [(lowered, self.pool.symbol(value))].into_iter().collect();
+        let conditions: Vec<Condition> = integrand
+            .conditions
+            .iter()
+            .map(|condition| Condition {
+                left: self.pool.replace(condition.left, &images),
+                relation: condition.relation,
+                right: self.pool.replace(condition.right, &images),
+            })
+            .collect();
+        let share = self.pool.replace(share, &images);
+        if self.outranks(share, leading, integrand) {
+            return None;
+        }
+        let found = self.antiderivative(share, value, &conditions, depth.checked_sub(1)?).ok()?;
+        let back = [(value, lowered)].into_iter().collect();
+        Some(self.pool.substitute(found, &back))
+    }
+
+    /// Whether derivatives of the same function occur that are not below the leading one's antiderivative.
+    fn outranks(&mut self, share: Expr, leading: &Derivative, integrand: &Integrand) -> bool {
+        let (class, total, _) = &leading.rank;
+        self.pool.reachable(&[share]).into_iter().any(|part| {
+            self.derivative_at(part, 0, integrand)
+                .is_some_and(|other| other.rank.0 == *class && other.rank.1 >= *total)
+        })
+    }
+
+    /// The derivative of the highest rank.
+    fn leading(&mut self, integrand: &Integrand) -> Option<Derivative> {
+        let jets = integrand.such_that(|generator| matches!(generator, Generator::Jet { .. }));
+        let mut found: Vec<Derivative> = Vec::new();
+        for generator in jets {
+            let written = integrand.tower.raise(self.pool, &Polynomial::variable(generator).into());
+            found.extend(self.derivative_at(written, generator, integrand));
+        }
+        found.into_iter().max_by(|a, b| a.rank.cmp(&b.rank))
+    }
+
+    /// The derivative of an unknown function that an expression is, if it depends on the variable.
+    fn derivative_at(&self, written: Expr, generator: u32, integrand: &Integrand) -> Option<Derivative> {
+        let Node::Jet { function, orders, arguments } = self.pool.node(written) else { return None };
+        let moves = |argument: &Expr| self.pool.symbols_in(&[*argument]).contains(&integrand.symbol);
+        let first = arguments.iter().position(moves)?;
+        let moving: Vec<u32> = orders
+            .iter()
+            .zip(arguments)
+            .map(|(&order, argument)| if moves(argument) { order } else { 0 })
+            .collect();
+        let fixed = orders.iter().zip(&moving).map(|(order, moving)| order - moving).collect();
+        let rank = ((*function, arguments.to_vec(), fixed), moving.iter().sum(), moving);
+        let (function, orders, arguments) = (*function, orders.to_vec(), arguments.to_vec());
+        Some(Derivative { generator, rank, function, orders, arguments, first })
+    }
+}

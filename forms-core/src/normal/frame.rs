@@ -1,0 +1,72 @@
+//! Frames: real variables written relative to others.
+//!
+//! ```text
+//! s = s′ + Σ_f v_sf f      (every f = f′)      an automorphism of the polynomials over ℤ
+//! ∂s′/∂f = −v_sf,  ∂s′/∂s = 1
+//! ```
+//! What depends on corners and an observer by their differences alone is free of the observer in the frame that
+//! moves with it, so its polynomials have as many variables fewer. Nothing else changes: elements, their derivatives
+//! and what is raised from them are those of the same functions.
+
+use super::generator::Generator;
+use super::tower::Tower;
+use crate::expression::Symbol;
+use crate::polynomial::Polynomial;
+
+/// s moves with f at a speed v.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Drift {
+    /// s
+    pub moved: Symbol,
+    /// f, which moves with nothing.
+    pub with: Symbol,
+    /// v
+    pub speed: i64,
+}
+
+impl Tower {
+    /// The same tower with some variables relative to others. No variable moves and is moved with.
+    #[must_use]
+    pub fn in_frame(mut self, drifts: Vec<Drift>) -> Self {
+        debug_assert!(drifts.iter().all(|a| drifts.iter().all(|b| a.moved != b.with)));
+        self.frame = drifts;
+        self
+    }
+
+    /// s = s′ + Σ v f
+    pub(super) fn variable_in_frame(&mut self, symbol: Symbol) -> Polynomial {
+        let drifts: Vec<Drift> = self.frame.iter().copied().filter(|drift| drift.moved == symbol).collect();
+        let mut sum = Polynomial::variable(self.variable_of(Generator::Variable(symbol)));
+        for drift in drifts {
+            let with = Polynomial::variable(self.variable_of(Generator::Variable(drift.with)));
+            sum = sum.add(&with.scale(&drift.speed.into()));
+        }
+        sum
+    }
+
+    /// The variables s′ that a partial derivative by a variable acts on, with ∂s′/∂f.
+    pub(super) fn motion(&mut self, by: Symbol) -> Vec<(u32, i64)> {
+        let drifts: Vec<Drift> = self.frame.iter().copied().filter(|drift| drift.with == by).collect();
+        let mut motion = vec![(self.variable_of(Generator::Variable(by)), 1)];
+        for drift in drifts {
+            motion.push((self.variable_of(Generator::Variable(drift.moved)), -drift.speed));
+        }
+        motion
+    }
+
+    /// s′ = s − Σ v f
+    pub(super) fn drifts_of(&self, symbol: Symbol) -> impl Iterator<Item = Drift> {
+        self.frame.iter().copied().filter(move |drift| drift.moved == symbol)
+    }
+}
+
+/// Σ ∂P/∂s′ ∂s′/∂f
+pub(super) fn derivative_along(polynomial: &Polynomial, motion: &[(u32, i64)]) -> Polynomial {
+    let mut sum = Polynomial::zero();
+    for &(variable, speed) in motion {
+        let partial = polynomial.derivative(variable);
+        let partial = if speed == 1 { partial } else { partial.scale(&speed.into()) };
+        sum = sum.add(&partial);
+    }
+    sum
+}

@@ -1,0 +1,47 @@
+//! What elements are made of, for whoever writes a proof down: generators, units, bases of radicands.
+
+use super::fraction::Fraction;
+use super::generator::{Generator, Unit};
+use super::root::Base;
+use super::tower::Tower;
+use crate::expression::Expr;
+use rustc_hash::FxHashSet;
+
+impl Base {
+    /// The order of its root, 1 if none was asked for.
+    pub(crate) fn order(&self) -> u32 {
+        self.order
+    }
+}
+
+impl Tower {
+    /// The bases whose logarithms are generators.
+    pub(crate) fn logarithmic_bases(&self) -> FxHashSet<usize> {
+        let base = |generator: &Generator| match generator {
+            Generator::Logarithm { base } => Some(*base),
+            _ => None,
+        };
+        self.generators.iter().filter_map(base).collect()
+    }
+
+    /// The unit as a fraction.
+    pub(crate) fn unit_value(&self, unit: &Unit) -> Fraction {
+        let mut quantity = self.quantity(&unit.quantity);
+        quantity.divisor *= unit.divisor;
+        quantity
+    }
+
+    /// The bases that the roots and magnitudes among some expressions are factored over.
+    pub(crate) fn bases_of(&self, parts: &[Expr]) -> Vec<usize> {
+        let met = parts.iter().filter_map(|part| self.met_by.get(part)).flatten();
+        let mut all: Vec<usize> = met.copied().filter(|base| !self.base(*base).is_retired()).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
+    /// The element of an expression, if it has been computed.
+    pub(crate) fn element_of(&self, expression: Expr) -> Option<&Fraction> {
+        self.elements.get(&expression)
+    }
+}

@@ -1,0 +1,78 @@
+//! Which expressions are computed on the way to some results, and how.
+//!
+//! A derivative of a derivative is not computed as the calculus writes it: a sum of many quotients over powers of the
+//! same denominators. Its operand is brought to normal form and differentiated there, over one denominator; a sum of
+//! such derivatives is a divergence.
+
+use super::tower::Tower;
+use crate::expression::{Expr, Node, Operation, Pool, Symbol};
+
+/// A divergence of more terms is computed term by term.
+const MOST_TERMS: usize = 64;
+
+/// How an expression is computed.
+pub(super) enum Step {
+    /// By the operation of its node.
+    Operation,
+    /// As Σ ±∂f/∂x.
+    Divergence(Vec<(i8, Expr, Symbol)>),
+}
+
+/// The steps to some expressions from the elements that a tower knows, operands before results.
+pub(super) fn steps(tower: &Tower, pool: &Pool, roots: &[Expr]) -> Vec<(Expr, Step)> {
+    let Some(last) = roots.iter().max() else { return Vec::new() };
+    let mut wanted = vec![false; last.0 as usize + 1];
+    roots.iter().for_each(|root| wanted[root.0 as usize] = true);
+    let mut steps = Vec::new();
+    for index in (0..=last.0).rev() {
+        let expression = Expr(index);
+        if !wanted[index as usize] || tower.elements.contains_key(&expression) {
+            continue;
+        }
+        match divergence(tower, pool, expression) {
+            Some(terms) => {
+                terms.iter().for_each(|term| wanted[term.1.0 as usize] = true);
+                steps.push((expression, Step::Divergence(terms)));
+            }
+            None => {
+                pool.node(expression).for_each_operand(|operand| wanted[operand.0 as usize] = true);
+                steps.push((expression, Step::Operation));
+            }
+        }
+    }
+    steps.reverse();
+    steps
+}
+
+/// Σ ±∂f/∂x, if the expression is written as such a sum and every f has a normal form over the known atoms.
+fn divergence(tower: &Tower, pool: &Pool, expression: Expr) -> Option<Vec<(i8, Expr, Symbol)>> {
+    let mut terms = Vec::new();
+    let mut pending = vec![(expression, 1)];
+    while let Some((part, sign)) = pending.pop() {
+        if let Some((of, by)) = pool.repeated_derivative(part) {
+            terms.push((sign, of, by));
+        } else {
+            match *pool.node(part) {
+                Node::Add(a, b) => pending.extend([(b, sign), (a, sign)]),
+                Node::Negate(a) => pending.push((a, -sign)),
+                _ => return None,
+            }
+        }
+        if terms.len() > MOST_TERMS || pending.len() > MOST_TERMS {
+            return None;
+        }
+    }
+    let differentiable = terms.iter().all(|&(_, of, _)| is_differentiable(tower, pool, of));
+    differentiable.then_some(terms)
+}
+
+/// Whether an expression consists of known atoms whose derivatives have normal forms over the same generators.
+fn is_differentiable(tower: &Tower, pool: &Pool, expression: Expr) -> bool {
+    pool.reachable(&[expression]).into_iter().all(|part| match pool.node(part) {
+        Node::Jet { .. } | Node::Select { .. } => false,
+        Node::Apply(Operation::Asin | Operation::Acos | Operation::Atan2, _) => false,
+        Node::Apply(..) => tower.elements.contains_key(&part),
+        Node::Power(_, exponent) => exponent.is_integer() || tower.elements.contains_key(&part),
+        _ => true,
+    })
+}

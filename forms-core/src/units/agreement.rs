@@ -1,0 +1,92 @@
+//! Whether two units are one, and what is to be said where they are not.
+//!
+//! Angles. The radian may be read as 1, as calculus does: the derivative of sin θ is cos θ, and an arc r dθ is a length.
+//! The steradian is not dropped, so that radiance, W/(m² sr), is told from irradiance, W/m². Two radians make a
+//! steradian: the solid angle sin θ dθ dφ of a sphere in radians makes W/m² of a radiance.
+
+use super::table::{self, Base};
+use super::unit::{Meaning, Unit};
+use num_rational::BigRational;
+use num_traits::Zero;
+
+/// How two units differ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Difference {
+    /// Not at all; the radians are read as 1 if the numbers of radians differ.
+    None,
+    /// By radians that make up for steradians.
+    Exchange,
+    /// By a power of the steradian.
+    SolidAngle,
+    /// By a number.
+    Size,
+    /// By a dimension.
+    Dimension,
+}
+
+fn difference(quotient: &Meaning) -> Difference {
+    let [radians, steradians] = [Base::Radian, Base::Steradian].map(|base| table::exponent(quotient, base));
+    let is_angle = |base: &Base| matches!(base, Base::Radian | Base::Steradian);
+    let mut rest = quotient.keys().filter(|base| !is_angle(base)).peekable();
+    if rest.peek().is_some() {
+        let sizes_only = rest.all(|base| matches!(base, Base::Prime(_)));
+        return if sizes_only && steradians.is_zero() { Difference::Size } else { Difference::Dimension };
+    }
+    if steradians.is_zero() {
+        Difference::None
+    } else if (&steradians * BigRational::from_integer(2.into()) + radians).is_zero() {
+        Difference::Exchange
+    } else {
+        Difference::SolidAngle
+    }
+}
+
+/// The unit of a sum of quantities in these units, the same in either order; nothing if they do not agree.
+pub(super) fn common(left: &Unit, right: &Unit) -> Option<Unit> {
+    let quotient = left.clone().quotient(right).meaning();
+    match difference(&quotient) {
+        Difference::None if quotient.is_empty() => Some(left.clone()),
+        Difference::None => Some(left.clone().without_radians()),
+        Difference::Exchange => Some(left.clone().with_steradians()),
+        _ => None,
+    }
+}
+
+/// Whether a quantity that was found to be in one unit may be declared in another: if they agree, or if the declaration
+/// calls something without steradians, a ratio of areas, a solid angle.
+pub(super) fn admits(declared: &Unit, found: &Unit) -> bool {
+    let quotient = declared.clone().quotient(found).meaning();
+    match difference(&quotient) {
+        Difference::None | Difference::Exchange => true,
+        Difference::SolidAngle => table::exponent(&found.meaning(), Base::Steradian).is_zero(),
+        Difference::Size | Difference::Dimension => false,
+    }
+}
+
+/// What to do about two units that do not agree; `left` and `right` name the two quantities.
+pub(super) fn advice(left: &Unit, right: &Unit, (left_name, right_name): (&str, &str)) -> String {
+    let quotient = left.clone().quotient(right).without_radians();
+    let meaning = quotient.meaning();
+    match difference(&meaning) {
+        Difference::SolidAngle => {
+            let steradians = table::exponent(&meaning, Base::Steradian);
+            let (lacking, power) = if steradians < BigRational::zero() {
+                (left_name, -steradians)
+            } else {
+                (right_name, steradians)
+            };
+            let unit = Unit::named(table::STERADIAN).unwrap_or_default().power(&power);
+            format!("{lacking} lacks a solid angle: multiply it by one in {unit}")
+        }
+        Difference::Size => match table::size(&meaning) {
+            Some(size) => {
+                let factor = right.clone().quotient(left);
+                format!(
+                    "1 {left} is {size} {right}: state both in one unit, or multiply by `let factor: {factor} = {size};`"
+                )
+            }
+            None => format!("{left} and {right} are of unlike size: state both in one unit"),
+        },
+        _ => format!("{left_name} over {right_name} is in {quotient}, and has to be a number"),
+    }
+}

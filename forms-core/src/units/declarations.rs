@@ -1,0 +1,191 @@
+//! Items: the units of what they declare, and the sides of what they claim.
+
+use super::agreement;
+use super::inference::Inference;
+use super::quantity::Quantity;
+use super::reading;
+use super::unit::Unit;
+use crate::diagnostic::{Diagnostic, Span};
+use crate::resolve::{KernelUnits, Named};
+use crate::syntax::ast::{Condition, Declared, Effect, Expr, Item, ItemKind, Name};
+
+impl Inference<'_> {
+    pub(super) fn item(&mut self, item: &Item) {
+        match &item.kind {
+            ItemKind::Chart { coordinates: declared, conditions, .. }
+            | ItemKind::Param { names: declared, conditions } => {
+                declared.iter().for_each(|declared| self.variable(declared));
+                self.conditions(conditions);
+            }
+            ItemKind::ProductChart { conditions, .. } => self.conditions(conditions),
+            ItemKind::Function { name, arguments, unit, conditions } => {
+                self.function(name, arguments, unit.as_ref());
+                self.conditions(conditions);
+            }
+            ItemKind::Let { name, unit, value } | ItemKind::Form { name, unit, value, .. } => {
+                let quantity = self.declared_value(&format!("`{}`", name.text), unit.as_ref(), value);
+                self.names.insert(name.text.clone(), quantity);
+            }
+            ItemKind::Field { name, value, .. } | ItemKind::Metric { name, value, .. } => {
+                let quantity = self.quantity(value);
+                self.names.insert(name.text.clone(), quantity);
+            }
+            ItemKind::Map { target, components, .. } => self.map(target, components),
+            ItemKind::Statement { name, left, right, conditions, .. } => {
+                self.statement(item.span, name, (left, right), conditions);
+            }
+            ItemKind::Kernel { name, arguments, units, outputs, conditions, effects } => {
+                self.kernel(item.span, name, (arguments, units), outputs, (conditions, effects));
+            }
+        }
+    }
+
+    fn statement(
+        &mut self,
+        span: Span,
+        name: &Name,
+        (left, right): (&Expr, &Expr),
+        conditions: &[Condition],
+    ) {
+        let errors = self.errors.len();
+        let quantities = (self.quantity(left), self.quantity(right));
+        let message = format!("`{}` equates unlike units", name.text);
+        let place = left.span.to(right.span);
+        self.alike((quantities.0, "the left side"), (quantities.1, "the right side"), place, &message);
+        self.conditions(conditions);
+        if self.errors.len() > errors {
+            self.meaningless.push(span);
+        }
+    }
+
+    fn conditions(&mut self, conditions: &[Condition]) {
+        conditions.iter().for_each(|condition| self.condition(condition));
+    }
+
+    /// The unit as it is written, or nothing known if it cannot be read.
+    fn stated(&mut self, unit: Option<&Expr>) -> Quantity {
+        match unit.map(reading::unit) {
+            None => Quantity::Unstated,
+            Some(Ok(unit)) => Quantity::Stated(unit),
+            Some(Err(error)) => {
+                self.errors.push(error);
+                Quantity::Unstated
+            }
+        }
+    }
+
+    /// A coordinate, param or argument. One that was declared before keeps its unit.
+    fn variable(&mut self, Declared { name, unit }: &Declared) {
+        let stated = self.stated(unit.as_ref());
+        let place = unit.as_ref().map_or(name.span, |unit| unit.span);
+        match self.names.get(&name.text) {
+            Some(Quantity::Stated(known)) => {
+                if let Quantity::Stated(unit) = &stated
+                    && unit.meaning() != known.meaning()
+                {
+                    let message = format!("`{}` is declared in {known} above, and here in {unit}", name.text);
+                    self.errors.push(Diagnostic::new(place, message));
+                }
+            }
+            _ => {
+                self.names.insert(name.text.clone(), stated);
+            }
+        }
+    }
+
+    fn function(&mut self, name: &Name, arguments: &[Name], unit: Option<&Expr>) {
+        let stated = self.stated(unit);
+        self.names.insert(name.text.clone(), stated);
+        let arguments = arguments.iter().map(|argument| argument.text.clone()).collect();
+        self.arguments.insert(name.text.clone(), arguments);
+    }
+
+    /// A value with the unit it is declared in, if it is; `subject` is what has the value.
+    fn declared_value(&mut self, subject: &str, unit: Option<&Expr>, value: &Expr) -> Quantity {
+        let declared = self.stated(unit);
+        let quantity = self.quantity(value);
+        let Quantity::Stated(wanted) = &declared else { return quantity };
+        match &quantity {
+            Quantity::Stated(found) if !agreement::admits(wanted, found) => {
+                self.refuse_value(subject, wanted, found, value.span);
+            }
+            _ => {}
+        }
+        declared
+    }
+
+    fn refuse_value(&mut self, subject: &str, wanted: &Unit, found: &Unit, place: Span) {
+        let message = format!("{subject} is declared in {wanted}, and its value is in {found}");
+        let advice = agreement::advice(wanted, found, ("the declaration", "the value"));
+        self.errors.push(Diagnostic::new(place, message).with_help(advice));
+    }
+
+    /// Each component is in the unit of the coordinate it is the value of.
+    fn map(&mut self, target: &Name, components: &[Expr]) {
+        let theory = self.theory;
+        let coordinates = match theory.named(&target.text) {
+            Some(Named::Chart(number)) => theory.charts[*number].coordinates.as_slice(),
+            _ => &[],
+        };
+        for (place, component) in components.iter().enumerate() {
+            let quantity = self.quantity(component);
+            let Some(coordinate) = coordinates.get(place) else { continue };
+            let coordinate = theory.coordinate_name(*coordinate);
+            let declared = self.names.get(coordinate).cloned().unwrap_or(Quantity::Unstated);
+            let message = format!("the component for `{coordinate}` has another unit");
+            self.alike((declared, "the coordinate"), (quantity, "the component"), component.span, &message);
+        }
+    }
+
+    /// A kernel; the names of its arguments are its own where nothing else declares them.
+    fn kernel(
+        &mut self,
+        span: Span,
+        name: &Name,
+        (arguments, units): (&[Declared], &[Expr]),
+        outputs: &[Expr],
+        (conditions, effects): (&[Condition], &[Effect]),
+    ) {
+        let outside = self.names.clone();
+        arguments.iter().for_each(|argument| self.variable(argument));
+        if !units.is_empty() && units.len() != outputs.len() {
+            let place = units.iter().fold(units[0].span, |all, unit| all.to(unit.span));
+            let count =
+                |number: usize, noun: &str| format!("{number} {noun}{}", if number == 1 { "" } else { "s" });
+            let message = format!(
+                "`{}` has {} and {}",
+                name.text,
+                count(outputs.len(), "result"),
+                count(units.len(), "unit")
+            );
+            self.errors.push(Diagnostic::new(place, message));
+        }
+        let subject = |place: usize| match outputs.len() {
+            1 => format!("the result of `{}`", name.text),
+            _ => format!("result {} of `{}`", place + 1, name.text),
+        };
+        let results: Vec<Quantity> = outputs
+            .iter()
+            .enumerate()
+            .map(|(place, output)| self.declared_value(&subject(place), units.get(place), output))
+            .collect();
+        self.conditions(conditions);
+        effects.iter().for_each(|effect| self.effect(effect));
+        let written = |quantity: &Quantity| quantity.unit().map(|unit| unit.to_string());
+        let known = |argument: &Declared| self.names.get(&argument.name.text).and_then(written);
+        let units = KernelUnits {
+            arguments: arguments.iter().map(known).collect(),
+            outputs: results.iter().map(written).collect(),
+        };
+        self.kernels.push((span, units));
+        self.names = outside;
+    }
+
+    /// `absorption: sigma_a = 0`
+    fn effect(&mut self, effect: &Effect) {
+        let variable = self.names.get(&effect.variable.text).cloned().unwrap_or(Quantity::Unstated);
+        let value = self.quantity(&effect.value);
+        let message = format!("the effect `{}` compares unlike units", effect.name.text);
+        self.alike((variable, "the variable"), (value, "the value"), effect.value.span, &message);
+    }
+}

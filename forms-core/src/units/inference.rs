@@ -1,0 +1,217 @@
+//! The unit of every expression, from the units of the names in it.
+//!
+//! A form is measured as a whole: dx carries the unit of x, so that x dy ∧ dz over metres is in m³ whatever the chart;
+//! @x carries its reciprocal. Operators then multiply units, and d, which adds as many dx as it divides by, keeps them.
+
+use super::Inferred;
+use super::agreement;
+use super::quantity::{Disagreement, Quantity};
+use super::unit::Unit;
+use crate::diagnostic::{Diagnostic, Span};
+use crate::resolve::{KernelUnits, Named, Theory, Trace, Value};
+use crate::syntax::ast::{Binary, Condition, Expr, ExprKind};
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+use rustc_hash::FxHashMap;
+
+/// Infers units against what is declared so far.
+pub(super) struct Inference<'a> {
+    pub(super) theory: &'a Theory,
+    pub(super) trace: &'a Trace,
+    /// What is known of each name.
+    pub(super) names: FxHashMap<String, Quantity>,
+    /// The arguments of each unknown function.
+    pub(super) arguments: FxHashMap<String, Vec<String>>,
+    pub(super) errors: Vec<Diagnostic>,
+    pub(super) kernels: Vec<(Span, KernelUnits)>,
+    pub(super) meaningless: Vec<Span>,
+}
+
+impl<'a> Inference<'a> {
+    pub(super) fn new(theory: &'a Theory, trace: &'a Trace) -> Self {
+        Inference {
+            theory,
+            trace,
+            names: FxHashMap::default(),
+            arguments: FxHashMap::default(),
+            errors: Vec::new(),
+            kernels: Vec::new(),
+            meaningless: Vec::new(),
+        }
+    }
+
+    /// What was found out.
+    pub(super) fn finish(self) -> Inferred {
+        let object = |(name, quantity): (&String, &Quantity)| match self.theory.named(name) {
+            Some(Named::Object(number)) => Some((*number, quantity.unit()?.to_string())),
+            _ => None,
+        };
+        let objects = self.names.iter().filter_map(object).collect();
+        Inferred { errors: self.errors, objects, kernels: self.kernels, meaningless: self.meaningless }
+    }
+
+    /// What is known of an expression; chains of operators are followed in a loop.
+    pub(super) fn quantity(&mut self, expression: &Expr) -> Quantity {
+        let mut spine = Vec::new();
+        let mut leftmost = expression;
+        while let ExprKind::Binary(operator, place, left, right) = &*leftmost.kind {
+            spine.push((*operator, *place, left.span, right));
+            leftmost = left;
+        }
+        let mut quantity = self.operand(leftmost);
+        while let Some((operator, place, left_span, right)) = spine.pop() {
+            quantity = self.binary(operator, place, (quantity, left_span), right);
+        }
+        quantity
+    }
+
+    fn operand(&mut self, expression: &Expr) -> Quantity {
+        match &*expression.kind {
+            ExprKind::Number(value) if value.is_zero() => Quantity::Zero,
+            ExprKind::Number(_) => Quantity::Number,
+            ExprKind::Name(name) => self.name(name),
+            ExprKind::Basis(name) => self.name(&name.text).power(&-BigRational::one()),
+            ExprKind::Negate(inner) => self.quantity(inner),
+            ExprKind::Call { function, index, arguments } => {
+                self.call(function, index.as_ref(), arguments, expression.span)
+            }
+            ExprKind::Index { base, index } => self.coefficient(base, index),
+            ExprKind::Select { condition, then, otherwise, .. } => {
+                self.condition(condition);
+                let (then, otherwise_quantity) = (self.quantity(then), self.quantity(otherwise));
+                self.alike(
+                    (then, "the first branch"),
+                    (otherwise_quantity, "the second"),
+                    otherwise.span,
+                    "the branches of `if` have different units",
+                )
+            }
+            ExprKind::Binary(..) => Quantity::Unstated,
+        }
+    }
+
+    fn name(&self, name: &str) -> Quantity {
+        match self.theory.named(name) {
+            _ if name == "pi" => Quantity::Number,
+            Some(Named::Differential(coordinate)) => self
+                .names
+                .get(self.theory.coordinate_name(*coordinate))
+                .cloned()
+                .unwrap_or(Quantity::Unstated),
+            _ => self.names.get(name).cloned().unwrap_or(Quantity::Unstated),
+        }
+    }
+
+    fn binary(
+        &mut self,
+        operator: Binary,
+        place: Span,
+        (left, left_span): (Quantity, Span),
+        right: &Expr,
+    ) -> Quantity {
+        if operator == Binary::Power {
+            return self.power(left, left_span, right);
+        }
+        let right = self.quantity(right);
+        match operator {
+            Binary::Add => self.alike(
+                (left, "the left side"),
+                (right, "the right side"),
+                place,
+                "cannot add unlike units",
+            ),
+            Binary::Subtract => self.alike(
+                (left, "the left side"),
+                (right, "the right side"),
+                place,
+                "cannot subtract unlike units",
+            ),
+            Binary::Divide => left.over(&right),
+            Binary::Multiply | Binary::Wedge | Binary::Power => left.times(&right),
+        }
+    }
+
+    /// A power: of a number with any exponent, of another quantity with an exponent that is known.
+    fn power(&mut self, base: Quantity, base_span: Span, exponent: &Expr) -> Quantity {
+        let quantity = self.quantity(exponent);
+        self.pure(&quantity, exponent.span, "an exponent is a number");
+        let known = match self.trace.get(&exponent.span) {
+            _ if let ExprKind::Number(value) = &*exponent.kind => Some(value.clone()),
+            Some(Value::Scalar(value)) => self.theory.pool.as_number(*value).cloned(),
+            Some(Value::Zero) => Some(BigRational::zero()),
+            _ => return Quantity::Unstated,
+        };
+        match known {
+            Some(exponent) => base.power(&exponent),
+            None => {
+                self.pure(&base, base_span, "only a number has powers with a variable exponent");
+                let numbers = base == Quantity::Number && quantity == Quantity::Number;
+                if numbers { Quantity::Number } else { Quantity::one() }
+            }
+        }
+    }
+
+    /// `w[dx^dy]` is divided by the units of dx and dy, `X[x]` is multiplied by that of x.
+    fn coefficient(&mut self, base: &Expr, index: &Expr) -> Quantity {
+        if let ExprKind::Name(name) = &*base.kind
+            && name == "volume"
+        {
+            return self.volume(index);
+        }
+        let quantity = self.quantity(base);
+        let mut leftmost = index;
+        let mut unit = Quantity::Number;
+        while let ExprKind::Binary(_, _, left, right) = &*leftmost.kind {
+            unit = unit.times(&self.quantity(right));
+            leftmost = left;
+        }
+        unit = unit.times(&self.quantity(leftmost));
+        match &*leftmost.kind {
+            ExprKind::Name(name) if matches!(self.theory.named(name), Some(Named::Coordinate(_))) => {
+                quantity.times(&unit)
+            }
+            _ => quantity.over(&unit),
+        }
+    }
+
+    /// Compares the sides of each relation.
+    pub(super) fn condition(&mut self, condition: &Condition) {
+        let mut left = self.quantity(&condition.first);
+        for (_, right) in &condition.rest {
+            let right = self.quantity(right);
+            self.alike(
+                (left, "the left side"),
+                (right.clone(), "the right side"),
+                condition.span,
+                "cannot compare unlike units",
+            );
+            left = right;
+        }
+    }
+
+    /// What two quantities are that have to agree; an error, and nothing known, if they do not.
+    pub(super) fn alike(
+        &mut self,
+        (left, left_name): (Quantity, &str),
+        (right, right_name): (Quantity, &str),
+        place: Span,
+        message: &str,
+    ) -> Quantity {
+        left.alike(right).unwrap_or_else(|Disagreement(left, right)| {
+            let message = format!("{message}: {left_name} is in {left}, {right_name} in {right}");
+            let advice = agreement::advice(&left, &right, (left_name, right_name));
+            self.errors.push(Diagnostic::new(place, message).with_help(advice));
+            Quantity::Unstated
+        })
+    }
+
+    /// Requires a number, or an angle in radians.
+    pub(super) fn pure(&mut self, quantity: &Quantity, place: Span, message: &str) {
+        if let Some(unit) = quantity.unit()
+            && agreement::common(&unit, &Unit::one()).is_none()
+        {
+            let diagnostic = Diagnostic::new(place, format!("{message}, and this is in {unit}"));
+            self.errors.push(diagnostic.with_help(format!("divide it by a quantity in {unit}")));
+        }
+    }
+}

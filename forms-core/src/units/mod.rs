@@ -1,0 +1,88 @@
+//! Units: what every expression of a source is measured in, and where unlike units meet.
+//!
+//! ```text
+//! ast::File ─ reading ─▶ Unit of each declared name
+//!    │                        │
+//!    └─ inference ─▶ Quantity of each expression ─ agreement ─▶ diagnostics, units of kernels
+//! ```
+//! The pass runs beside resolution, over the syntax tree, and only where a source states a unit. A name without a unit
+//! is unchecked; a number has the unit 1. The conventions, those about angles among them, are in docs/conventions.md.
+
+mod agreement;
+mod calls;
+mod declarations;
+mod inference;
+mod metric;
+mod quantity;
+mod reading;
+mod table;
+mod unit;
+
+use crate::diagnostic::{Diagnostic, Span};
+use crate::expression::Symbol;
+use crate::resolve::{Kernel, KernelUnits, Theory, Trace};
+use crate::syntax::ast::{Declared, File, ItemKind};
+
+/// Whether a source states any unit.
+pub(crate) fn are_stated(file: &File) -> bool {
+    let any = |declared: &[Declared]| declared.iter().any(|declared| declared.unit.is_some());
+    file.items.iter().any(|item| match &item.kind {
+        ItemKind::Chart { coordinates, .. } => any(coordinates),
+        ItemKind::Param { names, .. } => any(names),
+        ItemKind::Function { unit, .. } | ItemKind::Let { unit, .. } | ItemKind::Form { unit, .. } => {
+            unit.is_some()
+        }
+        ItemKind::Kernel { arguments, units, .. } => any(arguments) || !units.is_empty(),
+        _ => false,
+    })
+}
+
+/// What is found out about a source.
+struct Inferred {
+    errors: Vec<Diagnostic>,
+    /// The units of named values, by their numbers.
+    objects: Vec<(usize, String)>,
+    /// The units of kernels, by their places.
+    kernels: Vec<(Span, KernelUnits)>,
+    /// The statements with unlike units in them, by their places: there is nothing to decide about them.
+    meaningless: Vec<Span>,
+}
+
+/// Checks the units of a source that was resolved to this theory and trace, and writes them into it.
+pub(crate) fn check(file: &File, theory: &mut Theory, trace: &Trace) -> Vec<Diagnostic> {
+    let mut inference = inference::Inference::new(theory, trace);
+    for item in &file.items {
+        inference.item(item);
+    }
+    let Inferred { errors, objects, kernels, meaningless } = inference.finish();
+    theory.statements.retain(|statement| !meaningless.contains(&statement.span));
+    for (number, unit) in objects {
+        theory.objects[number].unit = Some(unit);
+    }
+    for (span, units) in kernels {
+        if let Some(kernel) = theory.kernels.iter_mut().find(|kernel| kernel.span == span) {
+            kernel.units = units;
+        }
+    }
+    errors
+}
+
+/// The units of a kernel in a sentence: "Units: `r2` in `m**2`, `cos_theta` in `1`; result in `sr/m**2`."; nothing if none
+/// is known.
+pub fn sentence(theory: &Theory, kernel: &Kernel) -> Option<String> {
+    let known = |(&symbol, unit): (&Symbol, &Option<String>)| {
+        Some(format!("`{}` in `{}`", theory.pool.symbol_name(symbol), unit.as_ref()?))
+    };
+    let arguments: Vec<String> =
+        kernel.arguments.iter().zip(&kernel.units.arguments).filter_map(known).collect();
+    let outputs: Option<Vec<String>> =
+        kernel.units.outputs.iter().map(|unit| Some(format!("`{}`", unit.as_ref()?))).collect();
+    let results = match outputs.as_deref() {
+        None | Some([]) => None,
+        Some([unit]) => Some(format!("result in {unit}")),
+        Some(several) => Some(format!("results in {}", several.join(", "))),
+    };
+    let given = (!arguments.is_empty()).then(|| arguments.join(", "));
+    let parts: Vec<String> = given.into_iter().chain(results).collect();
+    (!parts.is_empty()).then(|| format!("Units: {}.", parts.join("; ")))
+}
