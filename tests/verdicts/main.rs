@@ -20,8 +20,8 @@ use astro_float::BigFloat;
 use dice::Dice;
 use identity::identity;
 use mutation::damage;
-use statement::Statement;
-use tree::NAMES;
+use statement::{Condition, Statement};
+use tree::{NAMES, apply, number, partial, power, variable};
 use value::Calculator;
 
 /// How many statements are tried where nobody asks for more.
@@ -30,7 +30,7 @@ const STATEMENTS: u64 = 1_000;
 const DECIDED: u64 = 95;
 /// Points looked at, and how many of them of which the statement speaks are enough.
 const POINTS: usize = 100;
-const ENOUGH: usize = 6;
+const ENOUGH: usize = 8;
 
 /// What is found of the statements.
 #[derive(Default)]
@@ -159,15 +159,7 @@ impl Values {
     fn bear_out(&mut self, statement: &Statement, witness: &Witness) -> bool {
         let value =
             |name: &str| witness.point.iter().find(|entry| entry.0 == name).map_or("1", |entry| &entry.1);
-        let point: Vec<BigFloat> = NAMES
-            .iter()
-            .map(|name| {
-                let text = value(name);
-                let (p, q) = text.split_once('/').unwrap_or((text, "1"));
-                let [p, q] = [p, q].map(|part| part.parse().expect("the value of a witness is a fraction"));
-                self.sure.ratio(p, q)
-            })
-            .collect();
+        let point: Vec<BigFloat> = NAMES.iter().map(|name| self.sure.fraction(value(name))).collect();
         differ(&mut self.sure, statement, &point) == Some(true)
     }
 }
@@ -190,4 +182,26 @@ fn random_point(dice: &mut Dice, calculator: &Calculator) -> Vec<BigFloat> {
         (dice.between(low.max(-high), high), dice.between(7, 13))
     };
     [-40, -40, 1, 1].map(|low| coordinate(low)).map(|(p, q)| calculator.ratio(p, q)).to_vec()
+}
+
+/// The judge can be trusted: √x² = x holds for some x, for all x > 0, and √(−1 − x²) = x speaks of none.
+#[test]
+fn values_tell_what_holds_from_what_does_not() {
+    let mut values = Values { quick: Calculator::new(320), sure: Calculator::new(1280) };
+    let x = variable(0);
+    let root = apply("sqrt", &power(&x, (2, 1)));
+    let imaginary = apply("sqrt", &(number(-1) - power(&x, (2, 1))));
+    let positive = Condition::positive(&x);
+    let nearly = Condition::less(&number(-1), &x);
+    let expected = [
+        (Statement::from([root.clone(), x.clone()]), Some(true)),
+        (Statement::new([root.clone(), x.clone()], [positive]), Some(false)),
+        (Statement::new([root, x.clone()], [nearly]), Some(true)),
+        (Statement::from([imaginary, x.clone()]), None),
+        (Statement::from([partial(&apply("abs", &x), 0), number(1)]), Some(true)),
+    ];
+    for (statement, differs) in expected {
+        let found = values.differ_somewhere(&statement, &mut Dice::of(0));
+        assert_eq!(found, differs, "{statement}");
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::statement::{Condition, Relation};
 use crate::tree::Tree::{self, *};
-use astro_float::{BigFloat, Consts, RoundingMode};
+use astro_float::{BigFloat, Consts, Radix, RoundingMode};
 
 /// To the last bit but few: correct rounding would never end at an exact value such as 4^(1/2).
 const ROUNDING: RoundingMode = RoundingMode::None;
@@ -26,6 +26,14 @@ impl Calculator {
 
     pub(crate) fn ratio(&self, p: i64, q: i64) -> BigFloat {
         self.integer(p).div(&self.integer(q), self.bits, ROUNDING)
+    }
+
+    /// The value of `p` or `p/q` with any number of digits.
+    pub(crate) fn fraction(&mut self, text: &str) -> BigFloat {
+        let (p, q) = text.split_once('/').unwrap_or((text, "1"));
+        let [p, q] =
+            [p, q].map(|part| BigFloat::parse(part, Radix::Dec, self.bits, ROUNDING, &mut self.constants));
+        p.div(&q, self.bits, ROUNDING)
     }
 
     fn integer(&self, value: i64) -> BigFloat {

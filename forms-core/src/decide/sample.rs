@@ -154,15 +154,16 @@ impl Linear {
 
 impl Bounds {
     pub(super) fn restrict(&mut self, relation: Relation, value: &Enclosure) {
+        let short = short_within(value);
         match relation {
             Relation::Greater | Relation::GreaterEqual => {
-                let bound = value.upper();
+                let bound = short.unwrap_or_else(|| value.upper());
                 if self.lower.as_ref().is_none_or(|lower| *lower < bound) {
                     self.lower = Some(bound);
                 }
             }
             Relation::Less | Relation::LessEqual => {
-                let bound = value.lower();
+                let bound = short.unwrap_or_else(|| value.lower());
                 if self.upper.as_ref().is_none_or(|upper| *upper > bound) {
                     self.upper = Some(bound);
                 }
@@ -222,6 +223,19 @@ impl Bounds {
             }
         }
     }
+}
+
+/// Denominators that a bound is looked for with.
+const LARGEST_DENOMINATOR: i64 = 64;
+
+/// The number with the smallest denominator that an enclosure may stand for, if that is small.
+fn short_within(enclosure: &Enclosure) -> Option<Rational> {
+    let lower = enclosure.lower();
+    (1..=LARGEST_DENOMINATOR).find_map(|denominator| {
+        let denominator = Rational::from_integer(denominator.into());
+        let candidate = (&lower * &denominator).round() / denominator;
+        enclosure.contains(&candidate).then_some(candidate)
+    })
 }
 
 /// A number nearby with a short denominator.

@@ -278,10 +278,7 @@ fn a_condition_that_says_nearly_enough_is_not_enough() {
 
 #[test]
 fn an_inverse_function_beyond_its_range_speaks_of_no_point() {
-    assert_verdicts(
-        "empty",
-        &["asin(sqrt(1 + x**2)/x) == atan(x)", "acos((x**2 + 2)/(x**2 + 1)) == y", "sqrt(-1/x**2) == y"],
-    );
+    assert_verdicts("empty", &["acos((x**2 + 2)/(x**2 + 1)) == y", "sqrt(-1/x**2) == y"]);
     assert_never(
         "empty",
         &["acos((x**2 + 1)/(2*x)) == 0", "sqrt(-x**2) == 0", "asin((1 + x**2)/x**2 - 1/x**2) == pi/2"],
