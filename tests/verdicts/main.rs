@@ -181,7 +181,7 @@ fn random_point(dice: &mut Dice, calculator: &Calculator) -> Vec<BigFloat> {
         let high = if dice.below(2) == 0 { 40 } else { 13 };
         (dice.between(low.max(-high), high), dice.between(7, 13))
     };
-    [-40, -40, 1, 1].map(|low| coordinate(low)).map(|(p, q)| calculator.ratio(p, q)).to_vec()
+    [-40, -40, 1, 1].map(coordinate).map(|(p, q)| calculator.ratio(p, q)).to_vec()
 }
 
 /// The judge can be trusted: √x² = x holds for some x, for all x > 0, and √(−1 − x²) = x speaks of none.
