@@ -177,7 +177,7 @@ fn differ(calculator: &mut Calculator, statement: &Statement, point: &[BigFloat]
 
 /// A random point with positive parameters; every second coordinate is small.
 fn random_point(dice: &mut Dice, calculator: &Calculator) -> Vec<BigFloat> {
-    let mut coordinate = |low: i64| {
+    let coordinate = |low: i64| {
         let high = if dice.below(2) == 0 { 40 } else { 13 };
         (dice.between(low.max(-high), high), dice.between(7, 13))
     };
