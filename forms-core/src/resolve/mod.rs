@@ -16,6 +16,7 @@ mod call;
 mod evaluation;
 mod integration;
 mod items;
+mod maps;
 mod metric;
 mod names;
 mod potential;

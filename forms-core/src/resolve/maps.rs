@@ -1,0 +1,66 @@
+//! Maps between charts: one scalar for each coordinate of the target, in the coordinates of the source.
+
+use super::evaluation::Evaluated;
+use super::items::Resolver;
+use super::theory::{Map, Named};
+use crate::diagnostic::Diagnostic;
+use crate::expression::Expr;
+use crate::syntax::ast::{self, Name};
+
+impl Resolver {
+    pub(super) fn map(
+        &mut self,
+        name: &Name,
+        source: &Name,
+        target: &Name,
+        components: &[ast::Expr],
+    ) -> Evaluated<()> {
+        self.theory.names.declare(name, Named::Poisoned)?;
+        let (mut map, domain, used) = self.evaluate(|evaluator| {
+            let (source, target) = (evaluator.chart(source)?, evaluator.chart(target)?);
+            let values: Vec<Expr> =
+                components.iter().map(|component| evaluator.scalar(component)).collect::<Evaluated<_>>()?;
+            let name = name.text.clone();
+            Ok(Map { name, source, target, components: values, domain: vec![], used: vec![] })
+        })?;
+        self.check_map(&map, name, components)?;
+        (map.domain, map.used) = (domain, used);
+        self.theory.maps.push(map);
+        self.theory.names.set(name, Named::Map(self.theory.maps.len() - 1));
+        Ok(())
+    }
+
+    /// One component a target coordinate, each a function of the source's coordinates.
+    fn check_map(&mut self, map: &Map, name: &Name, components: &[ast::Expr]) -> Evaluated<()> {
+        let (source, target) = (self.theory.charts[map.source].clone(), &self.theory.charts[map.target]);
+        if components.len() != target.coordinates.len() {
+            let names: Vec<&str> =
+                target.coordinates.iter().map(|c| self.theory.coordinate_name(*c)).collect();
+            return Err(Diagnostic::new(
+                name.span,
+                format!(
+                    "a map to `{}` needs {} components ({}), found {}",
+                    target.name,
+                    names.len(),
+                    names.join(", "),
+                    components.len()
+                ),
+            ));
+        }
+        for (value, written) in map.components.iter().zip(components) {
+            let (foreign, _, _) = self.evaluate(|evaluator| {
+                let found = evaluator.coordinates_in(&[*value]);
+                Ok(found.into_iter().find(|c| !source.coordinates.contains(c)))
+            })?;
+            if let Some(foreign) = foreign {
+                let foreign = self.theory.coordinate_name(foreign);
+                return Err(Diagnostic::new(
+                    written.span,
+                    format!("`{foreign}` is not a coordinate of the chart `{}`", source.name),
+                )
+                .with_help("a map's components depend on the coordinates of the chart it starts from"));
+            }
+        }
+        Ok(())
+    }
+}
