@@ -84,9 +84,13 @@ fn inverse(a: u64) -> Option<u64> {
     (a != 0).then(|| power(a, PRIME - 2))
 }
 
-/// aʳ: roots of non-squares do not exist. Denominators are products of twos and threes.
+/// aʳ: like negative reals, non-squares have no roots of any order; the cube root of a square is a square. Denominators
+/// are products of twos and threes.
 fn rational_power(a: u64, exponent: Ratio<i64>) -> Option<u64> {
     let (mut root, mut denominator) = (a, *exponent.denom());
+    if denominator > 1 && a != 0 && power(a, (PRIME - 1) / 2) != 1 {
+        return None;
+    }
     while denominator % 2 == 0 {
         let square_root = power(root, PRIME.div_ceil(4));
         if multiply(square_root, square_root) != root {
