@@ -37,6 +37,8 @@ pub fn entry(theory: &mut Theory, statement: &Statement, verdict: &Verdict) -> S
     let name = &statement.name;
     match verdict {
         Verdict::Proved(_) => {
+            // The writer's copy of the expressions has to have the differences of the sides among them.
+            crate::decide::conditions(theory, statement);
             let mut writer = Writer::new(theory.pool.clone());
             let proved = retrace(theory, statement, &mut writer);
             match writer.finish() {

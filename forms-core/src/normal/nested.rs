@@ -27,6 +27,9 @@ use num_traits::Signed;
 /// Factors of more terms are not searched for relations.
 const MOST_TERMS: usize = 40;
 
+/// Norms within norms that a square root is looked for through.
+const DEEPEST_ROOT: u32 = 8;
+
 /// How many radicals within radicals one element may have taken apart.
 const MOST_DENESTED: u32 = 24;
 
@@ -139,7 +142,7 @@ impl Tower {
     ) -> Result<bool, Obstacle> {
         let norm = self.norm(split)?;
         let available = self.roots_in(&split.rational.add(&split.irrational()));
-        let Some(m) = self.square_root(&norm, &available)? else { return Ok(false) };
+        let Some(m) = self.square_root(&norm, &available, DEEPEST_ROOT)? else { return Ok(false) };
         let sum = self.add(&split.rational.clone().into(), &m)?;
         if sum.is_zero() || self.full_norm(&sum.numerator)?.is_none() {
             return Ok(false);
@@ -196,7 +199,7 @@ impl Tower {
             self.charge(part, &other)?;
             let product = self.reduce(part.mul(&other))?;
             let available = self.roots_in(&part.add(&other));
-            let Some(root) = self.square_root(&product, &available)? else { continue };
+            let Some(root) = self.square_root(&product, &available, DEEPEST_ROOT)? else { continue };
             if root.is_zero() || self.full_norm(&other)?.is_none() {
                 continue;
             }
@@ -222,19 +225,26 @@ impl Tower {
     }
 
     /// s with s² = q in the field of q and the available roots, if it is found there.
-    fn square_root(&mut self, q: &Polynomial, available: &[u32]) -> Result<Option<Fraction>, Obstacle> {
-        if q.is_zero() || q.term_count() > MOST_TERMS {
+    ///
+    /// The root of a norm may bring back the very root that the norm was free of, so the depth is bounded.
+    fn square_root(
+        &mut self,
+        q: &Polynomial,
+        available: &[u32],
+        depth: u32,
+    ) -> Result<Option<Fraction>, Obstacle> {
+        if q.is_zero() || q.term_count() > MOST_TERMS || depth == 0 {
             return Ok(None);
         }
         let Some(variable) = self.roots_in(q).pop() else { return self.root_free_square_root(q, available) };
         let Some(split) = self.split_at(q, variable) else { return Ok(None) };
         let norm = self.norm(&split)?;
-        let Some(m) = self.square_root(&norm, available)? else { return Ok(None) };
+        let Some(m) = self.square_root(&norm, available, depth - 1)? else { return Ok(None) };
         let half = Fraction::number(&Rational::new(1.into(), 2.into()));
         for m in [self.negate(&m), m] {
             let sum = self.add(&split.rational.clone().into(), &m)?;
             let square = self.multiply(&half, &sum)?;
-            let Some(a) = self.square_root_of_fraction(&square, available)? else { continue };
+            let Some(a) = self.square_root_of_fraction(&square, available, depth - 1)? else { continue };
             let twice = self.add(&a, &a)?;
             let inverse = self.inverse(&twice)?;
             let b = self.multiply(&split.irrational().into(), &inverse)?;
@@ -252,6 +262,7 @@ impl Tower {
         &mut self,
         q: &Fraction,
         available: &[u32],
+        depth: u32,
     ) -> Result<Option<Fraction>, Obstacle> {
         let q = self.expanded(q)?;
         if q.is_zero() {
@@ -267,7 +278,7 @@ impl Tower {
         }
         self.charge(&denominator, &q.numerator)?;
         let product = self.reduce(denominator.mul(&q.numerator))?;
-        let Some(root) = self.square_root(&product, available)? else { return Ok(None) };
+        let Some(root) = self.square_root(&product, available, depth)? else { return Ok(None) };
         let inverse = self.inverse(&denominator.into())?;
         Ok(Some(self.multiply(&root, &inverse)?))
     }
