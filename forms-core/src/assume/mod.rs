@@ -19,7 +19,7 @@ pub(crate) use facts::Facts;
 pub(crate) use range::Range;
 
 use crate::expression::{Condition, Expr, Pool};
-use crate::normal::{Fraction, Obstacle, Sign, SignConstraint, Tower, Trigonometry, normalise};
+use crate::normal::{Fraction, Normalised, Obstacle, Sign, SignConstraint, Tower, Trigonometry, normalise};
 use crate::syntax::ast::Relation;
 use region::{Constraint, MOST_FACTORS, NoCases, Region};
 
@@ -113,16 +113,9 @@ impl Assumptions {
         given: &[(usize, Sign)],
     ) -> Result<Option<(Region, Vec<usize>, Facts)>, Obstacle> {
         for _ in 0..MOST_PASSES {
-            tower.fix_signs(given);
-            let prepared = normalise(tower, pool, expressions)?;
-            let mut knowledge = Knowledge::of(tower, given);
-            match self.assume(tower, pool, &mut knowledge) {
-                Err(Obstacle::Refine) => {
-                    tower.start_again();
-                    continue;
-                }
-                result => result?,
-            }
+            let Some((prepared, mut knowledge)) = self.learned(tower, pool, expressions, given)? else {
+                continue;
+            };
             if knowledge.facts.contradiction() {
                 return Ok(None);
             }
@@ -150,16 +143,7 @@ impl Assumptions {
         given: &[(usize, Sign)],
     ) -> Result<Range, Obstacle> {
         for _ in 0..MOST_PASSES {
-            tower.fix_signs(given);
-            let prepared = normalise(tower, pool, &[angle])?;
-            let mut knowledge = Knowledge::of(tower, given);
-            match self.assume(tower, pool, &mut knowledge) {
-                Err(Obstacle::Refine) => {
-                    tower.start_again();
-                    continue;
-                }
-                result => result?,
-            }
+            let Some((prepared, knowledge)) = self.learned(tower, pool, &[angle], given)? else { continue };
             if !prepared.is_unconditional() {
                 break;
             }
@@ -167,6 +151,27 @@ impl Assumptions {
             return knowledge.facts.range(tower, &value);
         }
         Ok(Range::default())
+    }
+
+    /// The expressions in normal form with the given signs, and what the conditions say beside them. Nothing if the
+    /// conditions refine the tower, which then starts again.
+    fn learned(
+        &self,
+        tower: &mut Tower,
+        pool: &Pool,
+        expressions: &[Expr],
+        given: &[(usize, Sign)],
+    ) -> Result<Option<(Normalised, Knowledge)>, Obstacle> {
+        tower.fix_signs(given);
+        let prepared = normalise(tower, pool, expressions)?;
+        let mut knowledge = Knowledge::of(tower, given);
+        match self.assume(tower, pool, &mut knowledge) {
+            Err(Obstacle::Refine) => {
+                tower.start_again();
+                Ok(None)
+            }
+            result => result.map(|()| Some((prepared, knowledge))),
+        }
     }
 
     /// What the conditions say. One without a normal form, or whose normal form depends on an open sign, is

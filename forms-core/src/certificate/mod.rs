@@ -12,7 +12,7 @@ mod writer;
 
 use crate::assume::Facts;
 use crate::decide::{Verdict, retrace};
-use crate::expression::Expr;
+use crate::expression::{Expr, Pool};
 use crate::normal::{Sign, Tower};
 use crate::resolve::{Statement, Theory};
 use std::fmt::Write;
@@ -37,8 +37,6 @@ pub fn entry(theory: &mut Theory, statement: &Statement, verdict: &Verdict) -> S
     let name = &statement.name;
     match verdict {
         Verdict::Proved(_) => {
-            // The writer's copy of the expressions has to have the differences of the sides among them.
-            crate::decide::conditions(theory, statement);
             let mut writer = Writer::new(theory.pool.clone());
             let proved = retrace(theory, statement, &mut writer);
             match writer.finish() {
@@ -64,8 +62,8 @@ pub fn entry(theory: &mut Theory, statement: &Statement, verdict: &Verdict) -> S
 
 /// Whoever is told how a proof goes.
 pub(crate) trait Observer {
-    /// The differences are zero in this case.
-    fn zero(&mut self, tower: &Tower, differences: &[Expr]);
+    /// The differences, expressions of this pool, are zero in this case.
+    fn zero(&mut self, pool: &Pool, tower: &Tower, differences: &[Expr]);
     /// In this case a side divides by zero everywhere.
     fn undefined(&mut self);
     /// The proof goes on by cases; the factors they rest on, those told apart first.

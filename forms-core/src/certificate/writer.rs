@@ -163,9 +163,9 @@ fn signed(polynomial: &Polynomial, sign: Sign) -> Polynomial {
 }
 
 impl Observer for Writer {
-    fn zero(&mut self, tower: &Tower, differences: &[Expr]) {
+    fn zero(&mut self, pool: &Pool, tower: &Tower, differences: &[Expr]) {
         let mut declared = Declared::default();
-        let parts = self.pool.reachable(differences);
+        let parts = pool.reachable(differences);
         let elements: Vec<&Fraction> = parts.iter().filter_map(|part| tower.element_of(*part)).collect();
         declared.logarithmic = tower.logarithmic_bases();
         let occurring: FxHashSet<u32> =

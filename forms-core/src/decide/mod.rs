@@ -73,7 +73,7 @@ pub(crate) fn retrace(theory: &mut Theory, statement: &Statement, observer: &mut
     let problem = Problem::new(theory, statement);
     let mut tower = Tower::new(Trigonometry::Circle);
     if problem.components.is_empty() {
-        observer.zero(&tower, &[]);
+        observer.zero(&theory.pool, &tower, &[]);
         return true;
     }
     proof::settled_cases(&mut theory.pool, &problem, &mut tower, Some(observer)).is_some()

@@ -164,7 +164,7 @@ impl<'a> Proof<'a> {
         match self.settle(given) {
             Ok(Some(Outcome::Zero)) => {
                 if let Some(observer) = &mut self.observer {
-                    observer.zero(self.tower, &self.differences);
+                    observer.zero(self.pool, self.tower, &self.differences);
                 }
                 self.settled.push(given.to_vec());
                 return Ok(Outcome::Zero);

@@ -5,7 +5,7 @@
 
 use super::problem::Problem;
 use super::proof::{Outcome, prove_zero};
-use super::report::{simplified, simplified_where};
+use super::report::simplified_where;
 use crate::calculus::{Blade, Coordinate, Form, Pullback, Structured, pullback};
 use crate::expression::Operation::{Cos, Exp, Sin, Tan};
 use crate::expression::{Expr, Node, Pool};
@@ -50,7 +50,7 @@ pub(super) fn ratio(theory: &mut Theory, problem: &Problem) -> Option<Ratio> {
     let pool = &mut theory.pool;
     let pair = problem.components.iter().find(|c| !pool.is_zero(c.left) && !pool.is_zero(c.right))?;
     let quotient = pool.divide(pair.left, pair.right);
-    let factor = simplest(pool, problem, quotient);
+    let factor = simplified_where(pool, &problem.assumptions, quotient);
     let zero = pool.as_number(factor).is_some_and(Zero::is_zero);
     if zero || pool.reachable(&[factor]).len() > LARGEST_FACTOR || has_unknown(pool, factor) {
         return None;
@@ -108,12 +108,6 @@ fn has_unknown(pool: &Pool, factor: Expr) -> bool {
     pool.reachable(&[factor]).into_iter().any(|part| matches!(pool.node(part), Node::Jet { .. }))
 }
 
-/// The expression simplified; the problem's conditions are asked only where it depends on a sign, since that costs more.
-fn simplest(pool: &mut Pool, problem: &Problem, expression: Expr) -> Expr {
-    let simple = simplified(pool, expression);
-    if simple == expression { simplified_where(pool, &problem.assumptions, expression) } else { simple }
-}
-
 /// The map whose Jacobian is a number times the factor; numbers themselves are no Jacobians.
 fn jacobian(theory: &mut Theory, problem: &Problem, factor: Expr) -> Option<String> {
     let symbols = theory.pool.symbols_in(&[factor]);
@@ -127,7 +121,7 @@ fn jacobian(theory: &mut Theory, problem: &Problem, factor: Expr) -> Option<Stri
             continue;
         }
         for candidate in [theory.pool.divide(factor, jacobian), theory.pool.multiply(factor, jacobian)] {
-            let candidate = simplest(&mut theory.pool, problem, candidate);
+            let candidate = simplified_where(&mut theory.pool, &problem.assumptions, candidate);
             if theory.pool.symbols_in(&[candidate]).is_empty() {
                 return Some(map.name);
             }

@@ -5,7 +5,7 @@ use super::verdict::{Theorem, Witness};
 use super::witness::Difference;
 use crate::assume::{Assumptions, Cases, Facts};
 use crate::expression::{Condition, Expr, Nature, Node, Pool};
-use crate::normal::{Fraction, Sign, Tower, Trigonometry, normalise};
+use crate::normal::{Fraction, Normalised, Sign, Tower, Trigonometry, normalise};
 use crate::syntax::ast::Relation;
 use num_traits::Zero;
 
@@ -50,34 +50,35 @@ pub(crate) fn simplified(pool: &mut Pool, expression: Expr) -> Expr {
     }
 }
 
-/// The same where conditions hold, as far as they leave one case of the signs that matter.
+/// The same where conditions hold, as far as they leave one case of the signs that matter. They are asked only where
+/// the expression by itself is not simplified, since that costs more.
 pub fn simplified_where(pool: &mut Pool, conditions: &[Condition], expression: Expr) -> Expr {
+    let simple = simplified(pool, expression);
+    if simple != expression {
+        return simple;
+    }
     let assumptions = Assumptions::new(pool, conditions);
     let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(SIMPLIFICATION_WORK);
-    let Some(signs) = only_case(pool, &mut tower, &assumptions, expression) else {
-        return simplified(pool, expression);
-    };
-    tower.fix_signs(&signs);
-    let Ok(prepared) = normalise(&mut tower, pool, &[expression]) else { return expression };
+    let Some(prepared) = in_only_case(pool, &mut tower, &assumptions, expression) else { return expression };
     match prepared.exact(&mut tower, pool) {
         Ok(fractions) if is_readable(&tower, &fractions[0]) => tower.raise(pool, &fractions[0]),
-        Ok(_) => simplified(pool, expression),
-        Err(_) => expression,
+        _ => expression,
     }
 }
 
-/// The signs of all factors that the expression depends on, if the conditions leave no choice.
-fn only_case(
+/// The normal form with all signs that the expression depends on fixed, if the conditions leave no choice.
+fn in_only_case(
     pool: &Pool,
     tower: &mut Tower,
     assumptions: &Assumptions,
     expression: Expr,
-) -> Option<Vec<(usize, Sign)>> {
+) -> Option<Normalised> {
     let mut signs: Vec<(usize, Sign)> = Vec::new();
     for _ in 0..DEEPEST_SIGN {
         tower.fix_signs(&signs);
-        if normalise(tower, pool, &[expression]).ok()?.open.is_empty() {
-            return Some(signs);
+        let prepared = normalise(tower, pool, &[expression]).ok()?;
+        if prepared.open.is_empty() {
+            return Some(prepared);
         }
         match assumptions.cases(tower, pool, &[expression], &signs) {
             Ok(Cases::Signs(mut cases)) if cases.len() == 1 && !cases[0].is_empty() => {

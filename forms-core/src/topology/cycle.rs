@@ -3,10 +3,10 @@
 //! Sᵐ⁻¹ by angles: x₁ = cos θ₁ … read from the last coordinate, which carries the pole, so that S² in (x, y, z) is
 //! (sin θ cos φ, sin θ sin φ, cos θ), oriented outwards.
 
+use super::Study;
 use super::report::Report;
 use super::session::Session;
 use super::shape::Hole;
-use super::{Study, undecided};
 use crate::decide::{Verdict, simplified_where};
 use crate::expression::{Condition, Expr, Pool, Rational, Substitution, Symbol};
 use crate::resolve::{Named, Value};
@@ -55,7 +55,7 @@ pub(super) fn period(session: &Session, study: &Study, hole: &Hole, report: &mut
     match session.decide(&items, &statement) {
         Ok(Verdict::Proved(_)) => report.proved(&statement, &[]),
         Ok(verdict) => {
-            *report = undecided(std::mem::take(report), &statement, &verdict);
+            report.undecided(&statement, &verdict);
             return None;
         }
         Err(message) => {

@@ -69,7 +69,10 @@ pub fn topology(source: &Source, name: &str) -> Result<Report, String> {
             report.say("a form that is not closed has no potential");
             return Ok(report);
         }
-        verdict => return Ok(undecided(report, &closed, &verdict)),
+        verdict => {
+            report.undecided(&closed, &verdict);
+            return Ok(report);
+        }
     }
     match shape::shape(&session, &study.conditions) {
         Shape::Contractible => {
@@ -83,15 +86,6 @@ pub fn topology(source: &Source, name: &str) -> Result<Report, String> {
         }
     }
     Ok(report)
-}
-
-fn undecided(mut report: Report, statement: &str, verdict: &Verdict) -> Report {
-    let reason = match verdict {
-        Verdict::Unknown { reason } | Verdict::Empty { reason } => reason.as_str(),
-        Verdict::Proved(_) | Verdict::Refuted(_) => "",
-    };
-    report.say(format!("{statement} is undecided: {reason}"));
-    report
 }
 
 fn around(session: &Session, study: &Study, hole: &Hole, report: &mut Report) {
@@ -177,6 +171,14 @@ fn introduction(session: &Session, study: &Study, conditions: &[String]) -> Stri
 impl Report {
     fn say(&mut self, words: impl Into<String>) {
         self.lines.push(Line::Words(words.into()));
+    }
+
+    fn undecided(&mut self, statement: &str, verdict: &Verdict) {
+        let reason = match verdict {
+            Verdict::Unknown { reason } | Verdict::Empty { reason } => reason.as_str(),
+            Verdict::Proved(_) | Verdict::Refuted(_) => "",
+        };
+        self.say(format!("{statement} is undecided: {reason}"));
     }
 
     fn item(&mut self, item: &str) {
