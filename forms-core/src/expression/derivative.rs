@@ -4,8 +4,13 @@ use super::node::{Expr, Node, Origin, Pool, Symbol};
 use num_rational::Ratio;
 
 impl Pool {
-    /// ∂e/∂x. Derivatives are remembered, so a shared subexpression is differentiated once.
+    /// ∂e/∂x. Derivatives are remembered, so a shared subexpression is differentiated once; ∂(−e)/∂x is −∂e/∂x, so that
+    /// it is known as a derivative of e whatever sign it is given afterwards.
     pub fn derivative(&mut self, expression: Expr, by: Symbol) -> Expr {
+        if let Node::Negate(of) = *self.node(expression) {
+            let derivative = self.derivative(of, by);
+            return self.negate(derivative);
+        }
         if let Some(&known) = self.derivatives.get(&(expression, by)) {
             self.note_origin(known, expression, by);
             return known;
