@@ -231,7 +231,9 @@ impl Tower {
     /// denominator.
     fn along_flow(&self, factor: &Polynomial, rate: &Rates, flow: &Fraction) -> (Polynomial, Fraction) {
         let is_own = |power: &FactorPower| {
-            rate.logarithmic && power.exponent > 0 && self.factor_variable(power.factor) == Some(rate.generator)
+            rate.logarithmic
+                && power.exponent > 0
+                && self.factor_variable(power.factor) == Some(rate.generator)
         };
         let Some(place) = flow.factors.iter().position(is_own) else {
             return (rate.derivative(factor, 0), flow.clone());

@@ -105,7 +105,10 @@ impl Tower {
             exponent % 2 == 0
                 || matches!(
                     self.generator(variable),
-                    Generator::Pi | Generator::Root { .. } | Generator::Exponential(_) | Generator::Chord { .. }
+                    Generator::Pi
+                        | Generator::Root { .. }
+                        | Generator::Exponential(_)
+                        | Generator::Chord { .. }
                 )
         };
         polynomial.terms().all(|(monomial, c)| c.is_positive() && monomial.iter().all(positive))
