@@ -272,7 +272,7 @@ impl Pool {
         let Some(last) = roots.iter().max() else { return Vec::new() };
         let mut seen = vec![false; last.0 as usize + 1];
         roots.iter().for_each(|root| seen[root.0 as usize] = true);
-        let mut order = Vec::new();
+        let mut order = Vec::with_capacity(seen.len().min(FIRST_NODES));
         for index in (0..=last.0).rev() {
             if seen[index as usize] {
                 order.push(Expr(index));

@@ -65,13 +65,13 @@ fn divergence(tower: &Tower, pool: &Pool, expression: Expr) -> Option<Vec<(i8, E
         }
     }
     let worthwhile = repeated || terms.len() > 1;
-    let differentiable = worthwhile && terms.iter().all(|&(_, of, _)| is_differentiable(tower, pool, of));
-    differentiable.then_some(terms)
+    let operands: Vec<Expr> = terms.iter().map(|term| term.1).collect();
+    (worthwhile && are_differentiable(tower, pool, &operands)).then_some(terms)
 }
 
-/// Whether an expression consists of known atoms whose derivatives have normal forms over the same generators.
-fn is_differentiable(tower: &Tower, pool: &Pool, expression: Expr) -> bool {
-    pool.reachable(&[expression]).into_iter().all(|part| match pool.node(part) {
+/// Whether expressions consist of known atoms whose derivatives have normal forms over the same generators.
+fn are_differentiable(tower: &Tower, pool: &Pool, expressions: &[Expr]) -> bool {
+    pool.reachable(expressions).into_iter().all(|part| match pool.node(part) {
         Node::Jet { .. } | Node::Select { .. } => false,
         Node::Apply(Operation::Asin | Operation::Acos | Operation::Atan2, _) => false,
         Node::Apply(..) => tower.elements.contains_key(&part),
