@@ -23,6 +23,7 @@ mod ratio;
 mod relation;
 mod report;
 mod sample;
+mod separation;
 mod translation;
 mod verdict;
 mod witness;
@@ -33,6 +34,7 @@ pub(crate) use finding::{Effort, Equations, Finding, contradiction};
 pub use ratio::Ratio;
 pub(crate) use report::simplified;
 pub use report::simplified_where;
+pub use separation::{Separated, separated};
 pub use verdict::{Theorem, Verdict, Witness};
 
 use crate::certificate::Observer;
