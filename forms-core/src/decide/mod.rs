@@ -55,6 +55,9 @@ use problem::Problem;
 /// assert_eq!(decide(&mut theory, &statement).name(), "proved");
 /// ```
 pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
+    if let Some(reason) = statement.obstacle.clone() {
+        return Verdict::Unknown { reason };
+    }
     let problem = Problem::new(theory, statement);
     match finding::find(&mut theory.pool, &problem, Effort::STATEMENT) {
         Finding::Equal { points: 0 } => Verdict::Unknown {
