@@ -154,9 +154,9 @@ impl Region {
         if !is_antiderivative(pool, antiderivative, integrand, variable, &self.conditions)? {
             return Err(format!("no antiderivative of `{}` was found", pool.text(integrand)).into());
         }
-        let conditions = self.where_continuous(pool, antiderivative, variable)?;
-        let upper = self.value_at(pool, antiderivative, variable, to);
-        let lower = self.value_at(pool, antiderivative, variable, from);
+        let conditions = self.where_extended(pool, antiderivative, variable)?;
+        let upper = self.limit_at(pool, antiderivative, variable, to);
+        let lower = self.limit_at(pool, antiderivative, variable, from);
         Ok(Integral { value: pool.subtract(upper, lower), conditions })
     }
 
@@ -193,7 +193,7 @@ impl Region {
 
     /// That every part of an antiderivative is defined and continuous over the closed range. What does not depend on
     /// the variable becomes a condition.
-    fn where_continuous(
+    pub(super) fn where_continuous(
         &self,
         pool: &mut Pool,
         antiderivative: Expr,
