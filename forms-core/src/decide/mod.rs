@@ -17,6 +17,7 @@ mod account;
 mod angle;
 mod empty;
 mod finding;
+mod instance;
 mod problem;
 mod proof;
 mod ratio;

@@ -5,6 +5,7 @@
 //!                                               └─ search: partial fractions, exponentials, roots, substitution,
 //!                                                     parts, derivatives of what unknown functions occur in
 //!                                                     ─▶ A(x) ─ A′ = f? ─ continuous on [a, b]? ─▶ A(b) − A(a)
+//!           unknown functions, no derivative ─▶ products ─▶ primitives Φ(b) − Φ(a)
 //! ```
 //! The search may do what it likes: nothing is believed of an antiderivative but what its derivative and its
 //! continuity show. Continuous on the closed range and differentiable inside, with A′ = f, it gives the integral, the
@@ -16,6 +17,7 @@ mod exponential;
 mod harmonic;
 mod moments;
 mod parts;
+mod primitive;
 mod radical;
 mod range;
 mod rational;

@@ -82,7 +82,10 @@ impl Region {
         {
             return Ok(Integral { value, conditions: vec![] });
         }
-        self.by_antiderivative(pool, integrand).map_err(|failure| failure.0)
+        match self.by_antiderivative(pool, integrand) {
+            Ok(found) => Ok(found),
+            Err(failure) => self.by_primitives(pool, integrand)?.ok_or(failure.0),
+        }
     }
 
     fn by_antiderivative(&self, pool: &mut Pool, integrand: Expr) -> Result<Integral, Failure> {
@@ -182,7 +185,7 @@ impl Region {
 
     /// That every part of an antiderivative is defined and continuous over the closed range. What does not depend on
     /// the variable becomes a condition.
-    fn where_continuous(
+    pub(super) fn where_continuous(
         &self,
         pool: &mut Pool,
         antiderivative: Expr,
