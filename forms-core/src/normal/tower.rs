@@ -191,14 +191,13 @@ impl Tower {
         std::mem::take(&mut self.asked)
     }
 
-    /// Remembers the signs that an expression itself depends on, and the bases it is factored over.
     /// The open ones among the signs asked for since the last call.
     pub(crate) fn open_signs_asked(&mut self) -> Vec<usize> {
         let asked = self.take_signs_asked();
         asked.into_iter().filter(|&base| self.bases[base].sign.is_none()).collect()
     }
 
-    /// Remembers the signs that an expression itself depends on.
+    /// Remembers the signs that an expression itself depends on, and the bases it is factored over.
     pub(super) fn note_signs_asked(&mut self, expression: Expr) {
         let met = std::mem::take(&mut self.met);
         if !met.is_empty() {
