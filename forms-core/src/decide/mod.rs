@@ -27,6 +27,7 @@ mod sample;
 mod separation;
 mod translation;
 mod verdict;
+mod wave;
 mod witness;
 
 pub use account::{Account, Bound, Cancellation, Case, account};
