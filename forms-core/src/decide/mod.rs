@@ -17,6 +17,7 @@ mod account;
 mod angle;
 mod empty;
 mod finding;
+mod instance;
 mod problem;
 mod proof;
 mod ratio;
@@ -26,6 +27,7 @@ mod sample;
 mod separation;
 mod translation;
 mod verdict;
+mod wave;
 mod witness;
 
 pub use account::{Account, Bound, Cancellation, Case, account};

@@ -5,6 +5,8 @@
 //!                                               └─ search: partial fractions, exponentials, roots, substitution,
 //!                                                     parts, derivatives of what unknown functions occur in
 //!                                                     ─▶ A(x) ─ A′ = f? ─ continuous on [a, b]? ─▶ A(b) − A(a)
+//!           |q| ─▶ pieces between the zeros of q
+//!           unknown functions, no derivative ─▶ products ─▶ primitives Φ(b) − Φ(a)
 //! ```
 //! The search may do what it likes: nothing is believed of an antiderivative but what its derivative and its
 //! continuity show. Continuous on the closed range and differentiable inside, with A′ = f, it gives the integral, the
@@ -18,6 +20,9 @@ mod harmonic;
 mod improper;
 mod moments;
 mod parts;
+mod pieces;
+mod power;
+mod primitive;
 mod radical;
 mod range;
 mod rational;
@@ -25,6 +30,7 @@ mod search;
 mod signs;
 mod substitution;
 mod unknown;
+mod wave;
 
 pub(crate) use moments::power_integral;
 pub(crate) use signs::{Region, Strictness};
