@@ -276,6 +276,29 @@ fn a_condition_that_says_nearly_enough_is_not_enough() {
     );
 }
 
+/// 1 + √2 and x + √(1 + x²) divide everything, so dividing by them never ends.
+#[test]
+fn denominators_that_are_units_are_no_factors_of_others() {
+    assert_verdicts(
+        "proved",
+        &[
+            "1/(1 + sqrt(2)) + 1/(2 + sqrt(2)) == sqrt(2)/2",
+            "1/(2 + sqrt(3)) + 1/(5 + sqrt(3)) == 2 - sqrt(3) + (5 - sqrt(3))/22",
+            "x/((1 + sqrt(2))*(x + sqrt(2))) + 1/(1 + sqrt(2)) == (sqrt(2) - 1)*(2*x + sqrt(2))/(x + sqrt(2))",
+            "1/(sqrt(x**2 + 1) + x) + y/(y + sqrt(x**2 + 1)) == sqrt(x**2 + 1) - x + y/(y + sqrt(x**2 + 1))",
+            "1/(sqrt(x**2 + 1) + x) + 1/(2*x**2 + 1 + 2*x*sqrt(x**2 + 1)) \
+             == sqrt(x**2 + 1) - x + (sqrt(x**2 + 1) - x)**2",
+        ],
+    );
+    assert_verdicts(
+        "refuted",
+        &[
+            "1/(1 + sqrt(2)) + 1/(2 + sqrt(2)) == sqrt(2)/3",
+            "1/(sqrt(x**2 + 1) + x) + y/(y + sqrt(x**2 + 1)) == sqrt(x**2 + 1) + x + y/(y + sqrt(x**2 + 1))",
+        ],
+    );
+}
+
 #[test]
 fn an_inverse_function_beyond_its_range_speaks_of_no_point() {
     assert_verdicts("empty", &["acos((x**2 + 2)/(x**2 + 1)) == y", "sqrt(-1/x**2) == y"]);
