@@ -23,6 +23,8 @@ mod ratio;
 mod relation;
 mod report;
 mod sample;
+#[cfg(test)]
+mod soundness;
 mod translation;
 mod verdict;
 mod witness;
