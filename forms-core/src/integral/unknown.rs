@@ -61,12 +61,14 @@ impl Search<'_> {
                 let last = self.antiderivative(rest, symbol, conditions, depth)?;
                 return Ok(Some(self.pool.add(found, last)));
             };
-            let Some(part) = self.reduction(&mut left, &leading, depth) else { break };
+            let Some(part) = self.reduction(&mut left, &leading, depth) else {
+                return Err(self.not_integrable(integrand));
+            };
             found = self.pool.add(found, part);
             let derivative = self.pool.derivative(part, symbol);
             rest = self.pool.subtract(rest, derivative);
         }
-        Err(self.not_integrable(integrand))
+        Err(format!("it has more than {MOST_REDUCTIONS} derivatives of unknown functions").into())
     }
 
     /// ∫ A du⁽ⁿ⁻¹⁾ for the leading derivative u⁽ⁿ⁾, if the integrand may be a derivative.
