@@ -63,8 +63,12 @@ fn what_would_not_fit_is_unknown() {
         ("exp(4097*x)*exp(y) == exp(4097*x + y)".into(), "an exponent with the coefficient 4097"),
         ("sin(17*atan(x))**2 == 1 - cos(17*atan(x))**2".into(), "17 times `atan`"),
         ("sin(atan(x)/32)**2 == 1 - cos(atan(x)/32)**2".into(), "1/32 times `atan`"),
-        ("sin(pi/37)**2 == 1 - cos(pi/37)**2".into(), "an angle of 1/37 times pi"),
-        ("sin(pi/128)**2 == 1 - cos(pi/128)**2".into(), "an angle of 1/128 times pi"),
+        (
+            "2**(1/97) + 3**(1/89) + 5**(1/83) == 5**(1/83) + 3**(1/89) + 2**(1/97)".into(),
+            "a root of order 97",
+        ),
+        ("x*sin(pi/37)**2 == x - x*cos(pi/37)**2".into(), "an angle of 1/37 times pi"),
+        ("x*sin(pi/128)**2 == x - x*cos(pi/128)**2".into(), "an angle of 1/128 times pi"),
         (format!("{splits} == {splits}*x/x where x > 0"), "its radicands and angles were refined 64 times"),
         (
             format!("{} == {}", within.join(" + "), outside.join(" + ")),

@@ -23,6 +23,7 @@ mod ratio;
 mod relation;
 mod report;
 mod sample;
+mod separation;
 #[cfg(test)]
 mod soundness;
 mod translation;
@@ -35,6 +36,7 @@ pub(crate) use finding::{Effort, Equations, Finding, contradiction};
 pub use ratio::Ratio;
 pub(crate) use report::simplified;
 pub use report::simplified_where;
+pub use separation::{Separated, separated};
 pub use verdict::{Theorem, Verdict, Witness};
 
 use crate::certificate::Observer;
@@ -55,6 +57,9 @@ use problem::Problem;
 /// assert_eq!(decide(&mut theory, &statement).name(), "proved");
 /// ```
 pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
+    if let Some(reason) = statement.obstacle.clone() {
+        return Verdict::Unknown { reason };
+    }
     let problem = Problem::new(theory, statement);
     match finding::find(&mut theory.pool, &problem, Effort::STATEMENT) {
         Finding::Equal { points: 0 } => Verdict::Unknown {

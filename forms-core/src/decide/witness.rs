@@ -104,17 +104,19 @@ impl<'a> Search<'a> {
         conditions.chain(self.problem.components.iter().flat_map(|c| [c.left, c.right])).collect()
     }
 
-    /// Looks at the next candidate.
+    /// Looks at the next candidate. Where there is but one, no other will show a small difference.
     pub(super) fn next(&mut self) -> Found {
         let (point, seed) = self.candidate();
+        let mut found = Found::NoPoint;
         for precision in PRECISIONS {
             match self.look(&point, seed, Precision(precision)) {
+                Ok(Found::Agrees) if self.symbols.is_empty() => found = Found::Agrees,
                 Ok(found) => return found,
                 Err(Undecided::Undefined | Undecided::TooLarge) => return Found::NoPoint,
                 Err(Undecided::Unknown) => {}
             }
         }
-        Found::NoPoint
+        found
     }
 
     /// Values at a point: `Unknown` asks for a higher precision.

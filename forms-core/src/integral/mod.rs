@@ -25,7 +25,7 @@ mod substitution;
 mod unknown;
 
 pub(crate) use moments::power_integral;
-pub(crate) use signs::Region;
+pub(crate) use signs::{Region, Strictness};
 
 use crate::assume::{Assumptions, Cases};
 use crate::expression::{Condition, Expr, Pool};

@@ -28,15 +28,26 @@ impl Region {
         integrand: Expr,
         conditions: &[Condition],
     ) -> Option<Condition> {
-        let is_closed = self.has_unknowns(pool, integrand);
+        let strictness =
+            if self.has_unknowns(pool, integrand) { Strictness::Strict } else { Strictness::Weak };
+        self.first_unmet(pool, conditions, strictness)
+    }
+
+    /// The same, on the borders of the ranges too if that is strict.
+    pub(crate) fn first_unmet(
+        &mut self,
+        pool: &mut Pool,
+        conditions: &[Condition],
+        strictness: Strictness,
+    ) -> Option<Condition> {
         for &condition in conditions {
-            let symbols = pool.symbols_in(&[condition.left, condition.right]);
-            if !self.ranges.iter().any(|range| symbols.contains(&range.0)) {
+            if !self.varies(pool, condition.left) && !self.varies(pool, condition.right) {
                 continue;
             }
             let difference = pool.subtract(condition.left, condition.right);
             let sign = self.sign(pool, difference);
-            let is_far = !is_closed || sign.is_some_and(|sign| sign.1 == Strictness::Strict);
+            let is_far =
+                strictness == Strictness::Weak || sign.is_some_and(|sign| sign.1 == Strictness::Strict);
             let holds = match condition.relation {
                 Relation::NotEqual => is_far,
                 Relation::Greater => is_far && sign.is_some_and(|sign| sign.0),

@@ -15,7 +15,7 @@ const MOST_BOXES: usize = 400;
 
 /// Whether a sign excludes zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Strictness {
+pub(crate) enum Strictness {
     /// Zero may occur.
     Weak,
     /// It does not.
@@ -26,6 +26,7 @@ pub(super) enum Strictness {
 pub(super) type KnownSign = (bool, Strictness);
 
 /// The ranges, outermost first, and what is assumed of everything else.
+#[derive(Clone)]
 pub(crate) struct Region {
     /// Variable, lower and upper bound.
     pub(crate) ranges: Vec<(Symbol, Expr, Expr)>,

@@ -78,6 +78,8 @@ pub struct Statement {
     pub left: Value,
     /// The other.
     pub right: Value,
+    /// Why a side has no value, if it may have one that was not found; nothing is decided then.
+    pub obstacle: Option<String>,
     /// The points it speaks of satisfy these: the `where`s that bind it.
     pub conditions: Vec<Condition>,
     /// And these: where both sides are defined.
