@@ -236,6 +236,13 @@ pub(crate) fn is_at_most(pool: &mut Pool, a: Expr, b: Expr, conditions: &[Condit
     difference.is_zero() || sign.flatten() == Some(Sign::Positive)
 }
 
+/// Where an angle lies wherever the conditions hold; nothing where that is not known.
+pub(crate) fn range_of(pool: &mut Pool, angle: Expr, conditions: &[Condition]) -> Range {
+    let assumptions = Assumptions::new(pool, conditions);
+    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(CHEAP_WORK);
+    assumptions.range(&mut tower, pool, angle, &[]).unwrap_or_default()
+}
+
 /// Whether an expression is known to be zero wherever it is defined; a cheap question, so that no is no answer.
 pub(crate) fn vanishes(pool: &Pool, expression: Expr) -> bool {
     let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(CHEAP_WORK);

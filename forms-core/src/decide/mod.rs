@@ -17,6 +17,7 @@ mod account;
 mod angle;
 mod empty;
 mod finding;
+mod instance;
 mod problem;
 mod proof;
 mod ratio;
@@ -28,6 +29,7 @@ mod separation;
 mod soundness;
 mod translation;
 mod verdict;
+mod wave;
 mod witness;
 
 pub use account::{Account, Bound, Cancellation, Case, account};

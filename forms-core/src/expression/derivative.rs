@@ -78,6 +78,9 @@ impl Pool {
                 let inner: Vec<Expr> = arguments.iter().map(|&a| of(self, a)).collect();
                 let partials: Vec<Expr> = (0..orders.len())
                     .map(|i| {
+                        if self.is_zero(inner[i]) {
+                            return inner[i];
+                        }
                         let mut raised = orders.clone();
                         raised[i] += 1;
                         self.jet(function, &raised, &arguments)

@@ -1,6 +1,7 @@
 //! Nodes, the pool that owns them, and the symbols and unknown functions they speak of.
 
 use super::operation::Operation;
+use super::primitive::Primitives;
 use crate::syntax::ast::Relation;
 use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::collections::hash_map::Entry;
@@ -167,6 +168,8 @@ pub struct Pool {
     pub(super) origins: FxHashMap<Expr, Origin>,
     /// The numbers that building has asked for by their integer values.
     pub(super) integers: FxHashMap<i64, Expr>,
+    /// The unknown functions that stand for integrals.
+    pub(super) primitives: Primitives,
 }
 
 /// Room for the nodes of a short statement, so that its tables need not grow.
@@ -182,6 +185,7 @@ impl Default for Pool {
             derivatives: FxHashMap::default(),
             origins: FxHashMap::default(),
             integers: FxHashMap::default(),
+            primitives: Primitives::default(),
         }
     }
 }

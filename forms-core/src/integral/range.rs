@@ -93,7 +93,15 @@ impl Region {
         {
             return Ok(Integral { value, conditions: vec![] });
         }
-        self.by_antiderivative(pool, integrand).map_err(|failure| failure.0)
+        match self.by_antiderivative(pool, integrand) {
+            Ok(found) => Ok(found),
+            Err(failure) => {
+                if let Some(found) = self.by_pieces(pool, integrand)? {
+                    return Ok(found);
+                }
+                self.by_primitives(pool, integrand)?.ok_or(failure.0)
+            }
+        }
     }
 
     fn by_antiderivative(&self, pool: &mut Pool, integrand: Expr) -> Result<Integral, Failure> {
@@ -154,10 +162,16 @@ impl Region {
         if !is_antiderivative(pool, antiderivative, integrand, variable, &self.conditions)? {
             return Err(format!("no antiderivative of `{}` was found", pool.text(integrand)).into());
         }
-        let conditions = self.where_continuous(pool, antiderivative, variable)?;
-        let upper = self.value_at(pool, antiderivative, variable, to);
-        let lower = self.value_at(pool, antiderivative, variable, from);
-        Ok(Integral { value: pool.subtract(upper, lower), conditions })
+        let mut conditions = Vec::new();
+        for part in self.without_powers(pool, antiderivative) {
+            conditions.extend(self.where_extended(pool, part, variable)?);
+        }
+        let upper = self.limit_at(pool, antiderivative, variable, to);
+        let lower = self.limit_at(pool, antiderivative, variable, from);
+        let difference = pool.subtract(upper, lower);
+        let (value, positive) = self.with_powers_of_zero(pool, difference)?;
+        conditions.extend(positive);
+        Ok(Integral { value, conditions })
     }
 
     /// log|q| as log q or log(−q), by the sign of q over the range.
@@ -186,14 +200,14 @@ impl Region {
     }
 
     /// Whether an expression depends on a variable of a range.
-    fn varies(&self, pool: &Pool, expression: Expr) -> bool {
+    pub(super) fn varies(&self, pool: &Pool, expression: Expr) -> bool {
         let symbols = pool.symbols_in(&[expression]);
         self.ranges.iter().any(|range| symbols.contains(&range.0))
     }
 
     /// That every part of an antiderivative is defined and continuous over the closed range. What does not depend on
     /// the variable becomes a condition.
-    fn where_continuous(
+    pub(super) fn where_continuous(
         &self,
         pool: &mut Pool,
         antiderivative: Expr,

@@ -45,6 +45,9 @@ impl Region {
                 Nature::Open => {}
             }
         }
+        if let Some(found) = self.sign_of_waves(pool, q) {
+            return Some(found);
+        }
         let (on_box, sides) = self.on_box(pool, q);
         let found =
             self.algebraic_sign(pool, on_box, &sides).or_else(|| self.enclosed_sign(pool, on_box, &sides));

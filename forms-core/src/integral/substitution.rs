@@ -4,7 +4,7 @@ use super::range::is_antiderivative;
 use super::search::{Integrand, Search};
 use super::{Failure, normal_form};
 use crate::expression::{Condition, Expr, Node, Operation, Substitution, Symbol, SymbolKind};
-use crate::normal::{Fraction, Generator, Tower, Trigonometry};
+use crate::normal::{Generator, Tower, Trigonometry};
 use crate::polynomial::Polynomial;
 use crate::syntax::ast::Relation;
 use rustc_hash::FxHashMap;
@@ -210,49 +210,5 @@ impl Search<'_> {
         let square = self.pool.power(x, 2.into());
         let values: Substitution = [(y, square)].into_iter().collect();
         Some(self.pool.substitute(found, &values))
-    }
-
-    /// t = tan(u/2): cos u = (1 − t²)/(1 + t²), sin u = 2t/(1 + t²), for rational functions of one sine and cosine.
-    pub(super) fn by_half_tangent(&mut self, integrand: &mut Integrand) -> Result<Option<Expr>, Failure> {
-        let tower = &mut *integrand.tower;
-        let x = tower.variable_number(integrand.symbol);
-        let mut angle: Option<Fraction> = None;
-        let y = self.pool.declare_symbol("y", SymbolKind::Local);
-        let t: Fraction = Polynomial::variable(tower.variable_number(y)).into();
-        let square = tower.multiply(&t, &t)?;
-        let norm = tower.add(&Fraction::one(), &square)?;
-        let inverse = tower.inverse(&norm)?;
-        let mut values = Vec::new();
-        for generator in integrand.generators.clone() {
-            let above = match tower.generator(generator) {
-                Generator::Cosine(_) => tower.subtract(&Fraction::one(), &square)?,
-                Generator::Sine(_) => tower.add(&t, &t)?,
-                _ => return Ok(None),
-            };
-            let Some(argument) = tower.argument(generator) else { return Ok(None) };
-            if angle.as_ref().is_some_and(|known| *known != argument) {
-                return Ok(None);
-            }
-            angle = Some(argument);
-            values.push((generator, tower.multiply(&above, &inverse)?));
-        }
-        let Some(angle) = angle else { return Ok(None) };
-        let function = tower.rational_function(&angle, x)?;
-        if !function.denominator.is_empty() || function.numerator.degree() != 1 {
-            return Ok(None);
-        }
-        // dx = 2/(κ(1 + t²)) dt
-        let composed = tower.replaced(&integrand.normal, &values)?;
-        let slope = tower.inverse(&function.numerator.coefficient(1))?;
-        let twice = tower.add(&inverse, &inverse)?;
-        let jacobian = tower.multiply(&twice, &slope)?;
-        let rational = tower.multiply(&composed, &jacobian)?;
-        let found = self.rational(integrand.tower, &rational, y)?;
-        let angle = integrand.tower.raise(self.pool, &angle);
-        let half = self.pool.ratio(1, 2);
-        let halved = self.pool.multiply(half, angle);
-        let tangent = self.pool.apply(Operation::Tan, &[halved]);
-        let values: Substitution = [(y, tangent)].into_iter().collect();
-        Ok(Some(self.pool.substitute(found, &values)))
     }
 }

@@ -4,3 +4,4 @@
 mod boundary;
 mod quadrature;
 mod refusals;
+mod unknown;

@@ -53,7 +53,6 @@ fn what_is_outside_the_class_is_refused() {
             "exp(x**2), x = 0..1",
             "cannot integrate over `x`: no antiderivative of `exp(x**2)` with respect to `x` is known",
         ),
-        ("f, x = 0..1", "cannot integrate over `x`: no antiderivative of `f` with respect to `x` is known"),
         ("if x > 0 { 1 } else { 0 }, x = 0..1", "cannot integrate over `x`: an expression with `if`"),
         (
             "1/(x**5 + x + 1), x = 0..1",
@@ -62,16 +61,6 @@ fn what_is_outside_the_class_is_refused() {
     ];
     for (integral, message) in table {
         assert_eq!(reason(integral), message, "{integral}");
-    }
-}
-
-#[test]
-fn integrands_with_unknown_functions_that_are_no_derivatives_are_refused() {
-    for integrand in
-        ["diff(f, x)*g", "diff(f, x)**2", "diff(f, x)*exp(x)", "x*f", "f(2*x)", "diff(f(g(x)), x) + f"]
-    {
-        let reason = reason(&format!("{integrand}, x = 0..1"));
-        assert!(reason.contains("no antiderivative of"), "{integrand}: {reason}");
     }
 }
 
@@ -125,6 +114,12 @@ fn unknown_functions_are_integrated_only_where_their_conditions_hold_up_to_the_e
             "diff(holed, x), x = 0..1",
             "cannot integrate: it is not known that `x != 0` holds all over the range",
         ),
+        ("half*x, x = 0..1", "cannot integrate: it is not known that `x > 0` holds all over the range"),
+        ("holed**2, x = -1..1", "cannot integrate: it is not known that `x != 0` holds all over the range"),
+        ("f/x, x = 0..1", "cannot integrate: it is not known that `x != 0` holds all over the range"),
+        ("f*log(x), x = 0..1", "cannot integrate: it is not known that `x > 0` holds all over the range"),
+        ("f/g, x = 0..1", "cannot integrate: it is not known that `g != 0` holds all over the range"),
+        ("sqrt(f), x = 0..1", "cannot integrate: it is not known that `f >= 0` holds all over the range"),
     ];
     for (integral, message) in table {
         assert_eq!(reason(integral), message, "{integral}");
