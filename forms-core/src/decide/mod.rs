@@ -25,6 +25,8 @@ mod relation;
 mod report;
 mod sample;
 mod separation;
+#[cfg(test)]
+mod soundness;
 mod translation;
 mod verdict;
 mod wave;

@@ -133,42 +133,52 @@ impl Search<'_> {
             .filter(|angle| self.pool.symbols_in(&[*angle]).contains(&symbol))
             .collect();
         let angle = *angles.first()?;
-        for (main, other) in [(Operation::Cos, Operation::Sin), (Operation::Sin, Operation::Cos)] {
-            let inner = self.pool.apply(main, &[angle]);
-            let cofunction = self.pool.apply(other, &[angle]);
-            let y = self.pool.declare_symbol("y", SymbolKind::Local);
-            let value = self.pool.symbol(y);
-            let square = self.pool.power(value, 2.into());
-            let one = self.pool.integer(1);
-            let rest = self.pool.subtract(one, square);
-            let images: FxHashMap<Expr, Expr> =
-                [(inner, value), (cofunction, self.pool.sqrt(rest))].into_iter().collect();
-            let derivative = self.pool.derivative(inner, symbol);
-            let quotient = self.pool.divide(expression, derivative);
-            let outer = self.pool.replace(quotient, &images);
-            if self.pool.symbols_in(&[outer]).contains(&symbol) {
-                continue;
-            }
-            let minus_one = self.pool.integer(-1);
-            let mut known = vec![
-                Condition { left: value, relation: Relation::Greater, right: minus_one },
-                Condition { left: value, relation: Relation::Less, right: one },
-            ];
-            for condition in conditions {
-                let sides = [condition.left, condition.right].map(|side| self.pool.replace(side, &images));
-                if !self.pool.symbols_in(&sides).contains(&symbol) {
-                    known.push(Condition { left: sides[0], relation: condition.relation, right: sides[1] });
-                }
-            }
-            if let Ok(found) = self.antiderivative(outer, y, &known, depth) {
-                let values: Substitution = [(y, inner)].into_iter().collect();
-                let found = self.pool.substitute(found, &values);
-                if is_antiderivative(self.pool, found, expression, symbol, conditions) == Ok(true) {
-                    return Some(found);
-                }
+        let pairs = [(Operation::Cos, Operation::Sin), (Operation::Sin, Operation::Cos)];
+        pairs.into_iter().find_map(|functions| {
+            let found = self.with_cofunction(expression, symbol, conditions, (angle, functions), depth)?;
+            let is_right = is_antiderivative(self.pool, found, expression, symbol, conditions);
+            (is_right == Ok(true)).then_some(found)
+        })
+    }
+
+    /// The same for y = f(u) with the cofunction √(1 − y²), one of sine and cosine each.
+    fn with_cofunction(
+        &mut self,
+        expression: Expr,
+        symbol: Symbol,
+        conditions: &[Condition],
+        (angle, (function, cofunction)): (Expr, (Operation, Operation)),
+        depth: u32,
+    ) -> Option<Expr> {
+        let inner = self.pool.apply(function, &[angle]);
+        let cofunction = self.pool.apply(cofunction, &[angle]);
+        let y = self.pool.declare_symbol("y", SymbolKind::Local);
+        let value = self.pool.symbol(y);
+        let square = self.pool.power(value, 2.into());
+        let one = self.pool.integer(1);
+        let rest = self.pool.subtract(one, square);
+        let images: FxHashMap<Expr, Expr> =
+            [(inner, value), (cofunction, self.pool.sqrt(rest))].into_iter().collect();
+        let derivative = self.pool.derivative(inner, symbol);
+        let quotient = self.pool.divide(expression, derivative);
+        let outer = self.pool.replace(quotient, &images);
+        if self.pool.symbols_in(&[outer]).contains(&symbol) {
+            return None;
+        }
+        let minus_one = self.pool.integer(-1);
+        let mut known = vec![
+            Condition { left: value, relation: Relation::Greater, right: minus_one },
+            Condition { left: value, relation: Relation::Less, right: one },
+        ];
+        for condition in conditions {
+            let sides = [condition.left, condition.right].map(|side| self.pool.replace(side, &images));
+            if !self.pool.symbols_in(&sides).contains(&symbol) {
+                known.push(Condition { left: sides[0], relation: condition.relation, right: sides[1] });
             }
         }
-        None
+        let found = self.antiderivative(outer, y, &known, depth).ok()?;
+        let values: Substitution = [(y, inner)].into_iter().collect();
+        Some(self.pool.substitute(found, &values))
     }
 
     /// y = x²: f/2x must be even. It is looked at for x > 0, which decides it for x < 0.
