@@ -5,6 +5,9 @@ use super::coefficient::Coefficients;
 use super::form::Form;
 use std::collections::BTreeMap;
 
+/// Signed partial derivatives of coefficients, grouped by the basis form they belong to.
+type Groups<'a, S> = BTreeMap<Blade, Vec<(i8, &'a S, Coordinate)>>;
+
 /// One term ±∂w_I/∂xᵢ dx_J of an exterior derivative, with ±dx_J = dxᵢ∧dx_I.
 #[derive(Clone, Copy, Debug)]
 pub struct Contribution<'a, S> {
@@ -39,7 +42,7 @@ pub fn exterior_derivative<R: Coefficients>(
     w: &Form<R::Scalar>,
     along: &[Coordinate],
 ) -> Form<R::Scalar> {
-    let mut groups: BTreeMap<Blade, Vec<(i8, &R::Scalar, Coordinate)>> = BTreeMap::new();
+    let mut groups: Groups<R::Scalar> = Groups::new();
     for Contribution { value, coordinate, raised, sign, .. } in contributions(w, along) {
         groups.entry(raised).or_default().push((sign, value, coordinate));
     }

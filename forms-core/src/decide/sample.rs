@@ -4,6 +4,8 @@ use crate::enclosure::{Enclosure, Precision, enclose};
 use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational, Symbol};
 use crate::random::SplitMix;
 use crate::syntax::ast::Relation;
+use num_bigint::BigInt;
+use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
 
@@ -226,16 +228,33 @@ impl Bounds {
 }
 
 /// Denominators that a bound is looked for with.
-const LARGEST_DENOMINATOR: i64 = 64;
+const LARGEST_DENOMINATOR: u32 = 64;
+
+/// The digits of a continued fraction with such a denominator: it is at least the Fibonacci number of that order.
+const MOST_DIGITS: u32 = 12;
 
 /// The number with the smallest denominator that an enclosure may stand for, if that is small.
 fn short_within(enclosure: &Enclosure) -> Option<Rational> {
-    let lower = enclosure.lower();
-    (1..=LARGEST_DENOMINATOR).find_map(|denominator| {
-        let denominator = Rational::from_integer(denominator.into());
-        let candidate = (&lower * &denominator).round() / denominator;
-        enclosure.contains(&candidate).then_some(candidate)
-    })
+    let found = match enclosure.as_exact() {
+        Some(value) => Some(value.clone()),
+        None => simplest(enclosure.lower().into_raw(), enclosure.upper().into_raw(), MOST_DIGITS),
+    };
+    found.filter(|value| *value.denom() <= LARGEST_DENOMINATOR.into())
+}
+
+/// The number with the smallest denominator from a/b to c/d, by the continued fraction that their ends share, if it has
+/// no more digits: ⌊x⌋ + 1/y with the simplest y between the reciprocals of what is left.
+fn simplest((a, b): (BigInt, BigInt), (c, d): (BigInt, BigInt), digits: u32) -> Option<Rational> {
+    let (whole, rest) = a.div_mod_floor(&b);
+    if rest.is_zero() {
+        return Some(Rational::from_integer(whole));
+    }
+    let above = &c - &whole * &d;
+    if above >= d {
+        return Some(Rational::from_integer(whole + 1));
+    }
+    let inner = simplest((d, above), (b, rest), digits.checked_sub(1)?)?;
+    Some(Rational::from_integer(whole) + inner.recip())
 }
 
 /// A number nearby with a short denominator.
@@ -328,5 +347,39 @@ pub(super) fn jet_value(seed: u64, number: usize, round: u32, bounds: Option<&Bo
     match bounds {
         Some(bounds) => bounds.place(value),
         None => value,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn fraction(p: i64, q: i64) -> Rational {
+        Rational::new(p.into(), q.into())
+    }
+
+    proptest! {
+        #[test]
+        fn the_simplest_number_of_an_interval_has_the_least_denominator(p in -500i64..500, q in 1i64..97, width in 1i64..9999) {
+            let lower = fraction(p, q);
+            let upper = &lower + fraction(1, width);
+            let found = simplest(lower.clone().into_raw(), upper.clone().into_raw(), MOST_DIGITS);
+            let with = |d: i64| (&lower * fraction(d, 1)).ceil() / fraction(d, 1);
+            let first = (1..=i64::from(LARGEST_DENOMINATOR)).map(with).find(|value| *value <= upper);
+            let small = found.filter(|value| *value.denom() <= LARGEST_DENOMINATOR.into());
+            prop_assert_eq!(small.as_ref().map(Rational::denom), first.as_ref().map(Rational::denom));
+            prop_assert!(small.is_none_or(|value| lower <= value && value <= upper));
+        }
+    }
+
+    #[test]
+    fn bounds_are_short_where_the_enclosure_allows() {
+        let pi = Enclosure::pi(PRECISION);
+        assert_eq!(short_within(&pi), None);
+        let third = Enclosure::exact(&fraction(-1, 3), PRECISION);
+        assert_eq!(short_within(&third), Some(fraction(-1, 3)));
+        assert_eq!(short_within(&pi.sub(&pi).add(&third)), Some(fraction(-1, 3)));
+        assert_eq!(short_within(&Enclosure::exact(&fraction(1, 65), PRECISION)), None);
     }
 }
