@@ -9,12 +9,14 @@
 //! the cases found here.
 
 mod arc;
+mod contradiction;
 mod facts;
 mod linear;
 mod range;
 mod region;
 mod sign;
 
+pub(crate) use contradiction::Contradiction;
 pub(crate) use facts::Facts;
 pub(crate) use range::Range;
 

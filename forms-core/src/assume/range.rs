@@ -42,7 +42,7 @@ pub(crate) struct Range {
 
 impl End {
     /// (p/q)π
-    fn of_pi(p: i64, q: i64, open: bool) -> Self {
+    pub(super) fn of_pi(p: i64, q: i64, open: bool) -> Self {
         End { rational: BigRational::zero(), turns: BigRational::new(p.into(), q.into()), open }
     }
 
@@ -64,7 +64,7 @@ impl End {
     }
 
     /// How it compares to another number, where that is certain; openness aside.
-    fn compare(&self, other: &End) -> Option<Ordering> {
+    pub(super) fn compare(&self, other: &End) -> Option<Ordering> {
         let difference = self.add(&other.scaled(&-BigRational::from_integer(1.into())));
         if difference.rational.is_zero() {
             return Some(difference.turns.cmp(&BigRational::zero()));

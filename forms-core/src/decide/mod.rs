@@ -26,6 +26,8 @@ mod relation;
 mod report;
 mod sample;
 mod separation;
+#[cfg(test)]
+mod soundness;
 mod translation;
 mod verdict;
 mod wave;

@@ -208,7 +208,7 @@ impl<'a> Proof<'a> {
                     observer.zero(self.pool, self.tower, &self.differences);
                 }
                 self.settled.push(given.to_vec());
-                return Ok(Outcome::Zero);
+                return self.beside_points(given);
             }
             Ok(_) => {}
             Err(Obstacle::DivisionByZero) => {
@@ -244,6 +244,14 @@ impl<'a> Proof<'a> {
         }
         self.observe(|observer| observer.end());
         Ok(together.unwrap_or(Outcome::NotZero))
+    }
+
+    /// That everything is zero, unless it holds only as a limit and the points spoken of may lie apart.
+    fn beside_points(&mut self, given: &[(usize, Sign)]) -> Result<Outcome, Obstacle> {
+        if self.tower.divides_by_norms {
+            self.assumptions.cases(self.tower, self.pool, &self.expressions(), given)?;
+        }
+        Ok(Outcome::Zero)
     }
 
     fn observe(&mut self, tell: impl FnOnce(&mut dyn Observer)) {

@@ -15,7 +15,9 @@
 mod bernstein;
 mod ends;
 mod exponential;
+mod half_tangent;
 mod harmonic;
+mod improper;
 mod moments;
 mod parts;
 mod pieces;
@@ -68,7 +70,16 @@ fn normal_form(
     Ok(normal)
 }
 
-/// The same, perhaps in half-angle tangents.
+/// The expression through its normal form, in which powers of a root have met; as it is if it has none.
+fn tidied(pool: &mut Pool, expression: Expr, conditions: &[Condition]) -> Expr {
+    let mut tower = Tower::new(Trigonometry::Circle);
+    match normal_form(pool, &mut tower, expression, conditions) {
+        Ok(normal) => tower.raise(pool, &normal),
+        Err(_) => expression,
+    }
+}
+
+/// The normal form, perhaps in half-angle tangents.
 fn any_normal_form(
     pool: &mut Pool,
     tower: &mut Tower,

@@ -168,10 +168,10 @@ impl Region {
         }
         let mut conditions = Vec::new();
         for part in self.without_powers(pool, antiderivative) {
-            conditions.extend(self.where_continuous(pool, part, variable)?);
+            conditions.extend(self.where_extended(pool, part, variable)?);
         }
-        let upper = self.value_at(pool, antiderivative, variable, to);
-        let lower = self.value_at(pool, antiderivative, variable, from);
+        let upper = self.limit_at(pool, antiderivative, variable, to);
+        let lower = self.limit_at(pool, antiderivative, variable, from);
         let difference = pool.subtract(upper, lower);
         let (value, positive) = self.with_powers_of_zero(pool, difference)?;
         conditions.extend(positive);

@@ -87,16 +87,16 @@ impl Search<'_> {
                 Integrand { expression, normal, tower: &mut tower, symbol, generators, conditions };
             let leading = self.leading(&left);
             if last.is_some() && leading.as_ref().map(|leading| &leading.rank) >= last.as_ref() {
-                break;
+                return Ok((found, rest));
             }
             (found, rest) = (sum, expression);
-            let Some(leading) = leading else { break };
-            let Some(part) = self.reduction(&mut left, &leading, depth) else { break };
+            let Some(leading) = leading else { return Ok((found, rest)) };
+            let Some(part) = self.reduction(&mut left, &leading, depth) else { return Ok((found, rest)) };
             let derivative = self.pool.derivative(part, symbol);
             next = Some((self.pool.add(found, part), self.pool.subtract(rest, derivative)));
             last = Some(leading.rank);
         }
-        Ok((found, rest))
+        Err(format!("it has more than {MOST_REDUCTIONS} derivatives of unknown functions").into())
     }
 
     /// ∫ A du⁽ⁿ⁻¹⁾ for the leading derivative u⁽ⁿ⁾, if the integrand may be a derivative.
