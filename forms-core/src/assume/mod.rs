@@ -11,6 +11,7 @@
 mod arc;
 mod contradiction;
 mod facts;
+mod half_turn;
 mod linear;
 mod magnitude;
 mod range;

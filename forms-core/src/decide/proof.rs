@@ -1,6 +1,7 @@
 //! The proof: every difference has the normal form zero, in every case of the signs that matter.
 
 use super::angle;
+use super::part::with_whole_parts;
 use super::problem::Problem;
 use super::translation;
 use super::wave::signs_of_waves;
@@ -48,6 +49,20 @@ pub(super) fn as_angles(pool: &mut Pool, problem: &Problem, work: u64, outcome: 
         return outcome;
     }
     match angle::prove(pool, Task { problem, work }, &differences, &mut Vec::new()) {
+        Outcome::Zero => Outcome::Zero,
+        _ => outcome,
+    }
+}
+
+/// Tries to prove it with parts of inverse functions as variables, where there was no proof.
+pub(super) fn as_parts(pool: &mut Pool, problem: &Problem, work: u64, outcome: Outcome) -> Outcome {
+    let is_open = matches!(outcome, Outcome::NotZero | Outcome::Outside(_));
+    if !is_open || !angle::occur_in(pool, &problem.differences()) {
+        return outcome;
+    }
+    let Some(whole) = with_whole_parts(pool, problem) else { return outcome };
+    let inner = by_normal_forms(pool, &whole, work);
+    match as_angles(pool, &whole, work, inner) {
         Outcome::Zero => Outcome::Zero,
         _ => outcome,
     }
