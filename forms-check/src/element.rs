@@ -45,14 +45,7 @@ impl Field {
                     Multiply => self.multiply(&a[0], &a[1])?,
                     Divide => self.quotient(&a[0], &a[1])?,
                     Power(p, 1) => self.integer_power(&a[0], *p)?,
-                    Power(p, q) => {
-                        let known = self.magnitude(&a[0], Ratio::new(*p, *q));
-                        if let Err(Stop::Rejected(_)) = known {
-                            self.free_root(&a[0], *p, *q)?
-                        } else {
-                            known?
-                        }
-                    }
+                    Power(p, q) => self.root(&a[0], *p, *q)?,
                     Function(name) => match self.function(name, &a) {
                         // only its arguments are known
                         Err(Stop::Rejected(_)) => self.generator(operation, &a)?,
@@ -81,6 +74,14 @@ impl Field {
         Ok(Polynomial::generator(self.new_generator(Some((operation.clone(), a.to_vec())))?, 1).into())
     }
 
+    /// a^(p/q) by the bases, or else by a root of its own
+    fn root(&mut self, a: &Fraction, p: i64, q: i64) -> Result<Fraction, Stop> {
+        match self.magnitude(a, Ratio::new(p, q)) {
+            Err(Stop::Rejected(_)) => self.free_root(a, p, q),
+            known => known,
+        }
+    }
+
     /// a^(p/q) = ρᵖ with ρ^q = a
     fn free_root(&mut self, a: &Fraction, p: i64, q: i64) -> Result<Fraction, Stop> {
         let count = self.generators.len();
@@ -100,7 +101,14 @@ impl Field {
             "exp" => self.exponential(&a[0]),
             "abs" => self.magnitude(&a[0], Ratio::from_integer(1)),
             "asin" | "atan" if a[0].numerator.is_zero() => Ok(Fraction::default()),
-            "log" => self.logarithm(&a[0]),
+            "log" => {
+                // log |q| asks for no sign of q
+                let magnitude = self.generators.iter().enumerate().find_map(|(g, known)| match known {
+                    Some((Function("abs"), q)) if a[0].is_generator(g) => Some(q[0].clone()),
+                    _ => None,
+                });
+                self.logarithm(magnitude.as_ref().unwrap_or(&a[0]))
+            }
             _ => rejected("nothing is known of it"),
         }
     }
@@ -285,12 +293,51 @@ impl Field {
         let mut point = (one(), Fraction::default());
         for (quantity, c) in self.terms(angle)? {
             let (step, times) = self.step(&quantity, &c)?;
-            let sine = step.1.scale(&rational(times.signum(), 1));
-            for _ in 0..times.abs() {
-                point = self.turned(&point, &(step.0.clone(), sine.clone()))?;
-            }
+            point = self.turned_often(point, &step, times)?;
         }
         Ok(point)
+    }
+
+    fn turned_often(&mut self, mut point: Point, step: &Point, times: i64) -> Result<Point, Stop> {
+        let sine = step.1.scale(&rational(times.signum(), 1));
+        for _ in 0..times.abs() {
+            point = self.turned(&point, &(step.0.clone(), sine.clone()))?;
+        }
+        Ok(point)
+    }
+
+    /// The point of π/q for q = 2ᵏ, 3·2ᵏ, 5·2ᵏ and 15·2ᵏ: cos² and sin² of half an angle are (1 ± cos)/2,
+    /// cos(π/5) = (1 + √5)/4, sin(π/5) = √(√5/(2(1 + √5))), and π/(mn) = uπ/n + vπ/m for um + vn = 1.
+    fn part_of_half_turn(&mut self, q: i64) -> Result<Point, Stop> {
+        let number = |p, q| Fraction::number(rational(p, q));
+        match q {
+            1 => return Ok((number(-1, 1), number(0, 1))),
+            2 => return Ok((number(0, 1), one())),
+            3 => return Ok((number(1, 2), self.root(&number(3, 1), 1, 2)?.scale(&rational(1, 2)))),
+            5 => {
+                let root = self.root(&number(5, 1), 1, 2)?;
+                let sum = self.add(&one(), &root)?;
+                let square = self.quotient(&root, &sum.scale(&rational(2, 1)))?;
+                return Ok((sum.scale(&rational(1, 4)), self.root(&square, 1, 2)?));
+            }
+            _ => {}
+        }
+        if let Some(m) = [3, 5].into_iter().find(|m| q % m == 0) {
+            let n = q / m;
+            let Some(u) = (0..n).find(|u| (u * m) % n == 1) else {
+                return rejected("the sine or cosine of a part of a circle");
+            };
+            let (coarse, fine) = (self.part_of_half_turn(n)?, self.part_of_half_turn(m)?);
+            let point = self.turned_often((one(), Fraction::default()), &coarse, u)?;
+            return self.turned_often(point, &fine, (1 - u * m) / n);
+        }
+        if q % 2 != 0 || q > 64 {
+            return rejected("the sine or cosine of a part of a circle");
+        }
+        let cosine = self.part_of_half_turn(q / 2)?.0;
+        let [up, down] = [1, -1].map(|sign| cosine.scale(&rational(sign, 2)));
+        let (up, down) = (self.add(&number(1, 2), &up)?, self.add(&number(1, 2), &down)?);
+        Ok((self.root(&up, 1, 2)?, self.root(&down, 1, 2)?))
     }
 
     /// cos(a + b) = cos a cos b − sin a sin b, sin(a + b) = sin a cos b + cos a sin b
@@ -300,15 +347,16 @@ impl Field {
         Ok((self.subtract(&cc, &ss)?, self.add(&sc, &cs)?))
     }
 
-    /// The point of an angle that c·quantity is a multiple of: a quarter turn, an inverse function, a unit.
+    /// The point of an angle that c·quantity is a multiple of: a part of a half turn, an inverse function, a unit.
     fn step(&mut self, quantity: &Fraction, c: &BigRational) -> Result<(Point, i64), Stop> {
-        let generator = (0..self.generators.len())
-            .find(|g| quantity.factors.is_empty() && quantity.numerator == Polynomial::generator(*g, 1));
-        let quarters = c * rational(2, 1);
+        let generator = (0..self.generators.len()).find(|g| quantity.is_generator(*g));
         match generator.and_then(|g| self.generators[g].clone()) {
-            Some((Pi, _)) if quarters.is_integer() => {
-                let rest = i64::try_from(quarters.numer() % BigInt::from(4)).unwrap_or(0);
-                return Ok(((Fraction::default(), one()), rest));
+            Some((Pi, _)) => {
+                let times = i64::try_from(c.numer() % (c.denom() * BigInt::from(2))).unwrap_or(0);
+                let Some(q) = i64::try_from(c.denom()).ok().filter(|q| *q <= 960) else {
+                    return rejected("so small a part of a circle");
+                };
+                return Ok((self.part_of_half_turn(q)?, times));
             }
             Some((Function(name @ ("asin" | "atan")), a)) if c.is_integer() => {
                 let times = i64::try_from(c.numer()).ok().filter(|n| n.abs() < 256);

@@ -1,7 +1,7 @@
 //! A checker of certificates, independent of the prover: it shares the file format with it and nothing else.
 //!
 //! ```text
-//! source file ─▶ tokens ─▶ theory, evaluate ─▶ both sides, conditions      (expression, calculus)
+//! source file ─▶ tokens ─▶ theory, evaluate ─▶ both sides, conditions      (expression, calculus, metric)
 //! certificate ─▶ proof   ─▶ bases, units, signs ─▶ is left − right zero?   (field, element, sign, polynomial)
 //!             └▶ witness ─▶ a point             ─▶ are left and right apart? (interval)
 //! ```
@@ -15,7 +15,9 @@ mod element;
 mod evaluate;
 mod expression;
 mod field;
+mod integral;
 mod interval;
+mod metric;
 mod polynomial;
 mod proof;
 mod sign;
