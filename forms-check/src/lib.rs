@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! source file ─▶ tokens ─▶ theory, evaluate ─▶ both sides, conditions      (expression, calculus, metric)
-//! certificate ─▶ proof   ─▶ bases, units, signs ─▶ is left − right zero?   (field, element, sign, polynomial)
+//! antiderivatives ─▶ F′ = f, continuity ─▶ values of integrals              (integral, continuity)
+//! certificate ─▶ proof   ─▶ bases, units, signs ─▶ is left − right zero?   (field, element, circle, sign, polynomial)
 //!             └▶ witness ─▶ a point             ─▶ are left and right apart? (interval)
 //! ```
 //! A certificate chooses: which polynomials have roots, what angles are multiples of, which signs are told apart
@@ -11,6 +12,8 @@
 
 mod calculus;
 mod certificate;
+mod circle;
+mod continuity;
 mod element;
 mod evaluate;
 mod expression;

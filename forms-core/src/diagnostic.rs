@@ -36,12 +36,19 @@ pub struct Diagnostic {
     pub help: Option<String>,
     /// Another place it depends on, named: the bracket that is not closed, the first of two declarations.
     pub related: Option<(Span, String)>,
+    /// Whether the text may be right, and only its value was not found: a statement about it is undecided.
+    pub is_open: bool,
 }
 
 impl Diagnostic {
     /// A diagnostic without a hint.
     pub fn new(span: Span, message: impl Into<String>) -> Self {
-        Diagnostic { span, message: message.into(), help: None, related: None }
+        Diagnostic { span, message: message.into(), help: None, related: None, is_open: false }
+    }
+
+    /// One about a text that may be right, and of which only the value was not found.
+    pub fn open(span: Span, message: impl Into<String>) -> Self {
+        Diagnostic { is_open: true, ..Diagnostic::new(span, message) }
     }
 
     /// The same with a hint.

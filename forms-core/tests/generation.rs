@@ -143,7 +143,7 @@ fn many_pieces_end_in_a_bound_and_not_in_a_long_search() {
     let text =
         format!("kernel k({}) = ({})**3*({}) + 1;", names.join(", "), sum.join(" + "), names.join(" + "));
     let translation = generated(&text).expect("every seam agrees").translation;
-    assert!(translation.to_string().contains("pieces") || translation.is_proved(), "{translation}");
+    assert!(translation.to_string().contains("it has more than 64 pieces"), "{translation}");
 }
 
 #[test]
@@ -170,4 +170,13 @@ fn what_takes_too_much_work_is_compared_at_points_and_not_called_proved() {
     let Translation::Unknown { reason, points: 12 } = &translation else { panic!("{translation:?}") };
     assert!(reason.contains("too large"), "{reason}");
     assert!(translation.to_string().contains("only compared with it at 12 points: "), "{translation}");
+}
+
+#[test]
+fn seams_are_limited() {
+    let choice = |i: u32| format!("(if u > {i} {{ u - {i} }} else {{ 0 }})");
+    let kernel =
+        |count: u32| format!("kernel k(u) = {};", (1..=count).map(choice).collect::<Vec<_>>().join(" + "));
+    is_accepted(&kernel(60));
+    is_refused(&kernel(257), "`k` has more than 256 seams");
 }

@@ -48,7 +48,32 @@ fn what_would_not_fit_is_unknown() {
     let factors = ["x", "y", "z", "u", "v", "(x + 1)", "(y + 1)", "(z + 1)", "(u + 1)"];
     let squares: Vec<String> = factors.iter().map(|factor| format!("{factor}**2")).collect();
     let roots: Vec<String> = squares.iter().map(|square| format!("sqrt({square})")).collect();
+    let shifted =
+        |shifts: std::ops::RangeInclusive<u32>| shifts.map(|i| format!("(x + {i})")).collect::<Vec<_>>();
+    let roots_of_each: Vec<String> = shifted(1..=66).iter().map(|factor| format!("sqrt({factor})")).collect();
+    let splits = format!("sqrt({})*({})", shifted(1..=66).join("*"), roots_of_each.join(" + "));
+    let within: Vec<String> = ["x", "y", "z", "u", "v"].map(|name| format!("abs(abs({name}) - 1)")).to_vec();
+    let outside: Vec<String> = within.iter().map(|part| format!("sqrt({part}**2)")).collect();
     for (statement, limit) in [
+        (
+            "exp(1/(x**2 + y*z + u + v + 1)**6)**2 == exp(2/(x**2 + y*z + u + v + 1)**6)".into(),
+            "a denominator of exponents has more than 64 terms",
+        ),
+        ("sin(49*x)**2 == 1 - cos(49*x)**2".into(), "an angle or exponent with the coefficient 49"),
+        ("exp(4097*x)*exp(y) == exp(4097*x + y)".into(), "an exponent with the coefficient 4097"),
+        ("sin(17*atan(x))**2 == 1 - cos(17*atan(x))**2".into(), "17 times `atan`"),
+        ("sin(atan(x)/32)**2 == 1 - cos(atan(x)/32)**2".into(), "1/32 times `atan`"),
+        (
+            "2**(1/97) + 3**(1/89) + 5**(1/83) == 5**(1/83) + 3**(1/89) + 2**(1/97)".into(),
+            "a root of order 97",
+        ),
+        ("x*sin(pi/37)**2 == x - x*cos(pi/37)**2".into(), "an angle of 1/37 times pi"),
+        ("x*sin(pi/128)**2 == x - x*cos(pi/128)**2".into(), "an angle of 1/128 times pi"),
+        (format!("{splits} == {splits}*x/x where x > 0"), "its radicands and angles were refined 64 times"),
+        (
+            format!("{} == {}", within.join(" + "), outside.join(" + ")),
+            "too many factors of radicands have an open sign",
+        ),
         ("x**(1/65) * x**(1/65) == x**(2/65) where x > 0".into(), "a root of order 65"),
         (
             format!("sin({})**2 == 1 - cos({})**2", parts.join(" + "), backwards.join(" + ")),
@@ -110,4 +135,37 @@ fn a_false_power_beyond_every_limit_is_refuted_where_its_base_is_small() {
 #[test]
 fn a_power_too_large_at_every_point_is_unknown() {
     assert_eq!(verdict("(x**2 + 3)**1000000 == 0").name(), "unknown");
+}
+
+/// (Σ x₀ᵏ dx₀ + … ) for k = 0, 1, …, wedged.
+fn wedge_of_sums(coordinates: usize, factors: u32) -> String {
+    let names: Vec<String> = (0..coordinates).map(|i| format!("x{i}")).collect();
+    let sum = |k| names.iter().map(|x| format!("{x}**{k}*d{x}")).collect::<Vec<_>>().join(" + ");
+    let sums: Vec<String> = (0..factors).map(sum).collect();
+    format!("chart R({}); let w = (({}));", names.join(", "), sums.join(")^("))
+}
+
+#[test]
+fn the_parts_of_the_expressions_of_a_file_are_counted() {
+    let expected = "the expressions of this file have more than 1000000 different parts";
+    assert_eq!(error(&wedge_of_sums(30, 5)), expected);
+}
+
+#[test]
+fn the_products_of_a_wedge_are_counted_beforehand() {
+    let text = wedge_of_sums(48, 2).replace("));", ")); let square = w^w;");
+    assert_eq!(error(&text), "the wedge product takes more than 1000000 products of terms");
+}
+
+#[test]
+fn derivatives_of_unknown_functions_in_an_integrand_are_limited() {
+    let text = |count: u32| {
+        let functions: String = (0..count).map(|i| format!("fn f{i}(x);")).collect();
+        let sum: Vec<String> = (0..count).map(|i| format!("diff(f{i}, x)")).collect();
+        format!("chart R(x); {functions} let it = integral({}, x = 0..1);", sum.join(" + "))
+    };
+    let (file, _) = read(&text(63));
+    assert_eq!(resolve(&file).1, []);
+    let expected = "cannot integrate over `x`: it has more than 64 derivatives of unknown functions";
+    assert_eq!(error(&text(65)), expected);
 }

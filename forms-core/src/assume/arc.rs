@@ -82,3 +82,86 @@ impl Facts {
         Some(negative)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::range::End;
+    use super::*;
+    use crate::expression::{Pool, SymbolKind};
+    use crate::normal::{Trigonometry, normalise};
+    use crate::syntax::ast::Relation;
+    use std::cmp::Ordering;
+
+    /// Inverse functions of the signs of their arguments, and their values as parts of π.
+    const VALUES: &[(Operation, &[i64], (i64, i64))] = &[
+        (Operation::Atan, &[1], (1, 4)),
+        (Operation::Atan, &[-1], (-1, 4)),
+        (Operation::Asin, &[1], (1, 2)),
+        (Operation::Asin, &[-1], (-1, 2)),
+        (Operation::Acos, &[1], (0, 1)),
+        (Operation::Acos, &[-1], (1, 1)),
+        (Operation::Atan2, &[1, 1], (1, 4)),
+        (Operation::Atan2, &[1, -1], (3, 4)),
+        (Operation::Atan2, &[-1, 1], (-1, 4)),
+        (Operation::Atan2, &[-1, -1], (-3, 4)),
+        (Operation::Atan2, &[0, 1], (0, 1)),
+        (Operation::Atan2, &[1, 0], (1, 2)),
+        (Operation::Atan2, &[-1, 0], (-1, 2)),
+    ];
+
+    /// The range of an inverse function of variables, some of which have known signs.
+    fn range_of(operation: Operation, signs: &[Option<i64>]) -> Range {
+        let mut pool = Pool::new();
+        let arguments: Vec<_> = (0..signs.len())
+            .map(|place| {
+                let symbol = pool.declare_symbol(format!("x{place}"), SymbolKind::Coordinate);
+                pool.symbol(symbol)
+            })
+            .collect();
+        let arc = pool.apply(operation, &arguments);
+        let all: Vec<_> = arguments.iter().copied().chain([arc]).collect();
+        let mut tower = Tower::new(Trigonometry::Circle);
+        let fractions = normalise(&mut tower, &pool, &all)
+            .and_then(|prepared| prepared.exact(&mut tower, &pool))
+            .expect("variables and one function");
+        let mut facts = Facts::of(&tower);
+        for (sign, fraction) in signs.iter().zip(&fractions) {
+            match sign {
+                Some(1) => facts.learn(&tower, fraction, Relation::GreaterEqual),
+                Some(_) => facts.learn(&tower, fraction, Relation::LessEqual),
+                None => {}
+            }
+        }
+        facts.range(&mut tower, &fractions[signs.len()]).expect("a range")
+    }
+
+    #[test]
+    fn the_range_of_an_inverse_function_holds_its_values_for_every_choice_of_known_signs() {
+        for &(operation, point, (p, q)) in VALUES {
+            for known in 0..1_usize << point.len() {
+                let signs = point.iter().enumerate().map(|(place, &sign)| {
+                    (known >> place & 1 == 1).then_some(if sign == 0 { 1 } else { sign })
+                });
+                let signs: Vec<Option<i64>> = signs.collect();
+                let range = range_of(operation, &signs);
+                let value = End::of_pi(p, q, false);
+                let lower = range.lower.expect("a bound").compare(&value);
+                let upper = range.upper.expect("a bound").compare(&value);
+                assert!(
+                    matches!(lower, Some(Ordering::Less | Ordering::Equal))
+                        && matches!(upper, Some(Ordering::Greater | Ordering::Equal)),
+                    "{operation:?} at {point:?} with {signs:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_known_sign_halves_the_range() {
+        assert!(range_of(Operation::Atan, &[Some(-1)]).is_within(1, 2));
+        assert!(!range_of(Operation::Acos, &[Some(1)]).is_within(1, 2));
+        assert!(range_of(Operation::Acos, &[Some(1)]).is_within(2, 3));
+        assert!(range_of(Operation::Atan2, &[Some(-1), Some(1)]).is_within(2, 3));
+        assert!(!range_of(Operation::Atan2, &[Some(-1), None]).is_within(2, 3));
+    }
+}

@@ -50,7 +50,9 @@ impl Facts {
                     self.at_least(variable, BigRational::zero());
                     let radicand = tower.radicand_of(variable);
                     if let Some((order, radicand)) = radicand
-                        && (radicand.as_constant().is_some() || tower.base(*base).sign.is_some())
+                        && (radicand.as_constant().is_some()
+                            || tower.base(*base).sign.is_some()
+                            || tower.is_manifestly_not_negative(radicand))
                     {
                         self.learn_root(variable, order, radicand);
                     }

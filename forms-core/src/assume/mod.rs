@@ -9,12 +9,14 @@
 //! the cases found here.
 
 mod arc;
+mod contradiction;
 mod facts;
 mod linear;
 mod range;
 mod region;
 mod sign;
 
+pub(crate) use contradiction::Contradiction;
 pub(crate) use facts::Facts;
 pub(crate) use range::Range;
 
@@ -232,6 +234,13 @@ pub(crate) fn is_at_most(pool: &mut Pool, a: Expr, b: Expr, conditions: &[Condit
     let Ok(difference) = known else { return false };
     let sign = difference.as_polynomial().map(|polynomial| knowledge.facts.sign_of(polynomial));
     difference.is_zero() || sign.flatten() == Some(Sign::Positive)
+}
+
+/// Where an angle lies wherever the conditions hold; nothing where that is not known.
+pub(crate) fn range_of(pool: &mut Pool, angle: Expr, conditions: &[Condition]) -> Range {
+    let assumptions = Assumptions::new(pool, conditions);
+    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(CHEAP_WORK);
+    assumptions.range(&mut tower, pool, angle, &[]).unwrap_or_default()
 }
 
 /// Whether an expression is known to be zero wherever it is defined; a cheap question, so that no is no answer.

@@ -10,6 +10,8 @@ use crate::enclosure::{Enclosure, Precision};
 use crate::expression::Rational;
 use crate::normal::Fraction;
 use crate::syntax::ast::Relation;
+use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
@@ -40,7 +42,7 @@ pub(crate) struct Range {
 
 impl End {
     /// (p/q)π
-    fn of_pi(p: i64, q: i64, open: bool) -> Self {
+    pub(super) fn of_pi(p: i64, q: i64, open: bool) -> Self {
         End { rational: BigRational::zero(), turns: BigRational::new(p.into(), q.into()), open }
     }
 
@@ -62,7 +64,7 @@ impl End {
     }
 
     /// How it compares to another number, where that is certain; openness aside.
-    fn compare(&self, other: &End) -> Option<Ordering> {
+    pub(super) fn compare(&self, other: &End) -> Option<Ordering> {
         let difference = self.add(&other.scaled(&-BigRational::from_integer(1.into())));
         if difference.rational.is_zero() {
             return Some(difference.turns.cmp(&BigRational::zero()));
@@ -125,6 +127,50 @@ impl Range {
             })
         };
         inside(&self.lower, -1, Ordering::Less) && inside(&self.upper, 1, Ordering::Greater)
+    }
+
+    /// Whether the sine of what lies here is never negative or never positive, and whether never zero.
+    pub(crate) fn sign_of_sine(&self) -> Option<(bool, bool)> {
+        self.sign_between_multiples((0, 1))
+    }
+
+    /// The same for the cosine.
+    pub(crate) fn sign_of_cosine(&self) -> Option<(bool, bool)> {
+        self.sign_between_multiples((1, 2))
+    }
+
+    /// The ends in parts of π, where they are multiples of π/4 or π/6 and at most half a turn apart.
+    pub(crate) fn within_half_a_turn(&self) -> Option<(Rational, Rational)> {
+        let (lower, upper) = (self.lower.as_ref()?, self.upper.as_ref()?);
+        let is_simple = |end: &End| {
+            end.rational.is_zero() && [4, 6].iter().any(|&n| (&end.turns * BigInt::from(n)).is_integer())
+        };
+        let width = &upper.turns - &lower.turns;
+        (is_simple(lower) && is_simple(upper) && width <= BigRational::from_integer(1.into()))
+            .then(|| (lower.turns.clone(), upper.turns.clone()))
+    }
+
+    /// The sign of sin(x + (p/q)π): that of (−1)ᵐ where x + (p/q)π lies between mπ and (m + 1)π.
+    fn sign_between_multiples(&self, (p, q): (i64, i64)) -> Option<(bool, bool)> {
+        let (lower, upper) = (self.lower.as_ref()?, self.upper.as_ref()?);
+        let shift = End::of_pi(p, q, false);
+        let (lower, upper) = (lower.add(&shift), upper.add(&shift));
+        let start = lower.enclosure(PRECISION).div(&Enclosure::pi(PRECISION)).ok()?.lower();
+        let first = start.round().to_integer();
+        for multiple in [&first - 1, first.clone(), &first + 1] {
+            let from = End { rational: BigRational::zero(), turns: multiple.clone().into(), open: false };
+            let to = from.add(&End::of_pi(1, 1, false));
+            let above = lower.compare(&from);
+            let below = upper.compare(&to);
+            let is_inside = matches!(above, Some(Ordering::Greater | Ordering::Equal))
+                && matches!(below, Some(Ordering::Less | Ordering::Equal));
+            if is_inside {
+                let strict = (above == Some(Ordering::Greater) || lower.open)
+                    && (below == Some(Ordering::Less) || upper.open);
+                return Some((multiple.is_even(), strict));
+            }
+        }
+        None
     }
 
     /// Numbers that tan x keeps between, as far as x stays between −π/2 and π/2.
@@ -246,6 +292,30 @@ impl Ranges {
             let apart =
                 terms.iter().fold(zero, |sum, term| sum.add(&self.of_terms(pi, std::slice::from_ref(term))));
             range = Range { lower: range.lower.or(apart.lower), upper: range.upper.or(apart.upper) };
+        }
+        if let ([term], false) = (terms, range.lower.is_some() && range.upper.is_some()) {
+            let through = self.through_others(term);
+            range = Range { lower: range.lower.or(through.lower), upper: range.upper.or(through.upper) };
+        }
+        range
+    }
+
+    /// For a condition a m + b s + k > 0 with a bound of s: m > −(b s + k)/a, or < for negative a.
+    fn through_others(&self, (monomial, coefficient): &(Monomial, BigRational)) -> Range {
+        let mut range = Range::default();
+        for (known, open) in &self.known {
+            let [first, second] = known.terms.as_slice() else { continue };
+            let (own, other) = if first.0 == *monomial { (first, second) } else { (second, first) };
+            if own.0 != *monomial {
+                continue;
+            }
+            let factor = &own.1 / coefficient;
+            let scale = -factor.recip();
+            let rest = self.of_conditions(&[(other.0.clone(), &other.1 * &scale)]);
+            let end = if factor.is_positive() { rest.lower } else { rest.upper };
+            let Some(end) = end else { continue };
+            let constant = End { rational: known.rational.clone(), turns: known.turns.clone(), open: *open };
+            range.narrow(factor.is_positive(), end.add(&constant.scaled(&scale)));
         }
         range
     }

@@ -27,7 +27,7 @@ mod wedge;
 
 pub use blade::{Blade, Coordinate, MAXIMUM_COORDINATES};
 pub use coefficient::{Coefficients, Product, Structured};
-pub use exterior::exterior_derivative;
+pub use exterior::{Contribution, contributions, exterior_derivative};
 pub use field::{Field, bracket, derivative_along};
 pub use form::Form;
 pub use gradient::{curl, divergence, gradient};

@@ -6,7 +6,6 @@ use crate::assume::Facts;
 use crate::expression::{Expr, Pool};
 use crate::normal::{Fraction, Generator, Sign, Tower, Unit};
 use crate::polynomial::Polynomial;
-use num_traits::Signed;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fmt::Write;
 
@@ -132,12 +131,10 @@ impl Writer {
         }
         let agrees = |known: &&(Sign, String)| base.sign.is_none_or(|sign| sign == known.0);
         let known = self.reasons.get(&number).filter(agrees).cloned();
-        let given = base.sign.map(|sign| (sign, self.polynomial(tower, &signed(&base.polynomial, sign))));
-        let natural = || {
-            let text = is_naturally_positive(tower, &base.polynomial).then_some(text);
-            text.map(|text| (Sign::Positive, text))
-        };
-        match known.or(given).or_else(natural) {
+        let manifest = tower.is_manifestly_not_negative(&base.polynomial).then_some(Sign::Positive);
+        let given = base.sign.or(manifest);
+        let given = given.map(|sign| (sign, self.polynomial(tower, &signed(&base.polynomial, sign))));
+        match known.or(given) {
             Some((Sign::Positive, reason)) => self.line("positive", &reason),
             Some((Sign::Negative, reason)) => self.line("negative", &reason),
             None => {}
@@ -161,20 +158,6 @@ impl Writer {
             }
         }
     }
-}
-
-/// Whether a polynomial is a sum of positive numbers times even powers, roots and exponentials.
-fn is_naturally_positive(tower: &Tower, polynomial: &Polynomial) -> bool {
-    let is_positive = |variable: u32| {
-        matches!(
-            tower.generator(variable),
-            Generator::Exponential(_) | Generator::Root { .. } | Generator::Pi
-        )
-    };
-    polynomial.terms().all(|(monomial, c)| {
-        let mut powers = monomial.iter();
-        c.is_positive() && powers.all(|(variable, power)| power % 2 == 0 || is_positive(*variable))
-    })
 }
 
 fn signed(polynomial: &Polynomial, sign: Sign) -> Polynomial {

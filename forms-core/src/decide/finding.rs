@@ -1,9 +1,11 @@
 //! What can be found out about equations: points first, then the normal form, then more points.
 
 use super::empty;
+use super::instance::{Instance, instances};
 use super::problem::Problem;
 use super::proof::{self, Outcome};
 use super::report;
+use super::separation;
 use super::verdict::Witness;
 use super::witness::{Difference, Found, Search};
 use crate::expression::{Condition, Expr, Pool};
@@ -72,7 +74,7 @@ pub(super) fn find(pool: &mut Pool, problem: &Problem, effort: Effort) -> Findin
     if early == Some(Outcome::Zero) {
         return Finding::Equal { points: FIRST_POINTS };
     }
-    let mut survey = Survey::default();
+    let mut survey = Survey { instances: instances(pool, problem), ..Survey::default() };
     if early.is_some() {
         survey.enough = POINTS_BEFORE_ANGLES;
     }
@@ -82,6 +84,7 @@ pub(super) fn find(pool: &mut Pool, problem: &Problem, effort: Effort) -> Findin
     }
     let outcome = early.unwrap_or_else(|| proof::by_normal_forms(pool, problem, effort.work));
     let outcome = proof::as_angles(pool, problem, effort.work, outcome);
+    let outcome = separation::as_numbers(pool, problem, outcome);
     if outcome == Outcome::Zero && survey.points > 0 {
         return Finding::Equal { points: survey.points };
     }
@@ -112,26 +115,53 @@ struct Survey {
     points: usize,
     enough: usize,
     difference: Option<Difference>,
+    /// What points are looked for of, where it is not the problem itself.
+    instances: Option<Vec<Instance>>,
 }
 
 impl Default for Survey {
     fn default() -> Self {
-        Survey { points: 0, enough: FIRST_POINTS, difference: None }
+        Survey { points: 0, enough: FIRST_POINTS, difference: None, instances: None }
     }
 }
 
 impl Survey {
     /// Looks at candidates from one position on; gives the position to go on from.
     fn look(&mut self, pool: &Pool, problem: &Problem, from: u32, candidates: usize) -> u32 {
+        let Some(instances) = self.instances.take() else {
+            return self.look_at(pool, (problem, true), from, candidates);
+        };
+        let (mut position, enough) = (from, self.enough);
+        for (number, instance) in instances.iter().enumerate() {
+            self.enough = (enough * (number + 1)).div_ceil(instances.len());
+            let problem = (&instance.problem, instance.refutes);
+            position = self.look_at(pool, problem, from, candidates).max(position);
+            if let Some(difference) = &mut self.difference {
+                difference.point.extend(instance.functions.iter().cloned());
+                break;
+            }
+        }
+        self.enough = enough;
+        self.instances = Some(instances);
+        position
+    }
+
+    fn look_at(
+        &mut self,
+        pool: &Pool,
+        (problem, refutes): (&Problem, bool),
+        from: u32,
+        candidates: usize,
+    ) -> u32 {
         let mut search = Search::new(pool, problem, from);
         for _ in 0..candidates {
             match search.next() {
                 Found::NoPoint => {}
-                Found::Agrees => self.points += 1,
-                Found::Differs(difference) => {
+                Found::Differs(difference) if refutes => {
                     self.difference = Some(difference);
                     break;
                 }
+                Found::Agrees | Found::Differs(_) => self.points += 1,
             }
             if self.points >= self.enough {
                 break;

@@ -17,14 +17,19 @@ mod account;
 mod angle;
 mod empty;
 mod finding;
+mod instance;
 mod problem;
 mod proof;
 mod ratio;
 mod relation;
 mod report;
 mod sample;
+mod separation;
+#[cfg(test)]
+mod soundness;
 mod translation;
 mod verdict;
+mod wave;
 mod witness;
 
 pub use account::{Account, Bound, Cancellation, Case, account};
@@ -33,6 +38,7 @@ pub(crate) use finding::{Effort, Equations, Finding, contradiction};
 pub use ratio::Ratio;
 pub(crate) use report::simplified;
 pub use report::simplified_where;
+pub use separation::{Separated, separated};
 pub use verdict::{Theorem, Verdict, Witness};
 
 use crate::certificate::Observer;
@@ -56,6 +62,9 @@ const RETRACED_WORK: u64 = 2_000_000;
 /// assert_eq!(decide(&mut theory, &statement).name(), "proved");
 /// ```
 pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
+    if let Some(reason) = statement.obstacle.clone() {
+        return Verdict::Unknown { reason };
+    }
     let problem = Problem::new(theory, statement);
     match finding::find(&mut theory.pool, &problem, Effort::STATEMENT) {
         Finding::Equal { points: 0 } => Verdict::Unknown {

@@ -3,9 +3,10 @@
 use super::angle;
 use super::problem::Problem;
 use super::translation;
+use super::wave::signs_of_waves;
 use crate::assume::{Assumptions, Cases};
 use crate::certificate::Observer;
-use crate::expression::{Expr, Pool};
+use crate::expression::{Condition, Expr, Pool};
 use crate::normal::{Drift, Fraction, Obstacle, Sign, Tower, Trigonometry, normalise};
 
 /// What the normal forms say.
@@ -69,15 +70,40 @@ pub(super) fn prove_full_turn(pool: &mut Pool, task: Task, differences: Vec<Expr
     prove_in_all_cases(pool, task, differences, Some(turn))
 }
 
+/// With the stated conditions, then with what they say of sines and cosines.
+fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn: Option<Turn>) -> Outcome {
+    let stated = &task.problem.assumptions;
+    let outcome = prove_under(pool, (stated, task.work), &differences, turn.as_ref());
+    if !matches!(outcome, Outcome::NotZero | Outcome::Outside(_)) {
+        return outcome;
+    }
+    let waves = signs_of_waves(pool, &differences, stated);
+    if waves.is_empty() {
+        return outcome;
+    }
+    let conditions: Vec<Condition> = stated.iter().copied().chain(waves).collect();
+    match prove_under(pool, (&conditions, task.work), &differences, turn.as_ref()) {
+        Outcome::Zero => Outcome::Zero,
+        _ => outcome,
+    }
+}
+
 /// First in the frame of the translations that change no difference. Bounds of single variables say less in it: where
 /// it left several cases and no proof, the expressions are looked at as they stand, unless the work was too much.
-fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn: Option<Turn>) -> Outcome {
-    let frame = translation::frame(pool, &differences);
+fn prove_under(
+    pool: &mut Pool,
+    given: (&[Condition], u64),
+    differences: &[Expr],
+    turn: Option<&Turn>,
+) -> Outcome {
+    let frame = translation::frame(pool, differences);
     if frame.is_empty() {
-        return explored(pool, task, differences, turn, frame).0;
+        return explored(pool, given, differences, turn, frame).0;
     }
-    match explored(pool, task, differences.clone(), turn.clone(), frame) {
-        (Outcome::NotZero | Outcome::Empty(_), true) => explored(pool, task, differences, turn, Vec::new()).0,
+    match explored(pool, given, differences, turn, frame) {
+        (Outcome::NotZero | Outcome::Empty(_), true) => {
+            explored(pool, given, differences, turn, Vec::new()).0
+        }
         (outcome, _) => outcome,
     }
 }
@@ -85,14 +111,14 @@ fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn:
 /// The outcome in a frame, and whether several cases were told apart.
 fn explored(
     pool: &mut Pool,
-    task: Task,
-    differences: Vec<Expr>,
-    turn: Option<Turn>,
+    (conditions, work): (&[Condition], u64),
+    differences: &[Expr],
+    turn: Option<&Turn>,
     frame: Vec<Drift>,
 ) -> (Outcome, bool) {
-    let assumptions = Assumptions::new(pool, &task.problem.assumptions);
-    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(task.work).in_frame(frame);
-    let mut proof = Proof::new(pool, &mut tower, assumptions, differences, turn);
+    let assumptions = Assumptions::new(pool, conditions);
+    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(work).in_frame(frame);
+    let mut proof = Proof::new(pool, &mut tower, assumptions, differences.to_vec(), turn.cloned());
     let explored = proof.explore(&[]);
     let several = proof.several;
     let outcome = match explored {
@@ -167,7 +193,7 @@ impl<'a> Proof<'a> {
                     observer.zero(self.pool, self.tower, &self.differences);
                 }
                 self.settled.push(given.to_vec());
-                return Ok(Outcome::Zero);
+                return self.beside_points(given);
             }
             Ok(_) => {}
             Err(Obstacle::DivisionByZero) => {
@@ -203,6 +229,14 @@ impl<'a> Proof<'a> {
         }
         self.observe(|observer| observer.end());
         Ok(together.unwrap_or(Outcome::NotZero))
+    }
+
+    /// That everything is zero, unless it holds only as a limit and the points spoken of may lie apart.
+    fn beside_points(&mut self, given: &[(usize, Sign)]) -> Result<Outcome, Obstacle> {
+        if self.tower.divides_by_norms {
+            self.assumptions.cases(self.tower, self.pool, &self.expressions(), given)?;
+        }
+        Ok(Outcome::Zero)
     }
 
     fn observe(&mut self, tell: impl FnOnce(&mut dyn Observer)) {

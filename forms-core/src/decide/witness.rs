@@ -104,17 +104,19 @@ impl<'a> Search<'a> {
         conditions.chain(self.problem.components.iter().flat_map(|c| [c.left, c.right])).collect()
     }
 
-    /// Looks at the next candidate.
+    /// Looks at the next candidate. Where there is but one, no other will show a small difference.
     pub(super) fn next(&mut self) -> Found {
         let (point, seed) = self.candidate();
+        let mut found = Found::NoPoint;
         for precision in PRECISIONS {
             match self.look(&point, seed, Precision(precision)) {
+                Ok(Found::Agrees) if self.symbols.is_empty() => found = Found::Agrees,
                 Ok(found) => return found,
                 Err(Undecided::Undefined | Undecided::TooLarge) => return Found::NoPoint,
                 Err(Undecided::Unknown) => {}
             }
         }
-        Found::NoPoint
+        found
     }
 
     /// Values at a point: `Unknown` asks for a higher precision.
@@ -234,7 +236,7 @@ struct Jets<'a> {
     round: u32,
     bounds: &'a FxHashMap<FunctionId, Bounds>,
     known: Vec<Jet>,
-    /// Two places could be told neither apart nor to be the same.
+    /// A place may be one of two that have different values.
     mixed: bool,
 }
 
@@ -246,28 +248,46 @@ impl Jets<'_> {
         arguments: &[Enclosure],
         precision: Precision,
     ) -> Option<Enclosure> {
-        for jet in self.known.iter().filter(|jet| jet.function == function) {
-            match same_place(&jet.arguments, arguments) {
-                Some(true) if jet.orders == orders => return Some(Enclosure::exact(&jet.value, precision)),
-                Some(_) => {}
-                None => self.mixed = true,
-            }
+        let mut same: Option<&Rational> = None;
+        let alike = |jet: &&Jet| {
+            jet.function == function
+                && jet.orders == orders
+                && may_be_the_same_place(&jet.arguments, arguments)
+        };
+        for jet in self.known.iter().filter(alike) {
+            self.mixed |= same.is_some_and(|value| *value != jet.value);
+            same = Some(&jet.value);
+        }
+        if let Some(value) = same {
+            return Some(self.noted(function, orders, arguments, value.clone(), precision));
         }
         let order: u32 = orders.iter().sum();
         let bounds = if order == 0 { self.bounds.get(&function) } else { None };
         let value = jet_value(self.seed, self.known.len(), self.round, bounds);
+        Some(self.noted(function, orders, arguments, value, precision))
+    }
+
+    fn noted(
+        &mut self,
+        function: FunctionId,
+        orders: &[u32],
+        arguments: &[Enclosure],
+        value: Rational,
+        precision: Precision,
+    ) -> Enclosure {
         let enclosure = Enclosure::exact(&value, precision);
-        self.known.push(Jet { function, orders: orders.to_vec(), arguments: arguments.to_vec(), value });
-        Some(enclosure)
+        let (orders, arguments) = (orders.to_vec(), arguments.to_vec());
+        let is_known =
+            |jet: &Jet| jet.function == function && jet.orders == orders && jet.arguments == arguments;
+        if !self.known.iter().any(is_known) {
+            self.known.push(Jet { function, orders, arguments, value });
+        }
+        enclosure
     }
 }
 
-/// Whether two places are the same, where that is certain. Equal enclosures may stand for different places; to
-/// give these the same values is no mistake, as some smooth function takes them.
-fn same_place(a: &[Enclosure], b: &[Enclosure]) -> Option<bool> {
-    if a == b {
-        return Some(true);
-    }
-    let apart = a.iter().zip(b).any(|(a, b)| !a.intersects(b));
-    apart.then_some(false)
+/// Whether two places may be one. They may still be different ones: to give these the same values is no mistake, as
+/// some smooth function takes them.
+fn may_be_the_same_place(a: &[Enclosure], b: &[Enclosure]) -> bool {
+    a.iter().zip(b).all(|(a, b)| a.intersects(b))
 }

@@ -3,7 +3,7 @@
 use super::definitions::{expressions, parts};
 use super::scribe::{Formula, Scribe};
 use super::{Line, Step};
-use crate::calculus::{Blade, Coordinate, Form};
+use crate::calculus::{Blade, Coordinate, Form, contributions};
 use crate::expression::{Expr as Scalar, Operation};
 use crate::notation::latex_of_name;
 use crate::resolve::{Named, Value};
@@ -69,11 +69,11 @@ fn terms_of_derivative(scribe: &mut Scribe, operation: &Expr) -> Vec<Line> {
     }
     let Some(Value::Form(form)) = scribe.value_of(argument) else { return vec![] };
     let along = along(scribe, index.as_ref());
-    let contributions = contributions(scribe, &form, &along);
-    if contributions.len() < 2 || contributions.len() > MOST_TERMS {
+    let derivatives = derivatives(scribe, &form, &along);
+    if derivatives.len() < 2 || derivatives.len() > MOST_TERMS {
         return vec![];
     }
-    contributions
+    derivatives
         .into_iter()
         .map(|(coordinate, blade, coefficient, raised, derivative)| {
             let left = partial(scribe, coordinate, coefficient, blade);
@@ -92,19 +92,18 @@ fn along(scribe: &Scribe, index: Option<&Expr>) -> Vec<Coordinate> {
     (0..scribe.theory.coordinates.len() as u8).map(Coordinate).collect()
 }
 
-type Contribution = (Coordinate, Blade, Scalar, Blade, Scalar);
+/// xᵢ, dx_I, w_I, dx_J and ±∂w_I/∂xᵢ of a contribution.
+type Derivative = (Coordinate, Blade, Scalar, Blade, Scalar);
 
-fn contributions(scribe: &mut Scribe, form: &Form<Scalar>, along: &[Coordinate]) -> Vec<Contribution> {
+/// The contributions that are not zero.
+fn derivatives(scribe: &mut Scribe, form: &Form<Scalar>, along: &[Coordinate]) -> Vec<Derivative> {
     let mut found = Vec::new();
-    for (blade, value) in form.terms() {
-        for &coordinate in along {
-            let Some((raised, sign)) = Blade::of(coordinate).wedge(*blade) else { continue };
-            let pool = &mut scribe.theory.pool;
-            let derivative = pool.derivative(*value, scribe.theory.coordinates[coordinate.0 as usize]);
-            if !pool.is_zero(derivative) {
-                let signed = if sign < 0 { pool.negate(derivative) } else { derivative };
-                found.push((coordinate, *blade, *value, raised, signed));
-            }
+    for part in contributions(form, along) {
+        let pool = &mut scribe.theory.pool;
+        let derivative = pool.derivative(*part.value, scribe.theory.coordinates[part.coordinate.0 as usize]);
+        if !pool.is_zero(derivative) {
+            let signed = if part.sign < 0 { pool.negate(derivative) } else { derivative };
+            found.push((part.coordinate, part.blade, *part.value, part.raised, signed));
         }
     }
     found

@@ -2,7 +2,7 @@
 
 use super::scribe::{Formula, Scribe};
 use super::{Line, Step};
-use crate::decide::{Bound, Cancellation, Case, account, vanishing_angles};
+use crate::decide::{Bound, Cancellation, Case, Separated, account, separated, vanishing_angles};
 use crate::expression::{Expr, Operation};
 use crate::normal::Sign;
 use crate::resolve::Statement;
@@ -13,9 +13,13 @@ const LONGEST_SUM: usize = 160;
 /// Numerators with a longer one among them are told by their number.
 const LONGEST_NUMERATOR: usize = 400;
 
-/// A step for each case of a proof by normal forms, or for each angle that vanishes.
+/// A step for each case of a proof by normal forms, or for each number or angle that vanishes.
 pub(super) fn steps(scribe: &mut Scribe, statement: &Statement) -> Vec<Step> {
     let Some(account) = account(scribe.theory, statement) else {
+        let numbers = separated(scribe.theory, statement);
+        if !numbers.is_empty() {
+            return numbers.iter().map(|number| within_separation(scribe, number)).collect();
+        }
         let angles = vanishing_angles(scribe.theory, statement);
         return angles.into_iter().map(|angle| vanishing(scribe, angle)).collect();
     };
@@ -46,6 +50,27 @@ fn vanishing(scribe: &mut Scribe, angle: Expr) -> Step {
         equals(&angle, "0"),
     ];
     Step::new("Left minus right, as an angle", lines)
+}
+
+/// |D| < 2⁻ⁿ, and D = 0 or |D| ≥ 2⁻ⁿ
+fn within_separation(scribe: &mut Scribe, separated: &Separated) -> Step {
+    let number = scribe.plain(separated.number);
+    let places = separated.places;
+    let compared = |relation: &str, latex: &str| {
+        Line::Formula(Formula::new(
+            format!("abs({}) {relation} 2**-{places}", number.text),
+            format!("\\left|{}\\right| {latex} 2^{{-{places}}}", number.latex),
+        ))
+    };
+    let lines = vec![
+        Line::Words(
+            "The difference is an algebraic number. Were it not zero, its conjugates would leave it".into(),
+        ),
+        compared(">=", "\\ge"),
+        Line::Words("but an enclosure with rational ends shows".into()),
+        compared("<", "<"),
+    ];
+    Step::new("Left minus right, as an algebraic number", lines)
 }
 
 fn step(scribe: &mut Scribe, case: &Case, number: Option<usize>) -> Step {

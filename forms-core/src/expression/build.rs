@@ -188,7 +188,11 @@ impl Pool {
     }
 
     /// A partial derivative of an unknown function at the given arguments; all orders zero is its value.
+    /// A derivative of a primitive by an upper end is what it integrates there.
     pub fn jet(&mut self, function: FunctionId, orders: &[u32], arguments: &[Expr]) -> Expr {
+        if let Some(lowered) = self.lowered(function, orders, arguments) {
+            return lowered;
+        }
         self.intern(Node::Jet { function, orders: orders.into(), arguments: arguments.into() })
     }
 

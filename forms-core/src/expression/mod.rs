@@ -17,6 +17,7 @@ mod domain;
 mod nature;
 mod node;
 mod operation;
+mod primitive;
 mod relation;
 mod substitution;
 mod text;

@@ -44,7 +44,7 @@ impl Pool {
     }
 
     /// The same operation on the images of its operands.
-    fn image(&mut self, expression: Expr, node: Node, images: &FxHashMap<Expr, Expr>) -> Expr {
+    pub(crate) fn image(&mut self, expression: Expr, node: Node, images: &FxHashMap<Expr, Expr>) -> Expr {
         let of = |operand: &Expr| images[operand];
         match node {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => expression,

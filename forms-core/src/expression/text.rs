@@ -112,6 +112,9 @@ impl Pool {
         arguments: &[Expr],
         written: &[Cow<str>],
     ) -> String {
+        if self.is_primitive(function) {
+            return self.write_integral(function, orders, arguments, written);
+        }
         let unknown = self.function(function);
         let mut head = unknown.name.clone();
         if orders.iter().any(|&order| order > 0) {
@@ -129,6 +132,26 @@ impl Pool {
             .zip(arguments)
             .all(|(symbol, argument)| *self.node(*argument) == Node::Symbol(*symbol));
         if own { head } else { format!("{head}({})", written.join(", ")) }
+    }
+
+    /// `integral(w, s1 = 0..b)`
+    fn write_integral(
+        &self,
+        function: FunctionId,
+        orders: &[u32],
+        arguments: &[Expr],
+        written: &[Cow<str>],
+    ) -> String {
+        let mut pool = self.clone();
+        let Some((kernel, variables)) = pool.kernel_at(function, orders, arguments) else {
+            return self.function(function).name.clone();
+        };
+        let ranges: Vec<String> = variables
+            .iter()
+            .zip(written)
+            .map(|(&variable, end)| format!("{} = 0..{end}", pool.symbol_name(variable)))
+            .collect();
+        format!("integral({}, {})", pool.text(kernel), ranges.join(", "))
     }
 }
 

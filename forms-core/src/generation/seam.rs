@@ -34,7 +34,7 @@ enum Agreement {
 
 /// What is to be said of the seams of a kernel at which its pieces are not shown to agree.
 pub(super) fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Diagnostic> {
-    let mut faults = Vec::new();
+    let (mut faults, mut seams) = (Vec::new(), 0);
     let mut seen: FxHashSet<(Expr, Vec<Condition>)> = FxHashSet::default();
     let mut open: Vec<(Expr, Vec<Condition>)> =
         kernel.outputs.iter().rev().map(|&output| (output, Vec::new())).collect();
@@ -46,7 +46,8 @@ pub(super) fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Diagnostic> {
             open.extend(outermost_choices(pool, expression).into_iter().map(|inner| (inner, path.clone())));
             continue;
         };
-        if seen.len() > MOST_SEAMS {
+        seams += 1;
+        if seams > MOST_SEAMS {
             let message = format!("`{}` has more than {MOST_SEAMS} seams", kernel.name);
             faults.push(Diagnostic::new(kernel.span, message));
             break;

@@ -5,6 +5,8 @@
 //!                                               └─ search: partial fractions, exponentials, roots, substitution,
 //!                                                     parts, derivatives of what unknown functions occur in
 //!                                                     ─▶ A(x) ─ A′ = f? ─ continuous on [a, b]? ─▶ A(b) − A(a)
+//!           |q| ─▶ pieces between the zeros of q
+//!           unknown functions, no derivative ─▶ products ─▶ primitives Φ(b) − Φ(a)
 //! ```
 //! The search may do what it likes: nothing is believed of an antiderivative but what its derivative and its
 //! continuity show. Continuous on the closed range and differentiable inside, with A′ = f, it gives the integral, the
@@ -13,9 +15,14 @@
 mod bernstein;
 mod ends;
 mod exponential;
+mod half_tangent;
 mod harmonic;
+mod improper;
 mod moments;
 mod parts;
+mod pieces;
+mod power;
+mod primitive;
 mod radical;
 mod range;
 mod rational;
@@ -23,9 +30,10 @@ mod search;
 mod signs;
 mod substitution;
 mod unknown;
+mod wave;
 
 pub(crate) use moments::power_integral;
-pub(crate) use signs::Region;
+pub(crate) use signs::{Region, Strictness};
 
 use crate::assume::{Assumptions, Cases};
 use crate::expression::{Condition, Expr, Pool};
@@ -62,7 +70,16 @@ fn normal_form(
     Ok(normal)
 }
 
-/// The same, perhaps in half-angle tangents.
+/// The expression through its normal form, in which powers of a root have met; as it is if it has none.
+fn tidied(pool: &mut Pool, expression: Expr, conditions: &[Condition]) -> Expr {
+    let mut tower = Tower::new(Trigonometry::Circle);
+    match normal_form(pool, &mut tower, expression, conditions) {
+        Ok(normal) => tower.raise(pool, &normal),
+        Err(_) => expression,
+    }
+}
+
+/// The normal form, perhaps in half-angle tangents.
 fn any_normal_form(
     pool: &mut Pool,
     tower: &mut Tower,

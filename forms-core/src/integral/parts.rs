@@ -1,12 +1,16 @@
-//! Partial integration: ∫ (u + v L) = S L + ∫ (u − S L′) with S = ∫ v, for L a logarithm or inverse function.
+//! Partial integration: ∫ (u + v Lⁿ) = S Lⁿ + ∫ (u − n S Lⁿ⁻¹ L′) with S = ∫ v, for L a logarithm or inverse function and u of
+//! lower degree in it.
 
 use super::Failure;
 use super::search::{Integrand, Search};
-use crate::expression::{Expr, Pool};
-use crate::normal::{Fraction, Generator};
+use crate::expression::Expr;
+use crate::normal::Generator;
+
+/// The highest power of a logarithm or inverse function; each step of the search lowers it by one.
+const HIGHEST_POWER: i32 = 3;
 
 impl Search<'_> {
-    /// An antiderivative, if one logarithm or inverse function occurs to the first power.
+    /// An antiderivative, if the integrand is a polynomial in a logarithm or inverse function.
     pub(super) fn by_parts(
         &mut self,
         integrand: &mut Integrand,
@@ -20,22 +24,30 @@ impl Search<'_> {
         let Some(terms) = integrand.tower.laurent_terms(&integrand.normal, &[function]) else {
             return Ok(None);
         };
-        let share = |power: i32, pool: &mut Pool| {
-            let term = terms.iter().find(|(exponents, _)| exponents[0] == power);
-            integrand.tower.raise(pool, term.map_or(&Fraction::zero(), |(_, coefficient)| coefficient))
-        };
-        let (u, v) = (share(0, self.pool), share(1, self.pool));
-        if terms.iter().any(|(exponents, _)| !(0..=1).contains(&exponents[0])) {
+        let highest = terms.iter().map(|(exponents, _)| exponents[0]).max().unwrap_or(0);
+        if !(1..=HIGHEST_POWER).contains(&highest) || terms.iter().any(|(exponents, _)| exponents[0] < 0) {
             return Ok(None);
         }
         let itself = crate::polynomial::Polynomial::variable(function).into();
         let logarithm = integrand.tower.raise(self.pool, &itself);
+        let (mut v, mut rest) = (self.pool.integer(0), self.pool.integer(0));
+        for (exponents, coefficient) in &terms {
+            let coefficient = integrand.tower.raise(self.pool, coefficient);
+            if exponents[0] == highest {
+                v = coefficient;
+            } else {
+                let power = self.pool.power(logarithm, i64::from(exponents[0]).into());
+                let term = self.pool.multiply(coefficient, power);
+                rest = self.pool.add(rest, term);
+            }
+        }
         let outer = self.antiderivative(v, integrand.symbol, integrand.conditions, depth)?;
-        let derivative = self.pool.derivative(logarithm, integrand.symbol);
-        let product = self.pool.multiply(outer, derivative);
-        let rest = self.pool.subtract(u, product);
+        let power = self.pool.power(logarithm, i64::from(highest).into());
+        let slope = self.pool.derivative(power, integrand.symbol);
+        let product = self.pool.multiply(outer, slope);
+        let rest = self.pool.subtract(rest, product);
         let inner = self.antiderivative(rest, integrand.symbol, integrand.conditions, depth)?;
-        let whole = self.pool.multiply(outer, logarithm);
+        let whole = self.pool.multiply(outer, power);
         Ok(Some(self.pool.add(whole, inner)))
     }
 }

@@ -6,7 +6,7 @@
 
 use super::rational::{Part, Rational};
 use super::search::{Integrand, Search};
-use super::{Failure, normal_form};
+use super::{Failure, normal_form, tidied};
 use crate::expression::{Expr, Operation, Substitution, Symbol, SymbolKind};
 use crate::normal::{Fraction, Generator, Tower, Trigonometry, Univariate};
 use crate::polynomial::Polynomial;
@@ -217,11 +217,11 @@ impl Search<'_> {
             let term = match part {
                 Part::Rational(value) => {
                     let value = self.at(value, y, quotient);
-                    self.tidied(value, integrand)
+                    tidied(self.pool, value, integrand.conditions)
                 }
                 Part::Logarithm(coefficient, argument) => {
                     let argument = self.at(argument, y, quotient);
-                    let argument = self.tidied(argument, integrand);
+                    let argument = tidied(self.pool, argument, integrand.conditions);
                     Part::Logarithm(coefficient, argument).expression(self.pool)
                 }
                 Part::ArcTangent(coefficient, above, below) => {
@@ -235,15 +235,6 @@ impl Search<'_> {
             sum = self.pool.add(sum, term);
         }
         Ok(sum)
-    }
-
-    /// The same through its normal form, in which powers of the root have met.
-    fn tidied(&mut self, value: Expr, integrand: &Integrand) -> Expr {
-        let mut tower = Tower::new(Trigonometry::Circle);
-        match normal_form(self.pool, &mut tower, value, integrand.conditions) {
-            Ok(normal) => tower.raise(self.pool, &normal),
-            Err(_) => value,
-        }
     }
 
     /// atan(k s/ρ) = asin(k s/√C) where k² = −a
@@ -269,7 +260,7 @@ impl Search<'_> {
         let product = self.pool.multiply(slope, s);
         let radius = self.pool.sqrt(c);
         let sine = self.pool.divide(product, radius);
-        let sine = self.tidied(sine, integrand);
+        let sine = tidied(self.pool, sine, integrand.conditions);
         Ok(Some(self.pool.apply(Operation::Asin, &[sine])))
     }
 }

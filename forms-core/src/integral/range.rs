@@ -30,15 +30,26 @@ impl Region {
         integrand: Expr,
         conditions: &[Condition],
     ) -> Option<Condition> {
-        let is_closed = self.has_unknowns(pool, integrand);
+        let strictness =
+            if self.has_unknowns(pool, integrand) { Strictness::Strict } else { Strictness::Weak };
+        self.first_unmet(pool, conditions, strictness)
+    }
+
+    /// The same, on the borders of the ranges too if that is strict.
+    pub(crate) fn first_unmet(
+        &mut self,
+        pool: &mut Pool,
+        conditions: &[Condition],
+        strictness: Strictness,
+    ) -> Option<Condition> {
         for &condition in conditions {
-            let symbols = pool.symbols_in(&[condition.left, condition.right]);
-            if !self.ranges.iter().any(|range| symbols.contains(&range.0)) {
+            if !self.varies(pool, condition.left) && !self.varies(pool, condition.right) {
                 continue;
             }
             let difference = pool.subtract(condition.left, condition.right);
             let sign = self.sign(pool, difference);
-            let is_far = !is_closed || sign.is_some_and(|sign| sign.1 == Strictness::Strict);
+            let is_far =
+                strictness == Strictness::Weak || sign.is_some_and(|sign| sign.1 == Strictness::Strict);
             let holds = match condition.relation {
                 Relation::NotEqual => is_far,
                 Relation::Greater => is_far && sign.is_some_and(|sign| sign.0),
@@ -85,7 +96,15 @@ impl Region {
         {
             return Ok(Integral { value, conditions: vec![], antiderivative: Some(antiderivative) });
         }
-        self.by_antiderivative(pool, integrand).map_err(|failure| failure.0)
+        match self.by_antiderivative(pool, integrand) {
+            Ok(found) => Ok(found),
+            Err(failure) => {
+                if let Some(found) = self.by_pieces(pool, integrand)? {
+                    return Ok(found);
+                }
+                self.by_primitives(pool, integrand)?.ok_or(failure.0)
+            }
+        }
     }
 
     fn by_antiderivative(&self, pool: &mut Pool, integrand: Expr) -> Result<Integral, Failure> {
@@ -146,10 +165,15 @@ impl Region {
         if !is_antiderivative(pool, antiderivative, integrand, variable, &self.conditions)? {
             return Err(format!("no antiderivative of `{}` was found", pool.text(integrand)).into());
         }
-        let conditions = self.where_continuous(pool, antiderivative, variable)?;
-        let upper = self.value_at(pool, antiderivative, variable, to);
-        let lower = self.value_at(pool, antiderivative, variable, from);
-        let value = pool.subtract(upper, lower);
+        let mut conditions = Vec::new();
+        for part in self.without_powers(pool, antiderivative) {
+            conditions.extend(self.where_extended(pool, part, variable)?);
+        }
+        let upper = self.limit_at(pool, antiderivative, variable, to);
+        let lower = self.limit_at(pool, antiderivative, variable, from);
+        let difference = pool.subtract(upper, lower);
+        let (value, positive) = self.with_powers_of_zero(pool, difference)?;
+        conditions.extend(positive);
         Ok(Integral { value, conditions, antiderivative: Some(antiderivative) })
     }
 
@@ -179,14 +203,14 @@ impl Region {
     }
 
     /// Whether an expression depends on a variable of a range.
-    fn varies(&self, pool: &Pool, expression: Expr) -> bool {
+    pub(super) fn varies(&self, pool: &Pool, expression: Expr) -> bool {
         let symbols = pool.symbols_in(&[expression]);
         self.ranges.iter().any(|range| symbols.contains(&range.0))
     }
 
     /// That every part of an antiderivative is defined and continuous over the closed range. What does not depend on
     /// the variable becomes a condition.
-    fn where_continuous(
+    pub(super) fn where_continuous(
         &self,
         pool: &mut Pool,
         antiderivative: Expr,

@@ -68,6 +68,9 @@ impl Search<'_> {
         if let Some(found) = self.exponential(integrand)? {
             return Ok(found);
         }
+        if let Some(found) = self.symbolic_power(integrand)? {
+            return Ok(found);
+        }
         if let Some(found) = self.radical(integrand)? {
             return Ok(found);
         }

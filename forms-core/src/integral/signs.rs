@@ -15,7 +15,7 @@ const MOST_BOXES: usize = 400;
 
 /// Whether a sign excludes zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Strictness {
+pub(crate) enum Strictness {
     /// Zero may occur.
     Weak,
     /// It does not.
@@ -26,6 +26,7 @@ pub(super) enum Strictness {
 pub(super) type KnownSign = (bool, Strictness);
 
 /// The ranges, outermost first, and what is assumed of everything else.
+#[derive(Clone)]
 pub(crate) struct Region {
     /// Variable, lower and upper bound.
     pub(crate) ranges: Vec<(Symbol, Expr, Expr)>,
@@ -43,6 +44,9 @@ impl Region {
                 Nature::NotNegative => seen = Some((positive, Strictness::Weak)),
                 Nature::Open => {}
             }
+        }
+        if let Some(found) = self.sign_of_waves(pool, q) {
+            return Some(found);
         }
         let (on_box, sides) = self.on_box(pool, q);
         let found =

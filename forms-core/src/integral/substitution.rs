@@ -4,7 +4,7 @@ use super::range::is_antiderivative;
 use super::search::{Integrand, Search};
 use super::{Failure, normal_form};
 use crate::expression::{Condition, Expr, Node, Operation, Substitution, Symbol, SymbolKind};
-use crate::normal::{Fraction, Generator, Tower, Trigonometry};
+use crate::normal::{Generator, Tower, Trigonometry};
 use crate::polynomial::Polynomial;
 use crate::syntax::ast::Relation;
 use rustc_hash::FxHashMap;
@@ -133,42 +133,52 @@ impl Search<'_> {
             .filter(|angle| self.pool.symbols_in(&[*angle]).contains(&symbol))
             .collect();
         let angle = *angles.first()?;
-        for (main, other) in [(Operation::Cos, Operation::Sin), (Operation::Sin, Operation::Cos)] {
-            let inner = self.pool.apply(main, &[angle]);
-            let cofunction = self.pool.apply(other, &[angle]);
-            let y = self.pool.declare_symbol("y", SymbolKind::Local);
-            let value = self.pool.symbol(y);
-            let square = self.pool.power(value, 2.into());
-            let one = self.pool.integer(1);
-            let rest = self.pool.subtract(one, square);
-            let images: FxHashMap<Expr, Expr> =
-                [(inner, value), (cofunction, self.pool.sqrt(rest))].into_iter().collect();
-            let derivative = self.pool.derivative(inner, symbol);
-            let quotient = self.pool.divide(expression, derivative);
-            let outer = self.pool.replace(quotient, &images);
-            if self.pool.symbols_in(&[outer]).contains(&symbol) {
-                continue;
-            }
-            let minus_one = self.pool.integer(-1);
-            let mut known = vec![
-                Condition { left: value, relation: Relation::Greater, right: minus_one },
-                Condition { left: value, relation: Relation::Less, right: one },
-            ];
-            for condition in conditions {
-                let sides = [condition.left, condition.right].map(|side| self.pool.replace(side, &images));
-                if !self.pool.symbols_in(&sides).contains(&symbol) {
-                    known.push(Condition { left: sides[0], relation: condition.relation, right: sides[1] });
-                }
-            }
-            if let Ok(found) = self.antiderivative(outer, y, &known, depth) {
-                let values: Substitution = [(y, inner)].into_iter().collect();
-                let found = self.pool.substitute(found, &values);
-                if is_antiderivative(self.pool, found, expression, symbol, conditions) == Ok(true) {
-                    return Some(found);
-                }
+        let pairs = [(Operation::Cos, Operation::Sin), (Operation::Sin, Operation::Cos)];
+        pairs.into_iter().find_map(|functions| {
+            let found = self.with_cofunction(expression, symbol, conditions, (angle, functions), depth)?;
+            let is_right = is_antiderivative(self.pool, found, expression, symbol, conditions);
+            (is_right == Ok(true)).then_some(found)
+        })
+    }
+
+    /// The same for y = f(u) with the cofunction √(1 − y²), one of sine and cosine each.
+    fn with_cofunction(
+        &mut self,
+        expression: Expr,
+        symbol: Symbol,
+        conditions: &[Condition],
+        (angle, (function, cofunction)): (Expr, (Operation, Operation)),
+        depth: u32,
+    ) -> Option<Expr> {
+        let inner = self.pool.apply(function, &[angle]);
+        let cofunction = self.pool.apply(cofunction, &[angle]);
+        let y = self.pool.declare_symbol("y", SymbolKind::Local);
+        let value = self.pool.symbol(y);
+        let square = self.pool.power(value, 2.into());
+        let one = self.pool.integer(1);
+        let rest = self.pool.subtract(one, square);
+        let images: FxHashMap<Expr, Expr> =
+            [(inner, value), (cofunction, self.pool.sqrt(rest))].into_iter().collect();
+        let derivative = self.pool.derivative(inner, symbol);
+        let quotient = self.pool.divide(expression, derivative);
+        let outer = self.pool.replace(quotient, &images);
+        if self.pool.symbols_in(&[outer]).contains(&symbol) {
+            return None;
+        }
+        let minus_one = self.pool.integer(-1);
+        let mut known = vec![
+            Condition { left: value, relation: Relation::Greater, right: minus_one },
+            Condition { left: value, relation: Relation::Less, right: one },
+        ];
+        for condition in conditions {
+            let sides = [condition.left, condition.right].map(|side| self.pool.replace(side, &images));
+            if !self.pool.symbols_in(&sides).contains(&symbol) {
+                known.push(Condition { left: sides[0], relation: condition.relation, right: sides[1] });
             }
         }
-        None
+        let found = self.antiderivative(outer, y, &known, depth).ok()?;
+        let values: Substitution = [(y, inner)].into_iter().collect();
+        Some(self.pool.substitute(found, &values))
     }
 
     /// y = x²: f/2x must be even. It is looked at for x > 0, which decides it for x < 0.
@@ -200,49 +210,5 @@ impl Search<'_> {
         let square = self.pool.power(x, 2.into());
         let values: Substitution = [(y, square)].into_iter().collect();
         Some(self.pool.substitute(found, &values))
-    }
-
-    /// t = tan(u/2): cos u = (1 − t²)/(1 + t²), sin u = 2t/(1 + t²), for rational functions of one sine and cosine.
-    pub(super) fn by_half_tangent(&mut self, integrand: &mut Integrand) -> Result<Option<Expr>, Failure> {
-        let tower = &mut *integrand.tower;
-        let x = tower.variable_number(integrand.symbol);
-        let mut angle: Option<Fraction> = None;
-        let y = self.pool.declare_symbol("y", SymbolKind::Local);
-        let t: Fraction = Polynomial::variable(tower.variable_number(y)).into();
-        let square = tower.multiply(&t, &t)?;
-        let norm = tower.add(&Fraction::one(), &square)?;
-        let inverse = tower.inverse(&norm)?;
-        let mut values = Vec::new();
-        for generator in integrand.generators.clone() {
-            let above = match tower.generator(generator) {
-                Generator::Cosine(_) => tower.subtract(&Fraction::one(), &square)?,
-                Generator::Sine(_) => tower.add(&t, &t)?,
-                _ => return Ok(None),
-            };
-            let Some(argument) = tower.argument(generator) else { return Ok(None) };
-            if angle.as_ref().is_some_and(|known| *known != argument) {
-                return Ok(None);
-            }
-            angle = Some(argument);
-            values.push((generator, tower.multiply(&above, &inverse)?));
-        }
-        let Some(angle) = angle else { return Ok(None) };
-        let function = tower.rational_function(&angle, x)?;
-        if !function.denominator.is_empty() || function.numerator.degree() != 1 {
-            return Ok(None);
-        }
-        // dx = 2/(κ(1 + t²)) dt
-        let composed = tower.replaced(&integrand.normal, &values)?;
-        let slope = tower.inverse(&function.numerator.coefficient(1))?;
-        let twice = tower.add(&inverse, &inverse)?;
-        let jacobian = tower.multiply(&twice, &slope)?;
-        let rational = tower.multiply(&composed, &jacobian)?;
-        let found = self.rational(integrand.tower, &rational, y)?;
-        let angle = integrand.tower.raise(self.pool, &angle);
-        let half = self.pool.ratio(1, 2);
-        let halved = self.pool.multiply(half, angle);
-        let tangent = self.pool.apply(Operation::Tan, &[halved]);
-        let values: Substitution = [(y, tangent)].into_iter().collect();
-        Ok(Some(self.pool.substitute(found, &values)))
     }
 }

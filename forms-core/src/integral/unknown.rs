@@ -13,7 +13,7 @@
 
 use super::search::{Integrand, Search};
 use super::{Failure, normal_form};
-use crate::expression::{Condition, Expr, FunctionId, Node, SymbolKind};
+use crate::expression::{Condition, Expr, FunctionId, Node, Symbol, SymbolKind};
 use crate::normal::{Generator, Tower, Trigonometry};
 use crate::polynomial::Polynomial;
 use rustc_hash::FxHashMap;
@@ -50,23 +50,53 @@ impl Search<'_> {
             return Ok(None);
         }
         let (symbol, conditions) = (integrand.symbol, integrand.conditions);
-        let (mut found, mut rest) = (self.pool.integer(0), integrand.expression);
-        for _ in 0..MOST_REDUCTIONS {
-            let mut tower = Tower::new(Trigonometry::Circle);
-            let normal = normal_form(self.pool, &mut tower, rest, conditions)?;
-            let generators = tower.generators_in(&normal, symbol);
-            let mut left =
-                Integrand { expression: rest, normal, tower: &mut tower, symbol, generators, conditions };
-            let Some(leading) = self.leading(&left) else {
-                let last = self.antiderivative(rest, symbol, conditions, depth)?;
-                return Ok(Some(self.pool.add(found, last)));
-            };
-            let Some(part) = self.reduction(&mut left, &leading, depth) else { break };
-            found = self.pool.add(found, part);
-            let derivative = self.pool.derivative(part, symbol);
-            rest = self.pool.subtract(rest, derivative);
+        let (found, rest) = self.reduced(integrand.expression, symbol, conditions, depth)?;
+        if self.has_unknowns(rest, symbol) {
+            return Err(self.not_integrable(integrand));
         }
-        Err(self.not_integrable(integrand))
+        let last = self.antiderivative(rest, symbol, conditions, depth)?;
+        Ok(Some(self.pool.add(found, last)))
+    }
+
+    /// Whether an unknown function is taken at places that depend on the variable.
+    pub(super) fn has_unknowns(&self, expression: Expr, symbol: Symbol) -> bool {
+        self.pool.reachable(&[expression]).into_iter().any(|part| {
+            matches!(self.pool.node(part), Node::Jet { .. })
+                && self.pool.symbols_in(&[part]).contains(&symbol)
+        })
+    }
+
+    /// G and f − DG, reduced as long as the highest derivative gets lower.
+    pub(super) fn reduced(
+        &mut self,
+        integrand: Expr,
+        symbol: Symbol,
+        conditions: &[Condition],
+        depth: u32,
+    ) -> Result<(Expr, Expr), Failure> {
+        let (mut found, mut rest) = (self.pool.integer(0), integrand);
+        let mut next: Option<(Expr, Expr)> = None;
+        let mut last: Option<Rank> = None;
+        for _ in 0..MOST_REDUCTIONS {
+            let (sum, remainder) = next.unwrap_or((found, rest));
+            let mut tower = Tower::new(Trigonometry::Circle);
+            let normal = normal_form(self.pool, &mut tower, remainder, conditions)?;
+            let generators = tower.generators_in(&normal, symbol);
+            let expression = tower.raise(self.pool, &normal);
+            let mut left =
+                Integrand { expression, normal, tower: &mut tower, symbol, generators, conditions };
+            let leading = self.leading(&left);
+            if last.is_some() && leading.as_ref().map(|leading| &leading.rank) >= last.as_ref() {
+                return Ok((found, rest));
+            }
+            (found, rest) = (sum, expression);
+            let Some(leading) = leading else { return Ok((found, rest)) };
+            let Some(part) = self.reduction(&mut left, &leading, depth) else { return Ok((found, rest)) };
+            let derivative = self.pool.derivative(part, symbol);
+            next = Some((self.pool.add(found, part), self.pool.subtract(rest, derivative)));
+            last = Some(leading.rank);
+        }
+        Err(format!("it has more than {MOST_REDUCTIONS} derivatives of unknown functions").into())
     }
 
     /// ∫ A du⁽ⁿ⁻¹⁾ for the leading derivative u⁽ⁿ⁾, if the integrand may be a derivative.

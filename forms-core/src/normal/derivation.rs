@@ -8,7 +8,7 @@ use super::fraction::Fraction;
 use super::generator::{Generator, Quantity, Unit};
 use super::tower::{Obstacle, Tower};
 use crate::calculus::{Coefficients, Coordinate, Product};
-use crate::expression::{Operation, Rational, Symbol};
+use crate::expression::{FunctionId, Operation, Rational, Symbol};
 use crate::polynomial::Polynomial;
 use num_traits::One;
 
@@ -56,23 +56,7 @@ impl Tower {
             }
             Generator::Pi | Generator::Chord { .. } => Ok(Fraction::zero()),
             Generator::Jet { function, orders, arguments } => {
-                let mut sum = Fraction::zero();
-                for (place, argument) in arguments.iter().enumerate() {
-                    let inner = self.derivative(argument, by)?;
-                    if inner.is_zero() {
-                        continue;
-                    }
-                    let mut raised = orders.clone();
-                    raised[place] += 1;
-                    let jet = self.element(Generator::Jet {
-                        function,
-                        orders: raised,
-                        arguments: arguments.clone(),
-                    });
-                    let term = self.multiply(&jet, &inner)?;
-                    sum = self.add(&sum, &term)?;
-                }
-                Ok(sum)
+                self.derivative_of_jet(function, &orders, &arguments, by)
             }
             Generator::Cosine(unit) => {
                 let sine = self.element(Generator::Sine(unit.clone()));
@@ -98,6 +82,30 @@ impl Tower {
                 self.derivative_of_opaque(operation, &arguments, by)
             }
         }
+    }
+
+    /// D f(a, b, …) = f₁ Da + f₂ Db + …
+    fn derivative_of_jet(
+        &mut self,
+        function: FunctionId,
+        orders: &[u32],
+        arguments: &[Fraction],
+        by: Symbol,
+    ) -> Result<Fraction, Obstacle> {
+        let mut sum = Fraction::zero();
+        for (place, argument) in arguments.iter().enumerate() {
+            let inner = self.derivative(argument, by)?;
+            if inner.is_zero() {
+                continue;
+            }
+            let mut raised = orders.to_vec();
+            raised[place] += 1;
+            let jet =
+                self.element(Generator::Jet { function, orders: raised, arguments: arguments.to_vec() });
+            let term = self.multiply(&jet, &inner)?;
+            sum = self.add(&sum, &term)?;
+        }
+        Ok(sum)
     }
 
     /// The products ±a b without denominators, their work counted.

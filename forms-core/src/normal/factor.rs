@@ -159,7 +159,8 @@ impl Tower {
         }
     }
 
-    /// Divides by F as often as it goes, as N/F = N G/n.
+    /// Divides by F as often as it goes, as N/F = N G/n. A unit, one with n = ±1 such as 1 + √2, divides everything
+    /// without end, and is left where it is.
     fn divide_out_by_norm(
         &mut self,
         rest: &mut Polynomial,
@@ -167,6 +168,9 @@ impl Tower {
         norm: &Polynomial,
     ) -> Result<i32, Obstacle> {
         let mut exponent = 0;
+        if norm.as_constant().is_some_and(|number| number.abs().is_one()) {
+            return Ok(exponent);
+        }
         while rest.as_constant().is_none() {
             self.charge(rest, conjugate)?;
             let Some(quotient) = self.reduce(rest.mul(conjugate))?.divide_exact(norm) else { break };

@@ -1,21 +1,20 @@
 //! Known factors that turn out to be products of others.
 //!
 //! A factor G keeps the name it was met under. Where a sum brings it together with a factor F that divides it, both
-//! over the field of the tower, G = c ∏ Fᵉ H is remembered, and the sum is taken over F and H instead: N² + D² of a
-//! solid angle is the product of the denominators of its edges.
+//! over the field of the tower, G = ±∏ Fᵉ H is remembered, and the sum is taken over F and H instead: N² + D² of a
+//! solid angle is the product of the denominators of its edges. Factors are primitive, so no other number than ±1 stands
+//! before the product; with roots it may be −1, since reduction changes leading terms.
 
 use super::factor::{FactorPower, merge_powers};
 use super::fraction::Fraction;
 use super::generator::FactorId;
 use super::tower::{Obstacle, Tower};
-use crate::polynomial::Polynomial;
-use num_bigint::BigInt;
-use num_traits::{Signed, pow};
+use num_traits::Signed;
 
-/// G = c ∏ Fᵉ
+/// G = ±∏ Fᵉ
 #[derive(Clone, Debug)]
 pub(super) struct Product {
-    constant: BigInt,
+    negative: bool,
     powers: Vec<FactorPower>,
 }
 
@@ -60,22 +59,15 @@ impl Tower {
         let mut rest = self.factor_polynomial(long).clone();
         let exponent = self.divide_out_factor(&mut rest, &divisor)?;
         if exponent > 0 {
+            let negative = rest.leading_coefficient().is_negative();
+            let cofactor = if negative { rest.neg() } else { rest };
             let mut powers = vec![FactorPower { factor: short, exponent }];
-            let constant = self.constant_and_factor(rest, &mut powers);
-            self.products.insert(long, Product { constant, powers });
+            if cofactor.as_constant().is_none() {
+                powers = merge_powers(&powers, &[FactorPower { factor: self.factor(cofactor), exponent: 1 }]);
+            }
+            self.products.insert(long, Product { negative, powers });
         }
         Ok(())
-    }
-
-    /// The number in front of a polynomial, the rest of which joins the powers.
-    fn constant_and_factor(&mut self, rest: Polynomial, powers: &mut Vec<FactorPower>) -> BigInt {
-        if let Some(constant) = rest.as_constant() {
-            return constant;
-        }
-        let content = if rest.leading_coefficient().is_negative() { -rest.content() } else { rest.content() };
-        let cofactor = FactorPower { factor: self.factor(rest.primitive_part()), exponent: 1 };
-        *powers = merge_powers(powers, &[cofactor]);
-        content
     }
 
     /// The same element with every factor that is known to be a product written as one.
@@ -90,15 +82,8 @@ impl Tower {
                 .map(|part| FactorPower { exponent: part.exponent * power.exponent, ..*part })
                 .collect();
             refined.factors = merge_powers(&refined.factors, &raised);
-            let times = power.exponent.unsigned_abs() as usize;
-            let number = pow(product.constant.clone(), times);
-            if power.exponent < 0 {
-                refined.numerator = refined.numerator.scale(&number);
-            } else {
-                if number.is_negative() {
-                    refined.numerator = refined.numerator.neg();
-                }
-                refined.divisor *= number.abs();
+            if product.negative && power.exponent % 2 != 0 {
+                refined.numerator = refined.numerator.neg();
             }
         }
         refined

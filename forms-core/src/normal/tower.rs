@@ -191,14 +191,13 @@ impl Tower {
         std::mem::take(&mut self.asked)
     }
 
-    /// Remembers the signs that an expression itself depends on, and the bases it is factored over.
     /// The open ones among the signs asked for since the last call.
     pub(crate) fn open_signs_asked(&mut self) -> Vec<usize> {
         let asked = self.take_signs_asked();
         asked.into_iter().filter(|&base| self.bases[base].sign.is_none()).collect()
     }
 
-    /// Remembers the signs that an expression itself depends on.
+    /// Remembers the signs that an expression itself depends on, and the bases it is factored over.
     pub(super) fn note_signs_asked(&mut self, expression: Expr) {
         let met = std::mem::take(&mut self.met);
         if !met.is_empty() {
@@ -355,6 +354,9 @@ impl Tower {
     pub(super) fn check_power(&self, a: &Polynomial, f: &Polynomial, n: u64) -> Result<(), Obstacle> {
         if f.term_count() > 1 && n > LARGEST_POWER_OF_SUM {
             return Err(Obstacle::TooLarge(format!("a power of a sum is beyond {LARGEST_POWER_OF_SUM}")));
+        }
+        if a.most_terms_with_power(f, n) <= self.work_limit {
+            return Ok(());
         }
         // With a bound generator terms may go when the power is reduced.
         let is_free =

@@ -245,6 +245,24 @@ impl Tower {
         Some(terms.collect())
     }
 
+    /// The element as a sum of products: a factor free of a real variable times a monomial of generators that depend on
+    /// it over the part of the denominator that does.
+    pub(crate) fn products(&mut self, a: &Fraction, symbol: Symbol) -> Computed<Vec<(Fraction, Fraction)>> {
+        let a = self.expanded(a)?;
+        let generators = self.generators_in(&a, symbol);
+        let (moving, still): (Vec<_>, Vec<_>) = a.factors.iter().copied().partition(|power| {
+            let polynomial = self.factor_polynomial(power.factor);
+            generators.iter().any(|&generator| polynomial.contains(generator))
+        });
+        let terms = a.numerator.split_by(&generators).into_iter().map(|(exponents, numerator)| {
+            let powers = generators.iter().copied().zip(exponents).filter(|power| power.1 > 0);
+            let monomial = Polynomial::one().multiply_by_monomial(&powers.collect::<Vec<_>>());
+            let coefficient = self.cancel(numerator, a.divisor.clone(), still.clone());
+            (coefficient, self.cancel(monomial, 1.into(), moving.clone()))
+        });
+        Ok(terms.collect())
+    }
+
     /// The known factors of an element and their exponents, positive below the line.
     pub(crate) fn factors_of(&self, a: &Fraction) -> Vec<(&Polynomial, i32)> {
         a.factors.iter().map(|power| (self.factor_polynomial(power.factor), power.exponent)).collect()

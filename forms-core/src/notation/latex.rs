@@ -173,6 +173,9 @@ impl Writer<'_> {
 
     /// f, f(a, b), ∂²f/∂x∂y, (∂f/∂x)(a, b)
     fn jet(&self, function: FunctionId, orders: &[u32], arguments: &[Expr]) -> (String, Binding) {
+        if let Some(integral) = self.integral(function, orders, arguments) {
+            return integral;
+        }
         let unknown = self.pool.function(function);
         let name = latex_name(&unknown.name);
         let total: u32 = orders.iter().sum();
@@ -201,6 +204,25 @@ impl Writer<'_> {
         }
         let list: Vec<String> = arguments.iter().map(|&a| self.of(a, Binding::Sum)).collect();
         (format!("{head}{}", bracketed(&list.join(", "))), Binding::Fraction)
+    }
+
+    /// ∫₀ᵇ w ds, where a function stands for one
+    fn integral(
+        &self,
+        function: FunctionId,
+        orders: &[u32],
+        arguments: &[Expr],
+    ) -> Option<(String, Binding)> {
+        let mut pool = self.pool.clone();
+        let (kernel, variables) = pool.kernel_at(function, orders, arguments)?;
+        let ends = variables.iter().zip(arguments);
+        let signs: String =
+            ends.map(|(_, &end)| format!("\\int_0^{{{}}}", self.of(end, Binding::Sum))).collect();
+        let steps: Vec<String> = variables
+            .iter()
+            .map(|&variable| format!("\\,\\mathrm{{d}}{}", latex_name(pool.symbol_name(variable))))
+            .collect();
+        Some((format!("{signs} {}{}", latex_of_expression(&pool, kernel), steps.concat()), Binding::Sum))
     }
 }
 

@@ -31,26 +31,13 @@ impl Evaluator<'_> {
         let chart = self.map(map)?.source;
         self.check_ranges(chart, &ranges)?;
         let (value, scope) = self.apart(|evaluator| evaluator.pull(&[map, form], span))?;
-        let zero = self.zero();
-        let form = match value {
-            Value::Zero => return Ok(Value::Scalar(zero)),
-            Value::Scalar(f) => Form::scalar(&self.ring(), f),
-            Value::Form(form) => form,
-            Value::Field(_) => return Err(Diagnostic::new(form.span, "expected a form")),
+        let Some(form) = self.form_on_boundary(value, form.span, ranges.len())? else {
+            return Ok(Value::Scalar(self.zero()));
         };
-        if form.degree() as usize + 1 != ranges.len() {
-            let message = format!(
-                "the boundary of a box of dimension {} takes a {}-form, found degree {}",
-                ranges.len(),
-                ranges.len() - 1,
-                form.degree()
-            );
-            return Err(Diagnostic::new(arguments_span(arguments, span), message));
-        }
         let source = self.theory.charts[chart].coordinates.clone();
         let defined = bounds.conditions().iter().chain(scope.conditions()).copied().collect();
         let on_box = OnBox { form, source, defined };
-        let mut sum = zero;
+        let mut sum = self.zero();
         for place in 0..ranges.len() {
             for upper in [true, false] {
                 let face = self.face_integral(&on_box, &ranges, (place, upper), span)?;
@@ -62,6 +49,30 @@ impl Evaluator<'_> {
         self.keep_outside(&bounds, &ranges);
         self.keep_outside(&scope, &ranges);
         Ok(Value::Scalar(sum))
+    }
+
+    /// The value as a form of the degree that a boundary has; nothing for zero.
+    fn form_on_boundary(
+        &mut self,
+        value: Value,
+        span: Span,
+        dimension: usize,
+    ) -> Evaluated<Option<Form<Expr>>> {
+        let form = match value {
+            Value::Zero => return Ok(None),
+            Value::Scalar(f) => Form::scalar(&self.ring(), f),
+            Value::Form(form) => form,
+            Value::Field(_) => return Err(Diagnostic::new(span, "expected a form")),
+        };
+        if form.degree() as usize + 1 != dimension {
+            let message = format!(
+                "the boundary of a box of dimension {dimension} takes a {}-form, found degree {}",
+                dimension - 1,
+                form.degree()
+            );
+            return Err(Diagnostic::new(span, message));
+        }
+        Ok(Some(form))
     }
 
     fn check_ranges(&self, chart: usize, ranges: &[Range]) -> Evaluated<()> {
@@ -110,13 +121,5 @@ impl Evaluator<'_> {
         let defined: Vec<Condition> =
             conditions.map(|condition| condition.substitute(&mut self.theory.pool, &at_face)).collect();
         self.iterated(coefficient, &rest, &defined, span)
-    }
-}
-
-/// Where the form stands.
-fn arguments_span(arguments: &[Argument], span: Span) -> Span {
-    match arguments.get(1) {
-        Some(Argument::Value(form)) => form.span,
-        _ => span,
     }
 }

@@ -63,7 +63,7 @@ impl Evaluator<'_> {
         let value = self.value(argument)?;
         let along = match index {
             Some(chart) => self.chart_coordinates(chart)?,
-            None => self.coordinates_in(&value.scalars()),
+            None => self.theory.coordinates_in(&value.scalars()),
         };
         let form = match value {
             Value::Zero => return Ok(Value::Zero),
@@ -95,15 +95,6 @@ impl Evaluator<'_> {
             )),
             None => Err(self.theory.names.unknown(&name.text, name.span)),
         }
-    }
-
-    /// The coordinates that some expressions depend on.
-    pub(super) fn coordinates_in(&self, expressions: &[Expr]) -> Vec<Coordinate> {
-        let symbols = self.theory.pool.symbols_in(expressions);
-        (0..self.theory.coordinates.len())
-            .filter(|&number| symbols.binary_search(&self.theory.coordinates[number]).is_ok())
-            .map(|number| Coordinate(number as u8))
-            .collect()
     }
 
     pub(super) fn field(&mut self, argument: &ast::Expr) -> Evaluated<Field<Expr>> {
@@ -139,7 +130,7 @@ impl Evaluator<'_> {
             Value::Field(y) => Ok(Value::Field(bracket(&mut self.ring(), &x, &y))),
             Value::Form(w) => {
                 let components: Vec<Expr> = x.components().map(|component| *component.1).collect();
-                let along = self.coordinates_in(&components);
+                let along = self.theory.coordinates_in(&components);
                 Ok(Value::Form(lie_of_form(&mut self.ring(), &x, &w, &along)))
             }
         }

@@ -8,7 +8,7 @@ use crate::assume::is_at_most;
 use crate::calculus::{Blade, Form};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Condition, Expr, Symbol, SymbolKind};
-use crate::integral::Region;
+use crate::integral::{Region, Strictness};
 use crate::syntax::ast::{self, Argument, ExprKind, Name, Relation};
 
 /// One range of an integral.
@@ -99,10 +99,16 @@ impl Evaluator<'_> {
             let message = format!("cannot integrate: it is not known that `{text}` holds all over the range");
             return Err(Diagnostic::new(span, message));
         }
+        let whole = region.clone();
         let mut integral = integrand;
         for range in ranges.iter().rev() {
             let found = region.integral(&mut self.theory.pool, integral).map_err(|reason| {
-                Diagnostic::new(span, format!("cannot integrate over `{}`: {reason}", range.name.text))
+                let message = format!("cannot integrate over `{}`: {reason}", range.name.text);
+                // Continuous on a closed box, the integrand has an integral; with a singularity there may be none.
+                match whole.clone().first_unmet(&mut self.theory.pool, defined, Strictness::Strict) {
+                    None => Diagnostic::open(span, message),
+                    Some(_) => Diagnostic::new(span, message),
+                }
             })?;
             self.theory.integrations.push(Integration {
                 place: range.name.span,

@@ -49,7 +49,7 @@ impl Resolver {
         }
         for (value, written) in map.components.iter().zip(components) {
             let (foreign, _, _) = self.evaluate(|evaluator| {
-                let found = evaluator.coordinates_in(&[*value]);
+                let found = evaluator.theory.coordinates_in(&[*value]);
                 Ok(found.into_iter().find(|c| !source.coordinates.contains(c)))
             })?;
             if let Some(foreign) = foreign {

@@ -112,14 +112,9 @@ impl Evaluator<'_> {
     /// The coordinates of the form's chart: the one chart with exactly the coordinates that occur, or else the one
     /// that has them all.
     fn coordinates_of(&mut self, form: &Form<Expr>, span: Span) -> Evaluated<Vec<Coordinate>> {
-        let coefficients: Vec<Expr> = form.terms().iter().map(|term| term.1).collect();
-        let mut occurring = self.coordinates_in(&coefficients);
-        occurring.extend(form.terms().iter().flat_map(|term| term.0.coordinates()));
-        occurring.sort_unstable();
-        occurring.dedup();
+        let occurring = self.theory.coordinates_of(form);
+        let fitting = self.theory.charts_with(&occurring);
         let charts = &self.theory.charts;
-        let has_all = |number: &usize| occurring.iter().all(|c| charts[*number].coordinates.contains(c));
-        let fitting: Vec<usize> = (0..charts.len()).filter(has_all).collect();
         let exact: Vec<usize> = fitting
             .iter()
             .copied()

@@ -19,7 +19,7 @@ impl Resolver {
                 format!("a statement named `{}` exists already", name.text),
             ));
         }
-        let (sides, domain, used) = self.evaluate(|evaluator| {
+        let evaluated = self.evaluate(|evaluator| {
             let mut own = Vec::new();
             for condition in conditions {
                 own.extend(evaluator.conditions(condition)?);
@@ -28,8 +28,15 @@ impl Resolver {
             let sides = (evaluator.value(left)?, evaluator.value(right)?);
             comparable(&sides.0, &sides.1).map_err(|message| Diagnostic::new(item.span, message))?;
             Ok((sides, own, evaluator.scope.mentioned().clone()))
-        })?;
-        let ((left, right), mut own, mentioned) = sides;
+        });
+        let (evaluated, obstacle) = match evaluated {
+            Err(diagnostic) if diagnostic.is_open => {
+                let nothing = ((Value::Zero, Value::Zero), Vec::new(), BTreeSet::new());
+                ((nothing, Vec::new(), Vec::new()), Some(diagnostic.message))
+            }
+            evaluated => (evaluated?, None),
+        };
+        let (((left, right), mut own, mentioned), domain, used) = evaluated;
         own.extend(self.chart_conditions(&used));
         self.theory.statements.push(Statement {
             name: name.text.clone(),
@@ -39,6 +46,7 @@ impl Resolver {
             name_span: name.span,
             left,
             right,
+            obstacle,
             conditions: own,
             domain,
             mentioned,

@@ -1,7 +1,7 @@
 //! What a file declares and claims, resolved.
 
 use super::value::Value;
-use crate::calculus::{Blade, Coordinate, Metric};
+use crate::calculus::{Blade, Coordinate, Form, Metric};
 use crate::diagnostic::Span;
 use crate::expression::{Condition, Expr, Pool, Symbol};
 use crate::syntax::ast::Claim;
@@ -78,6 +78,8 @@ pub struct Statement {
     pub left: Value,
     /// The other.
     pub right: Value,
+    /// Why a side has no value, if it may have one that was not found; nothing is decided then.
+    pub obstacle: Option<String>,
     /// The points it speaks of satisfy these: the `where`s that bind it.
     pub conditions: Vec<Condition>,
     /// And these: where both sides are defined.
@@ -198,6 +200,31 @@ impl Theory {
         let factors: Vec<String> =
             blade.coordinates().map(|coordinate| format!("d{}", self.coordinate_name(coordinate))).collect();
         factors.join("^")
+    }
+
+    /// The coordinates that occur in some expressions, in ascending order.
+    pub fn coordinates_in(&self, expressions: &[Expr]) -> Vec<Coordinate> {
+        let symbols = self.pool.symbols_in(expressions);
+        (0..self.coordinates.len())
+            .filter(|&number| symbols.binary_search(&self.coordinates[number]).is_ok())
+            .map(|number| Coordinate(number as u8))
+            .collect()
+    }
+
+    /// The coordinates that occur in a form, in its coefficients or as differentials, in ascending order.
+    pub fn coordinates_of(&self, form: &Form<Expr>) -> Vec<Coordinate> {
+        let coefficients: Vec<Expr> = form.terms().iter().map(|term| term.1).collect();
+        let mut occurring = self.coordinates_in(&coefficients);
+        occurring.extend(form.terms().iter().flat_map(|term| term.0.coordinates()));
+        occurring.sort_unstable();
+        occurring.dedup();
+        occurring
+    }
+
+    /// The numbers of the charts that have all of some coordinates.
+    pub fn charts_with(&self, coordinates: &[Coordinate]) -> Vec<usize> {
+        let has_all = |chart: &Chart| coordinates.iter().all(|c| chart.coordinates.contains(c));
+        (0..self.charts.len()).filter(|&number| has_all(&self.charts[number])).collect()
     }
 
     /// The name of a coordinate.

@@ -124,19 +124,7 @@ fn study(session: &Session, name: &str) -> Result<Study, String> {
         Some(_) => return Err(format!("`{name}` is not a form")),
         None => return Err(format!("`{name}` is not declared")),
     };
-    let values: Vec<Expr> = form.terms().iter().map(|term| term.1).collect();
-    let symbols = theory.pool.symbols_in(&values);
-    let occurs = |number: usize| {
-        let differential =
-            form.terms().iter().any(|term| term.0.coordinates().any(|c| c.0 as usize == number));
-        differential || symbols.contains(&theory.coordinates[number])
-    };
-    let occurring: Vec<usize> = (0..theory.coordinates.len()).filter(|&number| occurs(number)).collect();
-    let has_all = |chart: &usize| {
-        let own = &theory.charts[*chart].coordinates;
-        occurring.iter().all(|&number| own.iter().any(|c| c.0 as usize == number))
-    };
-    let fitting: Vec<usize> = (0..theory.charts.len()).filter(has_all).collect();
+    let fitting = theory.charts_with(&theory.coordinates_of(&form));
     let smallest = fitting.iter().map(|&chart| theory.charts[chart].coordinates.len()).min();
     let smallest: Vec<usize> = fitting
         .into_iter()

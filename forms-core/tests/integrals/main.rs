@@ -1,4 +1,7 @@
-//! Definite integrals: values against numerical quadrature, and integrals that have to be refused.
+//! Definite integrals: values against numerical quadrature, boundaries against the inside, and integrals that have to be
+//! refused.
 
+mod boundary;
 mod quadrature;
 mod refusals;
+mod unknown;

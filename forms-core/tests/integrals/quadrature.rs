@@ -14,7 +14,7 @@ const CASES: usize = 160;
 const FLOOR: usize = 95;
 
 /// The theory of a text and the messages of its errors.
-fn theory_of(text: &str) -> (Theory, Vec<String>) {
+pub(crate) fn theory_of(text: &str) -> (Theory, Vec<String>) {
     let (file, errors) = read(text);
     let (theory, found) = resolve(&file);
     (theory, errors.into_iter().chain(found).map(|error| error.message).collect())

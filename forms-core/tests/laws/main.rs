@@ -13,6 +13,8 @@ mod mutants;
 mod normal_forms;
 mod permutations;
 mod quotients;
+mod reduction;
+mod refinement;
 mod rejecting;
 mod scene;
 mod traps;

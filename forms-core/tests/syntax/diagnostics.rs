@@ -2,19 +2,33 @@
 //!
 //! Each file under `diagnostics` is a table of blocks: a text, then all that is said about it.
 
+use forms_core::diagnostic::Diagnostic;
+use forms_core::resolve::resolve;
 use forms_core::syntax::{Source, read, words};
 use std::fmt::Write;
 use std::path::Path;
 
-/// All that is said about a text, in the form the tables have.
+/// All that is said about how a text is written.
 fn said_about(text: &str) -> String {
+    table_of(text, read(text).1)
+}
+
+/// All that is said about what a text that is written well means.
+fn said_about_the_meaning(text: &str) -> String {
+    let (file, mistakes) = read(text);
+    assert_eq!(mistakes, [], "{text}");
+    table_of(text, resolve(&file).1)
+}
+
+/// Diagnostics in the form the tables have.
+fn table_of(text: &str, diagnostics: Vec<Diagnostic>) -> String {
     let source = Source::new("table", text);
     let mut said = String::new();
     let position = |place: u32| {
         let position = source.position(place);
         format!("{}:{}", position.line, position.column)
     };
-    for diagnostic in read(text).1 {
+    for diagnostic in diagnostics {
         writeln!(said, "{} {}", position(diagnostic.span.start), diagnostic.message).unwrap();
         if let Some((span, name)) = diagnostic.related {
             writeln!(said, "    note: {name} is at {}", position(span.start)).unwrap();
@@ -34,7 +48,7 @@ fn is_diagnostic(line: &str) -> bool {
 }
 
 /// Checks every block of one table.
-fn check(table: &str) {
+fn check(table: &str, said_about: fn(&str) -> String) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/syntax/diagnostics/{table}.txt"));
     let blocks = std::fs::read_to_string(path).expect("the table is there");
     let mut count = 0;
@@ -49,12 +63,13 @@ fn check(table: &str) {
 }
 
 macro_rules! tables {
-    ($($claim:ident $table:literal,)*) => {
-        $(#[test] fn $claim() { check($table); })*
+    ($said_about:ident: $($claim:ident $table:literal,)*) => {
+        $(#[test] fn $claim() { check($table, $said_about); })*
     };
 }
 
 tables! {
+    said_about:
     what_is_no_number_is_explained "numbers",
     each_foreign_character_is_named "characters",
     the_end_of_a_statement_is_explained "statement_ends",
@@ -65,6 +80,13 @@ tables! {
     a_broken_declaration_is_explained "declarations",
     a_broken_kernel_is_explained "kernels",
     several_mistakes_are_each_reported_once "recovery",
+}
+
+tables! {
+    said_about_the_meaning:
+    an_operation_says_what_it_takes "operations",
+    a_declaration_that_means_nothing_is_explained "items",
+    an_integral_that_is_not_found_is_explained "integrals",
 }
 
 #[test]

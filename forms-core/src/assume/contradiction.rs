@@ -1,0 +1,63 @@
+//! Contradictions: conditions that nothing meets, shown by the nature of what they compare or by each other.
+
+use super::{Assumptions, Facts};
+use crate::expression::{Condition, Pool};
+use crate::normal::{Fraction, Sign, Tower, Trigonometry, normalise};
+use crate::syntax::ast::Relation;
+
+/// Why no point meets some conditions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Contradiction {
+    /// Nothing meets this one.
+    Alone(Condition),
+    /// Bounds leave no value to some generator, or inequalities no point.
+    Together,
+}
+
+impl Assumptions {
+    /// A contradiction that is seen without telling cases apart.
+    pub(crate) fn contradiction(&self, pool: &Pool) -> Option<Contradiction> {
+        let mut tower = Tower::new(Trigonometry::HalfAngle);
+        let known = self.unconditional(pool, &mut tower);
+        let mut facts = Facts::of(&tower);
+        for (condition, difference) in &known {
+            facts.learn(&tower, difference, condition.relation);
+        }
+        facts.learn_functions(&tower);
+        let by_nature = Facts::of(&tower);
+        for (condition, difference) in &known {
+            if is_impossible(&mut tower, &by_nature, difference, condition.relation) {
+                return Some(Contradiction::Alone(*condition));
+            }
+        }
+        facts.contradiction().then_some(Contradiction::Together)
+    }
+
+    /// The conditions whose sides differ by a normal form that depends on no open sign.
+    fn unconditional(&self, pool: &Pool, tower: &mut Tower) -> Vec<(Condition, Fraction)> {
+        let mut known = Vec::new();
+        for (&condition, &side) in self.conditions.iter().zip(&self.sides) {
+            let Ok(prepared) = normalise(tower, pool, &[side]) else { continue };
+            if prepared.is_unconditional()
+                && let Ok(mut difference) = prepared.exact(tower, pool)
+                && let Ok(difference) = tower.expanded(&difference.remove(0))
+            {
+                known.push((condition, difference));
+            }
+        }
+        known
+    }
+}
+
+/// Whether `difference relation 0` fails wherever the difference is defined.
+fn is_impossible(tower: &mut Tower, by_nature: &Facts, difference: &Fraction, relation: Relation) -> bool {
+    let Ok(polynomial) = tower.with_the_sign_of(difference) else { return false };
+    let sign = by_nature.sign_of(&polynomial);
+    match relation {
+        Relation::NotEqual => difference.is_zero(),
+        Relation::Greater => difference.is_zero() || sign == Some(Sign::Negative),
+        Relation::Less => difference.is_zero() || sign == Some(Sign::Positive),
+        Relation::GreaterEqual => sign == Some(Sign::Negative) && by_nature.never_zero(&polynomial),
+        Relation::LessEqual => sign == Some(Sign::Positive) && by_nature.never_zero(&polynomial),
+    }
+}

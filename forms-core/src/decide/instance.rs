@@ -1,0 +1,182 @@
+//! Instances: problems with integrals of unknown functions, polynomials in the place of the functions.
+//!
+//! ```text
+//! f, g, Φ = ∫ f g  ─▶  f = 1 + 2s + …, g = 3 + s + …  ─▶  Φ integrated exactly
+//! ```
+//! The values of an unknown function and those of its integrals are not independent (∫ f² is not negative), so
+//! they are not chosen one by one: a refutation names the functions.
+
+use super::problem::{Component, Problem};
+use crate::expression::{Condition, Expr, FunctionId, Node, Pool, Substitution};
+use crate::integral::Region;
+use rustc_hash::FxHashMap;
+
+/// How many choices of functions are tried.
+const CHOICES: u64 = 3;
+
+/// A problem to look for points of.
+pub(super) struct Instance {
+    pub(super) problem: Problem,
+    /// What was put in the place of unknown functions.
+    pub(super) functions: Vec<(String, String)>,
+    /// Whether a point at which the sides differ refutes the statement.
+    pub(super) refutes: bool,
+}
+
+/// The instances of a problem in which functions stand for integrals. Nothing where there is no such function: then
+/// values and derivatives at the points are all that matters.
+pub(super) fn instances(pool: &mut Pool, problem: &Problem) -> Option<Vec<Instance>> {
+    let mut expressions = problem.differences();
+    let conditions = problem.assumptions.iter().flat_map(|c| [c.left, c.right]);
+    let in_conditions = has_primitives(pool, &conditions.collect::<Vec<_>>());
+    expressions.extend(problem.components.iter().flat_map(|c| [c.left, c.right]));
+    if !in_conditions && !has_primitives(pool, &expressions) {
+        return None;
+    }
+    let mut found: Vec<Instance> =
+        (0..CHOICES).filter_map(|choice| instance(pool, problem, choice)).collect();
+    if found.is_empty() && !in_conditions {
+        // the conditions say nothing of integrals, so a point that meets them is one, whatever the integrals are
+        let problem = copied(problem, |expression| expression);
+        found.push(Instance { problem, functions: vec![], refutes: false });
+    }
+    Some(found)
+}
+
+fn has_primitives(pool: &Pool, expressions: &[Expr]) -> bool {
+    pool.reachable(expressions)
+        .into_iter()
+        .any(|part| matches!(pool.node(part), Node::Jet { function, .. } if pool.is_primitive(*function)))
+}
+
+fn instance(pool: &mut Pool, problem: &Problem, choice: u64) -> Option<Instance> {
+    let mut functions = Functions { choice, known: FxHashMap::default(), conditions: vec![] };
+    let mut expressions: Vec<Expr> =
+        problem.components.iter().flat_map(|c| [c.left, c.right, c.difference]).collect();
+    expressions.extend(problem.assumptions.iter().flat_map(|c| [c.left, c.right]));
+    let images = functions.all(pool, &expressions)?;
+    let images: FxHashMap<Expr, Expr> = expressions.into_iter().zip(images).collect();
+    let mut problem = copied(problem, |expression| images.get(&expression).copied().unwrap_or(expression));
+    problem.assumptions.append(&mut functions.conditions);
+    let mut known: Vec<(FunctionId, Expr)> = functions.known.into_iter().collect();
+    known.sort_unstable();
+    let functions = known
+        .into_iter()
+        .map(|(function, value)| (pool.function(function).name.clone(), pool.text(value)))
+        .collect();
+    Some(Instance { problem, functions, refutes: true })
+}
+
+fn copied(problem: &Problem, image: impl Fn(Expr) -> Expr) -> Problem {
+    let component = |component: &Component| Component {
+        label: component.label.clone(),
+        left: image(component.left),
+        right: image(component.right),
+        difference: image(component.difference),
+    };
+    let condition = |condition: &Condition| Condition {
+        left: image(condition.left),
+        relation: condition.relation,
+        right: image(condition.right),
+    };
+    Problem {
+        components: problem.components.iter().map(component).collect(),
+        identical: problem.identical.clone(),
+        assumptions: problem.assumptions.iter().map(condition).collect(),
+        stated: problem.stated,
+    }
+}
+
+/// The functions chosen so far.
+struct Functions {
+    choice: u64,
+    known: FxHashMap<FunctionId, Expr>,
+    /// Under which the integrals have their values.
+    conditions: Vec<Condition>,
+}
+
+impl Functions {
+    /// The expressions with the chosen functions in place; nothing where an integral of them is not known.
+    fn all(&mut self, pool: &mut Pool, expressions: &[Expr]) -> Option<Vec<Expr>> {
+        let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
+        for expression in pool.reachable(expressions) {
+            let node = pool.node(expression).clone();
+            let image = match &node {
+                Node::Jet { function, orders, arguments } => {
+                    let places: Vec<Expr> = arguments.iter().map(|argument| images[argument]).collect();
+                    if pool.is_primitive(*function) {
+                        self.integral(pool, *function, orders, &places)?
+                    } else {
+                        self.value(pool, *function, orders, &places)
+                    }
+                }
+                _ => pool.image(expression, node, &images),
+            };
+            images.insert(expression, image);
+        }
+        Some(expressions.iter().map(|expression| images[expression]).collect())
+    }
+
+    /// A derivative of the polynomial that stands for a function.
+    fn value(&mut self, pool: &mut Pool, function: FunctionId, orders: &[u32], places: &[Expr]) -> Expr {
+        let symbols = pool.function(function).arguments.clone();
+        let mut value = match self.known.get(&function) {
+            Some(&known) => known,
+            None => {
+                let chosen = self.polynomial(pool, function);
+                self.known.insert(function, chosen);
+                chosen
+            }
+        };
+        for (&symbol, &order) in symbols.iter().zip(orders) {
+            (0..order).for_each(|_| value = pool.derivative(value, symbol));
+        }
+        let values: Substitution = symbols.into_iter().zip(places.iter().copied()).collect();
+        pool.substitute(value, &values)
+    }
+
+    /// c + Σ (cᵢxᵢ + cᵢ′xᵢ² + cᵢ″xᵢ⁴) + Σ cᵢⱼxᵢxⱼ with small coefficients: no rule of quadrature for few points is exact
+    /// for all of these.
+    fn polynomial(&self, pool: &mut Pool, function: FunctionId) -> Expr {
+        let symbols = pool.function(function).arguments.clone();
+        let variables: Vec<Expr> = symbols.iter().map(|&symbol| pool.symbol(symbol)).collect();
+        let mut terms = vec![pool.integer(1)];
+        for (place, &x) in variables.iter().enumerate() {
+            terms.push(x);
+            terms.extend([2, 4].map(|n| pool.power(x, n.into())));
+            terms.extend(variables[..place].iter().map(|&y| pool.multiply(x, y)));
+        }
+        let mut state = self.choice.wrapping_mul(31).wrapping_add(7 * u64::from(function.0) + 3);
+        let mut sum = pool.integer(0);
+        for term in terms {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let coefficient = pool.integer(1 + ((state >> 40) % 5) as i64);
+            let scaled = pool.multiply(coefficient, term);
+            sum = pool.add(sum, scaled);
+        }
+        sum
+    }
+
+    /// The integral that a primitive stands for.
+    fn integral(
+        &mut self,
+        pool: &mut Pool,
+        function: FunctionId,
+        orders: &[u32],
+        places: &[Expr],
+    ) -> Option<Expr> {
+        let (kernel, variables) = pool.kernel_at(function, orders, places)?;
+        let mut value = self.all(pool, &[kernel])?[0];
+        let zero = pool.integer(0);
+        let ranges =
+            variables.into_iter().zip(places).map(|(variable, &end)| (variable, zero, end)).collect();
+        let mut region = Region { ranges, conditions: vec![] };
+        while !region.ranges.is_empty() {
+            let found = region.integral(pool, value).ok()?;
+            self.conditions.extend(found.conditions);
+            value = found.value;
+            region.forget_innermost(pool);
+        }
+        Some(value)
+    }
+}

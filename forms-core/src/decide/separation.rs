@@ -1,0 +1,340 @@
+//! Equality of algebraic numbers: by a bound that separates zero from the others, and one enclosure.
+//!
+//! An expression in numbers, roots, and sines and cosines of rational multiples of π is U/L with algebraic integers U and
+//! L. Let every conjugate of U be at most 2ᵘ and every conjugate of L at most 2ˡ in size, and D be the degree of a field
+//! that holds both. The norm of U is an integer, so U = 0 or
+//!
+//! ```text
+//! |U| ≥ 2^−(D−1)u,   |U/L| ≥ 2^−(l + (D−1)u)
+//! ```
+//! An enclosure within that bound is one of zero. The bounds u and l follow the operations: this is the BFMSS bound of
+//! Burnikel, Funke, Mehlhorn, Schirra and Schmitt, *A Separation Bound for Real Algebraic Expressions* (ESA 2001). It needs
+//! no field to be built, so it decides nested roots of numbers that no normal form is known for.
+
+use super::problem::Problem;
+use super::proof::Outcome;
+use crate::enclosure::{Enclosure, Precision, enclose};
+use crate::expression::{Expr, Node, Operation, Pool, Rational};
+use crate::resolve::{Statement, Theory};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::Ratio;
+use num_traits::{One, ToPrimitive, Zero};
+use rustc_hash::FxHashMap;
+
+/// Bounds that need more binary places are not reached for.
+const MOST_PLACES: u64 = 30_000;
+
+/// Binary places beyond those of the bound, for the widths that operations add.
+const SPARE_PLACES: [u64; 3] = [64, 256, 1024];
+
+/// Rational radicands are divided by numbers below this.
+const LARGEST_DIVISOR: u32 = 1000;
+
+/// More parts of a circle are not looked at.
+const MOST_PARTS: u64 = 1 << 20;
+
+/// The binary logarithms, rounded up, of what the conjugates of U and L are at most.
+#[derive(Clone, Copy)]
+struct Conjugates {
+    above: u64,
+    below: u64,
+}
+
+/// A number shown to be zero: its size is below 2⁻ⁿ, and a number of its kind that is not zero is at least that.
+#[derive(Clone, Copy, Debug)]
+pub struct Separated {
+    /// The number.
+    pub number: Expr,
+    /// n
+    pub places: u64,
+}
+
+/// The differences of a proof that they are algebraic numbers and zero; none if that does not prove the statement.
+pub fn separated(theory: &mut Theory, statement: &Statement) -> Vec<Separated> {
+    let problem = Problem::new(theory, statement);
+    all_separated(&theory.pool, &problem).unwrap_or_default()
+}
+
+/// Tries to prove it of numbers, where nothing else gave the outcome zero.
+pub(super) fn as_numbers(pool: &Pool, problem: &Problem, outcome: Outcome) -> Outcome {
+    let is_open = matches!(outcome, Outcome::NotZero | Outcome::Outside(_));
+    if is_open && all_separated(pool, problem).is_some() { Outcome::Zero } else { outcome }
+}
+
+fn all_separated(pool: &Pool, problem: &Problem) -> Option<Vec<Separated>> {
+    let separate = |number: Expr| {
+        let places = least_size(pool, number).filter(|&places| places <= MOST_PLACES)?;
+        is_within(pool, number, places).then_some(Separated { number, places })
+    };
+    problem.differences().into_iter().map(separate).collect()
+}
+
+/// Whether the number's size is certainly below 2⁻ⁿ.
+fn is_within(pool: &Pool, number: Expr, places: u64) -> bool {
+    let scale = Rational::one() / Rational::from_integer(BigInt::one() << places);
+    let value = |spare: u64| {
+        let precision = Precision((places + spare) as u32);
+        enclose(pool, &[number], &|_| None, &mut |_, _, _| None, precision).remove(0).ok()
+    };
+    let is_small = |value: &Enclosure| -&scale < value.lower() && value.upper() < scale;
+    SPARE_PLACES.into_iter().find_map(value).is_some_and(|value| is_small(&value))
+}
+
+/// n such that the number is zero or at least 2⁻ⁿ in size; nothing if it is not known to be algebraic.
+fn least_size(pool: &Pool, number: Expr) -> Option<u64> {
+    let mut field = Field::default();
+    for part in pool.reachable(&[number]) {
+        if let Some(half_turns) = field.half_turns(pool, pool.node(part)) {
+            field.angles.insert(part, half_turns);
+        }
+        if let Some(conjugates) = field.conjugates(pool, pool.node(part)) {
+            field.numbers.insert(part, conjugates);
+        }
+    }
+    let Conjugates { above, below } = *field.numbers.get(&number)?;
+    below.checked_add((field.degree()? - 1).checked_mul(above)?)
+}
+
+/// What is known of the parts of an expression, and the field they lie in.
+#[derive(Default)]
+struct Field {
+    numbers: FxHashMap<Expr, Conjugates>,
+    /// Rational multiples of π, as these rational numbers.
+    angles: FxHashMap<Expr, Rational>,
+    /// Radicands with the orders of their roots; a rational one stands for its prime factors.
+    roots: FxHashMap<Radicand, u64>,
+    /// N of the cosines 2 cos(2π/N) that sines and cosines are polynomials in.
+    circle: u64,
+}
+
+/// What a root is of.
+#[derive(PartialEq, Eq, Hash)]
+enum Radicand {
+    Factor(BigInt),
+    Other(Expr),
+}
+
+impl Field {
+    /// No more than φ(N)/2 times the orders of the roots.
+    fn degree(&self) -> Option<u64> {
+        let of_cosines = if self.circle > 2 { totient(self.circle) / 2 } else { 1 };
+        self.roots.values().try_fold(of_cosines, |degree, order| degree.checked_mul(*order))
+    }
+
+    /// Adjoins a root of a number.
+    fn adjoin_root(&mut self, pool: &Pool, radicand: Expr, order: u64) -> Option<()> {
+        let radicands = match pool.as_number(radicand) {
+            Some(value) => {
+                [value.numer(), value.denom()].into_iter().flat_map(factors).map(Radicand::Factor).collect()
+            }
+            None => vec![Radicand::Other(radicand)],
+        };
+        for radicand in radicands {
+            let known = self.roots.entry(radicand).or_insert(1);
+            *known = least_common_multiple(*known, order)?;
+        }
+        Some(())
+    }
+
+    /// Adjoins the cosine of a rational multiple of π.
+    fn adjoin_cosine(&mut self, half_turns: &Rational) -> Option<()> {
+        let turns = half_turns / Rational::from_integer(2.into());
+        self.circle = least_common_multiple(self.circle.max(1), turns.denom().to_u64()?)?;
+        (self.circle <= MOST_PARTS).then_some(())
+    }
+
+    fn half_turns(&self, pool: &Pool, node: &Node) -> Option<Rational> {
+        let angle = |part: &Expr| self.angles.get(part);
+        match node {
+            Node::Pi => Some(Rational::one()),
+            Node::Number(value) if value.is_zero() => Some(Rational::zero()),
+            Node::Add(a, b) => Some(angle(a)? + angle(b)?),
+            Node::Negate(a) => Some(-angle(a)?.clone()),
+            Node::Multiply(a, b) => match (pool.as_number(*a), pool.as_number(*b)) {
+                (Some(factor), _) => Some(factor * angle(b)?),
+                (_, Some(factor)) => Some(angle(a)? * factor),
+                _ => None,
+            },
+            Node::Divide(a, b) => Some(angle(a)? / pool.as_number(*b).filter(|divisor| !divisor.is_zero())?),
+            _ => None,
+        }
+    }
+
+    /// The rules of the bound; what they need is adjoined to the field.
+    fn conjugates(&mut self, pool: &Pool, node: &Node) -> Option<Conjugates> {
+        let of = |part: &Expr| self.numbers.get(part).copied();
+        match node {
+            Node::Number(value) => {
+                Some(Conjugates { above: value.numer().bits(), below: value.denom().bits() })
+            }
+            Node::Negate(a) => of(a),
+            Node::Add(a, b) => of(a)?.plus(of(b)?),
+            Node::Multiply(a, b) => of(a)?.times(of(b)?),
+            Node::Divide(a, b) => of(a)?.times(of(b)?.inverse()),
+            Node::Power(a, exponent) => {
+                let order = u64::try_from(*exponent.denom()).ok()?;
+                let root = of(a)?.root(order)?;
+                self.adjoin_root(pool, *a, order)?;
+                let power = root.power(exponent.numer().unsigned_abs())?;
+                Some(if *exponent < Ratio::zero() { power.inverse() } else { power })
+            }
+            Node::Apply(Operation::Abs, arguments) => of(&arguments[0]),
+            Node::Apply(operation @ (Operation::Sin | Operation::Cos | Operation::Tan), arguments) => {
+                let half_turns = self.angles.get(&arguments[0])?.clone();
+                if *operation != Operation::Cos {
+                    // sin θ = cos(π/2 − θ)
+                    self.adjoin_cosine(&(Rational::new(1.into(), 2.into()) - &half_turns))?;
+                }
+                if *operation != Operation::Sin {
+                    self.adjoin_cosine(&half_turns)?;
+                }
+                // 2 sin and 2 cos are algebraic integers, at most 2 in size.
+                Some(Conjugates { above: 1, below: 1 })
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Conjugates {
+    fn inverse(self) -> Self {
+        Conjugates { above: self.below, below: self.above }
+    }
+
+    fn times(self, other: Self) -> Option<Self> {
+        let above = self.above.checked_add(other.above)?;
+        Some(Conjugates { above, below: self.below.checked_add(other.below)? })
+    }
+
+    /// U/L + U′/L′ = (U L′ + U′ L)/(L L′)
+    fn plus(self, other: Self) -> Option<Self> {
+        let (left, right) = (self.times(other.inverse())?.above, other.times(self.inverse())?.above);
+        Some(Conjugates { above: left.max(right).checked_add(1)?, below: self.times(other)?.below })
+    }
+
+    fn power(self, n: u64) -> Option<Self> {
+        Some(Conjugates { above: self.above.checked_mul(n)?, below: self.below.checked_mul(n)? })
+    }
+
+    /// (U/L)^(1/n) is (U Lⁿ⁻¹)^(1/n)/L and U/(Uⁿ⁻¹ L)^(1/n): the first where L is the smaller.
+    fn root(self, n: u64) -> Option<Self> {
+        if self.above < self.below {
+            return Some(self.inverse().root(n)?.inverse());
+        }
+        let radicand = self.below.checked_mul(n - 1)?.checked_add(self.above)?;
+        Some(Conjugates { above: radicand.div_ceil(n), below: self.below })
+    }
+}
+
+fn least_common_multiple(a: u64, b: u64) -> Option<u64> {
+    (a / a.gcd(&b)).checked_mul(b)
+}
+
+/// Numbers above 1 that a number is a product of; small ones are prime.
+fn factors(number: &BigInt) -> Vec<BigInt> {
+    let mut rest = number.clone();
+    let mut found = Vec::new();
+    for divisor in 2..LARGEST_DIVISOR {
+        let divisor = BigInt::from(divisor);
+        while !rest.is_zero() && rest.is_multiple_of(&divisor) {
+            rest /= &divisor;
+            found.push(divisor.clone());
+        }
+    }
+    if rest > BigInt::one() {
+        found.push(rest);
+    }
+    found
+}
+
+/// Euler's φ
+fn totient(n: u64) -> u64 {
+    let (mut rest, mut totient) = (n, n);
+    let mut prime = 2;
+    while prime * prime <= rest {
+        if rest.is_multiple_of(prime) {
+            totient -= totient / prime;
+            while rest.is_multiple_of(prime) {
+                rest /= prime;
+            }
+        }
+        prime += 1;
+    }
+    if rest > 1 { totient - totient / rest } else { totient }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Field, least_size, totient};
+    use crate::enclosure::{Precision, enclose};
+    use crate::expression::{Expr, Pool, Rational};
+    use num_bigint::BigInt;
+    use num_traits::{One, Signed};
+
+    fn root(pool: &mut Pool, radicand: i64, order: i64) -> Expr {
+        let radicand = pool.integer(radicand);
+        pool.power(radicand, num_rational::Ratio::new(1, order))
+    }
+
+    /// Best approximations p/q of a number that a root is of come as near as a separation bound lets them.
+    fn convergents(value: f64) -> Vec<(i64, i64)> {
+        let (mut found, mut rest) = (vec![(1, 0)], value);
+        let mut last = (0, 1);
+        for _ in 0..12 {
+            let whole = rest.floor() as i64;
+            let (p, q) = *found.last().unwrap();
+            found.push((whole * p + last.0, whole * q + last.1));
+            last = (p, q);
+            rest = 1.0 / (rest - rest.floor());
+        }
+        found
+    }
+
+    #[test]
+    fn a_number_that_is_not_zero_is_at_least_its_bound() {
+        let mut pool = Pool::new();
+        for (radicand, order) in [(2, 2), (3, 2), (2, 3), (5, 3), (7, 4), (3, 5)] {
+            for (p, q) in convergents(f64::from(radicand).powf(1.0 / f64::from(order))) {
+                let root = root(&mut pool, radicand.into(), order.into());
+                let (p, q) = (pool.integer(p), pool.integer(q));
+                let product = pool.multiply(q, root);
+                let difference = pool.subtract(product, p);
+                let places = least_size(&pool, difference).expect("an algebraic number");
+                let value = enclose(&pool, &[difference], &|_| None, &mut |_, _, _| None, Precision(200));
+                let least = Rational::new(BigInt::one(), BigInt::one() << places);
+                let value = value[0].clone().expect("a number");
+                assert!(value.lower().abs().min(value.upper().abs()) >= least, "{}", pool.text(difference));
+            }
+        }
+    }
+
+    #[test]
+    fn the_degree_is_that_of_the_field_of_the_roots() {
+        let mut pool = Pool::new();
+        let roots =
+            [(2, 2), (8, 2), (12, 3), (18, 3)].map(|(radicand, order)| root(&mut pool, radicand, order));
+        let mut field = Field::default();
+        for part in pool.reachable(&roots) {
+            field.conjugates(&pool, pool.node(part)).map(|known| field.numbers.insert(part, known));
+        }
+        assert_eq!(field.degree(), Some(6 * 3));
+    }
+
+    #[test]
+    fn totients_count_what_is_coprime() {
+        for n in 1..200_u64 {
+            assert_eq!(totient(n), (1..=n).filter(|k| num_integer::gcd(*k, n) == 1).count() as u64);
+        }
+    }
+
+    #[test]
+    fn what_is_not_algebraic_has_no_bound() {
+        let mut pool = Pool::new();
+        let two = pool.integer(2);
+        let transcendental = pool.apply(crate::expression::Operation::Exp, &[two]);
+        assert_eq!(least_size(&pool, transcendental), None);
+        let pi = pool.pi();
+        assert_eq!(least_size(&pool, pi), None);
+    }
+}
