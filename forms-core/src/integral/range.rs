@@ -97,8 +97,10 @@ impl Region {
             return Ok(Integral { value, conditions: vec![], antiderivative: Some(antiderivative) });
         }
         if !pool.symbols_in(&[integrand]).contains(&variable) {
-            let length = pool.subtract(to, from);
-            return Ok(Integral { value: pool.multiply(integrand, length), conditions: vec![] });
+            let (length, x) = (pool.subtract(to, from), pool.symbol(variable));
+            let value = pool.multiply(integrand, length);
+            let antiderivative = Some(pool.multiply(integrand, x));
+            return Ok(Integral { value, conditions: vec![], antiderivative });
         }
         match self.by_antiderivative(pool, integrand) {
             Ok(found) => Ok(found),
