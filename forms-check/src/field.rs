@@ -88,6 +88,10 @@ impl Fraction {
         Polynomial::constant(value).into()
     }
 
+    pub(crate) fn is_generator(&self, generator: usize) -> bool {
+        self.factors.is_empty() && self.numerator == Polynomial::generator(generator, 1)
+    }
+
     pub(crate) fn scale(&self, by: &BigRational) -> Self {
         if *by == rational(0, 1) {
             return Fraction::default();

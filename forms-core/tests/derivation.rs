@@ -85,8 +85,6 @@ s
       d(beta) = 0
 
 4. Left minus right
-   With the signs
-      x**2 + y**2 + z**2 >= 0
    The computation is with polynomials in the variables and these generators:
       (sqrt(x**2 + y**2 + z**2))**2 = x**2 + y**2 + z**2
    The coefficient of dx^dy^dz:

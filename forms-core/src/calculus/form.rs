@@ -56,6 +56,20 @@ impl<S: Clone> Form<S> {
         Form { degree, terms }
     }
 
+    /// p dx_I ∧ q dx_J
+    pub(super) fn product_of_terms<R: Coefficients<Scalar = S>>(
+        ring: &mut R,
+        (left, p): (Blade, &S),
+        (right, q): (Blade, &S),
+    ) -> Self {
+        let Some((blade, sign)) = left.wedge(right) else {
+            return Form::zero(left.degree() + right.degree());
+        };
+        let product = ring.multiply(p, q);
+        let signed = if sign < 0 { ring.negate(&product) } else { product };
+        Form::monomial(ring, blade, signed)
+    }
+
     /// k of a k-form.
     pub fn degree(&self) -> u32 {
         self.degree
@@ -95,19 +109,22 @@ impl<S: Clone> Form<S> {
     /// The sum of two forms of one degree.
     pub fn add(&self, ring: &mut impl Coefficients<Scalar = S>, other: &Form<S>) -> Form<S> {
         debug_assert_eq!(self.degree, other.degree);
-        let mut sums: BTreeMap<Blade, S> = self.terms.iter().cloned().collect();
+        let mut terms = Vec::with_capacity(self.terms.len() + other.terms.len());
+        let mut rest = self.terms.iter().peekable();
         for (blade, value) in &other.terms {
-            let sum = match sums.get(blade) {
-                Some(present) => ring.add(present, value),
+            while let Some(term) = rest.next_if(|term| term.0 < *blade) {
+                terms.push(term.clone());
+            }
+            let sum = match rest.next_if(|term| term.0 == *blade) {
+                Some((_, present)) => ring.add(present, value),
                 None => value.clone(),
             };
-            if ring.is_zero(&sum) {
-                sums.remove(blade);
-            } else {
-                sums.insert(*blade, sum);
+            if !ring.is_zero(&sum) {
+                terms.push((*blade, sum));
             }
         }
-        Form { degree: self.degree, terms: sums.into_iter().collect() }
+        terms.extend(rest.cloned());
+        Form { degree: self.degree, terms }
     }
 
     /// −w

@@ -7,6 +7,9 @@ use super::form::{Form, Products};
 ///
 /// Products are grouped by their blade first, so that each coefficient is one sum of products.
 pub fn wedge<R: Coefficients>(ring: &mut R, a: &Form<R::Scalar>, b: &Form<R::Scalar>) -> Form<R::Scalar> {
+    if let ([(left, p)], [(right, q)]) = (a.terms(), b.terms()) {
+        return Form::product_of_terms(ring, (*left, p), (*right, q));
+    }
     let mut products: Products<R::Scalar> = Products::new();
     for (left, p) in a.terms() {
         for (right, q) in b.terms() {

@@ -131,7 +131,9 @@ impl Writer {
         }
         let agrees = |known: &&(Sign, String)| base.sign.is_none_or(|sign| sign == known.0);
         let known = self.reasons.get(&number).filter(agrees).cloned();
-        let given = base.sign.map(|sign| (sign, self.polynomial(tower, &signed(&base.polynomial, sign))));
+        let manifest = tower.is_manifestly_not_negative(&base.polynomial).then_some(Sign::Positive);
+        let given = base.sign.or(manifest);
+        let given = given.map(|sign| (sign, self.polynomial(tower, &signed(&base.polynomial, sign))));
         match known.or(given) {
             Some((Sign::Positive, reason)) => self.line("positive", &reason),
             Some((Sign::Negative, reason)) => self.line("negative", &reason),

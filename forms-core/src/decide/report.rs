@@ -104,17 +104,24 @@ fn signs_are_known(tower: &Tower) -> bool {
         .all(|(_, base)| facts.sign_of(&base.polynomial) == Some(Sign::Positive))
 }
 
-/// What is assumed: every stated condition, then where the sides are defined as far as that says more.
+/// What is assumed.
 pub(super) fn conditions(pool: &mut Pool, problem: &Problem) -> Vec<Condition> {
+    told(pool, problem).into_iter().map(|(condition, _)| condition).collect()
+}
+
+fn texts(pool: &mut Pool, problem: &Problem) -> Vec<String> {
+    told(pool, problem).into_iter().map(|(_, text)| text).collect()
+}
+
+/// Every stated condition, then where the sides are defined as far as that says more; with their texts.
+fn told(pool: &mut Pool, problem: &Problem) -> Vec<(Condition, String)> {
     let (stated, domain) = problem.assumptions.split_at(problem.stated);
-    let mut told: Vec<Condition> = Vec::new();
-    let mut texts: Vec<String> = Vec::new();
+    let mut told: Vec<(Condition, String)> = Vec::new();
     let known: Vec<(Expr, bool)> = stated.iter().map(|condition| core(pool, condition)).collect();
     let mut tell = |pool: &Pool, condition: Condition| {
         let text = condition.text(pool);
-        if !texts.contains(&text) {
-            texts.push(text);
-            told.push(condition);
+        if told.iter().all(|(_, known)| *known != text) {
+            told.push((condition, text));
         }
     };
     for condition in stated {
@@ -134,10 +141,6 @@ pub(super) fn conditions(pool: &mut Pool, problem: &Problem) -> Vec<Condition> {
         }
     }
     told
-}
-
-fn texts(pool: &mut Pool, problem: &Problem) -> Vec<String> {
-    conditions(pool, problem).iter().map(|condition| condition.text(pool)).collect()
 }
 
 /// The expression a condition speaks of, without powers around it, and whether it excludes zero.

@@ -27,8 +27,12 @@ struct Column {
 
 /// The frame that moves with the translations that leave the expressions as they are; no drifts if there are none.
 pub(super) fn frame(pool: &Pool, expressions: &[Expr]) -> Vec<Drift> {
+    let parts = pool.reachable(expressions);
+    if every_variable_is_bare(pool, &parts) {
+        return Vec::new();
+    }
     let mut echelon = Echelon::default();
-    let rows = linear_parts(pool, expressions);
+    let rows = linear_parts(pool, expressions, parts);
     let columns: FxHashSet<Symbol> = rows.iter().flat_map(|row| row.keys().map(|c| c.symbol)).collect();
     for row in rows {
         echelon.insert(row);
@@ -39,11 +43,33 @@ pub(super) fn frame(pool: &Pool, expressions: &[Expr]) -> Vec<Drift> {
     echelon.drifts()
 }
 
+/// Whether every variable by itself is what some operation other than a sum or a multiple is applied to, so that no
+/// translation is left.
+fn every_variable_is_bare(pool: &Pool, parts: &[Expr]) -> bool {
+    let is_number = |operand: &Expr| pool.as_number(*operand).is_some();
+    let mut bare: FxHashSet<Symbol> = FxHashSet::default();
+    let mut variables = 0;
+    for &part in parts {
+        match pool.node(part) {
+            Node::Symbol(_) => variables += 1,
+            Node::Add(..) | Node::Negate(_) => {}
+            Node::Multiply(a, b) if is_number(a) || is_number(b) => {}
+            Node::Divide(_, b) if is_number(b) => {}
+            node => node.for_each_operand(|operand| {
+                if let Node::Symbol(symbol) = pool.node(operand) {
+                    bare.insert(*symbol);
+                }
+            }),
+        }
+    }
+    bare.len() == variables
+}
+
 /// The linear parts that an operation other than a sum or a multiple is applied to, or that are expressions.
-fn linear_parts(pool: &Pool, expressions: &[Expr]) -> Vec<Linear> {
+fn linear_parts(pool: &Pool, expressions: &[Expr], parts: Vec<Expr>) -> Vec<Linear> {
     let mut known: FxHashMap<Expr, Linear> = FxHashMap::default();
     let mut largest: Vec<Expr> = Vec::new();
-    for expression in pool.reachable(expressions) {
+    for expression in parts {
         match linear(pool, expression, &known) {
             Some(part) => {
                 known.insert(expression, part);
@@ -184,7 +210,7 @@ mod tests {
         let with = |moved| Drift { moved, with: x, speed: 1 };
         assert_eq!(drifts, [with(a), with(b)]);
         let image = moved(&mut pool, product, &drifts);
-        let parts = linear_parts(&pool, &[image]);
+        let parts = linear_parts(&pool, &[image], pool.reachable(&[image]));
         assert!(parts.iter().flat_map(|part| part.keys()).all(|column| column.symbol != x));
     }
 

@@ -4,15 +4,23 @@ use super::node::{Expr, Node, Origin, Pool, Symbol};
 use num_rational::Ratio;
 
 impl Pool {
-    /// ∂e/∂x. Derivatives are remembered, so a shared subexpression is differentiated once.
+    /// ∂e/∂x. Derivatives are remembered, so a shared subexpression is differentiated once; ∂(−e)/∂x is −∂e/∂x, so that
+    /// it is known as a derivative of e whatever sign it is given afterwards.
     pub fn derivative(&mut self, expression: Expr, by: Symbol) -> Expr {
+        if let Node::Negate(of) = *self.node(expression) {
+            let derivative = self.derivative(of, by);
+            return self.negate(derivative);
+        }
         if let Some(&known) = self.derivatives.get(&(expression, by)) {
             self.note_origin(known, expression, by);
             return known;
         }
-        let order = self.reachable(&[expression]);
-        self.derivatives.reserve(order.len());
-        for node in order {
+        if !self.may_mention(expression, by) {
+            return self.integer(0);
+        }
+        let parts = self.parts_with(expression, by);
+        self.derivatives.reserve(parts.len());
+        for node in parts {
             if !self.derivatives.contains_key(&(node, by)) {
                 let value = self.derivative_of_node(node, by);
                 self.derivatives.insert((node, by), value);
@@ -29,21 +37,43 @@ impl Pool {
         if trivial || of >= derivative || self.origins.contains_key(&derivative) {
             return;
         }
-        let repeated = self.reachable(&[of]).iter().any(|part| self.origins.contains_key(part));
+        let repeated = self.least_derivative.is_some_and(|least| least <= of)
+            && self.reachable(&[of]).iter().any(|part| self.origins.contains_key(part));
         self.origins.insert(derivative, Origin { of, by, repeated });
+        self.least_derivative = Some(self.least_derivative.map_or(derivative, |least| least.min(derivative)));
     }
 
-    /// What an expression is a derivative of, where that holds derivatives itself.
-    pub(crate) fn repeated_derivative(&self, expression: Expr) -> Option<(Expr, Symbol)> {
-        self.origins.get(&expression).filter(|origin| origin.repeated).map(|origin| (origin.of, origin.by))
+    /// What an expression is a derivative of, if it came as one.
+    pub(crate) fn origin(&self, expression: Expr) -> Option<Origin> {
+        self.origins.get(&expression).copied()
     }
 
-    /// The derivative of one node whose operands' derivatives are known.
+    /// The parts of an expression that may depend on a variable, operands before results.
+    fn parts_with(&self, expression: Expr, by: Symbol) -> Vec<Expr> {
+        let mut wanted = vec![false; expression.0 as usize + 1];
+        wanted[expression.0 as usize] = true;
+        let mut parts = Vec::new();
+        for index in (0..=expression.0).rev() {
+            if wanted[index as usize] {
+                parts.push(Expr(index));
+                self.node(Expr(index)).for_each_operand(|operand| {
+                    wanted[operand.0 as usize] |= self.may_mention(operand, by);
+                });
+            }
+        }
+        parts.reverse();
+        parts
+    }
+
+    /// The derivative of one node, where those of its operands that depend on the variable are known.
     fn derivative_of_node(&mut self, expression: Expr, by: Symbol) -> Expr {
         let node = self.node(expression).clone();
-        let of = |pool: &Pool, operand: Expr| pool.derivatives[&(operand, by)];
+        let zero = self.integer(0);
+        let of = |pool: &Pool, operand: Expr| {
+            if pool.may_mention(operand, by) { pool.derivatives[&(operand, by)] } else { zero }
+        };
         match node {
-            Node::Number(_) | Node::Pi => self.integer(0),
+            Node::Number(_) | Node::Pi => zero,
             Node::Symbol(symbol) => self.integer(i64::from(symbol == by)),
             Node::Add(a, b) => {
                 let (da, db) = (of(self, a), of(self, b));
@@ -69,7 +99,7 @@ impl Pool {
             Node::Apply(operation, arguments) => {
                 let inner: Vec<Expr> = arguments.iter().map(|&a| of(self, a)).collect();
                 if inner.iter().all(|&d| self.is_zero(d)) {
-                    return self.integer(0);
+                    return zero;
                 }
                 let partials = (operation.row().partials)(self, &arguments);
                 self.chain(&partials, &inner)

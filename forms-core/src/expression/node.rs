@@ -18,6 +18,13 @@ pub struct Expr(pub(crate) u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Symbol(pub(crate) u32);
 
+impl Symbol {
+    /// Its bit among those of the variables that an expression holds.
+    fn bit(self) -> u64 {
+        1 << (self.0 % u64::BITS)
+    }
+}
+
 /// An unknown smooth function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct FunctionId(pub(crate) u32);
@@ -160,12 +167,16 @@ pub(crate) struct Origin {
 #[derive(Clone, Debug)]
 pub struct Pool {
     nodes: Vec<Node>,
+    /// For each node the variables it holds: bit k stands for those whose numbers are k modulo 64.
+    mentioned: Vec<u64>,
     index: FxHashMap<Node, Expr>,
     symbols: Vec<(String, SymbolKind)>,
     functions: Vec<Unknown>,
     pub(super) derivatives: FxHashMap<(Expr, Symbol), Expr>,
     /// What was differentiated to give an expression.
     pub(super) origins: FxHashMap<Expr, Origin>,
+    /// The least expression that came as a derivative.
+    pub(super) least_derivative: Option<Expr>,
     /// The numbers that building has asked for by their integer values.
     pub(super) integers: FxHashMap<i64, Expr>,
     /// The unknown functions that stand for integrals.
@@ -179,11 +190,13 @@ impl Default for Pool {
     fn default() -> Self {
         Pool {
             nodes: Vec::with_capacity(FIRST_NODES),
+            mentioned: Vec::with_capacity(FIRST_NODES),
             index: FxHashMap::with_capacity_and_hasher(FIRST_NODES, FxBuildHasher),
             symbols: Vec::new(),
             functions: Vec::new(),
             derivatives: FxHashMap::default(),
             origins: FxHashMap::default(),
+            least_derivative: None,
             integers: FxHashMap::default(),
             primitives: Primitives::default(),
         }
@@ -216,10 +229,19 @@ impl Pool {
         match self.index.entry(node) {
             Entry::Occupied(known) => *known.get(),
             Entry::Vacant(place) => {
-                self.nodes.push(place.key().clone());
+                let node = place.key();
+                let mut mentioned = if let Node::Symbol(symbol) = node { symbol.bit() } else { 0 };
+                node.for_each_operand(|operand| mentioned |= self.mentioned[operand.0 as usize]);
+                self.mentioned.push(mentioned);
+                self.nodes.push(node.clone());
                 *place.insert(fresh)
             }
         }
+    }
+
+    /// Whether a variable may occur in an expression; no is certain.
+    pub(super) fn may_mention(&self, expression: Expr, symbol: Symbol) -> bool {
+        self.mentioned[expression.0 as usize] & symbol.bit() != 0
     }
 
     /// A new variable; the same name twice gives two variables.
@@ -254,7 +276,7 @@ impl Pool {
         let Some(last) = roots.iter().max() else { return Vec::new() };
         let mut seen = vec![false; last.0 as usize + 1];
         roots.iter().for_each(|root| seen[root.0 as usize] = true);
-        let mut order = Vec::new();
+        let mut order = Vec::with_capacity(seen.len().min(FIRST_NODES));
         for index in (0..=last.0).rev() {
             if seen[index as usize] {
                 order.push(Expr(index));

@@ -227,6 +227,23 @@ impl Tower {
         Ok(rates.over_denominator(numerator, self))
     }
 
+    /// D_γ G and flow_γ. A γ below the flow goes against that of γ ∂G/∂γ, so that the flows need fewer roots over one
+    /// denominator.
+    fn along_flow(&self, factor: &Polynomial, rate: &Rates, flow: &Fraction) -> (Polynomial, Fraction) {
+        let is_own = |power: &FactorPower| {
+            rate.logarithmic
+                && power.exponent > 0
+                && self.factor_variable(power.factor) == Some(rate.generator)
+        };
+        let Some(place) = flow.factors.iter().position(is_own) else {
+            return (rate.derivative(factor, 0), flow.clone());
+        };
+        let mut rest = flow.clone();
+        rest.factors[place].exponent -= 1;
+        rest.factors.retain(|power| power.exponent != 0);
+        (factor.derivative(rate.generator), rest)
+    }
+
     /// U = Σ_γ D_γ G · flow_γ
     fn along_flows(
         &mut self,
@@ -234,8 +251,14 @@ impl Tower {
         rates: &[Rates],
         flows: &[Fraction],
     ) -> Result<Fraction, Obstacle> {
-        let together = self.together(flows)?;
-        let partials: Vec<Polynomial> = rates.iter().map(|rate| rate.derivative(factor, 0)).collect();
+        let mut partials = Vec::with_capacity(rates.len());
+        let mut rests = Vec::with_capacity(rates.len());
+        for (rate, flow) in rates.iter().zip(flows) {
+            let (partial, rest) = self.along_flow(factor, rate, flow);
+            partials.push(partial);
+            rests.push(rest);
+        }
+        let together = self.together(&rests)?;
         let mut products = Vec::with_capacity(partials.len());
         for (partial, flow) in partials.iter().zip(&together.numerators) {
             self.charge(partial, &flow.numerator)?;

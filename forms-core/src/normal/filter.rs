@@ -128,6 +128,9 @@ fn image_of_node(node: &Node, images: &Images) -> Option<u64> {
 }
 
 fn image_of_number(value: &Rational) -> Option<u64> {
-    let denominator = modular::inverse(modular::from_integer(value.denom()))?;
-    Some(modular::mul(modular::from_integer(value.numer()), denominator))
+    let numerator = modular::from_integer(value.numer());
+    if value.is_integer() {
+        return Some(numerator);
+    }
+    Some(modular::mul(numerator, modular::inverse(modular::from_integer(value.denom()))?))
 }

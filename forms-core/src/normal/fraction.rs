@@ -235,7 +235,8 @@ impl Tower {
             *exponent = u32::try_from(raised).unwrap_or(u32::MAX);
             Self::check_exponent(*exponent)?;
         }
-        Ok(Some(self.reduce(Polynomial::from_terms([(monomial, BigInt::one())]))?.into()))
+        monomial.retain(|power| power.1 != 0);
+        Ok(Some(self.reduce(Polynomial::monomial_of(&monomial))?.into()))
     }
 
     /// 1/a, whose numerator becomes one or more known factors.

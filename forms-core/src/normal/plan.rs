@@ -1,8 +1,8 @@
 //! Which expressions are computed on the way to some results, and how.
 //!
-//! A derivative of a derivative is not computed as the calculus writes it: a sum of many quotients over powers of the
-//! same denominators. Its operand is brought to normal form and differentiated there, over one denominator; a sum of
-//! such derivatives is a divergence.
+//! A derivative of a derivative, or a sum of several derivatives, is not computed as the calculus writes it: a sum of many
+//! quotients over powers of the same denominators. Its operands are brought to normal form and differentiated there, over
+//! one denominator: such a sum is a divergence.
 
 use super::tower::Tower;
 use crate::expression::{Expr, Node, Operation, Pool, Symbol};
@@ -47,10 +47,12 @@ pub(super) fn steps(tower: &Tower, pool: &Pool, roots: &[Expr]) -> Vec<(Expr, St
 /// Σ ±∂f/∂x, if the expression is written as such a sum and every f has a normal form over the known atoms.
 fn divergence(tower: &Tower, pool: &Pool, expression: Expr) -> Option<Vec<(i8, Expr, Symbol)>> {
     let mut terms = Vec::new();
+    let mut repeated = false;
     let mut pending = vec![(expression, 1)];
     while let Some((part, sign)) = pending.pop() {
-        if let Some((of, by)) = pool.repeated_derivative(part) {
-            terms.push((sign, of, by));
+        if let Some(origin) = pool.origin(part) {
+            terms.push((sign, origin.of, origin.by));
+            repeated |= origin.repeated;
         } else {
             match *pool.node(part) {
                 Node::Add(a, b) => pending.extend([(b, sign), (a, sign)]),
@@ -62,13 +64,14 @@ fn divergence(tower: &Tower, pool: &Pool, expression: Expr) -> Option<Vec<(i8, E
             return None;
         }
     }
-    let differentiable = terms.iter().all(|&(_, of, _)| is_differentiable(tower, pool, of));
-    differentiable.then_some(terms)
+    let worthwhile = repeated || terms.len() > 1;
+    let operands: Vec<Expr> = terms.iter().map(|term| term.1).collect();
+    (worthwhile && are_differentiable(tower, pool, &operands)).then_some(terms)
 }
 
-/// Whether an expression consists of known atoms whose derivatives have normal forms over the same generators.
-fn is_differentiable(tower: &Tower, pool: &Pool, expression: Expr) -> bool {
-    pool.reachable(&[expression]).into_iter().all(|part| match pool.node(part) {
+/// Whether expressions consist of known atoms whose derivatives have normal forms over the same generators.
+fn are_differentiable(tower: &Tower, pool: &Pool, expressions: &[Expr]) -> bool {
+    pool.reachable(expressions).into_iter().all(|part| match pool.node(part) {
         Node::Jet { .. } | Node::Select { .. } => false,
         Node::Apply(Operation::Asin | Operation::Acos | Operation::Atan2, _) => false,
         Node::Apply(..) => tower.elements.contains_key(&part),

@@ -98,13 +98,18 @@ impl Tower {
         Ok(self.magnitude_power(&ratio(number, 1), Ratio::new(1, 2))?.0)
     }
 
-    /// Whether a polynomial is a sum of positive terms in generators that are positive by their nature.
-    pub(super) fn is_manifestly_positive(&self, polynomial: &Polynomial) -> bool {
-        let positive = |&(variable, _): &(u32, u32)| {
-            matches!(
-                self.generator(variable),
-                Generator::Pi | Generator::Root { .. } | Generator::Exponential(_) | Generator::Chord { .. }
-            )
+    /// Whether a polynomial is a sum of positive terms in squares and in generators that are positive by their nature,
+    /// so that it is nowhere negative.
+    pub(crate) fn is_manifestly_not_negative(&self, polynomial: &Polynomial) -> bool {
+        let positive = |&(variable, exponent): &(u32, u32)| {
+            exponent % 2 == 0
+                || matches!(
+                    self.generator(variable),
+                    Generator::Pi
+                        | Generator::Root { .. }
+                        | Generator::Exponential(_)
+                        | Generator::Chord { .. }
+                )
         };
         polynomial.terms().all(|(monomial, c)| c.is_positive() && monomial.iter().all(positive))
     }

@@ -139,7 +139,7 @@ impl Tower {
 
     /// Whether −g is the positive one; asks for the sign unless an even power makes it irrelevant.
     fn base_is_negative(&mut self, base: usize, exponent: Ratio<i64>) -> bool {
-        if self.is_manifestly_positive(&self.bases[base].polynomial) {
+        if self.is_manifestly_not_negative(&self.bases[base].polynomial) {
             return false;
         }
         if exponent.is_integer() && exponent.numer().is_even() {
@@ -258,7 +258,7 @@ impl Tower {
             Generator::Root { base, order, .. } => {
                 // the root is that of g only as long as g is taken to be positive
                 if self.bases[base].sign.is_none()
-                    && !self.is_manifestly_positive(&self.bases[base].polynomial)
+                    && !self.is_manifestly_not_negative(&self.bases[base].polynomial)
                 {
                     self.ask_for_sign(base);
                 }

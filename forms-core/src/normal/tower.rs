@@ -355,6 +355,9 @@ impl Tower {
         if f.term_count() > 1 && n > LARGEST_POWER_OF_SUM {
             return Err(Obstacle::TooLarge(format!("a power of a sum is beyond {LARGEST_POWER_OF_SUM}")));
         }
+        if a.most_terms_with_power(f, n) <= self.work_limit {
+            return Ok(());
+        }
         // With a bound generator terms may go when the power is reduced.
         let is_free =
             |f: &Polynomial| f.variables().into_iter().all(|variable| self.relation_of(variable).is_none());

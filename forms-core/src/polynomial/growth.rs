@@ -1,4 +1,4 @@
-//! How many terms a power has at least, known before it is multiplied out.
+//! How many terms a power has at least and at most, known before it is multiplied out.
 //!
 //! Let F have d + 1 terms whose exponents m₀, …, m_d are affinely independent. The monomials of (c₀m₀ + … + c_d m_d)ⁿ are
 //! the sums Σ kᵢmᵢ with Σ kᵢ = n, all different, and there are C(n + d, d) of them. They all occur in Fⁿ if F has no other
@@ -13,6 +13,12 @@ impl Polynomial {
         let nothing_cancels = self.has_one_sign() && f.has_one_sign();
         let known = nothing_cancels || (self.term_count() == 1 && independent == f.term_count());
         if known { binomial(n, independent.saturating_sub(1) as u64) } else { 1 }
+    }
+
+    /// An upper bound of the number of terms of a·fⁿ: the number of products of terms.
+    pub(crate) fn most_terms_with_power(&self, f: &Self, n: u64) -> u64 {
+        let power = (f.term_count() as u64).saturating_pow(u32::try_from(n).unwrap_or(u32::MAX));
+        power.saturating_mul(self.term_count() as u64)
     }
 
     /// Whether all coefficients are positive or all are negative.
@@ -80,6 +86,7 @@ mod tests {
             for n in 0..7 {
                 let (terms, bound) = terms_and_bound(&x.add(&z), &f, n);
                 assert!(bound <= terms && (bound > 1 || n == 0), "n = {n}: {terms} terms, bound {bound}");
+                assert!(terms <= x.add(&z).most_terms_with_power(&f, n.into()), "n = {n}: {terms} terms");
             }
         }
     }

@@ -76,9 +76,19 @@ impl Polynomial {
 
     /// The variable with this number.
     pub fn variable(index: u32) -> Self {
-        let layout = Layout::fitting(u64::from(index) + 1, 1);
+        Self::monomial_of(&[(index, 1)])
+    }
+
+    /// ∏ xᵢ^eᵢ over different variables, with exponents above 0.
+    ///
+    /// # Panics
+    /// If an exponent is beyond 2³¹ − 1.
+    pub(crate) fn monomial_of(powers: &[(u32, u32)]) -> Self {
+        let variables = powers.iter().map(|power| u64::from(power.0) + 1).max().unwrap_or(0);
+        let largest = powers.iter().map(|power| u64::from(power.1)).max().unwrap_or(0);
+        let layout = Layout::fitting(variables, largest);
         let mut monomials = Vec::with_capacity(layout.words);
-        layout.pack(&[(index, 1)], &mut monomials);
+        layout.pack(powers, &mut monomials);
         Polynomial { layout, monomials, coefficients: Coefficients::Small(vec![1]) }
     }
 

@@ -89,6 +89,9 @@ pub fn from_i128(number: i128) -> u64 {
 
 /// The residue of an integer.
 pub fn from_integer(number: &BigInt) -> u64 {
+    if let Some(word) = number.to_i64() {
+        return from_i64(word);
+    }
     number.mod_floor(&BigInt::from(PRIME)).to_u64().expect("a residue is below p")
 }
 

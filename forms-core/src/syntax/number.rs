@@ -15,6 +15,9 @@ const MAXIMUM_DIGITS: usize = 10_000;
 /// The largest magnitude of a power of ten behind `e`.
 const MAXIMUM_EXPONENT: i64 = 10_000;
 
+/// So many digits fit a machine word.
+const DIGITS_OF_A_WORD: usize = 19;
+
 /// The most characters of a mistaken number that a message repeats.
 const LONGEST_QUOTED: usize = 40;
 
@@ -46,11 +49,20 @@ pub(super) fn extent(text: &str) -> usize {
 
 /// Whether a text is a number within the limits.
 pub(super) fn check(text: &str) -> Result<(), Malformed> {
-    decimal(text).map(drop)
+    if short(text).is_some() { Ok(()) } else { decimal(text).map(drop) }
+}
+
+/// The value of a run of few digits, as most numbers are.
+fn short(text: &str) -> Option<u64> {
+    let is_short = text.len() <= DIGITS_OF_A_WORD && text.bytes().all(|byte| byte.is_ascii_digit());
+    if is_short { text.parse().ok() } else { None }
 }
 
 /// The value of a number.
 pub(super) fn value(text: &str) -> Result<BigRational, Malformed> {
+    if let Some(number) = short(text) {
+        return Ok(BigRational::from_integer(number.into()));
+    }
     let (parts, exponent) = decimal(text)?;
     let digits = format!("{}{}", parts.whole, parts.fraction);
     let mantissa =

@@ -60,6 +60,12 @@ fn laplacian(pool: &mut Pool, f: Expr, symbols: &[Symbol]) -> Expr {
     sum(pool, &parts)
 }
 
+/// Σ ∂fᵢ/∂xᵢ
+fn divergence(pool: &mut Pool, field: &[Expr], symbols: &[Symbol]) -> Expr {
+    let parts: Vec<Expr> = field.iter().zip(symbols).map(|(&f, &x)| pool.derivative(f, x)).collect();
+    sum(pool, &parts)
+}
+
 /// Δ(fg) − fΔg − c ∇f·∇g − gΔf
 fn product_rule(world: &mut World, shapes: &[Shape; 2], c: i64) -> Expr {
     let symbols = world.symbols.clone();
@@ -131,6 +137,37 @@ proptest! {
         }
         let [f, written] = [elsewhere, written].map(|part| world.pool.substitute(part, &names));
         prop_assert!(is_laplacian_of_the_ring(&world, f, written));
+    }
+
+    /// The same for the divergence of a field, whose coefficients hold no derivatives.
+    #[test]
+    fn a_divergence_of_a_field_is_that_of_the_ring_however_it_is_written(shapes in prop::array::uniform3(shape())) {
+        let mut world = World::new(3);
+        let symbols = world.symbols.clone();
+        let others: Vec<Symbol> =
+            (0..3).map(|i| world.pool.declare_symbol(format!("s{i}"), SymbolKind::Local)).collect();
+        let pool = &mut world.pool;
+        let field = [0, 1, 2].map(|place| shapes[place].at(pool, &symbols));
+        let direct = divergence(pool, &field, &symbols);
+        let elsewhere = [0, 1, 2].map(|place| shapes[place].at(pool, &others));
+        let written = divergence(pool, &elsewhere, &others);
+        let names: Substitution =
+            others.iter().zip(&symbols).map(|(&other, &symbol)| (other, pool.symbol(symbol))).collect();
+        let written = pool.substitute(written, &names);
+        let mut tower = Tower::new(Trigonometry::Circle);
+        let all = [field[0], field[1], field[2], direct, written];
+        let prepared = normalise(&mut tower, &world.pool, &all).unwrap();
+        let fractions = prepared.exact(&mut tower, &world.pool).unwrap();
+        let mut ring = Normal::new(&mut tower, &world.symbols);
+        let mut found = Fraction::zero();
+        for (place, component) in fractions[..3].iter().enumerate() {
+            let derivative = ring.derivative(component, Coordinate(place as u8));
+            found = ring.add(&found, &derivative);
+        }
+        assert_eq!(ring.obstacle(), None);
+        for way in &fractions[3..] {
+            prop_assert!(tower.subtract(&found, way).unwrap().is_zero());
+        }
     }
 
     #[test]

@@ -379,3 +379,28 @@ fn nested_radicals_say_nothing_of_points_that_lie_apart() {
         ],
     );
 }
+
+#[test]
+fn sums_of_squares_and_of_what_is_positive_have_one_sign_and_nothing_else_has() {
+    assert_verdicts(
+        "proved",
+        &[
+            "sqrt((x**2 + y**2)**2) == x**2 + y**2",
+            "abs(x**2*y**4 + 3*z**2) == x**2*y**4 + 3*z**2",
+            "sqrt((pi*x**2 + exp(y))**2) == pi*x**2 + exp(y)",
+            "sqrt((x**2*sqrt(z) + y**2)**2) == x**2*sqrt(z) + y**2",
+        ],
+    );
+    assert_verdicts(
+        "refuted",
+        &[
+            "sqrt((x**2 - y**2)**2) == x**2 - y**2",
+            "sqrt((x**2 + y)**2) == x**2 + y",
+            "sqrt((x**2 + x*y)**2) == x**2 + x*y",
+            "sqrt((x**2 + y**3)**2) == x**2 + y**3",
+            "abs(-x**2 - y**2) == -x**2 - y**2",
+            "sqrt((x**2 + log(z))**2) == x**2 + log(z)",
+        ],
+    );
+    assert_never("proved", &["sqrt(-x**2 - y**2 - 1) == 1", "sqrt(-x**2 - y**2 - 1) == 0"]);
+}

@@ -47,7 +47,9 @@ impl Parser<'_> {
         operand: fn(&mut Self) -> Parsed<Tree>,
     ) -> Parsed<Tree> {
         let mut left = operand(self)?;
-        while let Some(&(symbol, operation)) = operators.iter().find(|(symbol, _)| self.at(*symbol)) {
+        while let Some(&TokenKind::Symbol(next)) = self.peek()
+            && let Some(&(symbol, operation)) = operators.iter().find(|(symbol, _)| *symbol == next)
+        {
             let place = self.expect(symbol)?;
             let right = operand(self)?;
             if operation == Binary::Wedge {
