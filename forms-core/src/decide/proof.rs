@@ -137,6 +137,7 @@ fn explored(
     thorough: bool,
 ) -> (Outcome, bool) {
     let assumptions = Assumptions::new(pool, conditions);
+    let assumptions = if thorough { assumptions.thorough() } else { assumptions };
     let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(work).in_frame(frame);
     let mut proof = Proof::new(pool, &mut tower, assumptions, differences.to_vec(), turn.cloned());
     let explored = proof.explore(&[]);

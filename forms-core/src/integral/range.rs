@@ -98,7 +98,10 @@ impl Region {
         }
         if !pool.symbols_in(&[integrand]).contains(&variable) {
             let length = pool.subtract(to, from);
-            return Ok(Integral { value: pool.multiply(integrand, length), conditions: vec![] });
+            let x = pool.symbol(variable);
+            let antiderivative = Some(pool.multiply(integrand, x));
+            let value = pool.multiply(integrand, length);
+            return Ok(Integral { value, conditions: vec![], antiderivative });
         }
         match self.by_antiderivative(pool, integrand) {
             Ok(found) => Ok(found),
