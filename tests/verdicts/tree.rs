@@ -106,6 +106,10 @@ impl Tree {
     /// The partial derivative by the rules of a textbook.
     pub(crate) fn derivative(&self, place: usize) -> Tree {
         let d = |tree: &Tree| tree.derivative(place);
+        if !self.mentions(place) {
+            // also where the derivative by what it depends on has no value
+            return number(0);
+        }
         match self {
             Variable(own) => number(i64::from(*own == place)),
             Number(..) | Pi => number(0),
@@ -157,6 +161,10 @@ impl Tree {
             }
             Written(_, parts) => parts.iter_mut().collect(),
         }
+    }
+
+    fn mentions(&self, place: usize) -> bool {
+        *self == Variable(place) || self.parts().into_iter().any(|part| part.mentions(place))
     }
 
     /// How many parts it has, itself counted.

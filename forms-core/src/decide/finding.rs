@@ -84,6 +84,7 @@ pub(super) fn find(pool: &mut Pool, problem: &Problem, effort: Effort) -> Findin
     }
     let outcome = early.unwrap_or_else(|| proof::by_normal_forms(pool, problem, effort.work));
     let outcome = proof::as_angles(pool, problem, effort.work, outcome);
+    let outcome = proof::as_parts(pool, problem, effort.work, outcome);
     let outcome = separation::as_numbers(pool, problem, outcome);
     if outcome == Outcome::Zero && survey.points > 0 {
         return Finding::Equal { points: survey.points };

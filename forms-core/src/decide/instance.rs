@@ -14,6 +14,9 @@ use rustc_hash::FxHashMap;
 /// How many choices of functions are tried.
 const CHOICES: u64 = 3;
 
+/// Functions of more variables get polynomials of fewer terms.
+const FEW_VARIABLES: usize = 2;
+
 /// A problem to look for points of.
 pub(super) struct Instance {
     pub(super) problem: Problem,
@@ -135,16 +138,23 @@ impl Functions {
         pool.substitute(value, &values)
     }
 
-    /// c + Σ (cᵢxᵢ + cᵢ′xᵢ² + cᵢ″xᵢ⁴) + Σ cᵢⱼxᵢxⱼ with small coefficients: no rule of quadrature for few points is exact
-    /// for all of these.
+    /// c + Σ (cᵢxᵢ + cᵢ′xᵢ²) + Σ cᵢⱼxᵢxⱼ with small coefficients, for one variable c″x⁴ beside: no rule of quadrature for
+    /// few points is exact for all of these. For many variables only neighbours are multiplied.
     fn polynomial(&self, pool: &mut Pool, function: FunctionId) -> Expr {
         let symbols = pool.function(function).arguments.clone();
         let variables: Vec<Expr> = symbols.iter().map(|&symbol| pool.symbol(symbol)).collect();
         let mut terms = vec![pool.integer(1)];
         for (place, &x) in variables.iter().enumerate() {
             terms.push(x);
-            terms.extend([2, 4].map(|n| pool.power(x, n.into())));
-            terms.extend(variables[..place].iter().map(|&y| pool.multiply(x, y)));
+            if variables.len() <= FEW_VARIABLES {
+                terms.push(pool.power(x, 2.into()));
+                terms.extend(variables[..place].iter().map(|&y| pool.multiply(x, y)));
+            } else if place > 0 {
+                terms.push(pool.multiply(x, variables[place - 1]));
+            }
+        }
+        if let [x] = variables[..] {
+            terms.push(pool.power(x, 4.into()));
         }
         let mut state = self.choice.wrapping_mul(31).wrapping_add(7 * u64::from(function.0) + 3);
         let mut sum = pool.integer(0);

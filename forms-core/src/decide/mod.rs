@@ -18,6 +18,7 @@ mod angle;
 mod empty;
 mod finding;
 mod instance;
+mod part;
 mod problem;
 mod proof;
 mod ratio;

@@ -96,6 +96,10 @@ impl Region {
         {
             return Ok(Integral { value, conditions: vec![], antiderivative: Some(antiderivative) });
         }
+        if !pool.symbols_in(&[integrand]).contains(&variable) {
+            let length = pool.subtract(to, from);
+            return Ok(Integral { value: pool.multiply(integrand, length), conditions: vec![] });
+        }
         match self.by_antiderivative(pool, integrand) {
             Ok(found) => Ok(found),
             Err(failure) => {

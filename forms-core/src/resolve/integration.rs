@@ -94,7 +94,16 @@ impl Evaluator<'_> {
         span: Span,
     ) -> Evaluated<Expr> {
         let mut region = self.region(integrand, defined, ranges);
-        if let Some(condition) = region.unmet(&mut self.theory.pool, integrand, defined) {
+        // Domains of charts are borders of coordinates, beyond which the integrand may well be defined.
+        let charts = &self.theory.charts;
+        let is_domain =
+            |condition: &&Condition| charts.iter().any(|chart| chart.conditions.contains(condition));
+        let (domains, needed): (Vec<&Condition>, Vec<&Condition>) = defined.iter().partition(is_domain);
+        let (domains, needed): (Vec<Condition>, Vec<Condition>) =
+            (domains.into_iter().copied().collect(), needed.into_iter().copied().collect());
+        let pool = &mut self.theory.pool;
+        let outside = region.first_unmet(pool, &domains, Strictness::Weak);
+        if let Some(condition) = outside.or_else(|| region.unmet(pool, integrand, &needed)) {
             let text = condition.text(&self.theory.pool);
             let message = format!("cannot integrate: it is not known that `{text}` holds all over the range");
             return Err(Diagnostic::new(span, message));

@@ -1,8 +1,8 @@
 //! Integrals that do not converge, are not known to, or are outside the class are refused with the reason.
 
-use super::quadrature::errors;
-use forms_core::check::read_theory;
-use forms_core::decide::decide;
+use super::quadrature::{errors, theory_of};
+use forms_core::check::{decide_all, read_theory};
+use forms_core::decide::{Verdict, decide};
 
 fn reason(integral: &str) -> String {
     let functions =
@@ -63,6 +63,26 @@ fn what_is_outside_the_class_is_refused() {
     ];
     for (integral, message) in table {
         assert_eq!(reason(integral), message, "{integral}");
+    }
+}
+
+#[test]
+fn a_statement_about_an_integral_that_was_not_found_is_undecided_and_the_others_are_decided() {
+    let text =
+        "chart R1(x); prove a: integral(exp(x**2), x = 0..1) == 1; prove b: integral(x, x = 0..1) == 1/2;";
+    let (mut theory, found) = theory_of(text);
+    assert_eq!(found, [""; 0]);
+    let verdicts = decide_all(&mut theory);
+    let reason = "cannot integrate over `x`: no antiderivative of `exp(x**2)` with respect to `x` is known";
+    assert_eq!(verdicts[0], Verdict::Unknown { reason: reason.into() });
+    assert_eq!(verdicts[1].name(), "proved");
+}
+
+#[test]
+fn a_statement_about_an_integral_that_may_not_exist_is_an_error() {
+    for integrand in ["1/x", "log(x)/x**2", "exp(x)/(x - 1)"] {
+        let text = format!("chart R1(x); prove a: integral({integrand}, x = 0..1) == 1;");
+        assert_eq!(errors(&text).len(), 1, "{integrand}");
     }
 }
 
