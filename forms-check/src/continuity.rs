@@ -47,11 +47,34 @@ impl Theory {
             };
             if let Some((q, relation)) = needed
                 && !self.holds(q, relation, region)?
+                && !(relation == Relation::NotZero && self.leaves_out_zeros(q, region)?)
             {
                 return uncovered("an antiderivative that is not seen to be continuous");
             }
         }
         Ok(())
+    }
+
+    /// Of parameters it becomes a condition that a polynomial is not zero; the statement's others have to be open, so
+    /// that its points are dense among those that it had.
+    fn leaves_out_zeros(&mut self, q: Expr, region: &Region) -> Result<bool, Stop> {
+        let is_bound =
+            |v: &usize| self.bound.contains(v) || region.ranges.iter().any(|range| range.variable == *v);
+        let variables = self.pool.variables(q);
+        let is_polynomial = self.pool.parts(&[q]).into_iter().all(|part| match self.pool.node(part).0 {
+            Number(_) | Variable(_) | Add | Multiply => true,
+            Power(p, 1) => *p > 0,
+            _ => false,
+        });
+        if variables.iter().any(is_bound)
+            || !is_polynomial
+            || Field::default().element(&self.pool, q)?.numerator.is_zero()
+        {
+            return Ok(false);
+        }
+        self.require(q, Relation::NotZero);
+        self.scope.is_narrowed = true;
+        Ok(true)
     }
 
     /// Whether something has a sign all over the closed ranges.

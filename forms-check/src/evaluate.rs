@@ -46,6 +46,7 @@ impl Theory {
     pub(crate) fn require_all(&mut self, scope: &Scope) {
         self.scope.used.extend(&scope.used);
         self.scope.integrates |= scope.integrates;
+        self.scope.is_narrowed |= scope.is_narrowed;
         scope.conditions.iter().for_each(|(expr, relation)| self.require(*expr, *relation));
     }
 
@@ -216,7 +217,7 @@ impl Theory {
 
     fn use_variable(&mut self, v: usize) -> Expr {
         let conditions = self.params.get(&v).cloned().unwrap_or_default();
-        self.require_all(&Scope { conditions, used: BTreeSet::from([v]), integrates: false });
+        self.require_all(&Scope { conditions, used: BTreeSet::from([v]), ..Scope::default() });
         self.pool.make(Variable(v), vec![])
     }
 
@@ -330,6 +331,9 @@ impl Theory {
         self.given = given;
         let (value, inner) = read?;
         self.scope.integrates |= inner.integrates;
+        if inner.is_narrowed {
+            return uncovered("the pullback of an antiderivative that is not defined for every parameter");
+        }
         self.require_at(&inner.conditions, &images);
         self.require_at(&bound, &images);
         self.require_all(&scope);

@@ -10,7 +10,7 @@ use num_rational::BigRational;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Products of terms that one node of a proof may cost.
-const MOST_WORK: usize = 100_000_000;
+const MOST_WORK: usize = 5_000_000;
 
 /// A factor of more terms is not looked for in numerators.
 const MOST_TERMS: usize = 40;

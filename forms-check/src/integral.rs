@@ -132,6 +132,7 @@ impl Theory {
         }
         self.scope.used.extend(inner.used.iter().filter(|v| !is_bound(v)));
         self.scope.integrates = true;
+        self.scope.is_narrowed |= inner.is_narrowed;
         if inner.integrates {
             let region = Region { ranges, conditions: self.conditions_of(ranges)? };
             for (expr, relation) in &inner.conditions {

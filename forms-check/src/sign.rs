@@ -106,13 +106,17 @@ impl Field {
                 Multiply | Divide => least(),
                 Power(p, q) if p % 2 == 0 || *q > 1 => of(0).max(Seen::NotNegative),
                 Power(..) => of(0),
-                Function("tan") if of(0) > Seen::Nothing => {
-                    // 0 ≤ a ≤ π/2
-                    let (half, pi) = (pool.number(rational(1, 2)), pool.make(Pi, vec![]));
-                    let (quarter, negated) = (pool.make(Multiply, vec![half, pi]), pool.negate(operands[0]));
-                    let rest = pool.make(Add, vec![quarter, negated]);
-                    let rest = self.element(pool, rest)?;
-                    of_fact(self.signed(&rest)?).min(Seen::NotNegative)
+                Function(name @ ("sin" | "cos" | "tan")) => {
+                    // 0 ≤ a ≤ π, −π/2 ≤ a ≤ π/2 and 0 ≤ a ≤ π/2 in quarter turns
+                    let (from, to) = match *name {
+                        "sin" => (0, 2),
+                        "cos" => (-1, 1),
+                        _ => (0, 1),
+                    };
+                    let (above, below) =
+                        (self.beyond(pool, operands[0], 1, -from)?, self.beyond(pool, operands[0], -1, to)?);
+                    let above = if from == 0 { of(0).max(of_fact(above)) } else { of_fact(above) };
+                    above.min(of_fact(below))
                 }
                 _ => Seen::Nothing,
             };
@@ -125,6 +129,16 @@ impl Field {
             visible.insert(part, seen);
         }
         Ok(visible[&root])
+    }
+
+    /// ±a and so many quarter turns
+    fn beyond(&mut self, pool: &mut Pool, a: Expr, sign: i64, quarters: i64) -> Result<Polynomial, Stop> {
+        let (share, pi) = (pool.number(rational(quarters, 2)), pool.make(Pi, vec![]));
+        let turn = pool.make(Multiply, vec![share, pi]);
+        let signed = if sign < 0 { pool.negate(a) } else { a };
+        let sum = pool.make(Add, vec![signed, turn]);
+        let sum = self.element(pool, sum)?;
+        self.signed(&sum)
     }
 
     fn constraints(&mut self, pool: &Pool, conditions: &[Condition]) -> Vec<Constraint> {

@@ -29,6 +29,8 @@ pub(crate) struct Scope {
     pub(crate) used: BTreeSet<usize>,
     /// Whether an integral was found under these conditions.
     pub(crate) integrates: bool,
+    /// Whether zeros of parameters are left out for an antiderivative.
+    pub(crate) is_narrowed: bool,
 }
 
 /// A chart: its coordinates and its domain.
@@ -146,11 +148,15 @@ impl Theory {
         let mut conditions = self.bounds(&mut reader)?;
         reader.expect(";")?;
         conditions.append(&mut self.scope.conditions);
+        let is_narrowed = self.scope.is_narrowed;
         // a chart binds what uses its coordinates, if all that its condition mentions are among them
         let used = &self.scope.used;
         for (_, bound) in self.charts.iter().filter(|chart| chart.0.iter().any(|v| used.contains(v))) {
             let is_used = |v: &usize| !self.variables[*v].1 || used.contains(v);
             conditions.extend(bound.iter().filter(|c| self.pool.variables(c.0).iter().all(is_used)));
+        }
+        if is_narrowed && conditions.iter().any(|condition| condition.1 == Relation::NotNegative) {
+            return uncovered("an antiderivative that is not defined for every parameter");
         }
         let zero = self.pool.number(rational(0, 1));
         let mut components: BTreeMap<String, [Expr; 2]> = BTreeMap::new();

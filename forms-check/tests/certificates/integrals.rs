@@ -110,6 +110,32 @@ fn no_condition_speaks_of_a_variable_that_is_integrated_over() {
 }
 
 #[test]
+fn zeros_of_parameters_are_left_out_of_open_conditions_only() {
+    let source = |claim: &str, condition: &str| {
+        format!("chart L(x, y); param c{condition}; map m: L -> L = (x, 0); prove p: {claim};")
+    };
+    let wave = "integral(cos(c*x), x = 0..1) == sin(c)/c";
+    assert!(is_accepted(&source(wave, ""), &["sin(c*x)/c\nzero"]));
+    assert!(is_accepted(&source(wave, " where c < 2"), &["sin(c*x)/c\nzero"]));
+    // the conditions leave nothing but the zero
+    let nothing = "integral(cos(c*x), x = 0..1) == 5";
+    for proof in ["undefined\n", "base c\nsplit 1\nend\n", "zero\n"] {
+        let closed = source(nothing, " where c >= 0, c <= 0");
+        assert_ne!(outcome(&closed, &["sin(c*x)/c\nzero"], proof), Outcome::Accepted, "{proof}");
+        let pulled = source("pullback(m, integral(cos(y*x), x = 0..1)) == 5", "");
+        assert_ne!(outcome(&pulled, &["sin(y*x)/y\nzero"], proof), Outcome::Accepted, "{proof}");
+        let zero = source(nothing, "");
+        for offer in [
+            "sin(c*x)/(c - c)\nzero",
+            "sin(c*x)/c*(c - c)/(c - c)\nzero",
+            "5*x/(cos(c)**2 + sin(c)**2 - 1)\nzero",
+        ] {
+            assert_ne!(outcome(&zero, &[offer], proof), Outcome::Accepted, "{offer} {proof}");
+        }
+    }
+}
+
+#[test]
 fn what_divides_by_zero_everywhere_shows_no_antiderivative() {
     let claim = "integral(0*x + 1, x = 0..1) == 17";
     assert!(!on_line(claim, &["abs(x - x) + 17*x\nundefined"]));
