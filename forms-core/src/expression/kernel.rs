@@ -7,6 +7,10 @@
 use super::node::{Expr, FunctionId, Node, Pool, Symbol};
 use super::primitive::{Factor, Place, Primitive};
 use super::substitution::Substitution;
+use std::collections::BTreeMap;
+
+/// Higher powers stay as they are written.
+const HIGHEST_POWER: i64 = 64;
 
 /// More variables than these are kept in the order in which they were integrated over.
 const MOST_REORDERED: usize = 4;
@@ -140,6 +144,28 @@ impl Pool {
         self.jet(function, &orders, &arguments)
     }
 
+    /// A product with its factors in the order of the pool, equal ones as powers.
+    fn with_factors_in_order(&mut self, product: Expr) -> Expr {
+        let mut exponents: BTreeMap<Expr, i64> = BTreeMap::new();
+        let mut open = vec![(product, 1)];
+        while let Some((part, exponent)) = open.pop() {
+            match *self.node(part) {
+                Node::Multiply(a, b) => open.extend([(a, exponent), (b, exponent)]),
+                Node::Divide(a, b) => open.extend([(a, exponent), (b, -exponent)]),
+                Node::Power(a, power) if power.is_integer() && power.numer().abs() < HIGHEST_POWER => {
+                    open.push((a, exponent * power.numer()));
+                }
+                _ => *exponents.entry(part).or_insert(0) += exponent,
+            }
+        }
+        let mut ordered = self.integer(1);
+        for (factor, exponent) in exponents {
+            let power = self.power(factor, exponent.into());
+            ordered = self.multiply(ordered, power);
+        }
+        ordered
+    }
+
     /// The kernel with its variables numbered in some order, jets sorted.
     fn numbered(&mut self, kernel: &Kernel, order: &[usize]) -> Candidate {
         let number_of = |pool: &Pool, argument: Expr| match pool.node(argument) {
@@ -176,6 +202,7 @@ impl Pool {
             values.insert(symbol, self.symbol(formal));
         }
         let elementary = self.substitute(kernel.elementary, &values);
+        let elementary = self.with_factors_in_order(elementary);
         let ends = order.iter().map(|&place| kernel.integrated[place].1).collect();
         (jets, elementary, free, ends)
     }
