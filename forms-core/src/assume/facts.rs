@@ -212,7 +212,32 @@ impl Facts {
             };
             relations.iter().for_each(|&relation| facts.learn(tower, &factor, relation));
         }
-        !facts.contradiction()
+        !facts.contradiction() && !facts.fixed_values_contradict()
+    }
+
+    /// Whether an inequality fails once generators with one value left have it.
+    fn fixed_values_contradict(&self) -> bool {
+        let fixed = |variable: u32| {
+            let value = self.lower.get(&variable)?;
+            (self.upper.get(&variable) == Some(value)).then_some(value)
+        };
+        self.inequalities.iter().any(|inequality| {
+            let mut polynomial = inequality.polynomial.clone();
+            for variable in inequality.polynomial.variables() {
+                let Some(value) = fixed(variable) else { return false };
+                let degree = polynomial.degree(variable);
+                polynomial = polynomial.coefficients_in(variable).into_iter().fold(
+                    Polynomial::zero(),
+                    |sum, (exponent, coefficient)| {
+                        let above = num_traits::pow(value.numer().clone(), exponent as usize);
+                        let below = num_traits::pow(value.denom().clone(), (degree - exponent) as usize);
+                        sum.add(&coefficient.scale(&(above * below)))
+                    },
+                );
+            }
+            let value = polynomial.as_constant();
+            value.is_some_and(|value| value.is_negative() || (inequality.strict && value.is_zero()))
+        })
     }
 
     /// The inequalities, the bounds of what occurs in them among them.

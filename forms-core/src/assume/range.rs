@@ -10,14 +10,12 @@ use crate::enclosure::{Enclosure, Precision};
 use crate::expression::Rational;
 use crate::normal::Fraction;
 use crate::syntax::ast::Relation;
-use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
 
 /// Bits to which ends are compared and tangents are enclosed.
-const PRECISION: Precision = Precision(128);
+pub(super) const PRECISION: Precision = Precision(128);
 
 /// Bits of an end's tangent.
 const TANGENT_PRECISION: Precision = Precision(32);
@@ -28,9 +26,9 @@ type Monomial = Vec<(u32, u32)>;
 /// a + bπ, which belongs to the range unless it is open there.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct End {
-    rational: BigRational,
-    turns: BigRational,
-    open: bool,
+    pub(super) rational: BigRational,
+    pub(super) turns: BigRational,
+    pub(super) open: bool,
 }
 
 /// What lies between two ends; one that is missing is infinite.
@@ -46,7 +44,7 @@ impl End {
         End { rational: BigRational::zero(), turns: BigRational::new(p.into(), q.into()), open }
     }
 
-    fn add(&self, other: &End) -> End {
+    pub(super) fn add(&self, other: &End) -> End {
         End {
             rational: &self.rational + &other.rational,
             turns: &self.turns + &other.turns,
@@ -58,7 +56,7 @@ impl End {
         End { rational: &self.rational * by, turns: &self.turns * by, open: self.open }
     }
 
-    fn enclosure(&self, precision: Precision) -> Enclosure {
+    pub(super) fn enclosure(&self, precision: Precision) -> Enclosure {
         let turns = Enclosure::exact(&self.turns, precision).mul(&Enclosure::pi(precision));
         Enclosure::exact(&self.rational, precision).add(&turns)
     }
@@ -127,50 +125,6 @@ impl Range {
             })
         };
         inside(&self.lower, -1, Ordering::Less) && inside(&self.upper, 1, Ordering::Greater)
-    }
-
-    /// Whether the sine of what lies here is never negative or never positive, and whether never zero.
-    pub(crate) fn sign_of_sine(&self) -> Option<(bool, bool)> {
-        self.sign_between_multiples((0, 1))
-    }
-
-    /// The same for the cosine.
-    pub(crate) fn sign_of_cosine(&self) -> Option<(bool, bool)> {
-        self.sign_between_multiples((1, 2))
-    }
-
-    /// The ends in parts of π, where they are multiples of π/4 or π/6 and at most half a turn apart.
-    pub(crate) fn within_half_a_turn(&self) -> Option<(Rational, Rational)> {
-        let (lower, upper) = (self.lower.as_ref()?, self.upper.as_ref()?);
-        let is_simple = |end: &End| {
-            end.rational.is_zero() && [4, 6].iter().any(|&n| (&end.turns * BigInt::from(n)).is_integer())
-        };
-        let width = &upper.turns - &lower.turns;
-        (is_simple(lower) && is_simple(upper) && width <= BigRational::from_integer(1.into()))
-            .then(|| (lower.turns.clone(), upper.turns.clone()))
-    }
-
-    /// The sign of sin(x + (p/q)π): that of (−1)ᵐ where x + (p/q)π lies between mπ and (m + 1)π.
-    fn sign_between_multiples(&self, (p, q): (i64, i64)) -> Option<(bool, bool)> {
-        let (lower, upper) = (self.lower.as_ref()?, self.upper.as_ref()?);
-        let shift = End::of_pi(p, q, false);
-        let (lower, upper) = (lower.add(&shift), upper.add(&shift));
-        let start = lower.enclosure(PRECISION).div(&Enclosure::pi(PRECISION)).ok()?.lower();
-        let first = start.round().to_integer();
-        for multiple in [&first - 1, first.clone(), &first + 1] {
-            let from = End { rational: BigRational::zero(), turns: multiple.clone().into(), open: false };
-            let to = from.add(&End::of_pi(1, 1, false));
-            let above = lower.compare(&from);
-            let below = upper.compare(&to);
-            let is_inside = matches!(above, Some(Ordering::Greater | Ordering::Equal))
-                && matches!(below, Some(Ordering::Less | Ordering::Equal));
-            if is_inside {
-                let strict = (above == Some(Ordering::Greater) || lower.open)
-                    && (below == Some(Ordering::Less) || upper.open);
-                return Some((multiple.is_even(), strict));
-            }
-        }
-        None
     }
 
     /// Numbers that tan x keeps between, as far as x stays between −π/2 and π/2.

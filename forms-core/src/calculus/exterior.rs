@@ -36,6 +36,9 @@ pub fn contributions<'a, S: Clone>(
     })
 }
 
+/// Signed coefficients with the coordinates they are differentiated by, by the basis form they belong to.
+type Groups<'a, S> = BTreeMap<Blade, Vec<(i8, &'a S, Coordinate)>>;
+
 /// The exterior derivative along the given coordinates: all of them for d, one chart's for `d[chart]`.
 pub fn exterior_derivative<R: Coefficients>(
     ring: &mut R,

@@ -1,7 +1,7 @@
 //! What can be found out about equations: points first, then the normal form, then more points.
 
 use super::empty;
-use super::instance::{Instance, instances};
+use super::instance::{FIRST_CHOICE, Instance, MORE_CHOICES, instances};
 use super::problem::Problem;
 use super::proof::{self, Outcome};
 use super::report;
@@ -74,7 +74,7 @@ pub(super) fn find(pool: &mut Pool, problem: &Problem, effort: Effort) -> Findin
     if early == Some(Outcome::Zero) {
         return Finding::Equal { points: FIRST_POINTS };
     }
-    let mut survey = Survey { instances: instances(pool, problem), ..Survey::default() };
+    let mut survey = Survey { instances: instances(pool, problem, FIRST_CHOICE), ..Survey::default() };
     if early.is_some() {
         survey.enough = POINTS_BEFORE_ANGLES;
     }
@@ -84,6 +84,7 @@ pub(super) fn find(pool: &mut Pool, problem: &Problem, effort: Effort) -> Findin
     }
     let outcome = early.unwrap_or_else(|| proof::by_normal_forms(pool, problem, effort.work));
     let outcome = proof::as_angles(pool, problem, effort.work, outcome);
+    let outcome = proof::as_parts(pool, problem, effort.work, outcome);
     let outcome = separation::as_numbers(pool, problem, outcome);
     if outcome == Outcome::Zero && survey.points > 0 {
         return Finding::Equal { points: survey.points };
@@ -96,6 +97,9 @@ pub(super) fn find(pool: &mut Pool, problem: &Problem, effort: Effort) -> Findin
         }
     }
     survey.enough = if outcome == Outcome::Zero { 1 } else { effort.points };
+    if outcome != Outcome::Zero && survey.instances.is_some() {
+        survey.instances = instances(pool, problem, MORE_CHOICES);
+    }
     survey.look(pool, problem, position, effort.candidates);
     if let Some(difference) = survey.difference {
         return Finding::Different(report::witness(pool, problem, &difference));

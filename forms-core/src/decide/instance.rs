@@ -10,9 +10,14 @@ use super::problem::{Component, Problem};
 use crate::expression::{Condition, Expr, FunctionId, Node, Pool, Substitution};
 use crate::integral::Region;
 use rustc_hash::FxHashMap;
+use std::ops::Range;
 
-/// How many choices of functions are tried.
-const CHOICES: u64 = 3;
+/// The choice of functions that is looked at first, and those where it told nothing.
+pub(super) const FIRST_CHOICE: Range<u64> = 0..1;
+pub(super) const MORE_CHOICES: Range<u64> = 1..3;
+
+/// Functions of more variables get polynomials of fewer terms.
+const FEW_VARIABLES: usize = 2;
 
 /// A problem to look for points of.
 pub(super) struct Instance {
@@ -25,7 +30,7 @@ pub(super) struct Instance {
 
 /// The instances of a problem in which functions stand for integrals. Nothing where there is no such function: then
 /// values and derivatives at the points are all that matters.
-pub(super) fn instances(pool: &mut Pool, problem: &Problem) -> Option<Vec<Instance>> {
+pub(super) fn instances(pool: &mut Pool, problem: &Problem, choices: Range<u64>) -> Option<Vec<Instance>> {
     let mut expressions = problem.differences();
     let conditions = problem.assumptions.iter().flat_map(|c| [c.left, c.right]);
     let in_conditions = has_primitives(pool, &conditions.collect::<Vec<_>>());
@@ -33,8 +38,7 @@ pub(super) fn instances(pool: &mut Pool, problem: &Problem) -> Option<Vec<Instan
     if !in_conditions && !has_primitives(pool, &expressions) {
         return None;
     }
-    let mut found: Vec<Instance> =
-        (0..CHOICES).filter_map(|choice| instance(pool, problem, choice)).collect();
+    let mut found: Vec<Instance> = choices.filter_map(|choice| instance(pool, problem, choice)).collect();
     if found.is_empty() && !in_conditions {
         // the conditions say nothing of integrals, so a point that meets them is one, whatever the integrals are
         let problem = copied(problem, |expression| expression);
@@ -135,16 +139,24 @@ impl Functions {
         pool.substitute(value, &values)
     }
 
-    /// c + Σ (cᵢxᵢ + cᵢ′xᵢ² + cᵢ″xᵢ⁴) + Σ cᵢⱼxᵢxⱼ with small coefficients: no rule of quadrature for few points is exact
-    /// for all of these.
+    /// c + Σ (cᵢxᵢ + cᵢ′xᵢ²) + Σ cᵢⱼxᵢxⱼ with small coefficients, for one variable c″x⁴ beside: no rule of quadrature for
+    /// few points is exact for all of these. For many variables only neighbours are
+    /// multiplied, and none in the first choice.
     fn polynomial(&self, pool: &mut Pool, function: FunctionId) -> Expr {
         let symbols = pool.function(function).arguments.clone();
         let variables: Vec<Expr> = symbols.iter().map(|&symbol| pool.symbol(symbol)).collect();
         let mut terms = vec![pool.integer(1)];
         for (place, &x) in variables.iter().enumerate() {
             terms.push(x);
-            terms.extend([2, 4].map(|n| pool.power(x, n.into())));
-            terms.extend(variables[..place].iter().map(|&y| pool.multiply(x, y)));
+            if variables.len() <= FEW_VARIABLES {
+                terms.push(pool.power(x, 2.into()));
+                terms.extend(variables[..place].iter().map(|&y| pool.multiply(x, y)));
+            } else if place > 0 && self.choice > 0 {
+                terms.push(pool.multiply(x, variables[place - 1]));
+            }
+        }
+        if let [x] = variables[..] {
+            terms.push(pool.power(x, 4.into()));
         }
         let mut state = self.choice.wrapping_mul(31).wrapping_add(7 * u64::from(function.0) + 3);
         let mut sum = pool.integer(0);

@@ -19,6 +19,9 @@ use crate::normal::is_arc;
 /// Relations are looked for between at most so many functions.
 const MOST_ARCS: usize = 8;
 
+/// Of so many angles at most the sums and differences are looked at.
+const MOST_COMBINED: usize = 3;
+
 /// Points that are looked at for one at which all functions have values.
 const POINTS: u32 = 64;
 
@@ -28,7 +31,7 @@ const SHARE: u64 = 16;
 const PRECISION: Precision = Precision(96);
 
 /// The multiples m, n of a relation; the second function is replaced, so n is 1 or −1.
-const MULTIPLES: &[(i64, i64)] = &[(1, 1), (1, -1), (2, 1), (2, -1)];
+const MULTIPLES: &[(i64, i64)] = &[(1, 1), (1, -1), (2, 1), (2, -1), (3, 1), (3, -1)];
 
 /// The part of π that the right side is a multiple of.
 const PARTS: i64 = 12;
@@ -68,8 +71,8 @@ fn arcs_in(pool: &Pool, expression: Expr) -> Vec<Expr> {
     pool.reachable(&[expression]).into_iter().filter(is_arc).collect()
 }
 
-/// What sines, cosines and tangents within expressions are of.
-fn angles_in(pool: &Pool, expressions: &[Expr]) -> Vec<Expr> {
+/// What sines, cosines and tangents within expressions are of, then the sums and differences of two of them.
+fn angles_in(pool: &mut Pool, expressions: &[Expr]) -> Vec<Expr> {
     let angle = |part: Expr| match pool.node(part) {
         Node::Apply(Operation::Sin | Operation::Cos | Operation::Tan, of) => Some(of[0]),
         _ => None,
@@ -78,6 +81,14 @@ fn angles_in(pool: &Pool, expressions: &[Expr]) -> Vec<Expr> {
     for angle in pool.reachable(expressions).into_iter().filter_map(angle) {
         if !angles.contains(&angle) {
             angles.push(angle);
+        }
+    }
+    let single = angles.clone();
+    if single.len() <= MOST_COMBINED {
+        for (place, &a) in single.iter().enumerate() {
+            for &b in &single[..place] {
+                angles.extend([pool.add(a, b), pool.subtract(a, b)]);
+            }
         }
     }
     angles

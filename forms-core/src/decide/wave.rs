@@ -5,6 +5,7 @@
 //! ```
 //! They are conditions on points like those that are stated, and are looked at where the stated ones leave a sign open.
 
+use super::angle::occur_in;
 use crate::assume::range_of;
 use crate::expression::{Condition, Expr, Node, Operation, Pool};
 use crate::syntax::ast::Relation;
@@ -16,10 +17,13 @@ const MOST_ANGLES: usize = 6;
 pub(super) fn signs_of_waves(pool: &mut Pool, expressions: &[Expr], given: &[Condition]) -> Vec<Condition> {
     let mut angles: Vec<Expr> = Vec::new();
     for part in pool.reachable(expressions) {
-        if let Node::Apply(Operation::Sin | Operation::Cos | Operation::Tan, of) = pool.node(part)
-            && !angles.contains(&of[0])
-        {
-            angles.push(of[0]);
+        let Node::Apply(Operation::Sin | Operation::Cos | Operation::Tan, of) = pool.node(part).clone()
+        else {
+            continue;
+        };
+        let angle = without_arcs(pool, of[0]);
+        if !angles.contains(&angle) {
+            angles.push(angle);
         }
     }
     angles.truncate(MOST_ANGLES);
@@ -45,6 +49,25 @@ pub(super) fn signs_of_waves(pool: &mut Pool, expressions: &[Expr], given: &[Con
     }
     found.retain(|condition| !given.contains(condition));
     found
+}
+
+/// The terms of a multiple of a sum in which no inverse function occurs.
+fn without_arcs(pool: &mut Pool, angle: Expr) -> Expr {
+    if !occur_in(pool, &[angle]) {
+        return angle;
+    }
+    match *pool.node(angle) {
+        Node::Add(a, b) => {
+            let (a, b) = (without_arcs(pool, a), without_arcs(pool, b));
+            pool.add(a, b)
+        }
+        Node::Negate(a) => {
+            let a = without_arcs(pool, a);
+            pool.negate(a)
+        }
+        Node::Multiply(a, b) if pool.as_number(a).is_some() => without_arcs(pool, b),
+        _ => pool.integer(0),
+    }
 }
 
 /// wave ≥ 0 or wave ≤ 0

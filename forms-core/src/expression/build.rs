@@ -193,6 +193,9 @@ impl Pool {
         if let Some(lowered) = self.lowered(function, orders, arguments) {
             return lowered;
         }
+        if let Some(ordered) = self.in_order(function, orders, arguments) {
+            return self.intern(ordered);
+        }
         self.intern(Node::Jet { function, orders: orders.into(), arguments: arguments.into() })
     }
 

@@ -15,12 +15,9 @@ use super::node::{Expr, FunctionId, Node, Pool, Symbol, SymbolKind};
 use super::substitution::Substitution;
 use rustc_hash::FxHashMap;
 
-/// More variables than these are kept in the order in which they were integrated over.
-const MOST_REORDERED: usize = 4;
-
 /// An argument of a jet in a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-enum Place {
+pub(super) enum Place {
     /// The variable of that number, and how often the jet is differentiated by this argument.
     Integrated(usize, u32),
     /// The next parameter.
@@ -29,50 +26,31 @@ enum Place {
 
 /// A jet of a kernel.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-struct Factor {
-    function: FunctionId,
-    places: Vec<Place>,
+pub(super) struct Factor {
+    pub(super) function: FunctionId,
+    pub(super) places: Vec<Place>,
 }
 
 /// What is integrated, over which of its variables.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Primitive {
-    factors: Vec<Factor>,
+    pub(super) factors: Vec<Factor>,
     /// What is no jet, by the formal variables; its parameters come after those of the jets.
-    elementary: Expr,
-    integrated: usize,
-    parameters: usize,
+    pub(super) elementary: Expr,
+    pub(super) integrated: usize,
+    pub(super) parameters: usize,
 }
 
 /// The primitives of a pool and the variables they are written in.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Primitives {
     functions: FxHashMap<Primitive, FunctionId>,
-    kernels: FxHashMap<FunctionId, Primitive>,
+    pub(super) kernels: FxHashMap<FunctionId, Primitive>,
     integrated: Vec<Symbol>,
     parameters: Vec<Symbol>,
     /// Variables of a kernel that is being put together.
     inner: Vec<Symbol>,
 }
-
-/// A jet of a kernel that is being put together: its arguments with the orders by them.
-struct Jet {
-    function: FunctionId,
-    arguments: Vec<(Expr, u32)>,
-}
-
-/// A kernel that is being put together: the variables that are integrated over with their upper ends.
-struct Kernel {
-    jets: Vec<Jet>,
-    elementary: Expr,
-    integrated: Vec<(Symbol, Expr)>,
-}
-
-/// A jet with its variables numbered: what it is, then its parameters with the orders by them.
-type Numbered = (Factor, Vec<(Expr, u32)>);
-
-/// A kernel with its variables numbered: jets, the rest with its parameters, the upper ends.
-type Candidate = (Vec<Numbered>, Expr, Vec<Symbol>, Vec<Expr>);
 
 impl Pool {
     /// Whether a function is a primitive.
@@ -83,10 +61,7 @@ impl Pool {
     /// The antiderivative by a variable, at that variable, of a product that unknown functions of it occur in.
     pub(crate) fn primitive(&mut self, product: Expr, variable: Symbol) -> Expr {
         let at = self.symbol(variable);
-        let one = self.integer(1);
-        let mut kernel = Kernel { jets: vec![], elementary: one, integrated: vec![(variable, at)] };
-        self.gather(&mut kernel, product);
-        self.completed(kernel)
+        self.primitive_over(product, vec![(variable, at)])
     }
 
     /// What a primitive integrates at these arguments, and the variables, which are not used elsewhere: one for each of
@@ -130,14 +105,8 @@ impl Pool {
             integrated.push((inner[number], formal[number]));
         }
         let product = self.value_of_kernel(&primitive, orders, &places);
-        let mut value = if integrated.is_empty() {
-            product
-        } else {
-            let one = self.integer(1);
-            let mut kernel = Kernel { jets: vec![], elementary: one, integrated };
-            self.gather(&mut kernel, product);
-            self.completed(kernel)
-        };
+        let mut value =
+            if integrated.is_empty() { product } else { self.primitive_over(product, integrated) };
         for (number, &order) in orders[..primitive.integrated].iter().enumerate() {
             let by = self.formal(&primitive, number);
             for _ in 0..order - u32::from(number == end) {
@@ -149,6 +118,30 @@ impl Pool {
         Some(self.substitute(value, &values))
     }
 
+    /// A primitive with the parameters of equal factors in order, if they are not: exchanging equal factors changes
+    /// nothing.
+    pub(super) fn in_order(&self, function: FunctionId, orders: &[u32], arguments: &[Expr]) -> Option<Node> {
+        let primitive = self.primitives.kernels.get(&function)?;
+        let (mut orders, mut arguments) = (orders.to_vec(), arguments.to_vec());
+        let (mut first, mut changed) = (primitive.integrated, false);
+        for alike in primitive.factors.chunk_by(|a, b| a == b) {
+            let width = alike[0].places.iter().filter(|place| **place == Place::Parameter).count();
+            let block = |number: usize| first + number * width..first + (number + 1) * width;
+            let mut blocks: Vec<Vec<(Expr, u32)>> = (0..alike.len())
+                .map(|number| block(number).map(|place| (arguments[place], orders[place])).collect())
+                .collect();
+            if !blocks.is_sorted() {
+                changed = true;
+                blocks.sort();
+                for (place, (argument, order)) in (first..).zip(blocks.concat()) {
+                    (arguments[place], orders[place]) = (argument, order);
+                }
+            }
+            first += alike.len() * width;
+        }
+        changed.then(|| Node::Jet { function, orders: orders.into(), arguments: arguments.into() })
+    }
+
     /// The formal argument of that number.
     fn formal(&mut self, primitive: &Primitive, number: usize) -> Symbol {
         match number.checked_sub(primitive.integrated) {
@@ -157,7 +150,7 @@ impl Pool {
         }
     }
 
-    fn formal_variable(&mut self, number: usize) -> Symbol {
+    pub(super) fn formal_variable(&mut self, number: usize) -> Symbol {
         while self.primitives.integrated.len() <= number {
             let name = format!("s{}", self.primitives.integrated.len() + 1);
             let symbol = self.declare_symbol(name, SymbolKind::Local);
@@ -166,7 +159,7 @@ impl Pool {
         self.primitives.integrated[number]
     }
 
-    fn formal_parameter(&mut self, number: usize) -> Symbol {
+    pub(super) fn formal_parameter(&mut self, number: usize) -> Symbol {
         while self.primitives.parameters.len() <= number {
             let name = format!("q{}", self.primitives.parameters.len() + 1);
             let symbol = self.declare_symbol(name, SymbolKind::Local);
@@ -175,7 +168,7 @@ impl Pool {
         self.primitives.parameters[number]
     }
 
-    fn inner_variable(&mut self, number: usize) -> Symbol {
+    pub(super) fn inner_variable(&mut self, number: usize) -> Symbol {
         while self.primitives.inner.len() <= number {
             let name = format!("s{}", self.primitives.inner.len() + 1);
             let symbol = self.declare_symbol(name, SymbolKind::Local);
@@ -185,7 +178,7 @@ impl Pool {
     }
 
     /// The kernel at these places, differentiated by its parameters as often as the orders after the upper ends say.
-    fn value_of_kernel(&mut self, primitive: &Primitive, orders: &[u32], places: &[Expr]) -> Expr {
+    pub(super) fn value_of_kernel(&mut self, primitive: &Primitive, orders: &[u32], places: &[Expr]) -> Expr {
         let mut next = primitive.integrated;
         let mut product = self.integer(1);
         for factor in &primitive.factors {
@@ -217,148 +210,7 @@ impl Pool {
         self.multiply(product, elementary)
     }
 
-    /// Takes the factors of a product apart: jets at places that are a variable or free of all of them, and the rest.
-    fn gather(&mut self, kernel: &mut Kernel, product: Expr) {
-        match self.node(product).clone() {
-            Node::Multiply(a, b) => {
-                self.gather(kernel, a);
-                self.gather(kernel, b);
-            }
-            Node::Divide(a, b) => {
-                self.gather(kernel, a);
-                kernel.elementary = self.divide(kernel.elementary, b);
-            }
-            Node::Power(base, exponent)
-                if exponent.is_integer()
-                    && (1..=8).contains(exponent.numer())
-                    && matches!(self.node(base), Node::Jet { .. } | Node::Multiply(..)) =>
-            {
-                (0..*exponent.numer()).for_each(|_| self.gather(kernel, base));
-            }
-            Node::Jet { function, orders, arguments } => {
-                self.gather_jet(kernel, product, (function, &orders, &arguments));
-            }
-            _ => kernel.elementary = self.multiply(kernel.elementary, product),
-        }
-    }
-
-    fn gather_jet(
-        &mut self,
-        kernel: &mut Kernel,
-        written: Expr,
-        (function, orders, arguments): (FunctionId, &[u32], &[Expr]),
-    ) {
-        let moves = |pool: &Pool, argument: Expr| {
-            let symbols = pool.symbols_in(&[argument]);
-            kernel.integrated.iter().any(|(symbol, _)| symbols.contains(symbol))
-        };
-        let is_variable = |pool: &Pool, argument: Expr| matches!(pool.node(argument), Node::Symbol(_));
-        if arguments.iter().any(|&argument| moves(self, argument) && !is_variable(self, argument)) {
-            kernel.elementary = self.multiply(kernel.elementary, written);
-            return;
-        }
-        let inner = self.primitives.kernels.get(&function).cloned();
-        if let Some(inner) = inner
-            && !arguments[..inner.integrated].iter().any(|&end| moves(self, end))
-        {
-            self.gather_primitive(kernel, &inner, orders, arguments);
-            return;
-        }
-        let arguments = arguments.iter().copied().zip(orders.iter().copied()).collect();
-        kernel.jets.push(Jet { function, arguments });
-    }
-
-    /// ∫ g Φ = ∫∫ g φ: the variables of a primitive join those of the kernel it is a factor of.
-    fn gather_primitive(
-        &mut self,
-        kernel: &mut Kernel,
-        inner: &Primitive,
-        orders: &[u32],
-        arguments: &[Expr],
-    ) {
-        let mut places = arguments.to_vec();
-        let mut candidate = 0;
-        for (number, &end) in arguments[..inner.integrated].iter().enumerate() {
-            let mut variable = self.inner_variable(candidate);
-            while kernel.integrated.iter().any(|(taken, _)| *taken == variable) {
-                candidate += 1;
-                variable = self.inner_variable(candidate);
-            }
-            kernel.integrated.push((variable, end));
-            places[number] = self.symbol(variable);
-        }
-        let product = self.value_of_kernel(inner, orders, &places);
-        self.gather(kernel, product);
-    }
-
-    /// The primitive in the order of variables and jets that comes first, at its places.
-    fn completed(&mut self, kernel: Kernel) -> Expr {
-        let count = kernel.integrated.len();
-        let mut best: Option<Candidate> = None;
-        for order in orders_of(count) {
-            let candidate = self.numbered(&kernel, &order);
-            if best.as_ref().is_none_or(|best| precedes(&candidate, best)) {
-                best = Some(candidate);
-            }
-        }
-        let Some((jets, elementary, symbols, ends)) = best else { return kernel.elementary };
-        let (mut arguments, mut orders) = (ends, vec![0; count]);
-        for (argument, order) in jets.iter().flat_map(|(_, parameters)| parameters) {
-            arguments.push(*argument);
-            orders.push(*order);
-        }
-        for symbol in symbols {
-            arguments.push(self.symbol(symbol));
-            orders.push(0);
-        }
-        let factors = jets.into_iter().map(|(factor, _)| factor).collect();
-        let parameters = arguments.len() - count;
-        let function =
-            self.function_of_primitive(Primitive { factors, elementary, integrated: count, parameters });
-        self.jet(function, &orders, &arguments)
-    }
-
-    /// The kernel with its variables numbered in some order, jets sorted.
-    fn numbered(&mut self, kernel: &Kernel, order: &[usize]) -> Candidate {
-        let number_of = |pool: &Pool, argument: Expr| match pool.node(argument) {
-            Node::Symbol(symbol) => order.iter().position(|&place| kernel.integrated[place].0 == *symbol),
-            _ => None,
-        };
-        let mut jets: Vec<Numbered> = Vec::new();
-        for jet in &kernel.jets {
-            let (mut places, mut parameters) = (Vec::new(), Vec::new());
-            for &(argument, derivatives) in &jet.arguments {
-                match number_of(self, argument) {
-                    Some(number) => places.push(Place::Integrated(number, derivatives)),
-                    None => {
-                        places.push(Place::Parameter);
-                        parameters.push((argument, derivatives));
-                    }
-                }
-            }
-            jets.push((Factor { function: jet.function, places }, parameters));
-        }
-        jets.sort();
-        let own = jets.iter().map(|(_, parameters)| parameters.len()).sum::<usize>();
-        let mut values: Substitution = Substitution::default();
-        let mut free = Vec::new();
-        for symbol in self.symbols_in(&[kernel.elementary]) {
-            let place = order.iter().position(|&place| kernel.integrated[place].0 == symbol);
-            let formal = match place {
-                Some(number) => self.formal_variable(number),
-                None => {
-                    free.push(symbol);
-                    self.formal_parameter(own + free.len() - 1)
-                }
-            };
-            values.insert(symbol, self.symbol(formal));
-        }
-        let elementary = self.substitute(kernel.elementary, &values);
-        let ends = order.iter().map(|&place| kernel.integrated[place].1).collect();
-        (jets, elementary, free, ends)
-    }
-
-    fn function_of_primitive(&mut self, primitive: Primitive) -> FunctionId {
+    pub(super) fn function_of_primitive(&mut self, primitive: Primitive) -> FunctionId {
         if let Some(&known) = self.primitives.functions.get(&primitive) {
             return known;
         }
@@ -369,38 +221,6 @@ impl Pool {
         self.primitives.kernels.insert(function, primitive);
         function
     }
-}
-
-/// Whether a kernel comes before another: by its jets, then the rest, then where it is taken.
-fn precedes(a: &Candidate, b: &Candidate) -> bool {
-    let shape = |candidate: &Candidate| -> Vec<Factor> {
-        candidate.0.iter().map(|(factor, _)| factor.clone()).collect()
-    };
-    let places = |candidate: &Candidate| -> Vec<Vec<(Expr, u32)>> {
-        candidate.0.iter().map(|(_, parameters)| parameters.clone()).collect()
-    };
-    (shape(a), a.1, &a.3, places(a)) < (shape(b), b.1, &b.3, places(b))
-}
-
-/// All orders of so many variables, if they are not too many.
-fn orders_of(count: usize) -> Vec<Vec<usize>> {
-    if count > MOST_REORDERED {
-        return vec![(0..count).collect()];
-    }
-    let mut orders: Vec<Vec<usize>> = vec![vec![]];
-    for place in 0..count {
-        orders = orders
-            .into_iter()
-            .flat_map(|order| {
-                (0..=order.len()).map(move |at| {
-                    let mut longer = order.clone();
-                    longer.insert(at, place);
-                    longer
-                })
-            })
-            .collect();
-    }
-    orders
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@ use crate::assume::is_at_most;
 use crate::enclosure::{Precision, enclose};
 use crate::expression::{Condition, Expr, Node, Operation, Pool, Symbol, SymbolKind};
 use crate::normal::{Tower, Trigonometry};
+use crate::polynomial::Polynomial;
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 use num_traits::ToPrimitive;
@@ -61,7 +62,7 @@ impl Region {
                 self.insert(pool, &mut places, zero)?;
             }
         }
-        let mut total = Integral { value: pool.integer(0), conditions: vec![] };
+        let mut total = Integral { value: pool.integer(0), conditions: vec![], antiderivative: None };
         for ends in places.windows(2) {
             let part = self.piece(pool, integrand, &moving, (ends[0], ends[1]))?;
             total.value = pool.add(total.value, part.value);
@@ -89,7 +90,8 @@ impl Region {
         let replaced = pool.replace(integrand, &images);
         let found = Region { ranges: self.ranges.clone(), conditions }.integral(pool, replaced)?;
         let conditions = found.conditions.iter().map(|condition| condition.substitute(pool, &back)).collect();
-        Ok(Integral { value: pool.substitute(found.value, &back), conditions })
+        let value = pool.substitute(found.value, &back);
+        Ok(Integral { value, conditions, antiderivative: None })
     }
 
     /// The integral between two neighbouring zeros, with the sign of every magnitude there.
@@ -192,7 +194,7 @@ impl Region {
         }
     }
 
-    /// −β/α for αx + β, (−β ± √(β² − 4αγ))/2α for αx² + βx + γ; nothing if it is no such polynomial.
+    /// The zeros of the factors of a rational function; nothing if it is none.
     fn zeros_of_polynomial(
         &self,
         pool: &mut Pool,
@@ -205,21 +207,36 @@ impl Region {
         if tower.generators_in(&normal, variable) != [x] {
             return Ok(None);
         }
-        let rational = tower.rational_function(&normal, x)?;
-        if !rational.denominator.is_empty() {
-            return Err(self.signs_of(pool, function));
+        let below = tower.factors_of(&normal).into_iter().map(|(polynomial, _)| polynomial.clone());
+        let above = normal.numerator().square_free().1.into_iter().map(|(polynomial, _)| polynomial);
+        let factors: Vec<Polynomial> = below.chain(above).filter(|factor| factor.contains(x)).collect();
+        let mut zeros = Vec::new();
+        for factor in factors {
+            let polynomial = tower.rational_function(&factor.into(), x)?.numerator;
+            let degree = polynomial.degree();
+            let coefficients: Vec<Expr> =
+                (0..=degree).map(|k| tower.raise(pool, &polynomial.coefficient(k))).collect();
+            zeros.extend(self.zeros_of_coefficients(pool, function, &coefficients)?);
         }
-        let degree = rational.numerator.degree();
-        let coefficients: Vec<Expr> =
-            (0..=degree).map(|k| tower.raise(pool, &rational.numerator.coefficient(k))).collect();
-        let Some(&leading) = coefficients.last() else { return Ok(None) };
-        self.nonzero(pool, leading)?;
-        match coefficients.as_slice() {
+        Ok(Some(zeros))
+    }
+
+    /// −β/α for αx + β, (−β ± √(β² − 4αγ))/2α for αx² + βx + γ
+    fn zeros_of_coefficients(
+        &self,
+        pool: &mut Pool,
+        function: Expr,
+        coefficients: &[Expr],
+    ) -> Result<Vec<Expr>, Failure> {
+        if let Some(&leading) = coefficients.last() {
+            self.nonzero(pool, leading)?;
+        }
+        match *coefficients {
             [b, a] => {
-                let quotient = pool.divide(*b, *a);
-                Ok(Some(vec![pool.negate(quotient)]))
+                let quotient = pool.divide(b, a);
+                Ok(vec![pool.negate(quotient)])
             }
-            [c, b, a] => self.zeros_of_quadratic(pool, [*a, *b, *c]).map(Some),
+            [c, b, a] => self.zeros_of_quadratic(pool, [a, b, c]),
             _ => Err(self.signs_of(pool, function)),
         }
     }

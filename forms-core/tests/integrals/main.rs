@@ -2,6 +2,7 @@
 //! refused.
 
 mod boundary;
+mod pieces;
 mod quadrature;
 mod refusals;
 mod unknown;

@@ -58,7 +58,7 @@ fn integrand() -> impl Strategy<Value = String> {
 }
 
 /// Gauss–Legendre with eight nodes on each of many parts.
-fn quadrature(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
+pub(crate) fn quadrature(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     const NODES: [(f64, f64); 4] = [
         (0.183_434_642_495_649_8, 0.362_683_783_378_362),
         (0.525_532_409_916_329, 0.313_706_645_877_887_27),
@@ -74,7 +74,7 @@ fn quadrature(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     half * (0..parts).map(part).sum::<f64>()
 }
 
-fn scalar(theory: &Theory, name: &str) -> Expr {
+pub(crate) fn scalar(theory: &Theory, name: &str) -> Expr {
     let Some(Named::Object(number)) = theory.named(name) else { panic!("{name} is a scalar") };
     match theory.objects[*number].value {
         Value::Scalar(value) => value,

@@ -18,3 +18,4 @@ mod refinement;
 mod rejecting;
 mod scene;
 mod traps;
+mod waves;

@@ -1,0 +1,241 @@
+//! Kernels of primitives: a product taken apart into jets and the rest, its variables and jets put in one order.
+//!
+//! ```text
+//! product ─ gather ─▶ jets at variables and parameters · the rest ─ the first of all orders of the variables ─▶ primitive
+//! ```
+
+use super::node::{Expr, FunctionId, Node, Pool, Symbol};
+use super::primitive::{Factor, Place, Primitive};
+use super::substitution::Substitution;
+use std::collections::BTreeMap;
+
+/// Higher powers stay as they are written.
+const HIGHEST_POWER: i64 = 64;
+
+/// More variables than these are kept in the order in which they were integrated over.
+const MOST_REORDERED: usize = 4;
+
+/// A jet of a kernel that is being put together: its arguments with the orders by them.
+struct Jet {
+    function: FunctionId,
+    arguments: Vec<(Expr, u32)>,
+}
+
+/// A kernel that is being put together: the variables that are integrated over with their upper ends.
+struct Kernel {
+    jets: Vec<Jet>,
+    elementary: Expr,
+    integrated: Vec<(Symbol, Expr)>,
+}
+
+/// A jet with its variables numbered: what it is, then its parameters with the orders by them.
+type Numbered = (Factor, Vec<(Expr, u32)>);
+
+/// A kernel with its variables numbered: jets, the rest with its parameters, the upper ends.
+type Candidate = (Vec<Numbered>, Expr, Vec<Symbol>, Vec<Expr>);
+
+impl Pool {
+    /// The primitive of a product over some variables up to their ends.
+    pub(super) fn primitive_over(&mut self, product: Expr, integrated: Vec<(Symbol, Expr)>) -> Expr {
+        let one = self.integer(1);
+        let mut kernel = Kernel { jets: vec![], elementary: one, integrated };
+        self.gather(&mut kernel, product);
+        self.completed(kernel)
+    }
+
+    /// Takes the factors of a product apart: jets at places that are a variable or free of all of them, and the rest.
+    fn gather(&mut self, kernel: &mut Kernel, product: Expr) {
+        match self.node(product).clone() {
+            Node::Multiply(a, b) => {
+                self.gather(kernel, a);
+                self.gather(kernel, b);
+            }
+            Node::Divide(a, b) => {
+                self.gather(kernel, a);
+                kernel.elementary = self.divide(kernel.elementary, b);
+            }
+            Node::Power(base, exponent)
+                if exponent.is_integer()
+                    && (1..=8).contains(exponent.numer())
+                    && matches!(self.node(base), Node::Jet { .. } | Node::Multiply(..)) =>
+            {
+                (0..*exponent.numer()).for_each(|_| self.gather(kernel, base));
+            }
+            Node::Jet { function, orders, arguments } => {
+                self.gather_jet(kernel, product, (function, &orders, &arguments));
+            }
+            _ => kernel.elementary = self.multiply(kernel.elementary, product),
+        }
+    }
+
+    fn gather_jet(
+        &mut self,
+        kernel: &mut Kernel,
+        written: Expr,
+        (function, orders, arguments): (FunctionId, &[u32], &[Expr]),
+    ) {
+        let moves = |pool: &Pool, argument: Expr| {
+            let symbols = pool.symbols_in(&[argument]);
+            kernel.integrated.iter().any(|(symbol, _)| symbols.contains(symbol))
+        };
+        let is_variable = |pool: &Pool, argument: Expr| matches!(pool.node(argument), Node::Symbol(_));
+        if arguments.iter().any(|&argument| moves(self, argument) && !is_variable(self, argument)) {
+            kernel.elementary = self.multiply(kernel.elementary, written);
+            return;
+        }
+        let inner = self.primitives.kernels.get(&function).cloned();
+        if let Some(inner) = inner
+            && !arguments[..inner.integrated].iter().any(|&end| moves(self, end))
+        {
+            self.gather_primitive(kernel, &inner, orders, arguments);
+            return;
+        }
+        let arguments = arguments.iter().copied().zip(orders.iter().copied()).collect();
+        kernel.jets.push(Jet { function, arguments });
+    }
+
+    /// ∫ g Φ = ∫∫ g φ: the variables of a primitive join those of the kernel it is a factor of.
+    fn gather_primitive(
+        &mut self,
+        kernel: &mut Kernel,
+        inner: &Primitive,
+        orders: &[u32],
+        arguments: &[Expr],
+    ) {
+        let mut places = arguments.to_vec();
+        let mut candidate = 0;
+        for (number, &end) in arguments[..inner.integrated].iter().enumerate() {
+            let mut variable = self.inner_variable(candidate);
+            while kernel.integrated.iter().any(|(taken, _)| *taken == variable) {
+                candidate += 1;
+                variable = self.inner_variable(candidate);
+            }
+            kernel.integrated.push((variable, end));
+            places[number] = self.symbol(variable);
+        }
+        let product = self.value_of_kernel(inner, orders, &places);
+        self.gather(kernel, product);
+    }
+
+    /// The primitive in the order of variables and jets that comes first, at its places.
+    fn completed(&mut self, kernel: Kernel) -> Expr {
+        let count = kernel.integrated.len();
+        let mut best: Option<Candidate> = None;
+        for order in orders_of(count) {
+            let candidate = self.numbered(&kernel, &order);
+            if best.as_ref().is_none_or(|best| precedes(&candidate, best)) {
+                best = Some(candidate);
+            }
+        }
+        let Some((jets, elementary, symbols, ends)) = best else { return kernel.elementary };
+        let (mut arguments, mut orders) = (ends, vec![0; count]);
+        for (argument, order) in jets.iter().flat_map(|(_, parameters)| parameters) {
+            arguments.push(*argument);
+            orders.push(*order);
+        }
+        for symbol in symbols {
+            arguments.push(self.symbol(symbol));
+            orders.push(0);
+        }
+        let factors = jets.into_iter().map(|(factor, _)| factor).collect();
+        let parameters = arguments.len() - count;
+        let function =
+            self.function_of_primitive(Primitive { factors, elementary, integrated: count, parameters });
+        self.jet(function, &orders, &arguments)
+    }
+
+    /// A product with its factors in the order of the pool, equal ones as powers.
+    fn with_factors_in_order(&mut self, product: Expr) -> Expr {
+        let mut exponents: BTreeMap<Expr, i64> = BTreeMap::new();
+        let mut open = vec![(product, 1)];
+        while let Some((part, exponent)) = open.pop() {
+            match *self.node(part) {
+                Node::Multiply(a, b) => open.extend([(a, exponent), (b, exponent)]),
+                Node::Divide(a, b) => open.extend([(a, exponent), (b, -exponent)]),
+                Node::Power(a, power) if power.is_integer() && power.numer().abs() < HIGHEST_POWER => {
+                    open.push((a, exponent * power.numer()));
+                }
+                _ => *exponents.entry(part).or_insert(0) += exponent,
+            }
+        }
+        let mut ordered = self.integer(1);
+        for (factor, exponent) in exponents {
+            let power = self.power(factor, exponent.into());
+            ordered = self.multiply(ordered, power);
+        }
+        ordered
+    }
+
+    /// The kernel with its variables numbered in some order, jets sorted.
+    fn numbered(&mut self, kernel: &Kernel, order: &[usize]) -> Candidate {
+        let number_of = |pool: &Pool, argument: Expr| match pool.node(argument) {
+            Node::Symbol(symbol) => order.iter().position(|&place| kernel.integrated[place].0 == *symbol),
+            _ => None,
+        };
+        let mut jets: Vec<Numbered> = Vec::new();
+        for jet in &kernel.jets {
+            let (mut places, mut parameters) = (Vec::new(), Vec::new());
+            for &(argument, derivatives) in &jet.arguments {
+                match number_of(self, argument) {
+                    Some(number) => places.push(Place::Integrated(number, derivatives)),
+                    None => {
+                        places.push(Place::Parameter);
+                        parameters.push((argument, derivatives));
+                    }
+                }
+            }
+            jets.push((Factor { function: jet.function, places }, parameters));
+        }
+        jets.sort();
+        let own = jets.iter().map(|(_, parameters)| parameters.len()).sum::<usize>();
+        let mut values: Substitution = Substitution::default();
+        let mut free = Vec::new();
+        for symbol in self.symbols_in(&[kernel.elementary]) {
+            let place = order.iter().position(|&place| kernel.integrated[place].0 == symbol);
+            let formal = match place {
+                Some(number) => self.formal_variable(number),
+                None => {
+                    free.push(symbol);
+                    self.formal_parameter(own + free.len() - 1)
+                }
+            };
+            values.insert(symbol, self.symbol(formal));
+        }
+        let elementary = self.substitute(kernel.elementary, &values);
+        let elementary = self.with_factors_in_order(elementary);
+        let ends = order.iter().map(|&place| kernel.integrated[place].1).collect();
+        (jets, elementary, free, ends)
+    }
+}
+
+/// Whether a kernel comes before another: by its jets, then the rest, then where it is taken.
+fn precedes(a: &Candidate, b: &Candidate) -> bool {
+    let shape = |candidate: &Candidate| -> Vec<Factor> {
+        candidate.0.iter().map(|(factor, _)| factor.clone()).collect()
+    };
+    let places = |candidate: &Candidate| -> Vec<Vec<(Expr, u32)>> {
+        candidate.0.iter().map(|(_, parameters)| parameters.clone()).collect()
+    };
+    (shape(a), a.1, &a.3, places(a)) < (shape(b), b.1, &b.3, places(b))
+}
+
+/// All orders of so many variables, if they are not too many.
+fn orders_of(count: usize) -> Vec<Vec<usize>> {
+    if count > MOST_REORDERED {
+        return vec![(0..count).collect()];
+    }
+    let mut orders: Vec<Vec<usize>> = vec![vec![]];
+    for place in 0..count {
+        orders = orders
+            .into_iter()
+            .flat_map(|order| {
+                (0..=order.len()).map(move |at| {
+                    let mut longer = order.clone();
+                    longer.insert(at, place);
+                    longer
+                })
+            })
+            .collect();
+    }
+    orders
+}
