@@ -5,9 +5,6 @@ use super::coefficient::Coefficients;
 use super::form::Form;
 use std::collections::BTreeMap;
 
-/// Signed partial derivatives of coefficients, grouped by the basis form they belong to.
-type Groups<'a, S> = BTreeMap<Blade, Vec<(i8, &'a S, Coordinate)>>;
-
 /// One term ±∂w_I/∂xᵢ dx_J of an exterior derivative, with ±dx_J = dxᵢ∧dx_I.
 #[derive(Clone, Copy, Debug)]
 pub struct Contribution<'a, S> {
