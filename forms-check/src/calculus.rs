@@ -1,4 +1,5 @@
-//! Scalars, forms and fields by their coefficients: d, ∧, interior products, Lie derivatives, pullbacks.
+//! Scalars, forms, fields and quadratic forms by their coefficients: d, ∧, interior products, Lie derivatives,
+//! pullbacks.
 
 use crate::expression::{Expr, Operation, Pool, rational};
 use std::collections::{BTreeMap, HashMap};
@@ -6,10 +7,27 @@ use std::collections::{BTreeMap, HashMap};
 /// A set of differentials in ascending order, bit v standing for dv. A scalar has none.
 pub(crate) type Blade = u128;
 
-/// A scalar or form by blades, or a field by coordinates; without terms it is zero of any type.
+/// What coefficients are by: a scalar's or form's by blades, a field's by coordinates, those of a quadratic form in
+/// the differentials by one coordinate for a square and by two for twice an entry off the diagonal.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Kind {
+    #[default]
+    Form,
+    Field,
+    Quadratic,
+}
+
+impl Kind {
+    /// The kind of a sum, or of a product one factor of which is a scalar.
+    fn with(self, other: Kind) -> Kind {
+        if self == Kind::Form { other } else { self }
+    }
+}
+
+/// A scalar, form, field or quadratic form; without terms it is zero of any type.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Value {
-    pub(crate) is_field: bool,
+    pub(crate) kind: Kind,
     pub(crate) terms: BTreeMap<Blade, Expr>,
 }
 
@@ -26,7 +44,7 @@ pub(crate) fn order(a: Blade, b: Blade) -> Option<i64> {
 
 impl Value {
     pub(crate) fn of(blade: Blade, coefficient: Expr) -> Self {
-        Value { is_field: false, terms: BTreeMap::from([(blade, coefficient)]) }
+        Value { kind: Kind::Form, terms: BTreeMap::from([(blade, coefficient)]) }
     }
 
     /// dv
@@ -36,11 +54,11 @@ impl Value {
 
     /// The coefficient of a scalar, if it is one.
     pub(crate) fn as_scalar(&self, pool: &mut Pool) -> Option<Expr> {
-        let is_scalar = !self.is_field && self.terms.keys().all(|blade| *blade == 0);
+        let is_scalar = self.kind == Kind::Form && self.terms.keys().all(|blade| *blade == 0);
         is_scalar.then(|| self.terms.get(&0).copied().unwrap_or_else(|| pool.number(rational(0, 1))))
     }
 
-    fn accumulate(&mut self, pool: &mut Pool, blade: Blade, sign: i64, c: Expr) {
+    pub(crate) fn accumulate(&mut self, pool: &mut Pool, blade: Blade, sign: i64, c: Expr) {
         let term = if sign < 0 { pool.negate(c) } else { c };
         let sum = self.terms.get(&blade).map_or(term, |known| pool.make(Operation::Add, vec![*known, term]));
         self.terms.insert(blade, sum);
@@ -48,20 +66,32 @@ impl Value {
 
     /// a + b or a − b
     pub(crate) fn add(&self, pool: &mut Pool, other: &Value, sign: i64) -> Self {
-        let mut sum = Value { is_field: self.is_field || other.is_field, terms: self.terms.clone() };
+        let mut sum = Value { kind: self.kind.with(other.kind), terms: self.terms.clone() };
         other.terms.iter().for_each(|(blade, c)| sum.accumulate(pool, *blade, sign, *c));
         sum
     }
 
     /// a ∧ b, which is the product if one of them is a scalar.
     pub(crate) fn wedge(&self, pool: &mut Pool, other: &Value) -> Self {
-        let mut product = Value { is_field: self.is_field || other.is_field, ..Value::default() };
+        let mut product = Value { kind: self.kind.with(other.kind), ..Value::default() };
         for (a, x) in &self.terms {
             for (b, y) in &other.terms {
                 if let Some(sign) = order(*a, *b).filter(|_| !pool.is_full()) {
                     let c = pool.make(Operation::Multiply, vec![*x, *y]);
                     product.accumulate(pool, a | b, sign, c);
                 }
+            }
+        }
+        product
+    }
+
+    /// a b of 1-forms, where the product is symmetric
+    pub(crate) fn symmetric(&self, pool: &mut Pool, other: &Value) -> Self {
+        let mut product = Value { kind: Kind::Quadratic, ..Value::default() };
+        for (a, x) in &self.terms {
+            for (b, y) in &other.terms {
+                let c = pool.make(Operation::Multiply, vec![*x, *y]);
+                product.accumulate(pool, a | b, 1, c);
             }
         }
         product
@@ -96,11 +126,11 @@ impl Value {
 
     /// Cartan: L_X w = i_X dw + d i_X w; of a field the bracket [X, Y]ᵛ = X(Yᵛ) − Y(Xᵛ).
     pub(crate) fn lie(&self, pool: &mut Pool, field: &Value, along: &[usize]) -> Self {
-        if !self.is_field {
+        if self.kind != Kind::Field {
             let second = self.interior(pool, field).exterior(pool, along);
             return self.exterior(pool, along).interior(pool, field).add(pool, &second, 1);
         }
-        let mut result = Value { is_field: true, ..Value::default() };
+        let mut result = Value { kind: Kind::Field, ..Value::default() };
         for (x, y, sign) in [(field, self, 1), (self, field, -1)] {
             for (v, component) in &y.terms {
                 let slope = Value::of(0, *component).exterior(pool, along).interior(pool, x);

@@ -1,8 +1,9 @@
 //! The lines of a certificate: files, and for each statement a proof, a refutation or why there is neither.
 
+use crate::integral::Offered;
 use crate::proof::Proof;
 use crate::theory::Theory;
-use crate::{Checked, Outcome, Stop, malformed, witness};
+use crate::{Checked, Outcome, Stop, integral, malformed, witness};
 
 /// A keyword and what follows it.
 pub(crate) type Line = (String, String);
@@ -48,13 +49,21 @@ pub(crate) fn check(
         if keyword != "hash" || *listed != hash(&source) {
             return Err(malformed(format!("{file} is not the file that was certified: its hash differs")));
         }
-        let mut theory = Theory::read(&source)?;
-        let is_start = |line: &Line| ["proved", "refuted", "uncovered"].contains(&line.0.as_str());
-        let mut rest = entries;
+        let is_start =
+            |line: &Line| ["integral", "proved", "refuted", "uncovered"].contains(&line.0.as_str());
+        let (mut rest, mut claims, mut offered) = (entries, Vec::new(), Offered::new());
         while let Some((head, after)) = rest.split_first() {
             let length = after.iter().position(is_start).unwrap_or(after.len());
             let (body, next) = after.split_at(length);
             rest = next;
+            if head.0 == "integral" {
+                integral::offer(&mut offered, &head.1, body)?;
+            } else {
+                claims.push((head, body));
+            }
+        }
+        let mut theory = Theory::read(&source, offered)?;
+        for (head, body) in claims {
             let name = head.1.split(' ').next().unwrap_or_default().to_string();
             if checked.iter().any(|known| known.file == *file && known.name == name) {
                 return Err(malformed(format!("`{name}` stands twice")));
@@ -73,6 +82,10 @@ pub(crate) fn check(
 }
 
 fn entry(theory: &mut Theory, head: &Line, name: &str, body: &[Line]) -> Result<Outcome, Stop> {
+    if head.0 == "uncovered" {
+        let why = head.1.split_once(' ').map_or("", |(_, why)| why);
+        return Ok(Outcome::NotCovered(why.to_string()));
+    }
     // the prover has read the source: what the checker cannot read there is beyond it
     let statement = match theory.statement(name) {
         Err(Stop::Malformed(what)) => return Ok(Outcome::NotCovered(what)),
@@ -80,14 +93,11 @@ fn entry(theory: &mut Theory, head: &Line, name: &str, body: &[Line]) -> Result<
     };
     let result = statement.and_then(|statement| match head.0.as_str() {
         "proved" => {
-            let mut proof = Proof { theory, statement: &statement, lines: body.iter() };
+            let mut proof = Proof { theory, statement: &statement, lines: body.iter(), is_defined: true };
             proof.check(&[], 0)?;
             if proof.lines.next().is_some() { Err(malformed("lines after a proof")) } else { Ok(()) }
         }
         "refuted" => witness::check(theory, &statement, body),
-        "uncovered" => {
-            Err(Stop::Uncovered(head.1.split_once(' ').map_or(String::new(), |(_, why)| why.to_string())))
-        }
         other => Err(malformed(format!("`{other}` begins no entry"))),
     });
     match result {

@@ -12,9 +12,6 @@ use std::collections::BTreeMap;
 /// The largest numerator and denominator of an exponent.
 const LARGEST_ROOT: i64 = 4096;
 
-/// cos and sin of an angle.
-type Point = (Fraction, Fraction);
-
 /// c ∏ gᵉ ∏ exp(u)ᵏ over the bases g and the units u of exponents; with g stands whether g itself, apart from its roots, occurs to an odd power.
 pub(crate) struct Factored {
     pub(crate) constant: BigRational,
@@ -22,7 +19,7 @@ pub(crate) struct Factored {
     exponentials: BTreeMap<usize, i64>,
 }
 
-fn one() -> Fraction {
+pub(crate) fn one() -> Fraction {
     Fraction::number(rational(1, 1))
 }
 
@@ -45,14 +42,7 @@ impl Field {
                     Multiply => self.multiply(&a[0], &a[1])?,
                     Divide => self.quotient(&a[0], &a[1])?,
                     Power(p, 1) => self.integer_power(&a[0], *p)?,
-                    Power(p, q) => {
-                        let known = self.magnitude(&a[0], Ratio::new(*p, *q));
-                        if let Err(Stop::Rejected(_)) = known {
-                            self.free_root(&a[0], *p, *q)?
-                        } else {
-                            known?
-                        }
-                    }
+                    Power(p, q) => self.root(&a[0], *p, *q)?,
                     Function(name) => match self.function(name, &a) {
                         // only its arguments are known
                         Err(Stop::Rejected(_)) => self.generator(operation, &a)?,
@@ -81,6 +71,14 @@ impl Field {
         Ok(Polynomial::generator(self.new_generator(Some((operation.clone(), a.to_vec())))?, 1).into())
     }
 
+    /// a^(p/q) by the bases, or else by a root of its own
+    pub(crate) fn root(&mut self, a: &Fraction, p: i64, q: i64) -> Result<Fraction, Stop> {
+        match self.magnitude(a, Ratio::new(p, q)) {
+            Err(Stop::Rejected(_)) => self.free_root(a, p, q),
+            known => known,
+        }
+    }
+
     /// a^(p/q) = ρᵖ with ρ^q = a
     fn free_root(&mut self, a: &Fraction, p: i64, q: i64) -> Result<Fraction, Stop> {
         let count = self.generators.len();
@@ -100,7 +98,14 @@ impl Field {
             "exp" => self.exponential(&a[0]),
             "abs" => self.magnitude(&a[0], Ratio::from_integer(1)),
             "asin" | "atan" if a[0].numerator.is_zero() => Ok(Fraction::default()),
-            "log" => self.logarithm(&a[0]),
+            "log" => {
+                // log |q| asks for no sign of q
+                let magnitude = self.generators.iter().enumerate().find_map(|(g, known)| match known {
+                    Some((Function("abs"), q)) if a[0].is_generator(g) => Some(q[0].clone()),
+                    _ => None,
+                });
+                self.logarithm(magnitude.as_ref().unwrap_or(&a[0]))
+            }
             _ => rejected("nothing is known of it"),
         }
     }
@@ -245,7 +250,7 @@ impl Field {
     }
 
     /// The terms of an angle or exponent, each a number times a quantity.
-    fn terms(&mut self, a: &Fraction) -> Result<Vec<(Fraction, BigRational)>, Stop> {
+    pub(crate) fn terms(&mut self, a: &Fraction) -> Result<Vec<(Fraction, BigRational)>, Stop> {
         let a = self.expanded(a)?;
         let term = |(monomial, c): (&[u8; MOST_GENERATORS], &BigRational)| {
             let numerator = Polynomial(BTreeMap::from([(*monomial, rational(1, 1))]));
@@ -255,7 +260,7 @@ impl Field {
     }
 
     /// The unit that c·quantity is an integer multiple of, and the multiple; with halves if asked for.
-    fn multiple(
+    pub(crate) fn multiple(
         &mut self,
         quantity: &Fraction,
         c: &BigRational,
@@ -279,80 +284,6 @@ impl Field {
             }
         }
         rejected("an angle or exponent has no unit")
-    }
-
-    fn circular(&mut self, angle: &Fraction) -> Result<Point, Stop> {
-        let mut point = (one(), Fraction::default());
-        for (quantity, c) in self.terms(angle)? {
-            let (step, times) = self.step(&quantity, &c)?;
-            let sine = step.1.scale(&rational(times.signum(), 1));
-            for _ in 0..times.abs() {
-                point = self.turned(&point, &(step.0.clone(), sine.clone()))?;
-            }
-        }
-        Ok(point)
-    }
-
-    /// cos(a + b) = cos a cos b − sin a sin b, sin(a + b) = sin a cos b + cos a sin b
-    fn turned(&mut self, a: &Point, b: &Point) -> Result<Point, Stop> {
-        let (cc, ss) = (self.multiply(&a.0, &b.0)?, self.multiply(&a.1, &b.1)?);
-        let (sc, cs) = (self.multiply(&a.1, &b.0)?, self.multiply(&a.0, &b.1)?);
-        Ok((self.subtract(&cc, &ss)?, self.add(&sc, &cs)?))
-    }
-
-    /// The point of an angle that c·quantity is a multiple of: a quarter turn, an inverse function, a unit.
-    fn step(&mut self, quantity: &Fraction, c: &BigRational) -> Result<(Point, i64), Stop> {
-        let generator = (0..self.generators.len())
-            .find(|g| quantity.factors.is_empty() && quantity.numerator == Polynomial::generator(*g, 1));
-        let quarters = c * rational(2, 1);
-        match generator.and_then(|g| self.generators[g].clone()) {
-            Some((Pi, _)) if quarters.is_integer() => {
-                let rest = i64::try_from(quarters.numer() % BigInt::from(4)).unwrap_or(0);
-                return Ok(((Fraction::default(), one()), rest));
-            }
-            Some((Function(name @ ("asin" | "atan")), a)) if c.is_integer() => {
-                let times = i64::try_from(c.numer()).ok().filter(|n| n.abs() < 256);
-                let Some(times) = times else { return rejected("so large a multiple of an angle") };
-                return Ok((self.inverse_point(name, &a[0])?, times));
-            }
-            _ => {}
-        }
-        let (number, times) = self.multiple(quantity, c, false)?;
-        let unit = self.units[number].clone();
-        let first = Polynomial::generator(unit.generator, 1).into();
-        if unit.kind == Kind::Circle {
-            return Ok(((first, Polynomial::generator(unit.generator + 1, 1).into()), times));
-        }
-        // ((1 − t²)/(1 + t²), 2t/(1 + t²))
-        let square = self.multiply(&first, &first)?;
-        let (below, above) = (self.add(&one(), &square)?, self.subtract(&one(), &square)?);
-        let cosine = self.quotient(&above, &below)?;
-        let sine = self.quotient(&first.scale(&rational(2, 1)), &below)?;
-        Ok(((cosine, sine), times))
-    }
-
-    /// cos and sin of asin q and atan q
-    fn inverse_point(&mut self, name: &str, q: &Fraction) -> Result<Point, Stop> {
-        let sign = rational(if name == "asin" { -1 } else { 1 }, 1);
-        let square = self.multiply(q, q)?.scale(&sign);
-        let sum = self.add(&one(), &square)?;
-        let root = self.magnitude(&sum, Ratio::new(1, 2))?;
-        if name == "asin" {
-            return Ok((root, q.clone()));
-        }
-        Ok((self.inverse(&root)?, self.quotient(q, &root)?))
-    }
-
-    /// tan(u/2) of a unit is its generator; any other is sine over cosine.
-    fn tangent(&mut self, angle: &Fraction) -> Result<Fraction, Stop> {
-        for number in 0..self.units.len() {
-            let unit = self.units[number].clone();
-            if unit.kind == Kind::Tangent && self.equal(&angle.scale(&rational(2, 1)), &unit.value)? {
-                return Ok(Polynomial::generator(unit.generator, 1).into());
-            }
-        }
-        let (cosine, sine) = self.circular(angle)?;
-        self.quotient(&sine, &cosine)
     }
 
     /// exp of Σ nₖ uₖ + Σ rₖ log qₖ is ∏ exp(uₖ)^nₖ ∏ qₖ^rₖ.

@@ -1,6 +1,6 @@
 //! Expressions of the language, evaluated as they are read: scalars, forms and fields, and what they need.
 
-use crate::calculus::{Value, order};
+use crate::calculus::{Kind, Value, order};
 use crate::expression::Operation::{Divide, Function, Jet, Multiply, Pi, Power, Variable};
 use crate::expression::{Expr, rational};
 use crate::theory::{Condition, DERIVED, FUNCTIONS, Named, Relation, Scope, Theory};
@@ -31,7 +31,7 @@ impl Theory {
         Ok(all)
     }
 
-    fn require(&mut self, expr: Expr, relation: Relation) {
+    pub(crate) fn require(&mut self, expr: Expr, relation: Relation) {
         let zero = rational(0, 1);
         let holds = self.pool.as_number(expr).is_some_and(|value| match relation {
             Relation::Positive => *value > zero,
@@ -43,8 +43,10 @@ impl Theory {
         }
     }
 
-    fn require_all(&mut self, scope: &Scope) {
+    pub(crate) fn require_all(&mut self, scope: &Scope) {
         self.scope.used.extend(&scope.used);
+        self.scope.integrates |= scope.integrates;
+        self.scope.is_narrowed |= scope.is_narrowed;
         scope.conditions.iter().for_each(|(expr, relation)| self.require(*expr, *relation));
     }
 
@@ -56,7 +58,7 @@ impl Theory {
         }
     }
 
-    fn as_scalar(&mut self, value: &Value) -> Result<Expr, Stop> {
+    pub(crate) fn as_scalar(&mut self, value: &Value) -> Result<Expr, Stop> {
         value.as_scalar(&mut self.pool).ok_or_else(|| malformed("expected a scalar"))
     }
 
@@ -88,7 +90,12 @@ impl Theory {
                 right = Value::of(0, self.pool.make(Divide, vec![one, divisor]));
             }
             let scalars = [&left, &right].map(|value| value.as_scalar(&mut self.pool).is_some());
-            if scalars == [false, false] && (sign == "*" || left.is_field || right.is_field) {
+            let forms = [left.kind, right.kind] == [Kind::Form, Kind::Form];
+            if scalars == [false, false] && forms && sign == "*" && self.in_metric {
+                left = left.symmetric(&mut self.pool, &right);
+                continue;
+            }
+            if scalars == [false, false] && (sign == "*" || !forms) {
                 return Err(malformed("a product that needs a scalar"));
             }
             left = left.wedge(&mut self.pool, &right);
@@ -121,6 +128,11 @@ impl Theory {
             return Ok(value);
         }
         let exponent = self.signed(reader)?;
+        if self.in_metric && value.as_scalar(&mut self.pool).is_none() {
+            let two = exponent.as_scalar(&mut self.pool).is_some_and(|n| self.pool.is(n, 2));
+            let square = value.symmetric(&mut self.pool, &value);
+            return if two && value.kind == Kind::Form { Ok(square) } else { Err(malformed("no square")) };
+        }
         let (base, exponent) = (self.as_scalar(&value)?, self.as_scalar(&exponent)?);
         Ok(Value::of(0, self.raised(base, exponent)?))
     }
@@ -155,7 +167,7 @@ impl Theory {
         if reader.take("@") {
             let v = self.variable(&reader.name()?)?;
             self.scope.used.insert(v);
-            return Ok(Value { is_field: true, ..Value::differential(&mut self.pool, v) });
+            return Ok(Value { kind: Kind::Field, ..Value::differential(&mut self.pool, v) });
         }
         if let Some(Token::Number(value)) = reader.peek().cloned() {
             reader.place += 1;
@@ -164,7 +176,10 @@ impl Theory {
         }
         let name = reader.name()?;
         if reader.take("(") {
-            return self.call(&name, reader);
+            let outer = std::mem::take(&mut self.in_metric);
+            let value = self.call(&name, reader);
+            self.in_metric = outer;
+            return value;
         }
         match self.names.get(&name).cloned() {
             _ if name == "pi" => Ok(Value::of(0, self.pool.make(Pi, vec![]))),
@@ -182,6 +197,10 @@ impl Theory {
                 self.require_all(&scope);
                 Ok(value)
             }
+            Some(Named::Metric(metric, scope)) if self.in_metric => {
+                self.require_all(&scope);
+                Ok(metric.quadratic(&mut self.pool))
+            }
             Some(Named::Uncovered(what)) => uncovered(what),
             None if name == "d" && reader.take("[") => {
                 let (along, _) = self.chart_named(&reader.name()?)?;
@@ -191,14 +210,14 @@ impl Theory {
                 reader.expect(")")?;
                 Ok(w.exterior(&mut self.pool, &along))
             }
-            None if matches!(reader.peek(), Some(Token::Sign("["))) => uncovered(format!("`{name}`")),
+            None if reader.take("[") => self.with_metric(&name, reader),
             _ => Err(malformed(format!("`{name}` has no value"))),
         }
     }
 
     fn use_variable(&mut self, v: usize) -> Expr {
         let conditions = self.params.get(&v).cloned().unwrap_or_default();
-        self.require_all(&Scope { conditions, used: BTreeSet::from([v]) });
+        self.require_all(&Scope { conditions, used: BTreeSet::from([v]), ..Scope::default() });
         self.pool.make(Variable(v), vec![])
     }
 
@@ -247,7 +266,9 @@ impl Theory {
             return Ok(Value::of(0, self.raised(q, half)?));
         }
         let value = match name {
-            "pullback" => self.pullback(reader)?,
+            "pullback" => self.pulled_back(reader)?.0,
+            "integral" => self.integral(reader)?,
+            "boundary_integral" => self.boundary_integral(reader)?,
             "diff" => {
                 let mut value = self.scalar(reader)?;
                 while reader.take(",") {
@@ -272,11 +293,17 @@ impl Theory {
         Ok(value)
     }
 
-    fn calculus(&mut self, name: &str, reader: &mut Reader) -> Result<Value, Stop> {
+    /// Values separated by commas.
+    pub(crate) fn values(&mut self, reader: &mut Reader) -> Result<Vec<Value>, Stop> {
         let mut values = vec![self.sum(reader)?];
         while reader.take(",") {
             values.push(self.sum(reader)?);
         }
+        Ok(values)
+    }
+
+    fn calculus(&mut self, name: &str, reader: &mut Reader) -> Result<Value, Stop> {
+        let values = self.values(reader)?;
         let along: Vec<usize> = (0..self.variables.len()).filter(|v| self.variables[*v].1).collect();
         let pool = &mut self.pool;
         match (name, values.as_slice()) {
@@ -288,8 +315,9 @@ impl Theory {
         }
     }
 
+    /// A form pulled back, and the source of the map.
     /// What the form needs is needed at the image points, and the target chart's conditions hold there.
-    fn pullback(&mut self, reader: &mut Reader) -> Result<Value, Stop> {
+    pub(crate) fn pulled_back(&mut self, reader: &mut Reader) -> Result<(Value, Vec<usize>), Stop> {
         let name = reader.name()?;
         let (source, images, bound, scope) = match self.names.get(&name).cloned() {
             Some(Named::Map(source, images, bound, scope)) => (source, images, bound, scope),
@@ -297,14 +325,20 @@ impl Theory {
             _ => return Err(malformed(format!("`{name}` is no map"))),
         };
         reader.expect(",")?;
-        let outer = std::mem::take(&mut self.scope);
-        let value = self.sum(reader);
-        let inner = std::mem::replace(&mut self.scope, outer);
+        // what a statement says of its points says nothing of their images
+        let given = std::mem::take(&mut self.given);
+        let read = self.apart(|theory| theory.sum(reader));
+        self.given = given;
+        let (value, inner) = read?;
+        self.scope.integrates |= inner.integrates;
+        if inner.is_narrowed {
+            return uncovered("the pullback of an antiderivative that is not defined for every parameter");
+        }
         self.require_at(&inner.conditions, &images);
         self.require_at(&bound, &images);
         self.require_all(&scope);
         self.scope.used.extend(inner.used.into_iter().filter(|v| !images.contains_key(v)));
-        Ok(value?.pullback(&mut self.pool, &images, &source))
+        Ok((value.pullback(&mut self.pool, &images, &source), source))
     }
 
     /// `w[dx^dy]`, `X[x]` after the bracket
@@ -313,8 +347,8 @@ impl Theory {
         while blade == 0 || reader.take("^") {
             let name = reader.name()?;
             let v = match self.names.get(&name) {
-                Some(Named::Variable(v)) if value.is_field => *v,
-                Some(Named::Differential(v)) if !value.is_field => *v,
+                Some(Named::Variable(v)) if value.kind == Kind::Field => *v,
+                Some(Named::Differential(v)) if value.kind == Kind::Form => *v,
                 _ => return Err(malformed(format!("`{name}` is no differential"))),
             };
             sign *= order(blade, 1 << v).ok_or_else(|| malformed("a differential occurs twice"))?;

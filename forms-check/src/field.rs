@@ -10,7 +10,7 @@ use num_rational::BigRational;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Products of terms that one node of a proof may cost.
-const MOST_WORK: usize = 100_000_000;
+const MOST_WORK: usize = 5_000_000;
 
 /// A factor of more terms is not looked for in numerators.
 const MOST_TERMS: usize = 40;
@@ -86,6 +86,10 @@ impl From<Polynomial> for Fraction {
 impl Fraction {
     pub(crate) fn number(value: BigRational) -> Self {
         Polynomial::constant(value).into()
+    }
+
+    pub(crate) fn is_generator(&self, generator: usize) -> bool {
+        self.factors.is_empty() && self.numerator == Polynomial::generator(generator, 1)
     }
 
     pub(crate) fn scale(&self, by: &BigRational) -> Self {

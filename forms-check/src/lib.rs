@@ -1,8 +1,9 @@
 //! A checker of certificates, independent of the prover: it shares the file format with it and nothing else.
 //!
 //! ```text
-//! source file ─▶ tokens ─▶ theory, evaluate ─▶ both sides, conditions      (expression, calculus)
-//! certificate ─▶ proof   ─▶ bases, units, signs ─▶ is left − right zero?   (field, element, sign, polynomial)
+//! source file ─▶ tokens ─▶ theory, evaluate ─▶ both sides, conditions      (expression, calculus, metric)
+//! antiderivatives ─▶ F′ = f, continuity ─▶ values of integrals              (integral, continuity)
+//! certificate ─▶ proof   ─▶ bases, units, signs ─▶ is left − right zero?   (field, element, circle, sign, polynomial)
 //!             └▶ witness ─▶ a point             ─▶ are left and right apart? (interval)
 //! ```
 //! A certificate chooses: which polynomials have roots, what angles are multiples of, which signs are told apart
@@ -11,11 +12,15 @@
 
 mod calculus;
 mod certificate;
+mod circle;
+mod continuity;
 mod element;
 mod evaluate;
 mod expression;
 mod field;
+mod integral;
 mod interval;
+mod metric;
 mod polynomial;
 mod proof;
 mod sign;

@@ -4,6 +4,7 @@ use crate::certificate::Line;
 use crate::expression::{Expr, rational};
 use crate::field::{Base, Field, Kind, Unit};
 use crate::polynomial::Polynomial;
+use crate::sign::Seen;
 use crate::theory::{Condition, Relation, Statement, Theory};
 use crate::{Stop, malformed, rejected};
 
@@ -15,6 +16,8 @@ pub(crate) struct Proof<'a> {
     pub(crate) theory: &'a mut Theory,
     pub(crate) statement: &'a Statement,
     pub(crate) lines: std::slice::Iter<'a, Line>,
+    /// Whether it speaks only of points at which both sides are defined.
+    pub(crate) is_defined: bool,
 }
 
 impl Proof<'_> {
@@ -49,7 +52,7 @@ impl Proof<'_> {
                 "split" if depth < DEEPEST => {
                     return self.split(&mut field, &bases, rest, (given, &conditions), depth);
                 }
-                "undefined" => return self.undefined(&mut field),
+                "undefined" if self.is_defined => return self.undefined(&mut field),
                 "zero" => return self.zero(&mut field),
                 other => return Err(malformed(format!("`{other}` in a proof"))),
             }
@@ -94,7 +97,7 @@ impl Proof<'_> {
         if !field.equal(&element, &signed)? {
             return rejected("the reason for a sign is not the base");
         }
-        if !field.is_visibly_positive(&mut self.theory.pool, expr, known)? {
+        if field.seen(&mut self.theory.pool, expr, known)? == Seen::Nothing {
             return rejected("the reason for a sign does not show it");
         }
         field.bases.last_mut().into_iter().for_each(|base| base.sign = Some(sign));

@@ -1,4 +1,4 @@
-//! Signs: polynomials that are visibly not negative, and cases of signs that leave no point out.
+//! Signs: what is visibly positive or not negative, and cases of signs that leave no point out.
 
 use crate::expression::Operation::{Add, Divide, Function, Multiply, Number, Pi, Power};
 use crate::expression::{Expr, Pool, rational};
@@ -10,6 +10,27 @@ use std::collections::HashMap;
 
 /// More bases than this are not told apart at once.
 const MOST_SPLIT: usize = 8;
+
+/// What is seen of a sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Seen {
+    Nothing,
+    NotNegative,
+    Positive,
+}
+
+/// What is seen of a product of facts.
+fn product_of(facts: &[(Polynomial, Seen)], mut rest: Polynomial) -> Seen {
+    let mut least = Seen::Positive;
+    for (fact, seen) in facts.iter().filter(|fact| fact.0.as_constant().is_none()) {
+        while let Some(quotient) = rest.divide(fact).filter(|_| rest.as_constant().is_none()) {
+            rest = quotient;
+            least = least.min(*seen);
+        }
+    }
+    let is_positive = rest.as_constant().is_some_and(|c| c > rational(0, 1));
+    if is_positive { least } else { Seen::Nothing }
+}
 
 /// What a condition says of bases: the sign of a product of odd powers, where none of `all` vanishes.
 struct Constraint {
@@ -33,65 +54,91 @@ impl Field {
     }
 
     /// What is not negative: conditions, bounds of π, sines and cosines, bases with their signs.
-    fn facts(&mut self, pool: &Pool, conditions: &[Condition]) -> Result<Vec<Polynomial>, Stop> {
-        let mut facts: Vec<Fraction> = Vec::new();
-        for (expr, _) in conditions.iter().filter(|condition| condition.1 != Relation::NotZero) {
-            facts.extend(self.element(pool, *expr));
+    fn facts(&mut self, pool: &Pool, conditions: &[Condition]) -> Result<Vec<(Polynomial, Seen)>, Stop> {
+        let mut facts: Vec<(Fraction, Seen)> = Vec::new();
+        for (expr, relation) in conditions.iter().filter(|condition| condition.1 != Relation::NotZero) {
+            let seen = if *relation == Relation::Positive { Seen::Positive } else { Seen::NotNegative };
+            facts.extend(self.element(pool, *expr).map(|element| (element, seen)));
         }
-        let signed = |base: &Base| Some(base.polynomial.clone().scale(&rational(base.sign?, 1)).into());
+        let signed = |base: &Base| {
+            let polynomial = base.polynomial.clone().scale(&rational(base.sign?, 1));
+            Some((polynomial.into(), Seen::NotNegative))
+        };
         facts.extend(self.bases.iter().filter_map(signed));
-        let bounds = |generator: usize, low, high| {
+        let bounds = |generator: usize, low, high, seen| {
             let itself = Polynomial::generator(generator, 1);
             let negated = itself.clone().scale(&rational(-1, 1));
             let (low, high) = (Polynomial::constant(low), Polynomial::constant(high));
-            [itself.add(&low.scale(&rational(-1, 1))).into(), negated.add(&high).into()]
+            [(itself.add(&low.scale(&rational(-1, 1))).into(), seen), (negated.add(&high).into(), seen)]
         };
         for unit in self.units.iter().filter(|unit| unit.kind == Kind::Circle) {
             for generator in [unit.generator, unit.generator + 1] {
-                facts.extend::<[Fraction; 2]>(bounds(generator, rational(-1, 1), rational(1, 1)));
+                facts.extend(bounds(generator, rational(-1, 1), rational(1, 1), Seen::NotNegative));
             }
         }
         if let Some(pi) = self.generators.iter().position(|generator| matches!(generator, Some((Pi, _)))) {
-            facts.extend::<[Fraction; 2]>(bounds(pi, rational(333, 106), rational(22, 7)));
+            facts.extend(bounds(pi, rational(333, 106), rational(22, 7), Seen::Positive));
         }
-        facts.iter().map(|fact| self.signed(fact)).collect()
+        facts.iter().map(|(fact, seen)| Ok((self.signed(fact)?, *seen))).collect()
     }
 
-    /// Whether an expression is not negative, as it is written: sums, products and even powers of such, or facts.
-    pub(crate) fn is_visibly_positive(
+    /// The sign of an expression as it is written: of sums, products and even powers, and by facts.
+    pub(crate) fn seen(
         &mut self,
         pool: &mut Pool,
         root: Expr,
         conditions: &[Condition],
-    ) -> Result<bool, Stop> {
+    ) -> Result<Seen, Stop> {
         let facts = self.facts(pool, conditions)?;
-        let mut visible: HashMap<Expr, bool> = HashMap::new();
+        let of_fact = |polynomial: Polynomial| product_of(&facts, polynomial);
+        let mut visible: HashMap<Expr, Seen> = HashMap::new();
         for part in pool.parts(&[root]) {
             let (operation, operands) = (pool.node(part).0.clone(), pool.node(part).1.to_vec());
-            let all = operands.iter().all(|operand| visible[operand]);
+            let of = |place: usize| visible[&operands[place]];
+            let least = || operands.iter().map(|operand| visible[operand]).min().unwrap_or(Seen::Nothing);
             let seen = match &operation {
-                Number(value) => *value >= rational(0, 1),
-                Pi | Function("exp" | "abs") => true,
-                Multiply => all || operands[0] == operands[1],
-                Add | Divide => all,
-                Power(p, q) => all || p % 2 == 0 || *q > 1,
-                Function("tan") => {
-                    // 0 ≤ a ≤ π/2
-                    let (half, pi) = (pool.number(rational(1, 2)), pool.make(Pi, vec![]));
-                    let (quarter, negated) = (pool.make(Multiply, vec![half, pi]), pool.negate(operands[0]));
-                    let rest = pool.make(Add, vec![quarter, negated]);
-                    let rest = self.element(pool, rest)?;
-                    all && facts.contains(&self.signed(&rest)?)
+                Number(value) if *value == rational(0, 1) => Seen::NotNegative,
+                Number(value) if *value > rational(0, 1) => Seen::Positive,
+                Pi | Function("exp") => Seen::Positive,
+                Function("abs") => of(0).max(Seen::NotNegative),
+                Multiply if operands[0] == operands[1] => of(0).max(Seen::NotNegative),
+                Add if least() > Seen::Nothing => of(0).max(of(1)),
+                Multiply | Divide => least(),
+                Power(p, q) if p % 2 == 0 || *q > 1 => of(0).max(Seen::NotNegative),
+                Power(..) => of(0),
+                Function(name @ ("sin" | "cos" | "tan")) => {
+                    // 0 ≤ a ≤ π, −π/2 ≤ a ≤ π/2 and 0 ≤ a ≤ π/2 in quarter turns
+                    let (from, to) = match *name {
+                        "sin" => (0, 2),
+                        "cos" => (-1, 1),
+                        _ => (0, 1),
+                    };
+                    let (above, below) =
+                        (self.beyond(pool, operands[0], 1, -from)?, self.beyond(pool, operands[0], -1, to)?);
+                    let above = if from == 0 { of(0).max(of_fact(above)) } else { of_fact(above) };
+                    above.min(of_fact(below))
                 }
-                _ => false,
+                _ => Seen::Nothing,
             };
-            let seen = seen || {
+            let seen = if seen == Seen::Positive {
+                seen
+            } else {
                 let element = self.element(pool, part)?;
-                facts.contains(&self.signed(&element)?)
+                seen.max(of_fact(self.signed(&element)?))
             };
             visible.insert(part, seen);
         }
         Ok(visible[&root])
+    }
+
+    /// ±a and so many quarter turns
+    fn beyond(&mut self, pool: &mut Pool, a: Expr, sign: i64, quarters: i64) -> Result<Polynomial, Stop> {
+        let (share, pi) = (pool.number(rational(quarters, 2)), pool.make(Pi, vec![]));
+        let turn = pool.make(Multiply, vec![share, pi]);
+        let signed = if sign < 0 { pool.negate(a) } else { a };
+        let sum = pool.make(Add, vec![signed, turn]);
+        let sum = self.element(pool, sum)?;
+        self.signed(&sum)
     }
 
     fn constraints(&mut self, pool: &Pool, conditions: &[Condition]) -> Vec<Constraint> {

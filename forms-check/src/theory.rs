@@ -1,8 +1,10 @@
 //! What a file declares: charts, params, unknown functions, maps and named values, and where its statements are.
 
-use crate::calculus::{Value, coordinates};
+use crate::calculus::{Kind, Value, coordinates};
 use crate::expression::{Expr, Pool, rational};
-use crate::tokens::Reader;
+use crate::integral::Offered;
+use crate::metric::Metric;
+use crate::tokens::{Reader, Token};
 use crate::{Stop, malformed, rejected, uncovered};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -25,6 +27,10 @@ pub(crate) type Condition = (Expr, Relation);
 pub(crate) struct Scope {
     pub(crate) conditions: Vec<Condition>,
     pub(crate) used: BTreeSet<usize>,
+    /// Whether an integral was found under these conditions.
+    pub(crate) integrates: bool,
+    /// Whether zeros of parameters are left out for an antiderivative.
+    pub(crate) is_narrowed: bool,
 }
 
 /// A chart: its coordinates and its domain.
@@ -38,6 +44,7 @@ pub(crate) enum Named {
     Differential(usize),
     Function(usize),
     Object(Value, Scope),
+    Metric(Metric, Scope),
     /// The source's coordinates, the image of each target coordinate, the target's conditions.
     Map(Vec<usize>, HashMap<usize, Expr>, Vec<Condition>, Scope),
     /// A declaration that uses what the checker does not know.
@@ -84,14 +91,25 @@ pub(crate) struct Theory {
     pub(crate) params: HashMap<usize, Vec<Condition>>,
     /// Where each function of the language is real.
     pub(crate) domains: HashMap<&'static str, Vec<Condition>>,
-    charts: Vec<Chart>,
+    pub(crate) charts: Vec<Chart>,
     statements: HashMap<String, Reader>,
     pub(crate) scope: Scope,
+    /// Whether `*` between 1-forms is the symmetric product.
+    pub(crate) in_metric: bool,
+    /// Antiderivatives that the certificate offers, and how many were taken for each place since the item began.
+    pub(crate) offered: Offered,
+    pub(crate) integrated: HashMap<usize, usize>,
+    /// What the statement that is derived says of its points.
+    pub(crate) given: Vec<Condition>,
+    /// The variables that are integrated over around what is read.
+    pub(crate) bound: Vec<usize>,
+    /// Whether what is read comes from the certificate, which integrates nothing.
+    pub(crate) is_sealed: bool,
 }
 
 impl Theory {
-    pub(crate) fn read(text: &str) -> Result<Self, Stop> {
-        let mut theory = Theory::default();
+    pub(crate) fn read(text: &str, offered: Offered) -> Result<Self, Stop> {
+        let mut theory = Theory { offered, ..Theory::default() };
         for name in ["a", "b"] {
             theory.new_variable(name, false)?;
         }
@@ -107,6 +125,8 @@ impl Theory {
         let mut reader = Reader::new(text)?;
         while reader.peek().is_some() {
             theory.scope = Scope::default();
+            theory.integrated.clear();
+            theory.bound.clear();
             theory.item(&mut reader)?;
         }
         Ok(theory)
@@ -117,30 +137,49 @@ impl Theory {
         let Some(mut reader) = self.statements.get(name).cloned() else {
             return rejected("the file has no such statement");
         };
+        self.given.clear();
+        self.given = self.stated(reader.clone())?;
         self.scope = Scope::default();
+        self.integrated.clear();
+        self.bound.clear();
         let left = self.sum(&mut reader)?;
         reader.expect("==")?;
         let sides = [left, self.sum(&mut reader)?];
         let mut conditions = self.bounds(&mut reader)?;
         reader.expect(";")?;
         conditions.append(&mut self.scope.conditions);
+        let is_narrowed = self.scope.is_narrowed;
         // a chart binds what uses its coordinates, if all that its condition mentions are among them
         let used = &self.scope.used;
         for (_, bound) in self.charts.iter().filter(|chart| chart.0.iter().any(|v| used.contains(v))) {
             let is_used = |v: &usize| !self.variables[*v].1 || used.contains(v);
             conditions.extend(bound.iter().filter(|c| self.pool.variables(c.0).iter().all(is_used)));
         }
+        if is_narrowed && conditions.iter().any(|condition| condition.1 == Relation::NotNegative) {
+            return uncovered("an antiderivative that is not defined for every parameter");
+        }
         let zero = self.pool.number(rational(0, 1));
         let mut components: BTreeMap<String, [Expr; 2]> = BTreeMap::new();
         for (place, side) in sides.iter().enumerate() {
             for (blade, c) in &side.terms {
-                let sign = if side.is_field { "@" } else { "d" };
+                let sign = if side.kind == Kind::Field { "@" } else { "d" };
                 let names = coordinates(*blade).map(|v| format!("{sign}{}", self.variables[v].0));
                 components.entry(names.collect::<Vec<_>>().join("^")).or_insert([zero, zero])[place] = *c;
             }
         }
         self.check_size()?;
         Ok(Statement { components, conditions })
+    }
+
+    /// What a statement says after `where`.
+    fn stated(&mut self, mut reader: Reader) -> Result<Vec<Condition>, Stop> {
+        while !matches!(reader.peek(), Some(Token::Sign(";")) | None) {
+            if matches!(reader.peek(), Some(Token::Name(word)) if word == "where") {
+                return self.domain(&mut reader);
+            }
+            reader.place += 1;
+        }
+        Ok(vec![])
     }
 
     pub(crate) fn statement_names(&self) -> Vec<String> {
@@ -152,7 +191,10 @@ impl Theory {
     /// A scalar that the certificate writes; what it needs is no condition of the statement.
     pub(crate) fn expression(&mut self, text: &str) -> Result<Expr, Stop> {
         let mut reader = Reader::new(text)?;
-        let expr = self.scalar(&mut reader)?;
+        let outer = std::mem::replace(&mut self.is_sealed, true);
+        let expr = self.scalar(&mut reader);
+        self.is_sealed = outer;
+        let expr = expr?;
         self.check_size()?;
         if reader.peek().is_none() { Ok(expr) } else { Err(reader.wrong("the end of the line")) }
     }
@@ -177,7 +219,7 @@ impl Theory {
             "fn" => self.unknown_function(&name, reader),
             "let" | "form" | "field" => self.object(reader),
             "map" => self.map(reader),
-            "metric" => uncovered("a metric"),
+            "metric" => self.metric(reader),
             "prove" | "refute" => {
                 reader.expect(":")?;
                 self.statements.insert(name, reader.clone());

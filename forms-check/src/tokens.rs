@@ -21,7 +21,8 @@ const SIGNS: [&str; 25] = [
 /// A place in a text.
 #[derive(Clone, Debug)]
 pub(crate) struct Reader {
-    tokens: Rc<Vec<Token>>,
+    /// Each with its place in the text.
+    tokens: Rc<Vec<(Token, usize)>>,
     pub(crate) place: usize,
     /// How many brackets and signs are open.
     pub(crate) depth: usize,
@@ -38,18 +39,18 @@ impl Reader {
                 '0'..='9' => number_length(rest.as_bytes()),
                 _ => rest.find(|c| !is_word(c)).unwrap_or(rest.len()),
             };
+            let place = text.len() - rest.len();
             let (word, after) = rest.split_at(length);
             rest = after;
             if first.is_ascii_digit() {
-                tokens.push(Token::Number(
-                    number(word).ok_or_else(|| malformed(format!("the number {word}")))?,
-                ));
+                let value = number(word).ok_or_else(|| malformed(format!("the number {word}")))?;
+                tokens.push((Token::Number(value), place));
             } else if is_word(first) {
-                tokens.push(Token::Name(word.to_string()));
+                tokens.push((Token::Name(word.to_string()), place));
             } else if word.is_empty() {
                 let sign = SIGNS.iter().find(|sign| rest.starts_with(**sign));
                 let sign = sign.ok_or_else(|| malformed(format!("the character {first:?}")))?;
-                tokens.push(Token::Sign(sign));
+                tokens.push((Token::Sign(sign), place));
                 rest = &rest[sign.len()..];
             }
             rest = rest.trim_start();
@@ -58,7 +59,31 @@ impl Reader {
     }
 
     pub(crate) fn peek(&self) -> Option<&Token> {
-        self.tokens.get(self.place)
+        self.tokens.get(self.place).map(|token| &token.0)
+    }
+
+    /// Where the next token stands in the text.
+    pub(crate) fn offset(&self) -> usize {
+        self.tokens.get(self.place).map_or(0, |token| token.1)
+    }
+
+    /// The variables of the ranges `, u = a..b` before the bracket that closes.
+    pub(crate) fn ranged_names(&self) -> Vec<String> {
+        let (mut open, mut names) = (0_usize, Vec::new());
+        for (place, (token, _)) in self.tokens.iter().enumerate().skip(self.place) {
+            match token {
+                Token::Sign("(" | "[") => open += 1,
+                Token::Sign(")" | "]") if open == 0 => break,
+                Token::Sign(")" | "]") => open -= 1,
+                Token::Sign(",") if open == 0 => {
+                    if let [(Token::Name(name), _), (Token::Sign("="), _), ..] = &self.tokens[place + 1..] {
+                        names.push(name.clone());
+                    }
+                }
+                _ => {}
+            }
+        }
+        names
     }
 
     pub(crate) fn take(&mut self, sign: &str) -> bool {

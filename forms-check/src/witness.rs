@@ -9,10 +9,10 @@ use crate::{Stop, malformed, rejected};
 use num_rational::BigRational;
 use std::collections::HashMap;
 
-/// Values of variables, and of unknown functions with their derivatives at places.
+/// Values of variables, or where they lie, and of unknown functions with their derivatives at places.
 #[derive(Default)]
-struct Point {
-    variables: HashMap<usize, BigRational>,
+pub(crate) struct Point {
+    variables: HashMap<usize, Interval>,
     jets: Vec<(usize, Vec<u32>, Vec<Interval>, BigRational)>,
 }
 
@@ -38,7 +38,7 @@ pub(crate) fn check(theory: &mut Theory, statement: &Statement, lines: &[Line]) 
     };
     let mut known = HashMap::new();
     for (expr, relation) in &statement.conditions {
-        let sign = point.value(&theory.pool, *expr, &mut known)?.sign();
+        let sign = point.at(&theory.pool, *expr, &mut known)?.sign();
         let holds = match relation {
             Relation::Positive => sign == Some(1),
             Relation::NotNegative => matches!(sign, Some(0 | 1)),
@@ -48,7 +48,7 @@ pub(crate) fn check(theory: &mut Theory, statement: &Statement, lines: &[Line]) 
             return rejected("a condition is not certain at the point");
         }
     }
-    let at = sides.map(|side| point.value(&theory.pool, side, &mut known));
+    let at = sides.map(|side| point.at(&theory.pool, side, &mut known));
     let [a, b] = [at[0].clone()?, at[1].clone()?];
     if a.low <= b.high && b.low <= a.high {
         return rejected("the sides are not told apart at the point");
@@ -78,13 +78,11 @@ fn is_rounded(value: &Interval, number: &BigRational, text: &str) -> bool {
 impl Point {
     fn set(&mut self, pool: &Pool, place: Expr, value: BigRational) -> Result<(), Stop> {
         let is_new = match pool.node(place) {
-            (Variable(v), _) => self.variables.insert(*v, value).is_none(),
+            (Variable(v), _) => self.variables.insert(*v, Interval::number(value)).is_none(),
             (Jet(f, orders), arguments) => {
                 let mut known = HashMap::new();
-                let at = arguments
-                    .iter()
-                    .map(|a| self.value(pool, *a, &mut known))
-                    .collect::<Result<Vec<_>, _>>()?;
+                let at =
+                    arguments.iter().map(|a| self.at(pool, *a, &mut known)).collect::<Result<Vec<_>, _>>()?;
                 let is_new = self.find(*f, orders, &at, &rational(3, 1)).next().is_none();
                 self.jets.push((*f, orders.clone(), at, value));
                 is_new
@@ -110,7 +108,17 @@ impl Point {
         jets.filter(move |jet| is_near(&jet.2)).map(|jet| &jet.3)
     }
 
-    fn value(&self, pool: &Pool, expr: Expr, known: &mut HashMap<Expr, Interval>) -> Result<Interval, Stop> {
+    /// All numbers that variables may be.
+    pub(crate) fn within(variables: HashMap<usize, Interval>) -> Self {
+        Point { variables, jets: Vec::new() }
+    }
+
+    /// An enclosure of a value.
+    pub(crate) fn value(&self, pool: &Pool, expr: Expr) -> Result<Interval, Stop> {
+        self.at(pool, expr, &mut HashMap::new())
+    }
+
+    fn at(&self, pool: &Pool, expr: Expr, known: &mut HashMap<Expr, Interval>) -> Result<Interval, Stop> {
         for part in pool.parts(&[expr]) {
             if known.contains_key(&part) {
                 continue;
@@ -120,7 +128,7 @@ impl Point {
             let value = match operation {
                 Number(value) => Some(Interval::number(value.clone())),
                 Pi => Some(Interval::pi()),
-                Variable(v) => self.variables.get(v).cloned().map(Interval::number),
+                Variable(v) => self.variables.get(v).cloned(),
                 Add => Some(a[0].add(&a[1])),
                 Multiply => Some(a[0].multiply(&a[1])),
                 Divide => a[0].divide(&a[1]),

@@ -1,6 +1,6 @@
 //! Certificates on disk: each file they speak of is named as it is found from the certificate's folder.
 
-use forms::core::certificate::{HEADER, entry, file_lines};
+use forms::core::certificate::{HEADER, antiderivatives, entry, file_lines};
 use forms::core::decide::Verdict;
 use forms::core::resolve::{Statement, Theory};
 use forms::core::syntax::Source;
@@ -13,24 +13,33 @@ pub(crate) struct Certificate {
     lines: String,
     /// The text of the file that the entries are about.
     source: String,
+    /// The antiderivatives of its integrals.
+    integrals: String,
 }
 
 impl Certificate {
     pub(crate) fn new(path: &str) -> Self {
-        Certificate { path: path.to_string(), lines: HEADER.to_string(), source: String::new() }
+        Certificate {
+            path: path.to_string(),
+            lines: HEADER.to_string(),
+            source: String::new(),
+            integrals: String::new(),
+        }
     }
 
     /// Begins the entries of a file.
-    pub(crate) fn begin(&mut self, source: &Source) {
+    pub(crate) fn begin(&mut self, source: &Source, theory: &mut Theory) {
         self.source.clone_from(&source.text);
+        self.integrals = antiderivatives(theory);
         self.lines += &file_lines(&name_from(&self.path, &source.name), &source.text);
+        self.lines += &self.integrals;
     }
 
     /// Adds what shows a verdict.
     /// What the checker does not accept is written as uncovered, with what it says.
     pub(crate) fn add(&mut self, theory: &mut Theory, statement: &Statement, verdict: &Verdict) {
         let lines = entry(theory, statement, verdict);
-        let alone = format!("{HEADER}{}{lines}", file_lines("itself", &self.source));
+        let alone = format!("{HEADER}{}{}{lines}", file_lines("itself", &self.source), self.integrals);
         let checked = forms_check::check(&alone, |_| Ok(self.source.clone()));
         let refused = match checked.map(|mut all| all.swap_remove(0).outcome) {
             Ok(Outcome::Rejected(why) | Outcome::NotCovered(why)) => Some(why),

@@ -1,7 +1,7 @@
 //! Certificates written by the prover.
 
 use forms_check::{Checked, Outcome, check};
-use forms_core::certificate::{HEADER, entry, file_lines};
+use forms_core::certificate::{HEADER, antiderivatives, entry, file_lines};
 use forms_core::check::read_theory;
 use forms_core::decide::decide;
 
@@ -10,6 +10,7 @@ pub(crate) fn certificate(source: &str) -> String {
     let (mut theory, errors) = read_theory(source);
     assert!(errors.is_empty(), "{errors:?}");
     let mut lines = HEADER.to_string() + &file_lines("it.forms", source);
+    lines += &antiderivatives(&mut theory);
     for statement in theory.statements.clone() {
         let verdict = decide(&mut theory, &statement);
         lines += &entry(&mut theory, &statement, &verdict);

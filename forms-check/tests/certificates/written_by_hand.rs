@@ -69,3 +69,49 @@ fn functions_of_inverse_functions_and_powers_of_logarithms_are_algebraic() {
     let source = "chart L(x) where x > 0; param q; prove s: exp(log(x)/2)**2 == x;";
     assert_eq!(outcome(source, "proved s\nbase x\nroot 2\npositive x\nzero\n"), Outcome::Accepted);
 }
+
+#[test]
+fn sines_and_cosines_of_parts_of_a_half_turn_are_algebraic() {
+    for (right, wrong) in [
+        ("cos(pi/3) == 1/2", "cos(pi/3) == -1/2"),
+        ("cos(2*pi/3) == -1/2", "cos(2*pi/3) == 1/2"),
+        ("sin(7*pi/6) == -1/2", "sin(7*pi/6) == 1/2"),
+        ("tan(pi/3) == sqrt(3)", "tan(pi/3) == -sqrt(3)"),
+        ("sin(pi/4)**2 == 1/2", "sin(pi/4)**2 == 1/4"),
+        ("cos(pi/5) == (1 + sqrt(5))/4", "cos(pi/5) == (1 - sqrt(5))/4"),
+        ("cos(pi/8)**2 == (1 + cos(pi/4))/2", "cos(pi/8)**2 == (1 - cos(pi/4))/2"),
+        ("cos(pi/12)**2 == (2 + sqrt(3))/4", "cos(pi/12)**2 == (2 - sqrt(3))/4"),
+    ] {
+        let source = |claim: &str| format!("chart L(x); prove s: {claim};");
+        assert_eq!(outcome(&source(right), "proved s\nzero\n"), Outcome::Accepted, "{right}");
+        assert!(is_rejected(&source(wrong), "proved s\nzero\n"), "{wrong}");
+    }
+}
+
+#[test]
+fn fifths_and_fifteenths_of_a_half_turn_need_three_roots() {
+    let roots = "base 5\nroot 4\nbase 2\nroot 2\nbase sqrt(5) + 1\nroot 2\npositive sqrt(5) + 1\n";
+    let entry = format!("proved s\n{roots}zero\n");
+    for (right, wrong) in [
+        ("cos(2*pi/5) == (sqrt(5) - 1)/4", "cos(2*pi/5) == (1 - sqrt(5))/4"),
+        ("sin(pi/5)**2 == (5 - sqrt(5))/8", "sin(pi/5)**2 == (5 + sqrt(5))/8"),
+        ("sin(pi/10) == (sqrt(5) - 1)/4", "sin(pi/10) == (1 - sqrt(5))/4"),
+        ("sin(3*pi/5) == sin(2*pi/5)", "sin(3*pi/5) == -sin(2*pi/5)"),
+        // the product of two cosines by the sum and the difference of the angles
+        ("4*cos(4*pi/15)*cos(pi/15) == 1 + 2*cos(pi/5)", "4*cos(4*pi/15)*cos(pi/15) == 1 - 2*cos(pi/5)"),
+    ] {
+        let source = |claim: &str| format!("chart L(x); prove s: {claim};");
+        assert_eq!(outcome(&source(right), &entry), Outcome::Accepted, "{right}");
+        assert!(is_rejected(&source(wrong), &entry), "{wrong}");
+    }
+}
+
+#[test]
+fn a_logarithm_of_a_magnitude_needs_no_sign() {
+    let source = "chart L(x); prove s: log(abs(x)) == log(x**2)/2;";
+    assert_eq!(outcome(source, "proved s\nbase x\nlogarithm\nzero\n"), Outcome::Accepted);
+    assert!(is_rejected(
+        "chart L(x); prove s: log(abs(x)) == log(x**2);",
+        "proved s\nbase x\nlogarithm\nzero\n"
+    ));
+}

@@ -104,7 +104,7 @@ impl Report<'_> {
             writeln!(self.output, "{}", self.palette.heading(&source.name))?;
         }
         if let Some(certificate) = &mut self.certificate {
-            certificate.begin(&source);
+            certificate.begin(&source, &mut theory);
         }
         let mut status = Status::AsStated;
         let mut errors = Vec::new();

@@ -13,6 +13,7 @@ mod contradiction;
 mod facts;
 mod half_turn;
 mod linear;
+mod magnitude;
 mod range;
 mod region;
 mod sign;
@@ -36,6 +37,8 @@ const CHEAP_WORK: u64 = 1_000_000;
 pub(crate) struct Assumptions {
     conditions: Vec<Condition>,
     sides: Vec<Expr>,
+    /// Whether every choice of signs is looked at for a contradiction, not only those on borders.
+    thorough: bool,
 }
 
 /// The cases of the signs that some expressions need.
@@ -51,8 +54,15 @@ pub(crate) enum Cases {
 
 impl Assumptions {
     pub(crate) fn new(pool: &mut Pool, conditions: &[Condition]) -> Self {
+        let mut conditions = conditions.to_vec();
+        conditions.extend(magnitude::consequences(pool, &conditions));
         let sides = conditions.iter().map(|c| pool.subtract(c.left, c.right)).collect();
-        Assumptions { conditions: conditions.to_vec(), sides }
+        Assumptions { conditions, sides, thorough: false }
+    }
+
+    /// The same with fewer cases, for more work: those go that linear certificates exclude.
+    pub(crate) fn thorough(self) -> Self {
+        Assumptions { thorough: true, ..self }
     }
 
     /// The cases to be told apart next, once some signs are given: of the open signs that the expressions
@@ -69,7 +79,7 @@ impl Assumptions {
         let Some((region, wanted, facts)) = self.region(tower, pool, expressions, given)? else {
             return Ok(Cases::Empty);
         };
-        let cases = match region.cases(|signs| facts.allow(tower, signs)) {
+        let cases = match region.cases(|signs| facts.allow(tower, signs), self.thorough) {
             Ok((_, false)) if tower.divides_by_norms => {
                 return Err(Obstacle::Outside("nested radicals at points that lie apart".into()));
             }

@@ -51,10 +51,11 @@ impl Constraint {
 
 impl Region {
     /// The cases, each a sign for every factor, and whether all that they cover lies beside points of their own. A
-    /// border without a case of its own counts only if it is possible.
+    /// border without a case of its own counts only if it is possible, of a thorough answer every case.
     pub(crate) fn cases(
         &self,
         is_possible: impl Fn(&[(usize, i8)]) -> bool,
+        thorough: bool,
     ) -> Result<(Vec<Case>, bool), NoCases> {
         if self.factors.len() > MOST_FACTORS {
             return Err(NoCases::TooMany);
@@ -65,11 +66,17 @@ impl Region {
         }
         let (mut cases, borders): (Vec<_>, Vec<_>) =
             strata.into_iter().partition(|signs| !signs.contains(&0));
+        let is_possible = |signs: &[i8]| {
+            let signs: Vec<(usize, i8)> =
+                self.factors.iter().zip(signs).map(|(factor, &sign)| (factor.0, sign)).collect();
+            is_possible(&signs)
+        };
+        if thorough {
+            cases.retain(|case| is_possible(case));
+        }
         let with_points = cases.len();
         for border in borders {
-            let signs: Vec<(usize, i8)> =
-                self.factors.iter().zip(&border).map(|(factor, &sign)| (factor.0, sign)).collect();
-            if !cases.iter().any(|case| touches(case, &border)) && is_possible(&signs) {
+            if !cases.iter().any(|case| touches(case, &border)) && is_possible(&border) {
                 cases.push(self.beside(&border));
             }
         }
@@ -153,7 +160,7 @@ mod tests {
     fn signs(region: &Region) -> Vec<Vec<i8>> {
         let number = |sign: Sign| if sign == Sign::Positive { 1 } else { -1 };
         let mut all: Vec<Vec<i8>> = region
-            .cases(|_| true)
+            .cases(|_| true, false)
             .unwrap()
             .0
             .into_iter()
@@ -182,7 +189,7 @@ mod tests {
     fn a_border_that_no_point_lies_on_brings_none() {
         let constraints = vec![product(&[0], false), product(&[0, 1], false)];
         let region = Region { factors: vec![(0, None), (1, None)], constraints };
-        let cases = region.cases(|signs| signs[0].1 != 0 || signs[1].1 != -1);
+        let cases = region.cases(|signs| signs[0].1 != 0 || signs[1].1 != -1, false);
         assert_eq!(cases, Ok((vec![vec![(0, Sign::Positive), (1, Sign::Positive)]], true)));
     }
 
@@ -198,6 +205,6 @@ mod tests {
         let negative = SignConstraint { negative: true, odd: vec![0], other: vec![] };
         let constraints = vec![product(&[0], true), Constraint { product: negative, strict: true }];
         let region = Region { factors: vec![(0, None)], constraints };
-        assert_eq!(region.cases(|_| true), Err(NoCases::Empty));
+        assert_eq!(region.cases(|_| true, false), Err(NoCases::Empty));
     }
 }

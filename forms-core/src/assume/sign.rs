@@ -63,6 +63,7 @@ impl Facts {
         polynomial.term_count() <= MOST_TERMS
             && (self.exponents_show(polynomial, roots)
                 || self.is_combination(polynomial)
+                || self.is_square_beside_known(polynomial)
                 || self.norm_shows(polynomial, roots)
                 || self.factors_show(polynomial, roots))
     }
@@ -112,6 +113,20 @@ impl Facts {
             }
         }
         follows(polynomial, &known, |monomial| self.sign_of_monomial(monomial))
+    }
+
+    /// p = λc + q with c known not to be negative, a number λ ≥ 0 and q a sum of squares, for the λ that the constant terms
+    /// suggest: 1 − 2xy = (1 − x² − y²) + (x − y)².
+    fn is_square_beside_known(&self, polynomial: &Polynomial) -> bool {
+        let constant = |p: &Polynomial| p.terms().find(|(monomial, _)| monomial.is_empty()).map(|(_, c)| c);
+        self.inequalities.iter().any(|Inequality { polynomial: known, .. }| {
+            let (own, other) = match (constant(polynomial), constant(known)) {
+                (Some(own), Some(other)) if own.sign() == other.sign() => (own.abs(), other.abs()),
+                (None, None) => (1.into(), 1.into()),
+                _ => return false,
+            };
+            is_positive_semidefinite(&polynomial.scale(&other).sub(&known.scale(&own)))
+        })
     }
 
     /// A + Bρᵏ ≥ 0 with ρ²ᵏ = f: both parts are, or the larger one is, as the norm tells.

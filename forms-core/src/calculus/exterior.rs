@@ -33,13 +33,16 @@ pub fn contributions<'a, S: Clone>(
     })
 }
 
+/// Signed coefficients with the coordinates they are differentiated by, by the basis form they belong to.
+type Groups<'a, S> = BTreeMap<Blade, Vec<(i8, &'a S, Coordinate)>>;
+
 /// The exterior derivative along the given coordinates: all of them for d, one chart's for `d[chart]`.
 pub fn exterior_derivative<R: Coefficients>(
     ring: &mut R,
     w: &Form<R::Scalar>,
     along: &[Coordinate],
 ) -> Form<R::Scalar> {
-    let mut groups: BTreeMap<Blade, Vec<(i8, &R::Scalar, Coordinate)>> = BTreeMap::new();
+    let mut groups: Groups<R::Scalar> = Groups::new();
     for Contribution { value, coordinate, raised, sign, .. } in contributions(w, along) {
         groups.entry(raised).or_default().push((sign, value, coordinate));
     }

@@ -11,7 +11,7 @@ mod reason;
 mod writer;
 
 use crate::assume::Facts;
-use crate::decide::{Verdict, retrace};
+use crate::decide::{Verdict, retrace, retrace_integration};
 use crate::expression::{Expr, Pool};
 use crate::normal::{Sign, Tower};
 use crate::resolve::{Statement, Theory};
@@ -30,6 +30,26 @@ pub fn file_lines(name: &str, text: &str) -> String {
 fn fnv1a(text: &str) -> u64 {
     let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
     text.bytes().fold(0xcbf2_9ce4_8422_2325, step)
+}
+
+/// An antiderivative for each range that is integrated over in a file, and why its derivative is the integrand; nothing
+/// but the place where none was found or the proof cannot be written.
+pub fn antiderivatives(theory: &mut Theory) -> String {
+    let mut lines = String::new();
+    for integration in theory.integrations.clone() {
+        let _ = write!(lines, "\nintegral {}", integration.place.start);
+        let Some(antiderivative) = integration.antiderivative else { continue };
+        let text = theory.pool.text(antiderivative);
+        let mut writer = Writer::new(theory.pool.clone());
+        let proved = retrace_integration(&mut theory.pool, &integration, antiderivative, &mut writer);
+        if let Ok(proof) = writer.finish()
+            && proved
+            && !text.contains('<')
+        {
+            let _ = write!(lines, " {text}\n{proof}");
+        }
+    }
+    lines
 }
 
 /// The entry of one decided statement.

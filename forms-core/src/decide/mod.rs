@@ -43,10 +43,13 @@ pub use separation::{Separated, separated};
 pub use verdict::{Theorem, Verdict, Witness};
 
 use crate::certificate::Observer;
-use crate::expression::Condition;
+use crate::expression::{Condition, Expr, Pool};
 use crate::normal::{Tower, Trigonometry};
-use crate::resolve::{Statement, Theory};
+use crate::resolve::{Integration, Statement, Theory};
 use problem::Problem;
+
+/// The products of terms that one normal form of a retraced proof may cost.
+const RETRACED_WORK: u64 = 2_000_000;
 
 /// Decides one statement.
 ///
@@ -81,12 +84,28 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
 /// Proves a statement again, telling an observer how; whether it is proved.
 pub(crate) fn retrace(theory: &mut Theory, statement: &Statement, observer: &mut dyn Observer) -> bool {
     let problem = Problem::new(theory, statement);
-    let mut tower = Tower::new(Trigonometry::Circle);
+    retrace_problem(&mut theory.pool, &problem, observer)
+}
+
+/// Proves anew that the derivative of an antiderivative is the integrand, telling an observer how.
+pub(crate) fn retrace_integration(
+    pool: &mut Pool,
+    integration: &Integration,
+    antiderivative: Expr,
+    observer: &mut dyn Observer,
+) -> bool {
+    let slope = pool.derivative(antiderivative, integration.variable);
+    let problem = Problem::of_scalars(pool, &[(slope, integration.integrand)], &integration.conditions);
+    retrace_problem(pool, &problem, observer)
+}
+
+fn retrace_problem(pool: &mut Pool, problem: &Problem, observer: &mut dyn Observer) -> bool {
+    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(RETRACED_WORK);
     if problem.components.is_empty() {
-        observer.zero(&theory.pool, &tower, &[]);
+        observer.zero(pool, &tower, &[]);
         return true;
     }
-    proof::settled_cases(&mut theory.pool, &problem, &mut tower, Some(observer)).is_some()
+    proof::settled_cases(pool, problem, &mut tower, Some(observer)).is_some()
 }
 
 /// What a verdict on a statement assumes, the texts of which it carries.

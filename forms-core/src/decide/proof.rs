@@ -104,7 +104,8 @@ fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn:
 }
 
 /// First in the frame of the translations that change no difference. Bounds of single variables say less in it: where
-/// it left several cases and no proof, the expressions are looked at as they stand, unless the work was too much.
+/// it left several cases and no proof, the expressions are looked at as they stand, unless the work was too much; after
+/// that with fewer cases, at the price of asking of each whether it can be.
 fn prove_under(
     pool: &mut Pool,
     given: (&[Condition], u64),
@@ -112,15 +113,18 @@ fn prove_under(
     turn: Option<&Turn>,
 ) -> Outcome {
     let frame = translation::frame(pool, differences);
-    if frame.is_empty() {
-        return explored(pool, given, differences, turn, frame).0;
-    }
-    match explored(pool, given, differences, turn, frame) {
-        (Outcome::NotZero | Outcome::Empty(_), true) => {
-            explored(pool, given, differences, turn, Vec::new()).0
+    let in_frame = (!frame.is_empty()).then_some((frame, false));
+    let mut outcome = Outcome::NotZero;
+    for (frame, thorough) in in_frame.into_iter().chain([(vec![], false), (vec![], true)]) {
+        let has_frame = !frame.is_empty();
+        let (found, several) = explored(pool, given, differences, turn, frame, thorough);
+        let is_open = found == Outcome::NotZero || has_frame && matches!(found, Outcome::Empty(_));
+        outcome = found;
+        if !(several && is_open) {
+            break;
         }
-        (outcome, _) => outcome,
     }
+    outcome
 }
 
 /// The outcome in a frame, and whether several cases were told apart.
@@ -130,8 +134,10 @@ fn explored(
     differences: &[Expr],
     turn: Option<&Turn>,
     frame: Vec<Drift>,
+    thorough: bool,
 ) -> (Outcome, bool) {
     let assumptions = Assumptions::new(pool, conditions);
+    let assumptions = if thorough { assumptions.thorough() } else { assumptions };
     let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(work).in_frame(frame);
     let mut proof = Proof::new(pool, &mut tower, assumptions, differences.to_vec(), turn.cloned());
     let explored = proof.explore(&[]);

@@ -11,14 +11,15 @@ use rustc_hash::FxHashMap;
 /// The highest power of a sine, cosine or variable that is integrated.
 pub(super) const HIGHEST_POWER: u32 = 64;
 
-/// The integral of Σ c xᵏ cosᵖ(κx) sin^q(κx) from one bound to another, where the integrand is of that kind.
+/// The integral of Σ c xᵏ cosᵖ(κx) sin^q(κx) from one bound to another, where the integrand is of that kind, and an
+/// antiderivative.
 pub(super) fn by_moments(
     pool: &mut Pool,
     tower: &mut Tower,
     normal: &Fraction,
     variable: Symbol,
     bounds: (Expr, Expr),
-) -> Result<Expr, Failure> {
+) -> Result<(Expr, Expr), Failure> {
     let terms = tower.terms_in(pool, normal, variable)?;
     let frequency = match &terms.frequency {
         Some(frequency) => tower.raise(pool, frequency),
@@ -26,20 +27,23 @@ pub(super) fn by_moments(
     };
     let mut range = Range { pool, variable, bounds, frequency, moments: FxHashMap::default() };
     let mut integral = range.pool.integer(0);
+    let mut antiderivative = integral;
     for term in terms.terms {
         if term.power.max(term.cosines).max(term.sines) > HIGHEST_POWER {
             return Err(format!("a power above the limit of {HIGHEST_POWER}").into());
         }
         let coefficient = tower.raise(range.pool, &term.coefficient);
         for (harmonic, share) in products_to_sums(term.cosines, term.sines) {
-            let moment = range.moment(term.power, harmonic);
             let share = range.pool.number(share);
-            let scaled = range.pool.multiply(share, moment);
-            let product = range.pool.multiply(coefficient, scaled);
-            integral = range.pool.add(integral, product);
+            let (moment, before) = range.moment(term.power, harmonic);
+            for (sum, part) in [(&mut integral, moment), (&mut antiderivative, before)] {
+                let scaled = range.pool.multiply(share, part);
+                let product = range.pool.multiply(coefficient, scaled);
+                *sum = range.pool.add(*sum, product);
+            }
         }
     }
-    Ok(integral)
+    Ok((integral, antiderivative))
 }
 
 /// ∫ xᵏ h(mκx) dx over one range, each moment once.
@@ -48,11 +52,12 @@ struct Range<'a> {
     variable: Symbol,
     bounds: (Expr, Expr),
     frequency: Expr,
-    moments: FxHashMap<(u32, Harmonic), Expr>,
+    /// Each with its antiderivative.
+    moments: FxHashMap<(u32, Harmonic), (Expr, Expr)>,
 }
 
 impl Range<'_> {
-    fn moment(&mut self, power: u32, harmonic: Harmonic) -> Expr {
+    fn moment(&mut self, power: u32, harmonic: Harmonic) -> (Expr, Expr) {
         if let Some(&known) = self.moments.get(&(power, harmonic)) {
             return known;
         }
@@ -62,7 +67,7 @@ impl Range<'_> {
             pool.substitute(antiderivative, &values)
         };
         let (upper, lower) = (at(self.pool, self.bounds.1), at(self.pool, self.bounds.0));
-        let moment = self.pool.subtract(upper, lower);
+        let moment = (self.pool.subtract(upper, lower), antiderivative);
         self.moments.insert((power, harmonic), moment);
         moment
     }

@@ -62,7 +62,7 @@ impl Region {
                 self.insert(pool, &mut places, zero)?;
             }
         }
-        let mut total = Integral { value: pool.integer(0), conditions: vec![] };
+        let mut total = Integral { value: pool.integer(0), conditions: vec![], antiderivative: None };
         for ends in places.windows(2) {
             let part = self.piece(pool, integrand, &moving, (ends[0], ends[1]))?;
             total.value = pool.add(total.value, part.value);
@@ -90,7 +90,8 @@ impl Region {
         let replaced = pool.replace(integrand, &images);
         let found = Region { ranges: self.ranges.clone(), conditions }.integral(pool, replaced)?;
         let conditions = found.conditions.iter().map(|condition| condition.substitute(pool, &back)).collect();
-        Ok(Integral { value: pool.substitute(found.value, &back), conditions })
+        let value = pool.substitute(found.value, &back);
+        Ok(Integral { value, conditions, antiderivative: None })
     }
 
     /// The integral between two neighbouring zeros, with the sign of every magnitude there.

@@ -44,7 +44,8 @@ impl Region {
         let upper = self.value_at(pool, apart.antiderivative, variable, to);
         let lower = self.value_at(pool, apart.antiderivative, variable, from);
         let difference = pool.subtract(upper, lower);
-        Ok(Some(Integral { value: pool.add(difference, elementary.value), conditions }))
+        let value = pool.add(difference, elementary.value);
+        Ok(Some(Integral { value, conditions, antiderivative: None }))
     }
 }
 

@@ -16,6 +16,8 @@ pub(crate) struct Integral {
     pub(crate) value: Expr,
     /// What has to hold of parameters.
     pub(crate) conditions: Vec<Condition>,
+    /// One antiderivative for the whole range, if there is one.
+    pub(crate) antiderivative: Option<Expr>,
 }
 
 impl Region {
@@ -82,20 +84,23 @@ impl Region {
     /// Says in words why it cannot be integrated.
     pub(crate) fn integral(&self, pool: &mut Pool, integrand: Expr) -> Result<Integral, String> {
         let Some(&(variable, from, to)) = self.ranges.last() else {
-            return Ok(Integral { value: integrand, conditions: vec![] });
+            return Ok(Integral { value: integrand, conditions: vec![], antiderivative: None });
         };
         if from == to || pool.is_zero(integrand) {
-            return Ok(Integral { value: pool.integer(0), conditions: vec![] });
+            let zero = pool.integer(0);
+            return Ok(Integral { value: zero, conditions: vec![], antiderivative: Some(zero) });
         }
         let mut tower = Tower::new(Trigonometry::Circle);
         if let Ok(normal) = normal_form(pool, &mut tower, integrand, &self.conditions)
-            && let Ok(value) = by_moments(pool, &mut tower, &normal, variable, (from, to))
+            && let Ok((value, antiderivative)) = by_moments(pool, &mut tower, &normal, variable, (from, to))
         {
-            return Ok(Integral { value, conditions: vec![] });
+            return Ok(Integral { value, conditions: vec![], antiderivative: Some(antiderivative) });
         }
         if !pool.symbols_in(&[integrand]).contains(&variable) {
-            let length = pool.subtract(to, from);
-            return Ok(Integral { value: pool.multiply(integrand, length), conditions: vec![] });
+            let (length, x) = (pool.subtract(to, from), pool.symbol(variable));
+            let value = pool.multiply(integrand, length);
+            let antiderivative = Some(pool.multiply(integrand, x));
+            return Ok(Integral { value, conditions: vec![], antiderivative });
         }
         match self.by_antiderivative(pool, integrand) {
             Ok(found) => Ok(found),
@@ -118,7 +123,7 @@ impl Region {
         let half = pool.ratio(1, 2);
         let sum = pool.add(from, to);
         let middle = pool.multiply(half, sum);
-        let mut total = Integral { value: pool.integer(0), conditions: vec![] };
+        let mut total = Integral { value: pool.integer(0), conditions: vec![], antiderivative: None };
         for (from, to) in [(from, middle), (middle, to)] {
             let Ok(part) = self.centred(pool, integrand, (from, to)) else { return whole };
             total.value = pool.add(total.value, part.value);
@@ -175,7 +180,7 @@ impl Region {
         let difference = pool.subtract(upper, lower);
         let (value, positive) = self.with_powers_of_zero(pool, difference)?;
         conditions.extend(positive);
-        Ok(Integral { value, conditions })
+        Ok(Integral { value, conditions, antiderivative: Some(antiderivative) })
     }
 
     /// log|q| as log q or log(−q), by the sign of q over the range.

@@ -2,6 +2,7 @@
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::scope::Scope;
+use super::theory::Integration;
 use super::value::Value;
 use crate::assume::is_at_most;
 use crate::calculus::{Blade, Form};
@@ -28,13 +29,31 @@ impl Evaluator<'_> {
             return Err(Diagnostic::new(span, "`integral` needs at least one range, as in `u = 0..1`"));
         }
         let (ranges, bounds) = self.ranges(ranges)?;
-        let (value, inner) = self.apart(|evaluator| evaluator.value(integrand))?;
+        let (value, inner) =
+            self.bound_by(&ranges, |evaluator| evaluator.apart(|evaluator| evaluator.value(integrand)))?;
         let coefficient = self.integrand(value, &ranges, integrand.span)?;
         let defined: Vec<Condition> = bounds.conditions().iter().chain(inner.conditions()).copied().collect();
         let integral = self.iterated(coefficient, &ranges, &defined, integrand.span)?;
         self.keep_outside(&bounds, &ranges);
         self.keep_outside(&inner, &ranges);
         Ok(Value::Scalar(integral))
+    }
+
+    /// Evaluates what is integrated: what the statement says of its points says nothing of the variables of the ranges.
+    fn bound_by<T>(
+        &mut self,
+        ranges: &[Range],
+        body: impl FnOnce(&mut Self) -> Evaluated<T>,
+    ) -> Evaluated<T> {
+        let given = self.given.clone();
+        let pool = &self.theory.pool;
+        self.given.retain(|condition| {
+            let symbols = pool.symbols_in(&[condition.left, condition.right]);
+            !ranges.iter().any(|range| symbols.contains(&range.symbol))
+        });
+        let value = body(self);
+        self.given = given;
+        value
     }
 
     /// The ranges, outermost first, and where their bounds are defined. A bound may mention outer variables only.
@@ -100,6 +119,13 @@ impl Evaluator<'_> {
                     Some(_) => Diagnostic::new(span, message),
                 }
             })?;
+            self.theory.integrations.push(Integration {
+                place: range.name.span,
+                variable: range.symbol,
+                integrand: integral,
+                antiderivative: found.antiderivative,
+                conditions: region.conditions.clone(),
+            });
             found.conditions.into_iter().for_each(|condition| self.scope.require(condition));
             integral = found.value;
             region.forget_innermost(&self.theory.pool);

@@ -29,5 +29,6 @@ mod value;
 pub use evaluation::Trace;
 pub use items::{resolve, resolve_traced};
 pub(crate) use metric::METRIC_OPERATIONS;
+pub(crate) use theory::Integration;
 pub use theory::{Chart, Kernel, KernelUnits, Map, Named, NamedMetric, Object, Statement, Theory};
 pub use value::Value;

@@ -19,8 +19,11 @@ impl Evaluator<'_> {
         span: Span,
     ) -> Evaluated<Value> {
         let [argument] = exactly::<1>(arguments, "potential", span)?;
-        let value = self.value(argument)?;
-        let form = match value {
+        // what the statement says of its points says nothing of the way to them from the origin
+        let given = std::mem::take(&mut self.given);
+        let value = self.value(argument);
+        self.given = given;
+        let form = match value? {
             Value::Zero | Value::Scalar(_) => return Ok(Value::Zero),
             Value::Form(form) => form,
             Value::Field(_) => {

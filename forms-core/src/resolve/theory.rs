@@ -88,6 +88,21 @@ pub struct Statement {
     pub(super) mentioned: BTreeSet<String>,
 }
 
+/// One range that was integrated over.
+#[derive(Clone, Debug)]
+pub(crate) struct Integration {
+    /// Where the variable of the range stands.
+    pub(crate) place: Span,
+    /// That variable.
+    pub(crate) variable: Symbol,
+    /// What was integrated.
+    pub(crate) integrand: Expr,
+    /// Its antiderivative, if one holds over the whole range.
+    pub(crate) antiderivative: Option<Expr>,
+    /// What was assumed.
+    pub(crate) conditions: Vec<Condition>,
+}
+
 /// A numeric function to be generated.
 #[derive(Clone, Debug)]
 pub struct Kernel {
@@ -169,6 +184,8 @@ pub struct Theory {
     pub statements: Vec<Statement>,
     /// The kernels in order.
     pub kernels: Vec<Kernel>,
+    /// The integrals over one range in the order in which they were found.
+    pub(crate) integrations: Vec<Integration>,
     pub(super) names: super::names::Names,
 }
 

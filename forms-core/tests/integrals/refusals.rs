@@ -1,8 +1,8 @@
 //! Integrals that do not converge, are not known to, or are outside the class are refused with the reason.
 
 use super::quadrature::{errors, theory_of};
-use forms_core::check::decide_all;
-use forms_core::decide::Verdict;
+use forms_core::check::{decide_all, read_theory};
+use forms_core::decide::{Verdict, decide};
 
 fn reason(integral: &str) -> String {
     let functions =
@@ -145,5 +145,19 @@ fn unknown_functions_are_integrated_only_where_their_conditions_hold_up_to_the_e
     ];
     for (integral, message) in table {
         assert_eq!(reason(integral), message, "{integral}");
+    }
+}
+
+#[test]
+fn what_a_statement_says_of_its_points_says_nothing_of_what_is_integrated_over() {
+    for claim in [
+        "integral(integral(sqrt(x**2)*y, y = 0..1), x = -1..1) == 0 where x > 0",
+        "potential(integral(sqrt((x - 1)**2)*y, y = 0..1)*dx) == x**2/4 - x/2 where x > 1",
+    ] {
+        let (mut theory, errors) = read_theory(&format!("chart L(x, y); prove claim: {claim};"));
+        if errors.is_empty() {
+            let statement = theory.statements[0].clone();
+            assert_ne!(decide(&mut theory, &statement).name(), "proved", "{claim}");
+        }
     }
 }

@@ -4,7 +4,7 @@
 use super::equality::{vanish_exactly, vanish_numerically};
 use super::scene::World;
 use forms_core::calculus::{Coefficients, Coordinate};
-use forms_core::expression::{Expr, Pool, Substitution, Symbol, SymbolKind};
+use forms_core::expression::{Expr, Operation, Pool, Substitution, Symbol, SymbolKind};
 use forms_core::normal::{Drift, Fraction, Normal, Tower, Trigonometry, normalise};
 use num_rational::Ratio;
 use proptest::prelude::*;
@@ -223,4 +223,39 @@ fn a_derivative_that_forgets_that_a_variable_moves_is_another() {
     let written = world.pool.derivative(f, symbols[2]);
     let difference = world.pool.subtract(forgetful, written);
     assert_eq!(vanish_exactly(&world, &[difference]), Some(false));
+}
+
+/// sin x₀/(2 + cos x₀), in the circle's generators or the tangent of the half angle, and (2 + ρ)^(k/2) x₁ with
+/// ρ² = 1 + x₀², whose root stands over a root.
+#[test]
+fn derivatives_of_half_angles_and_of_roots_over_roots_are_those_of_the_calculus() {
+    let mut world = World::new(2);
+    let symbols = world.symbols.clone();
+    let pool = &mut world.pool;
+    let [x, y] = [0, 1].map(|place| pool.symbol(symbols[place]));
+    let [one, two] = [1, 2].map(|number| pool.integer(number));
+    let (sine, cosine) = (pool.apply(Operation::Sin, &[x]), pool.apply(Operation::Cos, &[x]));
+    let below = pool.add(two, cosine);
+    let wave = pool.divide(sine, below);
+    let square = pool.power(x, 2.into());
+    let radicand = pool.add(one, square);
+    let rho = pool.power(radicand, Ratio::new(1, 2));
+    let sum = pool.add(two, rho);
+    let mut functions = vec![wave];
+    for half in [-3, -1, 1] {
+        let power = pool.power(sum, Ratio::new(half, 2));
+        functions.push(pool.multiply(power, y));
+    }
+    for f in functions {
+        for trigonometry in [Trigonometry::Circle, Trigonometry::HalfAngle] {
+            let mut tower = Tower::new(trigonometry);
+            let prepared = normalise(&mut tower, &world.pool, &[f]).unwrap();
+            let fraction = prepared.exact(&mut tower, &world.pool).unwrap().remove(0);
+            let derivative = tower.derivative(&fraction, symbols[0]).unwrap();
+            let raised = tower.raise(&mut world.pool, &derivative);
+            let written = world.pool.derivative(f, symbols[0]);
+            let difference = world.pool.subtract(raised, written);
+            assert_eq!(vanish_numerically(&world, &[difference]), Some(true), "{}", world.pool.text(written));
+        }
+    }
 }

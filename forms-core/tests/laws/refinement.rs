@@ -13,7 +13,8 @@ use proptest::prelude::*;
 struct Denominator {
     negative: bool,
     numbers: [i64; 4],
-    /// Whether F = c₀ + c₁ x₀ + ρ with ρ² = 2 − x₀² − x₁² and not F = c₀ + c₁ x₀ + x₁².
+    /// Whether F = c₀ + c₁ x₀ + ρ and H = c₂ + x₁ − 3ρ with ρ² = 1 + 20 x₀² + x₁², so that reduction changes the sign of
+    /// the leading term of F H, and not F = c₀ + c₁ x₀ + x₁² and H = c₂ + x₁ + c₃ x₀ x₁.
     has_root: bool,
     e: i64,
     k: i64,
@@ -46,17 +47,20 @@ impl Denominator {
         let pool = &mut world.pool;
         let [c0, c1, c2, c3] = self.numbers.map(|number| pool.integer(number));
         let (xx, yy) = (pool.power(x, 2.into()), pool.power(y, 2.into()));
-        let last = if self.has_root {
-            let (squares, two) = (pool.add(xx, yy), pool.integer(2));
-            let radicand = pool.subtract(two, squares);
-            pool.power(radicand, Ratio::new(1, 2))
+        let product = pool.multiply(x, y);
+        let (of_f, of_h) = if self.has_root {
+            let (one, twenty, minus_three) = (pool.integer(1), pool.integer(20), pool.integer(-3));
+            let steep = pool.multiply(twenty, xx);
+            let squares = pool.add(steep, yy);
+            let radicand = pool.add(one, squares);
+            let root = pool.power(radicand, Ratio::new(1, 2));
+            (root, pool.multiply(minus_three, root))
         } else {
-            yy
+            (yy, pool.multiply(c3, product))
         };
         let linear = pool.multiply(c1, x);
-        let (sum, product) = (pool.add(c0, linear), pool.multiply(x, y));
-        let (shift, term) = (pool.add(c2, y), pool.multiply(c3, product));
-        [pool.add(sum, last), pool.add(shift, term)]
+        let (sum, shift) = (pool.add(c0, linear), pool.add(c2, y));
+        [pool.add(sum, of_f), pool.add(shift, of_h)]
     }
 
     /// ±F⋯F H multiplied out, so that nothing tells its factors.
@@ -68,8 +72,7 @@ impl Denominator {
 
     fn element(&self, world: &mut World) -> Expr {
         let (above, product) = (world.variable(1), self.product(world));
-        let below = (0..self.k - 1).fold(product, |below, _| world.pool.multiply(below, product));
-        world.pool.divide(above, below)
+        (0..self.k).fold(above, |quotient, _| world.pool.divide(quotient, product))
     }
 
     fn refined(&self, world: &mut World, refinement: Refinement) -> Expr {

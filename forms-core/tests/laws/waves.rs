@@ -22,8 +22,11 @@ fn all_are(name: &str, statements: &[&str]) {
     }
 }
 
+/// A wave in plain arithmetic.
+type Wave = fn(f64) -> f64;
+
 /// Whether ±f(kx + jπ/4) is nowhere negative from aπ/12 to bπ/12.
-fn never_negative(f: fn(f64) -> f64, sign: f64, (k, j): (i32, i32), (a, b): (i32, i32)) -> bool {
+fn never_negative(f: Wave, sign: f64, (k, j): (i32, i32), (a, b): (i32, i32)) -> bool {
     (0..=240).all(|step| {
         let twelfths = f64::from(a) + f64::from(b - a) * f64::from(step) / 240.0;
         sign * f(f64::from(k) * twelfths * PI / 12.0 + f64::from(j) * PI / 4.0) > -1e-9
@@ -33,7 +36,7 @@ fn never_negative(f: fn(f64) -> f64, sign: f64, (k, j): (i32, i32), (a, b): (i32
 /// Every range has one of four outcomes for each wave; a claim that holds is proved, one that does not is refuted.
 #[test]
 fn a_wave_is_its_magnitude_exactly_where_it_is_not_negative() {
-    let waves: [(&str, fn(f64) -> f64); 2] = [("sin", f64::sin), ("cos", f64::cos)];
+    let waves: [(&str, Wave); 2] = [("sin", f64::sin), ("cos", f64::cos)];
     let ranges =
         [(0, 6), (0, 3), (-6, 6), (-3, 3), (3, 9), (6, 18), (12, 24), (0, 4), (-4, 2), (1, 5), (0, 18)];
     let mut counts = [0, 0];

@@ -1,0 +1,132 @@
+//! Sines, cosines and tangents: of sums of multiples of units, of parts of a half turn, of inverse functions.
+
+use crate::element::one;
+use crate::expression::Operation::{Function, Pi};
+use crate::expression::rational;
+use crate::field::{Field, Fraction, Kind};
+use crate::polynomial::Polynomial;
+use crate::{Stop, rejected};
+use num_bigint::BigInt;
+use num_rational::{BigRational, Ratio};
+
+/// cos and sin of an angle.
+type Point = (Fraction, Fraction);
+
+/// The largest denominator of a part of a half turn.
+const SMALLEST_PART: i64 = 960;
+
+impl Field {
+    pub(crate) fn circular(&mut self, angle: &Fraction) -> Result<Point, Stop> {
+        let mut point = (one(), Fraction::default());
+        for (quantity, c) in self.terms(angle)? {
+            let (step, times) = self.step(&quantity, &c)?;
+            point = self.turned_often(point, &step, times)?;
+        }
+        Ok(point)
+    }
+
+    fn turned_often(&mut self, mut point: Point, step: &Point, times: i64) -> Result<Point, Stop> {
+        let sine = step.1.scale(&rational(times.signum(), 1));
+        for _ in 0..times.abs() {
+            point = self.turned(&point, &(step.0.clone(), sine.clone()))?;
+        }
+        Ok(point)
+    }
+
+    /// The point of π/q for q = 2ᵏ, 3·2ᵏ, 5·2ᵏ and 15·2ᵏ: cos² and sin² of half an angle are (1 ± cos)/2,
+    /// cos(π/5) = (1 + √5)/4, sin(π/5) = √(√5/(2(1 + √5))), and π/(mn) = uπ/n + vπ/m for um + vn = 1.
+    fn part_of_half_turn(&mut self, q: i64) -> Result<Point, Stop> {
+        let number = |p, q| Fraction::number(rational(p, q));
+        match q {
+            1 => return Ok((number(-1, 1), number(0, 1))),
+            2 => return Ok((number(0, 1), one())),
+            3 => return Ok((number(1, 2), self.root(&number(3, 1), 1, 2)?.scale(&rational(1, 2)))),
+            5 => {
+                let root = self.root(&number(5, 1), 1, 2)?;
+                let sum = self.add(&one(), &root)?;
+                let square = self.quotient(&root, &sum.scale(&rational(2, 1)))?;
+                return Ok((sum.scale(&rational(1, 4)), self.root(&square, 1, 2)?));
+            }
+            _ => {}
+        }
+        if let Some(m) = [3, 5].into_iter().find(|m| q % m == 0) {
+            let n = q / m;
+            let Some(u) = (0..n).find(|u| (u * m) % n == 1) else {
+                return rejected("the sine or cosine of a part of a circle");
+            };
+            let (coarse, fine) = (self.part_of_half_turn(n)?, self.part_of_half_turn(m)?);
+            let point = self.turned_often((one(), Fraction::default()), &coarse, u)?;
+            return self.turned_often(point, &fine, (1 - u * m) / n);
+        }
+        if q % 2 != 0 || q > 64 {
+            return rejected("the sine or cosine of a part of a circle");
+        }
+        let cosine = self.part_of_half_turn(q / 2)?.0;
+        let [up, down] = [1, -1].map(|sign| cosine.scale(&rational(sign, 2)));
+        let (up, down) = (self.add(&number(1, 2), &up)?, self.add(&number(1, 2), &down)?);
+        Ok((self.root(&up, 1, 2)?, self.root(&down, 1, 2)?))
+    }
+
+    /// cos(a + b) = cos a cos b − sin a sin b, sin(a + b) = sin a cos b + cos a sin b
+    fn turned(&mut self, a: &Point, b: &Point) -> Result<Point, Stop> {
+        let (cc, ss) = (self.multiply(&a.0, &b.0)?, self.multiply(&a.1, &b.1)?);
+        let (sc, cs) = (self.multiply(&a.1, &b.0)?, self.multiply(&a.0, &b.1)?);
+        Ok((self.subtract(&cc, &ss)?, self.add(&sc, &cs)?))
+    }
+
+    /// The point of an angle that c·quantity is a multiple of: a part of a half turn, an inverse function, a unit.
+    fn step(&mut self, quantity: &Fraction, c: &BigRational) -> Result<(Point, i64), Stop> {
+        let generator = (0..self.generators.len()).find(|g| quantity.is_generator(*g));
+        match generator.and_then(|g| self.generators[g].clone()) {
+            Some((Pi, _)) => {
+                let times = i64::try_from(c.numer() % (c.denom() * BigInt::from(2))).unwrap_or(0);
+                let Some(q) = i64::try_from(c.denom()).ok().filter(|q| *q <= SMALLEST_PART) else {
+                    return rejected("so small a part of a circle");
+                };
+                return Ok((self.part_of_half_turn(q)?, times));
+            }
+            Some((Function(name @ ("asin" | "atan")), a)) if c.is_integer() => {
+                let times = i64::try_from(c.numer()).ok().filter(|n| n.abs() < 256);
+                let Some(times) = times else { return rejected("so large a multiple of an angle") };
+                return Ok((self.inverse_point(name, &a[0])?, times));
+            }
+            _ => {}
+        }
+        let (number, times) = self.multiple(quantity, c, false)?;
+        let unit = self.units[number].clone();
+        let first = Polynomial::generator(unit.generator, 1).into();
+        if unit.kind == Kind::Circle {
+            return Ok(((first, Polynomial::generator(unit.generator + 1, 1).into()), times));
+        }
+        // ((1 − t²)/(1 + t²), 2t/(1 + t²))
+        let square = self.multiply(&first, &first)?;
+        let (below, above) = (self.add(&one(), &square)?, self.subtract(&one(), &square)?);
+        let cosine = self.quotient(&above, &below)?;
+        let sine = self.quotient(&first.scale(&rational(2, 1)), &below)?;
+        Ok(((cosine, sine), times))
+    }
+
+    /// cos and sin of asin q and atan q
+    fn inverse_point(&mut self, name: &str, q: &Fraction) -> Result<Point, Stop> {
+        let sign = rational(if name == "asin" { -1 } else { 1 }, 1);
+        let square = self.multiply(q, q)?.scale(&sign);
+        let sum = self.add(&one(), &square)?;
+        let root = self.magnitude(&sum, Ratio::new(1, 2))?;
+        if name == "asin" {
+            return Ok((root, q.clone()));
+        }
+        Ok((self.inverse(&root)?, self.quotient(q, &root)?))
+    }
+
+    /// tan(u/2) of a unit is its generator; any other is sine over cosine.
+    pub(crate) fn tangent(&mut self, angle: &Fraction) -> Result<Fraction, Stop> {
+        for number in 0..self.units.len() {
+            let unit = self.units[number].clone();
+            if unit.kind == Kind::Tangent && self.equal(&angle.scale(&rational(2, 1)), &unit.value)? {
+                return Ok(Polynomial::generator(unit.generator, 1).into());
+            }
+        }
+        let (cosine, sine) = self.circular(angle)?;
+        self.quotient(&sine, &cosine)
+    }
+}

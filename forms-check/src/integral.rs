@@ -1,0 +1,279 @@
+//! Integrals by antiderivatives that the certificate offers.
+//!
+//! ```text
+//! f, u = a..b ─▶ offered F ─ F′ = f between the bounds? ─ F continuous on [a, b]? ─▶ F(b) − F(a)
+//! ```
+//! That F′ = f is shown by a proof like that of a statement. Continuity is seen from the parts of F: what is divided by,
+//! raised or taken the logarithm of has a sign all over the closed range, whichever of a and b is larger. Only
+//! conditions that hold in a whole neighbourhood are used, so that the value may be differentiated; a condition on a
+//! variable that is integrated over, here or further out, says nothing of it. What the value of an integral was found
+//! under has to hold all over the ranges of another one around it.
+
+use crate::calculus::{Value, order};
+use crate::certificate::Line;
+use crate::continuity::Region;
+use crate::expression::Operation::{Add, Multiply, Variable};
+use crate::expression::{Expr, rational};
+use crate::field::Field;
+use crate::proof::Proof;
+use crate::sign::Seen;
+use crate::theory::{Condition, Relation, Scope, Statement, Theory};
+use crate::tokens::Reader;
+use crate::{Stop, malformed, uncovered};
+use std::collections::{BTreeMap, HashMap};
+
+/// For the place of each variable of a range, the antiderivatives in the order in which they are wanted, each with
+/// the lines that show its derivative.
+pub(crate) type Offered = HashMap<usize, Vec<(String, Vec<Line>)>>;
+
+/// One range of an integral, and where its variable stands in the source.
+#[derive(Clone)]
+pub(crate) struct Range {
+    pub(crate) variable: usize,
+    pub(crate) from: Expr,
+    pub(crate) to: Expr,
+    place: usize,
+}
+
+impl Theory {
+    /// Reads with a scope of its own, which is given back.
+    pub(crate) fn apart<T>(
+        &mut self,
+        body: impl FnOnce(&mut Self) -> Result<T, Stop>,
+    ) -> Result<(T, Scope), Stop> {
+        let outer = std::mem::take(&mut self.scope);
+        let value = body(self);
+        let inner = std::mem::replace(&mut self.scope, outer);
+        Ok((value?, inner))
+    }
+
+    /// `integral(w, u = a..b, v = c..e)` after its bracket: the innermost range is the last.
+    pub(crate) fn integral(&mut self, reader: &mut Reader) -> Result<Value, Stop> {
+        let ((value, ranges), inner) = self.within_ranges(reader, |theory, reader| theory.sum(reader))?;
+        self.keep_outside(&inner, &ranges)?;
+        let integral = self.iterated(&value, &ranges, &inner.conditions)?;
+        Ok(Value::of(0, integral))
+    }
+
+    /// `boundary_integral(F, w, u = a..b, v = c..e)`: Σᵢ (−1)^(i−1) (∫ over uᵢ = bᵢ minus ∫ over uᵢ = aᵢ).
+    pub(crate) fn boundary_integral(&mut self, reader: &mut Reader) -> Result<Value, Stop> {
+        let (((value, source), ranges), inner) =
+            self.within_ranges(reader, |theory, reader| theory.pulled_back(reader))?;
+        self.keep_outside(&inner, &ranges)?;
+        let mut sum = Value::default();
+        for (place, fixed) in ranges.iter().enumerate() {
+            for (bound, is_upper) in [(fixed.to, true), (fixed.from, false)] {
+                let images = HashMap::from([(fixed.variable, bound)]);
+                let mut rest = ranges.clone();
+                rest.remove(place);
+                for range in &mut rest {
+                    range.from = self.pool.substitute(range.from, &images);
+                    range.to = self.pool.substitute(range.to, &images);
+                }
+                let face = value.pullback(&mut self.pool, &images, &source);
+                let on_face = |condition: &Condition, theory: &mut Theory| {
+                    (theory.pool.substitute(condition.0, &images), condition.1)
+                };
+                let defined: Vec<Condition> = inner.conditions.iter().map(|c| on_face(c, self)).collect();
+                let integral = self.iterated(&face, &rest, &defined)?;
+                let sign = if is_upper == (place % 2 == 0) { 1 } else { -1 };
+                sum = sum.add(&mut self.pool, &Value::of(0, integral), sign);
+            }
+        }
+        Ok(sum)
+    }
+
+    /// Reads what is integrated, with the variables of the ranges behind it bound, and the ranges.
+    fn within_ranges<T>(
+        &mut self,
+        reader: &mut Reader,
+        body: impl FnOnce(&mut Self, &mut Reader) -> Result<T, Stop>,
+    ) -> Result<((T, Vec<Range>), Scope), Stop> {
+        let count = self.bound.len();
+        for name in reader.ranged_names() {
+            self.bound.push(self.variable(&name)?);
+        }
+        let read = self.apart(|theory| {
+            let value = body(theory, reader)?;
+            Ok((value, theory.ranges(reader)?))
+        });
+        self.bound.truncate(count);
+        read
+    }
+
+    fn ranges(&mut self, reader: &mut Reader) -> Result<Vec<Range>, Stop> {
+        let mut ranges: Vec<Range> = Vec::new();
+        while reader.take(",") {
+            let place = reader.offset();
+            let variable = self.variable(&reader.name()?)?;
+            reader.expect("=")?;
+            let from = self.scalar(reader)?;
+            reader.expect("..")?;
+            ranges.push(Range { variable, from, to: self.scalar(reader)?, place });
+        }
+        for (number, range) in ranges.iter().enumerate() {
+            let mut mentioned = self.pool.variables(range.from);
+            mentioned.extend(self.pool.variables(range.to));
+            if ranges[number..].iter().any(|inner| mentioned.contains(&inner.variable)) {
+                return Err(malformed("a bound mentions a variable that has no value there"));
+            }
+        }
+        Ok(ranges)
+    }
+
+    /// What was needed inside, as far as it does not speak of the variables of the ranges. Where it does, and an
+    /// integral was found under it, it has to hold all over them.
+    fn keep_outside(&mut self, inner: &Scope, ranges: &[Range]) -> Result<(), Stop> {
+        let is_bound = |v: &usize| ranges.iter().any(|range| range.variable == *v);
+        for (expr, relation) in &inner.conditions {
+            if !self.pool.variables(*expr).iter().any(is_bound) {
+                self.require(*expr, *relation);
+            }
+        }
+        self.scope.used.extend(inner.used.iter().filter(|v| !is_bound(v)));
+        self.scope.integrates = true;
+        self.scope.is_narrowed |= inner.is_narrowed;
+        if inner.integrates {
+            let region = Region { ranges, conditions: self.conditions_of(ranges)? };
+            for (expr, relation) in &inner.conditions {
+                let speaks_of_them = self.pool.variables(*expr).iter().any(is_bound);
+                if speaks_of_them && !self.holds(*expr, *relation, &region)? {
+                    return uncovered(
+                        "an integral of an integral that is not seen to hold all over the range",
+                    );
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Integrates a scalar, or the coefficient of a form in the order of the ranges.
+    fn iterated(&mut self, w: &Value, ranges: &[Range], defined: &[Condition]) -> Result<Expr, Stop> {
+        let (mut blade, mut sign) = (0, 1);
+        for range in ranges {
+            sign *=
+                order(blade, 1 << range.variable).ok_or_else(|| malformed("two ranges of one variable"))?;
+            blade |= 1 << range.variable;
+        }
+        let zero = self.pool.number(rational(0, 1));
+        let mut integral = match w.as_scalar(&mut self.pool) {
+            Some(scalar) => scalar,
+            None => {
+                let c = w.terms.get(&blade).copied().unwrap_or(zero);
+                if sign < 0 { self.pool.negate(c) } else { c }
+            }
+        };
+        self.require_domains(integral, ranges);
+        for count in (1..=ranges.len()).rev() {
+            integral = self.over(integral, &ranges[..count], defined)?;
+        }
+        Ok(integral)
+    }
+
+    /// The domains of charts bind what uses their coordinates, as far as they speak of free ones only.
+    fn require_domains(&mut self, integrand: Expr, ranges: &[Range]) {
+        let mut free = self.pool.variables(integrand);
+        ranges.iter().for_each(|range| {
+            free.extend(self.pool.variables(range.from));
+            free.extend(self.pool.variables(range.to));
+        });
+        free.retain(|v| !self.bound.contains(v) && !ranges.iter().any(|range| range.variable == *v));
+        for (expr, relation) in self.charts.iter().flat_map(|chart| chart.1.clone()).collect::<Vec<_>>() {
+            let mentioned = self.pool.variables(expr);
+            let is_free = |v: &usize| !self.variables[*v].1 || free.contains(v);
+            if mentioned.iter().any(|v| free.contains(v)) && mentioned.iter().all(is_free) {
+                self.require(expr, relation);
+            }
+        }
+    }
+
+    /// The integral over the last range.
+    fn over(&mut self, f: Expr, ranges: &[Range], defined: &[Condition]) -> Result<Expr, Stop> {
+        let Some(Range { variable, from, to, place }) = ranges.last().cloned() else { return Ok(f) };
+        let turn = self.integrated.entry(place).or_default();
+        *turn += 1;
+        let offer = self.offered.get(&place).and_then(|all| all.get(*turn - 1)).cloned();
+        let Some((text, lines)) = offer.filter(|offer| !self.is_sealed && !offer.0.is_empty()) else {
+            return uncovered("`integral`");
+        };
+        let region = Region { ranges, conditions: self.conditions_of(ranges)? };
+        let mut conditions = region.conditions.clone();
+        for (expr, relation) in defined {
+            // where the integrand is defined, as far as it is seen
+            if *relation != Relation::NotZero && self.holds(*expr, Relation::NotNegative, &region)? {
+                conditions.push((*expr, Relation::NotNegative));
+            }
+        }
+        let (antiderivative, _) = self.apart(|theory| {
+            let antiderivative = theory.expression(&text)?;
+            let slope = theory.pool.derivative(antiderivative, variable);
+            let components = BTreeMap::from([(format!("of the integral over {text}"), [slope, f])]);
+            let statement = Statement { components, conditions };
+            let mut proof = Proof { theory, statement: &statement, lines: lines.iter(), is_defined: false };
+            proof.check(&[], 0)?;
+            if proof.lines.next().is_some() {
+                return Err(malformed("lines after a proof"));
+            }
+            Ok(antiderivative)
+        })?;
+        self.check_continuous(antiderivative, &region)?;
+        let upper = self.pool.substitute(antiderivative, &HashMap::from([(variable, to)]));
+        let lower = self.pool.substitute(antiderivative, &HashMap::from([(variable, from)]));
+        let negated = self.pool.negate(lower);
+        Ok(self.pool.make(Add, vec![upper, negated]))
+    }
+
+    /// The strict conditions outside, and that each variable lies between its bounds.
+    fn conditions_of(&mut self, ranges: &[Range]) -> Result<Vec<Condition>, Stop> {
+        let is_bound = |v: &usize| self.bound.contains(v) || ranges.iter().any(|range| range.variable == *v);
+        let outside =
+            |c: &&Condition| c.1 != Relation::NotNegative && !self.pool.variables(c.0).iter().any(is_bound);
+        let mut known: Vec<Condition> =
+            self.scope.conditions.iter().chain(&self.given).filter(outside).copied().collect();
+        for range in ranges {
+            let u = self.pool.make(Variable(range.variable), vec![]);
+            let mut bounds = [range.from, range.to];
+            let mut is_ordered = false;
+            for _ in 0..2 {
+                let width = self.difference(bounds[1], bounds[0]);
+                is_ordered = is_ordered || self.seen(width, &known)? >= Seen::NotNegative;
+                if !is_ordered {
+                    bounds.reverse();
+                }
+            }
+            let (above, below) = (self.difference(u, bounds[0]), self.difference(bounds[1], u));
+            if !is_ordered {
+                known.push((self.pool.make(Multiply, vec![above, below]), Relation::NotNegative));
+                continue;
+            }
+            // u itself has the sign of the lower bound if that is not negative, of the upper one if not positive
+            let minus = [self.pool.negate(bounds[1]), self.pool.negate(u)];
+            for (bound, side) in [(bounds[0], u), (minus[0], minus[1])] {
+                match self.seen(bound, &known)? {
+                    Seen::Nothing => {}
+                    Seen::NotNegative => known.push((side, Relation::NotNegative)),
+                    Seen::Positive => known.push((side, Relation::Positive)),
+                }
+            }
+            known.extend([(above, Relation::NotNegative), (below, Relation::NotNegative)]);
+        }
+        Ok(known)
+    }
+
+    pub(crate) fn difference(&mut self, a: Expr, b: Expr) -> Expr {
+        let negated = self.pool.negate(b);
+        self.pool.make(Add, vec![a, negated])
+    }
+
+    pub(crate) fn seen(&mut self, q: Expr, conditions: &[Condition]) -> Result<Seen, Stop> {
+        Field::default().seen(&mut self.pool, q, conditions)
+    }
+}
+
+/// The entry `integral PLACE F` and the lines below it.
+pub(crate) fn offer(offered: &mut Offered, rest: &str, lines: &[Line]) -> Result<(), Stop> {
+    let (place, text) = rest.split_once(' ').unwrap_or((rest, ""));
+    let place = place.parse().map_err(|_| malformed(format!("the place `{place}` of an integral")))?;
+    offered.entry(place).or_default().push((text.to_string(), lines.to_vec()));
+    Ok(())
+}
