@@ -163,8 +163,12 @@ impl Tree {
         }
     }
 
+    /// Whether it depends on a variable as it is written: a composition with a map does by what the map brings in.
     fn mentions(&self, place: usize) -> bool {
-        *self == Variable(place) || self.parts().into_iter().any(|part| part.mentions(place))
+        match self {
+            Written(notation, parts) => notation.meaning(parts).mentions(place),
+            _ => *self == Variable(place) || self.parts().into_iter().any(|part| part.mentions(place)),
+        }
     }
 
     /// How many parts it has, itself counted.

@@ -78,6 +78,8 @@ fn the_order_of_integration_does_not_matter() {
         &[
             "integral(h, x = 0..a, y = 0..b) == integral(h, y = 0..b, x = 0..a)",
             "integral(F*integral(k*f, s = 0..1), x = 0..1) == integral(f*integral(k*F, x = 0..1), s = 0..1)",
+            "integral(F*sin(x)*integral(k*cos(s)*f, s = 0..1), x = 0..1)
+                == integral(f*cos(s)*integral(k*sin(x)*F, x = 0..1), s = 0..1)",
             "integral(F(x)*G(y), x = 0..1, y = 0..1) == integral(F, x = 0..1)*integral(G, x = 0..1)",
         ],
     );
