@@ -188,10 +188,13 @@ impl Pool {
     }
 
     /// A partial derivative of an unknown function at the given arguments; all orders zero is its value.
-    /// A derivative of a primitive by an upper end is what it integrates there.
+    /// A derivative of a primitive by an upper end is what it integrates there, and a primitive from 0 to 0 is 0.
     pub fn jet(&mut self, function: FunctionId, orders: &[u32], arguments: &[Expr]) -> Expr {
         if let Some(lowered) = self.lowered(function, orders, arguments) {
             return lowered;
+        }
+        if self.is_over_nothing(function, arguments) {
+            return self.integer(0);
         }
         if let Some(ordered) = self.in_order(function, orders, arguments) {
             return self.intern(ordered);

@@ -8,8 +8,8 @@
 //! derivative by a parameter is the derivative of one jet and is written as an order of Φ, and integrals in another
 //! order are the same function. ∂Φ/∂bⱼ is the primitive without sⱼ: no order of Φ at an upper end is above zero.
 //!
-//! The lower end 0 stands for any place: definite integrals are differences, and what a kernel is away from their ranges
-//! does not matter to them.
+//! The lower end 0 stands for any place where 0 is none: definite integrals are differences, and what a kernel is away from
+//! their ranges does not matter to them.
 
 use super::node::{Expr, FunctionId, Node, Pool, Symbol, SymbolKind};
 use super::substitution::Substitution;
@@ -56,6 +56,12 @@ impl Pool {
     /// Whether a function is a primitive.
     pub(crate) fn is_primitive(&self, function: FunctionId) -> bool {
         self.primitives.kernels.contains_key(&function)
+    }
+
+    /// Whether a primitive goes from its lower end to the same place.
+    pub(super) fn is_over_nothing(&self, function: FunctionId, arguments: &[Expr]) -> bool {
+        let integrated = self.primitives.kernels.get(&function).map_or(0, |primitive| primitive.integrated);
+        arguments[..integrated].iter().any(|&end| self.is_zero(end))
     }
 
     /// The antiderivative by a variable, at that variable, of a product that unknown functions of it occur in.
@@ -249,6 +255,18 @@ mod tests {
         let primitive = pool.primitive(product, s);
         assert_ne!(primitive, product);
         assert_eq!(pool.derivative(primitive, s), product);
+    }
+
+    #[test]
+    fn an_integral_over_nothing_is_nothing() {
+        let (mut pool, [x, _, s], functions) = scene();
+        let product = k_times_f(&mut pool, x, s, functions);
+        let primitive = pool.primitive(product, s);
+        let (zero, one) = (pool.integer(0), pool.integer(1));
+        let at_zero: Substitution = [(s, zero)].into_iter().collect();
+        let at_one: Substitution = [(s, one)].into_iter().collect();
+        assert_eq!(pool.substitute(primitive, &at_zero), zero);
+        assert_ne!(pool.substitute(primitive, &at_one), zero);
     }
 
     #[test]
