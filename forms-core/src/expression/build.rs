@@ -193,7 +193,7 @@ impl Pool {
         if let Some(lowered) = self.lowered(function, orders, arguments) {
             return lowered;
         }
-        if self.is_over_nothing(function, arguments) {
+        if arguments[..self.upper_ends(function)].iter().any(|&end| self.is_zero(end)) {
             return self.integer(0);
         }
         if let Some(ordered) = self.in_order(function, orders, arguments) {

@@ -4,9 +4,10 @@
 //! product ─ gather ─▶ jets at variables and parameters · the rest ─ the first of all orders of the variables ─▶ primitive
 //! ```
 
-use super::node::{Expr, FunctionId, Node, Pool, Symbol};
+use super::node::{Expr, FunctionId, Node, Pool, Rational, Symbol};
 use super::primitive::{Factor, Place, Primitive};
 use super::substitution::Substitution;
+use num_traits::{One, Zero};
 use std::collections::BTreeMap;
 
 /// Higher powers stay as they are written.
@@ -14,6 +15,9 @@ const HIGHEST_POWER: i64 = 64;
 
 /// More variables than these are kept in the order in which they were integrated over.
 const MOST_REORDERED: usize = 4;
+
+/// A product of sums with more summands is integrated as it is.
+const MOST_SUMMANDS: usize = 64;
 
 /// A jet of a kernel that is being put together: its arguments with the orders by them.
 struct Jet {
@@ -35,12 +39,57 @@ type Numbered = (Factor, Vec<(Expr, u32)>);
 type Candidate = (Vec<Numbered>, Expr, Vec<Symbol>, Vec<Expr>);
 
 impl Pool {
-    /// The primitive of a product over some variables up to their ends.
+    /// The primitive of a product over some variables up to their ends: ∫ Σ cᵢ pᵢ = Σ cᵢ ∫ pᵢ with numbers cᵢ.
     pub(super) fn primitive_over(&mut self, product: Expr, integrated: Vec<(Symbol, Expr)>) -> Expr {
-        let one = self.integer(1);
-        let mut kernel = Kernel { jets: vec![], elementary: one, integrated };
-        self.gather(&mut kernel, product);
-        self.completed(kernel)
+        let (mut sum, one) = (self.integer(0), self.integer(1));
+        for summand in self.summands(product) {
+            let mut kernel = Kernel { jets: vec![], elementary: one, integrated: integrated.clone() };
+            self.gather(&mut kernel, summand);
+            let (number, elementary) = self.content(kernel.elementary);
+            let (number, value) = (self.number(number), self.completed(Kernel { elementary, ..kernel }));
+            let term = self.multiply(number, value);
+            sum = self.add(sum, term);
+        }
+        sum
+    }
+
+    /// What a product of sums is the sum of, unless that is too much.
+    fn summands(&mut self, product: Expr) -> Vec<Expr> {
+        let found = match *self.node(product) {
+            Node::Add(a, b) => [self.summands(a), self.summands(b)].concat(),
+            Node::Negate(a) => self.summands(a).into_iter().map(|part| self.negate(part)).collect(),
+            Node::Divide(a, b) => self.summands(a).into_iter().map(|part| self.divide(part, b)).collect(),
+            Node::Multiply(a, b) => {
+                let (left, right) = (self.summands(a), self.summands(b));
+                let pairs = left.iter().flat_map(|&a| right.iter().map(move |&b| (a, b)));
+                pairs.map(|(a, b)| self.multiply(a, b)).collect()
+            }
+            _ => vec![product],
+        };
+        if found.len() > MOST_SUMMANDS { vec![product] } else { found }
+    }
+
+    /// The number that a product is a multiple of, and the rest.
+    fn content(&mut self, product: Expr) -> (Rational, Expr) {
+        match self.node(product).clone() {
+            Node::Number(value) => (value, self.integer(1)),
+            Node::Negate(a) => {
+                let (number, rest) = self.content(a);
+                (-number, rest)
+            }
+            Node::Multiply(a, b) => {
+                let ((a, left), (b, right)) = (self.content(a), self.content(b));
+                (a * b, self.multiply(left, right))
+            }
+            Node::Divide(a, b) => {
+                let ((a, above), (b, below)) = (self.content(a), self.content(b));
+                if b.is_zero() {
+                    return (Rational::one(), product);
+                }
+                (a / b, self.divide(above, below))
+            }
+            _ => (Rational::one(), product),
+        }
     }
 
     /// Takes the factors of a product apart: jets at places that are a variable or free of all of them, and the rest.
@@ -49,6 +98,10 @@ impl Pool {
             Node::Multiply(a, b) => {
                 self.gather(kernel, a);
                 self.gather(kernel, b);
+            }
+            Node::Negate(a) => {
+                kernel.elementary = self.negate(kernel.elementary);
+                self.gather(kernel, a);
             }
             Node::Divide(a, b) => {
                 self.gather(kernel, a);

@@ -52,16 +52,23 @@ pub(super) struct Primitives {
     inner: Vec<Symbol>,
 }
 
+impl Primitive {
+    /// The number of the first parameter that no jet has.
+    fn first_beside_jets(&self) -> usize {
+        let places = self.factors.iter().flat_map(|factor| &factor.places);
+        self.integrated + places.filter(|place| **place == Place::Parameter).count()
+    }
+}
+
 impl Pool {
     /// Whether a function is a primitive.
     pub(crate) fn is_primitive(&self, function: FunctionId) -> bool {
         self.primitives.kernels.contains_key(&function)
     }
 
-    /// Whether a primitive goes from its lower end to the same place.
-    pub(super) fn is_over_nothing(&self, function: FunctionId, arguments: &[Expr]) -> bool {
-        let integrated = self.primitives.kernels.get(&function).map_or(0, |primitive| primitive.integrated);
-        arguments[..integrated].iter().any(|&end| self.is_zero(end))
+    /// How many of a function's arguments, the first ones, are upper ends of what it integrates: where one is 0, it is 0.
+    pub(crate) fn upper_ends(&self, function: FunctionId) -> usize {
+        self.primitives.kernels.get(&function).map_or(0, |primitive| primitive.integrated)
     }
 
     /// The antiderivative by a variable, at that variable, of a product that unknown functions of it occur in.
@@ -87,7 +94,8 @@ impl Pool {
         Some((self.value_of_kernel(&primitive, orders, &places), variables))
     }
 
-    /// A derivative of a primitive by its upper ends, as a primitive of fewer variables; nothing where there is none.
+    /// A derivative of a primitive by its upper ends, or by what its kernel has beside jets, as primitives without such
+    /// orders; nothing where there is none.
     pub(super) fn lowered(
         &mut self,
         function: FunctionId,
@@ -95,7 +103,10 @@ impl Pool {
         arguments: &[Expr],
     ) -> Option<Expr> {
         let primitive = self.primitives.kernels.get(&function)?.clone();
-        let end = orders[..primitive.integrated].iter().position(|&order| order > 0)?;
+        let end = orders[..primitive.integrated].iter().position(|&order| order > 0);
+        if end.is_none() && orders[primitive.first_beside_jets()..].iter().all(|&order| order == 0) {
+            return None;
+        }
         let formal: Vec<Expr> = (0..arguments.len())
             .map(|number| {
                 let symbol = self.formal(&primitive, number);
@@ -106,7 +117,7 @@ impl Pool {
             (0..primitive.integrated).map(|number| self.inner_variable(number)).collect();
         let mut places = formal.clone();
         let mut integrated = Vec::new();
-        for number in (0..primitive.integrated).filter(|number| *number != end) {
+        for number in (0..primitive.integrated).filter(|&number| Some(number) != end) {
             places[number] = self.symbol(inner[number]);
             integrated.push((inner[number], formal[number]));
         }
@@ -115,7 +126,7 @@ impl Pool {
             if integrated.is_empty() { product } else { self.primitive_over(product, integrated) };
         for (number, &order) in orders[..primitive.integrated].iter().enumerate() {
             let by = self.formal(&primitive, number);
-            for _ in 0..order - u32::from(number == end) {
+            for _ in 0..order - u32::from(Some(number) == end) {
                 value = self.derivative(value, by);
             }
         }

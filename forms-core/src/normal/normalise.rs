@@ -263,6 +263,9 @@ impl Walk<'_> {
 
     fn jet(&mut self, function: FunctionId, orders: &[u32], at: &[Expr]) -> Result<Fraction, Obstacle> {
         let arguments: Vec<Fraction> = at.iter().map(|&a| self.of(a)).collect();
+        if arguments[..self.pool.upper_ends(function)].iter().any(Fraction::is_zero) {
+            return Ok(Fraction::zero());
+        }
         let fresh = Generator::Jet { function, orders: orders.to_vec(), arguments: arguments.clone() };
         let generator = self.same_arguments(&arguments, fresh, |generator| match generator {
             Generator::Jet { function: f, orders: o, arguments } if *f == function && o == orders => {
