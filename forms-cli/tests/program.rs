@@ -377,7 +377,7 @@ prove p: v*t == x where c > 0; prove q: k**2*v*w == k**2*x/t*dx;";
 
 #[test]
 fn what_the_checker_does_not_know_is_not_accepted_unless_allowed() {
-    let folder = Folder::with(&[("a.forms", "chart L(x); prove area: integral(x, x = 0..1) == 1/2;")]);
+    let folder = Folder::with(&[("a.forms", "chart L(x); prove inverse: potential(d(x**2)) == x**2;")]);
     assert_eq!(forms(&folder, &["prove", "--certificate", "a.certificate", "a.forms"]).status, 0);
     let run = forms(&folder, &["check", "a.certificate"]);
     assert!(run.status == 1 && run.output.contains("1 not covered"), "{}", run.output);
