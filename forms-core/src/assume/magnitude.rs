@@ -58,11 +58,11 @@ fn both_signs(pool: &mut Pool, condition: &Condition) -> Vec<Condition> {
         Relation::GreaterEqual => (condition.right, condition.left, Relation::LessEqual),
         Relation::NotEqual => return vec![],
     };
-    let mut summands = Vec::new();
-    flatten(pool, less, false, &mut summands);
-    flatten(pool, more, true, &mut summands);
-    let (magnitudes, others): (Vec<_>, Vec<_>) = summands
+    let taken_away = pool.summands(more).into_iter().map(|(summand, negative)| (summand, !negative));
+    let (magnitudes, others): (Vec<_>, Vec<_>) = pool
+        .summands(less)
         .into_iter()
+        .chain(taken_away)
         .partition(|&(summand, negative)| !negative && inside_magnitude(pool, summand).is_some());
     if magnitudes.is_empty() || magnitudes.len() > MOST_MAGNITUDES {
         return vec![];
@@ -88,18 +88,6 @@ fn both_signs(pool: &mut Pool, condition: &Condition) -> Vec<Condition> {
 
 fn signed_sum(pool: &mut Pool, sum: Expr, summand: Expr, negative: bool) -> Expr {
     if negative { pool.subtract(sum, summand) } else { pool.add(sum, summand) }
-}
-
-/// The summands of a sum, and whether each is taken away.
-fn flatten(pool: &Pool, expression: Expr, negative: bool, summands: &mut Vec<(Expr, bool)>) {
-    match pool.node(expression) {
-        Node::Add(a, b) => {
-            flatten(pool, *a, negative, summands);
-            flatten(pool, *b, negative, summands);
-        }
-        Node::Negate(a) => flatten(pool, *a, !negative, summands),
-        _ => summands.push((expression, negative)),
-    }
 }
 
 /// Of |u| or a positive multiple of it |u| and u.

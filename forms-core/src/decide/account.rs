@@ -6,7 +6,7 @@
 use super::problem::{Component, Problem};
 use super::proof::settled_cases;
 use super::translation;
-use crate::expression::{Expr, Node, Pool};
+use crate::expression::{Expr, Pool};
 use crate::normal::{Fraction, Generator, Obstacle, Sign, Tower, Trigonometry, normalise};
 use crate::resolve::{Statement, Theory};
 use std::collections::BTreeSet;
@@ -99,11 +99,12 @@ fn cancellation(
     component: &Component,
     used: &mut BTreeSet<u32>,
 ) -> Result<Option<Cancellation>, Obstacle> {
-    let mut summands = Vec::new();
-    flatten(pool, component.difference, false, &mut summands);
-    if summands.len() > MOST_SUMMANDS {
-        summands = vec![component.left, pool.negate(component.right)];
-    }
+    let signed = pool.summands(component.difference);
+    let mut summands = if signed.len() > MOST_SUMMANDS {
+        vec![component.left, pool.negate(component.right)]
+    } else {
+        signed.into_iter().map(|(part, negative)| if negative { pool.negate(part) } else { part }).collect()
+    };
     summands.retain(|&summand| !pool.is_zero(summand));
     let prepared = normalise(tower, pool, &summands)?;
     if !prepared.open.is_empty() {
@@ -118,19 +119,6 @@ fn cancellation(
     let denominator = tower.inverse(&together.inverse)?;
     let denominator = tower.raise(pool, &denominator);
     Ok(Some(Cancellation { component: component.label.clone(), summands, numerators, denominator }))
-}
-
-/// The summands of a sum, signs kept.
-fn flatten(pool: &mut Pool, expression: Expr, negative: bool, summands: &mut Vec<Expr>) {
-    let mut pending = vec![(expression, negative)];
-    while let Some((expression, negative)) = pending.pop() {
-        match *pool.node(expression) {
-            Node::Add(a, b) => pending.extend([(b, negative), (a, negative)]),
-            Node::Negate(a) => pending.push((a, !negative)),
-            _ if negative => summands.push(pool.negate(expression)),
-            _ => summands.push(expression),
-        }
-    }
 }
 
 /// A generator that a reader has to be told of: one that is no variable, unknown function or π by itself.

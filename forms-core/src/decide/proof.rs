@@ -23,6 +23,13 @@ pub(super) enum Outcome {
     Empty(String),
 }
 
+impl Outcome {
+    /// Whether another way may still prove it.
+    pub(super) fn is_open(&self) -> bool {
+        matches!(self, Outcome::NotZero | Outcome::Outside(_))
+    }
+}
+
 /// More cases than this are not gone through.
 const MOST_CASES: usize = 512;
 
@@ -44,8 +51,7 @@ pub(super) fn by_normal_forms(pool: &mut Pool, problem: &Problem, work: u64) -> 
 /// Tries to prove it of angles, where the normal forms gave another outcome than zero.
 pub(super) fn as_angles(pool: &mut Pool, problem: &Problem, work: u64, outcome: Outcome) -> Outcome {
     let differences = problem.differences();
-    let is_open = matches!(outcome, Outcome::NotZero | Outcome::Outside(_));
-    if !is_open || !angle::occur_in(pool, &differences) {
+    if !outcome.is_open() || !angle::occur_in(pool, &differences) {
         return outcome;
     }
     match angle::prove(pool, Task { problem, work }, &differences, &mut Vec::new()) {
@@ -56,8 +62,7 @@ pub(super) fn as_angles(pool: &mut Pool, problem: &Problem, work: u64, outcome: 
 
 /// Tries to prove it with parts of inverse functions as variables, where there was no proof.
 pub(super) fn as_parts(pool: &mut Pool, problem: &Problem, work: u64, outcome: Outcome) -> Outcome {
-    let is_open = matches!(outcome, Outcome::NotZero | Outcome::Outside(_));
-    if !is_open || !angle::occur_in(pool, &problem.differences()) {
+    if !outcome.is_open() || !angle::occur_in(pool, &problem.differences()) {
         return outcome;
     }
     let Some(whole) = with_whole_parts(pool, problem) else { return outcome };
@@ -89,7 +94,7 @@ pub(super) fn prove_full_turn(pool: &mut Pool, task: Task, differences: Vec<Expr
 fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn: Option<Turn>) -> Outcome {
     let stated = &task.problem.assumptions;
     let outcome = prove_under(pool, (stated, task.work), &differences, turn.as_ref());
-    if !matches!(outcome, Outcome::NotZero | Outcome::Outside(_)) {
+    if !outcome.is_open() {
         return outcome;
     }
     let waves = signs_of_waves(pool, &differences, stated);

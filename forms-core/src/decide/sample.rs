@@ -1,6 +1,6 @@
 //! Candidate points: small exact numbers first, inside the simple bounds that conditions give.
 
-use crate::enclosure::{Enclosure, Precision, enclose};
+use crate::enclosure::{Enclosure, Precision, enclose_number};
 use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational, Symbol};
 use crate::random::SplitMix;
 use crate::syntax::ast::Relation;
@@ -134,7 +134,7 @@ impl Linear {
     }
 
     fn number(pool: &Pool, expression: Expr) -> Option<Linear> {
-        let value = enclose(pool, &[expression], &|_| None, &mut |_, _, _| None, PRECISION).remove(0).ok()?;
+        let value = enclose_number(pool, expression, PRECISION).ok()?;
         Some(Linear { symbol: None, slope: Rational::zero(), constant: value })
     }
 

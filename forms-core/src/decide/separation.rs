@@ -13,13 +13,14 @@
 
 use super::problem::Problem;
 use super::proof::Outcome;
-use crate::enclosure::{Enclosure, Precision, enclose};
+use crate::enclosure::{Precision, enclose_number};
 use crate::expression::{Expr, Node, Operation, Pool, Rational};
+use crate::normal::prime_powers;
 use crate::resolve::{Statement, Theory};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::Ratio;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 use rustc_hash::FxHashMap;
 
 /// Bounds that need more binary places are not reached for.
@@ -27,9 +28,6 @@ const MOST_PLACES: u64 = 30_000;
 
 /// Binary places beyond those of the bound, for the widths that operations add.
 const SPARE_PLACES: [u64; 3] = [64, 256, 1024];
-
-/// Rational radicands are divided by numbers below this.
-const LARGEST_DIVISOR: u32 = 1000;
 
 /// More parts of a circle are not looked at.
 const MOST_PARTS: u64 = 1 << 20;
@@ -58,8 +56,7 @@ pub fn separated(theory: &mut Theory, statement: &Statement) -> Vec<Separated> {
 
 /// Tries to prove it of numbers, where nothing else gave the outcome zero.
 pub(super) fn as_numbers(pool: &Pool, problem: &Problem, outcome: Outcome) -> Outcome {
-    let is_open = matches!(outcome, Outcome::NotZero | Outcome::Outside(_));
-    if is_open && all_separated(pool, problem).is_some() { Outcome::Zero } else { outcome }
+    if outcome.is_open() && all_separated(pool, problem).is_some() { Outcome::Zero } else { outcome }
 }
 
 fn all_separated(pool: &Pool, problem: &Problem) -> Option<Vec<Separated>> {
@@ -73,12 +70,16 @@ fn all_separated(pool: &Pool, problem: &Problem) -> Option<Vec<Separated>> {
 /// Whether the number's size is certainly below 2⁻ⁿ.
 fn is_within(pool: &Pool, number: Expr, places: u64) -> bool {
     let scale = Rational::one() / Rational::from_integer(BigInt::one() << places);
-    let value = |spare: u64| {
-        let precision = Precision((places + spare) as u32);
-        enclose(pool, &[number], &|_| None, &mut |_, _, _| None, precision).remove(0).ok()
-    };
-    let is_small = |value: &Enclosure| -&scale < value.lower() && value.upper() < scale;
-    SPARE_PLACES.into_iter().find_map(value).is_some_and(|value| is_small(&value))
+    for spare in SPARE_PLACES {
+        let Ok(value) = enclose_number(pool, number, Precision((places + spare) as u32)) else { continue };
+        if -&scale < value.lower() && value.upper() < scale {
+            return true;
+        }
+        if !value.contains_zero() {
+            return false;
+        }
+    }
+    false
 }
 
 /// n such that the number is zero or at least 2⁻ⁿ in size; nothing if it is not known to be algebraic.
@@ -125,9 +126,12 @@ impl Field {
     /// Adjoins a root of a number.
     fn adjoin_root(&mut self, pool: &Pool, radicand: Expr, order: u64) -> Option<()> {
         let radicands = match pool.as_number(radicand) {
-            Some(value) => {
-                [value.numer(), value.denom()].into_iter().flat_map(factors).map(Radicand::Factor).collect()
-            }
+            Some(value) if value.is_zero() => vec![],
+            Some(value) => [value.numer(), value.denom()]
+                .into_iter()
+                .flat_map(|part| prime_powers(&part.abs()))
+                .map(|(prime, _)| Radicand::Factor(prime))
+                .collect(),
             None => vec![Radicand::Other(radicand)],
         };
         for radicand in radicands {
@@ -231,23 +235,6 @@ fn least_common_multiple(a: u64, b: u64) -> Option<u64> {
     (a / a.gcd(&b)).checked_mul(b)
 }
 
-/// Numbers above 1 that a number is a product of; small ones are prime.
-fn factors(number: &BigInt) -> Vec<BigInt> {
-    let mut rest = number.clone();
-    let mut found = Vec::new();
-    for divisor in 2..LARGEST_DIVISOR {
-        let divisor = BigInt::from(divisor);
-        while !rest.is_zero() && rest.is_multiple_of(&divisor) {
-            rest /= &divisor;
-            found.push(divisor.clone());
-        }
-    }
-    if rest > BigInt::one() {
-        found.push(rest);
-    }
-    found
-}
-
 /// Euler's φ
 fn totient(n: u64) -> u64 {
     let (mut rest, mut totient) = (n, n);
@@ -267,7 +254,7 @@ fn totient(n: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::{Field, least_size, totient};
-    use crate::enclosure::{Precision, enclose};
+    use crate::enclosure::{Precision, enclose_number};
     use crate::expression::{Expr, Pool, Rational};
     use num_bigint::BigInt;
     use num_traits::{One, Signed};
@@ -301,9 +288,8 @@ mod tests {
                 let product = pool.multiply(q, root);
                 let difference = pool.subtract(product, p);
                 let places = least_size(&pool, difference).expect("an algebraic number");
-                let value = enclose(&pool, &[difference], &|_| None, &mut |_, _, _| None, Precision(200));
+                let value = enclose_number(&pool, difference, Precision(200)).expect("a number");
                 let least = Rational::new(BigInt::one(), BigInt::one() << places);
-                let value = value[0].clone().expect("a number");
                 assert!(value.lower().abs().min(value.upper().abs()) >= least, "{}", pool.text(difference));
             }
         }

@@ -57,6 +57,11 @@ pub fn enclose(
     expressions.iter().map(|expression| known[expression].clone()).collect()
 }
 
+/// The value of an expression without variables and unknown functions.
+pub(crate) fn enclose_number(pool: &Pool, number: Expr, precision: Precision) -> Decided {
+    enclose(pool, &[number], &|_| None, &mut |_, _, _| None, precision).remove(0)
+}
+
 /// Refuses what has become too large to compute with.
 fn bounded(value: Enclosure) -> Decided {
     if value.magnitude_bits() <= LARGEST_BITS {

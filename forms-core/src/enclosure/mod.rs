@@ -28,4 +28,5 @@ mod word;
 
 pub use bounds::{Enclosure, Precision, Undecided};
 pub use graph::enclose;
+pub(crate) use graph::enclose_number;
 pub(crate) use word::{WordRange, word_ranges};

@@ -42,7 +42,7 @@ impl Pool {
     /// The primitive of a product over some variables up to their ends: ∫ Σ cᵢ pᵢ = Σ cᵢ ∫ pᵢ with numbers cᵢ.
     pub(super) fn primitive_over(&mut self, product: Expr, integrated: Vec<(Symbol, Expr)>) -> Expr {
         let (mut sum, one) = (self.integer(0), self.integer(1));
-        for summand in self.summands(product) {
+        for summand in self.distributed(product) {
             let mut kernel = Kernel { jets: vec![], elementary: one, integrated: integrated.clone() };
             self.gather(&mut kernel, summand);
             let (number, elementary) = self.content(kernel.elementary);
@@ -54,18 +54,20 @@ impl Pool {
     }
 
     /// What a product of sums is the sum of, unless that is too much.
-    fn summands(&mut self, product: Expr) -> Vec<Expr> {
-        let found = match *self.node(product) {
-            Node::Add(a, b) => [self.summands(a), self.summands(b)].concat(),
-            Node::Negate(a) => self.summands(a).into_iter().map(|part| self.negate(part)).collect(),
-            Node::Divide(a, b) => self.summands(a).into_iter().map(|part| self.divide(part, b)).collect(),
-            Node::Multiply(a, b) => {
-                let (left, right) = (self.summands(a), self.summands(b));
-                let pairs = left.iter().flat_map(|&a| right.iter().map(move |&b| (a, b)));
-                pairs.map(|(a, b)| self.multiply(a, b)).collect()
-            }
-            _ => vec![product],
-        };
+    fn distributed(&mut self, product: Expr) -> Vec<Expr> {
+        let mut found = Vec::new();
+        for (part, negative) in self.summands(product) {
+            let parts: Vec<Expr> = match *self.node(part) {
+                Node::Divide(a, b) => self.distributed(a).into_iter().map(|a| self.divide(a, b)).collect(),
+                Node::Multiply(a, b) => {
+                    let (left, right) = (self.distributed(a), self.distributed(b));
+                    let pairs = left.iter().flat_map(|&a| right.iter().map(move |&b| (a, b)));
+                    pairs.map(|(a, b)| self.multiply(a, b)).collect()
+                }
+                _ => vec![part],
+            };
+            found.extend(parts.into_iter().map(|part| if negative { self.negate(part) } else { part }));
+        }
         if found.len() > MOST_SUMMANDS { vec![product] } else { found }
     }
 

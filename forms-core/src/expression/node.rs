@@ -271,6 +271,19 @@ impl Pool {
         &self.functions[function.0 as usize]
     }
 
+    /// The summands of a sum in order, and whether each is taken away.
+    pub(crate) fn summands(&self, sum: Expr) -> Vec<(Expr, bool)> {
+        let (mut summands, mut pending) = (Vec::new(), vec![(sum, false)]);
+        while let Some((part, negative)) = pending.pop() {
+            match *self.node(part) {
+                Node::Add(a, b) => pending.extend([(b, negative), (a, negative)]),
+                Node::Negate(a) => pending.push((a, !negative)),
+                _ => summands.push((part, negative)),
+            }
+        }
+        summands
+    }
+
     /// Every node these expressions are computed from, themselves included, operands before results.
     pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
         let Some(last) = roots.iter().max() else { return Vec::new() };

@@ -11,7 +11,7 @@ use super::range::Integral;
 use super::signs::{Region, Strictness};
 use super::{Failure, normal_form};
 use crate::assume::is_at_most;
-use crate::enclosure::{Precision, enclose};
+use crate::enclosure::{Precision, enclose_number};
 use crate::expression::{Condition, Expr, Node, Operation, Pool, Symbol, SymbolKind};
 use crate::normal::{Tower, Trigonometry};
 use crate::polynomial::Polynomial;
@@ -156,8 +156,7 @@ impl Region {
             return Some(Ordering::Equal);
         }
         if pool.symbols_in(&[difference]).is_empty() {
-            let value =
-                enclose(pool, &[difference], &|_| None, &mut |_, _, _| None, PRECISION).remove(0).ok()?;
+            let value = enclose_number(pool, difference, PRECISION).ok()?;
             return match (value.is_positive(), value.is_negative()) {
                 (true, _) => Some(Ordering::Greater),
                 (_, true) => Some(Ordering::Less),
@@ -319,8 +318,7 @@ impl Region {
                 let moved = pool.add(scaled, phase);
                 let rest = pool.subtract(moved, angle);
                 let count = pool.divide(rest, turn);
-                let value =
-                    enclose(pool, &[count], &|_| None, &mut |_, _, _| None, PRECISION).remove(0).ok()?;
+                let value = enclose_number(pool, count, PRECISION).ok()?;
                 turns.extend([value.lower().floor().to_i64()?, value.upper().ceil().to_i64()?]);
             }
             let (least, most) = (*turns.iter().min()?, *turns.iter().max()?);

@@ -47,6 +47,7 @@ pub use fraction::Fraction;
 pub use frame::Drift;
 pub use generator::{Generator, Unit};
 pub use normalise::{Normalised, normalise};
+pub(crate) use root::prime_powers;
 pub use root::{Base, Sign, SignConstraint};
 pub use terms::{Term, Terms};
 pub(crate) use tower::WORK_LIMIT;

@@ -345,7 +345,7 @@ impl Tower {
 }
 
 /// A positive number as a product of small primes and a rest that is reduced to its root if it is a power.
-pub(super) fn prime_powers(number: &BigInt) -> Vec<(BigInt, u32)> {
+pub(crate) fn prime_powers(number: &BigInt) -> Vec<(BigInt, u32)> {
     let mut rest = number.clone();
     let mut powers = Vec::new();
     for prime in 2..PRIME_BOUND {
