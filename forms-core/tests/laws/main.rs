@@ -18,4 +18,5 @@ mod refinement;
 mod rejecting;
 mod scene;
 mod traps;
+mod verdicts;
 mod waves;

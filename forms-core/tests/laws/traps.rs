@@ -1,9 +1,7 @@
 //! Statements at which provers go wrong, each with its verdict: roots of squares, signs within signs, degenerate
 //! points, conditions that nothing meets.
 
-use forms_core::decide::decide;
-use forms_core::resolve::resolve;
-use forms_core::syntax::read;
+use super::verdicts;
 
 const PREAMBLE: &str = "
     chart R3(x, y, z);
@@ -18,34 +16,13 @@ const PREAMBLE: &str = "
     map shifted: Plane -> Left = (u**2 - 4, v);
 ";
 
-/// Asserts the verdict of every statement of a table.
 fn assert_verdicts(expected: &str, statements: &[&str]) {
-    let mut text = PREAMBLE.to_string();
-    for (number, statement) in statements.iter().enumerate() {
-        text.push_str(&format!("prove trap_{number}: {statement};\n"));
-    }
-    let (file, errors) = read(&text);
-    assert_eq!(errors, [], "{text}");
-    let (mut theory, errors) = resolve(&file);
-    assert_eq!(errors, [], "{text}");
-    let mut wrong = Vec::new();
-    for (statement, written) in theory.statements.clone().iter().zip(statements) {
-        let verdict = decide(&mut theory, statement);
-        if verdict.name() != expected {
-            wrong.push(format!("{written}\n    {verdict:?}"));
-        }
-    }
-    assert!(wrong.is_empty(), "not {expected}:\n{}", wrong.join("\n"));
+    verdicts::assert_verdicts(PREAMBLE, expected, statements);
 }
 
 /// Neither answer that would be wrong is given; `unknown` is no mistake.
 fn assert_never(wrong: &str, statements: &[&str]) {
-    for written in statements {
-        let text = format!("{PREAMBLE} prove trap: {written};");
-        let (mut theory, errors) = resolve(&read(&text).0);
-        assert_eq!(errors, [], "{written}");
-        let statement = theory.statements[0].clone();
-        let verdict = decide(&mut theory, &statement);
+    for (verdict, written) in verdicts::verdicts(PREAMBLE, statements).iter().zip(statements) {
         assert_ne!(verdict.name(), wrong, "{written}: {verdict:?}");
     }
 }

@@ -1,25 +1,12 @@
 //! Signs of sines and cosines by the ranges of their angles, beside signs in plain arithmetic; parts of inverse functions.
 
-use forms_core::decide::{Verdict, decide};
-use forms_core::resolve::resolve;
-use forms_core::syntax::read;
+use super::verdicts;
 use std::f64::consts::PI;
 
-fn verdict(statement: &str) -> Verdict {
-    let text = format!("chart Plane(x, y); chart Line(q) where -1 < q < 1; prove it: {statement};");
-    let (file, errors) = read(&text);
-    assert_eq!(errors, [], "{text}");
-    let (mut theory, errors) = resolve(&file);
-    assert_eq!(errors, [], "{text}");
-    let statement = theory.statements[0].clone();
-    decide(&mut theory, &statement)
-}
+const PREAMBLE: &str = "chart Plane(x, y); chart Line(q) where -1 < q < 1;";
 
-fn all_are(name: &str, statements: &[&str]) {
-    for statement in statements {
-        let found = verdict(statement);
-        assert_eq!(found.name(), name, "{statement}: {found:?}");
-    }
+fn assert_verdicts(expected: &str, statements: &[&str]) {
+    verdicts::assert_verdicts(PREAMBLE, expected, statements);
 }
 
 /// A wave in plain arithmetic.
@@ -48,12 +35,7 @@ fn a_wave_is_its_magnitude_exactly_where_it_is_not_negative() {
                     let wave = format!("{name}({k}*x + {j}*pi/4)");
                     let statement = format!("abs({wave}) == {text}{wave} where {a}*pi/12 <= x <= {b}*pi/12");
                     let holds = never_negative(f, sign, angle, range);
-                    let found = verdict(&statement);
-                    assert_eq!(
-                        found.name(),
-                        if holds { "proved" } else { "refuted" },
-                        "{statement}: {found:?}"
-                    );
+                    assert_verdicts(if holds { "proved" } else { "refuted" }, &[&statement]);
                     counts[usize::from(holds)] += 1;
                 }
             }
@@ -64,7 +46,7 @@ fn a_wave_is_its_magnitude_exactly_where_it_is_not_negative() {
 
 #[test]
 fn signs_of_sums_follow_from_what_bounds_them() {
-    all_are(
+    assert_verdicts(
         "proved",
         &[
             "abs(sin(x + y)) == sin(x + y) where 0 < x + y < pi",
@@ -76,7 +58,7 @@ fn signs_of_sums_follow_from_what_bounds_them() {
             "acos(4*cos(x)**3 - 3*cos(x)) == 3*x where 0 <= x <= pi/3",
         ],
     );
-    all_are(
+    assert_verdicts(
         "refuted",
         &[
             "abs(sin(x + y)) == sin(x + y) where 0 < x + y < 4",
@@ -90,7 +72,7 @@ fn signs_of_sums_follow_from_what_bounds_them() {
 
 #[test]
 fn parts_of_inverse_functions_solve_their_equations() {
-    all_are(
+    assert_verdicts(
         "proved",
         &[
             "4*cos(acos(q)/3)**3 - 3*cos(acos(q)/3) == q",
@@ -104,7 +86,7 @@ fn parts_of_inverse_functions_solve_their_equations() {
             "8*cos(acos(q)/6)**2 - 4 == 4*cos(acos(q)/3)",
         ],
     );
-    all_are(
+    assert_verdicts(
         "refuted",
         &[
             "4*cos(acos(q)/3)**3 - 3*cos(acos(q)/3) == -q",
