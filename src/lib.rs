@@ -31,12 +31,14 @@
 //! | [`kernel!`] | declarations and one kernel | its function |
 //! | [`form!`] | declarations and an expression | a [`Form`]: degree and simplified coefficients |
 //!
-//! [`core`] is the machinery below the macros, for programs that read the language at run time.
+//! [`core`] is the machinery below the macros, for programs that read the language at run time; [`math`] is the
+//! arithmetic that generated kernels run in.
 
 mod form;
 
 pub use form::Form;
 pub use forms_core as core;
+pub use forms_math as math;
 
 /// ```
 /// forms::forms! {

@@ -1,0 +1,16 @@
+//! The arithmetic that generated kernels run in.
+//!
+//! ```text
+//! Formula: one generic body ─┬─ f32, f64 ───────────▶ a value
+//!                            ├─ DoubleDouble, Wide ─▶ a value of 31 digits, of hundreds
+//!                            ├─ Guarded<T> ─────────▶ a value and a bound of its error
+//!                            └─ Lane<FMA> ──────────▶ batches over slices, vectorised, chosen at run time
+//! ```
+//! A kernel is written once, as a function of any [`Real`]; a precision is a type. What stands here needs nothing
+//! but the standard library, so that it can be pasted beside a kernel.
+
+mod formula;
+mod real;
+
+pub use formula::Formula;
+pub use real::Real;
