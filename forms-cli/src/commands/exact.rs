@@ -64,7 +64,7 @@ impl Evaluation for Exact<'_> {
 fn text(value: Value) -> String {
     match value {
         Value::Known(Rounded::Digits(digits)) => digits,
-        Value::Known(_) | Value::Undecided => "undecided".to_string(),
+        Value::Known(_) | Value::TooLarge | Value::Undecided => "undecided".to_string(),
         Value::Undefined => "NaN".to_string(),
     }
 }

@@ -30,7 +30,9 @@ pub enum Value {
     Known(Rounded),
     /// The point is outside the domain.
     Undefined,
-    /// Neither is certain at the highest precision that is tried.
+    /// Something on the way to it is beyond 2^16384, which is not computed.
+    TooLarge,
+    /// Nothing is certain at the highest precision that is tried.
     Undecided,
 }
 
@@ -67,7 +69,7 @@ impl<'a> Truth<'a> {
             for (place, value) in values.iter_mut().enumerate().filter(|(_, value)| value.is_none()) {
                 *value = match &enclosures[place] {
                     Err(Undecided::Undefined) => Some(Value::Undefined),
-                    Err(Undecided::TooLarge) => Some(Value::Undecided),
+                    Err(Undecided::TooLarge) => Some(Value::TooLarge),
                     Err(Undecided::Unknown) => None,
                     Ok(enclosure) => {
                         let rounded = format.round(enclosure);
