@@ -33,7 +33,7 @@ pub(super) fn log_two(precision: u32) -> Range {
 
 /// Euler's γ = −log n − Σ (−n)ᵏ/(k k!) − E₁(n), with 0 < E₁(n) < 2⁻ᵖ for n above p log 2
 pub(super) fn euler(precision: u32) -> Range {
-    static KEPT_EULER: Kept = [const { OnceLock::new() }; 2];
+    static KEPT_EULER: Kept = [const { OnceLock::new() }; KEPT.len()];
     constant(precision, &KEPT_EULER, |p| {
         let n = negligible_from(p);
         let fine = p + lost_to_terms(n) + GUARD;
