@@ -9,6 +9,7 @@
 //!       Proved | Refuted | Unknown             Rust · interpreter
 //! ```
 
+pub mod accuracy;
 mod assume;
 pub mod calculus;
 pub mod certificate;

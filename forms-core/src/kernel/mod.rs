@@ -53,6 +53,7 @@ mod sums;
 mod tally;
 
 pub use constant::Constant;
+pub(crate) use constant::{Binary, DOUBLE, SINGLE, nearest, nearest_f64};
 pub use count::OperationCount;
 pub use evaluate::evaluate_f64;
 pub use lower::{KernelSource, LowerError, lower};
