@@ -10,6 +10,7 @@
 //! but the standard library, so that it can be pasted beside a kernel.
 
 mod formula;
+pub mod lane;
 mod real;
 
 pub use formula::Formula;
