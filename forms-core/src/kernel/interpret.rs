@@ -1,7 +1,7 @@
 //! The interpreter: the values of a program in `f64`, instruction by instruction.
 
 use super::program::{Instruction, Program, Value, holds};
-use crate::expression::{Meaning, Operation};
+use crate::expression::Operation;
 use num_rational::Ratio;
 
 impl Program {
@@ -43,11 +43,8 @@ fn value_of(instruction: &Instruction, arguments: &[f64], of: impl Fn(Value) -> 
 }
 
 fn call(operation: Operation, operands: &[Value], of: impl Fn(Value) -> f64) -> f64 {
-    match (operation.row().meaning, operands) {
-        (Meaning::One(function), [a]) => function(of(*a)),
-        (Meaning::Two(function), [a, b]) => function(of(*a), of(*b)),
-        _ => f64::NAN,
-    }
+    let operands: Vec<f64> = operands.iter().map(|&operand| of(operand)).collect();
+    operation.apply(&operands)
 }
 
 /// xʳ: a fraction of a negative number has no real value.

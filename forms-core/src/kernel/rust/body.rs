@@ -169,7 +169,8 @@ impl Body<'_> {
             Instruction::Call(operation, operands) => {
                 let rest: Vec<String> =
                     operands[1..].iter().map(|&operand| of(operand, Binding::Sum)).collect();
-                self.method(operands[0], operation.row().rust, &rest.join(", "))
+                let row = operation.row();
+                self.method(operands[0], row.spelling.rust.unwrap_or(row.real), &rest.join(", "))
             }
             Instruction::Select { left, relation, right, then, otherwise } => {
                 let condition = Comparison { left: *left, relation: *relation, right: *right };
