@@ -13,6 +13,7 @@ mod double_double;
 mod elementary;
 mod error_free;
 mod formula;
+mod lane;
 mod quadrature;
 mod real;
 mod scalar;
@@ -22,6 +23,7 @@ mod wide;
 
 pub use double_double::DoubleDouble;
 pub use formula::Formula;
+pub use lane::{Lane32, Lane64};
 pub use real::Real;
 pub use scalar::Scalar;
 pub use wide::Wide;
