@@ -9,8 +9,14 @@
 //! A kernel is written once, as a function of any [`Real`]; a precision is a type. What stands here needs nothing
 //! but the standard library, so that it can be pasted beside a kernel.
 
+mod error_free;
 mod formula;
+mod quadrature;
 mod real;
+mod scalar;
+mod special;
+mod table;
 
 pub use formula::Formula;
 pub use real::Real;
+pub use scalar::Scalar;

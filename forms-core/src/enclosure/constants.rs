@@ -1,5 +1,7 @@
-//! π and log 2, from series of reciprocals of integers.
+//! π and log 2, from series of reciprocals of integers, and Euler’s γ from the exponential integral.
 
+use super::exponential::logarithm_of;
+use super::exponential_integral::{entire_part, lost_to_terms, negligible_from};
 use super::range::Range;
 use super::series::odd_reciprocals;
 use num_bigint::BigInt;
@@ -27,6 +29,18 @@ pub(super) fn pi(precision: u32) -> Range {
 pub(super) fn log_two(precision: u32) -> Range {
     static KEPT_LOG_TWO: Kept = [const { OnceLock::new() }; 2];
     constant(precision, &KEPT_LOG_TWO, |p| combination(&[(18, 26), (-2, 4801), (8, 8749)], p, Range::square))
+}
+
+/// Euler's γ = −log n − Σ (−n)ᵏ/(k k!) − E₁(n), with 0 < E₁(n) < 2⁻ᵖ for n above p log 2
+pub(super) fn euler(precision: u32) -> Range {
+    static KEPT_EULER: Kept = [const { OnceLock::new() }; 2];
+    constant(precision, &KEPT_EULER, |p| {
+        let n = negligible_from(p);
+        let fine = p + lost_to_terms(n) + GUARD;
+        let n = Range::integer(n.into(), fine);
+        let sum = logarithm_of(&n).add(&entire_part(&n)).negate().rescaled(p);
+        sum.subtract(&Range::new(0.into(), 1.into(), p))
+    })
 }
 
 fn constant(precision: u32, kept: &Kept, compute: impl Fn(u32) -> Range) -> Range {

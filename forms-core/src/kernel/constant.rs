@@ -19,6 +19,9 @@ pub struct Constant {
 }
 
 impl Constant {
+    /// So many words of an endless number reach beyond 256 bits.
+    pub(crate) const WORDS: usize = 5;
+
     /// A rational number.
     pub fn rational(factor: Rational) -> Self {
         Constant { factor, pi_exponent: 0 }

@@ -40,6 +40,15 @@ impl ProductSum {
         }
     }
 
+    /// The factor a and the number c with the signs that make the sum a b + c of them.
+    pub(crate) fn signed<T>(self, factor: T, other: T, negate: impl FnOnce(T) -> T) -> [T; 2] {
+        match self {
+            ProductSum::ProductPlus | ProductSum::PlusProduct => [factor, other],
+            ProductSum::ProductMinus => [factor, negate(other)],
+            ProductSum::MinusProduct => [negate(factor), other],
+        }
+    }
+
     /// Whether the right term is taken from the left one.
     pub(crate) fn is_difference(self) -> bool {
         matches!(self, ProductSum::ProductMinus | ProductSum::MinusProduct)
