@@ -212,6 +212,14 @@ impl Program {
         &self.instructions[value.place()]
     }
 
+    /// Whether `f64` holds each of its numbers, some in fewer digits.
+    pub(crate) fn is_representable(&self) -> bool {
+        self.instructions.iter().all(|instruction| match instruction {
+            Instruction::Constant(constant) => constant.is_representable(),
+            _ => true,
+        })
+    }
+
     /// How often each value is used, by instructions and from outside.
     pub(crate) fn uses(&self) -> Vec<usize> {
         let mut uses = vec![0; self.instructions.len()];
