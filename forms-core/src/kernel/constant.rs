@@ -79,14 +79,37 @@ impl Constant {
 
     /// The nearest `f64`, ties to even.
     pub fn to_f64(&self) -> f64 {
+        nearest_f64(&self.value())
+    }
+
+    /// The number as a sum of at most that many `f64`s: each is the nearest to what those before it leave. Exact where
+    /// it is shorter. One infinity where the number is beyond all `f64`s.
+    pub fn words(&self, most: usize) -> Vec<f64> {
+        let mut left = self.value();
+        let mut words = Vec::new();
+        while words.is_empty() || (words.len() < most && !left.is_zero()) {
+            let word = nearest_f64(&left);
+            words.push(word);
+            // what is left is below all f64s, or infinite
+            let Some(exact) = Rational::from_float(word).filter(|exact| !exact.is_zero()) else { break };
+            left -= exact;
+        }
+        if words.len() > 1 && words.last() == Some(&0.0) {
+            words.pop();
+        }
+        words
+    }
+
+    /// q πᵏ, with π to a hundred decimals.
+    fn value(&self) -> Rational {
         if self.pi_exponent == 0 {
-            return nearest_f64(&self.factor);
+            return self.factor.clone();
         }
         let digits: BigInt = PI_DIGITS.parse().expect("the digits of π are digits");
         let pi = Rational::new(digits, BigInt::from(10).pow(PI_DIGITS.len() as u32 - 1));
         let power = num_traits::pow(pi, self.pi_exponent.unsigned_abs() as usize);
         let power = if self.pi_exponent < 0 { power.recip() } else { power };
-        nearest_f64(&(&self.factor * power))
+        &self.factor * power
     }
 }
 
@@ -200,6 +223,25 @@ mod tests {
         for value in [1.0, 0.1, 1e300, 1e-300, 5e-324, f64::MAX, f64::MIN_POSITIVE, -123.456] {
             assert_eq!(nearest_f64(&Rational::from_float(value).expect("finite")), value);
         }
+    }
+
+    #[test]
+    fn the_words_of_a_number_sum_to_it() {
+        let sum = |words: &[f64]| -> Rational {
+            words.iter().map(|&word| Rational::from_float(word).expect("finite")).sum()
+        };
+        for text in ["1/3", "-1/10", "9007199254740993", "1/7000000000000000000000000000000", "3", "0"] {
+            let constant = Constant::rational(rational(text));
+            let words = constant.words(5);
+            let error = (sum(&words) - &constant.factor).abs();
+            let bound = constant.factor.abs() / Rational::from_integer(BigInt::from(2).pow(5 * 53));
+            assert!(error <= bound, "{text}: {words:?}");
+        }
+        assert_eq!(Constant::integer(3).words(5), [3.0]);
+        assert_eq!(Constant::rational(rational("9007199254740993")).words(5), [9007199254740992.0, 1.0]);
+        assert_eq!(Constant::pi().words(2), [std::f64::consts::PI, 1.2246467991473532e-16]);
+        let huge = Constant::rational(Rational::from_integer(BigInt::from(2).pow(1024)));
+        assert_eq!(huge.words(5), [f64::INFINITY]);
     }
 
     #[test]

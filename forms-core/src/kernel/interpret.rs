@@ -28,6 +28,14 @@ fn value_of(instruction: &Instruction, arguments: &[f64], of: impl Fn(Value) -> 
         Instruction::Subtract(a, b) => of(*a) - of(*b),
         Instruction::Multiply(a, b) => of(*a) * of(*b),
         Instruction::Divide(a, b) => of(*a) / of(*b),
+        Instruction::MultiplyAdd(sum, [a, b, c]) => {
+            let [left, right] = sum.terms(of(*a) * of(*b), of(*c));
+            if sum.is_difference() { left - right } else { left + right }
+        }
+        Instruction::DifferenceOfProducts([a, b, c, d]) => {
+            difference_of_products(of(*a), of(*b), of(*c), of(*d))
+        }
+        Instruction::SumOfProducts([a, b, c, d]) => difference_of_products(of(*a), of(*b), -of(*c), of(*d)),
         Instruction::Negate(a) => -of(*a),
         Instruction::Sqrt(a) => of(*a).sqrt(),
         Instruction::Power(a, exponent) => power(of(*a), *exponent),
@@ -40,6 +48,13 @@ fn value_of(instruction: &Instruction, arguments: &[f64], of: impl Fn(Value) -> 
             }
         }
     }
+}
+
+/// a b − c d by the error of one product, after Kahan.
+fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
+    let product = c * d;
+    let error = (-c).mul_add(d, product);
+    a.mul_add(b, -product) + error
 }
 
 fn call(operation: Operation, operands: &[Value], of: impl Fn(Value) -> f64) -> f64 {
