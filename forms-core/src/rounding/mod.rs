@@ -40,7 +40,7 @@ impl ErrorBound {
 impl fmt::Display for ErrorBound {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.units() {
-            Some(units) => write!(f, "{:.1}·2⁻⁵³ of its size", units),
+            Some(units) => write!(f, "{units:.1}·2⁻⁵³ of its size"),
             None => write!(f, "{:.1e}", self.absolute),
         }
     }
