@@ -5,10 +5,17 @@
 
 /// a + b = sum + rest exactly, where nothing overflows.
 #[inline(always)]
-pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub(crate) const fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let of_b = sum - a;
     (sum, (a - (sum - of_b)) + (b - of_b))
+}
+
+/// a + b = sum + rest exactly, where |a| ≥ |b| or a = 0.
+#[inline(always)]
+pub(crate) const fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    (sum, b - (sum - a))
 }
 
 /// Beyond this the split would overflow: 2⁹⁹⁵.
@@ -18,7 +25,7 @@ const SPLIT_SCALE: f64 = 1.0 / (1_u64 << 28) as f64;
 
 /// a = high + low with 26 bits each.
 #[inline(always)]
-fn split(a: f64) -> (f64, f64) {
+const fn split(a: f64) -> (f64, f64) {
     const SPLITTER: f64 = ((1_u64 << 27) + 1) as f64;
     if a.abs() > SPLIT_LIMIT {
         let (high, low) = split_within(a * SPLIT_SCALE, SPLITTER);
@@ -28,7 +35,7 @@ fn split(a: f64) -> (f64, f64) {
 }
 
 #[inline(always)]
-fn split_within(a: f64, splitter: f64) -> (f64, f64) {
+const fn split_within(a: f64, splitter: f64) -> (f64, f64) {
     let carried = splitter * a;
     let high = carried - (carried - a);
     (high, a - high)
@@ -36,7 +43,7 @@ fn split_within(a: f64, splitter: f64) -> (f64, f64) {
 
 /// a b = product + rest exactly, where the product is finite and above [`EXACT_PRODUCT`] or zero.
 #[inline(always)]
-pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub(crate) const fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
     let (a_high, a_low) = split(a);
     let (b_high, b_low) = split(b);

@@ -38,7 +38,7 @@ impl Enclosure {
         let image = match &self.0 {
             _ if self.magnitude_bits() > LARGEST_ANGLE_BITS => whole_clausen(working),
             Value::Exact(value, _) => clausen_function(&Range::rational(value, working)),
-            Value::Range(range) => clausen_function(&range.rescaled(working)),
+            Value::Range(range) => clausen_of_range(&range.rescaled(working)),
         };
         Enclosure::from_range(image.rescaled(precision))
     }
@@ -73,6 +73,29 @@ fn dilogarithm(x: &Enclosure) -> Result<Enclosure, Undecided> {
 fn whole_clausen(precision: u32) -> Range {
     let largest = Range::quotient(&BigInt::from(1015), &BigInt::from(1000), precision);
     largest.negate().hull(largest)
+}
+
+/// {Cl₂(x)}: about the midpoint of a narrow range, else the hull of the values at both ends and of the extrema
+/// between them, at ±π/3 and whole turns from there.
+fn clausen_of_range(x: &Range) -> Range {
+    if x.narrow_ball().is_some() {
+        return clausen_function(x);
+    }
+    let mut image = clausen_function(&x.lower_end()).hull(clausen_function(&x.upper_end()));
+    let turn = pi(x.precision).doubled(1);
+    let sixth = pi(x.precision).divided_by_count(3);
+    for extremum in [sixth.negate(), sixth] {
+        let turns = x.subtract(&extremum).divide(&turn);
+        if turns.lower <= floor(&turns.upper, x.precision) {
+            image = image.hull(clausen_function(&extremum));
+        }
+    }
+    image
+}
+
+/// ⌊x⌋ in units of 2⁻ᵖ
+fn floor(x: &BigInt, precision: u32) -> BigInt {
+    (x >> precision) << precision
 }
 
 /// Cl₂ of an angle brought into [−π, π], about the midpoint of what is known of it.
@@ -120,10 +143,12 @@ fn clausen_of_angle(angle: &Range) -> Range {
     let square = theta.square();
     let mut power = theta.clone();
     let mut sum = Range::integer(0, precision);
+    let mut divisor = BigInt::from(1);
     for (n, tangent) in (1_u64..).zip(tangent_numbers(count)) {
-        power = power.multiply(&square).divided_by_count(2 * n * (2 * n + 1)).halved(2);
-        let divisor = if near_half_turn { BigInt::from(1) } else { (BigInt::from(1) << (2 * n)) - 1 };
-        sum.accumulate(&power.scaled(&Rational::new(tangent, divisor)));
+        power = power.multiply(&square);
+        divisor *= 8 * n * (2 * n + 1);
+        let rest = if near_half_turn { BigInt::from(1) } else { (BigInt::from(1) << (2 * n)) - 1 };
+        sum.accumulate(&power.scaled(&Rational::new_raw(tangent, &divisor * rest)));
     }
     let sum = sum.widened(&2.into());
     if near_half_turn {

@@ -145,26 +145,48 @@ impl fmt::Display for Constant {
     }
 }
 
+/// A binary floating-point format: how many bits its mantissa has, and the powers of two it reaches.
+#[derive(Clone, Copy)]
+pub(crate) struct Binary {
+    mantissa: i64,
+    /// The exponent of the least number above zero.
+    least: i64,
+    /// The largest exponent of a finite number.
+    greatest: i64,
+}
+
+/// `f32`
+pub(crate) const SINGLE: Binary = Binary { mantissa: 24, least: -149, greatest: 127 };
+/// `f64`
+pub(crate) const DOUBLE: Binary = Binary { mantissa: 53, least: -1074, greatest: 1023 };
+
 /// The nearest `f64` to a rational number, ties to even, subnormal numbers and overflow included.
 pub(crate) fn nearest_f64(value: &Rational) -> f64 {
-    if value.is_zero() {
+    nearest(value.numer(), value.denom(), DOUBLE)
+}
+
+/// The number of a binary format that is nearest to a quotient with a denominator above zero, ties to even,
+/// subnormal numbers and overflow included. The quotient need not be in lowest terms.
+pub(crate) fn nearest(numerator: &BigInt, denominator: &BigInt, format: Binary) -> f64 {
+    if numerator.is_zero() {
         return 0.0;
     }
-    let (numerator, denominator) = (value.numer().abs(), value.denom().clone());
+    let negative = numerator.is_negative();
+    let numerator = numerator.abs();
     // 2^exponent <= |value| < 2^(exponent + 1)
     let mut exponent = numerator.bits() as i64 - denominator.bits() as i64;
     let below = if exponent >= 0 {
-        numerator < &denominator << exponent
+        numerator < denominator << exponent
     } else {
-        &numerator << -exponent < denominator
+        &numerator << -exponent < *denominator
     };
     exponent -= i64::from(below);
-    if exponent > 1023 {
-        return if value.is_negative() { f64::NEG_INFINITY } else { f64::INFINITY };
+    if exponent > format.greatest {
+        return if negative { f64::NEG_INFINITY } else { f64::INFINITY };
     }
-    let unit = (exponent - 52).max(-1074);
+    let unit = (exponent - format.mantissa + 1).max(format.least);
     let (numerator, denominator) =
-        if unit > 0 { (numerator, denominator << unit) } else { (numerator << -unit, denominator) };
+        if unit > 0 { (numerator, denominator << unit) } else { (numerator << -unit, denominator.clone()) };
     let (quotient, remainder) = numerator.div_rem(&denominator);
     let mut mantissa = quotient.to_u64().expect("a mantissa has at most 53 bits");
     let twice = remainder << 1;
@@ -172,7 +194,13 @@ pub(crate) fn nearest_f64(value: &Rational) -> f64 {
         mantissa += 1;
     }
     let magnitude = mantissa as f64 * power_of_two(unit);
-    if value.is_negative() { -magnitude } else { magnitude }
+    let overflows = magnitude > power_of_two(format.greatest) * (2.0 - power_of_two(1 - format.mantissa));
+    match (overflows, negative) {
+        (true, false) => f64::INFINITY,
+        (true, true) => f64::NEG_INFINITY,
+        (false, false) => magnitude,
+        (false, true) => -magnitude,
+    }
 }
 
 /// 2^exponent for −1074 ≤ exponent ≤ 1023.
@@ -206,6 +234,19 @@ mod tests {
         ];
         for (value, expected) in cases {
             assert_eq!(nearest_f64(&value), expected, "{value}");
+        }
+    }
+
+    #[test]
+    fn a_quotient_is_rounded_once_to_single_precision() {
+        let f32_of = |value: f64| {
+            let exact = Rational::from_float(value).expect("finite");
+            nearest(exact.numer(), exact.denom(), SINGLE)
+        };
+        let cases =
+            [0.1, -1.0 / 3.0, 1e-40, 7e-46, 1.4e-45, 3.4028235e38, 3.402823669e38, 1e39, -1e300, 16777217.0];
+        for value in cases {
+            assert_eq!(f32_of(value), f64::from(value as f32), "{value}");
         }
     }
 

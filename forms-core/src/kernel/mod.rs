@@ -55,6 +55,7 @@ mod sums;
 mod tally;
 
 pub use constant::Constant;
+pub(crate) use constant::{Binary, DOUBLE, SINGLE, nearest, nearest_f64};
 pub use count::OperationCount;
 pub use emit::{RustDocs, emit_formula, emit_rust};
 pub use evaluate::evaluate_f64;
