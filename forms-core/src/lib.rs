@@ -27,6 +27,7 @@ pub mod notation;
 pub mod polynomial;
 mod random;
 pub mod resolve;
+pub mod rounding;
 pub mod syntax;
 pub mod topology;
 pub mod units;

@@ -63,7 +63,11 @@ fn with_domains() -> Vec<Program> {
 fn harness(programs: &[Program], rows: &[Vec<f64>]) -> String {
     let mut source = "#![deny(warnings)]\n".to_string();
     for program in programs {
-        source.push_str(&emit_rust(program, &RustDocs { formula: "f".into(), ..RustDocs::default() }));
+        source.push_str(&emit_rust(
+            program,
+            &RustDocs { formula: "f".into(), ..RustDocs::default() },
+            "forms_math",
+        ));
     }
     source.push_str("fn main() {\n");
     for (program, row) in programs.iter().flat_map(|program| rows.iter().map(move |row| (program, row))) {
@@ -118,7 +122,11 @@ fn emitted_rust_computes_what_the_interpreter_computes() {
 
 #[test]
 fn nothing_is_fused() {
-    assert!(kernels().iter().all(|program| !emit_rust(program, &RustDocs::default()).contains("mul_add")));
+    assert!(
+        kernels()
+            .iter()
+            .all(|program| !emit_rust(program, &RustDocs::default(), "forms_math").contains("mul_add"))
+    );
 }
 /// Σ, one choice, two outputs and a condition, as they are printed.
 #[test]
@@ -152,7 +160,7 @@ fn a_kernel_reads_as_written_by_hand() {
 /// Its value is NaN outside its domain and where an argument it depends on is NaN.
 /// Takes 1 addition, 5 multiplications, 1 division, 1 square root, 1 choice.
 pub fn field(x: f64, y: f64) -> [f64; 2] {
-    let inside = x.partial_cmp(&0.0).is_some_and(core::cmp::Ordering::is_ne);
+    let inside = x.partial_cmp(&0.0).is_some_and(::core::cmp::Ordering::is_ne);
     if !inside {
         return [f64::NAN; 2];
     }
@@ -160,12 +168,12 @@ pub fn field(x: f64, y: f64) -> [f64; 2] {
     let t1 = if x < y {
         -2.0 * x
     } else if x >= y {
-        core::f64::consts::FRAC_1_PI * y
+        ::core::f64::consts::FRAC_1_PI * y
     } else {
         f64::NAN
     };
     [x / (t0 * t0.sqrt()), t1]
 }
 "#;
-    assert_eq!(emit_rust(&program.optimise(), &docs), expected);
+    assert_eq!(emit_rust(&program.optimise(), &docs, "forms_math"), expected);
 }
