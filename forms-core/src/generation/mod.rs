@@ -13,6 +13,7 @@ mod seam;
 mod translation;
 
 pub use translation::Translation;
+pub(crate) use translation::equality;
 
 use crate::diagnostic::Diagnostic;
 use crate::expression::Pool;

@@ -88,7 +88,7 @@ pub(super) fn validate(pool: &mut Pool, kernel: &Kernel, program: &Program) -> T
 }
 
 /// Whether the sides of each pair are equal under the conditions, piece by piece.
-fn equality(pool: &mut Pool, pairs: &[(Expr, Expr)], conditions: &[Condition]) -> Translation {
+pub(crate) fn equality(pool: &mut Pool, pairs: &[(Expr, Expr)], conditions: &[Condition]) -> Translation {
     let different: Vec<Expr> =
         pairs.iter().filter(|(raised, written)| raised != written).flat_map(|&(a, b)| [a, b]).collect();
     if different.is_empty() {
