@@ -5,6 +5,8 @@
 
 use crate::expression::{Expr, Pool, Rational, Seam, Symbol};
 use crate::syntax::ast::Relation;
+use num_bigint::BigInt;
+use num_traits::Zero;
 
 /// The most pieces.
 const MOST_PIECES: usize = 3;
@@ -16,7 +18,7 @@ const LEAST_GAIN: f64 = 0.15;
 pub(super) struct Cut {
     pub(super) argument: usize,
     /// The form of each run, and the number below which it is used; the last has none.
-    pub(super) pieces: Vec<(usize, Option<f64>)>,
+    pub(super) pieces: Vec<(usize, Option<Rational>)>,
     /// The mean loss.
     pub(super) loss: f64,
 }
@@ -81,7 +83,7 @@ fn cut(points: &[&[f64]], weights: &[f64], losses: &[&[f64]], argument: usize, s
     let (mut end, mut bound) = (count, None);
     for left in (0..=pieces).rev() {
         let (_, form, start) = best[left][end];
-        found.push((form, bound));
+        found.push((form, bound.take()));
         if start > 0 {
             bound = Some(between(value(start - 1), value(start)));
         }
@@ -91,24 +93,29 @@ fn cut(points: &[&[f64]], weights: &[f64], losses: &[&[f64]], argument: usize, s
     Some(Cut { argument, pieces: found, loss: best[pieces][count].0 })
 }
 
-/// A short number above a and not above b: zero, a power of two, or one with few digits.
-fn between(a: f64, b: f64) -> f64 {
+/// A short number above a and not above b: zero, a power of ten, or one with few digits.
+fn between(a: f64, b: f64) -> Rational {
     if a < 0.0 && b >= 0.0 {
-        return 0.0;
+        return Rational::zero();
     }
+    let exact = |value: f64| Rational::from_float(value).unwrap_or_default();
+    let (lower, upper) = (exact(a), exact(b));
     let (small, large) = if b <= 0.0 { (-b, -a) } else { (a, b) };
-    let middle = if small > 0.0 { (small.log2() + large.log2()) / 2.0 } else { large.log2() - 1.0 };
-    let sign = if b <= 0.0 { -1.0 } else { 1.0 };
-    for places in 0..52 {
-        let exponent = middle.floor();
-        let scale = 2f64.powi(exponent.clamp(-1000.0, 1000.0) as i32);
-        let steps = f64::from(1u32 << places.min(31));
-        let candidate = sign * scale * ((middle.exp2() / scale) * steps).round() / steps;
-        if a < candidate && candidate <= b {
+    let middle = if small > 0.0 { (small.log10() + large.log10()) / 2.0 } else { large.log10() - 1.0 };
+    let power = |exponent: i32| {
+        let ten = Rational::from_integer(BigInt::from(10).pow(exponent.unsigned_abs()));
+        if exponent < 0 { ten.recip() } else { ten }
+    };
+    let exponent = middle.round() as i32;
+    let digits = Rational::from_float(10f64.powf(middle - f64::from(exponent))).unwrap_or_default();
+    for places in 0..17 {
+        let rounded = (&digits * power(places)).round() / power(places) * power(exponent);
+        let candidate = if b <= 0.0 { -rounded } else { rounded };
+        if lower < candidate && candidate <= upper {
             return candidate;
         }
     }
-    b
+    upper
 }
 
 /// The outputs of the pieces, chosen by the argument.
@@ -116,10 +123,9 @@ pub(super) fn joined(pool: &mut Pool, argument: Symbol, forms: &[&[Expr]], cut: 
     let variable = pool.symbol(argument);
     let (last, others) = cut.pieces.split_last().expect("a cut has pieces");
     let mut outputs: Vec<Expr> = forms[last.0].to_vec();
-    for &(form, bound) in others.iter().rev() {
-        let bound = bound.and_then(Rational::from_float).unwrap_or_default();
-        let bound = pool.number(bound);
-        for (output, &piece) in outputs.iter_mut().zip(forms[form]) {
+    for (form, bound) in others.iter().rev() {
+        let bound = pool.number(bound.clone().unwrap_or_default());
+        for (output, &piece) in outputs.iter_mut().zip(forms[*form]) {
             *output = pool.select((variable, Relation::Less, bound), piece, *output, Seam::Agrees);
         }
     }
@@ -138,15 +144,16 @@ mod tests {
         let right: Vec<f64> = numbers.iter().map(|x| if x[0] < 3.0 { 30.0 } else { 1.0 }).collect();
         let weights = vec![0.05; 20];
         let cut = best_cut(&points, &weights, &[&left, &right]).expect("a cut");
-        assert_eq!(cut.pieces, [(0, Some(3.0)), (1, None)]);
+        assert_eq!(cut.pieces, [(0, Some(Rational::from_integer(3.into()))), (1, None)]);
         assert!((cut.loss - 7.0 * 0.05).abs() < 1e-12);
         assert!(best_cut(&points, &weights, &[&left, &left]).is_none());
     }
 
     #[test]
     fn a_seam_is_a_short_number() {
-        assert_eq!(between(-1.0, 2.0), 0.0);
-        assert_eq!(between(1e-9, 0.3), 2f64.powi(-16));
-        assert!((-3.7..=-0.1).contains(&between(-3.7, -0.1)));
+        assert_eq!(between(-1.0, 2.0), Rational::zero());
+        assert_eq!(between(1e-9, 0.3), Rational::new(1.into(), 100_000.into()));
+        assert_eq!(between(-3.7, -0.1), Rational::new((-1).into(), 1.into()));
+        assert_eq!(between(2.15, 2.25), Rational::new(11.into(), 5.into()));
     }
 }

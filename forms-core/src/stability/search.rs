@@ -25,15 +25,21 @@ pub struct Effort {
 
 impl Default for Effort {
     fn default() -> Self {
-        Effort { samples: 48, expansions: 28, places: 8, proofs: 16 }
+        Effort { samples: 48, expansions: 48, places: 8, proofs: 24 }
     }
 }
 
 /// Samples that lose most are what a form's operations are looked at with.
 const LOCATED: usize = 24;
 
-/// Forms that lose less than this on the mean are not improved, in bits.
+/// Forms that lose less than this on the mean are not improved for long, in bits.
 const GOOD: f64 = 0.15;
+
+/// So many forms are taken apart where a good one is known.
+const EXPANSIONS_IF_GOOD: usize = 8;
+
+/// Of smaller forms every operation is looked at.
+const SMALL: usize = 16;
 
 /// A form is not kept beside a cheaper one for a smaller gain than this.
 const PARETO_STEP: f64 = 0.02;
@@ -54,6 +60,9 @@ pub struct Form {
     pub cost: u32,
 }
 
+/// A cheaper form is preferred to one that is so much more accurate, in bits of the mean.
+const WORTH: f64 = 0.12;
+
 /// What a search found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
@@ -61,6 +70,15 @@ pub struct Found {
     pub written: Form,
     /// Forms proved equal to it, none of which is both cheaper and more accurate than another; the most accurate first.
     pub forms: Vec<Form>,
+}
+
+impl Found {
+    /// The form to use: the cheapest of those that lose hardly more than the best.
+    pub fn chosen(&self) -> &Form {
+        let best = self.forms.first().unwrap_or(&self.written);
+        let good = self.forms.iter().filter(|form| form.loss <= best.loss + WORTH);
+        good.min_by_key(|form| form.cost).unwrap_or(best)
+    }
 }
 
 /// A form with its loss at each sample.
@@ -142,10 +160,10 @@ impl<'a> Search<'a> {
     fn next(&self) -> Option<usize> {
         let best = self.candidates.iter().map(|form| form.loss).fold(f64::INFINITY, f64::min);
         let done = self.candidates.iter().filter(|form| form.expanded).count();
-        let open = (0..self.candidates.len()).filter(|&place| !self.candidates[place].expanded);
-        if best < GOOD && done > 0 {
+        if best < GOOD && done > EXPANSIONS_IF_GOOD {
             return None;
         }
+        let open = (0..self.candidates.len()).filter(|&place| !self.candidates[place].expanded);
         let turn = done % (self.samples.len() + 2);
         let key = |place: &usize| {
             let form = &self.candidates[*place];
@@ -171,10 +189,12 @@ impl<'a> Search<'a> {
         // some of every size of loss, so that one singularity does not hide another
         let step = worst.len().div_ceil(LOCATED).max(1);
         let hard: Vec<&Sample> = worst.into_iter().step_by(step).map(|at| self.points[at]).collect();
-        if hard.is_empty() {
-            return;
-        }
-        let targets = lossy(self.pool, &self.kernel.arguments, &outputs, &hard, self.effort.places);
+        let nodes = self.pool.reachable(&outputs);
+        let targets = if nodes.len() <= SMALL {
+            nodes
+        } else {
+            lossy(self.pool, &self.kernel.arguments, &outputs, &hard, self.effort.places)
+        };
         let mut rewriting = Rewriting::new(self.pool, &self.kernel.domain);
         let proposals: Vec<(Expr, Expr)> = targets
             .into_iter()

@@ -50,10 +50,12 @@ const RULES: &[Rule] = &[
     exponential::logarithms,
     trigonometric::versine,
     trigonometric::differences,
+    trigonometric::of_a_sum,
     trigonometric::half_angle,
     trigonometric::arc_tangents,
     trigonometric::from_the_other_leg,
     scaling::scaled_root,
+    scaling::beside_a_square,
 ];
 
 impl<'a> Rewriting<'a> {

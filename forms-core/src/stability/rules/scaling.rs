@@ -1,6 +1,7 @@
 //! Roots of sums of squares that do not leave the range of floating-point numbers on the way.
 
 use super::Rewriting;
+use super::factors::{factors, quotient};
 use crate::expression::{Expr, Operation, Seam};
 use crate::syntax::ast::Relation;
 
@@ -8,7 +9,7 @@ use crate::syntax::ast::Relation;
 pub(super) fn scaled_root(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Some(radicand) = rewriting.radicand(expression) else { return Vec::new() };
     let Some((first, second)) = rewriting.two_terms(radicand) else { return Vec::new() };
-    let (Some(a), Some(b)) = (root_of(rewriting, first), root_of(rewriting, second)) else {
+    let (Some(a), Some(b)) = (rewriting.squared(first), rewriting.squared(second)) else {
         return Vec::new();
     };
     let size = |rewriting: &mut Rewriting<'_>, x: Expr| rewriting.pool.apply(Operation::Abs, &[x]);
@@ -27,7 +28,23 @@ pub(super) fn scaled_root(rewriting: &mut Rewriting<'_>, expression: Expr) -> Ve
     vec![rewriting.pool.select(relation, by_a, by_b, Seam::Agrees), by_a, by_b]
 }
 
-/// a of a²; √q of any other q that has a variable and is a product or a variable
-fn root_of(rewriting: &mut Rewriting<'_>, term: Expr) -> Option<Expr> {
-    rewriting.squared(term)
+/// √(a² + p q) = |a| √(1 + (p/a)(q/a)), where the other term is no square
+pub(super) fn beside_a_square(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    let Some(radicand) = rewriting.radicand(expression) else { return Vec::new() };
+    let Some((first, second)) = rewriting.two_terms(radicand) else { return Vec::new() };
+    let mut found = Vec::new();
+    for (square, other) in [(first, second), (second, first)] {
+        let Some(a) = rewriting.squared(square) else { continue };
+        let (above, below, negative) = factors(rewriting.pool, other);
+        let Some((&last, rest)) = above.split_last() else { continue };
+        let rest = quotient(rewriting.pool, rest, &below);
+        let (p, q) = (rewriting.pool.divide(rest, a), rewriting.pool.divide(last, a));
+        let ratio = rewriting.pool.multiply(p, q);
+        let ratio = if negative { rewriting.pool.negate(ratio) } else { ratio };
+        let one = rewriting.pool.integer(1);
+        let sum = rewriting.pool.add(one, ratio);
+        let (size, root) = (rewriting.pool.apply(Operation::Abs, &[a]), rewriting.pool.sqrt(sum));
+        found.push(rewriting.pool.multiply(size, root));
+    }
+    found
 }

@@ -86,6 +86,25 @@ fn midpoint(rewriting: &mut Rewriting<'_>, a: Expr, b: Expr, half: Expr) -> [Exp
     [rewriting.half(sum), rewriting.pool.add(b, half)]
 }
 
+/// sin(a + b) = sin a cos b + cos a sin b, cos(a + b) = cos a cos b − sin a sin b: the rounding of a + b is not felt
+pub(super) fn of_a_sum(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    let Node::Apply(operation @ (Operation::Sin | Operation::Cos), arguments) =
+        rewriting.pool.node(expression).clone()
+    else {
+        return Vec::new();
+    };
+    let Some((a, b)) = rewriting.two_terms(arguments[0]) else { return Vec::new() };
+    let waves = [(Operation::Sin, a), (Operation::Cos, a), (Operation::Sin, b), (Operation::Cos, b)];
+    let [sin_a, cos_a, sin_b, cos_b] = waves.map(|(wave, angle)| rewriting.pool.apply(wave, &[angle]));
+    vec![if operation == Operation::Sin {
+        let (p, q) = (rewriting.pool.multiply(sin_a, cos_b), rewriting.pool.multiply(cos_a, sin_b));
+        rewriting.pool.add(p, q)
+    } else {
+        let (p, q) = (rewriting.pool.multiply(cos_a, cos_b), rewriting.pool.multiply(sin_a, sin_b));
+        rewriting.pool.subtract(p, q)
+    }]
+}
+
 /// (1 − cos a)/sin a = sin a/(1 + cos a) = tan(a/2), and (1 − cos a)/(1 + cos a) = tan²(a/2)
 pub(super) fn half_angle(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Node::Divide(p, q) = *rewriting.pool.node(expression) else { return Vec::new() };
