@@ -62,6 +62,9 @@ fn with_domains() -> Vec<Program> {
 /// A program that reads rows of bits and prints the bits of every kernel at each.
 fn harness(programs: &[Program], rows: &[Vec<f64>]) -> String {
     let mut source = "#![deny(warnings)]\n".to_string();
+    if programs.iter().any(Program::needs_math) {
+        source.push_str(&forms_math::source());
+    }
     for program in programs {
         source.push_str(&emit_rust(
             program,

@@ -24,7 +24,10 @@ fn clamped<W: Word>(x: W, low: f64, high: f64) -> W {
 #[inline(always)]
 fn limits<W: Word>() -> (f64, f64) {
     let largest = f64::from(W::LARGEST_EXPONENT + 1);
-    (-(largest + f64::from(W::PRECISION) + 1.0) * std::f64::consts::LN_2, largest * std::f64::consts::LN_2 + 1.0)
+    (
+        -(largest + f64::from(W::PRECISION) + 1.0) * std::f64::consts::LN_2,
+        largest * std::f64::consts::LN_2 + 1.0,
+    )
 }
 
 /// y 2^k in two steps, so that k may be out of the range of exponents and the last step alone rounds.
