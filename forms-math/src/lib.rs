@@ -9,8 +9,21 @@
 //! A kernel is written once, as a function of any [`Real`]; a precision is a type. What stands here needs nothing
 //! but the standard library, so that it can be pasted beside a kernel.
 
+mod double_double;
+mod elementary;
+mod error_free;
 mod formula;
+mod lane;
+mod quadrature;
 mod real;
+mod scalar;
+mod special;
+mod table;
+mod wide;
 
+pub use double_double::DoubleDouble;
 pub use formula::Formula;
+pub use lane::{Lane32, Lane64};
 pub use real::Real;
+pub use scalar::Scalar;
+pub use wide::Wide;

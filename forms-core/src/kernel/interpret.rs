@@ -1,7 +1,7 @@
 //! The interpreter: the values of a program in `f64`, instruction by instruction.
 
 use super::program::{Instruction, Program, Value, holds};
-use crate::expression::{Meaning, Operation};
+use crate::expression::Operation;
 use num_rational::Ratio;
 
 impl Program {
@@ -28,6 +28,14 @@ fn value_of(instruction: &Instruction, arguments: &[f64], of: impl Fn(Value) -> 
         Instruction::Subtract(a, b) => of(*a) - of(*b),
         Instruction::Multiply(a, b) => of(*a) * of(*b),
         Instruction::Divide(a, b) => of(*a) / of(*b),
+        Instruction::MultiplyAdd(sum, [a, b, c]) => {
+            let [left, right] = sum.terms(of(*a) * of(*b), of(*c));
+            if sum.is_difference() { left - right } else { left + right }
+        }
+        Instruction::DifferenceOfProducts([a, b, c, d]) => {
+            difference_of_products(of(*a), of(*b), of(*c), of(*d))
+        }
+        Instruction::SumOfProducts([a, b, c, d]) => difference_of_products(of(*a), of(*b), -of(*c), of(*d)),
         Instruction::Negate(a) => -of(*a),
         Instruction::Sqrt(a) => of(*a).sqrt(),
         Instruction::Power(a, exponent) => power(of(*a), *exponent),
@@ -42,12 +50,16 @@ fn value_of(instruction: &Instruction, arguments: &[f64], of: impl Fn(Value) -> 
     }
 }
 
+/// a b − c d by the error of one product, after Kahan.
+fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
+    let product = c * d;
+    let error = (-c).mul_add(d, product);
+    a.mul_add(b, -product) + error
+}
+
 fn call(operation: Operation, operands: &[Value], of: impl Fn(Value) -> f64) -> f64 {
-    match (operation.row().meaning, operands) {
-        (Meaning::One(function), [a]) => function(of(*a)),
-        (Meaning::Two(function), [a, b]) => function(of(*a), of(*b)),
-        _ => f64::NAN,
-    }
+    let operands: Vec<f64> = operands.iter().map(|&operand| of(operand)).collect();
+    operation.apply(&operands)
 }
 
 /// xʳ: a fraction of a negative number has no real value.

@@ -33,9 +33,11 @@
 mod chain;
 mod constant;
 mod count;
+mod emit;
 mod evaluate;
 mod expand;
 mod factor;
+mod fuse;
 mod graph;
 mod interpret;
 mod linearise;
@@ -46,19 +48,20 @@ mod products;
 mod program;
 mod quotients;
 mod raise;
-mod rust;
+mod schedule;
 mod sharing;
 mod signs;
 mod sums;
 mod tally;
 
 pub use constant::Constant;
+pub(crate) use constant::{Binary, DOUBLE, SINGLE, nearest, nearest_f64};
 pub use count::OperationCount;
+pub use emit::{RustDocs, emit_formula, emit_rust};
 pub use evaluate::evaluate_f64;
 pub use lower::{KernelSource, LowerError, lower};
-pub use program::{Comparison, Instruction, Program, Value};
+pub use program::{Comparison, Instruction, ProductSum, Program, Value};
 pub use raise::Raised;
-pub use rust::{RustDocs, emit_rust};
 
 #[cfg(test)]
 #[allow(dead_code, reason = "shared with the integration tests, which use the rest")]

@@ -1,15 +1,19 @@
-//! Rust source: one function a kernel, its documentation above it, every value as the program computes it.
-//!
-//! Emission never simplifies. A value used once is written where it is used as long as the line stays short;
-//! the others are named `t0`, `t1`, … in the order of their computation.
+//! Rust source: one function of `f64`s a kernel, its documentation above it, with nothing but the standard library.
 
-mod body;
-mod number;
-
-use super::program::{Instruction, Program};
+use super::body;
+use super::dialect::{Branches, Choices, Dialect};
+use super::number::{number, receiver};
+use super::written::{Binding, Written, function};
+use crate::expression::Operation;
+use crate::kernel::constant::Constant;
+use crate::kernel::program::{Instruction, Program};
+use crate::syntax::ast::Relation;
+use num_rational::Ratio;
 
 /// The longest line of a signature.
 const WIDTH: usize = 100;
+/// The longest array that stays on one line.
+const ARRAY: usize = 60;
 /// The most arguments a function has before clippy asks for a structure.
 const MANY_ARGUMENTS: usize = 7;
 
@@ -36,9 +40,104 @@ pub fn emit_rust(program: &Program, docs: &RustDocs) -> String {
     source.push_str(&attributes(program));
     source.push_str(&signature(program));
     source.push_str(" {\n");
-    body::write(program, &mut source);
+    source.push_str(&body::write(&Rust, program, &program.arguments));
     source.push_str("}\n");
     source
+}
+
+/// Rust with `f64`.
+struct Rust;
+
+impl Rust {
+    /// `x.sqrt()`
+    fn method(value: &Written, name: &str, rest: &[String]) -> Written {
+        Written::atom(format!("{}.{name}({})", receiver(value), rest.join(", ")))
+    }
+}
+
+impl Dialect for Rust {
+    fn choices(&self) -> Choices<'_> {
+        Choices::Branches(self)
+    }
+
+    fn number(&self, constant: &Constant) -> Written {
+        number(constant)
+    }
+
+    fn sqrt(&self, value: &Written) -> Written {
+        Self::method(value, "sqrt", &[])
+    }
+
+    fn power(&self, value: &Written, exponent: Ratio<i64>) -> Written {
+        let numerator = format!("{}.0", exponent.numer());
+        let exponent = match exponent.denom() {
+            1 => numerator,
+            denominator => format!("{numerator} / {denominator}.0"),
+        };
+        Self::method(value, "powf", &[exponent])
+    }
+
+    fn call(&self, operation: Operation, operands: &[&Written]) -> Written {
+        let rest: Vec<String> = operands[1..].iter().map(|operand| operand.argument()).collect();
+        let row = operation.row();
+        Self::method(operands[0], row.spelling.rust.unwrap_or(row.real), &rest)
+    }
+
+    fn difference_of_products(&self, factors: [&Written; 4]) -> Written {
+        function("difference_of_products", &factors)
+    }
+
+    fn sum_of_products(&self, factors: [&Written; 4]) -> Written {
+        function("sum_of_products", &factors)
+    }
+
+    fn nan(&self) -> String {
+        "f64::NAN".to_string()
+    }
+
+    fn declaration(&self, name: &str, value: &str) -> String {
+        format!("let {name} = {value};")
+    }
+
+    fn results(&self, outputs: &[&str]) -> String {
+        let line = outputs.join(", ");
+        match outputs {
+            [single] => format!("    {single}\n"),
+            _ if line.len() <= ARRAY => format!("    [{line}]\n"),
+            _ => format!("    [\n        {},\n    ]\n", outputs.join(",\n        ")),
+        }
+    }
+}
+
+impl Branches for Rust {
+    fn variable(&self, _: &str) -> Option<String> {
+        None
+    }
+
+    fn comparison(&self, left: &Written, relation: Option<Relation>, right: &Written) -> String {
+        match relation {
+            Some(Relation::NotEqual) => {
+                let right = format!("&{}", right.within(Binding::Sign));
+                let order = Self::method(left, "partial_cmp", &[right]);
+                format!("{}.is_some_and(core::cmp::Ordering::is_ne)", order.text)
+            }
+            relation => {
+                format!("{} {} {}", left.argument(), relation.map_or("==", Relation::text), right.argument())
+            }
+        }
+    }
+
+    fn condition(&self, condition: &str) -> String {
+        condition.to_string()
+    }
+
+    fn leave_unless(&self, condition: &str, outputs: usize) -> String {
+        let nan = match outputs {
+            1 => "f64::NAN".to_string(),
+            several => format!("[f64::NAN; {several}]"),
+        };
+        format!("    let inside = {condition};\n    if !inside {{\n        return {nan};\n    }}\n")
+    }
 }
 
 fn documentation(program: &Program, docs: &RustDocs) -> String {
