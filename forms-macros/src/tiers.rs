@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! written ─ emit_formula ─▶ Plain ──┬─▶ plain
-//! optimised ─ emit_formula ▶ Stable ┴─▶ f32
+//! optimised ─ emit_formula ▶ Stable ┴─▶ f32, dd
 //! ```
 //! Each function is a thin wrapper that is compiled where it is called and nowhere else. Paths are absolute and
 //! types have no values of their name, so that neither the user's names nor the kernel's arguments get in the way.
@@ -20,9 +20,16 @@ pub(crate) fn module(generated: &Generated) -> Result<TokenStream, proc_macro2::
     let program = &generated.optimised;
     let formula = |program: &Program, name: &str| emit_formula(program, name, MATH).parse::<TokenStream>();
     let plain = formula(&generated.written, "Plain")?;
-    let stable = formula(program, "Stable")?;
+    let stable = if generated.written == *program {
+        quote!(
+            pub type Stable = Plain;
+        )
+    } else {
+        let stable = formula(program, "Stable")?;
+        quote!(pub enum Stable {} #stable)
+    };
     let tiers = Tiers::of(program);
-    let functions = [tiers.plain(), tiers.f32()];
+    let functions = [tiers.plain(), tiers.f32(), tiers.dd()];
     let (name, attributes) = (&tiers.name, attributes(program));
     let public = program.is_public().then(|| quote!(pub));
     let about = format!(" `{name}` in every precision.");
@@ -34,7 +41,6 @@ pub(crate) fn module(generated: &Generated) -> Result<TokenStream, proc_macro2::
             pub enum Plain {}
             #plain
             #[doc = " The form that the kernel is computed by, for any number."]
-            pub enum Stable {}
             #stable
             #(#functions)*
         }
@@ -84,13 +90,20 @@ impl Tiers {
         self.scalar(&docs, &format_ident!("f32"), &quote!(f32), &quote!(Stable))
     }
 
+    /// The stable form in double-double.
+    fn dd(&self) -> TokenStream {
+        let docs = format!(" `{}` in double-double arithmetic, of about 31 digits.", self.name);
+        let number = quote!(::forms::math::DoubleDouble);
+        self.scalar(&docs, &format_ident!("dd"), &number, &quote!(Stable))
+    }
+
     /// A function of numbers of one type.
     fn scalar(&self, docs: &str, name: &Ident, number: &TokenStream, formula: &TokenStream) -> TokenStream {
         let (arguments, outputs) = (&self.arguments, self.outputs);
         let (count, call) = (arguments.len(), quote!(::forms::math::Formula));
         let value = quote!(<#formula as #call<#count, #outputs>>::value([#(#arguments),*]));
         let (result, body) = match outputs {
-            1 => (quote!(#number), quote!({ let [value] = #value; value })),
+            1 => (quote!(#number), quote!(let [value] = #value; value)),
             _ => (quote!([#number; #outputs]), value),
         };
         quote! {
