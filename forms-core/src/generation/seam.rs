@@ -2,9 +2,11 @@
 //!
 //! On the boundary a = b of a relation a < b the branches are compared like the sides of a statement, under the
 //! kernel's own conditions and those on the path to the `if`. The boundary is described by one of its parts
-//! in terms of the others, so that no equation is ever assumed, only substituted.
+//! in terms of the others, so that no equation is ever assumed, only substituted. A branch that is not defined on the
+//! boundary, as sin(x)/x at 0, has its limit there compared with the value of the other.
 
-use super::boundary::{Sheet, Solution, sheets};
+use super::boundary::{Sheet, Solution, replaced, sheets};
+use super::limit::{is_defined, limit};
 use super::pieces::{negated, pieces};
 use crate::decide::{Effort, Equations, Finding, Witness, contradiction, simplified};
 use crate::diagnostic::Diagnostic;
@@ -134,16 +136,16 @@ impl Choice {
         for (value, conditions) in &solution.values {
             let conditions: Vec<Condition> =
                 assumed.iter().chain(&sheet.conditions).chain(conditions).copied().collect();
-            let mut expressions = vec![self.then, self.otherwise];
-            expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
-            let replaced = replace(pool, &expressions, solution.part, *value);
-            let sides = replaced[2..].chunks_exact(2);
-            let conditions: Vec<Condition> = conditions
-                .iter()
-                .zip(sides)
-                .map(|(condition, side)| Condition { left: side[0], right: side[1], ..*condition })
-                .collect();
-            match compare(pool, replaced[0], replaced[1], &conditions) {
+            let branches = [self.then, self.otherwise];
+            let (replaced, conditions) = replaced(pool, (solution.part, *value), &branches, &conditions);
+            let mut agreement = compare(pool, replaced[0], replaced[1], &conditions);
+            if matches!(agreement, Agreement::Undecided(_))
+                && let Some((then, otherwise)) =
+                    self.limits(pool, (solution.part, *value), (replaced[0], replaced[1]), &conditions)
+            {
+                agreement = compare(pool, then, otherwise, &conditions);
+            }
+            match agreement {
                 Agreement::Agrees => {}
                 Agreement::Differs(mut witness) => {
                     let value = simplified(pool, *value);
@@ -157,10 +159,31 @@ impl Choice {
     }
 }
 
-/// The expressions with a value in the place of a part.
-fn replace(pool: &mut Pool, expressions: &[Expr], part: Expr, value: Expr) -> Vec<Expr> {
-    let node = pool.node(part).clone();
-    pool.replace_all(expressions, |found, _| (*found == node).then_some(value))
+impl Choice {
+    /// The values of both branches on a seam variable = value: of the one that applies there its own, of the other its
+    /// limit. `replaced` are the branches with the value in the place of the variable.
+    fn limits(
+        &self,
+        pool: &mut Pool,
+        (part, value): (Expr, Expr),
+        (then, otherwise): (Expr, Expr),
+        conditions: &[Condition],
+    ) -> Option<(Expr, Expr)> {
+        let Node::Symbol(variable) = *pool.node(part) else { return None };
+        let is_piecewise = |pool: &Pool, branch: Expr| {
+            pool.reachable(&[branch]).iter().any(|&part| matches!(pool.node(part), Node::Select { .. }))
+        };
+        if is_piecewise(pool, self.then) || is_piecewise(pool, self.otherwise) {
+            return None;
+        }
+        let then_applies = self.condition.relation.admits(std::cmp::Ordering::Equal);
+        let (own, other) = if then_applies { (then, self.otherwise) } else { (otherwise, self.then) };
+        if !is_defined(pool, own, conditions) {
+            return None;
+        }
+        let limit = limit(pool, other, (variable, value), conditions)?;
+        Some(if then_applies { (own, limit) } else { (limit, own) })
+    }
 }
 
 /// Whether two expressions agree wherever the conditions hold, piece by piece.
