@@ -12,7 +12,9 @@
 mod double_double;
 mod elementary;
 mod error_free;
+mod escalate;
 mod formula;
+mod guarded;
 mod quadrature;
 mod real;
 mod scalar;
@@ -21,7 +23,9 @@ mod table;
 mod wide;
 
 pub use double_double::DoubleDouble;
+pub use escalate::{Tier, escalate, escalate_with_tier};
 pub use formula::Formula;
+pub use guarded::{Bound, Guardable, Guarded, Magnitude, Units};
 pub use real::Real;
 pub use scalar::Scalar;
 pub use wide::Wide;

@@ -1,0 +1,201 @@
+//! Bounds of sizes: non-negative numbers that every operation rounds to the safe side.
+
+/// A bound of a size: `plus`, `times`, `over` round up; what ends in `down` rounds down, for what a size is at least.
+pub trait Bound: Copy + PartialOrd + std::fmt::Debug {
+    /// Nothing.
+    const ZERO: Self;
+    /// No bound.
+    const INFINITE: Self;
+    /// This non-negative number.
+    fn of(value: f64) -> Self;
+    /// The sum.
+    fn plus(self, other: Self) -> Self;
+    /// The product; without a bound where a factor is.
+    fn times(self, other: Self) -> Self;
+    /// The quotient by what the divisor is at least; without a bound where that is nothing.
+    fn over(self, least: Self) -> Self;
+    /// self · 2^exponent
+    fn shifted(self, exponent: i64) -> Self;
+    /// What is at least left of at least `self` less at most `other`.
+    fn minus_down(self, other: Self) -> Self;
+    /// The product of two sizes that are at least so much.
+    fn times_down(self, other: Self) -> Self;
+    /// The root of a size that is at least so much.
+    fn root_down(self) -> Self;
+
+    /// True of nothing.
+    fn is_zero(self) -> bool {
+        self == Self::ZERO
+    }
+    /// True of a bound.
+    fn is_finite(self) -> bool {
+        self < Self::INFINITE
+    }
+    /// The smaller.
+    fn least(self, other: Self) -> Self {
+        if other < self { other } else { self }
+    }
+    /// The larger.
+    fn most(self, other: Self) -> Self {
+        if other > self { other } else { self }
+    }
+}
+
+impl Bound for f64 {
+    const ZERO: Self = 0.0;
+    const INFINITE: Self = f64::INFINITY;
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        if self == 0.0 {
+            other
+        } else if other == 0.0 {
+            self
+        } else {
+            (self + other).next_up()
+        }
+    }
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        if self == f64::INFINITY || other == f64::INFINITY {
+            f64::INFINITY
+        } else if self == 0.0 || other == 0.0 {
+            0.0
+        } else {
+            (self * other).next_up()
+        }
+    }
+    #[inline(always)]
+    fn over(self, least: Self) -> Self {
+        if least <= 0.0 || self == f64::INFINITY {
+            f64::INFINITY
+        } else if self == 0.0 {
+            0.0
+        } else {
+            (self / least).next_up()
+        }
+    }
+    #[inline(always)]
+    fn shifted(self, exponent: i64) -> Self {
+        let scaled = crate::error_free::scaled(self, exponent);
+        if scaled >= f64::MIN_POSITIVE || self == 0.0 { scaled } else { scaled.next_up() }
+    }
+    #[inline(always)]
+    fn minus_down(self, other: Self) -> Self {
+        if self > other { (self - other).next_down().max(0.0) } else { 0.0 }
+    }
+    #[inline(always)]
+    fn times_down(self, other: Self) -> Self {
+        let product = self * other;
+        if product > 0.0 { product.next_down() } else { 0.0 }
+    }
+    #[inline(always)]
+    fn root_down(self) -> Self {
+        if self > 0.0 { self.sqrt().next_down() } else { 0.0 }
+    }
+}
+
+/// A bound of any size: m · 2^exponent with ½ ≤ m < 1, or m = 0 or infinite with an exponent of 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Magnitude {
+    mantissa: f64,
+    exponent: i64,
+}
+
+impl Magnitude {
+    /// `mantissa`, positive, in the middle of the range of `f64` or infinite, times 2^`exponent`.
+    #[inline]
+    pub(super) fn new(mantissa: f64, exponent: i64) -> Self {
+        if mantissa == 0.0 || mantissa == f64::INFINITY {
+            return Self { mantissa, exponent: 0 };
+        }
+        let (mantissa, more) = crate::error_free::mantissa_and_exponent(mantissa);
+        Self { mantissa, exponent: exponent.saturating_add(more) }
+    }
+
+    /// (larger, smaller with the exponent of the larger)
+    fn aligned(self, other: Self) -> (Self, f64) {
+        let (large, small) = if self < other { (other, self) } else { (self, other) };
+        let shift = small.exponent.saturating_sub(large.exponent).max(-200);
+        (large, crate::error_free::scaled(small.mantissa, shift))
+    }
+
+    fn is_usual(self) -> bool {
+        self.mantissa > 0.0 && self.mantissa < f64::INFINITY
+    }
+}
+
+impl PartialOrd for Magnitude {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        if self.is_usual() && other.is_usual() && self.exponent != other.exponent {
+            return Some(self.exponent.cmp(&other.exponent));
+        }
+        self.mantissa.partial_cmp(&other.mantissa)
+    }
+}
+
+impl Bound for Magnitude {
+    const ZERO: Self = Self { mantissa: 0.0, exponent: 0 };
+    const INFINITE: Self = Self { mantissa: f64::INFINITY, exponent: 0 };
+    fn of(value: f64) -> Self {
+        Self::new(value, 0)
+    }
+    fn plus(self, other: Self) -> Self {
+        if !self.is_usual() || !other.is_usual() {
+            return self.most(other);
+        }
+        let (large, small) = self.aligned(other);
+        Self::new((large.mantissa + small).next_up(), large.exponent)
+    }
+    fn times(self, other: Self) -> Self {
+        if self.mantissa == f64::INFINITY || other.mantissa == f64::INFINITY {
+            return Self::INFINITE;
+        }
+        if self.mantissa == 0.0 || other.mantissa == 0.0 {
+            return Self::ZERO;
+        }
+        Self::new((self.mantissa * other.mantissa).next_up(), self.exponent.saturating_add(other.exponent))
+    }
+    fn over(self, least: Self) -> Self {
+        if least.mantissa == 0.0 || self.mantissa == f64::INFINITY {
+            return Self::INFINITE;
+        }
+        if self.mantissa == 0.0 {
+            return self;
+        }
+        if least.mantissa == f64::INFINITY {
+            return Self::new(0.5, i64::MIN / 4);
+        }
+        Self::new((self.mantissa / least.mantissa).next_up(), self.exponent.saturating_sub(least.exponent))
+    }
+    fn shifted(self, exponent: i64) -> Self {
+        if self.is_usual() { Self { exponent: self.exponent.saturating_add(exponent), ..self } } else { self }
+    }
+    fn minus_down(self, other: Self) -> Self {
+        if self <= other {
+            return Self::ZERO;
+        }
+        if !self.is_usual() || !other.is_usual() {
+            return self;
+        }
+        let (large, small) = self.aligned(other);
+        Self::new((large.mantissa - small).next_down().max(0.0), large.exponent)
+    }
+    fn times_down(self, other: Self) -> Self {
+        if !self.is_usual() || !other.is_usual() {
+            return Self::ZERO;
+        }
+        Self::new((self.mantissa * other.mantissa).next_down(), self.exponent.saturating_add(other.exponent))
+    }
+    fn root_down(self) -> Self {
+        if !self.is_usual() {
+            return self;
+        }
+        let odd = self.exponent.rem_euclid(2);
+        let root = crate::error_free::scaled(self.mantissa, odd).sqrt().next_down();
+        Self::new(root, (self.exponent - odd) / 2)
+    }
+}
