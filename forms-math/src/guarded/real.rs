@@ -41,6 +41,10 @@ impl<T: Guardable> Guarded<T> {
         if left.is_undefined() || right.is_undefined() {
             return Self::undefined();
         }
+        if !left.error.is_finite() || !right.error.is_finite() {
+            // It may be undefined.
+            return Self::undecided(then.value);
+        }
         match Self::order(left, right) {
             Some(order) if holds(order) => then,
             Some(_) => otherwise,
