@@ -1,6 +1,6 @@
 //! A bound of an error is never exceeded: random formulas in guarded arithmetic against more precision.
 
-use forms_math::{Bound, DoubleDouble, Guardable, Guarded, Real, Wide};
+use forms_math::{Bound, DoubleDouble, Guardable, Guarded, Magnitude, Real, Scalar, Wide};
 use proptest::prelude::*;
 
 /// One step of a formula: an operation on values that stand before it.
@@ -135,6 +135,19 @@ proptest! {
     fn bounds_of_double_double_hold(steps in steps(6), arguments in prop::collection::vec(argument(), 4)) {
         let words = |value: DoubleDouble| Wide::from_f64(value.high()) + Wide::from_f64(value.low());
         check::<DoubleDouble>(&steps, &arguments, words, Wide::from_f64)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 32, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn bounds_of_four_words_hold(steps in steps(6), arguments in prop::collection::vec(argument(), 4)) {
+        let error = |error: Magnitude| {
+            let (mantissa, exponent) = error.parts();
+            Wide::from_f64(mantissa).scaled(exponent)
+        };
+        check::<Wide<4>>(&steps, &arguments, Wide::to_limbs, error)?;
     }
 }
 

@@ -8,13 +8,19 @@ impl<T: Guardable> Guarded<T> {
     /// The result with its error; undefined where an operand is.
     #[inline]
     pub(super) fn of_operands(operands: &[Self], value: T, error: T::Bound) -> Self {
+        if value.size().is_finite() {
+            return Self { value, error };
+        }
+        Self::without_value(operands, value)
+    }
+
+    #[cold]
+    fn without_value(operands: &[Self], value: T) -> Self {
         if operands.iter().any(|operand| operand.is_undefined()) {
-            return Self::undefined();
+            Self::undefined()
+        } else {
+            Self::undecided(value)
         }
-        if value.is_nan() || !value.size().is_finite() {
-            return Self::undecided(value);
-        }
-        Self { value, error }
     }
 
     /// What the errors of two factors make of their product: |a| β + |b| α + α β.

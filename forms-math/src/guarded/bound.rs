@@ -41,6 +41,33 @@ pub trait Bound: Copy + PartialOrd + std::fmt::Debug {
     }
 }
 
+/// 1 + 2⁻⁵¹: the product with it is above a number that was rounded to nearest.
+const RAISE: f64 = 1.0 + 2.0 * f64::EPSILON;
+/// 2⁻¹⁰⁰⁰
+const UNDERFLOW: f64 = f64::from_bits((1023 - 1000) << 52);
+
+#[cold]
+fn product_at_the_end_of_the_range(first: f64, second: f64) -> f64 {
+    if first == f64::INFINITY || second == f64::INFINITY {
+        f64::INFINITY
+    } else if first == 0.0 || second == 0.0 {
+        0.0
+    } else {
+        (first * second).next_up()
+    }
+}
+
+#[cold]
+fn quotient_at_the_end_of_the_range(size: f64, least: f64) -> f64 {
+    if least <= 0.0 || size == f64::INFINITY {
+        f64::INFINITY
+    } else if size == 0.0 {
+        0.0
+    } else {
+        (size / least).next_up()
+    }
+}
+
 impl Bound for f64 {
     const ZERO: Self = 0.0;
     const INFINITE: Self = f64::INFINITY;
@@ -50,32 +77,21 @@ impl Bound for f64 {
     }
     #[inline(always)]
     fn plus(self, other: Self) -> Self {
-        if self == 0.0 {
-            other
-        } else if other == 0.0 {
-            self
-        } else {
-            (self + other).next_up()
-        }
+        // A subnormal sum is exact, and another that is rounded down is raised by more than that.
+        (self + other) * RAISE
     }
     #[inline(always)]
     fn times(self, other: Self) -> Self {
-        if self == f64::INFINITY || other == f64::INFINITY {
-            f64::INFINITY
-        } else if self == 0.0 || other == 0.0 {
-            0.0
-        } else {
-            (self * other).next_up()
-        }
+        let product = self * other;
+        if product > UNDERFLOW { product * RAISE } else { product_at_the_end_of_the_range(self, other) }
     }
     #[inline(always)]
     fn over(self, least: Self) -> Self {
-        if least <= 0.0 || self == f64::INFINITY {
-            f64::INFINITY
-        } else if self == 0.0 {
-            0.0
+        let quotient = self / least;
+        if quotient > UNDERFLOW && least > 0.0 {
+            quotient * RAISE
         } else {
-            (self / least).next_up()
+            quotient_at_the_end_of_the_range(self, least)
         }
     }
     #[inline(always)]
@@ -114,6 +130,11 @@ impl Magnitude {
         }
         let (mantissa, more) = crate::error_free::mantissa_and_exponent(mantissa);
         Self { mantissa, exponent: exponent.saturating_add(more) }
+    }
+
+    /// (m, exponent)
+    pub fn parts(self) -> (f64, i64) {
+        (self.mantissa, self.exponent)
     }
 
     /// (larger, smaller with the exponent of the larger)

@@ -80,7 +80,7 @@ impl Guardable for f64 {
     }
     #[inline(always)]
     fn rounding(self, units: f64) -> f64 {
-        let relative = (self.abs() * (units * (f64::EPSILON / 2.0))).next_up();
+        let relative = self.abs() * (units * (f64::EPSILON / 2.0 * (1.0 + 4.0 * f64::EPSILON)));
         if self.abs() < NORMAL { relative + units * SMALLEST } else { relative }
     }
     fn underflow(units: f64) -> f64 {
