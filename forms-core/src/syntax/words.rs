@@ -58,6 +58,14 @@ pub const FUNCTIONS: &[&str] = &[
     "cosh",
     "tanh",
     "abs",
+    "expm1",
+    "log1p",
+    "erf",
+    "expint1",
+    "expint2",
+    "expint3",
+    "dilog",
+    "clausen",
     "pi",
 ];
 
