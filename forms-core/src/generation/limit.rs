@@ -43,6 +43,8 @@ struct Expansion<'a> {
     defined: Vec<Expr>,
     /// What must not be zero.
     divisors: Vec<Expr>,
+    /// Whether it is that of a derivative to be integrated, in which no other is integrated.
+    is_slope: bool,
 }
 
 /// The limit of an expression without `if` as a variable tends to a value, if it is shown to exist wherever the
@@ -56,7 +58,8 @@ pub(super) fn limit(
     let mut coefficients = vec![pool.integer(0); TERMS];
     (coefficients[0], coefficients[1]) = (value, pool.integer(1));
     let argument = Series { order: 0, coefficients };
-    let mut expansion = Expansion { pool, variable, argument, defined: vec![value], divisors: Vec::new() };
+    let (defined, divisors) = (vec![value], Vec::new());
+    let mut expansion = Expansion { pool, variable, argument, defined, divisors, is_slope: false };
     let series = expansion.series(expression)?;
     let series = expansion.without_poles(series)?;
     let limit = match series.order {
@@ -70,13 +73,12 @@ pub(super) fn limit(
     let mut required = pool.domain(&defined);
     let relation = Relation::NotEqual;
     required.extend(divisors.into_iter().map(|left| Condition { left, relation, right: zero }));
-    required.iter().all(|condition| holds(pool, condition, conditions)).then_some(limit)
+    follow(pool, &required, conditions).then_some(limit)
 }
 
-/// Whether an expression is shown to be defined wherever the conditions hold.
-pub(super) fn is_defined(pool: &mut Pool, expression: Expr, conditions: &[Condition]) -> bool {
-    let domain = pool.domain(&[expression]);
-    domain.iter().all(|condition| holds(pool, condition, conditions))
+/// Whether conditions are shown to hold wherever others do.
+pub(super) fn follow(pool: &mut Pool, conditions: &[Condition], known: &[Condition]) -> bool {
+    conditions.iter().all(|condition| holds(pool, condition, known))
 }
 
 /// Whether a condition follows from others: they contradict its opposite.
@@ -119,6 +121,13 @@ impl Expansion<'_> {
                 self.repeated(&known[&a], u32::try_from(*exponent.numer()).ok()?)
             }
             Node::Power(a, exponent) => self.power(&known[&a], exponent),
+            Node::Apply(Operation::Tan, arguments) => {
+                // a quotient, so that it may have a pole
+                let sine = self.composed(Operation::Sin, &known[&arguments[0]])?;
+                let cosine = self.composed(Operation::Cos, &known[&arguments[0]])?;
+                let inverse = self.power(&cosine, Ratio::from_integer(-1))?;
+                Some(self.product(&sine, &inverse))
+            }
             Node::Apply(operation, arguments) => match arguments[..] {
                 [argument] => self.composed(operation, &known[&argument]),
                 _ => None,
@@ -225,6 +234,9 @@ impl Expansion<'_> {
         let function = self.pool.apply(operation, &[at]);
         let derivatives = self.derivatives_at(function, placeholder, &inner)?;
         if !self.is_undefined(derivatives[0]) && self.is_undefined(*derivatives.get(1)?) {
+            if self.is_slope {
+                return None;
+            }
             return self.integrated((function, derivatives[0]), placeholder, inner);
         }
         let (zero, mut factorial, mut taylor) = (self.pool.integer(0), 1_i64, Vec::new());
@@ -271,8 +283,14 @@ impl Expansion<'_> {
             })
             .collect();
         let (defined, divisors) = (std::mem::take(&mut self.defined), std::mem::take(&mut self.divisors));
-        let mut of_slope =
-            Expansion { pool: self.pool, variable: placeholder, argument: inner, defined, divisors };
+        let mut of_slope = Expansion {
+            pool: self.pool,
+            variable: placeholder,
+            argument: inner,
+            defined,
+            divisors,
+            is_slope: true,
+        };
         let slope = of_slope.series(derivative);
         let Expansion { defined, divisors, .. } = of_slope;
         (self.defined, self.divisors) = (defined, divisors);

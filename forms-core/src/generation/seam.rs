@@ -6,13 +6,14 @@
 //! boundary, as sin(x)/x at 0, has its limit there compared with the value of the other.
 
 use super::boundary::{Sheet, Solution, replaced, sheets};
-use super::limit::{is_defined, limit};
+use super::limit::{follow, limit};
 use super::pieces::{negated, pieces};
 use crate::decide::{Effort, Equations, Finding, Witness, contradiction, simplified};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Condition, Expr, Node, Pool, Seam};
 use crate::resolve::Kernel;
 use rustc_hash::FxHashSet;
+use std::cmp::Ordering;
 
 /// A seam is a claim of its author like a statement, but one kernel may have many.
 const EFFORT: Effort = Effort { work: 10_000_000, candidates: 200, points: 20 };
@@ -136,14 +137,12 @@ impl Choice {
         for (value, conditions) in &solution.values {
             let conditions: Vec<Condition> =
                 assumed.iter().chain(&sheet.conditions).chain(conditions).copied().collect();
-            let branches = [self.then, self.otherwise];
-            let (replaced, conditions) = replaced(pool, (solution.part, *value), &branches, &conditions);
-            let mut agreement = compare(pool, replaced[0], replaced[1], &conditions);
+            let put_in = (solution.part, *value);
+            let mut agreement = self.where_defined(pool, put_in, &conditions);
             if matches!(agreement, Agreement::Undecided(_))
-                && let Some((then, otherwise)) =
-                    self.limits(pool, (solution.part, *value), (replaced[0], replaced[1]), &conditions)
+                && let Some(by_limits) = self.by_limits(pool, put_in, &conditions)
             {
-                agreement = compare(pool, then, otherwise, &conditions);
+                agreement = by_limits;
             }
             match agreement {
                 Agreement::Agrees => {}
@@ -160,30 +159,57 @@ impl Choice {
 }
 
 impl Choice {
-    /// The values of both branches on a seam variable = value: of the one that applies there its own, of the other its
-    /// limit. `replaced` are the branches with the value in the place of the variable.
-    fn limits(
+    /// Whether the branches agree with a value in the place of a part, if they are defined there as they are written:
+    /// 0·(1/0) is not, although it is 0 once the value is put in.
+    fn where_defined(&self, pool: &mut Pool, put_in: (Expr, Expr), conditions: &[Condition]) -> Agreement {
+        let branches = [self.then, self.otherwise];
+        let (values, mut known) = replaced(pool, put_in, &branches, conditions);
+        let domain = pool.domain(&branches);
+        let (_, domain) = replaced(pool, put_in, &[], &domain);
+        if is_excluded(pool, &domain, &known) {
+            return Agreement::Undecided("a branch is not defined there".into());
+        }
+        known.extend(domain);
+        compare(pool, values[0], values[1], &known)
+    }
+
+    /// The same by limits: the branch that applies on the seam has a value there, the other tends to it.
+    fn by_limits(
         &self,
         pool: &mut Pool,
         (part, value): (Expr, Expr),
-        (then, otherwise): (Expr, Expr),
         conditions: &[Condition],
-    ) -> Option<(Expr, Expr)> {
+    ) -> Option<Agreement> {
         let Node::Symbol(variable) = *pool.node(part) else { return None };
-        let is_piecewise = |pool: &Pool, branch: Expr| {
-            pool.reachable(&[branch]).iter().any(|&part| matches!(pool.node(part), Node::Select { .. }))
-        };
-        if is_piecewise(pool, self.then) || is_piecewise(pool, self.otherwise) {
+        let branches = [self.then, self.otherwise];
+        let is_piecewise = |part: &Expr| matches!(pool.node(*part), Node::Select { .. });
+        if pool.reachable(&branches).iter().any(is_piecewise) {
             return None;
         }
-        let then_applies = self.condition.relation.admits(std::cmp::Ordering::Equal);
-        let (own, other) = if then_applies { (then, self.otherwise) } else { (otherwise, self.then) };
-        if !is_defined(pool, own, conditions) {
+        let then_applies = self.condition.relation.admits(Ordering::Equal);
+        let (own, other) =
+            if then_applies { (self.then, self.otherwise) } else { (self.otherwise, self.then) };
+        let (values, known) = replaced(pool, (part, value), &[own], conditions);
+        let domain = pool.domain(&[own]);
+        let (_, domain) = replaced(pool, (part, value), &[], &domain);
+        if !follow(pool, &domain, &known) {
             return None;
         }
-        let limit = limit(pool, other, (variable, value), conditions)?;
-        Some(if then_applies { (own, limit) } else { (limit, own) })
+        let limit = limit(pool, other, (variable, value), &known)?;
+        let (then, otherwise) = if then_applies { (values[0], limit) } else { (limit, values[0]) };
+        Some(compare(pool, then, otherwise, &known))
     }
+}
+
+/// Whether some of these conditions fail wherever the others hold, and there is such a place.
+fn is_excluded(pool: &mut Pool, conditions: &[Condition], known: &[Condition]) -> bool {
+    let open: Vec<Condition> =
+        conditions.iter().filter(|condition| condition.decided(pool) != Some(true)).copied().collect();
+    if open.is_empty() {
+        return false;
+    }
+    let all: Vec<Condition> = known.iter().chain(&open).copied().collect();
+    contradiction(pool, &all).is_some() && contradiction(pool, known).is_none()
 }
 
 /// Whether two expressions agree wherever the conditions hold, piece by piece.

@@ -68,6 +68,9 @@ impl Inference<'_> {
     pub(super) fn warp(&mut self, item: &Item, warp: &Warp) {
         let outside = self.names.clone();
         warp.parameters.iter().chain(&warp.uniforms).for_each(|argument| self.variable(argument));
+        for (uniform, quantity) in self.known(&warp.uniforms) {
+            self.names.insert(format!("d{uniform}"), quantity);
+        }
         self.map(&warp.target, &warp.components);
         // the sign of a claim makes no difference to its units
         warp.claims(item, false).iter().for_each(|claim| self.item(claim));
