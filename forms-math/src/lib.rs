@@ -35,5 +35,5 @@ pub use guarded::{Bound, Guardable, Guarded, Magnitude, Units};
 pub use lane::{Lane32, Lane64};
 pub use real::Real;
 pub use scalar::Scalar;
-pub use source::source;
+pub use source::{crate_files, source};
 pub use wide::Wide;
