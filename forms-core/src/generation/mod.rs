@@ -9,13 +9,14 @@
 //! be proved is said beside the kernel, and never passed off as a proof.
 
 mod boundary;
-mod opaque;
 mod limit;
+mod opaque;
 mod pieces;
 mod seam;
 mod translation;
 
 pub use translation::Translation;
+pub(crate) use translation::{FORM, equality};
 
 use crate::diagnostic::Diagnostic;
 use crate::expression::Pool;
