@@ -76,20 +76,34 @@ pub(crate) fn mantissa_and_exponent(value: f64) -> (f64, i64) {
     (f64::from_bits((bits & !(0x7ff << 52)) | (1022 << 52)), biased as i64 - 1022)
 }
 
-/// a b − c d within 1.5 ulp, at any size of the products that does not leave the range of the result.
+/// True where [`two_product`] holds what the rounding of a · b leaves.
+#[inline(always)]
+pub(crate) fn has_exact_rest(product: f64, a: f64, b: f64) -> bool {
+    (product.abs() >= EXACT_PRODUCT || a == 0.0 || b == 0.0) && product.abs() <= SPLIT_LIMIT
+}
+
+/// a b − c d within an ulp, at any size of the products that does not leave the range of the result.
 #[inline(always)]
 pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let (first, second) = (a * b, c * d);
-    let safe = |product: f64, left: f64, right: f64| {
-        (product.abs() >= EXACT_PRODUCT || left == 0.0 || right == 0.0) && product.abs() <= SPLIT_LIMIT
-    };
-    if safe(first, a, b) && safe(second, c, d) {
-        let (high_first, low_first) = two_product(a, b);
-        let (high_second, low_second) = two_product(c, d);
-        let (high, low) = two_sum(high_first, -high_second);
-        return high + (low + (low_first - low_second));
+    if has_exact_rest(first, a, b) && has_exact_rest(second, c, d) {
+        let [value, rest, least] = difference_in_words(a, b, c, d);
+        return value + (rest + least);
     }
     difference_of_scaled_products(a, b, c, d)
+}
+
+/// a b − c d as a sum of three words but for what two more roundings of the last leave, where the rests are exact:
+/// the second is at most half an ulp of the first, and the last is small beside the larger of the second and the first.
+#[inline(always)]
+pub(crate) fn difference_in_words(a: f64, b: f64, c: f64, d: f64) -> [f64; 3] {
+    let (high_first, low_first) = two_product(a, b);
+    let (high_second, low_second) = two_product(c, d);
+    let (high, low) = two_sum(high_first, -high_second);
+    let (rest, least) = two_sum(low_first, -low_second);
+    let (middle, small) = two_sum(low, rest);
+    let (value, left) = two_sum(high, middle);
+    [value, left, small + least]
 }
 
 /// The same where a product is near an end of the range: every factor is brought to about one, and the result back.

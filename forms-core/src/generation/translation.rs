@@ -2,6 +2,7 @@
 //!
 //! The equation is decided like any other statement, on the kernel's domain and wherever both sides are defined.
 
+use super::opaque::opaque;
 use super::pieces::{MOST_PIECES, pieces};
 use crate::decide::{Effort, Equations, Finding, Witness};
 use crate::diagnostic::Diagnostic;
@@ -87,14 +88,21 @@ pub(super) fn validate(pool: &mut Pool, kernel: &Kernel, program: &Program) -> T
     equality(pool, &domain, &[]).and(equality(pool, &outputs, &kernel.domain))
 }
 
-/// Whether the sides of each pair are equal under the conditions, piece by piece.
+/// Whether the sides of each pair are equal under the conditions: without a look inside functions, which is enough for
+/// most programs and costs little, or else with one.
 fn equality(pool: &mut Pool, pairs: &[(Expr, Expr)], conditions: &[Condition]) -> Translation {
     let different: Vec<Expr> =
         pairs.iter().filter(|(raised, written)| raised != written).flat_map(|&(a, b)| [a, b]).collect();
-    if different.is_empty() {
+    let opaque = opaque(pool, &different);
+    if opaque.chunks_exact(2).all(|pair| pair[0] == pair[1]) || by_pieces(pool, &opaque, &[]).is_proved() {
         return Translation::Proved;
     }
-    let mut expressions = different.clone();
+    by_pieces(pool, &different, conditions)
+}
+
+/// Whether each expression in an even place equals the one behind it under the conditions, piece by piece.
+fn by_pieces(pool: &mut Pool, different: &[Expr], conditions: &[Condition]) -> Translation {
+    let mut expressions = different.to_vec();
     expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
     let Some(pieces) = pieces(pool, &expressions, is_same_choice) else {
         return Translation::Unknown { reason: format!("it has more than {MOST_PIECES} pieces"), points: 0 };

@@ -69,6 +69,15 @@ impl Program {
 
     /// The same kernel in additions, subtractions and multiplications.
     pub(crate) fn unfused(&self) -> Program {
+        self.taken_apart(true)
+    }
+
+    /// The same kernel with a rounding of its own for each product that is not compensated.
+    pub(crate) fn with_separate_roundings(&self) -> Program {
+        self.taken_apart(false)
+    }
+
+    fn taken_apart(&self, compensated: bool) -> Program {
         let mut instructions: Vec<Instruction> = Vec::with_capacity(self.instructions.len());
         let mut values: Vec<Value> = Vec::with_capacity(self.instructions.len());
         for instruction in &self.instructions {
@@ -86,12 +95,12 @@ impl Program {
                         Instruction::Add(left, right)
                     })
                 }
-                Instruction::DifferenceOfProducts([a, b, c, d]) => {
+                Instruction::DifferenceOfProducts([a, b, c, d]) if compensated => {
                     let (left, right) =
                         (push(Instruction::Multiply(a, b)), push(Instruction::Multiply(c, d)));
                     push(Instruction::Subtract(left, right))
                 }
-                Instruction::SumOfProducts([a, b, c, d]) => {
+                Instruction::SumOfProducts([a, b, c, d]) if compensated => {
                     let (left, right) =
                         (push(Instruction::Multiply(a, b)), push(Instruction::Multiply(c, d)));
                     push(Instruction::Add(left, right))

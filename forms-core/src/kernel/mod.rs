@@ -26,7 +26,7 @@
 //! let kernel = lower(&pool, &source)?.optimise();
 //! assert_eq!(kernel.operations().multiplies, 4);
 //! assert_eq!(kernel.interpret(&[2.0]), [128.0]);
-//! assert!(emit_rust(&kernel, &RustDocs::default()).contains("fn seventh(x: f64) -> f64 {"));
+//! assert!(emit_rust(&kernel, &RustDocs::default(), "forms_math").contains("fn seventh(x: f64) -> f64 {"));
 //! # Ok::<(), forms_core::kernel::LowerError>(())
 //! ```
 
@@ -59,6 +59,7 @@ pub(crate) use constant::{Binary, DOUBLE, SINGLE, nearest, nearest_f64};
 pub use count::OperationCount;
 pub use emit::{RustDocs, emit_formula, emit_rust};
 pub use evaluate::evaluate_f64;
+pub use interpret::Interpreter;
 pub use lower::{KernelSource, LowerError, lower};
 pub use program::{Comparison, Instruction, ProductSum, Program, Value};
 pub use raise::Raised;

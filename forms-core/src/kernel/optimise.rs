@@ -50,7 +50,8 @@ impl Program {
         if is_searched {
             best = cheaper(best, finished(&factor(expansion, Order::Last), &numbered));
         }
-        schedule(&fuse(&best))
+        // numbers that `f64` holds may have a product that it does not
+        if best.is_representable() { schedule(&fuse(&best)) } else { self.clone() }
     }
 }
 

@@ -13,6 +13,8 @@ struct Part {
 }
 
 pub(super) fn error_bound(program: &Program, boxes: usize) -> Result<Vec<ErrorBound>, Unbounded> {
+    // a fused product is rounded once less than a separate one, at most
+    let program = &program.with_separate_roundings();
     let analysis = Analysis::new(program);
     let whole = domain(program)?;
     let mut parts = part(&analysis, whole).into_iter().collect::<Vec<Part>>();

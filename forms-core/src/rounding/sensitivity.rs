@@ -143,6 +143,13 @@ impl<'a> Analysis<'a> {
                 let reciprocal = of(*b).reciprocal();
                 vec![(*a, reciprocal), (*b, here.multiply(reciprocal).negate())]
             }
+            Instruction::MultiplyAdd(..) => unreachable!("roundings were separated"),
+            Instruction::DifferenceOfProducts([a, b, c, d]) => {
+                vec![(*a, of(*b)), (*b, of(*a)), (*c, of(*d).negate()), (*d, of(*c).negate())]
+            }
+            Instruction::SumOfProducts([a, b, c, d]) => {
+                vec![(*a, of(*b)), (*b, of(*a)), (*c, of(*d)), (*d, of(*c))]
+            }
             Instruction::Negate(a) => vec![(*a, one.negate())],
             Instruction::Sqrt(a) => vec![(*a, Interval::point(0.5).divide(here))],
             // (xʳ)′ = r xʳ⁻¹
@@ -240,6 +247,9 @@ fn rounding(program: &Program, place: usize) -> (f64, f64) {
         Instruction::Constant(_) | Instruction::Multiply(..) | Instruction::Divide(..) => {
             (ROUNDING, UNDERFLOW)
         }
+        Instruction::MultiplyAdd(..) => unreachable!("roundings were separated"),
+        // a few ulp, as `Real::difference_of_products` states
+        Instruction::DifferenceOfProducts(_) | Instruction::SumOfProducts(_) => (FUNCTION, UNDERFLOW),
         Instruction::Power(..) | Instruction::Call(..) => (FUNCTION, UNDERFLOW),
     }
 }
@@ -267,6 +277,11 @@ fn ranges(
             Instruction::Multiply(a, b) if a == b => of(a).power(2, 1),
             Instruction::Multiply(a, b) => of(a).multiply(of(b)),
             Instruction::Divide(a, b) => of(a).divide(of(b)),
+            Instruction::MultiplyAdd(..) => unreachable!("roundings were separated"),
+            Instruction::DifferenceOfProducts([a, b, c, d]) => {
+                of(a).multiply(of(b)).subtract(of(c).multiply(of(d)))
+            }
+            Instruction::SumOfProducts([a, b, c, d]) => of(a).multiply(of(b)).add(of(c).multiply(of(d))),
             Instruction::Negate(a) => of(a).negate(),
             Instruction::Sqrt(a) => of(a).sqrt(),
             Instruction::Power(a, exponent) => of(a).power(*exponent.numer(), *exponent.denom()),

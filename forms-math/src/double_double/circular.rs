@@ -7,7 +7,7 @@ use crate::{Real, Wide};
 
 /// π/2 to 318 bits, each word the nearest `f64` of what those before it leave.
 const QUARTER_TURN: [f64; 6] = [
-    1.570_796_326_794_896_6,
+    std::f64::consts::FRAC_PI_2,
     6.123_233_995_736_766e-17,
     -1.497_384_904_859_169_8e-33,
     5.562_271_104_316_826e-50,
@@ -74,7 +74,7 @@ impl DoubleDouble {
 /// the terms below 2⁻⁵³ of the value in `f64`.
 fn series(square: DoubleDouble, odd: usize) -> DoubleDouble {
     let first = 4 - odd;
-    let sign = |index: usize| if (index + odd) % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = |index: usize| if (index + odd).is_multiple_of(2) { 1.0 } else { -1.0 };
     let tail = (7..13).rev().fold(0.0, |sum, index| {
         sum * square.high + sign(index) * reciprocal_factorial(first + 2 * index).high
     });

@@ -1,6 +1,6 @@
 //! eˣ, eˣ − 1 and the hyperbolic functions: x = k ln 2 + r with |r| ≤ (ln 2)/2, and a polynomial of r.
 
-use super::pair::{Pair, pair, quotient, two_product, two_sum};
+use super::pair::{Pair, fast_two_sum, pair, quotient, two_product, two_sum};
 use super::word::Word;
 
 /// (k, r) with x = k ln 2 + r, and r as a pair.
@@ -24,7 +24,10 @@ fn clamped<W: Word>(x: W, low: f64, high: f64) -> W {
 #[inline(always)]
 fn limits<W: Word>() -> (f64, f64) {
     let largest = f64::from(W::LARGEST_EXPONENT + 1);
-    (-(largest + f64::from(W::PRECISION) + 1.0) * std::f64::consts::LN_2, largest * std::f64::consts::LN_2 + 1.0)
+    (
+        -(largest + f64::from(W::PRECISION) + 1.0) * std::f64::consts::LN_2,
+        largest * std::f64::consts::LN_2 + 1.0,
+    )
 }
 
 /// y 2^k in two steps, so that k may be out of the range of exponents and the last step alone rounds.
@@ -37,16 +40,24 @@ pub(super) fn scaled<W: Word>(y: W, k: W) -> W {
 /// eˣ = 2^k (1 + r + r² P(r))
 #[inline(always)]
 pub(super) fn exp<W: Word>(x: W) -> W {
-    exp_of_sum(x, W::literal(0.0))
-}
-
-/// e^(x + tail), of a tail that is small beside 1.
-#[inline(always)]
-pub(super) fn exp_of_sum<W: Word>(x: W, tail: W) -> W {
     let (low, high) = limits::<W>();
     let (k, r) = reduce(clamped(x, low, high));
+    from_rest(k, r)
+}
+
+/// eˣ of a pair.
+#[inline(always)]
+pub(super) fn exp_of_sum<W: Word>(x: Pair<W>) -> W {
+    let (low, high) = limits::<W>();
+    let (k, r) = reduce(clamped(x.head, low, high));
+    from_rest(k, two_sum(r.head, r.tail + x.tail))
+}
+
+/// 2^k eʳ
+#[inline(always)]
+fn from_rest<W: Word>(k: W, r: Pair<W>) -> W {
     let square = r.head * r.head;
-    let sum = r.head + square.fused(r.head.polynomial(W::TABLE.exp), r.tail + tail);
+    let sum = r.head + square.fused(r.head.polynomial(W::TABLE.exp), r.tail);
     scaled(W::literal(1.0) + sum, k)
 }
 
@@ -79,15 +90,16 @@ fn sinh_cosh<W: Word>(x: W) -> (Pair<W>, Pair<W>, W) {
     let (k, r) = reduce(x.magnitude());
     let one = W::literal(1.0);
     let power = inverse_power(k + k);
-    let (larger, smaller) = (one + power, one - power);
+    let (larger, smaller) = (fast_two_sum(one, power), fast_two_sum(one, -power));
     let square = r.head * r.head;
     let sinh = r.head.fused(square * square.polynomial(W::TABLE.sinh), r.tail);
     let cosh = square.fused(square.polynomial(W::TABLE.cosh), W::literal(0.5)) * square + r.head * r.tail;
-    let combine = |of_cosh: W, of_sinh: W| {
-        let product = two_product(of_sinh, r.head);
-        let sum = two_sum(of_cosh, product.head);
-        let rest = of_cosh.fused(cosh, of_sinh * sinh);
-        pair(sum.head, sum.tail + product.tail + rest)
+    let combine = |of_cosh: Pair<W>, of_sinh: Pair<W>| {
+        let product = two_product(of_sinh.head, r.head);
+        let sum = two_sum(of_cosh.head, product.head);
+        let rest = of_cosh.head.fused(cosh, of_sinh.head * sinh);
+        let tails = of_sinh.tail.fused(r.head, of_cosh.tail);
+        pair(sum.head, (sum.tail + product.tail + tails) + rest)
     };
     (combine(smaller, larger), combine(larger, smaller), k)
 }

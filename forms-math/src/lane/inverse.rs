@@ -102,16 +102,16 @@ fn from_octant<W: Word>(t: Pair<W>, low: bool, high: bool, backwards: bool) -> W
 #[inline(always)]
 fn within_reach<W: Word>(height: W, width: W) -> (W, W) {
     let larger = if height > width { height } else { width };
-    let (small, large) = (W::two_to(W::SMALL / 2), W::two_to(W::LARGE / 2));
-    let scale = if larger < small { W::two_to(-W::SMALL / 2 - W::SMALL / 8) } else { W::literal(1.0) };
-    let scale = if larger > large { W::two_to(-W::LARGE / 2 - W::LARGE / 8) } else { scale };
+    let (one, large) = (W::literal(1.0), W::two_to(W::LARGE));
+    let scale = if larger < one { W::two_to(W::LARGE / 2) } else { one };
+    let scale = if larger > large { W::two_to(W::LARGE - W::LARGEST_EXPONENT - 1) } else { scale };
     let infinite = larger >= W::infinity();
     let of_infinite = |side: W| {
         let flattened = side * W::literal(0.0);
-        if side >= W::infinity() { W::literal(1.0) } else { flattened }
+        if side >= W::infinity() { one } else { flattened }
     };
     let height_value = if infinite { of_infinite(height) } else { height * scale };
     let width_value = if infinite { of_infinite(width) } else { width * scale };
-    let width_value = if larger <= W::literal(0.0) { W::literal(1.0) } else { width_value };
+    let width_value = if larger <= W::literal(0.0) { one } else { width_value };
     (height_value, width_value)
 }

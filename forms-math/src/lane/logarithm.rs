@@ -44,7 +44,11 @@ pub(super) fn ln_1p<W: Word>(x: W) -> W {
     let sum = two_sum(one, x);
     let (k, m) = sum.head.split();
     let limit = W::literal(f64::from(2 * W::PRECISION));
-    let rest = if k > limit { W::literal(0.0) } else { sum.tail * (-(if k > limit { limit } else { k })).power_of_two() };
+    let rest = if k > limit {
+        W::literal(0.0)
+    } else {
+        sum.tail * (-(if k > limit { limit } else { k })).power_of_two()
+    };
     let f = fast_two_sum(m - one, rest);
     let value = on_domain(sum.head, combine(k, f.head, f.tail));
     if x.magnitude() < W::two_to(-W::PRECISION - 1) { x } else { value }

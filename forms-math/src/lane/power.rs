@@ -88,9 +88,7 @@ fn cube_root<W: Word>(x: W) -> Pair<W> {
 #[inline(always)]
 fn by_logarithm<W: Word>(x: W, numerator: i64, denominator: i64) -> W {
     let exponent = fraction(numerator, denominator);
-    let logarithm = exponent.times(ln_pair(x));
-    let value = exp_of_sum(logarithm.head, logarithm.tail);
-    let value = in_reach(x, value);
+    let value = in_reach(x, exp_of_sum(exponent.times(ln_pair(x))));
     if numerator > 0 && x.magnitude() <= W::literal(0.0) { W::literal(0.0) } else { value }
 }
 

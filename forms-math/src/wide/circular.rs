@@ -52,9 +52,9 @@ pub(crate) fn quadrant_of_words(high: f64, low: f64) -> (u8, Wide<4>) {
     other.resize(sum.len().max(other.len()), 0);
     sum.resize(other.len(), 0);
     if high.negative == low.negative {
-        super::natural::add(&mut sum, &other)
+        super::natural::add(&mut sum, &other);
     } else {
-        subtract(&mut sum, &other)
+        subtract(&mut sum, &other);
     }
     let least = (-common).max(0) as usize;
     match reduced(high.negative, &sum, common, least.div_ceil(64).max(6)) {

@@ -15,10 +15,6 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         Self { class: Class::Infinite, negative, ..Self::ZERO }
     }
 
-    pub(super) fn is_finite(&self) -> bool {
-        matches!(self.class, Class::Zero | Class::Finite)
-    }
-
     /// ± 0.m · 2^exponent rounded by the bits after m: the next 64 and whether there are others. True where it is exact.
     #[inline(always)]
     pub(super) fn rounded(

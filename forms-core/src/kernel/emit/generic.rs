@@ -12,9 +12,6 @@ use crate::kernel::program::{Instruction, ProductSum, Program};
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 
-/// How many words of a number are written where it has no end.
-const WORDS: usize = 5;
-
 /// `impl FORMULA for TYPE`, where the paths `math` lead to what `forms_math` exports.
 pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
     let (arguments, outputs) = (program.arguments.len(), program.outputs.len());
@@ -50,7 +47,7 @@ impl Dialect for Generic {
     }
 
     fn number(&self, constant: &Constant) -> Written {
-        Written::atom(match constant.words(WORDS)[..] {
+        Written::atom(match constant.words(Constant::WORDS)[..] {
             [single] => format!("T::from_f64({single:?})"),
             ref several => format!("T::constant(&{several:?})"),
         })
@@ -78,11 +75,7 @@ impl Dialect for Generic {
     }
 
     fn multiply_add(&self, sum: ProductSum, [a, b, c]: [&Written; 3]) -> Written {
-        let (factor, summand) = match sum {
-            ProductSum::ProductPlus | ProductSum::PlusProduct => (a.clone(), c.clone()),
-            ProductSum::ProductMinus => (a.clone(), negated(c)),
-            ProductSum::MinusProduct => (negated(a), c.clone()),
-        };
+        let [factor, summand] = sum.signed(a.clone(), c.clone(), |value| negated(&value));
         Self::method(&factor, "mul_add", &[b.argument(), summand.argument()])
     }
 

@@ -36,7 +36,7 @@ fn magnitude(constant: &Constant) -> String {
         positive.pi_exponent == pi_exponent && positive.factor == num_rational::Ratio::new(p.into(), q.into())
     });
     match (named, positive.to_f64()) {
-        (Some((.., name)), _) => format!("core::f64::consts::{name}"),
+        (Some((.., name)), _) => format!("::core::f64::consts::{name}"),
         (None, f64::INFINITY) => "f64::INFINITY".to_string(),
         (None, value) => format!("{value:?}"),
     }

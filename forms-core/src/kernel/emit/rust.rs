@@ -34,28 +34,48 @@ pub struct RustDocs {
     pub docs: Vec<String>,
 }
 
-/// A documented function that needs nothing but the standard library.
-pub fn emit_rust(program: &Program, docs: &RustDocs) -> String {
+/// A documented function. It needs nothing but the standard library, and where that does not do (see
+/// [`Program::needs_math`]) what `forms_math` exports, found by the path `math`.
+pub fn emit_rust(program: &Program, docs: &RustDocs, math: &str) -> String {
     let mut source = documentation(program, docs);
     source.push_str(&attributes(program));
     source.push_str(&signature(program));
     source.push_str(" {\n");
-    source.push_str(&body::write(&Rust, program, &program.arguments));
+    source.push_str(&body::write(&Rust { math }, program, &program.arguments));
     source.push_str("}\n");
     source
 }
 
-/// Rust with `f64`.
-struct Rust;
+impl Program {
+    /// Whether its Rust source needs more than the standard library.
+    pub fn needs_math(&self) -> bool {
+        self.instructions.iter().any(|instruction| match instruction {
+            Instruction::DifferenceOfProducts(_) | Instruction::SumOfProducts(_) => true,
+            Instruction::Power(_, exponent) => !exponent.is_integer(),
+            Instruction::Call(operation, _) => operation.row().spelling.rust.is_none(),
+            _ => false,
+        })
+    }
+}
 
-impl Rust {
+/// Rust with `f64`.
+struct Rust<'a> {
+    math: &'a str,
+}
+
+impl Rust<'_> {
+    /// `forms_math::Real::erf(x)`
+    fn real(&self, name: &str, operands: &[&Written]) -> Written {
+        function(&format!("<f64 as {}::Real>::{name}", self.math), operands)
+    }
+
     /// `x.sqrt()`
     fn method(value: &Written, name: &str, rest: &[String]) -> Written {
         Written::atom(format!("{}.{name}({})", receiver(value), rest.join(", ")))
     }
 }
 
-impl Dialect for Rust {
+impl Dialect for Rust<'_> {
     fn choices(&self) -> Choices<'_> {
         Choices::Branches(self)
     }
@@ -69,26 +89,27 @@ impl Dialect for Rust {
     }
 
     fn power(&self, value: &Written, exponent: Ratio<i64>) -> Written {
-        let numerator = format!("{}.0", exponent.numer());
-        let exponent = match exponent.denom() {
-            1 => numerator,
-            denominator => format!("{numerator} / {denominator}.0"),
-        };
-        Self::method(value, "powf", &[exponent])
+        if exponent.is_integer() {
+            return Self::method(value, "powf", &[format!("{}.0", exponent.numer())]);
+        }
+        let [numerator, denominator] = [exponent.numer(), exponent.denom()].map(|part| part.to_string());
+        self.real("power", &[value, &Written::atom(numerator), &Written::atom(denominator)])
     }
 
     fn call(&self, operation: Operation, operands: &[&Written]) -> Written {
+        let Some(name) = operation.row().spelling.rust else {
+            return self.real(operation.row().real, operands);
+        };
         let rest: Vec<String> = operands[1..].iter().map(|operand| operand.argument()).collect();
-        let row = operation.row();
-        Self::method(operands[0], row.spelling.rust.unwrap_or(row.real), &rest)
+        Self::method(operands[0], name, &rest)
     }
 
     fn difference_of_products(&self, factors: [&Written; 4]) -> Written {
-        function("difference_of_products", &factors)
+        self.real("difference_of_products", &factors)
     }
 
     fn sum_of_products(&self, factors: [&Written; 4]) -> Written {
-        function("sum_of_products", &factors)
+        self.real("sum_of_products", &factors)
     }
 
     fn nan(&self) -> String {
@@ -109,7 +130,7 @@ impl Dialect for Rust {
     }
 }
 
-impl Branches for Rust {
+impl Branches for Rust<'_> {
     fn variable(&self, _: &str) -> Option<String> {
         None
     }
@@ -119,7 +140,7 @@ impl Branches for Rust {
             Some(Relation::NotEqual) => {
                 let right = format!("&{}", right.within(Binding::Sign));
                 let order = Self::method(left, "partial_cmp", &[right]);
-                format!("{}.is_some_and(core::cmp::Ordering::is_ne)", order.text)
+                format!("{}.is_some_and(::core::cmp::Ordering::is_ne)", order.text)
             }
             relation => {
                 format!("{} {} {}", left.argument(), relation.map_or("==", Relation::text), right.argument())

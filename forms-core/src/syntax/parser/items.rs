@@ -279,7 +279,7 @@ impl Parser<'_> {
 
     /// `x` or `x: m`
     fn declared(&mut self, role: &str) -> Parsed<Declared> {
-        let name = self.name(role)?;
+        let name = self.quantity(role)?;
         let unit = self.unit()?;
         Ok(Declared { name, unit })
     }
