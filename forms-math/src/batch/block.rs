@@ -40,58 +40,58 @@ macro_rules! element {
 element!(f64, Lane64);
 element!(f32, Lane32);
 
-/// The arguments of a block.
-pub(super) type Arguments<'a, E, const A: usize> = [&'a [E; BLOCK]; A];
+/// Columns of arguments, in blocks.
+pub(super) type Arguments<'a, E, const A: usize> = [&'a [[E; BLOCK]]; A];
 
-/// What computes a block, and says whether there is a NaN in it.
+/// The values of a block, column by column.
+pub(super) type Values<E, const O: usize> = [[E; BLOCK]; O];
+
+/// What computes blocks, and says whether there is a NaN in them.
 pub(super) type Kernel<E, const A: usize, const O: usize> =
-    unsafe fn(&Arguments<'_, E, A>, &mut [[E; BLOCK]; O]) -> bool;
+    unsafe fn(&Arguments<'_, E, A>, &mut [Values<E, O>]) -> bool;
 
-/// The formula in every row. The outputs are one parameter, so that the compiler knows that they are not also arguments.
+/// The formula in every row. The values are one parameter, so that the compiler knows that they are not also arguments.
 #[inline(always)]
 pub(super) fn rows_of<E: Element, F: Formula<A, O>, const FMA: bool, const A: usize, const O: usize>(
     columns: &Arguments<'_, E, A>,
-    outputs: &mut [[E; BLOCK]; O],
+    values: &mut [Values<E, O>],
+) -> bool {
+    let mut found = false;
+    for (position, values) in values.iter_mut().enumerate() {
+        found |= block_of::<E, F, FMA, A, O>(columns.map(|column| &column[position]), values);
+    }
+    found
+}
+
+/// The formula in every row of one block.
+#[inline(always)]
+fn block_of<E: Element, F: Formula<A, O>, const FMA: bool, const A: usize, const O: usize>(
+    columns: [&[E; BLOCK]; A],
+    values: &mut Values<E, O>,
 ) -> bool {
     for row in 0..BLOCK {
         let mut arguments = [E::default().lane::<FMA>(); A];
         for (argument, column) in arguments.iter_mut().zip(columns) {
             *argument = column[row].lane::<FMA>();
         }
-        for (output, value) in outputs.iter_mut().zip(F::value(arguments)) {
-            output[row] = E::of::<FMA>(value);
+        for (value, result) in values.iter_mut().zip(F::value(arguments)) {
+            value[row] = E::of::<FMA>(result);
         }
     }
-    outputs.iter().flatten().fold(false, |found, value| found | value.is_nan())
+    values.iter().flatten().fold(false, |found, value| found | value.is_nan())
 }
 
-/// The block of a column that begins there.
-#[inline(always)]
-pub(super) fn rows<E>(column: &[E], start: usize) -> &[E; BLOCK] {
-    column[start..].first_chunk().expect("only whole blocks are taken from a column")
-}
-
-/// A block that begins with these rows, filled up with the last.
-pub(super) fn filled<E: Element>(rows: &[E]) -> [E; BLOCK] {
-    std::array::from_fn(|row| rows[row.min(rows.len() - 1)])
-}
-
-/// The values of the first `count` rows of a block to the outputs from `start` on.
-#[inline(always)]
+/// The values of some blocks, with those that lanes give up on.
 pub(super) fn compute<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
     kernel: Kernel<E, A, O>,
-    rows: &Arguments<'_, E, A>,
-    outputs: &mut [&mut [E]; O],
-    start: usize,
-    count: usize,
+    columns: &Arguments<'_, E, A>,
+    values: &mut [Values<E, O>],
 ) {
-    let mut values = [[E::default(); BLOCK]; O];
     // SAFETY: `Instructions` chose the kernel, and is made only of what the processor has.
-    if unsafe { kernel(rows, &mut values) } {
-        again::<E, F, A, O>(rows, &mut values);
-    }
-    for (output, values) in outputs.iter_mut().zip(&values) {
-        output[start..start + count].copy_from_slice(&values[..count]);
+    if unsafe { kernel(columns, values) } {
+        for (position, values) in values.iter_mut().enumerate() {
+            again::<E, F, A, O>(columns.map(|column| &column[position]), values);
+        }
     }
 }
 
@@ -99,15 +99,28 @@ pub(super) fn compute<E: Element, F: Formula<A, O>, const A: usize, const O: usi
 #[cold]
 #[inline(never)]
 fn again<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
-    rows: &Arguments<'_, E, A>,
-    values: &mut [[E; BLOCK]; O],
+    columns: [&[E; BLOCK]; A],
+    values: &mut Values<E, O>,
 ) {
     for row in 0..BLOCK {
         if values.iter().any(|column| column[row].is_nan()) {
-            let again = F::value(rows.map(|column| column[row]));
+            let again = F::value(columns.map(|column| column[row]));
             for (column, value) in values.iter_mut().zip(again) {
                 column[row] = value;
             }
         }
     }
+}
+
+/// A block that begins with these rows, filled up with the last.
+pub(super) fn filled<E: Element>(rows: &[E]) -> [[E; BLOCK]; 1] {
+    [std::array::from_fn(|row| rows[row.min(rows.len() - 1)])]
+}
+
+/// A column that is the only output, as values of blocks.
+pub(super) fn in_place<'a, E, const O: usize>(outputs: &'a mut [&mut [E]; O]) -> Option<&'a mut [Values<E, O>]> {
+    if O != 1 {
+        return None;
+    }
+    Some(outputs.first_mut()?.as_chunks_mut().0.as_chunks_mut().0)
 }

@@ -124,7 +124,12 @@ pub fn batch_f32_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
 #[cfg(feature = "rayon")]
 mod parallel;
 
-/// Columns of one length, block by block.
+/// The blocks that are computed before their NaN are looked at: few enough to be still near.
+const SPAN: usize = 16;
+/// The same of several outputs, which are copied to their places after.
+const STEP: usize = 4;
+
+/// Columns of one length, some blocks at a time.
 fn over_blocks<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
     instructions: Instructions,
     columns: [&[E]; A],
@@ -132,13 +137,40 @@ fn over_blocks<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
 ) {
     let kernel = instructions.kernel::<E, F, A, O>();
     let length = length::of(&columns, &outputs);
-    let whole = length - length % BLOCK;
-    for start in (0..whole).step_by(BLOCK) {
-        let rows = columns.map(|column| block::rows(column, start));
-        block::compute::<E, F, A, O>(kernel, &rows, &mut outputs, start, BLOCK);
+    let whole = columns.map(|column| column.as_chunks().0);
+    if let Some(places) = block::in_place(&mut outputs) {
+        for (position, values) in places.chunks_mut(SPAN).enumerate() {
+            let span = whole.map(|column| &column[position * SPAN..][..values.len()]);
+            block::compute::<E, F, A, O>(kernel, &span, values);
+        }
+    } else {
+        let mut values = [[[E::default(); BLOCK]; O]; STEP];
+        for start in (0..length / BLOCK).step_by(STEP) {
+            let values = &mut values[..STEP.min(length / BLOCK - start)];
+            let span = whole.map(|column| &column[start..][..values.len()]);
+            block::compute::<E, F, A, O>(kernel, &span, values);
+            for (position, values) in values.iter().enumerate() {
+                copy(values, &mut outputs, (start + position) * BLOCK, BLOCK);
+            }
+        }
     }
-    if whole < length {
-        let filled = columns.map(|column| block::filled(&column[whole..]));
-        block::compute::<E, F, A, O>(kernel, &filled.each_ref(), &mut outputs, whole, length - whole);
+    let rest = length - length % BLOCK;
+    if rest < length {
+        let filled = columns.map(|column| block::filled(&column[rest..]));
+        let mut values = [[[E::default(); BLOCK]; O]];
+        block::compute::<E, F, A, O>(kernel, &filled.each_ref().map(|block| &block[..]), &mut values);
+        copy(&values[0], &mut outputs, rest, length - rest);
+    }
+}
+
+/// The first `count` rows of a block to the outputs from `start` on.
+fn copy<E: Element, const O: usize>(
+    values: &[[E; BLOCK]; O],
+    outputs: &mut [&mut [E]; O],
+    start: usize,
+    count: usize,
+) {
+    for (output, values) in outputs.iter_mut().zip(values) {
+        output[start..start + count].copy_from_slice(&values[..count]);
     }
 }
