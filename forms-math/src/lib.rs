@@ -29,7 +29,7 @@ pub use batch::{Column, Instructions, LengthMismatch, batch, batch_by, batch_f32
 #[cfg(feature = "rayon")]
 pub use batch::{batch_f32_parallel, batch_parallel};
 pub use double_double::DoubleDouble;
-pub use escalate::{Tier, escalate, escalate_with_tier};
+pub use escalate::{Computation, Tier, escalate, escalate_computation, escalate_with_tier};
 pub use formula::Formula;
 pub use guarded::{Bound, Guardable, Guarded, Magnitude, Units};
 pub use lane::{Lane32, Lane64};

@@ -6,7 +6,7 @@ use super::sample::{Samples, sample};
 use super::score::Score;
 use crate::expression::Pool;
 use crate::generation::Generated;
-use crate::kernel::Program;
+use crate::kernel::{Program, nearest_f64};
 use crate::resolve::Kernel;
 use forms_math::{DoubleDouble, Lane32, Lane64, Real};
 
@@ -102,12 +102,13 @@ pub fn sheet(pool: &Pool, kernel: &Kernel, generated: &Generated, count: usize, 
     let line = |variant: Variant| {
         let program = if variant.stable { &generated.optimised } else { &generated.written };
         let samples = if variant.width() == Width::Single { &single } else { &double };
-        Line { variant, scores: scores(program, variant, samples) }
+        let within = kernel.within.as_ref().filter(|_| variant.stable).map(nearest_f64);
+        Line { variant, scores: scores(program, within, variant, samples) }
     };
     Variant::ALL.into_iter().map(line).collect()
 }
 
-fn scores(program: &Program, variant: Variant, samples: &[Samples]) -> Vec<Score> {
+fn scores(program: &Program, within: Option<f64>, variant: Variant, samples: &[Samples]) -> Vec<Score> {
     let width = variant.width();
     let by = |computed: &dyn Fn(&[f64]) -> Vec<f64>| -> Vec<Score> {
         samples.iter().map(|regime| Score::of(regime, width, computed)).collect()
@@ -115,7 +116,11 @@ fn scores(program: &Program, variant: Variant, samples: &[Samples]) -> Vec<Score
     let single = program.interpreter::<f32>();
     let double = program.interpreter::<f64>();
     let in_single = |arguments: &[f64]| converted(arguments, |arguments: &[f32]| single.values(arguments));
-    let in_double = |arguments: &[f64]| double.values(arguments);
+    let in_double = |arguments: &[f64]| match within {
+        // what is promised is kept by as much precision as that takes
+        Some(within) => program.interpret_within(arguments, within),
+        None => double.values(arguments),
+    };
     match (variant.arithmetic, variant.batch) {
         (Arithmetic::Single, false) => by(&in_single),
         (Arithmetic::Double, false) => by(&in_double),

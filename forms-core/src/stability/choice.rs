@@ -11,13 +11,20 @@ use super::rules::VERSION;
 use super::search::{Form, Found};
 use crate::check::read_theory;
 use crate::diagnostic::Diagnostic;
-use crate::expression::{Expr, Pool, Symbol, TABLE};
+use crate::expression::{Expr, Pool, Rational, Symbol, TABLE};
 use crate::resolve::{Kernel, Theory};
 use rustc_hash::FxHashMap;
 use std::fmt::Write;
 
 /// What the name of a file of choices ends in, in the place of `forms`.
 pub const EXTENSION: &str = "stable";
+
+/// Where the best form loses more bits than this on the mean, there is no good one: the kernel is computed in as much
+/// precision as its arguments ask for.
+const MOST_LOSS: f64 = 4.0;
+
+/// What such a kernel then promises, in units of 2⁻⁵³.
+const WITHIN: u32 = 2;
 
 /// The head of every file of choices.
 const HEAD: &str = "\
@@ -57,7 +64,8 @@ pub fn written(pool: &Pool, choices: &[(&Kernel, &Found)]) -> String {
     let mut text = HEAD.to_string();
     for (kernel, found) in choices {
         let form = found.chosen();
-        if form.outputs != kernel.outputs && !kernel.has_form() {
+        let is_open = form.loss > MOST_LOSS;
+        if (form.outputs != kernel.outputs || is_open) && !kernel.has_form() {
             entry(pool, kernel, found, form, &mut text);
         }
     }
@@ -72,9 +80,10 @@ fn entry(pool: &Pool, kernel: &Kernel, found: &Found, form: &Form, text: &mut St
         several => format!("({})", several.join(", ")),
     };
     let (key, before, after) = (key(pool, kernel), found.written.loss, form.loss);
+    let promise = if after > MOST_LOSS { format!("\n    within {WITHIN}") } else { String::new() };
     let _ = write!(
         text,
-        "\n/// {key} bits {before:.2} -> {after:.2}, cost {} -> {}\nkernel {}({}) = {formula};\n",
+        "\n/// {key} bits {before:.2} -> {after:.2}, cost {} -> {}\nkernel {}({}) = {formula}{promise};\n",
         found.written.cost,
         form.cost,
         kernel.name,
@@ -104,16 +113,20 @@ impl Choices {
             if theory.kernels[place].has_form() {
                 continue;
             }
-            if let Some(form) = self.form_of(&mut theory.pool, &theory.kernels[place]) {
-                theory.kernels[place].computed = form;
+            if let Some((form, within)) = self.form_of(&mut theory.pool, &theory.kernels[place]) {
+                let kernel = &mut theory.kernels[place];
+                if form != kernel.outputs {
+                    kernel.computed = form;
+                }
+                kernel.within = within;
                 applied += 1;
             }
         }
         applied
     }
 
-    /// The form that an entry gives for a kernel, as expressions of the kernel's pool.
-    fn form_of(&self, pool: &mut Pool, kernel: &Kernel) -> Option<Vec<Expr>> {
+    /// The form that an entry gives for a kernel, as expressions of the kernel's pool, and what it promises.
+    fn form_of(&self, pool: &mut Pool, kernel: &Kernel) -> Option<(Vec<Expr>, Option<Rational>)> {
         let entry = self.theory.kernels.iter().find(|entry| entry.name == kernel.name)?;
         let told = entry.docs.first()?.split_whitespace().next()?;
         let fits = entry.arguments.len() == kernel.arguments.len()
@@ -125,7 +138,8 @@ impl Choices {
         let symbols = entry.arguments.iter().zip(&kernel.arguments);
         let variables: FxHashMap<Symbol, Expr> =
             symbols.map(|(&entry, &own)| (entry, pool.symbol(own))).collect();
-        pool.import(&self.theory.pool, &entry.outputs, &variables)
+        let form = pool.import(&self.theory.pool, &entry.outputs, &variables)?;
+        Some((form, entry.within.clone()))
     }
 }
 
