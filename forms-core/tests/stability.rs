@@ -51,7 +51,11 @@ fn losses(theory: &mut Theory, kernel: &Kernel) -> (f64, f64) {
 fn chosen_forms_lose_less_than_a_bit_on_the_mean() {
     let (mut theory, applied) = theories();
     let kernels = theory.kernels.clone();
-    assert_eq!(applied, kernels.len(), "every case has a valid entry: forms accuracy --write makes them anew");
+    assert_eq!(
+        applied,
+        kernels.len(),
+        "every case has a valid entry: forms accuracy --write makes them anew"
+    );
     let found: Vec<(f64, f64)> = kernels.iter().map(|kernel| losses(&mut theory, kernel)).collect();
     let lines: Vec<String> = kernels
         .iter()
