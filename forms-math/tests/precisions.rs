@@ -44,7 +44,7 @@ struct Function {
 }
 
 const NUMBERS: [(&str, i64, f64); 4] =
-    [("f64", 53, 2.0), ("DoubleDouble", 106, 16.0), ("Wide<4>", 248, 2.0), ("Wide<8>", 504, 2.0)];
+    [("f64", 53, 4.0), ("DoubleDouble", 106, 16.0), ("Wide<4>", 248, 2.0), ("Wide<8>", 504, 2.0)];
 
 fn of_double_double(value: DoubleDouble) -> Truth {
     Truth::from_f64(value.high()) + Truth::from_f64(value.low())
@@ -179,12 +179,10 @@ proptest! {
 
     #[test]
     fn powers_are_those_of_roots(
-        a in 1e-300..1e300_f64,
+        a in (-22.0..22.0_f64).prop_map(f64::exp2),
         numerator in -40..40_i64,
         denominator in 1..12_i64,
     ) {
-        let exponent = |value: i64| value as f64 * a.log2().abs() / denominator as f64;
-        prop_assume!(exponent(numerator).abs() < 900.0);
         let exact = Truth::from_f64(a).power(numerator, denominator);
         let back = exact.power(denominator, 1);
         prop_assert!(units(back, Truth::from_f64(a).power(numerator, 1), 1000) <= 1.0);
