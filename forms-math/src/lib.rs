@@ -28,6 +28,8 @@ mod wide;
 pub use batch::{Column, Instructions, LengthMismatch, batch, batch_by, batch_f32, batch_f32_by};
 #[cfg(feature = "rayon")]
 pub use batch::{batch_f32_parallel, batch_parallel};
+#[cfg(feature = "ndarray")]
+pub use batch::{RowsMismatch, batch_rows};
 pub use double_double::DoubleDouble;
 pub use escalate::{Tier, escalate, escalate_with_tier};
 pub use formula::Formula;

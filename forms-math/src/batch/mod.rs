@@ -21,7 +21,7 @@ use block::{BLOCK, Element, Kernel};
 pub use instructions::Instructions;
 pub use length::{Column, LengthMismatch};
 #[cfg(feature = "ndarray")]
-pub use rows::batch_rows;
+pub use rows::{RowsMismatch, batch_rows};
 
 /// The values of a formula in `f64`, one row at each position of the columns.
 ///
@@ -132,6 +132,9 @@ fn over_blocks<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
 ) {
     let kernel = instructions.kernel::<E, F, A, O>();
     let length = length::of(&columns, &outputs);
+    if length == 0 {
+        return;
+    }
     if length < BLOCK {
         let filled = columns.map(block::filled);
         return copied::<E, F, A, O>(kernel, &filled.each_ref(), &mut outputs, 0, length);

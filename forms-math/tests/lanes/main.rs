@@ -1,5 +1,4 @@
 //! Lanes: accuracy of their functions, special values, and batches of formulas.
 
-mod arguments;
-mod double;
-mod reference;
+mod formulas;
+mod single;
