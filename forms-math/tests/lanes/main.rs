@@ -1,4 +1,6 @@
 //! Lanes: accuracy of their functions, special values, and batches of formulas.
 
+mod arguments;
+mod double;
 mod formulas;
 mod single;
