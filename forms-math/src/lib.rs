@@ -25,11 +25,14 @@ mod special;
 mod table;
 mod wide;
 
-pub use batch::{Column, Instructions, LengthMismatch, batch, batch_by, batch_f32, batch_f32_by};
-#[cfg(feature = "rayon")]
-pub use batch::{batch_f32_parallel, batch_parallel};
+pub use batch::{
+    Column, Instructions, LengthMismatch, batch, batch_by, batch_f32, batch_f32_by, batch_within,
+    batch_within_by,
+};
 #[cfg(feature = "ndarray")]
 pub use batch::{RowsMismatch, batch_rows};
+#[cfg(feature = "rayon")]
+pub use batch::{batch_f32_parallel, batch_parallel};
 pub use double_double::DoubleDouble;
 pub use escalate::{Tier, escalate, escalate_with_tier};
 pub use formula::Formula;

@@ -20,8 +20,11 @@ pub fn batch_rows<F: Formula<A, O>, const A: usize, const O: usize>(
     }
     let columns: [_; A] = std::array::from_fn(|index| column(arguments.column(index)));
     let mut values: [Vec<f64>; O] = std::array::from_fn(|_| vec![0.0; outputs.nrows()]);
-    batch::<F, A, O>(columns.each_ref().map(|column| &column[..]), values.each_mut().map(|value| &mut value[..]))
-        .map_err(RowsMismatch::Rows)?;
+    batch::<F, A, O>(
+        columns.each_ref().map(|column| &column[..]),
+        values.each_mut().map(|value| &mut value[..]),
+    )
+    .map_err(RowsMismatch::Rows)?;
     for (mut output, values) in outputs.columns_mut().into_iter().zip(values) {
         output.assign(&ndarray::ArrayView1::from(&values));
     }

@@ -13,7 +13,8 @@ const CHUNK: usize = 1 << 14;
 /// The distance in units that `f32` has in the last place at the exact value.
 fn units(computed: f32, exact: f64) -> f64 {
     let nearest = exact as f32;
-    let same_kind = computed.is_nan() && nearest.is_nan() || computed == nearest && computed.signum() == nearest.signum();
+    let same_kind =
+        computed.is_nan() && nearest.is_nan() || computed == nearest && computed.signum() == nearest.signum();
     if same_kind && (exact == 0.0 || !nearest.is_finite()) {
         return 0.0;
     }
@@ -34,8 +35,9 @@ fn worst<F: Formula<1, 1>>(stride: usize) -> Vec<(f64, f32)> {
     let (mut computed, mut exact) = (vec![0.0_f32; CHUNK], vec![0.0_f64; CHUNK]);
     let patterns = (1_usize << 32).div_ceil(stride);
     for start in (0..patterns).step_by(CHUNK) {
-        let x: Vec<f32> =
-            (start..patterns.min(start + CHUNK)).map(|index| f32::from_bits((index * stride) as u32)).collect();
+        let x: Vec<f32> = (start..patterns.min(start + CHUNK))
+            .map(|index| f32::from_bits((index * stride) as u32))
+            .collect();
         let wide: Vec<f64> = x.iter().map(|&x| f64::from(x)).collect();
         let (computed, exact) = (&mut computed[..x.len()], &mut exact[..x.len()]);
         batch_by::<F, 1, 1>(best, [&wide], [exact]).expect("columns have one length");
