@@ -12,7 +12,7 @@ use forms_core::check::{decide_all, objection, resolve_parsed};
 use forms_core::decide::Verdict;
 use forms_core::diagnostic::{Diagnostic, Span};
 use forms_core::generation::{Translation, generate};
-use forms_core::kernel::{RustDocs, emit_rust};
+use forms_core::kernel::{KernelDocs, emit_rust};
 use forms_core::resolve::{Kernel, Theory};
 use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
 use forms_core::syntax::token::{Symbol, Token, TokenKind};
@@ -173,7 +173,7 @@ fn documentation(
     verdicts: &[Verdict],
     kernel: &Kernel,
     translation: &Translation,
-) -> RustDocs {
+) -> KernelDocs {
     let arguments: Vec<&str> =
         kernel.arguments.iter().map(|&argument| theory.pool.symbol_name(argument)).collect();
     let value = match kernel.formula.as_slice() {
@@ -184,7 +184,7 @@ fn documentation(
         let mut decided = theory.statements.iter().zip(verdicts);
         decided.any(|(statement, verdict)| statement.name == **name && matches!(verdict, Verdict::Proved(_)))
     };
-    RustDocs {
+    KernelDocs {
         formula: format!("{}({}) = {value}", kernel.name, arguments.join(", ")),
         statements: kernel.statements.iter().filter(is_proved).cloned().collect(),
         conditions: kernel.domain.iter().map(|condition| condition.text(&theory.pool)).collect(),

@@ -2,11 +2,14 @@
 
 use crate::{Formula, Lane32, Lane64, Real};
 
-/// The rows of a block: a few vectors of the widest kind, so that the loop over them has no remainder.
-pub(super) const BLOCK: usize = 64;
+/// The rows that are computed at once: many vectors of the widest kind, so that the loop over them has no remainder, and
+/// what it costs to begin is little beside it.
+pub(super) const BLOCK: usize = 256;
 
 /// A number of a column, and the lane it is computed in.
 pub(super) trait Element: Real + Default + Send + Sync + 'static {
+    /// A block of zeros.
+    const ZEROS: [Self; BLOCK];
     /// The lane, with or without fused multiply-add.
     type Lane<const FMA: bool>: Real;
     /// In the lane.
@@ -20,6 +23,7 @@ pub(super) trait Element: Real + Default + Send + Sync + 'static {
 macro_rules! element {
     ($raw:ident, $lane:ident) => {
         impl Element for $raw {
+            const ZEROS: [Self; BLOCK] = [0.0; BLOCK];
             type Lane<const FMA: bool> = $lane<FMA>;
             #[inline(always)]
             fn lane<const FMA: bool>(self) -> $lane<FMA> {
@@ -40,33 +44,20 @@ macro_rules! element {
 element!(f64, Lane64);
 element!(f32, Lane32);
 
-/// Columns of arguments, in blocks.
-pub(super) type Arguments<'a, E, const A: usize> = [&'a [[E; BLOCK]]; A];
+/// The arguments of a block.
+pub(super) type Arguments<'a, E, const A: usize> = [&'a [E; BLOCK]; A];
 
-/// The values of a block, column by column.
+/// The values of a block.
 pub(super) type Values<E, const O: usize> = [[E; BLOCK]; O];
 
-/// What computes blocks, and says whether there is a NaN in them.
+/// What computes a block, and says whether there is a NaN in it.
 pub(super) type Kernel<E, const A: usize, const O: usize> =
-    unsafe fn(&Arguments<'_, E, A>, &mut [Values<E, O>]) -> bool;
+    unsafe fn(&Arguments<'_, E, A>, &mut Values<E, O>) -> bool;
 
 /// The formula in every row. The values are one parameter, so that the compiler knows that they are not also arguments.
 #[inline(always)]
 pub(super) fn rows_of<E: Element, F: Formula<A, O>, const FMA: bool, const A: usize, const O: usize>(
     columns: &Arguments<'_, E, A>,
-    values: &mut [Values<E, O>],
-) -> bool {
-    let mut found = false;
-    for (position, values) in values.iter_mut().enumerate() {
-        found |= block_of::<E, F, FMA, A, O>(columns.map(|column| &column[position]), values);
-    }
-    found
-}
-
-/// The formula in every row of one block.
-#[inline(always)]
-fn block_of<E: Element, F: Formula<A, O>, const FMA: bool, const A: usize, const O: usize>(
-    columns: [&[E; BLOCK]; A],
     values: &mut Values<E, O>,
 ) -> bool {
     for row in 0..BLOCK {
@@ -78,20 +69,32 @@ fn block_of<E: Element, F: Formula<A, O>, const FMA: bool, const A: usize, const
             value[row] = E::of::<FMA>(result);
         }
     }
-    values.iter().flatten().fold(false, |found, value| found | value.is_nan())
+    has_nan(values)
 }
 
-/// The values of some blocks, with those that lanes give up on.
+/// Whether there is a NaN: two values at a time, which is one comparison.
+#[inline(always)]
+fn has_nan<E: Element, const O: usize>(values: &Values<E, O>) -> bool {
+    let mut found = false;
+    for value in values {
+        let (left, right) = value.split_at(BLOCK / 2);
+        for (left, right) in left.iter().zip(right) {
+            found |= left.is_nan() | right.is_nan();
+        }
+    }
+    found
+}
+
+/// The values of a block, with those that lanes give up on.
+#[inline(always)]
 pub(super) fn compute<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
     kernel: Kernel<E, A, O>,
     columns: &Arguments<'_, E, A>,
-    values: &mut [Values<E, O>],
+    values: &mut Values<E, O>,
 ) {
     // SAFETY: `Instructions` chose the kernel, and is made only of what the processor has.
     if unsafe { kernel(columns, values) } {
-        for (position, values) in values.iter_mut().enumerate() {
-            again::<E, F, A, O>(columns.map(|column| &column[position]), values);
-        }
+        again::<E, F, A, O>(columns, values);
     }
 }
 
@@ -99,7 +102,7 @@ pub(super) fn compute<E: Element, F: Formula<A, O>, const A: usize, const O: usi
 #[cold]
 #[inline(never)]
 fn again<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
-    columns: [&[E; BLOCK]; A],
+    columns: &Arguments<'_, E, A>,
     values: &mut Values<E, O>,
 ) {
     for row in 0..BLOCK {
@@ -113,14 +116,22 @@ fn again<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
 }
 
 /// A block that begins with these rows, filled up with the last.
-pub(super) fn filled<E: Element>(rows: &[E]) -> [[E; BLOCK]; 1] {
-    [std::array::from_fn(|row| rows[row.min(rows.len() - 1)])]
+pub(super) fn filled<E: Element>(rows: &[E]) -> [E; BLOCK] {
+    let mut block = [rows.last().copied().unwrap_or_default(); BLOCK];
+    for (place, row) in block.iter_mut().zip(rows) {
+        *place = *row;
+    }
+    block
 }
 
-/// A column that is the only output, as values of blocks.
-pub(super) fn in_place<'a, E, const O: usize>(outputs: &'a mut [&mut [E]; O]) -> Option<&'a mut [Values<E, O>]> {
+/// The block from there on of the only output, so that it needs no copy; none where there are more.
+#[inline(always)]
+pub(super) fn in_place<'a, E, const O: usize>(
+    outputs: &'a mut [&mut [E]; O],
+    start: usize,
+) -> Option<&'a mut Values<E, O>> {
     if O != 1 {
         return None;
     }
-    Some(outputs.first_mut()?.as_chunks_mut().0.as_chunks_mut().0)
+    outputs.first_mut()?[start..].as_chunks_mut().0.first_chunk_mut()
 }

@@ -88,7 +88,7 @@ impl Set {
 
 fn baseline<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
     columns: &Arguments<'_, E, A>,
-    values: &mut [Values<E, O>],
+    values: &mut Values<E, O>,
 ) -> bool {
     // NEON has fused multiply-add; elsewhere it may be missing, and would be a call.
     #[cfg(target_arch = "aarch64")]
@@ -101,7 +101,7 @@ fn baseline<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
 #[target_feature(enable = "avx2,fma")]
 fn avx2<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
     columns: &Arguments<'_, E, A>,
-    values: &mut [Values<E, O>],
+    values: &mut Values<E, O>,
 ) -> bool {
     rows_of::<E, F, true, A, O>(columns, values)
 }
@@ -110,7 +110,7 @@ fn avx2<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
 #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
 fn avx512<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
     columns: &Arguments<'_, E, A>,
-    values: &mut [Values<E, O>],
+    values: &mut Values<E, O>,
 ) -> bool {
     rows_of::<E, F, true, A, O>(columns, values)
 }

@@ -1,11 +1,11 @@
 //! A formula over columns of arguments.
 //!
 //! ```text
-//! columns ─▶ length checked ─▶ blocks of BLOCK rows ─▶ lanes, by the best instructions there are ─▶ outputs
+//! columns ─▶ length checked ─▶ blocks of rows ─▶ lanes, by the best instructions there are ─▶ outputs
 //!                                                          └─ rows with a NaN ─▶ the formula in one number ─┘
 //! ```
-//! Every row goes through the same instructions wherever it stands, the last block being filled up by copies of its last
-//! row: the value of a row does not depend on the rows beside it. A NaN that a function of lanes gives for an argument out
+//! Every row goes through the same instructions wherever it stands, fewer rows than a block being filled up by copies of the
+//! last: the value of a row does not depend on the rows beside it. A NaN that a function of lanes gives for an argument out
 //! of its reach is computed again, so that what is NaN in an output is NaN by the formula.
 
 mod block;
@@ -17,7 +17,7 @@ mod rows;
 mod tests;
 
 use crate::Formula;
-use block::{BLOCK, Element};
+use block::{BLOCK, Element, Kernel};
 pub use instructions::Instructions;
 pub use length::{Column, LengthMismatch};
 #[cfg(feature = "ndarray")]
@@ -124,12 +124,7 @@ pub fn batch_f32_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
 #[cfg(feature = "rayon")]
 mod parallel;
 
-/// The blocks that are computed before their NaN are looked at: few enough to be still near.
-const SPAN: usize = 16;
-/// The same of several outputs, which are copied to their places after.
-const STEP: usize = 4;
-
-/// Columns of one length, some blocks at a time.
+/// Columns of one length, block by block.
 fn over_blocks<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
     instructions: Instructions,
     columns: [&[E]; A],
@@ -137,40 +132,38 @@ fn over_blocks<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
 ) {
     let kernel = instructions.kernel::<E, F, A, O>();
     let length = length::of(&columns, &outputs);
-    let whole = columns.map(|column| column.as_chunks().0);
-    if let Some(places) = block::in_place(&mut outputs) {
-        for (position, values) in places.chunks_mut(SPAN).enumerate() {
-            let span = whole.map(|column| &column[position * SPAN..][..values.len()]);
-            block::compute::<E, F, A, O>(kernel, &span, values);
-        }
-    } else {
-        let mut values = [[[E::default(); BLOCK]; O]; STEP];
-        for start in (0..length / BLOCK).step_by(STEP) {
-            let values = &mut values[..STEP.min(length / BLOCK - start)];
-            let span = whole.map(|column| &column[start..][..values.len()]);
-            block::compute::<E, F, A, O>(kernel, &span, values);
-            for (position, values) in values.iter().enumerate() {
-                copy(values, &mut outputs, (start + position) * BLOCK, BLOCK);
-            }
-        }
+    if length < BLOCK {
+        let filled = columns.map(block::filled);
+        return copied::<E, F, A, O>(kernel, &filled.each_ref(), &mut outputs, 0, length);
     }
-    let rest = length - length % BLOCK;
-    if rest < length {
-        let filled = columns.map(|column| block::filled(&column[rest..]));
-        let mut values = [[[E::default(); BLOCK]; O]];
-        block::compute::<E, F, A, O>(kernel, &filled.each_ref().map(|block| &block[..]), &mut values);
-        copy(&values[0], &mut outputs, rest, length - rest);
+    let zeros = E::ZEROS;
+    let mut blocks = [&zeros; A];
+    for start in (0..length).step_by(BLOCK) {
+        // The last block ends with the columns, and computes some rows of the one before again.
+        let start = start.min(length - BLOCK);
+        // Not by `map`, which is a call that copies all columns.
+        for (block, column) in blocks.iter_mut().zip(&columns) {
+            *block = column[start..].first_chunk().unwrap_or(block);
+        }
+        if let Some(place) = block::in_place(&mut outputs, start) {
+            block::compute::<E, F, A, O>(kernel, &blocks, place);
+        } else {
+            copied::<E, F, A, O>(kernel, &blocks, &mut outputs, start, BLOCK);
+        }
     }
 }
 
-/// The first `count` rows of a block to the outputs from `start` on.
-fn copy<E: Element, const O: usize>(
-    values: &[[E; BLOCK]; O],
+/// Values of the columns, of which the first `count` go to the outputs from `start` on.
+fn copied<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
+    kernel: Kernel<E, A, O>,
+    blocks: &block::Arguments<'_, E, A>,
     outputs: &mut [&mut [E]; O],
     start: usize,
     count: usize,
 ) {
-    for (output, values) in outputs.iter_mut().zip(values) {
+    let mut values = [E::ZEROS; O];
+    block::compute::<E, F, A, O>(kernel, blocks, &mut values);
+    for (output, values) in outputs.iter_mut().zip(&values) {
         output[start..start + count].copy_from_slice(&values[..count]);
     }
 }
