@@ -53,22 +53,30 @@ pub(super) fn atan<W: Word>(x: W) -> W {
     atan2(x, W::literal(1.0))
 }
 
-/// The angle in (−π, π] of the point (x, y): of the nearest multiple of π/4 with |y|/|x| in the first octants,
-/// and of t + t³ A(t²) with t the tangent of what is left, |t| ≤ tan(π/8).
+/// The angle in (−π, π] of the point (x, y): a multiple of π/4 and t + t³ A(t²), where t is the tangent of what is left in
+/// the octant, or of that less π/4. Gives up at the origin and where coordinates are near overflow.
 #[inline(always)]
 pub(super) fn atan2<W: Word>(y: W, x: W) -> W {
-    let (height, width) = within_reach(y.magnitude(), x.magnitude());
-    let zero = W::literal(0.0);
-    let tangent = W::literal(std::f64::consts::SQRT_2 - 1.0);
-    let (low, high) = (height < tangent * width, width < tangent * height);
-    let (difference, sum) = (two_sum(height, -width), two_sum(height, width));
-    let numerator = if low { pair(height, zero) } else { difference };
-    let denominator = if low { pair(width, zero) } else { sum };
-    let numerator = if high { pair(-width, zero) } else { numerator };
-    let denominator = if high { pair(height, zero) } else { denominator };
-    let t = tangent_of(numerator, denominator);
-    let backwards = W::literal(1.0).with_sign(x) < zero;
-    from_octant(t, low, high, backwards).with_sign(y)
+    let (height, width) = (y.magnitude(), x.magnitude());
+    let swapped = width < height;
+    let larger = if swapped { height } else { width };
+    let smaller = if swapped { width } else { height };
+    let (zero, one) = (W::literal(0.0), W::literal(1.0));
+    // The difference of numbers within a factor of two has no rounding.
+    let near = larger < smaller + smaller;
+    let numerator = if near { smaller - larger } else { smaller };
+    let denominator = if near { smaller + larger } else { larger };
+    let quarters = if near { one } else { zero };
+    let quarters = if swapped { W::literal(2.0) - quarters } else { quarters };
+    let backwards = x < zero;
+    let quarters = if backwards { W::literal(4.0) - quarters } else { quarters };
+    let direction = if swapped { -one } else { one };
+    let t = numerator / denominator * (if backwards { -direction } else { direction });
+    let square = t * t;
+    let angle = (t * square).fused(square.polynomial(W::TABLE.atan), t);
+    let quarter = Pair::<W>::of(W::TABLE.quarters_pi, 0);
+    let value = quarters.fused(quarter.head, quarters.fused(quarter.tail, angle)).with_sign(y);
+    if larger <= W::two_to(W::LARGEST_EXPONENT - 2) { value } else { W::not_a_number() }
 }
 
 /// n/d, to twice the precision unless it is so small that this has no use.
