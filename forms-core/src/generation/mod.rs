@@ -8,6 +8,7 @@
 //! be proved is said beside the kernel, and never passed off as a proof.
 
 mod boundary;
+mod matching;
 mod pieces;
 mod seam;
 mod translation;

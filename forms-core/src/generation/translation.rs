@@ -2,6 +2,7 @@
 //!
 //! The equation is decided like any other statement, on the kernel's domain and wherever both sides are defined.
 
+use super::matching;
 use super::pieces::{MOST_PIECES, pieces};
 use crate::decide::{Effort, Equations, Finding, Witness};
 use crate::diagnostic::Diagnostic;
@@ -94,6 +95,9 @@ fn equality(pool: &mut Pool, pairs: &[(Expr, Expr)], conditions: &[Condition]) -
     if different.is_empty() {
         return Translation::Proved;
     }
+    if speaks_of_a_point(pool, conditions) && matching::agree(pool, pairs, EFFORT) {
+        return Translation::Proved;
+    }
     let mut expressions = different.clone();
     expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
     let Some(pieces) = pieces(pool, &expressions, is_same_choice) else {
@@ -125,6 +129,13 @@ fn equality(pool: &mut Pool, pairs: &[(Expr, Expr)], conditions: &[Condition]) -
         Translation::Proved if seen == 0 => Translation::Unknown { reason: nowhere, points: 0 },
         known => known,
     }
+}
+
+/// Whether a point is known that meets the conditions.
+fn speaks_of_a_point(pool: &mut Pool, conditions: &[Condition]) -> bool {
+    let sides = [(pool.integer(0), pool.integer(0))];
+    conditions.is_empty()
+        || matches!(Equations { sides: &sides, conditions }.decide(pool, EFFORT), Finding::Equal { points: 1.. })
 }
 
 /// Whether two choices are one: the same relation, and the differences of their sides proved equal.
