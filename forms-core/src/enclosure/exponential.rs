@@ -38,12 +38,19 @@ impl Enclosure {
         let precision = self.precision().0;
         let range = match &self.0 {
             Value::Exact(value, _) => logarithm(value.numer(), value.denom(), precision),
-            Value::Range(range) => {
-                let unit = BigInt::from(1) << precision;
-                logarithm(&range.lower, &unit, precision).hull(logarithm(&range.upper, &unit, precision))
-            }
+            Value::Range(range) => logarithm_of(range),
         };
         Ok(Enclosure::from_range(range))
+    }
+
+    /// eᵃ − 1
+    pub fn expm1(&self) -> Result<Enclosure, Undecided> {
+        Ok(self.exp()?.sub(&Enclosure::integer(1, self.precision())))
+    }
+
+    /// log(1 + a) for a > −1
+    pub fn log1p(&self) -> Result<Enclosure, Undecided> {
+        self.add(&Enclosure::integer(1, self.precision())).log()
     }
 
     /// sinh a
@@ -114,6 +121,13 @@ fn exponential(x: &Range) -> Range {
 pub(super) fn rounded_quotient(a: &BigInt, b: &BigInt) -> BigInt {
     let doubled: BigInt = a * 2 + b;
     doubled.div_floor(&(b * 2))
+}
+
+/// {log x} of a positive range
+pub(super) fn logarithm_of(range: &Range) -> Range {
+    let unit = BigInt::from(1) << range.precision;
+    let end = |end: &BigInt| logarithm(end, &unit, range.precision);
+    end(&range.lower).hull(end(&range.upper))
 }
 
 /// log(n/d) = k log 2 + 2 artanh((m − 1)/(m + 1)) with m = n/(2ᵏ d) in [3/4, 3/2]

@@ -27,6 +27,14 @@ impl Enclosure {
             (Operation::Cosh, [a]) => a.cosh(),
             (Operation::Tanh, [a]) => Ok(a.tanh()),
             (Operation::Abs, [a]) => Ok(a.abs()),
+            (Operation::Expm1, [a]) => a.expm1(),
+            (Operation::Log1p, [a]) => a.log1p(),
+            (Operation::Erf, [a]) => Ok(a.erf()),
+            (Operation::Expint1, [a]) => a.expint1(),
+            (Operation::Expint2, [a]) => a.expint2(),
+            (Operation::Expint3, [a]) => a.expint3(),
+            (Operation::Dilog, [a]) => a.dilog(),
+            (Operation::Clausen, [a]) => Ok(a.clausen()),
             _ => Err(Undecided::Unknown),
         }
     }

@@ -2,6 +2,7 @@
 
 use super::bounds::{Enclosure, Value};
 use super::range::Range;
+use num_bigint::BigInt;
 
 /// What the next power and the current term of a series are divided by.
 pub(super) struct Divisors {
@@ -16,11 +17,30 @@ pub(super) struct Divisors {
 /// Rounding is carried by the arithmetic of ranges. Summing stops before the first |bₙ| ≤ 2⁻ᵖ, and what is
 /// left out is |aₙ + aₙ₊₁ + …| ≤ |bₙ|·(1 + ½ + ¼ + …) = 2|bₙ| ≤ 2·2⁻ᵖ.
 pub(super) fn series(first: Range, ratio: &Range, divisors: impl Fn(u64) -> Divisors) -> Range {
+    sum_of(first, ratio, divisors, |_| true)
+}
+
+/// The same for a ratio of any size and steps that grow: no end before |ratio|/stepₖ ≤ ½ from there on.
+pub(super) fn entire_series(first: Range, ratio: &Range, divisors: impl Fn(u64) -> Divisors) -> Range {
+    let (doubled, precision) = (ratio.magnitude() << 1, ratio.precision);
+    let shrinks = |step: u64| doubled <= BigInt::from(step) << precision;
+    sum_of(first, ratio, divisors, shrinks)
+}
+
+fn sum_of(
+    first: Range,
+    ratio: &Range,
+    divisors: impl Fn(u64) -> Divisors,
+    may_end: impl Fn(u64) -> bool,
+) -> Range {
     let mut sum = Range::integer(0, first.precision);
     let mut power = first;
     let mut k = 0;
-    while !power.is_within_one_unit() {
+    loop {
         let Divisors { step, term } = divisors(k);
+        if power.is_within_one_unit() && may_end(step) {
+            break;
+        }
         if term == 1 {
             sum.accumulate(&power);
         } else {

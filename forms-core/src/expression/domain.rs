@@ -23,11 +23,23 @@ impl Pool {
         }
     }
 
-    /// Where a function is real: log q for q > 0, tan q for cos q ≠ 0, asin q and acos q for 1 − q² ≥ 0,
-    /// atan2(y, x) off its cut, where √(x² + y²) + x > 0.
+    /// Where a function is real: log q and E₁(q) for q > 0, E₂(q) and E₃(q) for q ≥ 0, log1p q for 1 + q > 0, Li₂(q)
+    /// for 1 − q ≥ 0, tan q for cos q ≠ 0, asin q and acos q for 1 − q² ≥ 0, atan2(y, x) off its cut, where
+    /// √(x² + y²) + x > 0.
     pub(crate) fn operation_domain(&mut self, operation: Operation, q: &[Expr]) -> Option<Condition> {
         match operation {
-            Operation::Log => self.against_zero(q[0], Relation::Greater),
+            Operation::Log | Operation::Expint1 => self.against_zero(q[0], Relation::Greater),
+            Operation::Log1p => {
+                let one = self.integer(1);
+                let sum = self.add(one, q[0]);
+                self.against_zero(sum, Relation::Greater)
+            }
+            Operation::Expint2 | Operation::Expint3 => self.against_zero(q[0], Relation::GreaterEqual),
+            Operation::Dilog => {
+                let one = self.integer(1);
+                let rest = self.subtract(one, q[0]);
+                self.against_zero(rest, Relation::GreaterEqual)
+            }
             Operation::Tan => {
                 let cosine = self.apply(Operation::Cos, q);
                 self.against_zero(cosine, Relation::NotEqual)
@@ -52,6 +64,9 @@ impl Pool {
             | Operation::Sinh
             | Operation::Cosh
             | Operation::Tanh
+            | Operation::Expm1
+            | Operation::Erf
+            | Operation::Clausen
             | Operation::Abs => None,
         }
     }

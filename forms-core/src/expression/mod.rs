@@ -26,5 +26,5 @@ mod text;
 pub use condition::Condition;
 pub(crate) use nature::Nature;
 pub use node::{Expr, FunctionId, Node, Pool, Rational, Seam, Symbol, SymbolKind, Unknown};
-pub use operation::{Meaning, Operation, Row, TABLE};
+pub use operation::{Operation, Row, Spelling, TABLE};
 pub use substitution::Substitution;

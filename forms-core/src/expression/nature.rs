@@ -16,6 +16,16 @@ pub(crate) enum Nature {
     Positive,
 }
 
+/// What is seen of the sign of a function's values.
+fn nature_of_function(operation: Operation) -> Nature {
+    match operation {
+        Operation::Exp | Operation::Cosh => Nature::Positive,
+        Operation::Expint1 | Operation::Expint2 | Operation::Expint3 => Nature::Positive,
+        Operation::Abs => Nature::NotNegative,
+        _ => Nature::Open,
+    }
+}
+
 impl Pool {
     /// What is seen of the sign of an expression.
     pub(crate) fn nature(&self, expression: Expr) -> Nature {
@@ -25,8 +35,8 @@ impl Pool {
             let nature = match self.node(part) {
                 Node::Number(value) if value.is_positive() => Nature::Positive,
                 Node::Number(value) if value.is_zero() => Nature::NotNegative,
-                Node::Pi | Node::Apply(Operation::Exp | Operation::Cosh, _) => Nature::Positive,
-                Node::Apply(Operation::Abs, _) => Nature::NotNegative,
+                Node::Pi => Nature::Positive,
+                Node::Apply(operation, _) => nature_of_function(*operation),
                 Node::Add(a, b) if of(a) != Nature::Open && of(b) != Nature::Open => of(a).max(of(b)),
                 Node::Multiply(a, b) | Node::Divide(a, b) => of(a).min(of(b)),
                 Node::Power(a, _) if of(a) == Nature::Positive => Nature::Positive,

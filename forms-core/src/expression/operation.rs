@@ -1,53 +1,40 @@
 //! The op table: every real function of the language, one row each.
 //!
-//! A row gives the function's name, its arity, its partial derivatives, its meaning in `f64`, how Rust spells
-//! it and what it costs beside an addition. Whoever needs one of these asks the table.
+//! A row gives the function's name, its arguments, its partial derivatives, its meaning in any precision, how each
+//! target spells it and what it costs beside an addition. Whoever needs one of these asks the table.
 
 use super::node::{Expr, Pool};
+use forms_math::Real;
 use num_rational::Ratio;
-
-/// A real function of one or two arguments.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Operation {
-    /// sine
-    Sin,
-    /// cosine
-    Cos,
-    /// tangent
-    Tan,
-    /// arc sine, in [−π/2, π/2]
-    Asin,
-    /// arc cosine, in [0, π]
-    Acos,
-    /// arc tangent, in (−π/2, π/2)
-    Atan,
-    /// atan2(y, x): the angle of the point (x, y), in (−π, π]
-    Atan2,
-    /// exponential
-    Exp,
-    /// natural logarithm
-    Log,
-    /// hyperbolic sine
-    Sinh,
-    /// hyperbolic cosine
-    Cosh,
-    /// hyperbolic tangent
-    Tanh,
-    /// absolute value
-    Abs,
-}
-
-/// What a function means in `f64`.
-#[derive(Clone, Copy)]
-pub enum Meaning {
-    /// Of one argument.
-    One(fn(f64) -> f64),
-    /// Of two.
-    Two(fn(f64, f64) -> f64),
-}
 
 /// The partial derivatives with respect to each argument, as expressions of the arguments.
 type Partials = fn(&mut Pool, &[Expr]) -> Vec<Expr>;
+
+/// What each target calls a function; nothing where the target has none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Spelling {
+    /// The method of `f64` in the standard library of Rust.
+    pub rust: Option<&'static str>,
+    /// The function of `double` in the `math.h` of C; that of `float` has an `f` behind it.
+    pub c: Option<&'static str>,
+    /// The builtin function of WGSL.
+    pub wgsl: Option<&'static str>,
+    /// The function of `double` in CUDA; that of `float` has an `f` behind it.
+    pub cuda: Option<&'static str>,
+}
+
+/// A function that every target has by this name.
+const fn everywhere(name: &'static str) -> Spelling {
+    Spelling { rust: Some(name), c: Some(name), wgsl: Some(name), cuda: Some(name) }
+}
+
+/// A function that only C and CUDA have, and Rust by that method, if any.
+const fn of_math_h(name: &'static str, rust: Option<&'static str>) -> Spelling {
+    Spelling { rust, c: Some(name), wgsl: None, cuda: Some(name) }
+}
+
+/// A function that no target has.
+const NOWHERE: Spelling = Spelling { rust: None, c: None, wgsl: None, cuda: None };
 
 /// One row of the table.
 pub struct Row {
@@ -55,45 +42,101 @@ pub struct Row {
     pub operation: Operation,
     /// The name in the language.
     pub name: &'static str,
+    /// How many arguments it takes.
+    pub arity: usize,
     /// Its partial derivatives.
     pub partials: Partials,
-    /// Its value in `f64`.
-    pub meaning: Meaning,
-    /// The method of `f64` with the same meaning.
-    pub rust: &'static str,
-    /// LaTeX, with a trailing space where one is needed.
+    /// The method of [`Real`] that computes it.
+    pub real: &'static str,
+    /// Its name in each target.
+    pub spelling: Spelling,
+    /// LaTeX.
     pub latex: &'static str,
     /// Cost in units of one addition.
     pub cost: u32,
 }
 
-/// The table itself, in the order of [`Operation`].
-pub const TABLE: &[Row] = &[
-    row(Operation::Sin, "sin", sin, Meaning::One(f64::sin), "\\sin", 20),
-    row(Operation::Cos, "cos", cos, Meaning::One(f64::cos), "\\cos", 20),
-    row(Operation::Tan, "tan", tan, Meaning::One(f64::tan), "\\tan", 25),
-    row(Operation::Asin, "asin", asin, Meaning::One(f64::asin), "\\arcsin", 20),
-    row(Operation::Acos, "acos", acos, Meaning::One(f64::acos), "\\arccos", 20),
-    row(Operation::Atan, "atan", atan, Meaning::One(f64::atan), "\\arctan", 25),
-    row(Operation::Atan2, "atan2", atan2, Meaning::Two(f64::atan2), "\\operatorname{atan2}", 30),
-    row(Operation::Exp, "exp", exp, Meaning::One(f64::exp), "\\exp", 15),
-    row(Operation::Log, "log", log, Meaning::One(f64::ln), "\\ln", 15),
-    row(Operation::Sinh, "sinh", sinh, Meaning::One(f64::sinh), "\\sinh", 25),
-    row(Operation::Cosh, "cosh", cosh, Meaning::One(f64::cosh), "\\cosh", 25),
-    row(Operation::Tanh, "tanh", tanh, Meaning::One(f64::tanh), "\\tanh", 25),
-    row(Operation::Abs, "abs", abs, Meaning::One(f64::abs), "\\operatorname{abs}", 1),
-];
+/// The enumeration, the table and the meaning of each function from one list. A line reads: documentation, operation,
+/// name in the language (and of the function below that gives the partial derivatives), arguments, method of [`Real`],
+/// spelling in the targets, LaTeX, cost.
+macro_rules! operations {
+    ($(
+        $(#[$docs:meta])*
+        $operation:ident = $name:ident($first:ident $(, $rest:ident)*) by $real:ident, $spelling:expr, $latex:literal, $cost:literal;
+    )*) => {
+        /// A real function of one or two arguments.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum Operation {
+            $($(#[$docs])* $operation,)*
+        }
 
-const fn row(
-    operation: Operation,
-    name: &'static str,
-    partials: Partials,
-    meaning: Meaning,
-    latex: &'static str,
-    cost: u32,
-) -> Row {
-    let rust = if matches!(operation, Operation::Log) { "ln" } else { name };
-    Row { operation, name, partials, meaning, rust, latex, cost }
+        /// The table itself, in the order of [`Operation`].
+        pub const TABLE: &[Row] = &[$(Row {
+            operation: Operation::$operation,
+            name: stringify!($name),
+            arity: [stringify!($first) $(, stringify!($rest))*].len(),
+            partials: $name,
+            real: stringify!($real),
+            spelling: $spelling,
+            latex: $latex,
+            cost: $cost,
+        },)*];
+
+        impl Operation {
+            /// Its value in any precision; NaN where the number of arguments is wrong.
+            pub fn apply<T: Real>(self, arguments: &[T]) -> T {
+                match (self, arguments) {
+                    $((Operation::$operation, &[$first $(, $rest)*]) => T::$real($first $(, $rest)*),)*
+                    _ => T::nan(),
+                }
+            }
+        }
+    };
+}
+
+operations! {
+    /// sine
+    Sin = sin(q) by sin, everywhere("sin"), "\\sin", 20;
+    /// cosine
+    Cos = cos(q) by cos, everywhere("cos"), "\\cos", 20;
+    /// tangent
+    Tan = tan(q) by tan, everywhere("tan"), "\\tan", 25;
+    /// arc sine, in [−π/2, π/2]
+    Asin = asin(q) by asin, everywhere("asin"), "\\arcsin", 20;
+    /// arc cosine, in [0, π]
+    Acos = acos(q) by acos, everywhere("acos"), "\\arccos", 20;
+    /// arc tangent, in (−π/2, π/2)
+    Atan = atan(q) by atan, everywhere("atan"), "\\arctan", 25;
+    /// atan2(y, x): the angle of the point (x, y), in (−π, π]
+    Atan2 = atan2(y, x) by atan2, everywhere("atan2"), "\\operatorname{atan2}", 30;
+    /// exponential
+    Exp = exp(q) by exp, everywhere("exp"), "\\exp", 15;
+    /// eᵠ − 1, exact to the last places near 0
+    Expm1 = expm1(q) by exp_m1, of_math_h("expm1", Some("exp_m1")), "\\operatorname{expm1}", 20;
+    /// natural logarithm
+    Log = log(q) by ln, Spelling { rust: Some("ln"), ..everywhere("log") }, "\\ln", 15;
+    /// log(1 + q), exact to the last places near 0
+    Log1p = log1p(q) by ln_1p, of_math_h("log1p", Some("ln_1p")), "\\operatorname{log1p}", 20;
+    /// hyperbolic sine
+    Sinh = sinh(q) by sinh, everywhere("sinh"), "\\sinh", 25;
+    /// hyperbolic cosine
+    Cosh = cosh(q) by cosh, everywhere("cosh"), "\\cosh", 25;
+    /// hyperbolic tangent
+    Tanh = tanh(q) by tanh, everywhere("tanh"), "\\tanh", 25;
+    /// absolute value
+    Abs = abs(q) by abs, Spelling { c: Some("fabs"), cuda: Some("fabs"), ..everywhere("abs") }, "\\operatorname{abs}", 1;
+    /// the error function 2/√π ∫₀ᵠ e^(−t²) dt
+    Erf = erf(q) by erf, of_math_h("erf", None), "\\operatorname{erf}", 30;
+    /// the exponential integral E₁(q) = ∫₁^∞ e^(−qt)/t dt, for q > 0
+    Expint1 = expint1(q) by expint1, NOWHERE, "\\operatorname{E}_{1}", 60;
+    /// the exponential integral E₂(q) = ∫₁^∞ e^(−qt)/t² dt, for q ≥ 0
+    Expint2 = expint2(q) by expint2, NOWHERE, "\\operatorname{E}_{2}", 60;
+    /// the exponential integral E₃(q) = ∫₁^∞ e^(−qt)/t³ dt, for q ≥ 0
+    Expint3 = expint3(q) by expint3, NOWHERE, "\\operatorname{E}_{3}", 60;
+    /// the dilogarithm Li₂(q) = −∫₀ᵠ log(1 − t)/t dt, for q ≤ 1
+    Dilog = dilog(q) by dilog, NOWHERE, "\\operatorname{Li}_{2}", 60;
+    /// Clausen's function Cl₂(q) = −∫₀ᵠ log|2 sin(t/2)| dt
+    Clausen = clausen(q) by clausen, NOWHERE, "\\operatorname{Cl}_{2}", 60;
 }
 
 impl Operation {
@@ -104,10 +147,7 @@ impl Operation {
 
     /// How many arguments it takes.
     pub fn arity(self) -> usize {
-        match self.row().meaning {
-            Meaning::One(_) => 1,
-            Meaning::Two(_) => 2,
-        }
+        self.row().arity
     }
 
     /// The operation of that name.
@@ -176,6 +216,18 @@ fn log(pool: &mut Pool, q: &[Expr]) -> Vec<Expr> {
     vec![pool.divide(one, q[0])]
 }
 
+/// expm1′ = exp
+fn expm1(pool: &mut Pool, q: &[Expr]) -> Vec<Expr> {
+    exp(pool, q)
+}
+
+/// log1p′ = 1/(1 + q)
+fn log1p(pool: &mut Pool, q: &[Expr]) -> Vec<Expr> {
+    let one = pool.integer(1);
+    let sum = pool.add(one, q[0]);
+    vec![pool.divide(one, sum)]
+}
+
 /// sinh′ = cosh
 fn sinh(pool: &mut Pool, q: &[Expr]) -> Vec<Expr> {
     vec![pool.apply(Operation::Cosh, q)]
@@ -198,6 +250,56 @@ fn tanh(pool: &mut Pool, q: &[Expr]) -> Vec<Expr> {
 fn abs(pool: &mut Pool, q: &[Expr]) -> Vec<Expr> {
     let magnitude = pool.apply(Operation::Abs, q);
     vec![pool.divide(q[0], magnitude)]
+}
+
+/// erf′ = 2/√π · exp(−q²)
+fn erf(pool: &mut Pool, q: &[Expr]) -> Vec<Expr> {
+    let (two, pi, square) = (pool.integer(2), pool.pi(), pool.power(q[0], 2.into()));
+    let root = pool.sqrt(pi);
+    let factor = pool.divide(two, root);
+    let exponent = pool.negate(square);
+    let bell = pool.apply(Operation::Exp, &[exponent]);
+    vec![pool.multiply(factor, bell)]
+}
+
+/// E₁′ = −exp(−q)/q
+fn expint1(pool: &mut Pool, q: &[Expr]) -> Vec<Expr> {
+    let exponent = pool.negate(q[0]);
+    let decay = pool.apply(Operation::Exp, &[exponent]);
+    let quotient = pool.divide(decay, q[0]);
+    vec![pool.negate(quotient)]
+}
+
+/// E₂′ = −E₁
+fn expint2(pool: &mut Pool, q: &[Expr]) -> Vec<Expr> {
+    let lower = pool.apply(Operation::Expint1, q);
+    vec![pool.negate(lower)]
+}
+
+/// E₃′ = −E₂
+fn expint3(pool: &mut Pool, q: &[Expr]) -> Vec<Expr> {
+    let lower = pool.apply(Operation::Expint2, q);
+    vec![pool.negate(lower)]
+}
+
+/// Li₂′ = −log(1 − q)/q
+fn dilog(pool: &mut Pool, q: &[Expr]) -> Vec<Expr> {
+    let one = pool.integer(1);
+    let rest = pool.subtract(one, q[0]);
+    let logarithm = pool.apply(Operation::Log, &[rest]);
+    let quotient = pool.divide(logarithm, q[0]);
+    vec![pool.negate(quotient)]
+}
+
+/// Cl₂′ = −log|2 sin(q/2)|
+fn clausen(pool: &mut Pool, q: &[Expr]) -> Vec<Expr> {
+    let two = pool.integer(2);
+    let half = pool.divide(q[0], two);
+    let sine = pool.apply(Operation::Sin, &[half]);
+    let chord = pool.multiply(two, sine);
+    let magnitude = pool.apply(Operation::Abs, &[chord]);
+    let logarithm = pool.apply(Operation::Log, &[magnitude]);
+    vec![pool.negate(logarithm)]
 }
 
 #[cfg(test)]

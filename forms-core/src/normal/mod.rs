@@ -28,6 +28,7 @@ mod generator;
 mod ingredients;
 mod nested;
 mod normalise;
+mod opaque;
 mod plan;
 mod polygon;
 mod quotient_rule;

@@ -229,6 +229,14 @@ impl Walk<'_> {
             Operation::Cos => Ok(self.tower.circular(&argument)?.0),
             Operation::Tan => self.tower.tangent(&argument),
             Operation::Exp => self.tower.exponential(&argument),
+            Operation::Expm1 => {
+                let power = self.tower.exponential(&argument)?;
+                self.tower.subtract(&power, &Fraction::one())
+            }
+            Operation::Log1p => {
+                let sum = self.tower.add(&Fraction::one(), &argument)?;
+                self.tower.logarithm(&sum)
+            }
             Operation::Sinh => Ok(self.tower.hyperbolic(&argument)?.1),
             Operation::Cosh => Ok(self.tower.hyperbolic(&argument)?.0),
             Operation::Tanh => {
@@ -240,8 +248,15 @@ impl Walk<'_> {
             Operation::Asin | Operation::Atan if argument.is_zero() => Ok(argument),
             Operation::Log => self.tower.logarithm(&argument),
             Operation::Asin | Operation::Acos | Operation::Atan | Operation::Atan2 => {
-                self.opaque(operation, arguments)
+                let arguments: Vec<Fraction> = arguments.iter().map(|&a| self.of(a)).collect();
+                self.tower.opaque(operation, &arguments)
             }
+            Operation::Erf => self.tower.error_function(&argument),
+            Operation::Expint1 => self.tower.exponential_integral(1, &argument),
+            Operation::Expint2 => self.tower.exponential_integral(2, &argument),
+            Operation::Expint3 => self.tower.exponential_integral(3, &argument),
+            Operation::Dilog => self.tower.dilogarithm(&argument),
+            Operation::Clausen => self.tower.clausen(&argument),
         }
     }
 
@@ -250,49 +265,18 @@ impl Walk<'_> {
         self.tower.multiply(a, &inverse)
     }
 
-    /// A function as a generator of its own; the same arguments give the same generator.
-    fn opaque(&mut self, operation: Operation, arguments: &[Expr]) -> Result<Fraction, Obstacle> {
-        let arguments: Vec<Fraction> = arguments.iter().map(|&a| self.of(a)).collect();
-        let fresh = Generator::Opaque { operation, arguments: arguments.clone() };
-        let generator = self.same_arguments(&arguments, fresh, |generator| match generator {
-            Generator::Opaque { operation: other, arguments } if *other == operation => Some(arguments),
-            _ => None,
-        })?;
-        Ok(self.tower.element(generator))
-    }
-
     fn jet(&mut self, function: FunctionId, orders: &[u32], at: &[Expr]) -> Result<Fraction, Obstacle> {
         let arguments: Vec<Fraction> = at.iter().map(|&a| self.of(a)).collect();
         if arguments[..self.pool.upper_ends(function)].iter().any(Fraction::is_zero) {
             return Ok(Fraction::zero());
         }
         let fresh = Generator::Jet { function, orders: orders.to_vec(), arguments: arguments.clone() };
-        let generator = self.same_arguments(&arguments, fresh, |generator| match generator {
+        let generator = self.tower.with_same_arguments(&arguments, fresh, |generator| match generator {
             Generator::Jet { function: f, orders: o, arguments } if *f == function && o == orders => {
                 Some(arguments)
             }
             _ => None,
         })?;
         Ok(self.tower.element(generator))
-    }
-
-    /// A known generator of the same kind whose arguments differ by zero, or the fresh one.
-    fn same_arguments(
-        &mut self,
-        arguments: &[Fraction],
-        fresh: Generator,
-        alike: impl Fn(&Generator) -> Option<&Vec<Fraction>>,
-    ) -> Result<Generator, Obstacle> {
-        for number in 0..self.tower.generators.len() {
-            let Some(known) = alike(&self.tower.generators[number]).cloned() else { continue };
-            let mut equal = true;
-            for (a, b) in arguments.iter().zip(&known) {
-                equal = equal && self.tower.subtract(a, b)?.is_zero();
-            }
-            if equal {
-                return Ok(self.tower.generators[number].clone());
-            }
-        }
-        Ok(fresh)
     }
 }

@@ -4,8 +4,9 @@
 //! quotients over powers of the same denominators. Its operands are brought to normal form and differentiated there, over
 //! one denominator: such a sum is a divergence.
 
+use super::opaque::is_opaque;
 use super::tower::Tower;
-use crate::expression::{Expr, Node, Operation, Pool, Symbol};
+use crate::expression::{Expr, Node, Pool, Symbol};
 
 /// A divergence of more terms is computed term by term.
 const MOST_TERMS: usize = 64;
@@ -73,7 +74,7 @@ fn divergence(tower: &Tower, pool: &Pool, expression: Expr) -> Option<Vec<(i8, E
 fn are_differentiable(tower: &Tower, pool: &Pool, expressions: &[Expr]) -> bool {
     pool.reachable(expressions).into_iter().all(|part| match pool.node(part) {
         Node::Jet { .. } | Node::Select { .. } => false,
-        Node::Apply(Operation::Asin | Operation::Acos | Operation::Atan2, _) => false,
+        Node::Apply(operation, _) if is_opaque(*operation) => false,
         Node::Apply(..) => tower.elements.contains_key(&part),
         Node::Power(_, exponent) => exponent.is_integer() || tower.elements.contains_key(&part),
         _ => true,

@@ -1,0 +1,169 @@
+//! A formula over columns of arguments.
+//!
+//! ```text
+//! columns ─▶ length checked ─▶ blocks of rows ─▶ lanes, by the best instructions there are ─▶ outputs
+//!                                                          └─ rows with a NaN ─▶ the formula in one number ─┘
+//! ```
+//! Every row goes through the same instructions wherever it stands, fewer rows than a block being filled up by copies of the
+//! last: the value of a row does not depend on the rows beside it. A NaN that a function of lanes gives for an argument out
+//! of its reach is computed again, so that what is NaN in an output is NaN by the formula.
+
+mod block;
+mod instructions;
+mod length;
+#[cfg(feature = "ndarray")]
+mod rows;
+#[cfg(test)]
+mod tests;
+
+use crate::Formula;
+use block::{BLOCK, Element, Kernel};
+pub use instructions::Instructions;
+pub use length::{Column, LengthMismatch};
+#[cfg(feature = "ndarray")]
+pub use rows::batch_rows;
+
+/// The values of a formula in `f64`, one row at each position of the columns.
+///
+/// # Errors
+/// Where a column's length is not that of the first.
+///
+/// ```
+/// use forms_math::{Formula, Real, batch};
+/// /// The length of the vector (x, y).
+/// struct Length;
+/// impl Formula<2, 1> for Length {
+///     #[inline(always)]
+///     fn value<T: Real>([x, y]: [T; 2]) -> [T; 1] {
+///         [x.mul_add(x, y * y).sqrt()]
+///     }
+/// }
+/// let mut lengths = [0.0; 3];
+/// batch::<Length, 2, 1>([&[3.0, 5.0, 8.0], &[4.0, 12.0, 15.0]], [&mut lengths])?;
+/// assert_eq!(lengths, [5.0, 13.0, 17.0]);
+/// # Ok::<(), forms_math::LengthMismatch>(())
+/// ```
+pub fn batch<F: Formula<A, O>, const A: usize, const O: usize>(
+    columns: [&[f64]; A],
+    outputs: [&mut [f64]; O],
+) -> Result<(), LengthMismatch> {
+    batch_by::<F, A, O>(Instructions::best(), columns, outputs)
+}
+
+/// [`batch`] in `f32`.
+///
+/// # Errors
+/// Where a column's length is not that of the first.
+pub fn batch_f32<F: Formula<A, O>, const A: usize, const O: usize>(
+    columns: [&[f32]; A],
+    outputs: [&mut [f32]; O],
+) -> Result<(), LengthMismatch> {
+    batch_f32_by::<F, A, O>(Instructions::best(), columns, outputs)
+}
+
+/// [`batch`] with given instructions: to measure them, or for the same bits on all processors that have them.
+///
+/// # Errors
+/// Where a column's length is not that of the first.
+pub fn batch_by<F: Formula<A, O>, const A: usize, const O: usize>(
+    instructions: Instructions,
+    columns: [&[f64]; A],
+    outputs: [&mut [f64]; O],
+) -> Result<(), LengthMismatch> {
+    length::common(&columns, &outputs)?;
+    over_blocks::<f64, F, A, O>(instructions, columns, outputs);
+    Ok(())
+}
+
+/// [`batch_f32`] with given instructions.
+///
+/// # Errors
+/// Where a column's length is not that of the first.
+pub fn batch_f32_by<F: Formula<A, O>, const A: usize, const O: usize>(
+    instructions: Instructions,
+    columns: [&[f32]; A],
+    outputs: [&mut [f32]; O],
+) -> Result<(), LengthMismatch> {
+    length::common(&columns, &outputs)?;
+    over_blocks::<f32, F, A, O>(instructions, columns, outputs);
+    Ok(())
+}
+
+/// [`batch`] on all processors.
+///
+/// # Errors
+/// Where a column's length is not that of the first.
+#[cfg(feature = "rayon")]
+pub fn batch_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
+    columns: [&[f64]; A],
+    outputs: [&mut [f64]; O],
+) -> Result<(), LengthMismatch> {
+    let length = length::common(&columns, &outputs)?;
+    parallel::over_shares(columns, outputs, length, &|columns, outputs| {
+        over_blocks::<f64, F, A, O>(Instructions::best(), columns, outputs);
+    });
+    Ok(())
+}
+
+/// [`batch_f32`] on all processors.
+///
+/// # Errors
+/// Where a column's length is not that of the first.
+#[cfg(feature = "rayon")]
+pub fn batch_f32_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
+    columns: [&[f32]; A],
+    outputs: [&mut [f32]; O],
+) -> Result<(), LengthMismatch> {
+    let length = length::common(&columns, &outputs)?;
+    parallel::over_shares(columns, outputs, length, &|columns, outputs| {
+        over_blocks::<f32, F, A, O>(Instructions::best(), columns, outputs);
+    });
+    Ok(())
+}
+
+#[cfg(feature = "rayon")]
+mod parallel;
+
+/// Columns of one length, block by block.
+fn over_blocks<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
+    instructions: Instructions,
+    columns: [&[E]; A],
+    mut outputs: [&mut [E]; O],
+) {
+    let kernel = instructions.kernel::<E, F, A, O>();
+    let length = length::of(&columns, &outputs);
+    if length < BLOCK {
+        let filled = columns.map(block::filled);
+        return copied::<E, F, A, O>(kernel, &filled.each_ref(), &mut outputs, 0, length);
+    }
+    let zeros = E::ZEROS;
+    let mut blocks = [&zeros; A];
+    for start in (0..length).step_by(BLOCK) {
+        // The last block ends with the columns, and computes some rows of the one before again.
+        let start = start.min(length - BLOCK);
+        // Not by `map`, which is a call that copies all columns.
+        for (block, column) in blocks.iter_mut().zip(&columns) {
+            *block = column[start..].first_chunk().unwrap_or(block);
+        }
+        if let Some(place) = block::in_place(&mut outputs, start) {
+            block::compute::<E, F, A, O>(kernel, &blocks, place);
+        } else {
+            copied::<E, F, A, O>(kernel, &blocks, &mut outputs, start, BLOCK);
+        }
+    }
+}
+
+/// Values of the columns, of which the first `count` go to the outputs from `start` on.
+fn copied<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
+    kernel: Kernel<E, A, O>,
+    blocks: &block::Arguments<'_, E, A>,
+    outputs: &mut [&mut [E]; O],
+    start: usize,
+    count: usize,
+) {
+    let mut values = [E::ZEROS; O];
+    block::compute::<E, F, A, O>(kernel, blocks, &mut values);
+    for (output, values) in outputs.iter_mut().zip(&values) {
+        output[start..start + count].copy_from_slice(&values[..count]);
+    }
+}

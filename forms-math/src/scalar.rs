@@ -1,0 +1,338 @@
+//! `f32` and `f64` as numbers of a kernel, and what the special functions ask of a single number.
+//!
+//! The elementary functions of `f64` are those of the standard library; `f32` computes in `f64` wherever a rounding
+//! to `f32` in between would cost accuracy.
+
+use crate::error_free;
+use crate::quadrature::{Kind, double_exponential};
+use crate::{DoubleDouble, Real};
+
+/// A [`Real`] that is one number: its order can be branched on, and its precision is known.
+pub trait Scalar: Real + PartialOrd + Send + Sync + 'static {
+    /// The bits of its significand.
+    const PRECISION: u32;
+
+    /// π
+    fn pi() -> Self;
+    /// ln 2
+    fn ln_2() -> Self;
+    /// Euler's constant γ
+    fn euler_gamma() -> Self;
+    /// The nearest number.
+    fn from_integer(value: i64) -> Self;
+    /// e of a finite number m 2ᵉ other than zero, ½ ≤ |m| < 1.
+    fn exponent(self) -> Option<i64>;
+    /// True of what is no number.
+    #[inline(always)]
+    fn is_nan(self) -> bool {
+        self.partial_cmp(&self).is_none()
+    }
+    /// self · 2^exponent
+    fn scaled(self, exponent: i64) -> Self;
+    /// (q mod 4, self − q π/2) with q the nearest integer, the rest accurate relative to itself.
+    fn quadrant(self) -> (u8, Self);
+    /// (sin x, cos x)
+    fn sine_and_cosine(self) -> (Self, Self);
+}
+
+/// What one hardware type takes from the standard library as it is.
+macro_rules! standard_functions {
+    ($type:ty: $($name:ident),*) => { $(
+        #[inline(always)]
+        fn $name(self) -> Self {
+            <$type>::$name(self)
+        }
+    )* };
+}
+
+/// Choices of a type whose numbers are ordered by the hardware.
+macro_rules! choices {
+    () => {
+        #[inline(always)]
+        fn if_less(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
+            if left < right {
+                then
+            } else if left >= right {
+                otherwise
+            } else {
+                Self::nan()
+            }
+        }
+        #[inline(always)]
+        fn if_less_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
+            if left <= right {
+                then
+            } else if left > right {
+                otherwise
+            } else {
+                Self::nan()
+            }
+        }
+        #[inline(always)]
+        fn if_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
+            if left == right {
+                then
+            } else if left.partial_cmp(&right).is_some() {
+                otherwise
+            } else {
+                Self::nan()
+            }
+        }
+    };
+}
+pub(crate) use choices;
+
+/// The special functions to so many bits, computed in a type of at least as many.
+macro_rules! special_functions {
+    (@one $type:ty, $bits:expr, $name:ident, |$x:ident| $value:expr) => {
+        fn $name(self) -> Self {
+            let $x = $crate::scalar::Widen::<$type>::widened(self);
+            $crate::scalar::Widen::<$type>::narrowed($value)
+        }
+    };
+    ($type:ty, $bits:expr) => {
+        $crate::scalar::special_functions!(@one $type, $bits, erf, |x| crate::special::error_function(x, $bits));
+        $crate::scalar::special_functions!(@one $type, $bits, expint1, |x| crate::special::exponential_integral(1, x, $bits));
+        $crate::scalar::special_functions!(@one $type, $bits, expint2, |x| crate::special::exponential_integral(2, x, $bits));
+        $crate::scalar::special_functions!(@one $type, $bits, expint3, |x| crate::special::exponential_integral(3, x, $bits));
+        $crate::scalar::special_functions!(@one $type, $bits, dilog, |x| crate::special::dilogarithm(x, $bits));
+        $crate::scalar::special_functions!(@one $type, $bits, clausen, |x| crate::special::clausen(x, $bits));
+    };
+}
+pub(crate) use special_functions;
+
+/// A number as one of a type with more bits, and back.
+pub(crate) trait Widen<Wider>: Sized {
+    /// The same number.
+    fn widened(self) -> Wider;
+    /// The nearest number.
+    fn narrowed(wider: Wider) -> Self;
+}
+
+impl<T> Widen<T> for T {
+    fn widened(self) -> T {
+        self
+    }
+    fn narrowed(wider: T) -> T {
+        wider
+    }
+}
+
+impl Widen<DoubleDouble> for f64 {
+    fn widened(self) -> DoubleDouble {
+        DoubleDouble::from_f64(self)
+    }
+    fn narrowed(wider: DoubleDouble) -> Self {
+        wider.to_f64()
+    }
+}
+
+impl Widen<f64> for f32 {
+    fn widened(self) -> f64 {
+        f64::from(self)
+    }
+    fn narrowed(wider: f64) -> Self {
+        wider as f32
+    }
+}
+
+/// What a type of more precision takes from `elementary` and `special`, its quadrature, and its choices.
+macro_rules! composed_functions {
+    () => {
+        fn power(self, numerator: i64, denominator: i64) -> Self {
+            crate::elementary::rational_power(self, numerator, denominator)
+        }
+        $crate::scalar::choices!();
+        fn sin(self) -> Self {
+            self.sine_and_cosine().0
+        }
+        fn cos(self) -> Self {
+            self.sine_and_cosine().1
+        }
+        fn tan(self) -> Self {
+            let (sine, cosine) = self.sine_and_cosine();
+            sine / cosine
+        }
+        fn asin(self) -> Self {
+            crate::elementary::arc_sine(self)
+        }
+        fn acos(self) -> Self {
+            crate::elementary::arc_cosine(self)
+        }
+        fn atan(self) -> Self {
+            crate::elementary::arc_tangent(self)
+        }
+        fn atan2(self, x: Self) -> Self {
+            crate::elementary::angle(self, x)
+        }
+        fn ln(self) -> Self {
+            crate::elementary::logarithm(self)
+        }
+        fn ln_1p(self) -> Self {
+            crate::elementary::logarithm_of_one_plus(self)
+        }
+        fn sinh(self) -> Self {
+            crate::elementary::hyperbolic_sine(self)
+        }
+        fn cosh(self) -> Self {
+            crate::elementary::hyperbolic_cosine(self)
+        }
+        fn tanh(self) -> Self {
+            crate::elementary::hyperbolic_tangent(self)
+        }
+        $crate::scalar::special_functions!(Self, Self::PRECISION);
+        fn quadrature(from: Self, to: Self, integrand: impl Fn(Self) -> Self) -> Self {
+            let kind = crate::quadrature::Kind {
+                of: |node| node,
+                number: |value: Self| value,
+                bits: Self::PRECISION,
+            };
+            crate::quadrature::double_exponential(from, to, integrand, &kind).0
+        }
+    };
+}
+pub(crate) use composed_functions;
+
+impl Real for f64 {
+    #[inline(always)]
+    fn constant(words: &[f64]) -> Self {
+        words.first().copied().unwrap_or(0.0)
+    }
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
+        error_free::difference_of_products(a, b, c, d)
+    }
+    #[inline(always)]
+    fn power(self, numerator: i64, denominator: i64) -> Self {
+        power(self, numerator, denominator)
+    }
+    choices!();
+    standard_functions!(f64: sqrt, abs, sin, cos, tan, asin, acos, atan, exp, exp_m1, ln, ln_1p, sinh, cosh, tanh);
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        f64::atan2(self, x)
+    }
+    special_functions!(DoubleDouble, 60);
+    fn quadrature(from: Self, to: Self, integrand: impl Fn(Self) -> Self) -> Self {
+        let kind = Kind { of: |node| node, number: |value: f64| value, bits: Self::PRECISION };
+        double_exponential(from, to, integrand, &kind).0
+    }
+}
+
+/// x^(n/d), where no function of the standard library takes a quotient for an exponent: n/d = p + r with p rounded,
+/// and x^p x^r = x^p (1 + r ln x) to well below an ulp.
+#[inline(always)]
+fn power(x: f64, numerator: i64, denominator: i64) -> f64 {
+    match (numerator, denominator) {
+        (0, _) => 1.0,
+        (1, 1) => x,
+        (2, 1) => x * x,
+        (-1, 1) => 1.0 / x,
+        (1, 2) => x.sqrt(),
+        (-1, 2) => 1.0 / x.sqrt(),
+        (1, 3) if x >= 0.0 => x.cbrt(),
+        (_, 0) => f64::NAN,
+        (n, d) => {
+            let exponent = n as f64 / d as f64;
+            let (product, rest) = error_free::two_product(exponent, d as f64);
+            let left = ((n as f64 - product) - rest) / d as f64;
+            let value = x.powf(exponent);
+            if left == 0.0 || value == 0.0 || !value.is_finite() {
+                value
+            } else {
+                value + value * (left * x.ln())
+            }
+        }
+    }
+}
+
+impl Scalar for f64 {
+    const PRECISION: u32 = 53;
+
+    fn pi() -> Self {
+        std::f64::consts::PI
+    }
+    fn ln_2() -> Self {
+        std::f64::consts::LN_2
+    }
+    fn from_integer(value: i64) -> Self {
+        value as f64
+    }
+    fn exponent(self) -> Option<i64> {
+        (self.is_finite() && self != 0.0).then(|| error_free::mantissa_and_exponent(self).1)
+    }
+    fn sine_and_cosine(self) -> (Self, Self) {
+        self.sin_cos()
+    }
+    fn euler_gamma() -> Self {
+        0.577_215_664_901_532_9
+    }
+    fn scaled(self, exponent: i64) -> Self {
+        error_free::scaled(self, exponent)
+    }
+    fn quadrant(self) -> (u8, Self) {
+        // π/2 in three words, the first two of 33 bits: exact products for quotients below 2²⁰.
+        const QUARTER_TURN: [f64; 3] =
+            [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
+        let quotient = (self / std::f64::consts::FRAC_PI_2).round();
+        let rest =
+            ((self - quotient * QUARTER_TURN[0]) - quotient * QUARTER_TURN[1]) - quotient * QUARTER_TURN[2];
+        (quotient.rem_euclid(4.0) as u8, rest)
+    }
+}
+
+/// Functions of one `f32` by those of `f64`, rounded once.
+macro_rules! by_f64 {
+    ($($name:ident),*) => { $(
+        #[inline(always)]
+        fn $name(self) -> Self {
+            Real::$name(f64::from(self)) as f32
+        }
+    )* };
+}
+
+impl Real for f32 {
+    #[inline(always)]
+    fn constant(words: &[f64]) -> Self {
+        f64::constant(words) as f32
+    }
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        value as f32
+    }
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        f64::from(self)
+    }
+    #[inline(always)]
+    fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
+        // Both products are exact in f64.
+        (f64::from(a) * f64::from(b) - f64::from(c) * f64::from(d)) as f32
+    }
+    #[inline(always)]
+    fn power(self, numerator: i64, denominator: i64) -> Self {
+        power(f64::from(self), numerator, denominator) as f32
+    }
+    choices!();
+    standard_functions!(f32: sqrt, abs, sin, cos, tan, asin, acos, atan, exp, exp_m1, ln, ln_1p);
+    by_f64!(sinh, cosh, tanh);
+    special_functions!(f64, 32);
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        f32::atan2(self, x)
+    }
+    /// In `f32`, so that the integrand is the one of the kernel in this precision.
+    fn quadrature(from: Self, to: Self, integrand: impl Fn(Self) -> Self) -> Self {
+        let integrand = |place: f64| f64::from(integrand(place as f32));
+        let kind = Kind { of: |node| node, number: |value: f64| value, bits: f32::MANTISSA_DIGITS };
+        double_exponential(f64::from(from), f64::from(to), integrand, &kind).0 as f32
+    }
+}
