@@ -1,5 +1,5 @@
-//! Opaque functions: expressions with a variable in the place of every function and root, for proofs that need not look
-//! inside.
+//! Opaque functions: expressions with a variable in the place of every function and root, and of every choice if wanted,
+//! for proofs that need not look inside.
 //!
 //! A pass rewrites sums and products and leaves functions and roots as they are. So operands of functions are compared
 //! first, innermost functions first, and functions of equal operands become one variable. What is left are rational
@@ -8,6 +8,7 @@
 
 use crate::decide::{Effort, Equations, Finding};
 use crate::expression::{Expr, Node, Operation, Pool, SymbolKind};
+use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 use rustc_hash::FxHashMap;
 
@@ -18,6 +19,14 @@ const EFFORT: Effort = Effort { work: 100_000, candidates: 24, points: 4 };
 enum Function {
     Root(i64),
     Applied(Operation),
+    Choice(Relation),
+}
+
+/// Whether a choice is a function of what it compares and of its branches, or stays a choice.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Choices {
+    Opaque,
+    Kept,
 }
 
 /// A variable that stands for a function of operands, which are opaque themselves.
@@ -28,7 +37,7 @@ struct Variable {
 }
 
 /// The expressions with variables for functions and roots; equal functions of equal operands are one variable.
-pub(super) fn opaque(pool: &mut Pool, expressions: &[Expr]) -> Vec<Expr> {
+pub(super) fn opaque(pool: &mut Pool, expressions: &[Expr], choices: Choices) -> Vec<Expr> {
     let mut variables: Vec<Variable> = Vec::new();
     let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
     for expression in pool.reachable(expressions) {
@@ -41,6 +50,10 @@ pub(super) fn opaque(pool: &mut Pool, expressions: &[Expr]) -> Vec<Expr> {
                 let root =
                     variable(pool, &mut variables, Function::Root(*exponent.denom()), vec![images[&base]]);
                 pool.power(root, Ratio::from_integer(*exponent.numer()))
+            }
+            Node::Select { left, relation, right, then, otherwise, .. } if choices == Choices::Opaque => {
+                let operands = [left, right, then, otherwise].map(|operand| images[&operand]);
+                variable(pool, &mut variables, Function::Choice(relation), operands.to_vec())
             }
             node => pool.image(expression, node, &images),
         };
@@ -62,7 +75,7 @@ fn variable(pool: &mut Pool, variables: &mut Vec<Variable>, function: Function, 
     symbol
 }
 
-fn are_equal(pool: &mut Pool, left: &[Expr], right: &[Expr]) -> bool {
+pub(super) fn are_equal(pool: &mut Pool, left: &[Expr], right: &[Expr]) -> bool {
     let sides: Vec<(Expr, Expr)> =
         left.iter().copied().zip(right.iter().copied()).filter(|(left, right)| left != right).collect();
     sides.is_empty()
@@ -82,7 +95,7 @@ mod tests {
         let (theory, errors) = read_theory(&format!("kernel f(x, y) = ({values});"));
         assert!(errors.is_empty(), "{errors:?}");
         let mut pool = theory.pool;
-        let images = opaque(&mut pool, &theory.kernels[0].outputs);
+        let images = opaque(&mut pool, &theory.kernels[0].outputs, Choices::Opaque);
         (pool, images)
     }
 
@@ -96,6 +109,13 @@ mod tests {
         assert!(are_alike("sin((x + y)**2)", "sin(x**2 + 2*x*y + y**2)"));
         assert!(are_alike("exp(x*sqrt(y*(x + 1)))", "exp(sqrt(x*y + y)*x)"));
         assert!(are_alike("x**(3/2)*y", "x**(1/2)*(x**(1/2))**2*y"));
+    }
+
+    #[test]
+    fn choices_between_equal_branches_make_one_variable() {
+        let choice = |x: &str| format!("if jump {x} > y {{ sin({x}) }} else {{ {x}*y }}");
+        assert!(are_alike(&choice("(x*(x + y))"), &choice("(x**2 + x*y)")));
+        assert!(!are_alike(&choice("(x*(x + y))"), &choice("(x**2 + y)")));
     }
 
     #[test]
