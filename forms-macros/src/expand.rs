@@ -6,12 +6,13 @@
 //! ```
 
 use crate::report::Origin;
+use crate::tiers;
 use crate::tokens::Body;
 use forms_core::check::{decide_all, objection, resolve_parsed};
 use forms_core::decide::Verdict;
 use forms_core::diagnostic::{Diagnostic, Span};
 use forms_core::generation::{Translation, generate};
-use forms_core::kernel::{RustDocs, emit_rust};
+use forms_core::kernel::{KernelDocs, emit_rust};
 use forms_core::resolve::{Kernel, Theory};
 use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
 use forms_core::syntax::token::{Symbol, Token, TokenKind};
@@ -147,7 +148,7 @@ pub(crate) fn theory_checked(
     output
 }
 
-/// A kernel as a documented Rust function, its name on the user's own.
+/// A kernel as a documented Rust function and the module of its tiers, the function's name on the user's own.
 fn function(
     theory: &mut Theory,
     verdicts: &[Verdict],
@@ -156,11 +157,14 @@ fn function(
 ) -> Result<TokenStream, Vec<Diagnostic>> {
     let generated = generate(&mut theory.pool, kernel)?;
     let docs = documentation(theory, verdicts, kernel, &generated.translation);
-    let function = emit_rust(&generated.optimised, &docs).parse::<TokenStream>().map_err(|error| {
+    let source = emit_rust(&generated.optimised, &docs, tiers::MATH);
+    let unreadable = |error: proc_macro2::LexError| {
         let message = format!("the function generated for `{}` cannot be read by Rust: {error}", kernel.name);
         vec![Diagnostic::new(kernel.span, message)]
-    })?;
-    Ok(named_at(function, &kernel.name, origin.place(kernel.span).0))
+    };
+    let mut items = source.parse::<TokenStream>().map_err(unreadable)?;
+    items.extend(tiers::module(&generated).map_err(unreadable)?);
+    Ok(named_at(items, &kernel.name, origin.place(kernel.span).0))
 }
 
 /// The formula, the proved statements it rests on, the domain it is stated on, and whether it is computed.
@@ -169,7 +173,7 @@ fn documentation(
     verdicts: &[Verdict],
     kernel: &Kernel,
     translation: &Translation,
-) -> RustDocs {
+) -> KernelDocs {
     let arguments: Vec<&str> =
         kernel.arguments.iter().map(|&argument| theory.pool.symbol_name(argument)).collect();
     let value = match kernel.formula.as_slice() {
@@ -180,7 +184,7 @@ fn documentation(
         let mut decided = theory.statements.iter().zip(verdicts);
         decided.any(|(statement, verdict)| statement.name == **name && matches!(verdict, Verdict::Proved(_)))
     };
-    RustDocs {
+    KernelDocs {
         formula: format!("{}({}) = {value}", kernel.name, arguments.join(", ")),
         statements: kernel.statements.iter().filter(is_proved).cloned().collect(),
         conditions: kernel.domain.iter().map(|condition| condition.text(&theory.pool)).collect(),

@@ -16,6 +16,7 @@ mod inputs;
 
 use catalogue::Entry;
 use expert::batch::InstructionSet;
+use expert::vector::Vector;
 
 /// No multiple of the lanes of any register, so that the rest is taken too.
 const VALUES: usize = 4099;
@@ -56,5 +57,61 @@ fn all_functions_of_a_kernel_agree() {
                 assert!(far < 1e-12, "{}, {set:?}: {author:?} differs by {far}", entry.name);
             }
         }
+    }
+}
+
+fn exp_of<V: Vector>([x]: [V; 1]) -> V {
+    x.exp_and_exp_m1().0
+}
+fn exp_m1_of<V: Vector>([x]: [V; 1]) -> V {
+    x.exp_and_exp_m1().1
+}
+fn atan2_of<V: Vector>([y, x]: [V; 2]) -> V {
+    y.atan2(x)
+}
+fn angle_over_sine_of<V: Vector>([s, x]: [V; 2]) -> V {
+    s.angle_over_sine(x)
+}
+expert::batch::batch!(exp, 1, super::exp_of);
+expert::batch::batch!(exp_m1, 1, super::exp_m1_of);
+expert::batch::batch!(atan2, 2, super::atan2_of);
+expert::batch::batch!(angle_over_sine, 2, super::angle_over_sine_of);
+
+/// The greatest relative error, in roundings, of values against those of the system.
+fn roundings(values: &[f64], expected: impl Iterator<Item = f64>) -> f64 {
+    let errors =
+        values.iter().zip(expected).map(|(value, expected)| (value / expected - 1.0).abs() / f64::EPSILON);
+    errors.fold(
+        0.0,
+        |greatest: f64, error| if error <= greatest || greatest.is_nan() { greatest } else { error },
+    )
+}
+
+#[test]
+fn exponentials_are_within_two_roundings() {
+    let near = (1..200_000).map(|i| f64::from(i - 100_000) * 7e-6);
+    let far = (1..200_000).map(|i| f64::from(i - 100_000) * 7e-3);
+    let x: Vec<f64> = near.chain(far).filter(|&x| x != 0.0).collect();
+    let mut out = vec![0.0; x.len()];
+    for &set in InstructionSet::all() {
+        exp::with(set, &[&x], &mut out);
+        assert!(roundings(&out, x.iter().map(|x| x.exp())) <= 2.0, "{set:?}");
+        exp_m1::with(set, &[&x], &mut out);
+        assert!(roundings(&out, x.iter().map(|x| x.exp_m1())) <= 2.0, "{set:?}");
+    }
+}
+
+#[test]
+fn angles_are_within_four_roundings() {
+    let turns: Vec<f64> =
+        (1..200_000).map(|i| f64::from(i - 100_000) * 3.1415e-5).filter(|&x| x != 0.0).collect();
+    let (y, x): (Vec<f64>, Vec<f64>) = turns.iter().map(|turn| turn.sin_cos()).unzip();
+    let mut out = vec![0.0; x.len()];
+    for &set in InstructionSet::all() {
+        atan2::with(set, &[&y, &x], &mut out);
+        assert!(roundings(&out, y.iter().zip(&x).map(|(y, x)| y.atan2(*x))) <= 4.0, "{set:?}");
+        let sines: Vec<f64> = y.iter().map(|y| y.abs()).collect();
+        angle_over_sine::with(set, &[&sines, &x], &mut out);
+        assert!(roundings(&out, sines.iter().zip(&x).map(|(s, x)| s.atan2(*x) / s)) <= 4.0, "{set:?}");
     }
 }

@@ -4,10 +4,14 @@ use crate::expression::Rational;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
+use std::fmt;
 
 /// π to a hundred decimals, so that q πᵏ rounds correctly to every precision a kernel has.
 const PI_DIGITS: &str =
     "31415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679";
+
+/// Longer quotients are shown by their size.
+const LONGEST_TEXT: usize = 40;
 
 /// q πᵏ with q rational, exactly.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -19,6 +23,9 @@ pub struct Constant {
 }
 
 impl Constant {
+    /// So many words of an endless number reach beyond 256 bits.
+    pub(crate) const WORDS: usize = 5;
+
     /// A rational number.
     pub fn rational(factor: Rational) -> Self {
         Constant { factor, pi_exponent: 0 }
@@ -47,6 +54,12 @@ impl Constant {
     /// Whether it is below 0.
     pub fn is_negative(&self) -> bool {
         self.factor.is_negative()
+    }
+
+    /// Whether it is neither infinite as an `f64` nor rounded to zero.
+    pub fn is_representable(&self) -> bool {
+        let nearest = self.to_f64();
+        nearest.is_finite() && (nearest != 0.0 || self.is_zero())
     }
 
     /// −c
@@ -82,6 +95,12 @@ impl Constant {
         nearest_f64(&self.value())
     }
 
+    /// The nearest `f32`, ties to even.
+    pub fn to_f32(&self) -> f32 {
+        let value = self.value();
+        nearest(value.numer(), value.denom(), SINGLE) as f32
+    }
+
     /// The number as a sum of at most that many `f64`s: each is the nearest to what those before it leave. Exact where
     /// it is shorter. One infinity where the number is beyond all `f64`s.
     pub fn words(&self, most: usize) -> Vec<f64> {
@@ -110,6 +129,25 @@ impl Constant {
         let power = num_traits::pow(pi, self.pi_exponent.unsigned_abs() as usize);
         let power = if self.pi_exponent < 0 { power.recip() } else { power };
         &self.factor * power
+    }
+}
+
+/// q πᵏ with q as a quotient, or by its power of ten where that would be long.
+impl fmt::Display for Constant {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let factor = self.factor.to_string();
+        if factor.len() <= LONGEST_TEXT {
+            f.write_str(&factor)?;
+        } else {
+            let digits = |part: &BigInt| part.magnitude().to_string().len() as i64;
+            let sign = if self.is_negative() { "-" } else { "" };
+            write!(f, "{sign}10^{}", digits(self.factor.numer()) - digits(self.factor.denom()))?;
+        }
+        match self.pi_exponent {
+            0 => Ok(()),
+            1 => f.write_str(" pi"),
+            exponent => write!(f, " pi^{exponent}"),
+        }
     }
 }
 

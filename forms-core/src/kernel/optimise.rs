@@ -50,8 +50,14 @@ impl Program {
         if is_searched {
             best = cheaper(best, finished(&factor(expansion, Order::Last), &numbered));
         }
-        schedule(&fuse(&best))
+        // numbers that `f64` holds may have a product that it does not
+        if best.is_representable() { schedule(&fuse(&best)) } else { self.clone() }
     }
+}
+
+/// The program with each value computed once and signs absorbed, and nothing regrouped.
+pub(super) fn grouped(program: &Program) -> Program {
+    absorb_signs(&number_values(program))
 }
 
 /// The cheaper of two programs, of equals the first.

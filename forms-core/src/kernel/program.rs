@@ -40,6 +40,15 @@ impl ProductSum {
         }
     }
 
+    /// The factor a and the number c with the signs that make the sum a b + c of them.
+    pub(crate) fn signed<T>(self, factor: T, other: T, negate: impl FnOnce(T) -> T) -> [T; 2] {
+        match self {
+            ProductSum::ProductPlus | ProductSum::PlusProduct => [factor, other],
+            ProductSum::ProductMinus => [factor, negate(other)],
+            ProductSum::MinusProduct => [negate(factor), other],
+        }
+    }
+
     /// Whether the right term is taken from the left one.
     pub(crate) fn is_difference(self) -> bool {
         matches!(self, ProductSum::ProductMinus | ProductSum::MinusProduct)
@@ -201,6 +210,14 @@ impl Program {
 
     pub(crate) fn instruction(&self, value: Value) -> &Instruction {
         &self.instructions[value.place()]
+    }
+
+    /// Whether `f64` holds each of its numbers, some in fewer digits.
+    pub(crate) fn is_representable(&self) -> bool {
+        self.instructions.iter().all(|instruction| match instruction {
+            Instruction::Constant(constant) => constant.is_representable(),
+            _ => true,
+        })
     }
 
     /// How often each value is used, by instructions and from outside.

@@ -84,6 +84,7 @@ impl Program {
     /// # Errors
     /// If the domain leaves an argument unbounded, or if no finite bound was found.
     pub fn error_bound(&self, boxes: usize) -> Result<Vec<ErrorBound>, Unbounded> {
-        search::error_bound(self, boxes)
+        // two roundings instead of one, and products whose roundings cancel, bound those of fused instructions
+        search::error_bound(&self.unfused(), boxes)
     }
 }

@@ -9,14 +9,42 @@ use std::hint::black_box;
 /// Who wrote a function, and for what.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Author {
+    /// This project's generator, over columns.
+    Generated,
+    /// This project's generator, one value at a time.
+    GeneratedScalar,
     /// By hand, over columns.
-    ExpertBatch,
-    /// By hand, one value at a time.
-    ExpertScalar,
-    /// SymPy's common subexpressions and printer.
-    SymPy,
-    /// wrenfold's optimiser and generator.
+    Expert,
+    /// The same with the instructions that every processor has.
+    ExpertBaseline,
+    /// wrenfold's optimiser and generator, one value at a time.
     Wrenfold,
+    /// SymPy's common subexpressions and printer, one value at a time.
+    SymPy,
+}
+
+impl Author {
+    /// In the order of the table.
+    pub(crate) const ALL: [Self; 6] = [
+        Self::Generated,
+        Self::Expert,
+        Self::GeneratedScalar,
+        Self::ExpertBaseline,
+        Self::Wrenfold,
+        Self::SymPy,
+    ];
+
+    /// The head of its column.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Generated => "generated, batch",
+            Self::GeneratedScalar => "generated, scalar",
+            Self::Expert => "expert, batch",
+            Self::ExpertBaseline => "expert, baseline",
+            Self::Wrenfold => "wrenfold, scalar",
+            Self::SymPy => "SymPy, scalar",
+        }
+    }
 }
 
 /// Fills the last slice with the values at these columns.
@@ -39,22 +67,24 @@ fn batch<const N: usize>(function: impl Fn(&[&[f64]; N], &mut [f64]) + 'static) 
     Box::new(move |columns, out| function(&array(columns), out))
 }
 
-/// A function of one value, in a loop that the compiler cannot turn into one over vectors.
-fn scalar<const N: usize>(function: impl Fn([f64; N]) -> f64 + 'static) -> Fill {
-    Box::new(move |columns, out| {
-        let columns: [&[f64]; N] = array(columns).map(|column: &[f64]| &column[..out.len()]);
-        for (i, out) in out.iter_mut().enumerate() {
-            *out = black_box(function(columns.map(|column| column[i])));
-        }
-    })
+/// A function of one value with these arguments, in a loop that the compiler cannot turn into one over vectors.
+macro_rules! scalar {
+    ($function:path, $($argument:ident)*) => {
+        Box::new(|columns: &[&[f64]], out: &mut [f64]| {
+            let [$($argument),*] = array(columns).map(|column: &[f64]| &column[..out.len()]);
+            for i in 0..out.len() {
+                out[i] = black_box($function($($argument[i]),*));
+            }
+        })
+    };
 }
 
 /// The emitted function of that name with these arguments, by both generators.
 macro_rules! emitted {
     ($name:ident, $($argument:ident)*) => {
         [
-            (Author::SymPy, scalar(|[$($argument),*]| by_sympy::$name($($argument),*))),
-            (Author::Wrenfold, scalar(|[$($argument),*]| by_wrenfold::$name($($argument),*))),
+            (Author::SymPy, scalar!(by_sympy::$name, $($argument)*) as Fill),
+            (Author::Wrenfold, scalar!(by_wrenfold::$name, $($argument)*) as Fill),
         ]
     };
 }
@@ -63,8 +93,8 @@ macro_rules! emitted {
 macro_rules! by_hand {
     ($set:ident, $($module:ident)::*) => {
         [
-            (Author::ExpertBatch, batch(move |columns, out| expert::$($module)::*::with($set, columns, out))),
-            (Author::ExpertScalar, scalar(expert::$($module)::*::scalar)),
+            (Author::Expert, batch(move |columns, out| expert::$($module)::*::with($set, columns, out))),
+            (Author::ExpertBaseline, batch(|columns, out| expert::$($module)::*::with(InstructionSet::Baseline, columns, out))),
         ]
     };
 }
@@ -82,7 +112,7 @@ pub(crate) fn all(set: InstructionSet) -> Vec<Entry> {
 
 fn patch(set: InstructionSet) -> Entry {
     let functions = emitted!(solid_angle_density_patch, u v ax ay az bx by bz cx cy cz dx dy dz);
-    let by_hand = expert::patch(set).map(|function| (Author::ExpertBatch, batch(function)));
+    let by_hand = expert::patch(set).map(|function| (Author::Expert, batch(function)));
     entry("solid_angle_density_patch", Domain::Patch, by_hand.into_iter().chain(functions))
 }
 

@@ -5,15 +5,14 @@
 
 use super::body;
 use super::dialect::{ChoiceFunction, Choices, Dialect};
+use super::docs::{KernelDocs, documentation};
+use super::rust::attributes;
 use super::written::{Binding, Written, function, negated};
 use crate::expression::Operation;
 use crate::kernel::constant::Constant;
 use crate::kernel::program::{Instruction, ProductSum, Program};
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
-
-/// How many words of a number are written where it has no end.
-const WORDS: usize = 5;
 
 /// `impl FORMULA for TYPE`, where the paths `math` lead to what `forms_math` exports.
 pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
@@ -28,6 +27,29 @@ pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
          #[inline(always)]\n    \
          fn value<T: {math}::Real>([{}]: [T; {arguments}]) -> [T; {outputs}] {{\n{body}    }}\n}}\n",
         bound.join(", ")
+    )
+}
+
+/// A documented function of double-doubles, with its formula beside it.
+pub(super) fn double_double(program: &Program, docs: &KernelDocs) -> String {
+    let number = "forms_math::DoubleDouble";
+    let parameters: Vec<String> = program.arguments.iter().map(|name| format!("{name}: {number}")).collect();
+    let (count, outputs) = (program.arguments.len(), program.outputs.len());
+    let (result, ending) = match outputs {
+        1 => (number.to_string(), "[0]"),
+        several => (format!("[{number}; {several}]"), ""),
+    };
+    let formula = emit_formula(program, "Formula", "forms_math");
+    let formula = formula.lines().map(|line| format!("    {line}\n")).collect::<String>();
+    format!(
+        "{}{}{}fn {}(\n{}) -> {result} {{\n    enum Formula {{}}\n{formula}    \
+         <Formula as forms_math::Formula<{count}, {outputs}>>::value([{}]){ending}\n}}\n",
+        documentation(program, docs, "///"),
+        attributes(program),
+        if program.public { "pub " } else { "" },
+        program.name,
+        parameters.iter().map(|parameter| format!("    {parameter},\n")).collect::<String>(),
+        program.arguments.join(", "),
     )
 }
 
@@ -50,7 +72,7 @@ impl Dialect for Generic {
     }
 
     fn number(&self, constant: &Constant) -> Written {
-        Written::atom(match constant.words(WORDS)[..] {
+        Written::atom(match constant.words(Constant::WORDS)[..] {
             [single] => format!("T::from_f64({single:?})"),
             ref several => format!("T::constant(&{several:?})"),
         })
@@ -78,11 +100,7 @@ impl Dialect for Generic {
     }
 
     fn multiply_add(&self, sum: ProductSum, [a, b, c]: [&Written; 3]) -> Written {
-        let (factor, summand) = match sum {
-            ProductSum::ProductPlus | ProductSum::PlusProduct => (a.clone(), c.clone()),
-            ProductSum::ProductMinus => (a.clone(), negated(c)),
-            ProductSum::MinusProduct => (negated(a), c.clone()),
-        };
+        let [factor, summand] = sum.signed(a.clone(), c.clone(), |value| negated(&value));
         Self::method(&factor, "mul_add", &[b.argument(), summand.argument()])
     }
 

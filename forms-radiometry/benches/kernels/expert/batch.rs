@@ -30,6 +30,17 @@ impl InstructionSet {
         &[Self::Baseline]
     }
 
+    /// As people call it.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Baseline => "baseline instructions",
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2 => "AVX2 and FMA",
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512 => "AVX-512",
+        }
+    }
+
     /// The last of them.
     pub(crate) fn detected() -> Self {
         Self::all().last().copied().unwrap_or(Self::Baseline)
@@ -44,11 +55,6 @@ macro_rules! batch {
             use crate::expert::batch::InstructionSet;
             use crate::expert::vector::Vector;
 
-            /// One value.
-            pub(crate) fn scalar(arguments: [f64; $arguments]) -> f64 {
-                $value(arguments)
-            }
-
             /// The columns have as many values as `out`.
             #[inline(always)]
             fn over<V: Vector>(columns: &[&[f64]; $arguments], out: &mut [f64]) {
@@ -61,6 +67,9 @@ macro_rules! batch {
                         let value = $value(std::array::from_fn(|i| V::load(columns[i].as_ptr().add(start))));
                         value.store(out.as_mut_ptr().add(start));
                     }
+                }
+                if whole == count {
+                    return;
                 }
                 let mut rest = [[1.0; 8]; $arguments];
                 for (rest, column) in rest.iter_mut().zip(columns) {
@@ -102,11 +111,6 @@ macro_rules! batch {
                     #[cfg(target_arch = "x86_64")]
                     InstructionSet::Avx512 => unsafe { batch_avx512(columns, out) },
                 }
-            }
-
-            /// With the widest registers of this processor.
-            pub(crate) fn batch(columns: &[&[f64]; $arguments], out: &mut [f64]) {
-                with(InstructionSet::detected(), columns, out);
             }
         }
     };

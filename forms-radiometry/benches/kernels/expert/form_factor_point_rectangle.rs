@@ -39,30 +39,53 @@ fn above<V: Vector>(arguments: [V; 15]) -> V {
 /// `then` where left < right, else `otherwise`.
 #[inline(always)]
 fn either<V: Vector>(left: V, right: V, then: [V; 3], otherwise: [V; 3]) -> [V; 3] {
-    let component = |i: usize| V::if_less(left, right, then[i], otherwise[i]);
-    [component(0), component(1), component(2)]
+    [
+        V::if_less(left, right, then[0], otherwise[0]),
+        V::if_less(left, right, then[1], otherwise[1]),
+        V::if_less(left, right, then[2], otherwise[2]),
+    ]
+}
+
+/// What stands above the horizon of the edges gone through so far.
+struct Clipped<V> {
+    normal: [V; 3],
+    sum: V,
+    /// Where the outline rises above the horizon.
+    enters: [V; 3],
+    /// Where it goes below.
+    leaves: [V; 3],
+}
+
+impl<V: Vector> Clipped<V> {
+    /// With one edge more, from a to b.
+    #[inline(always)]
+    fn with(self, a: [V; 3], b: [V; 3]) -> Self {
+        let zero = V::splat(0.0);
+        let (above_a, above_b) = (dot(self.normal, a), dot(self.normal, b));
+        let (far, near) = (above_a.abs(), above_b.abs());
+        let crossing =
+            [far.mul_add(b[0], near * a[0]), far.mul_add(b[1], near * a[1]), far.mul_add(b[2], near * a[2])];
+        let (from, to) = (either(zero, above_a, a, crossing), either(zero, above_b, b, crossing));
+        let part = V::if_less(zero, above_a.max(above_b), edge(self.normal, from, to), zero);
+        let entering = either(zero, above_b, crossing, self.enters);
+        let leaving = either(zero, above_b, self.leaves, crossing);
+        Clipped {
+            normal: self.normal,
+            sum: self.sum + part,
+            enters: either(zero, above_a, self.enters, entering),
+            leaves: either(zero, above_a, leaving, self.leaves),
+        }
+    }
 }
 
 /// Any rectangle. Columns as above.
 #[inline(always)]
 fn clipped<V: Vector>(arguments: [V; 15]) -> V {
-    let (normal, corners) = corners(arguments);
-    let zero = V::splat(0.0);
-    let heights = corners.map(|corner| dot(normal, corner));
-    let (mut sum, mut enters, mut leaves) = (zero, [zero; 3], [zero; 3]);
-    for i in 0..4 {
-        let (a, b) = (corners[i], corners[(i + 1) % 4]);
-        let (above_a, above_b) = (heights[i], heights[(i + 1) % 4]);
-        let (far, near) = (above_a.abs(), above_b.abs());
-        let crossing = [0, 1, 2].map(|k| far.mul_add(b[k], near * a[k]));
-        let (from, to) = (either(zero, above_a, a, crossing), either(zero, above_b, b, crossing));
-        sum = sum + V::if_less(zero, above_a.max(above_b), edge(normal, from, to), zero);
-        let entering = either(zero, above_b, crossing, enters);
-        enters = either(zero, above_a, enters, entering);
-        let leaving = either(zero, above_b, leaves, crossing);
-        leaves = either(zero, above_a, leaving, leaves);
-    }
-    form_factor(normal, sum + edge(normal, leaves, enters))
+    let (normal, [a, b, c, d]) = corners(arguments);
+    let none = [V::splat(0.0); 3];
+    let outline = Clipped { normal, sum: V::splat(0.0), enters: none, leaves: none };
+    let outline = outline.with(a, b).with(b, c).with(c, d).with(d, a);
+    form_factor(normal, outline.sum + edge(normal, outline.leaves, outline.enters))
 }
 
 batch::batch!(unclipped, 15, super::above);

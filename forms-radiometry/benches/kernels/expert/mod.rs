@@ -8,7 +8,7 @@
 
 pub(crate) mod batch;
 mod elementary;
-mod vector;
+pub(crate) mod vector;
 
 #[rustfmt::skip]
 #[allow(unreachable_pub)]
@@ -30,8 +30,11 @@ fn dot<V: vector::Vector>(a: [V; 3], b: [V; 3]) -> V {
 /// The cross product.
 #[inline(always)]
 fn cross<V: vector::Vector>(a: [V; 3], b: [V; 3]) -> [V; 3] {
-    let component = |i: usize, j: usize| a[i].mul_add(b[j], -(a[j] * b[i]));
-    [component(1, 2), component(2, 0), component(0, 1)]
+    [
+        a[1].mul_add(b[2], -(a[2] * b[1])),
+        a[2].mul_add(b[0], -(a[0] * b[2])),
+        a[0].mul_add(b[1], -(a[1] * b[0])),
+    ]
 }
 
 /// a − b
@@ -40,8 +43,11 @@ fn difference<V: vector::Vector>(a: [V; 3], b: [V; 3]) -> [V; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
+/// A function over fourteen columns.
+type OverPatches = fn(&[&[f64]; 14], &mut [f64]);
+
 /// The patch with that instruction set, if its file has a version for it.
-pub(crate) fn patch(set: batch::InstructionSet) -> Option<fn(&[&[f64]; 14], &mut [f64])> {
+pub(crate) fn patch(set: batch::InstructionSet) -> Option<OverPatches> {
     assert!(set <= batch::InstructionSet::detected());
     match set {
         batch::InstructionSet::Baseline => None,
