@@ -11,8 +11,8 @@ use crate::decide::{Effort, Equations, Finding};
 use crate::expression::{Expr, Node, Operation, Pool, SymbolKind};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Operands are small, and there are many pairs of them.
-const EFFORT: Effort = Effort { work: 100_000, candidates: 24, points: 4 };
+/// Most pairs of operands differ, which a few points show; the others are small.
+const EFFORT: Effort = Effort { work: 1_000_000, candidates: 24, points: 4 };
 
 /// What a variable stands for.
 #[derive(Clone, Copy, PartialEq, Eq)]
