@@ -199,9 +199,12 @@ proptest! {
     fn what_is_exact_is_known(a in any::<i64>(), b in any::<i64>(), shift in -260..260_i64) {
         let number = |value: i64, shift: i64| Wide::<4>::from_integer(value).scaled(shift);
         let (x, y) = (number(a, shift), number(b, 0) + number(a, -190));
+        // All bits in use, so that a carry pushes the last one out.
+        let (full, other) = (number(a, 0) + number(b, -193), number(b, 0) + number(a, -193));
         let exactly = |value: Wide<4>| value.to_limbs::<16>();
         for (value, exact) in [
             (Guarded::exact(x) + Guarded::exact(y), exactly(x) + exactly(y)),
+            (Guarded::exact(full) + Guarded::exact(other), exactly(full) + exactly(other)),
             (Guarded::exact(x) - Guarded::exact(y), exactly(x) - exactly(y)),
             (Guarded::exact(x) * Guarded::exact(y), exactly(x) * exactly(y)),
         ] {
