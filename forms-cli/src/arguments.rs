@@ -73,7 +73,7 @@ pub(crate) enum Command {
         file: String,
         /// A kernel in it
         kernel: String,
-        /// The arithmetic: f64
+        /// The arithmetic: f64, or exact for 50 certain digits
         #[arg(long, default_value = "f64")]
         precision: String,
         /// The kernel as it was written, or as it is generated

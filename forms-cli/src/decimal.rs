@@ -4,20 +4,23 @@ use forms::core::kernel::Constant;
 use num_rational::BigRational;
 use num_traits::{Zero, pow};
 
-/// The largest power of ten of a part of a quotient, in magnitude.
+/// The largest power of ten of a number that is kept exact, in magnitude.
 const LARGEST_POWER: i64 = 10_000;
 
 /// The `f64` nearest to `0.1`, `-2.5e-3` or `1/3`; nothing for any other text.
 pub(crate) fn nearest(text: &str) -> Option<f64> {
-    if let Some((above, below)) = text.split_once('/') {
-        let (above, below) = (exact(above.trim())?, exact(below.trim())?);
-        if below.is_zero() {
-            return None;
-        }
-        return Some(Constant::rational(above / below).to_f64());
+    if text.contains('/') {
+        return Some(Constant::rational(exact(text)?).to_f64());
     }
     Decimal::read(text)?;
     text.parse().ok()
+}
+
+/// The number that `0.1`, `-2.5e-3` or `1/3` stands for, without rounding; nothing for any other text.
+pub(crate) fn exact(text: &str) -> Option<BigRational> {
+    let Some((above, below)) = text.split_once('/') else { return exact_decimal(text) };
+    let (above, below) = (exact_decimal(above.trim())?, exact_decimal(below.trim())?);
+    (!below.is_zero()).then(|| above / below)
 }
 
 /// Sign, digits before and after the point, power of ten.
@@ -44,7 +47,7 @@ impl<'t> Decimal<'t> {
     }
 }
 
-fn exact(text: &str) -> Option<BigRational> {
+fn exact_decimal(text: &str) -> Option<BigRational> {
     let decimal = Decimal::read(text)?;
     let power: i64 = decimal.power.parse().ok().filter(|power: &i64| power.abs() <= LARGEST_POWER)?;
     let shift = power - i64::try_from(decimal.fraction.len()).ok()?;

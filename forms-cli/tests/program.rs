@@ -187,6 +187,21 @@ fn a_mistake_in_the_rows_is_named_and_ends_the_output() {
 }
 
 #[test]
+fn exact_evaluation_gives_fifty_digits_of_exact_arguments() {
+    let source = "kernel versine(x) = (1 - cos(x))/x**2;\nkernel root(x) = sqrt(x)*sqrt(x) where x < 4;";
+    let folder = Folder::with(&[("exact.forms", source)]);
+    let run =
+        forms_on(&folder, &["eval", "exact.forms", "versine", "--precision", "exact"], "x\n1/10\n1e-40\n0\n");
+    let tenth = format!("1.{}e-1,4.9958347219742339044380121961297051614237745849160e-1", "0".repeat(49));
+    let tiny = format!("1.{}e-40,5.{}e-1", "0".repeat(49), "0".repeat(49));
+    assert_eq!(run.output.lines().skip(1).collect::<Vec<_>>(), [tenth.as_str(), tiny.as_str(), "0,NaN"]);
+    let run = forms_on(&folder, &["eval", "exact.forms", "root", "--precision", "exact"], "x\n2\n5\n");
+    let two = format!("2.{}e0", "0".repeat(49));
+    assert_eq!(run.output.lines().nth(1), Some(format!("{two},{two}").as_str()));
+    assert!(run.output.lines().nth(2).is_some_and(|row| row.ends_with(",NaN")), "{}", run.output);
+}
+
+#[test]
 fn what_is_not_available_is_said() {
     let folder = Folder::with(&[("good.forms", THEORY)]);
     let cases: [&[&str]; 6] = [

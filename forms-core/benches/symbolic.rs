@@ -2,6 +2,7 @@
 //! large product. Times are of the work named; what is called built was built beforehand, everything else but powers,
 //! products and d² starts from text.
 
+mod page;
 mod workload;
 
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -14,7 +15,7 @@ fn workloads(criterion: &mut Criterion) {
 }
 
 fn processor(_: &mut Criterion) {
-    println!("processor: {}", workload::processor());
+    println!("processor: {}", page::processor());
 }
 
 criterion_group! {

@@ -9,6 +9,7 @@
 //!       Proved | Refuted | Unknown             Rust · interpreter
 //! ```
 
+pub mod accuracy;
 mod assume;
 pub mod calculus;
 pub mod certificate;
@@ -26,6 +27,7 @@ pub mod notation;
 pub mod polynomial;
 mod random;
 pub mod resolve;
+pub mod rounding;
 pub mod syntax;
 pub mod topology;
 pub mod units;

@@ -6,6 +6,7 @@
 //! ```
 
 use crate::report::Origin;
+use crate::tiers;
 use crate::tokens::Body;
 use forms_core::check::{decide_all, objection, resolve_parsed};
 use forms_core::decide::Verdict;
@@ -147,7 +148,7 @@ pub(crate) fn theory_checked(
     output
 }
 
-/// A kernel as a documented Rust function, its name on the user's own.
+/// A kernel as a documented Rust function and the module of its tiers, the function's name on the user's own.
 fn function(
     theory: &mut Theory,
     verdicts: &[Verdict],
@@ -156,11 +157,14 @@ fn function(
 ) -> Result<TokenStream, Vec<Diagnostic>> {
     let generated = generate(&mut theory.pool, kernel)?;
     let docs = documentation(theory, verdicts, kernel, &generated.translation);
-    let function = emit_rust(&generated.optimised, &docs).parse::<TokenStream>().map_err(|error| {
+    let source = emit_rust(&generated.optimised, &docs, tiers::MATH);
+    let unreadable = |error: proc_macro2::LexError| {
         let message = format!("the function generated for `{}` cannot be read by Rust: {error}", kernel.name);
         vec![Diagnostic::new(kernel.span, message)]
-    })?;
-    Ok(named_at(function, &kernel.name, origin.place(kernel.span).0))
+    };
+    let mut items = source.parse::<TokenStream>().map_err(unreadable)?;
+    items.extend(tiers::module(&generated).map_err(unreadable)?);
+    Ok(named_at(items, &kernel.name, origin.place(kernel.span).0))
 }
 
 /// The formula, the proved statements it rests on, the domain it is stated on, and whether it is computed.

@@ -12,6 +12,7 @@ mod form;
 mod include;
 mod proof_tests;
 mod report;
+mod tiers;
 mod tokens;
 
 use proc_macro::TokenStream;

@@ -5,10 +5,17 @@
 
 /// a + b = sum + rest exactly, where nothing overflows.
 #[inline(always)]
-pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub(crate) const fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let of_b = sum - a;
     (sum, (a - (sum - of_b)) + (b - of_b))
+}
+
+/// a + b = sum + rest exactly, where |a| ≥ |b| or a = 0.
+#[inline(always)]
+pub(crate) const fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    (sum, b - (sum - a))
 }
 
 /// Beyond this the split would overflow: 2⁹⁹⁵.
@@ -18,7 +25,7 @@ const SPLIT_SCALE: f64 = 1.0 / (1_u64 << 28) as f64;
 
 /// a = high + low with 26 bits each.
 #[inline(always)]
-fn split(a: f64) -> (f64, f64) {
+const fn split(a: f64) -> (f64, f64) {
     const SPLITTER: f64 = ((1_u64 << 27) + 1) as f64;
     if a.abs() > SPLIT_LIMIT {
         let (high, low) = split_within(a * SPLIT_SCALE, SPLITTER);
@@ -28,7 +35,7 @@ fn split(a: f64) -> (f64, f64) {
 }
 
 #[inline(always)]
-fn split_within(a: f64, splitter: f64) -> (f64, f64) {
+const fn split_within(a: f64, splitter: f64) -> (f64, f64) {
     let carried = splitter * a;
     let high = carried - (carried - a);
     (high, a - high)
@@ -36,7 +43,7 @@ fn split_within(a: f64, splitter: f64) -> (f64, f64) {
 
 /// a b = product + rest exactly, where the product is finite and above [`EXACT_PRODUCT`] or zero.
 #[inline(always)]
-pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub(crate) const fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
     let (a_high, a_low) = split(a);
     let (b_high, b_low) = split(b);
@@ -69,20 +76,34 @@ pub(crate) fn mantissa_and_exponent(value: f64) -> (f64, i64) {
     (f64::from_bits((bits & !(0x7ff << 52)) | (1022 << 52)), biased as i64 - 1022)
 }
 
-/// a b − c d within 1.5 ulp, at any size of the products that does not leave the range of the result.
+/// True where [`two_product`] holds what the rounding of a · b leaves.
+#[inline(always)]
+pub(crate) fn has_exact_rest(product: f64, a: f64, b: f64) -> bool {
+    (product.abs() >= EXACT_PRODUCT || a == 0.0 || b == 0.0) && product.abs() <= SPLIT_LIMIT
+}
+
+/// a b − c d within an ulp, at any size of the products that does not leave the range of the result.
 #[inline(always)]
 pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let (first, second) = (a * b, c * d);
-    let safe = |product: f64, left: f64, right: f64| {
-        (product.abs() >= EXACT_PRODUCT || left == 0.0 || right == 0.0) && product.abs() <= SPLIT_LIMIT
-    };
-    if safe(first, a, b) && safe(second, c, d) {
-        let (high_first, low_first) = two_product(a, b);
-        let (high_second, low_second) = two_product(c, d);
-        let (high, low) = two_sum(high_first, -high_second);
-        return high + (low + (low_first - low_second));
+    if has_exact_rest(first, a, b) && has_exact_rest(second, c, d) {
+        let [value, rest, least] = difference_in_words(a, b, c, d);
+        return value + (rest + least);
     }
     difference_of_scaled_products(a, b, c, d)
+}
+
+/// a b − c d as a sum of three words but for what two more roundings of the last leave, where the rests are exact:
+/// the second is at most half an ulp of the first, and the last is small beside the larger of the second and the first.
+#[inline(always)]
+pub(crate) fn difference_in_words(a: f64, b: f64, c: f64, d: f64) -> [f64; 3] {
+    let (high_first, low_first) = two_product(a, b);
+    let (high_second, low_second) = two_product(c, d);
+    let (high, low) = two_sum(high_first, -high_second);
+    let (rest, least) = two_sum(low_first, -low_second);
+    let (middle, small) = two_sum(low, rest);
+    let (value, left) = two_sum(high, middle);
+    [value, left, small + least]
 }
 
 /// The same where a product is near an end of the range: every factor is brought to about one, and the result back.

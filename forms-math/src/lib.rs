@@ -9,14 +9,27 @@
 //! A kernel is written once, as a function of any [`Real`]; a precision is a type. What stands here needs nothing
 //! but the standard library, so that it can be pasted beside a kernel.
 
+mod batch;
+mod double_double;
+mod elementary;
 mod error_free;
 mod formula;
+mod lane;
 mod quadrature;
 mod real;
 mod scalar;
+mod source;
 mod special;
 mod table;
+mod wide;
 
+pub use batch::{Column, Instructions, LengthMismatch, batch, batch_by, batch_f32, batch_f32_by};
+#[cfg(feature = "rayon")]
+pub use batch::{batch_f32_parallel, batch_parallel};
+pub use double_double::DoubleDouble;
 pub use formula::Formula;
+pub use lane::{Lane32, Lane64};
 pub use real::Real;
 pub use scalar::Scalar;
+pub use source::source;
+pub use wide::Wide;

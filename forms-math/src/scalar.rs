@@ -3,10 +3,9 @@
 //! The elementary functions of `f64` are those of the standard library; `f32` computes in `f64` wherever a rounding
 //! to `f32` in between would cost accuracy.
 
-use crate::Real;
 use crate::error_free;
 use crate::quadrature::{Kind, double_exponential};
-use crate::special;
+use crate::{DoubleDouble, Real};
 
 /// A [`Real`] that is one number: its order can be branched on, and its precision is known.
 pub trait Scalar: Real + PartialOrd + Send + Sync + 'static {
@@ -15,12 +14,20 @@ pub trait Scalar: Real + PartialOrd + Send + Sync + 'static {
 
     /// π
     fn pi() -> Self;
+    /// ln 2
+    fn ln_2() -> Self;
     /// Euler's constant γ
     fn euler_gamma() -> Self;
+    /// The nearest number.
+    fn from_integer(value: i64) -> Self;
+    /// e of a finite number m 2ᵉ other than zero, ½ ≤ |m| < 1.
+    fn exponent(self) -> Option<i64>;
     /// self · 2^exponent
     fn scaled(self, exponent: i64) -> Self;
     /// (q mod 4, self − q π/2) with q the nearest integer, the rest accurate relative to itself.
     fn quadrant(self) -> (u8, Self);
+    /// (sin x, cos x)
+    fn sine_and_cosine(self) -> (Self, Self);
 }
 
 /// What one hardware type takes from the standard library as it is.
@@ -68,6 +75,118 @@ macro_rules! choices {
         }
     };
 }
+pub(crate) use choices;
+
+/// The special functions to so many bits, computed in a type of at least as many.
+macro_rules! special_functions {
+    (@one $type:ty, $bits:expr, $name:ident, |$x:ident| $value:expr) => {
+        fn $name(self) -> Self {
+            let $x = $crate::scalar::Widen::<$type>::widened(self);
+            $crate::scalar::Widen::<$type>::narrowed($value)
+        }
+    };
+    ($type:ty, $bits:expr) => {
+        $crate::scalar::special_functions!(@one $type, $bits, erf, |x| crate::special::error_function(x, $bits));
+        $crate::scalar::special_functions!(@one $type, $bits, expint1, |x| crate::special::exponential_integral(1, x, $bits));
+        $crate::scalar::special_functions!(@one $type, $bits, expint2, |x| crate::special::exponential_integral(2, x, $bits));
+        $crate::scalar::special_functions!(@one $type, $bits, expint3, |x| crate::special::exponential_integral(3, x, $bits));
+        $crate::scalar::special_functions!(@one $type, $bits, dilog, |x| crate::special::dilogarithm(x, $bits));
+        $crate::scalar::special_functions!(@one $type, $bits, clausen, |x| crate::special::clausen(x, $bits));
+    };
+}
+pub(crate) use special_functions;
+
+/// A number as one of a type with more bits, and back.
+pub(crate) trait Widen<Wider>: Sized {
+    /// The same number.
+    fn widened(self) -> Wider;
+    /// The nearest number.
+    fn narrowed(wider: Wider) -> Self;
+}
+
+impl<T> Widen<T> for T {
+    fn widened(self) -> T {
+        self
+    }
+    fn narrowed(wider: T) -> T {
+        wider
+    }
+}
+
+impl Widen<DoubleDouble> for f64 {
+    fn widened(self) -> DoubleDouble {
+        DoubleDouble::from_f64(self)
+    }
+    fn narrowed(wider: DoubleDouble) -> Self {
+        wider.to_f64()
+    }
+}
+
+impl Widen<f64> for f32 {
+    fn widened(self) -> f64 {
+        f64::from(self)
+    }
+    fn narrowed(wider: f64) -> Self {
+        wider as f32
+    }
+}
+
+/// What a type of more precision takes from `elementary` and `special`, its quadrature, and its choices.
+macro_rules! composed_functions {
+    () => {
+        fn power(self, numerator: i64, denominator: i64) -> Self {
+            crate::elementary::rational_power(self, numerator, denominator)
+        }
+        $crate::scalar::choices!();
+        fn sin(self) -> Self {
+            self.sine_and_cosine().0
+        }
+        fn cos(self) -> Self {
+            self.sine_and_cosine().1
+        }
+        fn tan(self) -> Self {
+            let (sine, cosine) = self.sine_and_cosine();
+            sine / cosine
+        }
+        fn asin(self) -> Self {
+            crate::elementary::arc_sine(self)
+        }
+        fn acos(self) -> Self {
+            crate::elementary::arc_cosine(self)
+        }
+        fn atan(self) -> Self {
+            crate::elementary::arc_tangent(self)
+        }
+        fn atan2(self, x: Self) -> Self {
+            crate::elementary::angle(self, x)
+        }
+        fn ln(self) -> Self {
+            crate::elementary::logarithm(self)
+        }
+        fn ln_1p(self) -> Self {
+            crate::elementary::logarithm_of_one_plus(self)
+        }
+        fn sinh(self) -> Self {
+            crate::elementary::hyperbolic_sine(self)
+        }
+        fn cosh(self) -> Self {
+            crate::elementary::hyperbolic_cosine(self)
+        }
+        fn tanh(self) -> Self {
+            crate::elementary::hyperbolic_tangent(self)
+        }
+        $crate::scalar::special_functions!(Self, Self::PRECISION);
+        fn quadrature(from: Self, to: Self, integrand: impl Fn(Self) -> Self) -> Self {
+            let kind = crate::quadrature::Kind {
+                of: |node| node,
+                number: |value: Self| value,
+                bits: Self::PRECISION,
+            };
+            crate::quadrature::double_exponential(from, to, integrand, &kind).0
+        }
+    };
+}
+pub(crate) use composed_functions;
 
 impl Real for f64 {
     #[inline(always)]
@@ -96,24 +215,7 @@ impl Real for f64 {
     fn atan2(self, x: Self) -> Self {
         f64::atan2(self, x)
     }
-    fn erf(self) -> Self {
-        special::error_function(self, Self::PRECISION)
-    }
-    fn expint1(self) -> Self {
-        special::exponential_integral(1, self, Self::PRECISION)
-    }
-    fn expint2(self) -> Self {
-        special::exponential_integral(2, self, Self::PRECISION)
-    }
-    fn expint3(self) -> Self {
-        special::exponential_integral(3, self, Self::PRECISION)
-    }
-    fn dilog(self) -> Self {
-        special::dilogarithm(self, Self::PRECISION)
-    }
-    fn clausen(self) -> Self {
-        special::clausen(self, Self::PRECISION)
-    }
+    special_functions!(DoubleDouble, 60);
     fn quadrature(from: Self, to: Self, integrand: impl Fn(Self) -> Self) -> Self {
         let kind = Kind { of: |node| node, number: |value: f64| value, bits: Self::PRECISION };
         double_exponential(from, to, integrand, &kind).0
@@ -152,6 +254,18 @@ impl Scalar for f64 {
 
     fn pi() -> Self {
         std::f64::consts::PI
+    }
+    fn ln_2() -> Self {
+        std::f64::consts::LN_2
+    }
+    fn from_integer(value: i64) -> Self {
+        value as f64
+    }
+    fn exponent(self) -> Option<i64> {
+        (self.is_finite() && self != 0.0).then(|| error_free::mantissa_and_exponent(self).1)
+    }
+    fn sine_and_cosine(self) -> (Self, Self) {
+        self.sin_cos()
     }
     fn euler_gamma() -> Self {
         0.577_215_664_901_532_9
@@ -204,7 +318,8 @@ impl Real for f32 {
     }
     choices!();
     standard_functions!(f32: sqrt, abs, sin, cos, tan, asin, acos, atan, exp, exp_m1, ln, ln_1p);
-    by_f64!(sinh, cosh, tanh, erf, expint1, expint2, expint3, dilog, clausen);
+    by_f64!(sinh, cosh, tanh);
+    special_functions!(f64, 32);
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
         f32::atan2(self, x)

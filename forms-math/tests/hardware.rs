@@ -22,7 +22,7 @@ fn well_known_values_of_the_special_functions() {
         ("Cl2 pi/2", (PI / 2.0).clausen(), catalan),
         ("Cl2 pi/3", (PI / 3.0).clausen(), 1.014_941_606_409_653_6),
     ] {
-        assert!(ulps(value, truth) < 8.0, "{name}: {value:e} is not {truth:e}");
+        assert!(ulps(value, truth) < 4.0, "{name}: {value:e} is not {truth:e}");
     }
 }
 

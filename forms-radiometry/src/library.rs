@@ -46,13 +46,28 @@ pub fn theory() -> &'static [TheoryFile] {
     ]
 }
 
+/// One file of the folder `kernels`.
+macro_rules! kernel_file {
+    ($name:literal) => {
+        TheoryFile { name: $name, text: include_str!(concat!("../kernels/", $name)) }
+    };
+}
+
 /// The files whose `pub kernel`s are the library's kernels, each beside the statements it rests on.
 pub fn library() -> &'static [TheoryFile] {
     &[
-        TheoryFile { name: "solid_angle.forms", text: include_str!("../kernels/solid_angle.forms") },
-        TheoryFile { name: "irradiance.forms", text: include_str!("../kernels/irradiance.forms") },
-        TheoryFile { name: "reflection.forms", text: include_str!("../kernels/reflection.forms") },
-        TheoryFile { name: "reconnection.forms", text: include_str!("../kernels/reconnection.forms") },
-        TheoryFile { name: "transport.forms", text: include_str!("../kernels/transport.forms") },
+        kernel_file!("solid_angle.forms"),
+        kernel_file!("irradiance.forms"),
+        kernel_file!("reflection.forms"),
+        kernel_file!("reconnection.forms"),
+        kernel_file!("transport.forms"),
+        kernel_file!("single_scattering.forms"),
+        kernel_file!("fresnel.forms"),
+        kernel_file!("phase_function.forms"),
+        kernel_file!("planck.forms"),
+        kernel_file!("warps_uniform.forms"),
+        kernel_file!("warps_microfacet.forms"),
+        kernel_file!("warps_axis.forms"),
+        kernel_file!("warps_distance.forms"),
     ]
 }

@@ -78,5 +78,5 @@ fn source(file: &TheoryFile, kernel: &Kernel) -> Result<String, Vec<crate::theor
         translation: generated.translation.to_string(),
         docs: kernel.docs.clone(),
     };
-    Ok(emit_rust(&generated.optimised, &docs))
+    Ok(emit_rust(&generated.optimised, &docs, "forms_math"))
 }

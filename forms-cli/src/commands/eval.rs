@@ -1,6 +1,7 @@
 //! `forms eval`: rows of CSV in, the same rows with a kernel's values out.
 
 use crate::arguments::Tier;
+use crate::commands::exact::Exact;
 use crate::commands::refuse;
 use crate::decimal::nearest;
 use crate::kernel::{files, find, generated};
@@ -21,13 +22,16 @@ pub(crate) fn eval(
     output: &mut dyn Write,
 ) -> io::Result<Status> {
     match precision {
-        "f64" => {}
-        "f32" | "dd" | "exact" => {
-            let message =
-                format!("the precision `{precision}` is not available in this version; there is `f64`");
+        "f64" | "exact" => {}
+        "f32" | "dd" => {
+            let message = format!(
+                "the precision `{precision}` is not available in this version; there are `f64` and `exact`"
+            );
             return Ok(refuse(&message));
         }
-        _ => return Ok(refuse(&format!("there is no precision `{precision}`; there is `f64`"))),
+        _ => {
+            return Ok(refuse(&format!("there is no precision `{precision}`; there are `f64` and `exact`")));
+        }
     }
     let files = match files(file) {
         Ok(files) => files,
@@ -40,6 +44,9 @@ pub(crate) fn eval(
         Ok(found) => found,
         Err(message) => return Ok(refuse(&format!("{message} (in {file})"))),
     };
+    if precision == "exact" {
+        return table(&Exact::new(file, kernel), io::stdin().lock(), output);
+    }
     let program = match generated(file, kernel) {
         Ok(generated) if tier == Tier::Stable => generated.optimised,
         Ok(generated) => generated.written,
@@ -48,42 +55,90 @@ pub(crate) fn eval(
             return Ok(Status::Error);
         }
     };
-    if program.arguments().is_empty() {
-        return constant(&program, output);
-    }
-    rows(&program, io::stdin().lock(), output)
+    table(&program, io::stdin().lock(), output)
 }
 
-/// A kernel without arguments has one row, and needs no input for it.
-fn constant(program: &Program, output: &mut dyn Write) -> io::Result<Status> {
-    let mut writer = csv::Writer::from_writer(output);
-    writer.write_record(header(program))?;
-    writer.write_record(program.interpret(&[]).into_iter().map(digits))?;
-    writer.flush()?;
-    Ok(Status::AsStated)
+/// A kernel in one arithmetic: how its numbers are read, computed and written.
+pub(super) trait Evaluation {
+    /// A number of that arithmetic.
+    type Number;
+    /// The kernel's name.
+    fn name(&self) -> &str;
+    /// The names of its arguments.
+    fn arguments(&self) -> &[String];
+    /// How many values it has.
+    fn outputs(&self) -> usize;
+    /// The number that a text stands for.
+    fn read(&self, text: &str) -> Option<Self::Number>;
+    /// The kernel's values, as they are written.
+    fn values(&self, arguments: &[Self::Number]) -> Vec<String>;
+    /// An argument as it is written.
+    fn written(&self, argument: &Self::Number) -> String;
+}
+
+/// A program in `f64`.
+impl Evaluation for Program {
+    type Number = f64;
+
+    fn name(&self) -> &str {
+        Program::name(self)
+    }
+
+    fn arguments(&self) -> &[String] {
+        Program::arguments(self)
+    }
+
+    fn outputs(&self) -> usize {
+        Program::outputs(self).len()
+    }
+
+    fn read(&self, text: &str) -> Option<f64> {
+        nearest(text)
+    }
+
+    fn values(&self, arguments: &[f64]) -> Vec<String> {
+        self.interpret(arguments).into_iter().map(digits).collect()
+    }
+
+    fn written(&self, argument: &f64) -> String {
+        digits(*argument)
+    }
+}
+
+/// Reads rows and writes them with their values; a kernel without arguments has one row, and needs no input for it.
+fn table(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write) -> io::Result<Status> {
+    if kernel.arguments().is_empty() {
+        let mut writer = csv::Writer::from_writer(output);
+        writer.write_record(header(kernel))?;
+        writer.write_record(kernel.values(&[]))?;
+        writer.flush()?;
+        return Ok(Status::AsStated);
+    }
+    rows(kernel, input, output)
 }
 
 /// Reads rows and writes them with their values until one of them is malformed.
-fn rows(program: &Program, input: impl io::Read, output: &mut dyn Write) -> io::Result<Status> {
+fn rows(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write) -> io::Result<Status> {
     let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(input);
-    let columns = match reader.headers().map_err(|error| unreadable(&error)).and_then(|h| columns(program, h))
+    let columns = match reader.headers().map_err(|error| unreadable(&error)).and_then(|h| columns(kernel, h))
     {
         Ok(columns) => columns,
         Err(message) => return Ok(refuse(&format!("{message}\n --> {INPUT}:1"))),
     };
     let mut writer = csv::Writer::from_writer(output);
-    writer.write_record(header(program))?;
+    writer.write_record(header(kernel))?;
     let mut record = csv::StringRecord::new();
     loop {
         let row = match reader.read_record(&mut record) {
             Ok(false) => break,
-            Ok(true) => arguments(program, &columns, &record),
+            Ok(true) => arguments(kernel, &columns, &record),
             Err(error) => Err(unreadable(&error)),
         };
         match row {
             Ok(arguments) => {
-                let values = program.interpret(&arguments);
-                writer.write_record(arguments.iter().chain(&values).map(|&value| digits(value)))?;
+                let values = kernel.values(&arguments);
+                let written = arguments.iter().map(|argument| kernel.written(argument));
+                writer.write_record(written.chain(values))?;
             }
             Err(message) => {
                 writer.flush()?;
@@ -104,15 +159,15 @@ fn unreadable(error: &csv::Error) -> String {
 }
 
 /// The column of each argument of the kernel.
-fn columns(program: &Program, header: &csv::StringRecord) -> Result<Vec<usize>, String> {
-    let wanted = || program.arguments().join(", ");
+fn columns(kernel: &impl Evaluation, header: &csv::StringRecord) -> Result<Vec<usize>, String> {
+    let wanted = || kernel.arguments().join(", ");
     let header: Vec<&str> = header.iter().map(|name| name.trim_start_matches('\u{feff}')).collect();
     if header.is_empty() {
         return Err(format!("the input has no header; expected the columns {}", wanted()));
     }
     for (place, name) in header.iter().enumerate() {
-        if !program.arguments().iter().any(|argument| argument == name) {
-            let (kernel, wanted) = (program.name(), wanted());
+        if !kernel.arguments().iter().any(|argument| argument == name) {
+            let (kernel, wanted) = (kernel.name(), wanted());
             return Err(format!("`{name}` is no argument of `{kernel}`; expected the columns {wanted}"));
         }
         if header[..place].contains(name) {
@@ -123,20 +178,24 @@ fn columns(program: &Program, header: &csv::StringRecord) -> Result<Vec<usize>, 
         let place = header.iter().position(|name| name == argument);
         place.ok_or_else(|| format!("the column `{argument}` is missing; expected {}", wanted()))
     };
-    program.arguments().iter().map(column).collect()
+    kernel.arguments().iter().map(column).collect()
 }
 
 /// The kernel's arguments from one row.
-fn arguments(program: &Program, columns: &[usize], row: &csv::StringRecord) -> Result<Vec<f64>, String> {
+fn arguments<K: Evaluation>(
+    kernel: &K,
+    columns: &[usize],
+    row: &csv::StringRecord,
+) -> Result<Vec<K::Number>, String> {
     if row.len() != columns.len() {
         let expected = crate::layout::counted(columns.len(), "number");
         return Err(format!("expected {expected} in this row, found {}", row.len()));
     }
-    let named = program.arguments().iter().zip(columns);
+    let named = kernel.arguments().iter().zip(columns);
     named
         .map(|(name, &column)| {
             let text = &row[column];
-            nearest(text).ok_or_else(|| {
+            kernel.read(text).ok_or_else(|| {
                 let found: String = text.chars().take(40).collect();
                 format!("expected a number such as 0.5, 1e-3 or 1/3 for `{name}`, found `{found}`")
             })
@@ -145,11 +204,11 @@ fn arguments(program: &Program, columns: &[usize], row: &csv::StringRecord) -> R
 }
 
 /// The arguments, then the kernel's name, or `NAME_0`, `NAME_1`, … if it has several values.
-fn header(program: &Program) -> Vec<String> {
-    let mut names = program.arguments().to_vec();
-    match program.outputs().len() {
-        1 => names.push(program.name().to_string()),
-        several => names.extend((0..several).map(|place| format!("{}_{place}", program.name()))),
+fn header(kernel: &impl Evaluation) -> Vec<String> {
+    let mut names = kernel.arguments().to_vec();
+    match kernel.outputs() {
+        1 => names.push(kernel.name().to_string()),
+        several => names.extend((0..several).map(|place| format!("{}_{place}", kernel.name()))),
     }
     names
 }

@@ -4,6 +4,7 @@ mod check;
 mod derive;
 mod emit;
 mod eval;
+mod exact;
 mod kernels;
 mod prove;
 mod show;

@@ -42,10 +42,3 @@ pub(crate) fn all() -> Vec<Work> {
     ]);
     works
 }
-
-/// The name of the processor, where the system tells it.
-pub(crate) fn processor() -> String {
-    let information = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let name = information.lines().find_map(|line| line.strip_prefix("model name"));
-    name.map_or("unknown", |name| name.trim_start_matches(['\t', ' ', ':'])).to_string()
-}

@@ -7,6 +7,8 @@
 //! `cargo run --release -p forms-core --example scaling [FILE]` writes them. FILE is what
 //! `benches/compare/product_by_flint.py` prints; without it the figures have no line for FLINT.
 
+#[path = "../../benches/page/mod.rs"]
+mod page;
 #[path = "../../benches/workload/mod.rs"]
 mod workload;
 
@@ -15,10 +17,11 @@ mod plot;
 mod table;
 
 use clock::seconds;
+use page::processor;
 use plot::{Plot, Scale, Series};
 use std::io;
 use std::path::PathBuf;
-use workload::{Work, built, processor, text};
+use workload::{Work, built, text};
 
 /// The exponents of the products, as in the script for FLINT.
 const EXPONENTS: [u32; 10] = [1, 2, 3, 4, 6, 8, 10, 12, 15, 18];
@@ -33,9 +36,9 @@ fn main() -> io::Result<()> {
     std::fs::create_dir_all(&figures)?;
     std::fs::write(figures.join("scaling_dimension.svg"), against_dimension().svg())?;
     std::fs::write(figures.join("scaling_terms.svg"), against_terms(flint.as_deref())?.svg())?;
-    let page = documents().join("benchmarks.md");
-    let written = table::replaced(&std::fs::read_to_string(&page)?, &table::rows(workload::all()));
-    std::fs::write(page, written)
+    let path = documents().join("benchmarks.md");
+    let written = page::replaced(&std::fs::read_to_string(&path)?, "core", &table::rows(workload::all()));
+    std::fs::write(path, written)
 }
 
 /// How the figures say what was measured where.

@@ -1,11 +1,9 @@
-//! The table of a page: a row for each workload, between two marks of the page.
+//! The table of a page: a row for each workload.
 
 use super::clock::seconds;
-use super::workload::{Work, processor};
+use super::page::processor;
+use super::workload::Work;
 use std::fmt::Write;
-
-const BEGIN: &str = "<!-- measured -->\n";
-const END: &str = "<!-- end -->";
 
 /// The rows, each measured.
 pub(crate) fn rows(works: Vec<Work>) -> String {
@@ -18,12 +16,6 @@ pub(crate) fn rows(works: Vec<Work>) -> String {
         writeln!(rows, "| {name} | {goal} | {time} |").expect("a String takes all text");
     }
     rows
-}
-
-/// The page with these rows instead of what stands between the marks; as it is if it has no marks.
-pub(crate) fn replaced(page: &str, rows: &str) -> String {
-    let parts = page.split_once(BEGIN).and_then(|(head, rest)| Some((head, rest.split_once(END)?.1)));
-    parts.map_or_else(|| page.to_string(), |(head, tail)| format!("{head}{BEGIN}{rows}{END}{tail}"))
 }
 
 /// Two figures or three, with a unit.

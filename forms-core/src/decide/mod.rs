@@ -39,6 +39,7 @@ pub(crate) use finding::{Effort, Equations, Finding, contradiction};
 pub use ratio::Ratio;
 pub(crate) use report::simplified;
 pub use report::simplified_where;
+pub(crate) use sample::simple_bounds;
 pub use separation::{Separated, separated};
 pub use verdict::{Theorem, Verdict, Witness};
 

@@ -17,14 +17,14 @@ const PRECISION: Precision = Precision(64);
 
 /// Bounds of one variable by numbers; either may be missing.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Bounds {
-    lower: Option<Rational>,
-    upper: Option<Rational>,
+pub(crate) struct Bounds {
+    pub(crate) lower: Option<Rational>,
+    pub(crate) upper: Option<Rational>,
 }
 
 /// What conditions on a x + c say of each variable x, with c any expression of numbers: `x < c`, `0 < 1 - 2*x`,
 /// `abs(x) < c`.
-pub(super) fn simple_bounds(pool: &Pool, conditions: &[Condition]) -> FxHashMap<Symbol, Bounds> {
+pub(crate) fn simple_bounds(pool: &Pool, conditions: &[Condition]) -> FxHashMap<Symbol, Bounds> {
     let mut bounds: FxHashMap<Symbol, Bounds> = FxHashMap::default();
     for condition in conditions {
         if pool.symbols_in(&[condition.left, condition.right]).len() == 1 {

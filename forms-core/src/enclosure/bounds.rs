@@ -135,6 +135,16 @@ impl Enclosure {
         }
     }
 
+    /// The lower and the upper end as quotients over one denominator above zero, not in lowest terms.
+    pub(crate) fn ends(&self) -> (BigInt, BigInt, BigInt) {
+        match &self.0 {
+            Value::Exact(value, _) => (value.numer().clone(), value.numer().clone(), value.denom().clone()),
+            Value::Range(range) => {
+                (range.lower.clone(), range.upper.clone(), BigInt::from(1) << range.precision)
+            }
+        }
+    }
+
     /// upper − lower
     pub fn width(&self) -> Rational {
         self.upper() - self.lower()

@@ -8,18 +8,18 @@ use num_bigint::BigInt;
 use std::sync::OnceLock;
 
 /// The precisions at which the constants are computed once for all: one that is nearly always enough, as the
-/// other costs a millisecond.
-const KEPT: [u32; 2] = [320, 1280];
+/// second costs a millisecond. The others serve numbers near the ends of the range of `f64`.
+const KEPT: [u32; 4] = [320, 1280, 2560, 5120];
 
 /// A constant at each of these precisions.
-type Kept = [OnceLock<Range>; 2];
+type Kept = [OnceLock<Range>; KEPT.len()];
 
 /// Places that absorb the rounding of a few thousand terms.
 const GUARD: u32 = 24;
 
 /// Machin: π = 16 arctan(1/5) − 4 arctan(1/239)
 pub(super) fn pi(precision: u32) -> Range {
-    static KEPT_PI: Kept = [const { OnceLock::new() }; 2];
+    static KEPT_PI: Kept = [const { OnceLock::new() }; KEPT.len()];
     constant(precision, &KEPT_PI, |p| {
         combination(&[(16, 5), (-4, 239)], p, |reciprocal| reciprocal.square().negate())
     })
@@ -27,13 +27,13 @@ pub(super) fn pi(precision: u32) -> Range {
 
 /// log 2 = 18 artanh(1/26) − 2 artanh(1/4801) + 8 artanh(1/8749)
 pub(super) fn log_two(precision: u32) -> Range {
-    static KEPT_LOG_TWO: Kept = [const { OnceLock::new() }; 2];
+    static KEPT_LOG_TWO: Kept = [const { OnceLock::new() }; KEPT.len()];
     constant(precision, &KEPT_LOG_TWO, |p| combination(&[(18, 26), (-2, 4801), (8, 8749)], p, Range::square))
 }
 
 /// Euler's γ = −log n − Σ (−n)ᵏ/(k k!) − E₁(n), with 0 < E₁(n) < 2⁻ᵖ for n above p log 2
 pub(super) fn euler(precision: u32) -> Range {
-    static KEPT_EULER: Kept = [const { OnceLock::new() }; 2];
+    static KEPT_EULER: Kept = [const { OnceLock::new() }; KEPT.len()];
     constant(precision, &KEPT_EULER, |p| {
         let n = negligible_from(p);
         let fine = p + lost_to_terms(n) + GUARD;

@@ -10,6 +10,7 @@
 
 mod boundary;
 mod limit;
+mod opaque;
 mod pieces;
 mod seam;
 mod translation;

@@ -4,6 +4,7 @@
 //! The equation is decided like any other statement, on the kernel's domain and wherever both sides are defined.
 
 use super::boundary::{replaced, sheets};
+use super::opaque::opaque;
 use super::pieces::{MOST_PIECES, pieces};
 use crate::decide::{Effort, Equations, Finding, Witness};
 use crate::diagnostic::Diagnostic;
@@ -111,7 +112,8 @@ pub(super) fn of_form(pool: &mut Pool, kernel: &Kernel) -> Option<Diagnostic> {
     Some(Diagnostic::new(kernel.span, message).with_help(help))
 }
 
-/// Whether the sides of each pair are equal under the conditions, piece by piece.
+/// Whether the sides of each pair are equal under the conditions: without a look inside functions, which is enough for
+/// most programs and costs little, or else with one.
 fn equality(
     pool: &mut Pool,
     pairs: &[(Expr, Expr)],
@@ -120,10 +122,18 @@ fn equality(
 ) -> Translation {
     let different: Vec<Expr> =
         pairs.iter().filter(|(raised, written)| raised != written).flat_map(|&(a, b)| [a, b]).collect();
-    if different.is_empty() {
+    let opaque = opaque(pool, &different);
+    if opaque.chunks_exact(2).all(|pair| pair[0] == pair[1])
+        || by_pieces(pool, &opaque, &[], effort).is_proved()
+    {
         return Translation::Proved;
     }
-    let mut expressions = different.clone();
+    by_pieces(pool, &different, conditions, effort)
+}
+
+/// Whether each expression in an even place equals the one behind it under the conditions, piece by piece.
+fn by_pieces(pool: &mut Pool, different: &[Expr], conditions: &[Condition], effort: Effort) -> Translation {
+    let mut expressions = different.to_vec();
     expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
     let Some(pieces) = pieces(pool, &expressions, is_same_choice) else {
         return Translation::Unknown { reason: format!("it has more than {MOST_PIECES} pieces"), points: 0 };

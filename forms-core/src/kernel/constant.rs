@@ -4,10 +4,14 @@ use crate::expression::Rational;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
+use std::fmt;
 
 /// π to a hundred decimals, so that q πᵏ rounds correctly to every precision a kernel has.
 const PI_DIGITS: &str =
     "31415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679";
+
+/// Longer quotients are shown by their size.
+const LONGEST_TEXT: usize = 40;
 
 /// q πᵏ with q rational, exactly.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -19,6 +23,9 @@ pub struct Constant {
 }
 
 impl Constant {
+    /// So many words of an endless number reach beyond 256 bits.
+    pub(crate) const WORDS: usize = 5;
+
     /// A rational number.
     pub fn rational(factor: Rational) -> Self {
         Constant { factor, pi_exponent: 0 }
@@ -47,6 +54,12 @@ impl Constant {
     /// Whether it is below 0.
     pub fn is_negative(&self) -> bool {
         self.factor.is_negative()
+    }
+
+    /// Whether it is neither infinite as an `f64` nor rounded to zero.
+    pub fn is_representable(&self) -> bool {
+        let nearest = self.to_f64();
+        nearest.is_finite() && (nearest != 0.0 || self.is_zero())
     }
 
     /// −c
@@ -79,37 +92,101 @@ impl Constant {
 
     /// The nearest `f64`, ties to even.
     pub fn to_f64(&self) -> f64 {
+        nearest_f64(&self.value())
+    }
+
+    /// The number as a sum of at most that many `f64`s: each is the nearest to what those before it leave. Exact where
+    /// it is shorter. One infinity where the number is beyond all `f64`s.
+    pub fn words(&self, most: usize) -> Vec<f64> {
+        let mut left = self.value();
+        let mut words = Vec::new();
+        while words.is_empty() || (words.len() < most && !left.is_zero()) {
+            let word = nearest_f64(&left);
+            words.push(word);
+            // what is left is below all f64s, or infinite
+            let Some(exact) = Rational::from_float(word).filter(|exact| !exact.is_zero()) else { break };
+            left -= exact;
+        }
+        if words.len() > 1 && words.last() == Some(&0.0) {
+            words.pop();
+        }
+        words
+    }
+
+    /// q πᵏ, with π to a hundred decimals.
+    fn value(&self) -> Rational {
         if self.pi_exponent == 0 {
-            return nearest_f64(&self.factor);
+            return self.factor.clone();
         }
         let digits: BigInt = PI_DIGITS.parse().expect("the digits of π are digits");
         let pi = Rational::new(digits, BigInt::from(10).pow(PI_DIGITS.len() as u32 - 1));
         let power = num_traits::pow(pi, self.pi_exponent.unsigned_abs() as usize);
         let power = if self.pi_exponent < 0 { power.recip() } else { power };
-        nearest_f64(&(&self.factor * power))
+        &self.factor * power
     }
 }
 
+/// q πᵏ with q as a quotient, or by its power of ten where that would be long.
+impl fmt::Display for Constant {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let factor = self.factor.to_string();
+        if factor.len() <= LONGEST_TEXT {
+            f.write_str(&factor)?;
+        } else {
+            let digits = |part: &BigInt| part.magnitude().to_string().len() as i64;
+            let sign = if self.is_negative() { "-" } else { "" };
+            write!(f, "{sign}10^{}", digits(self.factor.numer()) - digits(self.factor.denom()))?;
+        }
+        match self.pi_exponent {
+            0 => Ok(()),
+            1 => f.write_str(" pi"),
+            exponent => write!(f, " pi^{exponent}"),
+        }
+    }
+}
+
+/// A binary floating-point format: how many bits its mantissa has, and the powers of two it reaches.
+#[derive(Clone, Copy)]
+pub(crate) struct Binary {
+    mantissa: i64,
+    /// The exponent of the least number above zero.
+    least: i64,
+    /// The largest exponent of a finite number.
+    greatest: i64,
+}
+
+/// `f32`
+pub(crate) const SINGLE: Binary = Binary { mantissa: 24, least: -149, greatest: 127 };
+/// `f64`
+pub(crate) const DOUBLE: Binary = Binary { mantissa: 53, least: -1074, greatest: 1023 };
+
 /// The nearest `f64` to a rational number, ties to even, subnormal numbers and overflow included.
 pub(crate) fn nearest_f64(value: &Rational) -> f64 {
-    if value.is_zero() {
+    nearest(value.numer(), value.denom(), DOUBLE)
+}
+
+/// The number of a binary format that is nearest to a quotient with a denominator above zero, ties to even,
+/// subnormal numbers and overflow included. The quotient need not be in lowest terms.
+pub(crate) fn nearest(numerator: &BigInt, denominator: &BigInt, format: Binary) -> f64 {
+    if numerator.is_zero() {
         return 0.0;
     }
-    let (numerator, denominator) = (value.numer().abs(), value.denom().clone());
+    let negative = numerator.is_negative();
+    let numerator = numerator.abs();
     // 2^exponent <= |value| < 2^(exponent + 1)
     let mut exponent = numerator.bits() as i64 - denominator.bits() as i64;
     let below = if exponent >= 0 {
-        numerator < &denominator << exponent
+        numerator < denominator << exponent
     } else {
-        &numerator << -exponent < denominator
+        &numerator << -exponent < *denominator
     };
     exponent -= i64::from(below);
-    if exponent > 1023 {
-        return if value.is_negative() { f64::NEG_INFINITY } else { f64::INFINITY };
+    if exponent > format.greatest {
+        return if negative { f64::NEG_INFINITY } else { f64::INFINITY };
     }
-    let unit = (exponent - 52).max(-1074);
+    let unit = (exponent - format.mantissa + 1).max(format.least);
     let (numerator, denominator) =
-        if unit > 0 { (numerator, denominator << unit) } else { (numerator << -unit, denominator) };
+        if unit > 0 { (numerator, denominator << unit) } else { (numerator << -unit, denominator.clone()) };
     let (quotient, remainder) = numerator.div_rem(&denominator);
     let mut mantissa = quotient.to_u64().expect("a mantissa has at most 53 bits");
     let twice = remainder << 1;
@@ -117,7 +194,13 @@ pub(crate) fn nearest_f64(value: &Rational) -> f64 {
         mantissa += 1;
     }
     let magnitude = mantissa as f64 * power_of_two(unit);
-    if value.is_negative() { -magnitude } else { magnitude }
+    let overflows = magnitude > power_of_two(format.greatest) * (2.0 - power_of_two(1 - format.mantissa));
+    match (overflows, negative) {
+        (true, false) => f64::INFINITY,
+        (true, true) => f64::NEG_INFINITY,
+        (false, false) => magnitude,
+        (false, true) => -magnitude,
+    }
 }
 
 /// 2^exponent for −1074 ≤ exponent ≤ 1023.
@@ -155,10 +238,42 @@ mod tests {
     }
 
     #[test]
+    fn a_quotient_is_rounded_once_to_single_precision() {
+        let f32_of = |value: f64| {
+            let exact = Rational::from_float(value).expect("finite");
+            nearest(exact.numer(), exact.denom(), SINGLE)
+        };
+        let cases =
+            [0.1, -1.0 / 3.0, 1e-40, 7e-46, 1.4e-45, 3.4028235e38, 3.402823669e38, 1e39, -1e300, 16777217.0];
+        for value in cases {
+            assert_eq!(f32_of(value), f64::from(value as f32), "{value}");
+        }
+    }
+
+    #[test]
     fn every_double_is_its_own_nearest() {
         for value in [1.0, 0.1, 1e300, 1e-300, 5e-324, f64::MAX, f64::MIN_POSITIVE, -123.456] {
             assert_eq!(nearest_f64(&Rational::from_float(value).expect("finite")), value);
         }
+    }
+
+    #[test]
+    fn the_words_of_a_number_sum_to_it() {
+        let sum = |words: &[f64]| -> Rational {
+            words.iter().map(|&word| Rational::from_float(word).expect("finite")).sum()
+        };
+        for text in ["1/3", "-1/10", "9007199254740993", "1/7000000000000000000000000000000", "3", "0"] {
+            let constant = Constant::rational(rational(text));
+            let words = constant.words(5);
+            let error = (sum(&words) - &constant.factor).abs();
+            let bound = constant.factor.abs() / Rational::from_integer(BigInt::from(2).pow(5 * 53));
+            assert!(error <= bound, "{text}: {words:?}");
+        }
+        assert_eq!(Constant::integer(3).words(5), [3.0]);
+        assert_eq!(Constant::rational(rational("9007199254740993")).words(5), [9007199254740992.0, 1.0]);
+        assert_eq!(Constant::pi().words(2), [std::f64::consts::PI, 1.2246467991473532e-16]);
+        let huge = Constant::rational(Rational::from_integer(BigInt::from(2).pow(1024)));
+        assert_eq!(huge.words(5), [f64::INFINITY]);
     }
 
     #[test]

@@ -7,18 +7,25 @@ use std::fmt;
 const DIVISION: u32 = 4;
 /// A square root beside an addition.
 const SQUARE_ROOT: u32 = 5;
+/// A compensated sum of two products beside an addition: two products, their errors, and the sums of both.
+const PRODUCTS: u32 = 6;
 /// A general power beside an addition.
 const POWER: u32 = 30;
 /// A choice beside an addition.
 const SELECT: u32 = 2;
 
 /// The operations of a program; arguments and numbers cost nothing.
+///
+/// A fused instruction counts as the additions and multiplications it is made of, so that a count says how much
+/// arithmetic a formula takes on any target; [`OperationCount::fused`] says how many instructions that saves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OperationCount {
     /// Additions and subtractions.
     pub adds: usize,
     /// Multiplications.
     pub multiplies: usize,
+    /// How many of the additions are one instruction with a multiplication.
+    pub fused: usize,
     /// Changes of sign.
     pub negations: usize,
     /// Divisions.
@@ -67,6 +74,15 @@ impl Program {
                 Instruction::Constant(_) | Instruction::Argument(_) => {}
                 Instruction::Add(..) | Instruction::Subtract(..) => count.adds += 1,
                 Instruction::Multiply(..) => count.multiplies += 1,
+                Instruction::MultiplyAdd(..) => {
+                    count.adds += 1;
+                    count.multiplies += 1;
+                    count.fused += 1;
+                }
+                Instruction::DifferenceOfProducts(_) | Instruction::SumOfProducts(_) => {
+                    count.adds += 1;
+                    count.multiplies += 2;
+                }
                 Instruction::Divide(..) => count.divisions += 1,
                 Instruction::Negate(_) => count.negations += 1,
                 Instruction::Sqrt(_) => count.square_roots += 1,
@@ -85,6 +101,8 @@ impl Program {
             | Instruction::Subtract(..)
             | Instruction::Multiply(..)
             | Instruction::Negate(_) => 1,
+            Instruction::MultiplyAdd(..) => 2,
+            Instruction::DifferenceOfProducts(_) | Instruction::SumOfProducts(_) => PRODUCTS,
             Instruction::Divide(..) => DIVISION,
             Instruction::Sqrt(_) => SQUARE_ROOT,
             Instruction::Power(..) => POWER,

@@ -1,9 +1,9 @@
 //! The plain value of expressions in `f64`: what every kernel is compared with.
 
 use super::constant::nearest_f64;
-use super::interpret::power;
 use super::program::holds;
 use crate::expression::{Expr, Node, Pool, Symbol};
+use forms_math::Real;
 use rustc_hash::FxHashMap;
 
 /// The values of expressions as they are written, one rounding for each node; nothing where a variable has no
@@ -27,7 +27,7 @@ fn evaluate_node(node: &Node, values: &[(Symbol, f64)], known: &FxHashMap<Expr, 
         Node::Negate(a) => -of(a),
         Node::Multiply(a, b) => of(a) * of(b),
         Node::Divide(a, b) => of(a) / of(b),
-        Node::Power(a, exponent) => power(of(a), *exponent),
+        Node::Power(a, exponent) => of(a).power(*exponent.numer(), *exponent.denom()),
         Node::Apply(operation, arguments) => {
             let arguments: Vec<f64> = arguments.iter().map(of).collect();
             operation.apply(&arguments)

@@ -1,53 +1,109 @@
-//! The interpreter: the values of a program in `f64`, instruction by instruction.
+//! The interpreter: the values of a program in any precision, instruction by instruction.
+//!
+//! The precision is a type, as in the generated source: both compute the same operations in the same order.
 
-use super::program::{Instruction, Program, Value, holds};
-use crate::expression::Operation;
-use num_rational::Ratio;
+use super::constant::Constant;
+use super::program::{Instruction, Program, Value};
+use crate::syntax::ast::Relation;
+use forms_math::Real;
+
+/// A program with its numbers rounded to one precision.
+#[derive(Clone, Debug)]
+pub struct Interpreter<'a, T> {
+    program: &'a Program,
+    /// The number of each instruction that is one.
+    constants: Vec<Option<T>>,
+}
 
 impl Program {
     /// The outputs at these arguments; all NaN outside the kernel's domain. An argument left out is NaN.
     pub fn interpret(&self, arguments: &[f64]) -> Vec<f64> {
-        let mut values: Vec<f64> = Vec::with_capacity(self.instructions.len());
-        for instruction in &self.instructions {
-            let value = value_of(instruction, arguments, |value: Value| values[value.place()]);
-            values.push(value);
-        }
-        let of = |value: Value| values[value.place()];
-        let inside = self.domain.iter().all(|condition| {
-            holds(condition.relation, of(condition.left), of(condition.right)) == Some(true)
+        self.interpret_as(arguments)
+    }
+
+    /// The outputs in the precision of the arguments.
+    ///
+    /// ```
+    /// # use forms_core::{check::read_theory, generation::generate};
+    /// let (mut theory, _) = read_theory("kernel third(x) = x/3;");
+    /// let third = generate(&mut theory.pool, &theory.kernels[0]).expect("a kernel").written;
+    /// assert_eq!(third.interpret_as(&[1.0_f32]), [1.0 / 3.0]);
+    /// ```
+    pub fn interpret_as<T: Real>(&self, arguments: &[T]) -> Vec<T> {
+        self.interpreter().values(arguments)
+    }
+
+    /// The program ready to be run many times in one precision.
+    pub fn interpreter<T: Real>(&self) -> Interpreter<'_, T> {
+        let constants = self.instructions.iter().map(|instruction| match instruction {
+            Instruction::Constant(constant) => Some(T::constant(&constant.words(Constant::WORDS))),
+            _ => None,
         });
-        self.outputs.iter().map(|&output| if inside { of(output) } else { f64::NAN }).collect()
+        Interpreter { program: self, constants: constants.collect() }
     }
 }
 
-fn value_of(instruction: &Instruction, arguments: &[f64], of: impl Fn(Value) -> f64) -> f64 {
+impl<T: Real> Interpreter<'_, T> {
+    /// The outputs at these arguments; all NaN outside the kernel's domain. An argument left out is NaN.
+    pub fn values(&self, arguments: &[T]) -> Vec<T> {
+        let mut values: Vec<T> = Vec::with_capacity(self.program.instructions.len());
+        for (instruction, constant) in self.program.instructions.iter().zip(&self.constants) {
+            let of = |value: Value| values[value.place()];
+            let value = constant.unwrap_or_else(|| value_of(instruction, arguments, of));
+            values.push(value);
+        }
+        let of = |value: Value| values[value.place()];
+        let inside = |output: T| {
+            self.program.domain.iter().rev().fold(output, |value, condition| {
+                let sides = [of(condition.left), of(condition.right)];
+                choice(sides, condition.relation, [value, T::nan()])
+            })
+        };
+        self.program.outputs.iter().map(|&output| inside(of(output))).collect()
+    }
+}
+
+fn value_of<T: Real>(instruction: &Instruction, arguments: &[T], of: impl Fn(Value) -> T) -> T {
     match instruction {
-        Instruction::Constant(constant) => constant.to_f64(),
-        Instruction::Argument(place) => arguments.get(*place as usize).copied().unwrap_or(f64::NAN),
+        Instruction::Constant(constant) => T::constant(&constant.words(Constant::WORDS)),
+        Instruction::Argument(place) => arguments.get(*place as usize).copied().unwrap_or_else(T::nan),
         Instruction::Add(a, b) => of(*a) + of(*b),
         Instruction::Subtract(a, b) => of(*a) - of(*b),
         Instruction::Multiply(a, b) => of(*a) * of(*b),
         Instruction::Divide(a, b) => of(*a) / of(*b),
+        Instruction::MultiplyAdd(sum, values) => {
+            let [a, b, c] = values.map(of);
+            let [a, c] = sum.signed(a, c, |value| -value);
+            a.mul_add(b, c)
+        }
+        Instruction::DifferenceOfProducts(factors) => {
+            let [a, b, c, d] = factors.map(of);
+            T::difference_of_products(a, b, c, d)
+        }
+        Instruction::SumOfProducts(factors) => {
+            let [a, b, c, d] = factors.map(of);
+            T::sum_of_products(a, b, c, d)
+        }
         Instruction::Negate(a) => -of(*a),
         Instruction::Sqrt(a) => of(*a).sqrt(),
-        Instruction::Power(a, exponent) => power(of(*a), *exponent),
-        Instruction::Call(operation, operands) => call(*operation, operands, of),
+        Instruction::Power(a, exponent) => of(*a).power(*exponent.numer(), *exponent.denom()),
+        Instruction::Call(operation, operands) => {
+            let operands: Vec<T> = operands.iter().map(|&operand| of(operand)).collect();
+            operation.apply(&operands)
+        }
         Instruction::Select { left, relation, right, then, otherwise } => {
-            match holds(*relation, of(*left), of(*right)) {
-                Some(true) => of(*then),
-                Some(false) => of(*otherwise),
-                None => f64::NAN,
-            }
+            choice([of(*left), of(*right)], *relation, [of(*then), of(*otherwise)])
         }
     }
 }
 
-fn call(operation: Operation, operands: &[Value], of: impl Fn(Value) -> f64) -> f64 {
-    let operands: Vec<f64> = operands.iter().map(|&operand| of(operand)).collect();
-    operation.apply(&operands)
-}
-
-/// xʳ: a fraction of a negative number has no real value.
-pub(crate) fn power(x: f64, exponent: Ratio<i64>) -> f64 {
-    x.powf(*exponent.numer() as f64 / *exponent.denom() as f64)
+/// The first branch where the relation holds, the second where it does not, NaN where the sides cannot be compared.
+fn choice<T: Real>([left, right]: [T; 2], relation: Relation, [then, otherwise]: [T; 2]) -> T {
+    match relation {
+        Relation::Less => T::if_less(left, right, then, otherwise),
+        Relation::Greater => T::if_less(right, left, then, otherwise),
+        Relation::LessEqual => T::if_less_equal(left, right, then, otherwise),
+        Relation::GreaterEqual => T::if_less_equal(right, left, then, otherwise),
+        Relation::NotEqual => T::if_equal(left, right, otherwise, then),
+    }
 }

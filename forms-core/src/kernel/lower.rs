@@ -34,6 +34,8 @@ pub enum LowerError {
     FreeSymbol(String),
     /// It contains an unknown function, which has no value.
     UnknownFunction(String),
+    /// It contains a number other than zero that is infinite or zero as an `f64`.
+    Unrepresentable(Constant),
     /// It has more nodes than the limit.
     TooLarge {
         /// How many it has.
@@ -49,6 +51,10 @@ impl fmt::Display for LowerError {
             LowerError::FreeSymbol(name) => write!(f, "`{name}` is not an argument of the kernel"),
             LowerError::UnknownFunction(name) => {
                 write!(f, "`{name}` is an unknown function, which a kernel cannot compute")
+            }
+            LowerError::Unrepresentable(constant) => {
+                let size = if constant.to_f64() == 0.0 { "small" } else { "large" };
+                write!(f, "the number {constant} is too {size} for `f64`")
             }
             LowerError::TooLarge { nodes, limit } => {
                 write!(f, "the kernel has {nodes} operations, more than the limit of {limit}")
@@ -75,6 +81,11 @@ pub fn lower(pool: &Pool, source: &KernelSource) -> Result<Program, LowerError> 
     let mut instructions = Vec::with_capacity(order.len());
     for expression in order {
         let instruction = instruction(pool, source, expression, |operand| values[&operand])?;
+        if let Instruction::Constant(constant) = &instruction
+            && !constant.is_representable()
+        {
+            return Err(LowerError::Unrepresentable(constant.clone()));
+        }
         values.insert(expression, Value(instructions.len() as u32));
         instructions.push(instruction);
     }

@@ -26,16 +26,18 @@
 //! let kernel = lower(&pool, &source)?.optimise();
 //! assert_eq!(kernel.operations().multiplies, 4);
 //! assert_eq!(kernel.interpret(&[2.0]), [128.0]);
-//! assert!(emit_rust(&kernel, &RustDocs::default()).contains("fn seventh(x: f64) -> f64 {"));
+//! assert!(emit_rust(&kernel, &RustDocs::default(), "forms_math").contains("fn seventh(x: f64) -> f64 {"));
 //! # Ok::<(), forms_core::kernel::LowerError>(())
 //! ```
 
 mod chain;
 mod constant;
 mod count;
+mod emit;
 mod evaluate;
 mod expand;
 mod factor;
+mod fuse;
 mod graph;
 mod interpret;
 mod linearise;
@@ -46,19 +48,21 @@ mod products;
 mod program;
 mod quotients;
 mod raise;
-mod rust;
+mod schedule;
 mod sharing;
 mod signs;
 mod sums;
 mod tally;
 
 pub use constant::Constant;
+pub(crate) use constant::{Binary, DOUBLE, SINGLE, nearest, nearest_f64};
 pub use count::OperationCount;
+pub use emit::{RustDocs, emit_formula, emit_rust};
 pub use evaluate::evaluate_f64;
+pub use interpret::Interpreter;
 pub use lower::{KernelSource, LowerError, lower};
-pub use program::{Comparison, Instruction, Program, Value};
+pub use program::{Comparison, Instruction, ProductSum, Program, Value};
 pub use raise::Raised;
-pub use rust::{RustDocs, emit_rust};
 
 #[cfg(test)]
 #[allow(dead_code, reason = "shared with the integration tests, which use the rest")]

@@ -9,6 +9,7 @@ use rustc_hash::FxHashMap;
 
 /// The program with each value computed once.
 pub(crate) fn number_values(program: &Program) -> Program {
+    let program = &program.unfused();
     let mut numbering = Numbering::default();
     let mut values: Vec<Option<Value>> = vec![None; program.instructions.len()];
     for place in evaluation_order(program) {

@@ -3,12 +3,14 @@
 //! ```text
 //! number_values ─ collect ─┬─ expand ─ factor ─┬─ share_sums ─ share_reciprocals ─ share_products ─ linearise ─ absorb_signs
 //!                          └───────────────────┘ for each setting, and once without
+//! the cheapest ─ fuse ─ schedule
 //! ```
 //! Every pass keeps the value. Expansion is tried from the least to the most, and has to make the kernel cheaper
 //! to be kept, because a formula as its author wrote it is usually the accurate one.
 
 use super::expand::{Limits, expand};
 use super::factor::{Order, factor};
+use super::fuse::fuse;
 use super::graph::Graph;
 use super::graph::collect::collect;
 use super::linearise::linearise;
@@ -16,6 +18,7 @@ use super::numbering::number_values;
 use super::products::share_products;
 use super::program::Program;
 use super::quotients::share_reciprocals;
+use super::schedule::schedule;
 use super::signs::absorb_signs;
 use super::sums::share_sums;
 
@@ -47,7 +50,8 @@ impl Program {
         if is_searched {
             best = cheaper(best, finished(&factor(expansion, Order::Last), &numbered));
         }
-        best
+        // numbers that `f64` holds may have a product that it does not
+        if best.is_representable() { schedule(&fuse(&best)) } else { self.clone() }
     }
 }
 

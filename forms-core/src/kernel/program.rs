@@ -18,6 +18,43 @@ impl Value {
     }
 }
 
+/// A sum or difference of a product a b and a number c, its terms in the order they were written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum ProductSum {
+    /// a b + c
+    ProductPlus,
+    /// c + a b
+    PlusProduct,
+    /// a b − c
+    ProductMinus,
+    /// c − a b
+    MinusProduct,
+}
+
+impl ProductSum {
+    /// The left and the right term.
+    pub(crate) fn terms<T>(self, product: T, other: T) -> [T; 2] {
+        match self {
+            ProductSum::ProductPlus | ProductSum::ProductMinus => [product, other],
+            ProductSum::PlusProduct | ProductSum::MinusProduct => [other, product],
+        }
+    }
+
+    /// The factor a and the number c with the signs that make the sum a b + c of them.
+    pub(crate) fn signed<T>(self, factor: T, other: T, negate: impl FnOnce(T) -> T) -> [T; 2] {
+        match self {
+            ProductSum::ProductPlus | ProductSum::PlusProduct => [factor, other],
+            ProductSum::ProductMinus => [factor, negate(other)],
+            ProductSum::MinusProduct => [negate(factor), other],
+        }
+    }
+
+    /// Whether the right term is taken from the left one.
+    pub(crate) fn is_difference(self) -> bool {
+        matches!(self, ProductSum::ProductMinus | ProductSum::MinusProduct)
+    }
+}
+
 /// One operation on earlier values.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Instruction {
@@ -33,6 +70,12 @@ pub enum Instruction {
     Multiply(Value, Value),
     /// a / b
     Divide(Value, Value),
+    /// The product of the first two values and the third one, with one rounding where the target can do that.
+    MultiplyAdd(ProductSum, [Value; 3]),
+    /// a b − c d, compensated: within a few ulp of the exact value even where the products cancel.
+    DifferenceOfProducts([Value; 4]),
+    /// a b + c d, likewise.
+    SumOfProducts([Value; 4]),
     /// −a
     Negate(Value),
     /// √a
@@ -66,6 +109,10 @@ impl Instruction {
             | Instruction::Subtract(a, b)
             | Instruction::Multiply(a, b)
             | Instruction::Divide(a, b) => vec![*a, *b],
+            Instruction::MultiplyAdd(_, values) => values.to_vec(),
+            Instruction::DifferenceOfProducts(factors) | Instruction::SumOfProducts(factors) => {
+                factors.to_vec()
+            }
             Instruction::Call(_, arguments) => arguments.to_vec(),
             Instruction::Select { left, right, then, otherwise, .. } => {
                 vec![*left, *right, *then, *otherwise]
@@ -81,6 +128,9 @@ impl Instruction {
             Instruction::Subtract(a, b) => Instruction::Subtract(of(*a), of(*b)),
             Instruction::Multiply(a, b) => Instruction::Multiply(of(*a), of(*b)),
             Instruction::Divide(a, b) => Instruction::Divide(of(*a), of(*b)),
+            Instruction::MultiplyAdd(sum, values) => Instruction::MultiplyAdd(*sum, values.map(of)),
+            Instruction::DifferenceOfProducts(factors) => Instruction::DifferenceOfProducts(factors.map(of)),
+            Instruction::SumOfProducts(factors) => Instruction::SumOfProducts(factors.map(of)),
             Instruction::Negate(a) => Instruction::Negate(of(*a)),
             Instruction::Sqrt(a) => Instruction::Sqrt(of(*a)),
             Instruction::Power(a, exponent) => Instruction::Power(of(*a), *exponent),
@@ -160,6 +210,23 @@ impl Program {
 
     pub(crate) fn instruction(&self, value: Value) -> &Instruction {
         &self.instructions[value.place()]
+    }
+
+    /// Whether `f64` holds each of its numbers, some in fewer digits.
+    pub(crate) fn is_representable(&self) -> bool {
+        self.instructions.iter().all(|instruction| match instruction {
+            Instruction::Constant(constant) => constant.is_representable(),
+            _ => true,
+        })
+    }
+
+    /// How often each value is used, by instructions and from outside.
+    pub(crate) fn uses(&self) -> Vec<usize> {
+        let mut uses = vec![0; self.instructions.len()];
+        for value in self.instructions.iter().flat_map(Instruction::operands).chain(self.roots()) {
+            uses[value.place()] += 1;
+        }
+        uses
     }
 
     /// The values asked for from outside: the sides of the domain's conditions, then the outputs.

@@ -46,6 +46,19 @@ fn raise_instruction(
         Instruction::Subtract(a, b) => pool.subtract(of(a), of(b)),
         Instruction::Multiply(a, b) => pool.multiply(of(a), of(b)),
         Instruction::Divide(a, b) => pool.divide(of(a), of(b)),
+        Instruction::MultiplyAdd(sum, [a, b, c]) => {
+            let product = pool.multiply(of(a), of(b));
+            let [left, right] = sum.terms(product, of(c));
+            if sum.is_difference() { pool.subtract(left, right) } else { pool.add(left, right) }
+        }
+        Instruction::DifferenceOfProducts([a, b, c, d]) => {
+            let (left, right) = (pool.multiply(of(a), of(b)), pool.multiply(of(c), of(d)));
+            pool.subtract(left, right)
+        }
+        Instruction::SumOfProducts([a, b, c, d]) => {
+            let (left, right) = (pool.multiply(of(a), of(b)), pool.multiply(of(c), of(d)));
+            pool.add(left, right)
+        }
         Instruction::Negate(a) => pool.negate(of(a)),
         Instruction::Sqrt(a) => pool.sqrt(of(a)),
         Instruction::Power(a, exponent) => pool.power(of(a), *exponent),

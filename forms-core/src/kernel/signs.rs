@@ -13,11 +13,7 @@ const DEEPEST: usize = 8;
 /// The program with as few changes of sign as that leaves.
 pub(super) fn absorb_signs(program: &Program) -> Program {
     let program = &turn_differences(program);
-    let mut uses = vec![0usize; program.instructions.len()];
-    for operand in program.instructions.iter().flat_map(Instruction::operands).chain(program.roots()) {
-        uses[operand.place()] += 1;
-    }
-    let mut signs = Signs { instructions: program.instructions.clone(), uses };
+    let mut signs = Signs { instructions: program.instructions.clone(), uses: program.uses() };
     for place in (0..signs.instructions.len()).rev() {
         if let Instruction::Negate(inner) = signs.instructions[place]
             && signs.flip(inner, DEEPEST)

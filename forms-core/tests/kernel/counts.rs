@@ -58,6 +58,16 @@ fn the_bilinear_patch_costs_what_an_expert_pays() {
     }
 }
 
+/// Two thirds of the arithmetic is in fused instructions, and few values are needed at once.
+#[test]
+fn the_bilinear_patch_is_fused_and_fits_sixteen_registers() {
+    for (name, spelling) in BILINEAR {
+        let program = bilinear(spelling).optimise();
+        let (fused, live) = (program.operations().fused, program.live_values());
+        assert!(fused == 19 && live <= 10, "{name}: {fused} fused, {live} alive");
+    }
+}
+
 /// A kernel, and what it may cost: arithmetic operations, function calls.
 pub(crate) struct Known {
     pub(crate) name: &'static str,

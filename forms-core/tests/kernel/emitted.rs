@@ -2,7 +2,7 @@
 
 use crate::formula::Formulas;
 use forms_core::expression::Expr;
-use forms_core::kernel::{Program, RustDocs, emit_rust};
+use forms_core::kernel::{Program, RustDocs, emit_formula, emit_rust};
 use forms_core::syntax::ast::Relation;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -45,6 +45,9 @@ fn kernels() -> Vec<Program> {
         programs.push(formulas.named(&format!("{name}_optimised")).program(&outputs).optimise());
         programs.push(written);
     }
+    let mut products = Formulas::over("a b c d");
+    let difference = products.parse("a*b - c*d");
+    programs.push(products.named("products").program(&[difference]).optimise().compensate());
     programs.extend(with_domains());
     programs
 }
@@ -59,23 +62,35 @@ fn with_domains() -> Vec<Program> {
     vec![one, two]
 }
 
-/// A program that reads rows of bits and prints the bits of every kernel at each.
-fn harness(programs: &[Program], rows: &[Vec<f64>]) -> String {
-    let mut source = "#![deny(warnings)]\n".to_string();
+/// Each kernel as a function of `f64`s and as the type `K_NAME` of a formula, with the arithmetic beside it.
+fn emitted(programs: &[Program]) -> String {
+    let docs = RustDocs { formula: "f".into(), ..RustDocs::default() };
+    let mut source =
+        "#![deny(warnings)]\n#![allow(non_camel_case_types)]\n".to_string() + &forms_math::source();
     for program in programs {
-        source.push_str(&emit_rust(program, &RustDocs { formula: "f".into(), ..RustDocs::default() }));
+        source += &emit_rust(program, &docs, "forms_math");
+        let name = format!("K_{}", program.name());
+        let _ = write!(source, "enum {name} {{}}\n{}", emit_formula(program, &name, "forms_math"));
     }
-    source.push_str("fn main() {\n");
+    source
+}
+
+/// A program that prints the bits of every kernel at each row: of the function, the formula in `f64` and in `f32`.
+fn harness(programs: &[Program], rows: &[Vec<f64>]) -> String {
+    let mut source = emitted(programs) + "fn main() {\n";
     for (program, row) in programs.iter().flat_map(|program| rows.iter().map(move |row| (program, row))) {
-        let arguments: Vec<String> = row[..program.arguments().len()]
+        let bits: Vec<String> = row[..program.arguments().len()]
             .iter()
             .map(|value| format!("f64::from_bits({})", value.to_bits()))
             .collect();
-        let call = format!("{}({})", program.name(), arguments.join(", "));
-        let _ = match program.outputs().len() {
-            1 => writeln!(source, "println!(\"{{}}\", {call}.to_bits());"),
-            _ => writeln!(source, "{call}.iter().for_each(|value| println!(\"{{}}\", value.to_bits()));"),
-        };
+        let (name, outputs, row) = (program.name(), program.outputs().len(), bits.join(", "));
+        let call = if outputs == 1 { format!("[{name}({row})]") } else { format!("{name}({row})") };
+        let formula = format!("<K_{name} as forms_math::Formula<{}, {outputs}>>::value", bits.len());
+        let single = bits.iter().map(|value| format!("{value} as f32")).collect::<Vec<_>>().join(", ");
+        for values in [call, format!("{formula}([{row}])"), format!("{formula}([{single}]).map(f64::from)")] {
+            let _ =
+                writeln!(source, "{values}.iter().for_each(|value| println!(\"{{}}\", value.to_bits()));");
+        }
     }
     source + "}\n"
 }
@@ -101,15 +116,23 @@ fn compiled_and_run(source: &str) -> Vec<f64> {
 fn emitted_rust_computes_what_the_interpreter_computes() {
     let programs = kernels();
     let mut inputs = Inputs(1);
-    let rows: Vec<Vec<f64>> = (0..40).map(|_| (0..8).map(|_| inputs.next()).collect()).collect();
+    let rows: Vec<Vec<f64>> = (0..12).map(|_| (0..8).map(|_| inputs.next()).collect()).collect();
     let computed = compiled_and_run(&harness(&programs, &rows));
     let mut computed = computed.into_iter();
     for program in &programs {
         for row in &rows {
-            for expected in program.interpret(&row[..program.arguments().len()]) {
-                let value = computed.next().expect("a value for every output");
-                let same = value == expected || (value.is_nan() && expected.is_nan());
-                assert!(same, "{} at {row:?}: emitted {value}, interpreted {expected}", program.name());
+            let row = &row[..program.arguments().len()];
+            let single: Vec<f32> = row.iter().map(|&value| value as f32).collect();
+            let single = program.interpret_as(&single).into_iter().map(f64::from).collect();
+            for (tier, values) in
+                [("f64", program.interpret(row)), ("formula", program.interpret(row)), ("f32", single)]
+            {
+                for expected in values {
+                    let value = computed.next().expect("a value for every output");
+                    let same = value == expected || (value.is_nan() && expected.is_nan());
+                    let name = program.name();
+                    assert!(same, "{name} in {tier} at {row:?}: emitted {value}, interpreted {expected}");
+                }
             }
         }
     }
@@ -118,7 +141,11 @@ fn emitted_rust_computes_what_the_interpreter_computes() {
 
 #[test]
 fn nothing_is_fused() {
-    assert!(kernels().iter().all(|program| !emit_rust(program, &RustDocs::default()).contains("mul_add")));
+    assert!(
+        kernels()
+            .iter()
+            .all(|program| !emit_rust(program, &RustDocs::default(), "forms_math").contains("mul_add"))
+    );
 }
 /// Σ, one choice, two outputs and a condition, as they are printed.
 #[test]
@@ -152,7 +179,7 @@ fn a_kernel_reads_as_written_by_hand() {
 /// Its value is NaN outside its domain and where an argument it depends on is NaN.
 /// Takes 1 addition, 5 multiplications, 1 division, 1 square root, 1 choice.
 pub fn field(x: f64, y: f64) -> [f64; 2] {
-    let inside = x.partial_cmp(&0.0).is_some_and(core::cmp::Ordering::is_ne);
+    let inside = x.partial_cmp(&0.0).is_some_and(::core::cmp::Ordering::is_ne);
     if !inside {
         return [f64::NAN; 2];
     }
@@ -160,12 +187,12 @@ pub fn field(x: f64, y: f64) -> [f64; 2] {
     let t1 = if x < y {
         -2.0 * x
     } else if x >= y {
-        core::f64::consts::FRAC_1_PI * y
+        ::core::f64::consts::FRAC_1_PI * y
     } else {
         f64::NAN
     };
     [x / (t0 * t0.sqrt()), t1]
 }
 "#;
-    assert_eq!(emit_rust(&program.optimise(), &docs), expected);
+    assert_eq!(emit_rust(&program.optimise(), &docs, "forms_math"), expected);
 }

@@ -44,33 +44,33 @@ fn by_series<T: Scalar>(order: u32, x: T, bits: u32) -> T {
     value
 }
 
-/// The continued fraction by convergents' differences (Lentz's method as modified by Thompson and Barnett).
+/// The continued fraction from its end, of as many steps as leave a negligible part beyond.
 fn by_fraction<T: Scalar>(order: u32, x: T, bits: u32) -> T {
     let decay = (-x).exp();
-    let one = T::from_f64(1.0);
     if decay == T::from_f64(0.0) {
         return decay;
     }
-    let negligible = one.scaled(-i64::from(bits) - 2);
     let n = f64::from(order);
-    let mut partial = x + T::from_f64(n);
-    let mut inverse = one / partial;
-    // Infinite, as far as the bits tell.
-    let mut ratio_of_numerators = one.scaled(2 * i64::from(bits) + 64);
-    let mut value = inverse;
-    let mut count = 0.0;
-    loop {
-        count += 1.0;
-        let numerator = T::from_f64(-count * (n - 1.0 + count));
-        partial = partial + T::from_f64(2.0);
-        inverse = one / (partial + numerator * inverse);
-        ratio_of_numerators = partial + numerator / ratio_of_numerators;
-        let factor = ratio_of_numerators * inverse;
-        value = value * factor;
-        // NaN ends the loop as well.
-        if (factor - one).abs() > negligible {
-            continue;
-        }
-        return value * decay;
+    let partial = |count: f64| x + T::from_f64(n + 2.0 * count);
+    let mut count = steps(x.to_f64(), bits);
+    let mut value = partial(count);
+    while count >= 1.0 {
+        let numerator = T::from_f64(count * (n - 1.0 + count));
+        count -= 1.0;
+        value = partial(count) - numerator / value;
     }
+    decay / value
+}
+
+/// Step k leaves (b − s)/(b + s) of the error of the one before, with b = x + 2k and s = √(b² − 4k²): the ratio of
+/// the two solutions of the recurrence of the denominators.
+fn steps(x: f64, bits: u32) -> f64 {
+    let (mut left, mut count) = (f64::from(bits + 8) * std::f64::consts::LN_2, 0.0);
+    while left > 0.0 {
+        count += 1.0;
+        let part = x + 2.0 * count;
+        let root = (x * (x + 4.0 * count)).sqrt();
+        left -= ((part + root) / (part - root)).ln();
+    }
+    count
 }

@@ -14,11 +14,8 @@ const LONGEST: usize = 48;
 
 /// The program as sums and products.
 pub(in crate::kernel) fn collect(program: &Program) -> Graph {
-    let mut uses = vec![0usize; program.instructions.len()];
-    for operand in program.instructions.iter().flat_map(Instruction::operands).chain(program.roots()) {
-        uses[operand.place()] += 1;
-    }
-    let mut collector = Collector { graph: Graph::default(), values: Vec::new(), uses };
+    let program = &program.unfused();
+    let mut collector = Collector { graph: Graph::default(), values: Vec::new(), uses: program.uses() };
     for instruction in &program.instructions {
         let value = collector.instruction(instruction);
         collector.values.push(value);
@@ -49,6 +46,9 @@ impl Collector {
                 self.graph.product(&[(numerator, Exponent::ONE), (pole, Exponent::ONE)])
             }
             Instruction::Divide(a, b) => self.product(*a, *b, Exponent::MINUS_ONE),
+            Instruction::MultiplyAdd(..)
+            | Instruction::DifferenceOfProducts(_)
+            | Instruction::SumOfProducts(_) => unreachable!("products and sums are collected apart"),
             Instruction::Sqrt(a) => self.graph.power(of(a), Ratio::new(1, 2)),
             Instruction::Power(a, exponent) => self.graph.power(of(a), *exponent),
             Instruction::Call(operation, operands) => {

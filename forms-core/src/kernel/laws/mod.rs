@@ -9,13 +9,15 @@ mod random;
 use super::expand::{Limits, expand};
 use super::factor::{Order, factor};
 use super::formula::program;
+use super::fuse::fuse;
 use super::graph::Graph;
 use super::graph::collect::collect;
 use super::linearise::linearise;
 use super::numbering::number_values;
 use super::products::share_products;
-use super::program::{Instruction, Program};
+use super::program::{Instruction, ProductSum, Program};
 use super::quotients::share_reciprocals;
+use super::schedule::schedule;
 use super::signs::absorb_signs;
 use super::sums::share_sums;
 use modular::{PRIME, modular_values};
@@ -70,7 +72,12 @@ fn passes() -> Vec<(&'static str, Pass)> {
         ("share_reciprocals", on_graph(share_reciprocals)),
         ("share_products", on_graph(share_products)),
         ("absorb_signs", Box::new(|program| absorb_signs(&number_values(program)))),
+        ("fuse", Box::new(|program| fuse(&number_values(program)))),
+        ("fuse, unfused", Box::new(|program| fuse(&number_values(program)).unfused())),
+        ("compensate", Box::new(|program| number_values(program).compensate())),
+        ("schedule", Box::new(schedule)),
         ("optimise", Box::new(Program::optimise)),
+        ("optimise, twice", Box::new(|program| program.optimise().optimise())),
     ]
 }
 
@@ -110,9 +117,14 @@ fn every_written_kernel_has_a_value_to_keep() {
     }
 }
 
-/// The program with the first instruction that `change` applies to changed.
+/// The optimised program, with products compensated.
+fn finished(program: &Program) -> Program {
+    program.optimise().compensate()
+}
+
+/// The finished program with the first instruction that `change` applies to changed.
 fn mutated(program: &Program, change: Fault) -> Program {
-    let mut mutant = program.optimise();
+    let mut mutant = finished(program);
     if let Some((place, changed)) =
         mutant.instructions.iter().enumerate().find_map(|(place, i)| Some((place, change(i)?)))
     {
@@ -123,8 +135,10 @@ fn mutated(program: &Program, change: Fault) -> Program {
 
 #[test]
 fn a_wrong_pass_breaks_the_law() {
-    use Instruction::{Add, Divide, Multiply, Sqrt, Subtract};
-    let wrong: [(&str, Fault); 6] = [
+    use Instruction::{
+        Add, DifferenceOfProducts, Divide, Multiply, MultiplyAdd, Sqrt, Subtract, SumOfProducts,
+    };
+    let wrong: [(&str, Fault); 9] = [
         ("drops a sign", |i| if let Subtract(a, b) = i { Some(Add(*a, *b)) } else { None }),
         ("swaps a difference", |i| if let Subtract(a, b) = i { Some(Subtract(*b, *a)) } else { None }),
         ("swaps a quotient", |i| if let Divide(a, b) = i { Some(Divide(*b, *a)) } else { None }),
@@ -133,12 +147,28 @@ fn a_wrong_pass_breaks_the_law() {
             Multiply(a, b) if a != b => Some(Multiply(*a, *a)),
             _ => None,
         }),
+        ("turns a fused difference", |i| match i {
+            MultiplyAdd(ProductSum::MinusProduct, values) => {
+                Some(MultiplyAdd(ProductSum::ProductMinus, *values))
+            }
+            _ => None,
+        }),
+        ("adds a fused difference", |i| match i {
+            MultiplyAdd(ProductSum::MinusProduct, values) => {
+                Some(MultiplyAdd(ProductSum::PlusProduct, *values))
+            }
+            _ => None,
+        }),
+        ("adds compensated products", |i| match i {
+            DifferenceOfProducts(factors) => Some(SumOfProducts(*factors)),
+            _ => None,
+        }),
         ("drops a root", |i| if let Sqrt(a) = i { Some(Add(*a, *a)) } else { None }),
     ];
-    let program = program("x y z", &["(x - y*z)/(sqrt(x + y)*z)"]);
-    assert!(keeps_the_value(&Program::optimise, &program));
+    let program = program("x y z", &["(x - y*z)/(sqrt(x + y)*z)", "(x - y)*z", "x*y - sin(z)*z"]);
+    assert!(keeps_the_value(&finished, &program));
     for (fault, change) in wrong {
-        assert_ne!(mutated(&program, change), program.optimise(), "{fault}: nothing to change");
+        assert_ne!(mutated(&program, change), finished(&program), "{fault}: nothing to change");
         assert!(!keeps_the_value(&|program| mutated(program, change), &program), "{fault} unseen");
     }
 }

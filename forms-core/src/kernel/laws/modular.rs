@@ -38,6 +38,16 @@ fn modular_value(
         Instruction::Subtract(a, b) => add(of(*a)?, PRIME - of(*b)?),
         Instruction::Multiply(a, b) => multiply(of(*a)?, of(*b)?),
         Instruction::Divide(a, b) => multiply(of(*a)?, inverse(of(*b)?)?),
+        Instruction::MultiplyAdd(sum, [a, b, c]) => {
+            let [left, right] = sum.terms(multiply(of(*a)?, of(*b)?), of(*c)?);
+            add(left, if sum.is_difference() { PRIME - right } else { right })
+        }
+        Instruction::DifferenceOfProducts([a, b, c, d]) => {
+            add(multiply(of(*a)?, of(*b)?), PRIME - multiply(of(*c)?, of(*d)?))
+        }
+        Instruction::SumOfProducts([a, b, c, d]) => {
+            add(multiply(of(*a)?, of(*b)?), multiply(of(*c)?, of(*d)?))
+        }
         Instruction::Negate(a) => add(0, PRIME - of(*a)?),
         Instruction::Sqrt(a) => rational_power(of(*a)?, Ratio::new(1, 2))?,
         Instruction::Power(a, exponent) => rational_power(of(*a)?, *exponent)?,

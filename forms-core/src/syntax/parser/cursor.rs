@@ -124,6 +124,15 @@ impl<'a> Parser<'a> {
         }
     }
 
+    /// Takes the name of a coordinate, parameter or argument. A distance may be called `d`: the exterior derivative is
+    /// always followed by a bracket.
+    pub(super) fn quantity(&mut self, role: &str) -> Parsed<Name> {
+        match self.peek() {
+            Some(TokenKind::Name(text)) if text == "d" => self.label(role),
+            _ => self.name(role),
+        }
+    }
+
     /// Takes the name of a statement or effect: these are apart from all others, so `curl` may be one.
     pub(super) fn label(&mut self, role: &str) -> Parsed<Name> {
         let Some(TokenKind::Name(text)) = self.peek() else {

@@ -282,7 +282,7 @@ impl Parser<'_> {
 
     /// `x` or `x: m`
     pub(super) fn declared(&mut self, role: &str) -> Parsed<Declared> {
-        let name = self.name(role)?;
+        let name = self.quantity(role)?;
         let unit = self.unit()?;
         Ok(Declared { name, unit })
     }

@@ -1,0 +1,70 @@
+//! The values of a kernel to fifty digits, at exact arguments.
+
+use super::eval::Evaluation;
+use crate::decimal;
+use crate::theory_file::TheoryFile;
+use forms::core::accuracy::{Format, Rounded, Truth, Value};
+use forms::core::expression::{Rational, Symbol};
+use forms::core::resolve::Kernel;
+
+/// Significant digits that are written.
+const DIGITS: u32 = 50;
+
+/// A kernel's formula, evaluated without rounding and rounded once at the end.
+pub(super) struct Exact<'a> {
+    kernel: &'a Kernel,
+    truth: Truth<'a>,
+    arguments: Vec<String>,
+}
+
+impl<'a> Exact<'a> {
+    pub(super) fn new(file: &'a TheoryFile, kernel: &'a Kernel) -> Self {
+        let pool = &file.theory.pool;
+        let name = |&symbol: &Symbol| pool.symbol_name(symbol).to_string();
+        Exact {
+            kernel,
+            truth: Truth::new(pool, &kernel.outputs, &kernel.domain),
+            arguments: kernel.arguments.iter().map(name).collect(),
+        }
+    }
+}
+
+impl Evaluation for Exact<'_> {
+    type Number = Rational;
+
+    fn name(&self) -> &str {
+        &self.kernel.name
+    }
+
+    fn arguments(&self) -> &[String] {
+        &self.arguments
+    }
+
+    fn outputs(&self) -> usize {
+        self.kernel.outputs.len()
+    }
+
+    fn read(&self, text: &str) -> Option<Rational> {
+        decimal::exact(text)
+    }
+
+    fn values(&self, arguments: &[Rational]) -> Vec<String> {
+        let point: Vec<(Symbol, Rational)> =
+            self.kernel.arguments.iter().copied().zip(arguments.iter().cloned()).collect();
+        let values = self.truth.at(&point, Format::Digits(DIGITS));
+        values.into_iter().map(text).collect()
+    }
+
+    fn written(&self, argument: &Rational) -> String {
+        text(Value::Known(Format::Digits(DIGITS).of(argument)))
+    }
+}
+
+/// The digits; `NaN` outside the domain; `undecided` where no precision that was tried made the digits certain.
+fn text(value: Value) -> String {
+    match value {
+        Value::Known(Rounded::Digits(digits)) => digits,
+        Value::Known(_) | Value::TooLarge | Value::Undecided => "undecided".to_string(),
+        Value::Undefined => "NaN".to_string(),
+    }
+}

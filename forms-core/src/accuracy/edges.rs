@@ -1,0 +1,157 @@
+//! Edges: the ends of the arguments' ranges, and what of a formula vanishes inside them.
+
+use crate::decide::simple_bounds;
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Symbol};
+use crate::kernel::{KernelSource, Program, lower, nearest_f64};
+use crate::resolve::Kernel;
+use rustc_hash::FxHashSet;
+
+/// More parts of a formula than this are not watched.
+const MOST_PARTS: usize = 200;
+
+/// The steps by which a zero between two numbers is closed in.
+const CLOSING_STEPS: usize = 90;
+
+/// What is known of the places where a kernel is hard.
+pub(super) struct Edges {
+    /// The least and the greatest value of each argument, where the domain says.
+    pub(super) ranges: Vec<(Option<f64>, Option<f64>)>,
+    /// Groups of arguments that are subtracted from each other.
+    pub(super) groups: Vec<Vec<usize>>,
+    /// The parts of the formula that are hard where they vanish, as one program.
+    vanishing: Option<Program>,
+}
+
+impl Edges {
+    pub(super) fn of(pool: &mut Pool, kernel: &Kernel) -> Self {
+        let bounds = simple_bounds(pool, &kernel.domain);
+        let ranges = kernel.arguments.iter().map(|argument| {
+            let known = bounds.get(argument);
+            let end = |value: Option<&crate::expression::Rational>| value.map(nearest_f64);
+            (end(known.and_then(|b| b.lower.as_ref())), end(known.and_then(|b| b.upper.as_ref())))
+        });
+        let ranges = ranges.collect();
+        let groups = groups(pool, kernel);
+        let parts = vanishing_parts(pool, kernel);
+        let source =
+            KernelSource { arguments: kernel.arguments.clone(), outputs: parts, ..KernelSource::default() };
+        Edges { ranges, groups, vanishing: lower(pool, &source).ok() }
+    }
+
+    /// How many parts are watched.
+    pub(super) fn parts(&self) -> usize {
+        self.vanishing.as_ref().map_or(0, |program| program.outputs().len())
+    }
+
+    /// A value of one argument at which a part vanishes or comes close to it, the others as they are; looked for
+    /// between neighbours of a grid.
+    pub(super) fn zero(&self, part: usize, argument: usize, point: &[f64], grid: &[f64]) -> Option<f64> {
+        let program = self.vanishing.as_ref()?;
+        let mut point = point.to_vec();
+        let mut value = |x: f64| {
+            point[argument] = x;
+            program.interpret(&point)[part]
+        };
+        let values: Vec<f64> = grid.iter().map(|&x| value(x)).collect();
+        for (place, pair) in values.windows(2).enumerate() {
+            if pair[0] == 0.0 {
+                return Some(grid[place]);
+            }
+            if pair[0] * pair[1] < 0.0 {
+                return Some(sign_change(&mut value, grid[place], grid[place + 1], pair[0]));
+            }
+        }
+        let dip = values.windows(3).position(|three| {
+            let [a, b, c] = [three[0].abs(), three[1].abs(), three[2].abs()];
+            b < a && b < c
+        })?;
+        Some(least_size(&mut value, grid[dip], grid[dip + 2]))
+    }
+}
+
+/// Where a function changes its sign between two numbers.
+fn sign_change(value: &mut impl FnMut(f64) -> f64, mut a: f64, mut b: f64, at_a: f64) -> f64 {
+    for _ in 0..CLOSING_STEPS {
+        let middle = a + (b - a) / 2.0;
+        let known = value(middle);
+        if known == 0.0 || middle == a || middle == b {
+            return middle;
+        }
+        if (known < 0.0) == (at_a < 0.0) { a = middle } else { b = middle }
+    }
+    a
+}
+
+/// Where a function's size is least between two numbers, by thirds.
+fn least_size(value: &mut impl FnMut(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
+    for _ in 0..CLOSING_STEPS {
+        let third = (b - a) / 3.0;
+        let (left, right) = (a + third, b - third);
+        if value(left).abs() <= value(right).abs() { b = right } else { a = left }
+    }
+    a + (b - a) / 2.0
+}
+
+/// Arguments of which functions are subtracted from each other or compared, joined where they share one.
+fn groups(pool: &Pool, kernel: &Kernel) -> Vec<Vec<usize>> {
+    let argument = |expression: Expr| match pool.symbols_in(&[expression])[..] {
+        [symbol] => kernel.arguments.iter().position(|&known| known == symbol),
+        _ => None,
+    };
+    let mut group: Vec<usize> = (0..kernel.arguments.len()).collect();
+    let sides = kernel.domain.iter().flat_map(|condition| [condition.left, condition.right]);
+    let roots: Vec<Expr> = kernel.outputs.iter().copied().chain(sides).collect();
+    let mut join = |a: usize, b: usize| {
+        let (from, to) = (group[a], group[b]);
+        group.iter_mut().filter(|known| **known == from).for_each(|known| *known = to);
+    };
+    for expression in pool.reachable(&roots) {
+        let terms = pool.summands(expression);
+        if let [(a, false), (b, true)] | [(a, true), (b, false)] = terms[..]
+            && let (Some(a), Some(b)) = (argument(a), argument(b))
+        {
+            join(a, b);
+        }
+    }
+    for condition in &kernel.domain {
+        if let (Some(a), Some(b)) = (argument(condition.left), argument(condition.right)) {
+            join(a, b);
+        }
+    }
+    let members = |name: usize| (0..group.len()).filter(|&place| group[place] == name).collect::<Vec<_>>();
+    (0..group.len()).map(members).filter(|members| members.len() > 1).collect()
+}
+
+/// Divisors, radicands, arguments of logarithms and their distance from 1, sums, and the margins of the domain.
+fn vanishing_parts(pool: &mut Pool, kernel: &Kernel) -> Vec<Expr> {
+    let margins: Vec<Expr> =
+        kernel.domain.iter().map(|Condition { left, right, .. }| pool.subtract(*left, *right)).collect();
+    let one = pool.integer(1);
+    let mut parts = Vec::new();
+    for expression in pool.reachable(&kernel.outputs) {
+        match pool.node(expression).clone() {
+            Node::Add(..) => parts.push(expression),
+            Node::Divide(_, divisor) => parts.push(divisor),
+            Node::Power(base, exponent) if !exponent.is_integer() || *exponent.numer() < 0 => {
+                parts.push(base);
+            }
+            Node::Apply(Operation::Log, q) => parts.extend([q[0], pool.subtract(q[0], one)]),
+            Node::Apply(Operation::Asin | Operation::Acos, q) => {
+                parts.push(pool.subtract(one, q[0]));
+                parts.push(pool.add(one, q[0]));
+            }
+            Node::Apply(Operation::Atan2, q) => parts.extend(q.iter().copied()),
+            Node::Select { left, right, .. } => parts.push(pool.subtract(left, right)),
+            _ => {}
+        }
+    }
+    parts.extend(margins);
+    let mut seen: FxHashSet<Expr> = FxHashSet::default();
+    parts.retain(|&part| !is_fixed(pool, part, &kernel.arguments) && seen.insert(part));
+    parts.truncate(MOST_PARTS);
+    parts
+}
+
+fn is_fixed(pool: &Pool, part: Expr, arguments: &[Symbol]) -> bool {
+    !pool.symbols_in(&[part]).iter().any(|symbol| arguments.contains(symbol))
+}

@@ -1,0 +1,25 @@
+//! Accuracy: what a program computes beside what it should.
+//!
+//! ```text
+//! kernel ─┬─ edges, regime ─▶ arguments, typical and hard ─┐
+//!         ├─ truth ──▶ values, correctly rounded ──────────┴─ sample ─┐
+//!         └─ programs ─▶ values in f32, f64, double-double ───────────┴─ score ─▶ bits and ulps lost
+//! ```
+//! Truth is found by enclosures of rising precision: it is a number only where its rounding is certain. Arguments are
+//! drawn from a fixed seed, so that equal kernels have equal scores on every machine.
+
+mod arguments;
+mod edges;
+mod format;
+mod ordinal;
+mod regime;
+mod sample;
+mod score;
+mod truth;
+
+pub use format::{Format, Rounded};
+pub use ordinal::Width;
+pub use regime::Regime;
+pub use sample::{Sample, Samples, sample};
+pub use score::{Score, Statistics};
+pub use truth::{Truth, Value};

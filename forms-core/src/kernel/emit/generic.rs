@@ -1,0 +1,107 @@
+//! The generic body: `impl Formula<…> for …`, one straight line that runs in any `Real`.
+//!
+//! Choices compute both branches, so that the same body runs in the lanes of a vector; outside the domain every
+//! output is NaN. Numbers are written exactly, or as five words, which is more than any precision rounds to.
+
+use super::body;
+use super::dialect::{ChoiceFunction, Choices, Dialect};
+use super::written::{Binding, Written, function, negated};
+use crate::expression::Operation;
+use crate::kernel::constant::Constant;
+use crate::kernel::program::{Instruction, ProductSum, Program};
+use crate::syntax::ast::Relation;
+use num_rational::Ratio;
+
+/// `impl FORMULA for TYPE`, where the paths `math` lead to what `forms_math` exports.
+pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
+    let (arguments, outputs) = (program.arguments.len(), program.outputs.len());
+    let names: Vec<String> = (0..arguments).map(|place| format!("x{place}")).collect();
+    let used = |place: usize| program.instructions.contains(&Instruction::Argument(place as u32));
+    let bound: Vec<&str> =
+        names.iter().enumerate().map(|(place, name)| if used(place) { name.as_str() } else { "_" }).collect();
+    let body = body::write(&Generic, program, &names);
+    format!(
+        "impl {math}::Formula<{arguments}, {outputs}> for {type_name} {{\n    \
+         #[inline(always)]\n    \
+         fn value<T: {math}::Real>([{}]: [T; {arguments}]) -> [T; {outputs}] {{\n{body}    }}\n}}\n",
+        bound.join(", ")
+    )
+}
+
+/// Rust over any `T: Real`.
+struct Generic;
+
+impl Generic {
+    fn method(value: &Written, name: &str, rest: &[String]) -> Written {
+        Written::atom(format!("{}.{name}({})", value.within(Binding::Atom), rest.join(", ")))
+    }
+
+    fn associated(name: &str, operands: &[&Written]) -> Written {
+        function(&format!("T::{name}"), operands)
+    }
+}
+
+impl Dialect for Generic {
+    fn choices(&self) -> Choices<'_> {
+        Choices::Function(self)
+    }
+
+    fn number(&self, constant: &Constant) -> Written {
+        Written::atom(match constant.words(Constant::WORDS)[..] {
+            [single] => format!("T::from_f64({single:?})"),
+            ref several => format!("T::constant(&{several:?})"),
+        })
+    }
+
+    fn sqrt(&self, value: &Written) -> Written {
+        Self::method(value, "sqrt", &[])
+    }
+
+    fn power(&self, value: &Written, exponent: Ratio<i64>) -> Written {
+        Self::method(value, "power", &[exponent.numer().to_string(), exponent.denom().to_string()])
+    }
+
+    fn call(&self, operation: Operation, operands: &[&Written]) -> Written {
+        let rest: Vec<String> = operands[1..].iter().map(|operand| operand.argument()).collect();
+        Self::method(operands[0], operation.row().real, &rest)
+    }
+
+    fn difference_of_products(&self, factors: [&Written; 4]) -> Written {
+        Self::associated("difference_of_products", &factors)
+    }
+
+    fn sum_of_products(&self, factors: [&Written; 4]) -> Written {
+        Self::associated("sum_of_products", &factors)
+    }
+
+    fn multiply_add(&self, sum: ProductSum, [a, b, c]: [&Written; 3]) -> Written {
+        let [factor, summand] = sum.signed(a.clone(), c.clone(), |value| negated(&value));
+        Self::method(&factor, "mul_add", &[b.argument(), summand.argument()])
+    }
+
+    fn nan(&self) -> String {
+        "T::nan()".to_string()
+    }
+
+    fn declaration(&self, name: &str, value: &str) -> String {
+        format!("let {name} = {value};")
+    }
+
+    fn results(&self, outputs: &[&str]) -> String {
+        format!("    [{}]\n", outputs.join(", "))
+    }
+}
+
+impl ChoiceFunction for Generic {
+    fn choice(&self, [left, right]: [&Written; 2], relation: Relation, branches: [&Written; 2]) -> Written {
+        let [then, otherwise] = branches;
+        let (name, operands) = match relation {
+            Relation::Less => ("if_less", [left, right, then, otherwise]),
+            Relation::Greater => ("if_less", [right, left, then, otherwise]),
+            Relation::LessEqual => ("if_less_equal", [left, right, then, otherwise]),
+            Relation::GreaterEqual => ("if_less_equal", [right, left, then, otherwise]),
+            Relation::NotEqual => ("if_equal", [left, right, otherwise, then]),
+        };
+        Self::associated(name, &operands)
+    }
+}

@@ -1,0 +1,156 @@
+//! Fusing: a product that one sum alone uses becomes one instruction with it, and back.
+//!
+//! ```text
+//! p = a b;  p + c ─▶ a b + c        p = a b, q = c d;  p − q ─▶ a b − c d, compensated
+//! ```
+//! What is fused differs from what was written in its rounding alone: once instead of twice where the target has
+//! the instruction. Compensation is for forms that were chosen for their accuracy, since it costs as much again.
+
+use super::numbering::without_unused;
+use super::program::{Instruction, ProductSum, Program, Value};
+
+/// The program with products that one sum uses fused into it.
+pub(super) fn fuse(program: &Program) -> Program {
+    let uses = program.uses();
+    let product = |value: Value| match program.instruction(value) {
+        Instruction::Multiply(a, b) if uses[value.place()] == 1 => Some([*a, *b]),
+        _ => None,
+    };
+    rewritten(program, |instruction| {
+        let (a, b, is_difference) = match *instruction {
+            Instruction::Add(a, b) => (a, b, false),
+            Instruction::Subtract(a, b) => (a, b, true),
+            _ => return None,
+        };
+        let fused = |sum, [x, y]: [Value; 2], other| Instruction::MultiplyAdd(sum, [x, y, other]);
+        match (product(a), product(b)) {
+            (_, Some(right)) if is_difference => Some(fused(ProductSum::MinusProduct, right, a)),
+            (_, Some(right)) => Some(fused(ProductSum::PlusProduct, right, a)),
+            (Some(left), None) if is_difference => Some(fused(ProductSum::ProductMinus, left, b)),
+            (Some(left), None) => Some(fused(ProductSum::ProductPlus, left, b)),
+            (None, None) => None,
+        }
+    })
+}
+
+/// The program with sums and differences of two products compensated, where their terms may cancel.
+pub(super) fn compensate(program: &Program) -> Program {
+    let uses = program.uses();
+    let product = |value: Value| match program.instruction(value) {
+        Instruction::Multiply(a, b) if uses[value.place()] == 1 => Some([*a, *b]),
+        _ => None,
+    };
+    rewritten(program, |instruction| match *instruction {
+        Instruction::Add(p, q) => {
+            let ([a, b], [c, d]) = (product(p)?, product(q)?);
+            // a sum of squares has no terms that cancel
+            (a != b || c != d).then_some(Instruction::SumOfProducts([a, b, c, d]))
+        }
+        Instruction::Subtract(p, q) => {
+            let ([a, b], [c, d]) = (product(p)?, product(q)?);
+            Some(Instruction::DifferenceOfProducts([a, b, c, d]))
+        }
+        _ => None,
+    })
+}
+
+/// The program with some instructions replaced by others of the same value.
+fn rewritten(program: &Program, replacement: impl Fn(&Instruction) -> Option<Instruction>) -> Program {
+    let instructions = program.instructions.iter();
+    let rewritten = instructions.map(|i| replacement(i).unwrap_or_else(|| i.clone())).collect();
+    without_unused(&program.with_instructions(rewritten, |value| value))
+}
+
+impl Program {
+    /// The same kernel with differences and sums of two products that may cancel computed without loss.
+    pub fn compensate(&self) -> Program {
+        fuse(&compensate(&self.unfused()))
+    }
+
+    /// The same kernel in additions, subtractions and multiplications.
+    pub(crate) fn unfused(&self) -> Program {
+        self.taken_apart(true)
+    }
+
+    /// The same kernel with a rounding of its own for each product that is not compensated.
+    pub(crate) fn with_separate_roundings(&self) -> Program {
+        self.taken_apart(false)
+    }
+
+    fn taken_apart(&self, compensated: bool) -> Program {
+        let mut instructions: Vec<Instruction> = Vec::with_capacity(self.instructions.len());
+        let mut values: Vec<Value> = Vec::with_capacity(self.instructions.len());
+        for instruction in &self.instructions {
+            let mut push = |instruction: Instruction| {
+                instructions.push(instruction);
+                Value(instructions.len() as u32 - 1)
+            };
+            let value = match instruction.with_operands(|operand| values[operand.place()]) {
+                Instruction::MultiplyAdd(sum, [a, b, c]) => {
+                    let product = push(Instruction::Multiply(a, b));
+                    let [left, right] = sum.terms(product, c);
+                    push(if sum.is_difference() {
+                        Instruction::Subtract(left, right)
+                    } else {
+                        Instruction::Add(left, right)
+                    })
+                }
+                Instruction::DifferenceOfProducts([a, b, c, d]) if compensated => {
+                    let (left, right) =
+                        (push(Instruction::Multiply(a, b)), push(Instruction::Multiply(c, d)));
+                    push(Instruction::Subtract(left, right))
+                }
+                Instruction::SumOfProducts([a, b, c, d]) if compensated => {
+                    let (left, right) =
+                        (push(Instruction::Multiply(a, b)), push(Instruction::Multiply(c, d)));
+                    push(Instruction::Add(left, right))
+                }
+                other => push(other),
+            };
+            values.push(value);
+        }
+        self.with_instructions(instructions, |root| values[root.place()])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::formula::program;
+    use crate::kernel::numbering::number_values;
+
+    #[test]
+    fn a_product_that_one_sum_uses_is_fused_into_it() {
+        let cases: [(&[&str], usize); 6] = [
+            (&["a*b + c"], 1),
+            (&["c - a*b"], 1),
+            (&["a*b - c"], 1),
+            (&["a*b + c*d"], 1),
+            (&["a*b + c*d + a*c"], 2),
+            (&["a*b + c", "a*b"], 0),
+        ];
+        for (formulas, expected) in cases {
+            let written = number_values(&program("a b c d", formulas));
+            let fused = fuse(&written);
+            assert_eq!(fused.operations().fused, expected, "{formulas:?}");
+            assert_eq!(fused.operations().arithmetic(), written.operations().arithmetic(), "{formulas:?}");
+        }
+    }
+
+    #[test]
+    fn what_was_fused_can_be_taken_apart() {
+        let written = number_values(&program("a b c d", &["a*b + c*d - (a*c - b)", "c - d*d"]));
+        assert_eq!(fuse(&written).operations().fused, 3);
+        assert_eq!(fuse(&written).unfused().operations(), written.operations());
+        assert_eq!(compensate(&written).unfused().operations(), written.operations());
+    }
+
+    #[test]
+    fn products_that_cancel_keep_their_digits_and_squares_that_cannot_are_left() {
+        let near = 1.0 + f64::EPSILON;
+        let difference = number_values(&program("a b c d", &["a*b - c*d"])).compensate();
+        assert_eq!(difference.interpret(&[near, near, 1.0, near + f64::EPSILON]), [f64::EPSILON.powi(2)]);
+        let squares = program("a c", &["a*a + c*c"]).compensate();
+        assert_eq!(squares.operations().fused, 1);
+    }
+}

@@ -1,0 +1,319 @@
+//! The error of one box: ranges forward, sensitivities backward, their sum.
+
+use super::interval::Interval;
+use crate::expression::{Operation, Pool, SymbolKind};
+use crate::kernel::{Instruction, KernelSource, Program, Value, lower};
+use rustc_hash::FxHashMap;
+
+/// The rounding of an operation that is rounded correctly: half an ulp.
+const ROUNDING: f64 = f64::EPSILON / 2.0;
+/// Two ulp, which every function of the op table holds.
+const FUNCTION: f64 = 2.0 * f64::EPSILON;
+/// Half the least subnormal number, rounded up.
+const UNDERFLOW: f64 = f64::from_bits(1);
+
+/// A program with the derivatives of the functions it calls.
+pub(super) struct Analysis<'a> {
+    program: &'a Program,
+    partials: FxHashMap<Operation, Program>,
+}
+
+/// What is known of an output on a box.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OutputError {
+    pub(super) absolute: f64,
+    pub(super) relative: f64,
+}
+
+/// What is known on a box: each output's error, and how much each argument matters to the first of the worst.
+pub(super) struct BoxError {
+    pub(super) outputs: Vec<OutputError>,
+    /// How far the outputs change along the box's edge of each argument.
+    pub(super) influence: Vec<f64>,
+}
+
+impl<'a> Analysis<'a> {
+    pub(super) fn new(program: &'a Program) -> Self {
+        let mut partials = FxHashMap::default();
+        for instruction in program.instructions() {
+            if let Instruction::Call(operation, _) = instruction {
+                partials.entry(*operation).or_insert_with(|| partials_of(*operation));
+            }
+        }
+        Analysis { program, partials }
+    }
+
+    /// Nothing, if no point of the box is in the kernel's domain.
+    pub(super) fn error(&self, arguments: &[Interval]) -> Option<BoxError> {
+        let ranges = ranges(self.program, arguments, rounding);
+        let of = |value: Value| ranges[value.place()];
+        let fails = |condition: &crate::kernel::Comparison| {
+            of(condition.left).decide(condition.relation, of(condition.right)) == Some(false)
+        };
+        if self.program.domain().iter().any(fails) {
+            return None;
+        }
+        let mut influence = vec![0.0_f64; arguments.len()];
+        let outputs = self.program.outputs().iter().map(|&output| {
+            let sensitivities = self.sensitivities(output, &ranges);
+            for (instruction, sensitivity) in self.program.instructions().iter().zip(&sensitivities) {
+                if let (Instruction::Argument(place), Some(sensitivity)) = (instruction, sensitivity) {
+                    let range = arguments[*place as usize];
+                    let change = sensitivity.magnitude() * (range.upper - range.lower);
+                    let known = &mut influence[*place as usize];
+                    *known = if change.is_nan() { f64::INFINITY } else { known.max(change) };
+                }
+            }
+            self.output_error(output, &sensitivities, &ranges)
+        });
+        Some(BoxError { outputs: outputs.collect(), influence })
+    }
+
+    /// Σ |∂output/∂vᵢ| (|vᵢ| εᵢ + ηᵢ), and as a part of the output Σ |κᵢ| εᵢ + Σ |∂output/∂vᵢ| ηᵢ/|output|.
+    fn output_error(
+        &self,
+        output: Value,
+        sensitivities: &[Option<Interval>],
+        ranges: &[Interval],
+    ) -> OutputError {
+        let conditions = self.condition_numbers(output, ranges);
+        let range = ranges[output.place()];
+        let [mut rounded, mut underflown, mut relative] = [0.0_f64; 3];
+        for place in 0..ranges.len() {
+            let (rounding, underflow) = rounding(self.program, place);
+            let sensitivity = sensitivities[place].map_or(0.0, Interval::magnitude);
+            let condition = conditions[place].map_or(0.0, Interval::magnitude);
+            if rounding > 0.0 {
+                let change = (ranges[place].magnitude() * rounding).next_up();
+                rounded = sum_upward(rounded, product_upward(sensitivity, change));
+                relative = sum_upward(relative, product_upward(condition, rounding));
+            }
+            underflown = sum_upward(underflown, product_upward(sensitivity, underflow));
+        }
+        let absolute = sum_upward(rounded, underflown);
+        let absolute = if range.is_finite() { absolute } else { f64::INFINITY };
+        let by_condition = sum_upward(relative, quotient_upward(underflown, range.least_magnitude()));
+        let by_size = quotient_upward(absolute, range.least_magnitude());
+        OutputError { absolute, relative: by_condition.min(by_size) }
+    }
+
+    /// κᵢ = (vᵢ/output) ∂output/∂vᵢ: how a relative change of vᵢ is amplified. Products pass it on as it is, so that it
+    /// does not depend on how wide a box is.
+    fn condition_numbers(&self, output: Value, ranges: &[Interval]) -> Vec<Option<Interval>> {
+        backward(output, ranges.len(), |place| self.amplifications(place, ranges))
+    }
+
+    /// (a/v) ∂v/∂a of an instruction's value v by its operands a.
+    fn amplifications(&self, place: usize, ranges: &[Interval]) -> Vec<(Value, Interval)> {
+        let of = |value: Value| ranges[value.place()];
+        let one = Interval::point(1.0);
+        match &self.program.instructions()[place] {
+            Instruction::Multiply(a, b) => vec![(*a, one), (*b, one)],
+            Instruction::Divide(a, b) => vec![(*a, one), (*b, one.negate())],
+            Instruction::Negate(a) => vec![(*a, one)],
+            Instruction::Sqrt(a) => vec![(*a, Interval::point(0.5))],
+            Instruction::Power(a, exponent) => vec![(*a, quotient(*exponent.numer(), *exponent.denom()))],
+            Instruction::Add(a, b) => vec![(*a, of(*a).share(of(*b))), (*b, of(*b).share(of(*a)))],
+            Instruction::Subtract(a, b) => {
+                let (a_range, b_range) = (of(*a), of(*b).negate());
+                vec![(*a, a_range.share(b_range)), (*b, b_range.share(a_range))]
+            }
+            _ => {
+                let derivatives = self.derivatives(place, ranges).into_iter();
+                derivatives.map(|(a, by)| (a, by.multiply(of(a)).divide(ranges[place]))).collect()
+            }
+        }
+    }
+
+    /// ∂output/∂vᵢ of each instruction's value, with all ranges; nothing where the output does not depend on it.
+    fn sensitivities(&self, output: Value, ranges: &[Interval]) -> Vec<Option<Interval>> {
+        backward(output, ranges.len(), |place| self.derivatives(place, ranges))
+    }
+
+    /// The partial derivatives of an instruction by its operands.
+    fn derivatives(&self, place: usize, ranges: &[Interval]) -> Vec<(Value, Interval)> {
+        let of = |value: Value| ranges[value.place()];
+        let (one, here) = (Interval::point(1.0), ranges[place]);
+        match &self.program.instructions()[place] {
+            Instruction::Constant(_) | Instruction::Argument(_) => vec![],
+            Instruction::Add(a, b) => vec![(*a, one), (*b, one)],
+            Instruction::Subtract(a, b) => vec![(*a, one), (*b, one.negate())],
+            Instruction::Multiply(a, b) => vec![(*a, of(*b)), (*b, of(*a))],
+            Instruction::Divide(a, b) => {
+                let reciprocal = of(*b).reciprocal();
+                vec![(*a, reciprocal), (*b, here.multiply(reciprocal).negate())]
+            }
+            Instruction::MultiplyAdd(..) => unreachable!("roundings were separated"),
+            Instruction::DifferenceOfProducts([a, b, c, d]) => {
+                vec![(*a, of(*b)), (*b, of(*a)), (*c, of(*d).negate()), (*d, of(*c).negate())]
+            }
+            Instruction::SumOfProducts([a, b, c, d]) => {
+                vec![(*a, of(*b)), (*b, of(*a)), (*c, of(*d)), (*d, of(*c))]
+            }
+            Instruction::Negate(a) => vec![(*a, one.negate())],
+            Instruction::Sqrt(a) => vec![(*a, Interval::point(0.5).divide(here))],
+            // (xʳ)′ = r xʳ⁻¹
+            Instruction::Power(a, exponent) => {
+                let (p, q) = (*exponent.numer(), *exponent.denom());
+                vec![(*a, quotient(p, q).multiply(of(*a).power(p - q, q)))]
+            }
+            Instruction::Call(operation, operands) => {
+                let arguments: Vec<Interval> = operands.iter().map(|&operand| of(operand)).collect();
+                let program = &self.partials[operation];
+                let values = ranges_of_exact(program, &arguments);
+                let derivatives = program.outputs().iter().map(|output| values[output.place()]);
+                operands.iter().copied().zip(derivatives).collect()
+            }
+            Instruction::Select { left, relation, right, then, otherwise } => {
+                match of(*left).decide(*relation, of(*right)) {
+                    Some(true) => vec![(*then, one)],
+                    Some(false) => vec![(*otherwise, one)],
+                    None => vec![(*left, Interval::EVERYTHING)],
+                }
+            }
+        }
+    }
+}
+
+/// The factors along all paths from the output to each value, multiplied and added.
+fn backward(
+    output: Value,
+    length: usize,
+    factors: impl Fn(usize) -> Vec<(Value, Interval)>,
+) -> Vec<Option<Interval>> {
+    let mut known: Vec<Option<Interval>> = vec![None; length];
+    known[output.place()] = Some(Interval::point(1.0));
+    for place in (0..=output.place()).rev() {
+        let Some(outer) = known[place] else { continue };
+        for (operand, factor) in factors(place) {
+            let part = outer.multiply(factor);
+            let known = &mut known[operand.place()];
+            *known = Some(known.map_or(part, |sum| sum.add(part)));
+        }
+    }
+    known
+}
+
+/// p/q
+fn quotient(p: i64, q: i64) -> Interval {
+    Interval::point(p as f64).divide(Interval::point(q as f64))
+}
+
+fn sum_upward(a: f64, b: f64) -> f64 {
+    (a + b).next_up()
+}
+
+/// A product of bounds; where one is 0 and the other infinite nothing is known.
+fn product_upward(a: f64, b: f64) -> f64 {
+    let product = (a * b).next_up();
+    if product.is_nan() { f64::INFINITY } else { product }
+}
+
+fn quotient_upward(a: f64, b: f64) -> f64 {
+    let quotient = (a / b).next_up();
+    if quotient.is_nan() { f64::INFINITY } else { quotient }
+}
+
+/// The partial derivatives of a function, as the op table states them, as a program of its arguments.
+fn partials_of(operation: Operation) -> Program {
+    let mut pool = Pool::new();
+    let arguments: Vec<_> = (0..operation.arity())
+        .map(|place| pool.declare_symbol(format!("x{place}"), SymbolKind::Local))
+        .collect();
+    let values: Vec<_> = arguments.iter().map(|&argument| pool.symbol(argument)).collect();
+    let outputs = (operation.row().partials)(&mut pool, &values);
+    let source = KernelSource { arguments, outputs, ..KernelSource::default() };
+    lower(&pool, &source).expect("the derivatives of a function are functions of its arguments")
+}
+
+/// What the rounding of an instruction does to its value: a relative and an absolute perturbation.
+fn rounding(program: &Program, place: usize) -> (f64, f64) {
+    let is_power_of_two = |value: Value| match &program.instructions()[value.place()] {
+        Instruction::Constant(constant) => {
+            let number = constant.to_f64();
+            constant.pi_exponent == 0 && is_exact(constant) && number.to_bits() << 12 == 0
+        }
+        _ => false,
+    };
+    match &program.instructions()[place] {
+        Instruction::Constant(constant) if is_exact(constant) => (0.0, 0.0),
+        Instruction::Argument(_) | Instruction::Negate(_) | Instruction::Select { .. } => (0.0, 0.0),
+        Instruction::Call(Operation::Abs, _) => (0.0, 0.0),
+        // a sum that is subnormal is exact
+        Instruction::Add(..) | Instruction::Subtract(..) => (ROUNDING, 0.0),
+        Instruction::Sqrt(_) => (ROUNDING, 0.0),
+        Instruction::Multiply(a, b) if is_power_of_two(*a) || is_power_of_two(*b) => (0.0, UNDERFLOW),
+        Instruction::Divide(_, b) if is_power_of_two(*b) => (0.0, UNDERFLOW),
+        Instruction::Constant(_) | Instruction::Multiply(..) | Instruction::Divide(..) => {
+            (ROUNDING, UNDERFLOW)
+        }
+        Instruction::MultiplyAdd(..) => unreachable!("roundings were separated"),
+        // a few ulp, as `Real::difference_of_products` states
+        Instruction::DifferenceOfProducts(_) | Instruction::SumOfProducts(_) => (FUNCTION, UNDERFLOW),
+        Instruction::Power(..) | Instruction::Call(..) => (FUNCTION, UNDERFLOW),
+    }
+}
+
+fn is_exact(constant: &crate::kernel::Constant) -> bool {
+    let number = constant.to_f64();
+    constant.pi_exponent == 0
+        && num_rational::BigRational::from_float(number).is_some_and(|exact| exact == constant.factor)
+}
+
+/// The range of each value, with whatever the rounding makes of it.
+fn ranges(
+    program: &Program,
+    arguments: &[Interval],
+    rounding: impl Fn(&Program, usize) -> (f64, f64),
+) -> Vec<Interval> {
+    let mut ranges: Vec<Interval> = Vec::with_capacity(program.instructions().len());
+    for (place, instruction) in program.instructions().iter().enumerate() {
+        let of = |value: &Value| ranges[value.place()];
+        let exact = match instruction {
+            Instruction::Constant(constant) => constant_range(constant),
+            Instruction::Argument(place) => arguments[*place as usize],
+            Instruction::Add(a, b) => of(a).add(of(b)),
+            Instruction::Subtract(a, b) => of(a).subtract(of(b)),
+            Instruction::Multiply(a, b) if a == b => of(a).power(2, 1),
+            Instruction::Multiply(a, b) => of(a).multiply(of(b)),
+            Instruction::Divide(a, b) => of(a).divide(of(b)),
+            Instruction::MultiplyAdd(..) => unreachable!("roundings were separated"),
+            Instruction::DifferenceOfProducts([a, b, c, d]) => {
+                of(a).multiply(of(b)).subtract(of(c).multiply(of(d)))
+            }
+            Instruction::SumOfProducts([a, b, c, d]) => of(a).multiply(of(b)).add(of(c).multiply(of(d))),
+            Instruction::Negate(a) => of(a).negate(),
+            Instruction::Sqrt(a) => of(a).sqrt(),
+            Instruction::Power(a, exponent) => of(a).power(*exponent.numer(), *exponent.denom()),
+            Instruction::Call(operation, operands) => {
+                let operands: Vec<Interval> = operands.iter().map(of).collect();
+                Interval::apply(*operation, &operands)
+            }
+            Instruction::Select { left, relation, right, then, otherwise } => {
+                match of(left).decide(*relation, of(right)) {
+                    Some(true) => of(then),
+                    Some(false) => of(otherwise),
+                    None => of(then).hull(of(otherwise)),
+                }
+            }
+        };
+        let (relative, absolute) = rounding(program, place);
+        let is_kept = relative == 0.0 && absolute == 0.0;
+        ranges.push(if is_kept { exact } else { exact.perturbed(relative, absolute) });
+    }
+    ranges
+}
+
+/// The same without rounding: of derivatives, which are not computed but bounded.
+fn ranges_of_exact(program: &Program, arguments: &[Interval]) -> Vec<Interval> {
+    ranges(program, arguments, |_, _| (0.0, 0.0))
+}
+
+fn constant_range(constant: &crate::kernel::Constant) -> Interval {
+    let number = constant.to_f64();
+    if is_exact(constant) {
+        Interval::point(number)
+    } else {
+        Interval::between(number.next_down(), number.next_up())
+    }
+}

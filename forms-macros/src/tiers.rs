@@ -1,0 +1,117 @@
+//! The module beside a kernel's function: the same kernel in other precisions, and as it was written.
+//!
+//! ```text
+//! written ─ emit_formula ─▶ Plain ──┬─▶ plain
+//! optimised ─ emit_formula ▶ Stable ┴─▶ f32, dd
+//! ```
+//! Each function is a thin wrapper that is compiled where it is called and nowhere else. Paths are absolute and
+//! types have no values of their name, so that neither the user's names nor the kernel's arguments get in the way.
+
+use forms_core::generation::Generated;
+use forms_core::kernel::{Program, emit_formula};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
+
+/// Where the arithmetic is found from wherever a macro is used.
+pub(crate) const MATH: &str = "::forms::math";
+
+/// `mod NAME { … }`, or why Rust cannot read what was generated.
+pub(crate) fn module(generated: &Generated) -> Result<TokenStream, proc_macro2::LexError> {
+    let program = &generated.optimised;
+    let formula = |program: &Program, name: &str| emit_formula(program, name, MATH).parse::<TokenStream>();
+    let plain = formula(&generated.written, "Plain")?;
+    let stable = if generated.written == *program {
+        quote!(
+            pub type Stable = Plain;
+        )
+    } else {
+        let stable = formula(program, "Stable")?;
+        quote!(pub enum Stable {} #stable)
+    };
+    let tiers = Tiers::of(program);
+    let functions = [tiers.plain(), tiers.f32(), tiers.dd()];
+    let (name, attributes) = (&tiers.name, attributes(program));
+    let public = program.is_public().then(|| quote!(pub));
+    let about = format!(" `{name}` in every precision.");
+    let module = quote! {
+        #[doc = #about]
+        #attributes
+        #public mod #name {
+            #[doc = " The formula as it is written, for any number."]
+            pub enum Plain {}
+            #plain
+            #[doc = " The form that the kernel is computed by, for any number."]
+            #stable
+            #(#functions)*
+        }
+    };
+    Ok(module)
+}
+
+/// The lints that the names of the formula and tiers that nobody calls would set off.
+fn attributes(program: &Program) -> TokenStream {
+    let names = std::iter::once(program.name()).chain(program.arguments().iter().map(String::as_str));
+    let case = names
+        .flat_map(str::chars)
+        .any(char::is_uppercase)
+        .then(|| quote!(#[allow(non_snake_case, reason = "the names of the formula")]));
+    quote! {
+        #[allow(dead_code, reason = "a crate may use only some of a kernel's tiers")]
+        #case
+    }
+}
+
+/// What the wrappers of one kernel have in common.
+struct Tiers {
+    name: Ident,
+    arguments: Vec<Ident>,
+    outputs: usize,
+}
+
+impl Tiers {
+    fn of(program: &Program) -> Self {
+        let identifier = |name: &String| Ident::new(name, Span::call_site());
+        Tiers {
+            name: format_ident!("{}", program.name()),
+            arguments: program.arguments().iter().map(identifier).collect(),
+            outputs: program.outputs().len(),
+        }
+    }
+
+    /// The formula as it is written, in `f64`.
+    fn plain(&self) -> TokenStream {
+        let docs = format!(" `{}` in `f64`, its formula computed as it is written.", self.name);
+        self.scalar(&docs, &format_ident!("plain"), &quote!(f64), &quote!(Plain))
+    }
+
+    /// The stable form in `f32`.
+    fn f32(&self) -> TokenStream {
+        let docs = format!(" `{}` in `f32`.", self.name);
+        self.scalar(&docs, &format_ident!("f32"), &quote!(f32), &quote!(Stable))
+    }
+
+    /// The stable form in double-double.
+    fn dd(&self) -> TokenStream {
+        let docs = format!(" `{}` in double-double arithmetic, of about 31 digits.", self.name);
+        let number = quote!(::forms::math::DoubleDouble);
+        self.scalar(&docs, &format_ident!("dd"), &number, &quote!(Stable))
+    }
+
+    /// A function of numbers of one type.
+    fn scalar(&self, docs: &str, name: &Ident, number: &TokenStream, formula: &TokenStream) -> TokenStream {
+        let (arguments, outputs) = (&self.arguments, self.outputs);
+        let (count, call) = (arguments.len(), quote!(::forms::math::Formula));
+        let value = quote!(<#formula as #call<#count, #outputs>>::value([#(#arguments),*]));
+        let (result, body) = match outputs {
+            1 => (quote!(#number), quote!(let [value] = #value; value)),
+            _ => (quote!([#number; #outputs]), value),
+        };
+        quote! {
+            #[doc = #docs]
+            #[inline]
+            pub fn #name(#(#arguments: #number),*) -> #result {
+                #body
+            }
+        }
+    }
+}

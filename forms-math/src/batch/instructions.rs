@@ -1,0 +1,116 @@
+//! Which vector instructions a batch runs in: all that is unsafe about batches.
+
+use super::block::{Arguments, BLOCK, Element, Kernel, rows_of};
+use crate::Formula;
+
+/// Vector instructions that this processor has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Instructions(Set);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Set {
+    /// What every processor of the architecture has: SSE2, or NEON with fused multiply-add.
+    Baseline,
+    /// Vectors of 256 bits and fused multiply-add.
+    #[cfg(target_arch = "x86_64")]
+    Avx2,
+    /// Vectors of 512 bits.
+    #[cfg(target_arch = "x86_64")]
+    Avx512,
+}
+
+impl Instructions {
+    /// What is fastest.
+    pub fn best() -> Self {
+        #[cfg(target_arch = "x86_64")]
+        {
+            if Set::Avx512.is_available() {
+                return Self(Set::Avx512);
+            }
+            if Set::Avx2.is_available() {
+                return Self(Set::Avx2);
+            }
+        }
+        Self(Set::Baseline)
+    }
+
+    /// All that there are, the slowest first.
+    pub fn available() -> Vec<Self> {
+        #[cfg(target_arch = "x86_64")]
+        let sets = [Set::Baseline, Set::Avx2, Set::Avx512];
+        #[cfg(not(target_arch = "x86_64"))]
+        let sets = [Set::Baseline];
+        sets.into_iter().filter(|set| set.is_available()).map(Self).collect()
+    }
+
+    /// Their name.
+    pub fn name(self) -> &'static str {
+        match self.0 {
+            Set::Baseline if cfg!(target_arch = "aarch64") => "NEON",
+            Set::Baseline => "baseline",
+            #[cfg(target_arch = "x86_64")]
+            Set::Avx2 => "AVX2",
+            #[cfg(target_arch = "x86_64")]
+            Set::Avx512 => "AVX-512",
+        }
+    }
+
+    /// The loop over a block, compiled for these instructions.
+    pub(super) fn kernel<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
+        self,
+    ) -> Kernel<E, A, O> {
+        match self.0 {
+            Set::Baseline => baseline::<E, F, A, O>,
+            #[cfg(target_arch = "x86_64")]
+            Set::Avx2 => avx2::<E, F, A, O>,
+            #[cfg(target_arch = "x86_64")]
+            Set::Avx512 => avx512::<E, F, A, O>,
+        }
+    }
+}
+
+impl Set {
+    fn is_available(self) -> bool {
+        match self {
+            Self::Baseline => true,
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2 => is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma"),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512 => {
+                Self::Avx2.is_available()
+                    && is_x86_feature_detected!("avx512f")
+                    && is_x86_feature_detected!("avx512dq")
+                    && is_x86_feature_detected!("avx512vl")
+            }
+        }
+    }
+}
+
+fn baseline<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
+    columns: &Arguments<'_, E, A>,
+    outputs: &mut [[E; BLOCK]; O],
+) -> bool {
+    // NEON has fused multiply-add; elsewhere it may be missing, and would be a call.
+    #[cfg(target_arch = "aarch64")]
+    return rows_of::<E, F, true, A, O>(columns, outputs);
+    #[cfg(not(target_arch = "aarch64"))]
+    rows_of::<E, F, false, A, O>(columns, outputs)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma")]
+fn avx2<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
+    columns: &Arguments<'_, E, A>,
+    outputs: &mut [[E; BLOCK]; O],
+) -> bool {
+    rows_of::<E, F, true, A, O>(columns, outputs)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
+fn avx512<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
+    columns: &Arguments<'_, E, A>,
+    outputs: &mut [[E; BLOCK]; O],
+) -> bool {
+    rows_of::<E, F, true, A, O>(columns, outputs)
+}

@@ -1,0 +1,1 @@
+//! Batches over the rows of a matrix.

@@ -1,0 +1,27 @@
+//! Elementary functions of any precision from a few of the type's own: +, −, ×, ÷, √, e^x, e^x − 1, sin and cos.
+//!
+//! The inverse functions take their first 50 bits from `f64` and all others from one evaluation of the function and a
+//! short series of what is left.
+
+mod angle;
+mod hyperbolic;
+mod logarithm;
+mod power;
+
+pub(crate) use angle::{angle, arc_cosine, arc_sine, arc_tangent};
+pub(crate) use hyperbolic::{hyperbolic_cosine, hyperbolic_sine, hyperbolic_tangent};
+pub(crate) use logarithm::{logarithm, logarithm_of_one_plus};
+pub(crate) use power::rational_power;
+
+use crate::scalar::Scalar;
+
+/// s + c s³/3 + c² s⁵/5 + …: artanh s with c = 1, arctan s with c = −1, of |s| < 2⁻⁴⁰.
+fn odd_series<T: Scalar>(s: T, sign: f64) -> T {
+    let square = s * s * T::from_f64(sign);
+    let terms = T::PRECISION / 80 + 1;
+    let mut sum = T::from_f64(0.0);
+    for term in (1..=terms).rev() {
+        sum = (sum + T::from_f64(1.0) / T::from_f64(f64::from(2 * term + 1))) * square;
+    }
+    s + s * sum
+}

@@ -1,0 +1,131 @@
+//! eˣ, eˣ − 1 and the hyperbolic functions: x = k ln 2 + r with |r| ≤ (ln 2)/2, and a polynomial of r.
+
+use super::pair::{Pair, fast_two_sum, pair, quotient, two_product, two_sum};
+use super::word::Word;
+
+/// (k, r) with x = k ln 2 + r, and r as a pair.
+#[inline(always)]
+fn reduce<W: Word>(x: W) -> (W, Pair<W>) {
+    let multiple = (x * W::of(W::TABLE.log2_e)).shifted().unshifted();
+    let rest = multiple.fused(-W::of(W::TABLE.ln_2[0]), x);
+    let tail = multiple * W::of(W::TABLE.ln_2[1]);
+    let head = rest - tail;
+    (multiple, pair(head, (rest - head) - tail))
+}
+
+/// x where it is within ±bound, else the nearer bound: beyond it the function has its limit.
+#[inline(always)]
+fn clamped<W: Word>(x: W, low: f64, high: f64) -> W {
+    let x = if x < W::literal(low) { W::literal(low) } else { x };
+    if x > W::literal(high) { W::literal(high) } else { x }
+}
+
+/// The exponents of two whose exponentials are 0 and ∞ for certain, times ln 2.
+#[inline(always)]
+fn limits<W: Word>() -> (f64, f64) {
+    let largest = f64::from(W::LARGEST_EXPONENT + 1);
+    (
+        -(largest + f64::from(W::PRECISION) + 1.0) * std::f64::consts::LN_2,
+        largest * std::f64::consts::LN_2 + 1.0,
+    )
+}
+
+/// y 2^k in two steps, so that k may be out of the range of exponents and the last step alone rounds.
+#[inline(always)]
+pub(super) fn scaled<W: Word>(y: W, k: W) -> W {
+    let half = (k * W::literal(0.5)).shifted().unshifted();
+    y * half.power_of_two() * (k - half).power_of_two()
+}
+
+/// eˣ = 2^k (1 + r + r² P(r))
+#[inline(always)]
+pub(super) fn exp<W: Word>(x: W) -> W {
+    let (low, high) = limits::<W>();
+    let (k, r) = reduce(clamped(x, low, high));
+    from_rest(k, r)
+}
+
+/// eˣ of a pair.
+#[inline(always)]
+pub(super) fn exp_of_sum<W: Word>(x: Pair<W>) -> W {
+    let (low, high) = limits::<W>();
+    let (k, r) = reduce(clamped(x.head, low, high));
+    from_rest(k, two_sum(r.head, r.tail + x.tail))
+}
+
+/// 2^k eʳ
+#[inline(always)]
+fn from_rest<W: Word>(k: W, r: Pair<W>) -> W {
+    let square = r.head * r.head;
+    let sum = r.head + square.fused(r.head.polynomial(W::TABLE.exp), r.tail);
+    scaled(W::literal(1.0) + sum, k)
+}
+
+/// eˣ − 1 = 2^k ((1 − 2^−k) + r + r² P(r)), the sum in brackets being added without a rounding.
+#[inline(always)]
+pub(super) fn exp_m1<W: Word>(x: W) -> W {
+    let (_, high) = limits::<W>();
+    let (k, r) = reduce(clamped(x, -f64::from(W::PRECISION), high));
+    let difference = W::literal(1.0) - inverse_power(k);
+    let sum = two_sum(difference, r.head);
+    let square = r.head * r.head;
+    let tail = square.fused(r.head.polynomial(W::TABLE.exp), r.tail + sum.tail);
+    let tiny = x.magnitude() < W::two_to(-W::PRECISION - 1);
+    let value = scaled(sum.head + tail, k);
+    if tiny { x } else { value }
+}
+
+/// 2^−k, or its limit 0 where it is far below a rounding error of 1.
+#[inline(always)]
+fn inverse_power<W: Word>(k: W) -> W {
+    let bound = W::literal(f64::from(2 * W::PRECISION + 10));
+    let power = (-(if k > bound { bound } else { k })).power_of_two();
+    if k > bound { W::literal(0.0) } else { power }
+}
+
+/// 2^(1−k) (sinh |x|, cosh |x|), and k, from those of r: with C = 1 + 4^−k and S = 1 − 4^−k,
+/// S cosh r + C sinh r and C cosh r + S sinh r.
+#[inline(always)]
+fn sinh_cosh<W: Word>(x: W) -> (Pair<W>, Pair<W>, W) {
+    let (k, r) = reduce(x.magnitude());
+    let one = W::literal(1.0);
+    let power = inverse_power(k + k);
+    let (larger, smaller) = (fast_two_sum(one, power), fast_two_sum(one, -power));
+    let square = r.head * r.head;
+    let sinh = r.head.fused(square * square.polynomial(W::TABLE.sinh), r.tail);
+    let cosh = square.fused(square.polynomial(W::TABLE.cosh), W::literal(0.5)) * square + r.head * r.tail;
+    let combine = |of_cosh: Pair<W>, of_sinh: Pair<W>| {
+        let product = two_product(of_sinh.head, r.head);
+        let sum = two_sum(of_cosh.head, product.head);
+        let rest = of_cosh.head.fused(cosh, of_sinh.head * sinh);
+        let tails = of_sinh.tail.fused(r.head, of_cosh.tail);
+        pair(sum.head, (sum.tail + product.tail + tails) + rest)
+    };
+    (combine(smaller, larger), combine(larger, smaller), k)
+}
+
+/// (eˣ − e^−x)/2
+#[inline(always)]
+pub(super) fn sinh<W: Word>(x: W) -> W {
+    let (_, high) = limits::<W>();
+    let (sinh, _, k) = sinh_cosh(clamped(x, -high, high));
+    let value = scaled(sinh.rounded() * W::literal(0.5), k).with_sign(x);
+    if x.magnitude() < W::two_to(-W::PRECISION / 2 - 1) { x } else { value }
+}
+
+/// (eˣ + e^−x)/2
+#[inline(always)]
+pub(super) fn cosh<W: Word>(x: W) -> W {
+    let (_, high) = limits::<W>();
+    let (_, cosh, k) = sinh_cosh(clamped(x, -high, high));
+    scaled(cosh.rounded() * W::literal(0.5), k)
+}
+
+/// sinh x / cosh x
+#[inline(always)]
+pub(super) fn tanh<W: Word>(x: W) -> W {
+    let high = f64::from(W::PRECISION) / 2.0;
+    let (sinh, cosh, _) = sinh_cosh(clamped(x, -high, high));
+    let ratio = quotient(sinh.normal(), cosh.normal()).rounded().with_sign(x);
+    if x.magnitude() < W::two_to(-W::PRECISION / 2 - 1) { x } else { ratio }
+}

@@ -1,0 +1,105 @@
+//! x^(n/d): products and roots where the exponent is an integer, a half or a third, else e^(n/d · ln x).
+//!
+//! The exponent is the same in all lanes, so that it may be branched on. Up to three factors are multiplied as they are;
+//! of more, or of roots, each intermediate value is a pair. Where such a value leaves the range in which pairs are right,
+//! the power is NaN.
+
+use super::exponential::exp_of_sum;
+use super::logarithm::ln_pair;
+use super::pair::{Pair, fast_two_sum, pair, quotient, two_product};
+use super::word::Word;
+
+/// x^(numerator/denominator), of x > 0, of x = 0 where the exponent is positive, and of x < 0 where it is an integer.
+#[inline(always)]
+pub(super) fn power<W: Word>(x: W, numerator: i64, denominator: i64) -> W {
+    match lowest_terms(numerator, denominator) {
+        (_, 0) => W::not_a_number(),
+        (0, _) => W::literal(1.0),
+        (1, 1) => x,
+        (2, 1) => x * x,
+        (3, 1) => x * x * x,
+        (-1, 1) => W::literal(1.0) / x,
+        (-2, 1) => W::literal(1.0) / in_reach(x * x, x * x),
+        (1, 2) => x.root(),
+        (-1, 2) => W::literal(1.0) / x.root(),
+        (3, 2) => x * x.root(),
+        (n, 1) => of_pair(x, pair(x, W::literal(0.0)), n),
+        (n, 2) => of_pair(x, square_root(x), n),
+        (n, 3) => of_pair(x, cube_root(x), n),
+        (n, d) => by_logarithm(x, n, d),
+    }
+}
+
+/// The fraction with a positive denominator and without common factors; 0 over 0 where it cannot be so written.
+#[inline(always)]
+fn lowest_terms(numerator: i64, denominator: i64) -> (i64, i64) {
+    let (mut divisor, mut rest) = (numerator.unsigned_abs(), denominator.unsigned_abs());
+    while rest != 0 {
+        (divisor, rest) = (rest, divisor % rest);
+    }
+    let Ok(divisor) = i64::try_from(divisor.max(1)) else { return (0, 0) };
+    let divisor = if denominator < 0 { -divisor } else { divisor };
+    (numerator.wrapping_div(divisor), denominator.wrapping_div(divisor))
+}
+
+/// `value` where `magnitude` is in the range in which pairs are right.
+#[inline(always)]
+fn in_reach<W: Word>(magnitude: W, value: W) -> W {
+    let above = if magnitude > W::two_to(W::SMALL) { value } else { W::not_a_number() };
+    if magnitude < W::two_to(W::LARGE) { above } else { W::not_a_number() }
+}
+
+/// The base, a root of x, to an integer power; zero to a positive power is zero.
+#[inline(always)]
+fn of_pair<W: Word>(x: W, base: Pair<W>, exponent: i64) -> W {
+    let mut count = exponent.unsigned_abs();
+    let mut square = base;
+    let mut product = pair(W::literal(1.0), W::literal(0.0));
+    while count > 0 {
+        if count & 1 == 1 {
+            product = product.times(square);
+        }
+        square = square.times(square);
+        count >>= 1;
+    }
+    let value = if exponent < 0 { product.reciprocal() } else { product };
+    let value = in_reach(product.head.magnitude(), value.rounded());
+    let value = in_reach(x.magnitude(), value);
+    if exponent > 0 && x.magnitude() <= W::literal(0.0) { W::literal(0.0) } else { value }
+}
+
+/// √x as a pair: s, and (x − s²)/(2s).
+#[inline(always)]
+fn square_root<W: Word>(x: W) -> Pair<W> {
+    let root = x.root();
+    let square = two_product(root, root);
+    pair(root, ((x - square.head) - square.tail) * W::literal(0.5) / root)
+}
+
+/// ∛x as a pair: y = e^(ln x / 3), and (x − y³)/(3 y²).
+#[inline(always)]
+fn cube_root<W: Word>(x: W) -> Pair<W> {
+    let root = by_logarithm(x, 1, 3);
+    let cube = two_product(root, root).times(pair(root, W::literal(0.0)));
+    pair(root, ((x - cube.head) - cube.tail) / (W::literal(3.0) * root * root))
+}
+
+/// e^(n/d · ln x)
+#[inline(always)]
+fn by_logarithm<W: Word>(x: W, numerator: i64, denominator: i64) -> W {
+    let exponent = fraction(numerator, denominator);
+    let value = in_reach(x, exp_of_sum(exponent.times(ln_pair(x))));
+    if numerator > 0 && x.magnitude() <= W::literal(0.0) { W::literal(0.0) } else { value }
+}
+
+/// n/d as a pair; NaN where n or d is not exact.
+#[inline(always)]
+fn fraction<W: Word>(numerator: i64, denominator: i64) -> Pair<W> {
+    let exact = |integer: i64| {
+        let (head, bound) = (W::literal(integer as f64), 1_u64 << W::PRECISION);
+        if integer.unsigned_abs() <= bound { head } else { W::not_a_number() }
+    };
+    let zero = W::literal(0.0);
+    let value = quotient(pair(exact(numerator), zero), pair(exact(denominator), zero));
+    fast_two_sum(value.head, value.tail)
+}

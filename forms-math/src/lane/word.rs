@@ -1,0 +1,224 @@
+//! What the functions of lanes ask of a floating-point format: arithmetic, comparisons and operations on bits.
+//!
+//! Everything here is one instruction or a few that every vector unit has, without calls and branches, so that a loop
+//! over it is vectorised: integers are made of floating-point numbers and back by adding 1.5·2^(p−1), p being the
+//! precision, which leaves the integer in the low bits.
+
+use super::coefficients::{self, Coefficients};
+use std::cmp::Ordering;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A floating-point number of a format, in one lane of a vector.
+pub(super) trait Word:
+    Copy
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The format outside of lanes.
+    type Raw: Copy + 'static;
+    /// Its polynomials and constants.
+    const TABLE: Coefficients<Self::Raw>;
+    /// Whether [`Word::fused`] rounds once.
+    const FUSED: bool;
+    /// The largest number that pair arithmetic is sure to be right up to, as a power of two.
+    const LARGE: i32;
+    /// The power of two that pair arithmetic is sure to be right down to: a rounding error of a product is still normal.
+    const SMALL: i32;
+    /// The precision in bits.
+    const PRECISION: i32;
+    /// The exponent of the largest power of two.
+    const LARGEST_EXPONENT: i32;
+    /// The bits of the largest multiple of π/2 that [`Coefficients::half_pi`] reaches.
+    const MULTIPLE_BITS: i32;
+
+    /// The number.
+    fn of(raw: Self::Raw) -> Self;
+    /// The nearest number of this format.
+    fn literal(value: f64) -> Self;
+    /// self · factor + summand, with one rounding where the processor has that in an instruction.
+    fn fused(self, factor: Self, summand: Self) -> Self;
+    /// √x
+    fn root(self) -> Self;
+    /// |x|
+    fn magnitude(self) -> Self;
+    /// |x| with the sign of `sign`.
+    fn with_sign(self, sign: Self) -> Self;
+    /// The leading half of the significand.
+    fn leading_half(self) -> Self;
+    /// The sum of `self` and 1.5·2^(p−1): its low bits are the nearest integer of `self`.
+    fn shifted(self) -> Self;
+    /// That nearest integer.
+    fn unshifted(self) -> Self;
+    /// 2^k of an integer k in the range of exponents of normal numbers.
+    fn power_of_two(self) -> Self;
+    /// (k, m) with x = m 2^k and √½ ≤ m < √2, of a positive normal number.
+    fn split(self) -> (Self, Self);
+    /// `odd` where the shifted integer is odd, `even` where it is even.
+    fn if_odd(shifted: Self, odd: Self, even: Self) -> Self;
+    /// −x where bit 1 of the shifted integer is set, otherwise x.
+    fn negated_by_second_bit(self, shifted: Self) -> Self;
+
+    /// A number of the format by its value, at compile time.
+    #[inline(always)]
+    fn two_to(exponent: i32) -> Self {
+        Self::literal(f64::from_bits(((1023 + i64::from(exponent)) as u64) << 52))
+    }
+    /// What is no number.
+    #[inline(always)]
+    fn not_a_number() -> Self {
+        Self::literal(f64::NAN)
+    }
+    /// ∞
+    #[inline(always)]
+    fn infinity() -> Self {
+        Self::literal(f64::INFINITY)
+    }
+    /// c₀ + c₁ x + …
+    #[inline(always)]
+    fn polynomial(self, coefficients: &'static [Self::Raw]) -> Self {
+        let Some((last, rest)) = coefficients.split_last() else { return Self::literal(0.0) };
+        rest.iter().rev().fold(Self::of(*last), |sum, &coefficient| sum.fused(self, Self::of(coefficient)))
+    }
+}
+
+macro_rules! word {
+    ($lane:ident, $raw:ident, $bits:ident, $table:ident, $precision:literal, $small:literal, $large:literal, $multiple:literal) => {
+        #[doc = concat!("A lane of `", stringify!($raw), "`, with or without fused multiply-add.")]
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct $lane<const FMA: bool>(pub $raw);
+
+        impl<const FMA: bool> $lane<FMA> {
+            const SHIFT: $raw = 1.5 * (1u64 << ($precision - 1)) as $raw;
+            /// The bits of √½, where significands begin, and how far these are below those of 1.
+            const LEAST: $bits = std::$raw::consts::FRAC_1_SQRT_2.to_bits();
+            const OFFSET: $bits = (1.0 as $raw).to_bits() - Self::LEAST;
+            /// A number whose low bits are those of an integer, when these are set.
+            const INTEGER: $raw = (1u64 << ($precision - 1)) as $raw;
+            const BIAS: $raw = (1.0 as $raw).to_bits() as f64 as $raw / (1u64 << ($precision - 1)) as $raw;
+            const SIGN: $bits = 1 << ($bits::BITS - 1);
+        }
+
+        impl<const FMA: bool> Word for $lane<FMA> {
+            type Raw = $raw;
+            const TABLE: Coefficients<$raw> = coefficients::$table;
+            const FUSED: bool = FMA;
+            const LARGE: i32 = $large;
+            const SMALL: i32 = $small;
+            const PRECISION: i32 = $precision;
+            const LARGEST_EXPONENT: i32 = $raw::MAX_EXP - 1;
+            const MULTIPLE_BITS: i32 = $multiple;
+
+            #[inline(always)]
+            fn of(raw: $raw) -> Self {
+                Self(raw)
+            }
+            #[inline(always)]
+            fn literal(value: f64) -> Self {
+                Self(value as $raw)
+            }
+            #[inline(always)]
+            fn fused(self, factor: Self, summand: Self) -> Self {
+                if FMA { Self(self.0.mul_add(factor.0, summand.0)) } else { self * factor + summand }
+            }
+            #[inline(always)]
+            fn root(self) -> Self {
+                Self(self.0.sqrt())
+            }
+            #[inline(always)]
+            fn magnitude(self) -> Self {
+                Self(self.0.abs())
+            }
+            #[inline(always)]
+            fn with_sign(self, sign: Self) -> Self {
+                Self(self.0.copysign(sign.0))
+            }
+            #[inline(always)]
+            fn leading_half(self) -> Self {
+                Self($raw::from_bits(self.0.to_bits() & ($bits::MAX << ($precision / 2 + $precision % 2))))
+            }
+            #[inline(always)]
+            fn shifted(self) -> Self {
+                Self(self.0 + Self::SHIFT)
+            }
+            #[inline(always)]
+            fn unshifted(self) -> Self {
+                Self(self.0 - Self::SHIFT)
+            }
+            #[inline(always)]
+            fn power_of_two(self) -> Self {
+                let exponent = self.shifted().0.to_bits() << ($precision - 1);
+                Self($raw::from_bits(exponent.wrapping_add((1.0 as $raw).to_bits())))
+            }
+            #[inline(always)]
+            fn split(self) -> (Self, Self) {
+                let bits = self.0.to_bits().wrapping_add(Self::OFFSET);
+                let exponent = $raw::from_bits((bits >> ($precision - 1)) | Self::INTEGER.to_bits());
+                let significand = (bits & ((1 << ($precision - 1)) - 1)).wrapping_add(Self::LEAST);
+                (Self(exponent - (Self::INTEGER + Self::BIAS)), Self($raw::from_bits(significand)))
+            }
+            #[inline(always)]
+            fn if_odd(shifted: Self, odd: Self, even: Self) -> Self {
+                let mask = (shifted.0.to_bits() & 1).wrapping_neg();
+                Self($raw::from_bits((odd.0.to_bits() & mask) | (even.0.to_bits() & !mask)))
+            }
+            #[inline(always)]
+            fn negated_by_second_bit(self, shifted: Self) -> Self {
+                let sign = (shifted.0.to_bits() << ($bits::BITS - 2)) & Self::SIGN;
+                Self($raw::from_bits(self.0.to_bits() ^ sign))
+            }
+        }
+
+        word!(@operator $lane, Add, add, +);
+        word!(@operator $lane, Sub, sub, -);
+        word!(@operator $lane, Mul, mul, *);
+        word!(@operator $lane, Div, div, /);
+
+        impl<const FMA: bool> Neg for $lane<FMA> {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                Self(-self.0)
+            }
+        }
+
+        // Each comparison is the one of the hardware: by way of an `Ordering` they are not vectorised.
+        impl<const FMA: bool> PartialOrd for $lane<FMA> {
+            #[inline(always)]
+            fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+                self.0.partial_cmp(&other.0)
+            }
+            #[inline(always)]
+            fn lt(&self, other: &Self) -> bool {
+                self.0 < other.0
+            }
+            #[inline(always)]
+            fn le(&self, other: &Self) -> bool {
+                self.0 <= other.0
+            }
+            #[inline(always)]
+            fn gt(&self, other: &Self) -> bool {
+                self.0 > other.0
+            }
+            #[inline(always)]
+            fn ge(&self, other: &Self) -> bool {
+                self.0 >= other.0
+            }
+        }
+    };
+    (@operator $lane:ident, $trait:ident, $name:ident, $operator:tt) => {
+        impl<const FMA: bool> $trait for $lane<FMA> {
+            type Output = Self;
+            #[inline(always)]
+            fn $name(self, other: Self) -> Self {
+                Self(self.0 $operator other.0)
+            }
+        }
+    };
+}
+
+word!(Lane64, f64, u64, F64, 53, -900, 990, 20);
+word!(Lane32, f32, u32, F32, 24, -95, 120, 12);

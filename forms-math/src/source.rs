@@ -1,0 +1,83 @@
+//! The text of this crate's single numbers, to be pasted beside a kernel.
+//!
+//! ```text
+//! lib.rs ─ mod error_free; ─▶ mod error_free { … } ─ … ─▶ one module that needs nothing but the standard library
+//! ```
+//! Lanes, batches and error bounds are left out: what is pasted is for one value at a time.
+
+/// The files that are pasted, by their path without `.rs` or `/mod.rs`.
+const FILES: &[(&str, &str)] = &[
+    ("double_double", include_str!("double_double/mod.rs")),
+    ("double_double/arithmetic", include_str!("double_double/arithmetic.rs")),
+    ("double_double/circular", include_str!("double_double/circular.rs")),
+    ("double_double/exponential", include_str!("double_double/exponential.rs")),
+    ("double_double/real", include_str!("double_double/real.rs")),
+    ("elementary", include_str!("elementary/mod.rs")),
+    ("elementary/angle", include_str!("elementary/angle.rs")),
+    ("elementary/hyperbolic", include_str!("elementary/hyperbolic.rs")),
+    ("elementary/logarithm", include_str!("elementary/logarithm.rs")),
+    ("elementary/power", include_str!("elementary/power.rs")),
+    ("error_free", include_str!("error_free.rs")),
+    ("formula", include_str!("formula.rs")),
+    ("quadrature", include_str!("quadrature.rs")),
+    ("real", include_str!("real.rs")),
+    ("scalar", include_str!("scalar.rs")),
+    ("special", include_str!("special/mod.rs")),
+    ("special/clausen", include_str!("special/clausen.rs")),
+    ("special/dilogarithm", include_str!("special/dilogarithm.rs")),
+    ("special/error_function", include_str!("special/error_function.rs")),
+    ("special/exponential_integral", include_str!("special/exponential_integral.rs")),
+    ("special/zeta", include_str!("special/zeta.rs")),
+    ("table", include_str!("table.rs")),
+    ("wide", include_str!("wide/mod.rs")),
+    ("wide/circular", include_str!("wide/circular.rs")),
+    ("wide/constants", include_str!("wide/constants.rs")),
+    ("wide/display", include_str!("wide/display.rs")),
+    ("wide/exponential", include_str!("wide/exponential.rs")),
+    ("wide/natural", include_str!("wide/natural.rs")),
+    ("wide/product", include_str!("wide/product.rs")),
+    ("wide/quotient", include_str!("wide/quotient.rs")),
+    ("wide/real", include_str!("wide/real.rs")),
+    ("wide/representation", include_str!("wide/representation.rs")),
+    ("wide/sum", include_str!("wide/sum.rs")),
+];
+
+/// `mod forms_math { … }` for the root of a crate: `f32`, `f64`, [`DoubleDouble`](crate::DoubleDouble) and
+/// [`Wide`](crate::Wide) as [`Real`](crate::Real)s, without comments on files and without tests.
+///
+/// ```
+/// let text = forms_math::source();
+/// assert!(text.contains("pub trait Real") && !text.contains("#[test]"));
+/// ```
+pub fn source() -> String {
+    let text = pasted("", include_str!("lib.rs"));
+    format!(
+        "#[allow(dead_code, unused_imports, reason = \"kernels use parts of it\")]\nmod forms_math {{\n{text}}}\n"
+    )
+}
+
+/// The text of a module with the files of its modules in their places.
+fn pasted(path: &str, text: &str) -> String {
+    let mut lines = Vec::new();
+    let own = text.split("\n#[cfg(test)]").next().unwrap_or_default();
+    for line in own.lines().filter(|line| !line.trim_start().starts_with("//!")) {
+        let declared = line.strip_suffix(';').and_then(|line| Some(line.split_once("mod ")?.1));
+        let imported = line.strip_prefix("pub use ").and_then(|rest| rest.split("::").next());
+        match (declared, imported) {
+            (Some(module), _) => lines.extend(file(path, module).map(|(path, text)| {
+                let head = line.trim_end_matches(';');
+                format!("{head} {{\n{}}}", pasted(&path, text))
+            })),
+            (None, Some(module)) if path.is_empty() && file(path, module).is_none() => {}
+            _ => lines.push(line.replace("crate::", "crate::forms_math::")),
+        }
+    }
+    lines.join("\n") + "\n"
+}
+
+/// The file of a module within another.
+fn file(path: &str, module: &str) -> Option<(String, &'static str)> {
+    let path = if path.is_empty() { module.to_string() } else { format!("{path}/{module}") };
+    let (_, text) = FILES.iter().find(|(known, _)| *known == path)?;
+    Some((path, text))
+}

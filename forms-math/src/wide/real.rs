@@ -1,0 +1,65 @@
+//! Wide floating point as a number of a kernel.
+
+use super::{Class, Wide};
+use crate::Real;
+use crate::scalar::{Scalar, composed_functions};
+use crate::table::table;
+
+impl<const LIMBS: usize> Real for Wide<LIMBS> {
+    fn constant(words: &[f64]) -> Self {
+        words.iter().rev().fold(Self::ZERO, |sum, &word| sum + Self::of_f64(word))
+    }
+    fn from_f64(value: f64) -> Self {
+        Self::of_f64(value)
+    }
+    fn to_f64(self) -> f64 {
+        self.nearest_f64()
+    }
+    fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
+        a * b - c * d
+    }
+    fn sqrt(self) -> Self {
+        self.square_root()
+    }
+    fn abs(self) -> Self {
+        Self { negative: false, ..self }
+    }
+    fn exp(self) -> Self {
+        self.exponential()
+    }
+    fn exp_m1(self) -> Self {
+        self.exponential_minus_one()
+    }
+    composed_functions!();
+}
+
+struct EulerGamma;
+
+impl<const LIMBS: usize> Scalar for Wide<LIMBS> {
+    const PRECISION: u32 = 64 * LIMBS as u32 - 8;
+
+    fn pi() -> Self {
+        Self::constants()[0]
+    }
+    fn ln_2() -> Self {
+        Self::constants()[1]
+    }
+    fn euler_gamma() -> Self {
+        table::<EulerGamma, Self>(0, || vec![Self::compute_euler_gamma()])[0]
+    }
+    fn from_integer(value: i64) -> Self {
+        Self::from_natural(value < 0, &[value.unsigned_abs()], 0)
+    }
+    fn exponent(self) -> Option<i64> {
+        (self.class == Class::Finite).then_some(self.exponent)
+    }
+    fn scaled(self, exponent: i64) -> Self {
+        self.by_power_of_two(exponent)
+    }
+    fn quadrant(self) -> (u8, Self) {
+        self.to_quadrant()
+    }
+    fn sine_and_cosine(self) -> (Self, Self) {
+        self.sine_cosine()
+    }
+}

@@ -1,0 +1,5 @@
+//! Lanes: accuracy of their functions, special values, and batches of formulas.
+
+mod arguments;
+mod double;
+mod reference;

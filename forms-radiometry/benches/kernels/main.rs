@@ -1,0 +1,48 @@
+//! Generated kernels beside what an expert writes by hand and what other generators emit.
+//!
+//! ```text
+//! inputs ──▶ columns ──┐
+//! expert, elsewhere ── catalogue ── measure ──▶ times a value ─┬─ table  ─▶ the terminal, docs/benchmarks.md
+//!                                                              └─ figure ─▶ docs/figures/kernels.svg
+//! ```
+//! `cargo bench --bench kernels -- [--write] [NAME…]` measures the kernels whose names contain one of the words, or all.
+//! With `--write` and all of them the page and the figure are written anew.
+
+mod catalogue;
+mod elsewhere;
+mod expert;
+mod figure;
+mod inputs;
+mod measure;
+#[path = "../../../forms-core/benches/page/mod.rs"]
+mod page;
+mod table;
+
+use expert::batch::InstructionSet;
+use std::path::Path;
+use table::Row;
+
+fn main() -> std::io::Result<()> {
+    let (options, words): (Vec<String>, Vec<String>) =
+        std::env::args().skip(1).partition(|argument| argument.starts_with('-'));
+    let set = InstructionSet::detected();
+    let entries = catalogue::all(set);
+    let wanted = |name: &str| words.is_empty() || words.iter().any(|word| name.contains(word.as_str()));
+    let measured = entries.iter().filter(|entry| wanted(entry.name));
+    let rows: Vec<Row> =
+        measured.map(|entry| Row { name: entry.name, seconds: measure::seconds_per_value(entry) }).collect();
+    let table = table::markdown(&rows, set.name());
+    print!("{table}");
+    if words.is_empty() && options.iter().any(|option| option == "--write") {
+        write(&rows, &table)?;
+    }
+    Ok(())
+}
+
+fn write(rows: &[Row], table: &str) -> std::io::Result<()> {
+    let documents = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
+    std::fs::write(documents.join("figures/kernels.svg"), figure::svg(rows))?;
+    let path = documents.join("benchmarks.md");
+    let page = page::replaced(&std::fs::read_to_string(&path)?, "kernels", table);
+    std::fs::write(path, page)
+}

@@ -1,0 +1,117 @@
+//! What the bench `kernels` times is right: all functions of a kernel agree, the hand-written ones with the instruction
+//! sets of this processor, and what two other generators make of the textbook's formula. The elementary functions of
+//! the hand-written ones are tested beside them.
+
+// The harness alone uses the rest of these modules.
+#![allow(dead_code)]
+
+#[path = "../benches/kernels/catalogue.rs"]
+mod catalogue;
+#[path = "../benches/kernels/elsewhere/mod.rs"]
+mod elsewhere;
+#[path = "../benches/kernels/expert/mod.rs"]
+mod expert;
+#[path = "../benches/kernels/inputs.rs"]
+mod inputs;
+
+use catalogue::Entry;
+use expert::batch::InstructionSet;
+use expert::vector::Vector;
+
+/// No multiple of the lanes of any register, so that the rest is taken too.
+const VALUES: usize = 4099;
+
+fn columns_of(entry: &Entry) -> Vec<Vec<f64>> {
+    inputs::columns(entry.domain, VALUES)
+}
+
+fn slices(columns: &[Vec<f64>]) -> Vec<&[f64]> {
+    columns.iter().map(Vec::as_slice).collect()
+}
+
+/// The values of all functions of an entry.
+fn values(entry: &Entry) -> Vec<Vec<f64>> {
+    let columns = columns_of(entry);
+    let values = entry.functions.iter().map(|(_, function)| {
+        let mut out = vec![f64::NAN; VALUES];
+        function(&slices(&columns), &mut out);
+        out
+    });
+    values.collect()
+}
+
+/// How far apart values are, over the size that values of this kernel have: roundings of cancelled sums are of that size.
+fn distance(values: &[f64], others: &[f64]) -> f64 {
+    let size = others.iter().map(|value| value.abs()).sum::<f64>() / others.len() as f64;
+    let far = values.iter().zip(others).map(|(value, other)| (value - other).abs() / (other.abs() + size));
+    far.fold(0.0, |greatest: f64, far| if far <= greatest || greatest.is_nan() { greatest } else { far })
+}
+
+#[test]
+fn all_functions_of_a_kernel_agree() {
+    for &set in InstructionSet::all() {
+        for entry in catalogue::all(set) {
+            let values = values(&entry);
+            for (others, (author, _)) in values.iter().zip(&entry.functions).skip(1) {
+                let far = distance(&values[0], others);
+                assert!(far < 1e-12, "{}, {set:?}: {author:?} differs by {far}", entry.name);
+            }
+        }
+    }
+}
+
+fn exp_of<V: Vector>([x]: [V; 1]) -> V {
+    x.exp_and_exp_m1().0
+}
+fn exp_m1_of<V: Vector>([x]: [V; 1]) -> V {
+    x.exp_and_exp_m1().1
+}
+fn atan2_of<V: Vector>([y, x]: [V; 2]) -> V {
+    y.atan2(x)
+}
+fn angle_over_sine_of<V: Vector>([s, x]: [V; 2]) -> V {
+    s.angle_over_sine(x)
+}
+expert::batch::batch!(exp, 1, super::exp_of);
+expert::batch::batch!(exp_m1, 1, super::exp_m1_of);
+expert::batch::batch!(atan2, 2, super::atan2_of);
+expert::batch::batch!(angle_over_sine, 2, super::angle_over_sine_of);
+
+/// The greatest relative error, in roundings, of values against those of the system.
+fn roundings(values: &[f64], expected: impl Iterator<Item = f64>) -> f64 {
+    let errors =
+        values.iter().zip(expected).map(|(value, expected)| (value / expected - 1.0).abs() / f64::EPSILON);
+    errors.fold(
+        0.0,
+        |greatest: f64, error| if error <= greatest || greatest.is_nan() { greatest } else { error },
+    )
+}
+
+#[test]
+fn exponentials_are_within_two_roundings() {
+    let near = (1..200_000).map(|i| f64::from(i - 100_000) * 7e-6);
+    let far = (1..200_000).map(|i| f64::from(i - 100_000) * 7e-3);
+    let x: Vec<f64> = near.chain(far).filter(|&x| x != 0.0).collect();
+    let mut out = vec![0.0; x.len()];
+    for &set in InstructionSet::all() {
+        exp::with(set, &[&x], &mut out);
+        assert!(roundings(&out, x.iter().map(|x| x.exp())) <= 2.0, "{set:?}");
+        exp_m1::with(set, &[&x], &mut out);
+        assert!(roundings(&out, x.iter().map(|x| x.exp_m1())) <= 2.0, "{set:?}");
+    }
+}
+
+#[test]
+fn angles_are_within_four_roundings() {
+    let turns: Vec<f64> =
+        (1..200_000).map(|i| f64::from(i - 100_000) * 3.1415e-5).filter(|&x| x != 0.0).collect();
+    let (y, x): (Vec<f64>, Vec<f64>) = turns.iter().map(|turn| turn.sin_cos()).unzip();
+    let mut out = vec![0.0; x.len()];
+    for &set in InstructionSet::all() {
+        atan2::with(set, &[&y, &x], &mut out);
+        assert!(roundings(&out, y.iter().zip(&x).map(|(y, x)| y.atan2(*x))) <= 4.0, "{set:?}");
+        let sines: Vec<f64> = y.iter().map(|y| y.abs()).collect();
+        angle_over_sine::with(set, &[&sines, &x], &mut out);
+        assert!(roundings(&out, sines.iter().zip(&x).map(|(s, x)| s.atan2(*x) / s)) <= 4.0, "{set:?}");
+    }
+}
