@@ -3,7 +3,7 @@
 //! ```text
 //! lib.rs ─ mod error_free; ─▶ mod error_free { … } ─ … ─▶ one module that needs nothing but the standard library
 //! ```
-//! Lanes, batches and error bounds are left out: what is pasted is for one value at a time.
+//! Lanes and batches are left out: what is pasted is for one value at a time.
 
 /// The files that are pasted, by their path without `.rs` or `/mod.rs`.
 const FILES: &[(&str, &str)] = &[
@@ -18,7 +18,15 @@ const FILES: &[(&str, &str)] = &[
     ("elementary/logarithm", include_str!("elementary/logarithm.rs")),
     ("elementary/power", include_str!("elementary/power.rs")),
     ("error_free", include_str!("error_free.rs")),
+    ("escalate", include_str!("escalate.rs")),
     ("formula", include_str!("formula.rs")),
+    ("guarded", include_str!("guarded/mod.rs")),
+    ("guarded/arithmetic", include_str!("guarded/arithmetic.rs")),
+    ("guarded/bound", include_str!("guarded/bound.rs")),
+    ("guarded/functions", include_str!("guarded/functions.rs")),
+    ("guarded/number", include_str!("guarded/number.rs")),
+    ("guarded/real", include_str!("guarded/real.rs")),
+    ("guarded/special", include_str!("guarded/special.rs")),
     ("quadrature", include_str!("quadrature.rs")),
     ("real", include_str!("real.rs")),
     ("scalar", include_str!("scalar.rs")),

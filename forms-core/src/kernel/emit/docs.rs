@@ -15,6 +15,8 @@ pub struct KernelDocs {
     pub units: String,
     /// What is known of the agreement of the program with the formula.
     pub translation: String,
+    /// How accurate the values are, where that is promised.
+    pub accuracy: String,
     /// The author's own lines.
     pub docs: Vec<String>,
 }
@@ -45,6 +47,9 @@ pub(super) fn documentation(program: &Program, docs: &KernelDocs, comment: &str)
         lines.push(docs.translation.clone());
     }
     separate(&mut lines);
+    if !docs.accuracy.is_empty() {
+        lines.push(docs.accuracy.clone());
+    }
     let outside = if program.domain.is_empty() { "" } else { " outside its domain and" };
     lines.push(format!("Its value is NaN{outside} where an argument it depends on is NaN."));
     lines.push(format!("Takes {}.", program.operations()));
