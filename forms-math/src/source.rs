@@ -71,13 +71,20 @@ fn pasted(path: &str, text: &str) -> String {
     for line in own.lines().filter(|line| !line.trim_start().starts_with("//!")) {
         let declared = line.strip_suffix(';').and_then(|line| Some(line.split_once("mod ")?.1));
         let imported = line.strip_prefix("pub use ").and_then(|rest| rest.split("::").next());
-        match (declared, imported) {
-            (Some(module), _) => lines.extend(file(path, module).map(|(path, text)| {
-                let head = line.trim_end_matches(';');
-                format!("{head} {{\n{}}}", pasted(&path, text))
-            })),
-            (None, Some(module)) if path.is_empty() && file(path, module).is_none() => {}
-            _ => lines.push(line.replace("crate::", "crate::forms_math::")),
+        let left_out = match (declared, imported) {
+            (Some(module), _) => file(path, module).is_none(),
+            (None, Some(module)) => path.is_empty() && file(path, module).is_none(),
+            (None, None) => false,
+        };
+        if left_out {
+            // with the attributes above it
+            while lines.last().is_some_and(|line: &String| line.starts_with("#[")) {
+                lines.pop();
+            }
+        } else if let Some((path, text)) = declared.and_then(|module| file(path, module)) {
+            lines.push(format!("{} {{\n{}}}", line.trim_end_matches(';'), pasted(&path, text)));
+        } else {
+            lines.push(line.replace("crate::", "crate::forms_math::"));
         }
     }
     lines.join("\n") + "\n"
