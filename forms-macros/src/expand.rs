@@ -11,7 +11,7 @@ use crate::tokens::Body;
 use forms_core::check::{decide_all, objection, resolve_parsed};
 use forms_core::decide::Verdict;
 use forms_core::diagnostic::{Diagnostic, Span};
-use forms_core::generation::{Translation, generate};
+use forms_core::generation::{Generated, generate};
 use forms_core::kernel::{KernelDocs, emit_rust, emit_rust_within};
 use forms_core::resolve::{Kernel, Theory};
 use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
@@ -156,7 +156,7 @@ fn function(
     origin: &Origin,
 ) -> Result<TokenStream, Vec<Diagnostic>> {
     let generated = generate(&mut theory.pool, kernel)?;
-    let docs = documentation(theory, verdicts, kernel, &generated.translation);
+    let docs = documentation(theory, verdicts, kernel, &generated);
     let program = &generated.optimised;
     let source = match &kernel.within {
         None => emit_rust(program, &docs, tiers::MATH),
@@ -179,7 +179,7 @@ fn documentation(
     theory: &Theory,
     verdicts: &[Verdict],
     kernel: &Kernel,
-    translation: &Translation,
+    generated: &Generated,
 ) -> KernelDocs {
     let arguments: Vec<&str> =
         kernel.arguments.iter().map(|&argument| theory.pool.symbol_name(argument)).collect();
@@ -196,8 +196,8 @@ fn documentation(
         statements: kernel.statements.iter().filter(is_proved).cloned().collect(),
         conditions: kernel.domain.iter().map(|condition| condition.text(&theory.pool)).collect(),
         units: forms_core::units::sentence(theory, kernel).unwrap_or_default(),
-        translation: translation.to_string(),
-        accuracy: String::new(),
+        translation: generated.translation.to_string(),
+        rounding: forms_core::rounding::sentence(&generated.optimised).unwrap_or_default(),
         docs: kernel.docs.clone(),
     }
 }

@@ -91,7 +91,7 @@ fn source(file: &TheoryFile, kernel: &Kernel) -> Result<Source, Vec<crate::theor
         conditions: Vec::new(),
         units: sentence(&file.theory, kernel).unwrap_or_default(),
         translation: generated.translation.to_string(),
-        accuracy: String::new(),
+        rounding: forms::core::rounding::sentence(&generated.optimised).unwrap_or_default(),
         docs: kernel.docs.clone(),
     };
     Ok(Source { program: generated.optimised, docs, within: kernel.within.clone() })

@@ -39,6 +39,7 @@ mod expand;
 mod factor;
 mod fuse;
 mod graph;
+mod in_order;
 mod interpret;
 mod linearise;
 mod lower;

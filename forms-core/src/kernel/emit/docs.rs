@@ -15,8 +15,8 @@ pub struct KernelDocs {
     pub units: String,
     /// What is known of the agreement of the program with the formula.
     pub translation: String,
-    /// How accurate the values are, where that is promised.
-    pub accuracy: String,
+    /// A bound of the error in `f64`, where there is one.
+    pub rounding: String,
     /// The author's own lines.
     pub docs: Vec<String>,
 }
@@ -46,10 +46,11 @@ pub(super) fn documentation(program: &Program, docs: &KernelDocs, comment: &str)
         separate(&mut lines);
         lines.push(docs.translation.clone());
     }
-    separate(&mut lines);
-    if !docs.accuracy.is_empty() {
-        lines.push(docs.accuracy.clone());
+    if !docs.rounding.is_empty() {
+        separate(&mut lines);
+        lines.push(docs.rounding.clone());
     }
+    separate(&mut lines);
     let outside = if program.domain.is_empty() { "" } else { " outside its domain and" };
     lines.push(format!("Its value is NaN{outside} where an argument it depends on is NaN."));
     lines.push(format!("Takes {}.", program.operations()));

@@ -48,7 +48,7 @@ pub(super) fn escalating(program: &Program, docs: &KernelDocs, within: &Rational
 
 fn promised(docs: &KernelDocs, within: &Rational) -> KernelDocs {
     let promise = format!("Its value is within {}·2⁻⁵³ of the exact one, relative to it.", below(within));
-    KernelDocs { accuracy: promise, ..docs.clone() }
+    KernelDocs { rounding: promise, ..docs.clone() }
 }
 
 /// The statements that compute the values of a formula well enough.

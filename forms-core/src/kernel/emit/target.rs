@@ -146,7 +146,12 @@ pub struct Source {
 impl Source {
     /// The documented function.
     fn function(&self, target: Target, precision: Precision) -> String {
-        let (program, docs) = (&self.program, &self.docs);
+        let program = &self.program;
+        let mut docs = self.docs.clone();
+        if precision != Precision::F64 {
+            docs.rounding.clear();
+        }
+        let docs = &docs;
         match (target, precision) {
             (Target::Rust, Precision::DoubleDouble) => generic::double_double(program, docs),
             (Target::Rust, _) => match &self.within {
