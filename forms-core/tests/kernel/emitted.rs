@@ -161,6 +161,7 @@ fn a_kernel_reads_as_written_by_hand() {
         conditions: vec!["x != 0".to_string()],
         units: "Units: `x` in `m`.".to_string(),
         translation: "Proved.".to_string(),
+        rounding: String::new(),
         docs: vec!["A field and a choice.".to_string()],
     };
     let expected = r#"/// A field and a choice.
