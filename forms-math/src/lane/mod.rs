@@ -19,8 +19,6 @@ mod logarithm;
 mod pair;
 mod power;
 mod real;
-#[cfg(test)]
-mod tests;
 mod trigonometric;
 mod word;
 
