@@ -110,10 +110,103 @@ fn branches_that_differ_are_refused_with_a_point_of_the_seam() {
 
 #[test]
 fn a_seam_that_cannot_be_decided_is_refused_too() {
-    let message = generated("kernel k(x) = if x != 0 { sin(x)/x } else { 1 };").unwrap_err();
-    assert!(message.contains("is undecided: a branch is not defined there"), "{message}");
+    for text in [
+        "kernel k(x) = if x != 0 { abs(x)/x } else { 1 };",
+        "kernel k(x) = if x != 0 { x*(1/x) - abs(x)/x } else { 0 };",
+        "kernel k(x) = if x != 0 { x*log(abs(x))/x } else { 0 };",
+        "kernel k(x, y) = if x != 0 { x*y/(x*y + x**2) } else { 1 };",
+        "kernel k(x) = if x != 0 { (1 - expint2(x))/x } else { 1 } where x >= 0;",
+        "kernel k(x) = if x > 0 { 1 } else { sin(x)/x };",
+    ] {
+        let message = generated(text).unwrap_err();
+        assert!(message.contains("is undecided: a branch is not defined there"), "{text}\n{message}");
+    }
     let message = generated("kernel k(x) = if sin(x) > x/2 { cos(x) } else { x };").unwrap_err();
     assert!(message.starts_with("whether the branches of `if sin(x) > x/2` agree at the seam"), "{message}");
+}
+
+#[test]
+fn a_removable_singularity_is_removed_by_the_limit() {
+    for text in [
+        "kernel k(x) = if x != 0 { sin(x)/x } else { 1 };",
+        "kernel k(x) = if x > 0 { expm1(x)/x } else { 1 } where x >= 0;",
+        "kernel k(x) = if x != 0 { (1 - cos(x))/x**2 } else { 1/2 };",
+        "kernel k(x) = if x != 0 { (x - sin(x))/x**3 } else { 1/6 };",
+        "kernel k(x) = if x != 0 { dilog(x)/x } else { 1 } where x < 1;",
+        "kernel k(x) = if x != 1 { log(x)/(x - 1) } else { 1 } where x > 0;",
+        "kernel k(x, y) = if x != y { (exp(x) - exp(y))/(x - y) } else { exp(x) };",
+        "kernel k(x) = if x != 0 { x*tan(pi/2 + x) } else { -1 } where -1 < x < 1;",
+        "kernel k(t, s) = if s != 0 { (1 - exp(-s*t))/s } else { t };",
+        "kernel k(g, a) = if g != a { (g**3 - a**3)/(g - a) } else { 3*a**2 };",
+    ] {
+        is_accepted(text);
+    }
+    for (text, message) in [
+        ("kernel k(x) = if x != 0 { sin(x)/x } else { 0 };", "their difference is 1\n"),
+        ("kernel k(x) = if x != 0 { x*(1/x) } else { 0 };", "their difference is 1\n"),
+        (
+            "kernel k(x) = if x != 0 { x*tan(pi/2 + x) } else { 0 } where -1 < x < 1;",
+            "their difference is -1\n",
+        ),
+        ("kernel k(t, s) = if s != 0 { (1 - exp(-s*t))/s } else { 1 };", "their difference is t - 1\n"),
+    ] {
+        let found = generated(text).unwrap_err();
+        assert!(found.contains("differ at the seam") && found.contains(message), "{text}\n{found}");
+    }
+}
+
+#[test]
+fn a_kernel_is_computed_by_an_equal_form() {
+    for text in [
+        "kernel k(x) = (exp(x) - 1)/x by if x != 0 { expm1(x)/x } else { 1 } within 2;",
+        "kernel k(t, s) = (1 - exp(-s*t))/s by if s > 0 { -expm1(-s*t)/s } else { t } where s >= 0, t > 0;",
+        "kernel k(x, y) = (x**2 - y**2, x) by ((x - y)*(x + y), x);",
+        "kernel k(x) = sqrt(x + 1) - sqrt(x) by 1/(sqrt(x + 1) + sqrt(x)) where x > 0;",
+    ] {
+        let found = generated(text).unwrap_or_else(|message| panic!("{text}\n{message}"));
+        assert!(found.translation.is_proved() && found.written != found.optimised, "{text}");
+    }
+    let found =
+        generated("kernel k(x) = (exp(x) - 1)/x by if x != 0 { expm1(x)/x } else { 1 };").expect("a kernel");
+    assert_eq!(found.optimised.interpret(&[0.0]), [1.0]);
+    assert!(found.written.interpret(&[0.0])[0].is_nan());
+}
+
+#[test]
+fn a_form_that_is_not_proved_equal_is_refused() {
+    is_refused(
+        "kernel k(x) = sin(x) by 1 - x where x > 0;",
+        "the form that `k` is computed by differs from its formula\n\
+         at x = 2, left = -1, right = 0.90929742682568169539602",
+    );
+    let message =
+        generated("kernel k(x) = (exp(x) - 1)/x by if x != 0 { expm1(x)/x } else { 2 };").unwrap_err();
+    assert!(message.contains("differ at the seam x = 0"), "{message}");
+    let message = generated("kernel k(x) = sqrt(x**2) by if x > 1 { x } else { x**2 };").unwrap_err();
+    assert!(message.starts_with("the form that `k` is computed by differs from its formula"), "{message}");
+    let undecided = "kernel k(x) = dilog(x) + dilog(-x) by dilog(x**2)/2 where 0 < x < 1;";
+    let message = generated(undecided).unwrap_err();
+    assert!(
+        message.starts_with("whether the form that `k` is computed by equals its formula is undecided"),
+        "{message}"
+    );
+}
+
+#[test]
+fn the_derivatives_of_a_kernel_are_a_kernel() {
+    let text =
+        "kernel f(x, y) = (x*y**2, exp(x*y)) by (x*y*y, exp(y*x)) where x > 0; kernel g = grad(f; x, y);";
+    let found = generated(text).expect("a kernel");
+    assert!(found.translation.is_proved());
+    let (x, y) = (0.5_f64, 2.0);
+    let expected = [y * y, 2.0 * x * y, y * (x * y).exp(), x * (x * y).exp()];
+    for (value, expected) in found.optimised.interpret(&[x, y]).into_iter().zip(expected) {
+        assert!((value - expected).abs() <= 1e-15 * expected.abs(), "{value} {expected}");
+    }
+    assert!(found.optimised.interpret(&[-1.0, 2.0]).iter().all(|value| value.is_nan()));
+    // the slopes of the pieces differ where they meet
+    let message = generated("kernel f(x) = if x > 0 { x } else { 0 }; kernel g = grad(f; x);").unwrap_err();
+    assert!(message.contains("differ at the seam x = 0 of `g`"), "{message}");
 }
 
 #[test]

@@ -7,7 +7,7 @@ forms::forms! {
     pub kernel hat(u, v) = if height > 0 { 1 - height } else { 1 + height };
     pub kernel cap(u, v) = if height > 1 { height } else { 0 };
     pub kernel step(u, v) = if jump height > 1 { height } else { 0 };
-    pub kernel sinc(u) = if u != 0 { sin(u)/u } else { 1 };
+    pub kernel sign(u) = if u != 0 { abs(u)/u } else { 1 };
 }
 
 fn main() {

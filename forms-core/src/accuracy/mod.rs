@@ -15,11 +15,14 @@ mod ordinal;
 mod regime;
 mod sample;
 mod score;
+mod sheet;
 mod truth;
 
 pub use format::{Format, Rounded};
 pub use ordinal::Width;
 pub use regime::Regime;
 pub use sample::{Sample, Samples, sample};
+pub(crate) use score::bits_lost;
 pub use score::{Score, Statistics};
+pub use sheet::{Arithmetic, Line, Variant, sheet};
 pub use truth::{Truth, Value};

@@ -17,8 +17,8 @@ pub use scribe::Formula;
 
 use crate::decide::{Verdict, decide};
 use crate::expression::Condition;
-use crate::resolve::resolve_traced;
-use crate::syntax::ast::{File, ItemKind};
+use crate::resolve::{Theory, resolve_traced};
+use crate::syntax::ast::{File, Item, ItemKind};
 use crate::syntax::{Source, read};
 use scribe::Scribe;
 
@@ -70,8 +70,10 @@ impl Step {
 /// assert!(derivation.text().contains("d(x*dx + y*dy) = 0"));
 /// ```
 pub fn derive(source: &Source, name: &str) -> Option<Derivation> {
-    let (file, _) = read(&source.text);
+    let (mut file, _) = read(&source.text);
     let (mut theory, trace, _) = resolve_traced(&file);
+    let claims = claims_of_warps(&file, &theory);
+    file.items.extend(claims);
     let statement = theory.statements.iter().find(|statement| statement.name == name)?.clone();
     let verdict = decide(&mut theory, &statement);
     let claim = claim(&file, name)?;
@@ -91,6 +93,16 @@ pub fn derive(source: &Source, name: &str) -> Option<Derivation> {
     }
     let ok = verdict.bears_out(statement.claim);
     Some(Derivation { name: name.to_owned(), verdict, ok, steps })
+}
+
+/// The statements that follow from the warps of a source.
+fn claims_of_warps(file: &File, theory: &Theory) -> Vec<Item> {
+    let claims = |item: &Item| {
+        let ItemKind::Warp(warp) = &item.kind else { return Vec::new() };
+        let known = theory.warps.iter().find(|known| known.name == warp.name.text);
+        known.map_or(Vec::new(), |known| warp.claims(item, known.reverses))
+    };
+    file.items.iter().flat_map(claims).collect()
 }
 
 /// The item of a statement.

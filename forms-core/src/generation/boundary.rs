@@ -189,3 +189,21 @@ fn product(pool: &mut Pool, a: [Expr; 3], b: [Expr; 3]) -> Option<[Expr; 3]> {
     let [constant, linear, quadratic, rest @ ..] = sums;
     rest.iter().all(|&coefficient| pool.is_zero(coefficient)).then_some([constant, linear, quadratic])
 }
+
+/// Expressions and conditions with a value in the place of a part.
+pub(super) fn replaced(
+    pool: &mut Pool,
+    (part, value): (Expr, Expr),
+    expressions: &[Expr],
+    conditions: &[Condition],
+) -> (Vec<Expr>, Vec<Condition>) {
+    let mut all = expressions.to_vec();
+    all.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
+    let node = pool.node(part).clone();
+    let mut images = pool.replace_all(&all, |found, _| (*found == node).then_some(value));
+    let sides = images.split_off(expressions.len());
+    let conditions = conditions.iter().zip(sides.chunks_exact(2));
+    let conditions =
+        conditions.map(|(condition, side)| Condition { left: side[0], right: side[1], ..*condition });
+    (images, conditions.collect())
+}

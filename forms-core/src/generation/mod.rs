@@ -2,12 +2,14 @@
 //!
 //! ```text
 //! Kernel ─┬─ seams ─▶ the pieces of every `if` agree where they meet, or an error
-//!         └─ lower ─▶ Program ─ optimise ─▶ Program ─ raise ─▶ proved equal to the formula (translation)
+//!         ├─ `by` ──▶ the form it is computed by is proved equal to the formula, or an error
+//!         └─ lower ─▶ Program ─ optimise ─▶ Program ─ raise ─▶ proved equal to what it was lowered from (translation)
 //! ```
 //! Whoever makes a kernel into source or numbers makes it here, so that no kernel goes unchecked. What could not
 //! be proved is said beside the kernel, and never passed off as a proof.
 
 mod boundary;
+mod limit;
 mod opaque;
 mod pieces;
 mod seam;
@@ -23,9 +25,9 @@ use crate::resolve::Kernel;
 /// A kernel as programs.
 #[derive(Clone, Debug)]
 pub struct Generated {
-    /// One instruction for each operation as it was written.
+    /// One instruction for each operation of the formula as it was written.
     pub written: Program,
-    /// The same at least cost.
+    /// The form behind `by`, or the formula where there is none, at least cost.
     pub optimised: Program,
     /// What is known of their agreement.
     pub translation: Translation,
@@ -43,8 +45,9 @@ pub struct Generated {
 /// ```
 ///
 /// # Errors
-/// If it is no kernel, if two of its pieces are not shown to agree where they meet, or if the optimised program
-/// does not compute the formula, which is a fault of this crate and not of the kernel.
+/// If it is no kernel, if two of its pieces are not shown to agree where they meet, if the form behind `by` is not proved
+/// equal to the formula, or if the optimised program does not compute that form, which is a fault of this crate and not of
+/// the kernel.
 pub fn generate(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagnostic>> {
     let source = KernelSource {
         name: kernel.name.clone(),
@@ -54,16 +57,40 @@ pub fn generate(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagn
         outputs: kernel.outputs.clone(),
         domain: kernel.domain.clone(),
     };
-    let written =
-        lower(pool, &source).map_err(|error| vec![Diagnostic::new(kernel.span, error.to_string())])?;
-    let faults = seam::faults(pool, kernel);
+    let lowered = |pool: &Pool, source: &KernelSource| {
+        lower(pool, source).map_err(|error| vec![Diagnostic::new(kernel.span, error.to_string())])
+    };
+    let written = lowered(pool, &source)?;
+    let mut faults = seam::faults(pool, kernel);
+    if faults.is_empty() {
+        faults = form_faults(pool, kernel);
+    }
     if !faults.is_empty() {
         return Err(faults);
     }
-    let optimised = written.optimise();
-    let translation = translation::validate(pool, kernel, &optimised);
+    let form = by_form(kernel);
+    let computed = form.as_ref().unwrap_or(kernel);
+    let program = lowered(pool, &KernelSource { outputs: computed.outputs.clone(), ..source })?;
+    // a form that was chosen keeps the order of its sums and products, on which its rounding depends
+    let optimised = if form.is_some() { program.in_order() } else { program.optimise() };
+    let translation = translation::validate(pool, computed, &optimised);
     match translation.objection(kernel) {
         Some(objection) => Err(vec![objection]),
         None => Ok(Generated { written, optimised, translation }),
     }
+}
+
+/// What is to be said of the form that a kernel is computed by: pieces that do not agree where they meet, or a form that is
+/// not proved equal to the formula. Nothing where there is no form.
+pub(crate) fn form_faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Diagnostic> {
+    let Some(form) = by_form(kernel) else { return Vec::new() };
+    let faults = seam::faults(pool, &form);
+    if faults.is_empty() { translation::of_form(pool, kernel).into_iter().collect() } else { faults }
+}
+
+/// The kernel with the form behind `by` for its formula, if there is one.
+fn by_form(kernel: &Kernel) -> Option<Kernel> {
+    let mut form = (!kernel.computed.is_empty()).then(|| kernel.clone())?;
+    form.outputs = std::mem::take(&mut form.computed);
+    Some(form)
 }

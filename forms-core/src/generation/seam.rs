@@ -2,15 +2,18 @@
 //!
 //! On the boundary a = b of a relation a < b the branches are compared like the sides of a statement, under the
 //! kernel's own conditions and those on the path to the `if`. The boundary is described by one of its parts
-//! in terms of the others, so that no equation is ever assumed, only substituted.
+//! in terms of the others, so that no equation is ever assumed, only substituted. A branch that is not defined on the
+//! boundary, as sin(x)/x at 0, has its limit there compared with the value of the other.
 
-use super::boundary::{Sheet, Solution, sheets};
+use super::boundary::{Sheet, Solution, replaced, sheets};
+use super::limit::{follow, limit};
 use super::pieces::{negated, pieces};
 use crate::decide::{Effort, Equations, Finding, Witness, contradiction, simplified};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Condition, Expr, Node, Pool, Seam};
 use crate::resolve::Kernel;
 use rustc_hash::FxHashSet;
+use std::cmp::Ordering;
 
 /// A seam is a claim of its author like a statement, but one kernel may have many.
 const EFFORT: Effort = Effort { work: 10_000_000, candidates: 200, points: 20 };
@@ -34,12 +37,13 @@ enum Agreement {
 
 /// What is to be said of the seams of a kernel at which its pieces are not shown to agree.
 pub(super) fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Diagnostic> {
+    let claims = with_claims(pool, &kernel.outputs);
     let (mut faults, mut seams) = (Vec::new(), 0);
     let mut seen: FxHashSet<(Expr, Vec<Condition>)> = FxHashSet::default();
     let mut open: Vec<(Expr, Vec<Condition>)> =
         kernel.outputs.iter().rev().map(|&output| (output, Vec::new())).collect();
     while let Some((expression, path)) = open.pop() {
-        if !seen.insert((expression, path.clone())) {
+        if !claims.contains(&expression) || !seen.insert((expression, path.clone())) {
             continue;
         }
         let Node::Select { left, relation, right, then, otherwise, seam } = *pool.node(expression) else {
@@ -64,6 +68,20 @@ pub(super) fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Diagnostic> {
         open.extend([left, right].map(|side| (side, path.clone())));
     }
     faults
+}
+
+/// What contains an `if` whose branches are to agree.
+fn with_claims(pool: &Pool, expressions: &[Expr]) -> FxHashSet<Expr> {
+    let mut found: FxHashSet<Expr> = FxHashSet::default();
+    for expression in pool.reachable(expressions) {
+        let node = pool.node(expression);
+        let mut claims = matches!(node, Node::Select { seam: Seam::Agrees, .. });
+        node.for_each_operand(|operand| claims |= found.contains(&operand));
+        if claims {
+            found.insert(expression);
+        }
+    }
+    found
 }
 
 /// Every `if` that an expression contains outside the others.
@@ -134,16 +152,14 @@ impl Choice {
         for (value, conditions) in &solution.values {
             let conditions: Vec<Condition> =
                 assumed.iter().chain(&sheet.conditions).chain(conditions).copied().collect();
-            let mut expressions = vec![self.then, self.otherwise];
-            expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
-            let replaced = replace(pool, &expressions, solution.part, *value);
-            let sides = replaced[2..].chunks_exact(2);
-            let conditions: Vec<Condition> = conditions
-                .iter()
-                .zip(sides)
-                .map(|(condition, side)| Condition { left: side[0], right: side[1], ..*condition })
-                .collect();
-            match compare(pool, replaced[0], replaced[1], &conditions) {
+            let put_in = (solution.part, *value);
+            let mut agreement = self.where_defined(pool, put_in, &conditions);
+            if matches!(agreement, Agreement::Undecided(_))
+                && let Some(by_limits) = self.by_limits(pool, put_in, &conditions)
+            {
+                agreement = by_limits;
+            }
+            match agreement {
                 Agreement::Agrees => {}
                 Agreement::Differs(mut witness) => {
                     let value = simplified(pool, *value);
@@ -157,10 +173,58 @@ impl Choice {
     }
 }
 
-/// The expressions with a value in the place of a part.
-fn replace(pool: &mut Pool, expressions: &[Expr], part: Expr, value: Expr) -> Vec<Expr> {
-    let node = pool.node(part).clone();
-    pool.replace_all(expressions, |found, _| (*found == node).then_some(value))
+impl Choice {
+    /// Whether the branches agree with a value in the place of a part, if they are defined there as they are written:
+    /// 0·(1/0) is not, although it is 0 once the value is put in.
+    fn where_defined(&self, pool: &mut Pool, put_in: (Expr, Expr), conditions: &[Condition]) -> Agreement {
+        let branches = [self.then, self.otherwise];
+        let (values, mut known) = replaced(pool, put_in, &branches, conditions);
+        let domain = pool.domain(&branches);
+        let (_, domain) = replaced(pool, put_in, &[], &domain);
+        if is_excluded(pool, &domain, &known) {
+            return Agreement::Undecided("a branch is not defined there".into());
+        }
+        known.extend(domain);
+        compare(pool, values[0], values[1], &known)
+    }
+
+    /// The same by limits: the branch that applies on the seam has a value there, the other tends to it.
+    fn by_limits(
+        &self,
+        pool: &mut Pool,
+        (part, value): (Expr, Expr),
+        conditions: &[Condition],
+    ) -> Option<Agreement> {
+        let Node::Symbol(variable) = *pool.node(part) else { return None };
+        let branches = [self.then, self.otherwise];
+        let is_piecewise = |part: &Expr| matches!(pool.node(*part), Node::Select { .. });
+        if pool.reachable(&branches).iter().any(is_piecewise) {
+            return None;
+        }
+        let then_applies = self.condition.relation.admits(Ordering::Equal);
+        let (own, other) =
+            if then_applies { (self.then, self.otherwise) } else { (self.otherwise, self.then) };
+        let (values, known) = replaced(pool, (part, value), &[own], conditions);
+        let domain = pool.domain(&[own]);
+        let (_, domain) = replaced(pool, (part, value), &[], &domain);
+        if !follow(pool, &domain, &known) {
+            return None;
+        }
+        let limit = limit(pool, other, (variable, value), &known)?;
+        let (then, otherwise) = if then_applies { (values[0], limit) } else { (limit, values[0]) };
+        Some(compare(pool, then, otherwise, &known))
+    }
+}
+
+/// Whether some of these conditions fail wherever the others hold, and there is such a place.
+fn is_excluded(pool: &mut Pool, conditions: &[Condition], known: &[Condition]) -> bool {
+    let open: Vec<Condition> =
+        conditions.iter().filter(|condition| condition.decided(pool) != Some(true)).copied().collect();
+    if open.is_empty() {
+        return false;
+    }
+    let all: Vec<Condition> = known.iter().chain(&open).copied().collect();
+    contradiction(pool, &all).is_some() && contradiction(pool, known).is_none()
 }
 
 /// Whether two expressions agree wherever the conditions hold, piece by piece.

@@ -1,18 +1,24 @@
-//! Translation validation: the optimised program, raised to an expression again, is proved equal to the formula.
+//! Translation validation: the optimised program, raised to an expression again, is proved equal to the formula, and so is
+//! the form behind `by`.
 //!
 //! The equation is decided like any other statement, on the kernel's domain and wherever both sides are defined.
 
-use super::opaque::opaque;
+use super::boundary::{replaced, sheets};
+use super::opaque::{Choices, are_equal, opaque};
 use super::pieces::{MOST_PIECES, pieces};
 use crate::decide::{Effort, Equations, Finding, Witness};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Condition, Expr, Pool};
 use crate::kernel::Program;
 use crate::resolve::Kernel;
+use crate::syntax::ast::Relation;
 use std::fmt;
 
 /// A kernel is generated inside the compiler of whoever uses it: less is spent on it than on a statement.
 const EFFORT: Effort = Effort { work: 2_000_000, candidates: 100, points: 12 };
+
+/// A form behind `by` is a claim of its author like a statement.
+const FORM: Effort = Effort { work: 20_000_000, candidates: 300, points: 20 };
 
 /// What is known of the agreement of a program with its formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -85,23 +91,50 @@ pub(super) fn validate(pool: &mut Pool, kernel: &Kernel, program: &Program) -> T
     let domain: Vec<(Expr, Expr)> = raised.domain.iter().flat_map(sides).zip(written).collect();
     let outputs: Vec<(Expr, Expr)> =
         raised.outputs.iter().copied().zip(kernel.outputs.iter().copied()).collect();
-    equality(pool, &domain, &[]).and(equality(pool, &outputs, &kernel.domain))
+    equality(pool, &domain, &[], EFFORT).and(equality(pool, &outputs, &kernel.domain, EFFORT))
 }
 
-/// Whether the sides of each pair are equal under the conditions: without a look inside functions, which is enough for
-/// most programs and costs little, or else with one.
-fn equality(pool: &mut Pool, pairs: &[(Expr, Expr)], conditions: &[Condition]) -> Translation {
+/// What is to be said where the form behind `by` is not proved equal to the formula on the kernel's domain.
+pub(super) fn of_form(pool: &mut Pool, kernel: &Kernel) -> Option<Diagnostic> {
+    let pairs: Vec<(Expr, Expr)> =
+        kernel.computed.iter().copied().zip(kernel.outputs.iter().copied()).collect();
+    let name = &kernel.name;
+    let message = match equality(pool, &pairs, &kernel.domain, FORM) {
+        Translation::Proved => return None,
+        Translation::Refuted(witness) => {
+            format!("the form that `{name}` is computed by differs from its formula\n{witness}")
+        }
+        Translation::Unknown { reason, .. } => {
+            format!("whether the form that `{name}` is computed by equals its formula is undecided: {reason}")
+        }
+    };
+    let help = "what stands behind `by` has to be equal to the formula wherever both are defined";
+    Some(Diagnostic::new(kernel.span, message).with_help(help))
+}
+
+/// Whether the sides of each pair are equal under the conditions: without a look inside choices, or at least inside
+/// functions, which is enough for most programs and costs little, or else with one.
+fn equality(
+    pool: &mut Pool,
+    pairs: &[(Expr, Expr)],
+    conditions: &[Condition],
+    effort: Effort,
+) -> Translation {
     let different: Vec<Expr> =
         pairs.iter().filter(|(raised, written)| raised != written).flat_map(|&(a, b)| [a, b]).collect();
-    let opaque = opaque(pool, &different);
-    if opaque.chunks_exact(2).all(|pair| pair[0] == pair[1]) || by_pieces(pool, &opaque, &[]).is_proved() {
+    let closed = opaque(pool, &different, Choices::Opaque);
+    if closed.chunks_exact(2).all(|pair| are_equal(pool, &pair[..1], &pair[1..])) {
         return Translation::Proved;
     }
-    by_pieces(pool, &different, conditions)
+    let opaque = opaque(pool, &different, Choices::Kept);
+    if by_pieces(pool, &opaque, &[], effort).is_proved() {
+        return Translation::Proved;
+    }
+    by_pieces(pool, &different, conditions, effort)
 }
 
 /// Whether each expression in an even place equals the one behind it under the conditions, piece by piece.
-fn by_pieces(pool: &mut Pool, different: &[Expr], conditions: &[Condition]) -> Translation {
+fn by_pieces(pool: &mut Pool, different: &[Expr], conditions: &[Condition], effort: Effort) -> Translation {
     let mut expressions = different.to_vec();
     expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
     let Some(pieces) = pieces(pool, &expressions, is_same_choice) else {
@@ -119,10 +152,11 @@ fn by_pieces(pool: &mut Pool, different: &[Expr], conditions: &[Condition]) -> T
             .map(|(condition, side)| Condition { left: side[0], right: side[1], ..*condition })
             .collect();
         assumed.extend(piece.path);
-        match (Equations { sides: &sides, conditions: &assumed }).decide(pool, EFFORT) {
+        match (Equations { sides: &sides, conditions: &assumed }).decide(pool, effort) {
             Finding::Equal { points } => seen += points,
             Finding::Empty(reason) => nowhere = format!("it is defined nowhere: {reason}"),
             Finding::Different(witness) => return Translation::Refuted(witness),
+            Finding::Unknown { points: 0, .. } if agree_on_boundary(pool, &sides, &assumed, effort) => {}
             Finding::Unknown { reason, points } => {
                 seen += points;
                 together = together.and(Translation::Unknown { reason, points });
@@ -133,6 +167,38 @@ fn by_pieces(pool: &mut Pool, different: &[Expr], conditions: &[Condition]) -> T
         Translation::Proved if seen == 0 => Translation::Unknown { reason: nowhere, points: 0 },
         known => known,
     }
+}
+
+/// Whether the sides of each pair agree where conditions hold among which a ≤ b and a ≥ b are: with the solution of a = b
+/// put in, they are equal wherever both are defined, or nowhere defined.
+fn agree_on_boundary(
+    pool: &mut Pool,
+    sides: &[(Expr, Expr)],
+    conditions: &[Condition],
+    effort: Effort,
+) -> bool {
+    let opposite = |a: &Condition, b: &Condition| {
+        let same = (a.left, a.right) == (b.left, b.right);
+        let relations = if same { (a.relation, b.relation) } else { (a.relation, b.relation.mirrored()) };
+        (same || (a.left, a.right) == (b.right, b.left))
+            && relations == (Relation::LessEqual, Relation::GreaterEqual)
+    };
+    let found = conditions.iter().find(|a| conditions.iter().any(|b| opposite(a, b)));
+    let Some(boundary) = found.copied() else { return false };
+    sheets(pool, &boundary).iter().all(|sheet| {
+        let solutions = sheet.solutions(pool, conditions);
+        solutions.iter().filter(|solution| solution.is_complete).any(|solution| {
+            solution.values.iter().all(|(value, more)| {
+                let known: Vec<Condition> =
+                    conditions.iter().chain(&sheet.conditions).chain(more).copied().collect();
+                let pairs: Vec<Expr> = sides.iter().flat_map(|&(a, b)| [a, b]).collect();
+                let (pairs, known) = replaced(pool, (solution.part, *value), &pairs, &known);
+                let sides: Vec<(Expr, Expr)> = pairs.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect();
+                let finding = Equations { sides: &sides, conditions: &known }.decide(pool, effort);
+                matches!(finding, Finding::Equal { .. } | Finding::Empty(_))
+            })
+        })
+    })
 }
 
 /// Whether two choices are one: the same relation, and the differences of their sides proved equal.
@@ -225,7 +291,7 @@ mod tests {
         let pairs = [(other.outputs[0], kernel.outputs[0])];
         let x = [(kernel.arguments[0], theory.pool.symbol(other.arguments[0]))].into_iter().collect();
         let pairs = pairs.map(|(a, b)| (a, theory.pool.substitute(b, &x)));
-        let found = equality(&mut theory.pool, &pairs, &other.domain);
+        let found = equality(&mut theory.pool, &pairs, &other.domain, EFFORT);
         assert!(matches!(found, Translation::Unknown { points: 1.., .. }), "{found:?}");
         assert!(found.to_string().starts_with("Not proved equal to its formula, only compared"), "{found}");
     }

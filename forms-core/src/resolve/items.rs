@@ -77,6 +77,8 @@ impl Resolver {
             ItemKind::Metric { name, chart, value } => self.metric(name, chart.as_ref(), value),
             ItemKind::Statement { .. } => self.statement(item),
             ItemKind::Kernel { .. } => self.kernel(item),
+            ItemKind::Gradient { .. } => self.gradient(item),
+            ItemKind::Warp(warp) => self.warp(item, warp),
         };
         if let Err(error) = result {
             self.errors.push(error);
@@ -136,7 +138,7 @@ impl Resolver {
     }
 
     /// A coordinate of that name: the known one, or a new one with its differential.
-    fn coordinate(&mut self, name: &Name) -> Evaluated<Coordinate> {
+    pub(super) fn coordinate(&mut self, name: &Name) -> Evaluated<Coordinate> {
         if let Some(Named::Coordinate(known)) = self.theory.named(&name.text) {
             return Ok(*known);
         }

@@ -3,8 +3,9 @@
 use super::evaluation::Evaluated;
 use super::items::Resolver;
 use super::theory::{Map, Named};
+use crate::calculus::Coordinate;
 use crate::diagnostic::Diagnostic;
-use crate::expression::Expr;
+use crate::expression::{Expr, Symbol};
 use crate::syntax::ast::{self, Name};
 
 impl Resolver {
@@ -23,15 +24,21 @@ impl Resolver {
             let name = name.text.clone();
             Ok(Map { name, source, target, components: values, domain: vec![], used: vec![] })
         })?;
-        self.check_map(&map, name, components)?;
+        self.check_map(&map, name, components, &[])?;
         (map.domain, map.used) = (domain, used);
         self.theory.maps.push(map);
         self.theory.names.set(name, Named::Map(self.theory.maps.len() - 1));
         Ok(())
     }
 
-    /// One component a target coordinate, each a function of the source's coordinates.
-    fn check_map(&mut self, map: &Map, name: &Name, components: &[ast::Expr]) -> Evaluated<()> {
+    /// One component a target coordinate, each a function of the source's coordinates and of these parameters.
+    pub(super) fn check_map(
+        &mut self,
+        map: &Map,
+        name: &Name,
+        components: &[ast::Expr],
+        parameters: &[Symbol],
+    ) -> Evaluated<()> {
         let (source, target) = (self.theory.charts[map.source].clone(), &self.theory.charts[map.target]);
         if components.len() != target.coordinates.len() {
             let names: Vec<&str> =
@@ -50,7 +57,9 @@ impl Resolver {
         for (value, written) in map.components.iter().zip(components) {
             let (foreign, _, _) = self.evaluate(|evaluator| {
                 let found = evaluator.theory.coordinates_in(&[*value]);
-                Ok(found.into_iter().find(|c| !source.coordinates.contains(c)))
+                let is_parameter =
+                    |c: &Coordinate| parameters.contains(&evaluator.theory.coordinates[c.0 as usize]);
+                Ok(found.into_iter().find(|c| !source.coordinates.contains(c) && !is_parameter(c)))
             })?;
             if let Some(foreign) = foreign {
                 let foreign = self.theory.coordinate_name(foreign);

@@ -1,13 +1,12 @@
-//! Statements and kernels: what is claimed and what is generated.
+//! Statements: what is claimed, and which kernels it is of use to.
 
-use super::evaluation::{Evaluated, Evaluator};
+use super::evaluation::Evaluated;
 use super::items::Resolver;
-use super::names::describe;
-use super::theory::{Kernel, KernelUnits, Named, Statement};
+use super::theory::{Named, Statement};
 use super::value::Value;
 use crate::diagnostic::Diagnostic;
-use crate::expression::{Condition, Expr, Node, Symbol, SymbolKind};
-use crate::syntax::ast::{self, Claim, Declared, Item, ItemKind};
+use crate::expression::{Condition, Symbol, SymbolKind};
+use crate::syntax::ast::{Claim, Item, ItemKind};
 use std::collections::BTreeSet;
 
 impl Resolver {
@@ -95,145 +94,6 @@ impl Resolver {
                 .map(|statement| statement.name.clone())
                 .collect();
         }
-    }
-
-    pub(super) fn kernel(&mut self, item: &Item) -> Evaluated<()> {
-        let ItemKind::Kernel { name, arguments, outputs, conditions, .. } = &item.kind else { return Ok(()) };
-        self.theory.names.declare(name, Named::Poisoned)?;
-        let mut locals = Vec::new();
-        let result = self.kernel_arguments(arguments, &mut locals).and_then(|symbols| {
-            let ((values, mentioned), _, _) = self.evaluate(|evaluator| {
-                let values: Vec<Expr> = outputs
-                    .iter()
-                    .map(|output| evaluator.kernel_output(output, &symbols))
-                    .collect::<Evaluated<_>>()?;
-                Ok((values, evaluator.scope.mentioned().clone()))
-            })?;
-            let domain = self.kernel_domain(conditions, &symbols)?;
-            Ok((symbols, values, mentioned, domain))
-        });
-        for local in locals {
-            self.theory.names.remove(&local);
-        }
-        let (arguments, outputs, mentioned, domain) = result?;
-        let formula = self.theory.pool.texts(&outputs);
-        self.theory.kernels.push(Kernel {
-            name: name.text.clone(),
-            docs: item.docs.clone(),
-            public: item.public,
-            span: item.span,
-            arguments,
-            outputs,
-            domain,
-            formula,
-            units: KernelUnits::default(),
-            statements: Vec::new(),
-            mentioned,
-        });
-        self.theory.names.set(name, Named::Kernel(self.theory.kernels.len() - 1));
-        Ok(())
-    }
-
-    fn kernel_arguments(
-        &mut self,
-        arguments: &[Declared],
-        locals: &mut Vec<String>,
-    ) -> Evaluated<Vec<Symbol>> {
-        let mut symbols = Vec::new();
-        for Declared { name, .. } in arguments {
-            let symbol = match self.theory.named(&name.text) {
-                Some(Named::Coordinate(coordinate)) => self.theory.coordinates[coordinate.0 as usize],
-                Some(Named::Parameter(symbol)) => *symbol,
-                Some(other) => {
-                    let message = format!("`{}` is {} and no argument", name.text, describe(other));
-                    return Err(Diagnostic::new(name.span, message)
-                        .with_help("an argument is a coordinate, a param or a new name"));
-                }
-                None => {
-                    let symbol = self.theory.pool.declare_symbol(&name.text, SymbolKind::Local);
-                    self.theory.names.declare(name, Named::Parameter(symbol))?;
-                    locals.push(name.text.clone());
-                    symbol
-                }
-            };
-            if symbols.contains(&symbol) {
-                return Err(Diagnostic::new(name.span, "this argument occurs twice"));
-            }
-            symbols.push(symbol);
-        }
-        Ok(symbols)
-    }
-
-    fn kernel_domain(
-        &mut self,
-        conditions: &[ast::Condition],
-        arguments: &[Symbol],
-    ) -> Evaluated<Vec<Condition>> {
-        let (domain, _, _) = self.evaluate(|evaluator| {
-            let mut domain = Vec::new();
-            for condition in conditions {
-                let single = evaluator.conditions(condition)?;
-                let sides: Vec<Expr> = single.iter().flat_map(|c| [c.left, c.right]).collect();
-                evaluator.check_free(&sides, arguments, condition.span)?;
-                domain.extend(single);
-            }
-            Ok(domain)
-        })?;
-        Ok(domain)
-    }
-}
-
-impl Evaluator<'_> {
-    fn kernel_output(&mut self, output: &ast::Expr, arguments: &[Symbol]) -> Evaluated<Expr> {
-        let value = match self.value(output)? {
-            Value::Form(form) => {
-                return Err(Diagnostic::new(
-                    output.span,
-                    format!("a kernel computes scalars, and this is a {}-form", form.degree()),
-                )
-                .with_help("take a coefficient, as in `pullback(F, w)[du^dv]`"));
-            }
-            Value::Field(_) => {
-                return Err(Diagnostic::new(
-                    output.span,
-                    "a kernel computes scalars, and this is a vector field",
-                )
-                .with_help("take a component, as in `X[x]`"));
-            }
-            Value::Zero => self.zero(),
-            Value::Scalar(value) => value,
-        };
-        self.check_free(&[value], arguments, output.span)?;
-        Ok(value)
-    }
-
-    /// That expressions depend on a kernel's arguments and nothing else.
-    fn check_free(
-        &self,
-        values: &[Expr],
-        arguments: &[Symbol],
-        span: crate::diagnostic::Span,
-    ) -> Evaluated<()> {
-        let pool = &self.theory.pool;
-        if let Some(free) = pool.symbols_in(values).into_iter().find(|symbol| !arguments.contains(symbol)) {
-            return Err(Diagnostic::new(
-                span,
-                format!("`{}` is not an argument of the kernel", pool.symbol_name(free)),
-            )
-            .with_help(format!("add `{}` to the kernel's arguments", pool.symbol_name(free))));
-        }
-        for node in pool.reachable(values) {
-            if let Node::Jet { function, .. } = pool.node(node) {
-                return Err(Diagnostic::new(
-                    span,
-                    format!(
-                        "`{}` is an unknown function, which a kernel cannot compute",
-                        pool.function(*function).name
-                    ),
-                ));
-            }
-        }
-        Ok(())
     }
 }
 

@@ -3,7 +3,7 @@
 use super::value::Value;
 use crate::calculus::{Blade, Coordinate, Form, Metric};
 use crate::diagnostic::Span;
-use crate::expression::{Condition, Expr, Pool, Symbol};
+use crate::expression::{Condition, Expr, Pool, Rational, Symbol};
 use crate::syntax::ast::Claim;
 use std::collections::BTreeSet;
 
@@ -118,8 +118,12 @@ pub struct Kernel {
     pub arguments: Vec<Symbol>,
     /// What it computes.
     pub outputs: Vec<Expr>,
+    /// What it is computed by, an equal form of each output; empty where that is the formula itself.
+    pub computed: Vec<Expr>,
     /// Its stated domain; outside, the value is NaN.
     pub domain: Vec<Condition>,
+    /// How far its `f64` value may be from the exact one, in units of 2⁻⁵³ of that; none where nothing is promised.
+    pub within: Option<Rational>,
     /// The formula as it was written.
     pub formula: Vec<String>,
     /// The units of its arguments and outputs, as far as they are known.
@@ -130,6 +134,13 @@ pub struct Kernel {
     pub(super) mentioned: BTreeSet<String>,
 }
 
+impl Kernel {
+    /// Whether it says itself how it is computed: by a form of its own, or to within a bound.
+    pub fn has_form(&self) -> bool {
+        !self.computed.is_empty() || self.within.is_some()
+    }
+}
+
 /// The units of a kernel's arguments and outputs in the language's notation; none where nothing states them. Both lists
 /// are empty in a file that states no unit.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -138,6 +149,19 @@ pub struct KernelUnits {
     pub arguments: Vec<Option<String>>,
     /// One for each output.
     pub outputs: Vec<Option<String>>,
+}
+
+/// A map from uniform numbers with the density of its values; its map, statements and kernels stand among the others.
+#[derive(Clone, Debug)]
+pub struct Warp {
+    /// Its name, which is that of the map.
+    pub name: String,
+    /// How many uniform numbers it takes: the last arguments of its kernel `NAME_sample`.
+    pub uniforms: usize,
+    /// Whether the map reverses the orientation: its density pulls back to −du ∧ dv.
+    pub reverses: bool,
+    /// Whether an inverse is given, so that there is a kernel `NAME_inverse`.
+    pub has_inverse: bool,
 }
 
 /// What a name of the file stands for.
@@ -184,6 +208,8 @@ pub struct Theory {
     pub statements: Vec<Statement>,
     /// The kernels in order.
     pub kernels: Vec<Kernel>,
+    /// The warps in order.
+    pub warps: Vec<Warp>,
     /// The integrals over one range in the order in which they were found.
     pub(crate) integrations: Vec<Integration>,
     pub(super) names: super::names::Names,

@@ -73,9 +73,44 @@ pub enum ItemKind {
         units: Vec<Expr>,
         /// One expression, or several for `(a, b, …)`.
         outputs: Vec<Expr>,
+        /// What stands behind `by`: an equal form to compute by, or nothing.
+        computed: Vec<Expr>,
         conditions: Vec<Condition>,
+        /// What stands behind `within`.
+        within: Option<Expr>,
         effects: Vec<Effect>,
     },
+    /// `kernel g = grad(f; u, v);`
+    Gradient { name: Name, of: Name, by: Vec<Name> },
+    /// `warp name(p; u, v) = (x, y, z) onto C density E of w inverse (…) where …;`
+    Warp(Box<Warp>),
+}
+
+/// A map from the unit square, or from the unit interval, with the density of the points it takes uniform ones to.
+#[derive(Clone, Debug)]
+pub struct Warp {
+    /// Its name, which is that of the map too.
+    pub name: Name,
+    /// What the map depends on beside the uniform numbers.
+    pub parameters: Vec<Declared>,
+    /// The uniform numbers, each between 0 and 1.
+    pub uniforms: Vec<Declared>,
+    /// One scalar for each coordinate of the target.
+    pub components: Vec<Expr>,
+    /// The chart it goes to.
+    pub target: Name,
+    /// The density, as a function of the target's coordinates …
+    pub density: Expr,
+    /// … with respect to this form.
+    pub form: Expr,
+    /// The uniform numbers as functions of the target's coordinates, or nothing.
+    pub inverse: Vec<Expr>,
+    /// The forms that the components are computed by, or nothing.
+    pub computed: Vec<Expr>,
+    /// Where it is defined.
+    pub conditions: Vec<Condition>,
+    /// What stands behind `within`, of all its kernels.
+    pub within: Option<Expr>,
 }
 
 /// What a statement claims of its equation.

@@ -8,6 +8,7 @@
 //! The parser knows tokens only, so a `.forms` file and a macro body mean the same.
 
 pub mod ast;
+mod claims;
 mod lexer;
 mod number;
 mod parser;

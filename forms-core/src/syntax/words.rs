@@ -16,10 +16,10 @@ pub enum Word {
 
 /// The words that begin an item.
 pub const ITEMS: &[&str] =
-    &["chart", "param", "fn", "let", "form", "field", "map", "metric", "prove", "refute", "kernel"];
+    &["chart", "param", "fn", "let", "form", "field", "map", "metric", "prove", "refute", "kernel", "warp"];
 
 /// The words that stand inside items.
-const INSIDE: &[&str] = &["pub", "where", "on", "if", "else", "jump", "effects", "warp"];
+const INSIDE: &[&str] = &["pub", "where", "on", "if", "else", "jump", "effects"];
 
 /// The functions of the language, and its constant.
 pub const FUNCTIONS: &[&str] = &[

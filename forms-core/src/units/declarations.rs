@@ -6,7 +6,7 @@ use super::quantity::Quantity;
 use super::reading;
 use super::unit::Unit;
 use crate::diagnostic::{Diagnostic, Span};
-use crate::resolve::{KernelUnits, Named};
+use crate::resolve::Named;
 use crate::syntax::ast::{Condition, Declared, Effect, Expr, Item, ItemKind, Name};
 
 impl Inference<'_> {
@@ -34,9 +34,9 @@ impl Inference<'_> {
             ItemKind::Statement { name, left, right, conditions, .. } => {
                 self.statement(item.span, name, (left, right), conditions);
             }
-            ItemKind::Kernel { name, arguments, units, outputs, conditions, effects } => {
-                self.kernel(item.span, name, (arguments, units), outputs, (conditions, effects));
-            }
+            ItemKind::Kernel { .. } => self.kernel(&item.kind),
+            ItemKind::Gradient { name, of, by } => self.gradient(name, of, by),
+            ItemKind::Warp(warp) => self.warp(item, warp),
         }
     }
 
@@ -58,7 +58,7 @@ impl Inference<'_> {
         }
     }
 
-    fn conditions(&mut self, conditions: &[Condition]) {
+    pub(super) fn conditions(&mut self, conditions: &[Condition]) {
         conditions.iter().for_each(|condition| self.condition(condition));
     }
 
@@ -75,7 +75,7 @@ impl Inference<'_> {
     }
 
     /// A coordinate, param or argument. One that was declared before keeps its unit.
-    fn variable(&mut self, Declared { name, unit }: &Declared) {
+    pub(super) fn variable(&mut self, Declared { name, unit }: &Declared) {
         let stated = self.stated(unit.as_ref());
         let place = unit.as_ref().map_or(name.span, |unit| unit.span);
         match self.names.get(&name.text) {
@@ -101,7 +101,7 @@ impl Inference<'_> {
     }
 
     /// A value with the unit it is declared in, if it is; `subject` is what has the value.
-    fn declared_value(&mut self, subject: &str, unit: Option<&Expr>, value: &Expr) -> Quantity {
+    pub(super) fn declared_value(&mut self, subject: &str, unit: Option<&Expr>, value: &Expr) -> Quantity {
         let declared = self.stated(unit);
         let quantity = self.quantity(value);
         let Quantity::Stated(wanted) = &declared else { return quantity };
@@ -121,7 +121,7 @@ impl Inference<'_> {
     }
 
     /// Each component is in the unit of the coordinate it is the value of.
-    fn map(&mut self, target: &Name, components: &[Expr]) {
+    pub(super) fn map(&mut self, target: &Name, components: &[Expr]) {
         let theory = self.theory;
         let coordinates = match theory.named(&target.text) {
             Some(Named::Chart(number)) => theory.charts[*number].coordinates.as_slice(),
@@ -137,52 +137,8 @@ impl Inference<'_> {
         }
     }
 
-    /// A kernel; the names of its arguments are its own where nothing else declares them.
-    fn kernel(
-        &mut self,
-        span: Span,
-        name: &Name,
-        (arguments, units): (&[Declared], &[Expr]),
-        outputs: &[Expr],
-        (conditions, effects): (&[Condition], &[Effect]),
-    ) {
-        let outside = self.names.clone();
-        arguments.iter().for_each(|argument| self.variable(argument));
-        if !units.is_empty() && units.len() != outputs.len() {
-            let place = units.iter().fold(units[0].span, |all, unit| all.to(unit.span));
-            let count =
-                |number: usize, noun: &str| format!("{number} {noun}{}", if number == 1 { "" } else { "s" });
-            let message = format!(
-                "`{}` has {} and {}",
-                name.text,
-                count(outputs.len(), "result"),
-                count(units.len(), "unit")
-            );
-            self.errors.push(Diagnostic::new(place, message));
-        }
-        let subject = |place: usize| match outputs.len() {
-            1 => format!("the result of `{}`", name.text),
-            _ => format!("result {} of `{}`", place + 1, name.text),
-        };
-        let results: Vec<Quantity> = outputs
-            .iter()
-            .enumerate()
-            .map(|(place, output)| self.declared_value(&subject(place), units.get(place), output))
-            .collect();
-        self.conditions(conditions);
-        effects.iter().for_each(|effect| self.effect(effect));
-        let written = |quantity: &Quantity| quantity.unit().map(|unit| unit.to_string());
-        let known = |argument: &Declared| self.names.get(&argument.name.text).and_then(written);
-        let units = KernelUnits {
-            arguments: arguments.iter().map(known).collect(),
-            outputs: results.iter().map(written).collect(),
-        };
-        self.kernels.push((span, units));
-        self.names = outside;
-    }
-
     /// `absorption: sigma_a = 0`
-    fn effect(&mut self, effect: &Effect) {
+    pub(super) fn effect(&mut self, effect: &Effect) {
         let variable = self.names.get(&effect.variable.text).cloned().unwrap_or(Quantity::Unstated);
         let value = self.quantity(&effect.value);
         let message = format!("the effect `{}` compares unlike units", effect.name.text);

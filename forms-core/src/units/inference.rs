@@ -14,6 +14,13 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 use rustc_hash::FxHashMap;
 
+/// The arguments of a kernel by name, and its outputs.
+#[derive(Clone)]
+pub(super) struct Signature {
+    pub(super) arguments: Vec<(String, Quantity)>,
+    pub(super) outputs: Vec<Quantity>,
+}
+
 /// Infers units against what is declared so far.
 pub(super) struct Inference<'a> {
     pub(super) theory: &'a Theory,
@@ -23,7 +30,9 @@ pub(super) struct Inference<'a> {
     /// The arguments of each unknown function.
     pub(super) arguments: FxHashMap<String, Vec<String>>,
     pub(super) errors: Vec<Diagnostic>,
-    pub(super) kernels: Vec<(Span, KernelUnits)>,
+    pub(super) kernels: Vec<(String, KernelUnits)>,
+    /// What is known of the arguments and outputs of each kernel.
+    pub(super) signatures: FxHashMap<String, Signature>,
     pub(super) meaningless: Vec<Span>,
 }
 
@@ -36,6 +45,7 @@ impl<'a> Inference<'a> {
             arguments: FxHashMap::default(),
             errors: Vec::new(),
             kernels: Vec::new(),
+            signatures: FxHashMap::default(),
             meaningless: Vec::new(),
         }
     }

@@ -12,6 +12,7 @@ mod agreement;
 mod calls;
 mod declarations;
 mod inference;
+mod kernels;
 mod metric;
 mod quantity;
 mod reading;
@@ -33,6 +34,7 @@ pub(crate) fn are_stated(file: &File) -> bool {
             unit.is_some()
         }
         ItemKind::Kernel { arguments, units, .. } => any(arguments) || !units.is_empty(),
+        ItemKind::Warp(warp) => any(&warp.parameters) || any(&warp.uniforms),
         _ => false,
     })
 }
@@ -42,8 +44,8 @@ struct Inferred {
     errors: Vec<Diagnostic>,
     /// The units of named values, by their numbers.
     objects: Vec<(usize, String)>,
-    /// The units of kernels, by their places.
-    kernels: Vec<(Span, KernelUnits)>,
+    /// The units of kernels, by their names.
+    kernels: Vec<(String, KernelUnits)>,
     /// The statements with unlike units in them, by their places: there is nothing to decide about them.
     meaningless: Vec<Span>,
 }
@@ -59,8 +61,8 @@ pub(crate) fn check(file: &File, theory: &mut Theory, trace: &Trace) -> Vec<Diag
     for (number, unit) in objects {
         theory.objects[number].unit = Some(unit);
     }
-    for (span, units) in kernels {
-        if let Some(kernel) = theory.kernels.iter_mut().find(|kernel| kernel.span == span) {
+    for (name, units) in kernels {
+        if let Some(kernel) = theory.kernels.iter_mut().find(|kernel| kernel.name == name) {
             kernel.units = units;
         }
     }

@@ -162,18 +162,46 @@ impl Brackets {
                 let (left, right) = (self.expr(left), self.expr(right));
                 format!("{claim} {}: {left} == {right}{}", name.text, self.conditions(conditions))
             }
-            ItemKind::Kernel { name, arguments, units, outputs, conditions, effects } => {
+            ItemKind::Kernel { name, arguments, units, outputs, computed, conditions, within, effects } => {
+                let by = self.behind("by", computed);
+                let within =
+                    within.as_ref().map_or(String::new(), |within| format!(" within {}", self.expr(within)));
                 let arguments = self.declared(arguments);
                 let (values, effects) = (self.values(outputs), self.effects(effects));
                 let units =
                     if units.is_empty() { String::new() } else { format!(": {}", self.values(units)) };
                 format!(
-                    "kernel {}({arguments}){units} = {values}{}{effects}",
+                    "kernel {}({arguments}){units} = {values}{by}{}{within}{effects}",
                     name.text,
                     self.conditions(conditions)
                 )
             }
+            ItemKind::Gradient { name, of, by } => {
+                let by = joined(by, |variable| variable.text.clone());
+                format!("kernel {} = grad({}; {by})", name.text, of.text)
+            }
+            ItemKind::Warp(warp) => self.warp(warp),
         }
+    }
+
+    fn warp(self, warp: &Warp) -> String {
+        format!(
+            "warp {}({}; {}) = {} onto {} density {} of {}{}{}",
+            warp.name.text,
+            self.declared(&warp.parameters),
+            self.declared(&warp.uniforms),
+            self.values(&warp.components),
+            warp.target.text,
+            self.expr(&warp.density),
+            self.expr(&warp.form),
+            self.behind("inverse", &warp.inverse),
+            self.conditions(&warp.conditions)
+        )
+    }
+
+    /// A word and values, or nothing where there are none.
+    fn behind(self, word: &str, values: &[Expr]) -> String {
+        if values.is_empty() { String::new() } else { format!(" {word} {}", self.values(values)) }
     }
 
     fn values(self, values: &[Expr]) -> String {

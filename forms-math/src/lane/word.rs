@@ -57,6 +57,8 @@ pub(crate) trait Word:
     fn unshifted(self) -> Self;
     /// 2^k of an integer k in the range of exponents of normal numbers.
     fn power_of_two(self) -> Self;
+    /// 2^k of such an integer, from the sum that `shifted` gives.
+    fn power_of_two_of_shifted(self) -> Self;
     /// (k, m) with x = m 2^k and √½ ≤ m < √2, of a positive normal number.
     fn split(self) -> (Self, Self);
     /// `odd` where the shifted integer is odd, `even` where it is even.
@@ -156,7 +158,11 @@ macro_rules! word {
             }
             #[inline(always)]
             fn power_of_two(self) -> Self {
-                let exponent = self.shifted().0.to_bits() << ($precision - 1);
+                self.shifted().power_of_two_of_shifted()
+            }
+            #[inline(always)]
+            fn power_of_two_of_shifted(self) -> Self {
+                let exponent = self.0.to_bits() << ($precision - 1);
                 Self($raw::from_bits(exponent.wrapping_add((1.0 as $raw).to_bits())))
             }
             #[inline(always)]

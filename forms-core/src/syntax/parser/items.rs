@@ -37,8 +37,10 @@ impl Parser<'_> {
         let start = self.span();
         let public = self.eat_word("pub");
         let kind = self.item_kind()?;
-        if public && !matches!(kind, ItemKind::Kernel { .. }) {
-            self.report(Diagnostic::new(start, "only a `kernel` can be `pub`").with_help("remove `pub`"));
+        if public && !matches!(kind, ItemKind::Kernel { .. } | ItemKind::Gradient { .. } | ItemKind::Warp(_))
+        {
+            let message = "only a `kernel` or a `warp` can be `pub`";
+            self.report(Diagnostic::new(start, message).with_help("remove `pub`"));
         }
         self.end_item()?;
         Ok(Item { docs, public, span: self.since(start), kind })
@@ -61,6 +63,7 @@ impl Parser<'_> {
             "prove" => |parser: &mut Self| parser.statement(Claim::Prove),
             "refute" => |parser: &mut Self| parser.statement(Claim::Refute),
             "kernel" => Self::kernel,
+            "warp" => Self::warp,
             _ => return Err(self.no_item()),
         };
         self.position += 1;
@@ -73,7 +76,7 @@ impl Parser<'_> {
             None => "a `///` comment stands before an item; write `//` for other comments",
             _ => {
                 "an item begins with `chart`, `param`, `fn`, `let`, `form`, `field`, `map`, `metric`, `prove`, \
-                 `refute` or `kernel`"
+                 `refute`, `kernel` or `warp`"
             }
         };
         self.unexpected("an item", Some(help))
@@ -278,7 +281,7 @@ impl Parser<'_> {
     }
 
     /// `x` or `x: m`
-    fn declared(&mut self, role: &str) -> Parsed<Declared> {
+    pub(super) fn declared(&mut self, role: &str) -> Parsed<Declared> {
         let name = self.quantity(role)?;
         let unit = self.unit()?;
         Ok(Declared { name, unit })

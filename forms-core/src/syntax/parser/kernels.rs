@@ -1,19 +1,25 @@
 //! Kernels, and the bodies that may have several values.
 //!
 //! ```text
-//! kernel  = "kernel" name "(" { declared } ")" [ ":" values ] "=" values { where | effects }
+//! kernel  = "kernel" name "(" { declared } ")" [ ":" values ] "=" values { "by" values | where | "within" sum | effects }
+//!         | "kernel" name "=" "grad" "(" name ";" name "," … ")"
+//! warp    = "warp" name "(" [ { declared } ";" ] { declared } ")" "=" values "onto" name
+//!           "density" sum "of" sum { "inverse" values | "by" values | where | "within" sum }
 //! values  = "(" sum "," … ")" | sum
 //! effects = "effects" "{" name ":" name "=" sum { ";" … } "}"
 //! ```
 
 use super::cursor::{Parsed, Parser};
 use crate::diagnostic::Diagnostic;
-use crate::syntax::ast::{Effect, Expr, ItemKind};
+use crate::syntax::ast::{Declared, Effect, Expr, ItemKind, Name, Warp};
 use crate::syntax::token::{Symbol, TokenKind};
 
 impl Parser<'_> {
     pub(super) fn kernel(&mut self) -> Parsed<ItemKind> {
         let name = self.name("the kernel's name")?;
+        if self.at(Symbol::Assign) && self.peek_at(1) == Some(&TokenKind::Name("grad".to_owned())) {
+            return self.gradient(name);
+        }
         let arguments = self.declared_list("an argument")?;
         let mut units = Vec::new();
         if self.at_annotation() {
@@ -22,11 +28,17 @@ impl Parser<'_> {
         }
         self.assign()?;
         let outputs = self.values()?;
-        let mut conditions = Vec::new();
-        let mut effects = Vec::new();
+        let (mut computed, mut conditions) = (Vec::new(), Vec::new());
+        let (mut within, mut effects) = (None, Vec::new());
         loop {
             let place = self.span();
-            let repeated = if self.eat_word("where") {
+            let repeated = if self.eat_word("by") {
+                let repeated = !computed.is_empty();
+                computed = self.values()?;
+                repeated.then_some("`by`")
+            } else if self.eat_word("within") {
+                within.replace(self.expression()?).map(|_| "`within`")
+            } else if self.eat_word("where") {
                 let repeated = !conditions.is_empty();
                 self.more_conditions(&mut conditions)?;
                 repeated.then_some("`where`")
@@ -35,12 +47,113 @@ impl Parser<'_> {
                 self.effects(&mut effects)?;
                 repeated.then_some("`effects`")
             } else {
-                return Ok(ItemKind::Kernel { name, arguments, units, outputs, conditions, effects });
+                return Ok(ItemKind::Kernel {
+                    name,
+                    arguments,
+                    units,
+                    outputs,
+                    computed,
+                    conditions,
+                    within,
+                    effects,
+                });
             };
             if let Some(word) = repeated {
                 self.report(Diagnostic::new(place, format!("a kernel has one {word}")));
             }
         }
+    }
+
+    /// `= grad(f; u, v)`
+    fn gradient(&mut self, name: Name) -> Parsed<ItemKind> {
+        self.assign()?;
+        self.eat_word("grad");
+        let open = self.expect(Symbol::OpenParen)?;
+        let of = self.name("the kernel to differentiate")?;
+        self.expect(Symbol::Semicolon)?;
+        let mut by = vec![self.name("an argument of the kernel")?];
+        while self.eat(Symbol::Comma).is_some() {
+            by.push(self.name("an argument of the kernel")?);
+        }
+        self.close(open, Symbol::CloseParen, "`,` or `)`")?;
+        Ok(ItemKind::Gradient { name, of, by })
+    }
+
+    /// `name(p; u, v) = (x, y, z) onto C density E of w inverse (…) by (…) where … within N`
+    pub(super) fn warp(&mut self) -> Parsed<ItemKind> {
+        let name = self.name("the warp's name")?;
+        let (parameters, uniforms) = self.warp_arguments()?;
+        self.assign()?;
+        let components = self.values()?;
+        self.expect_word("onto", "a warp says which chart it goes to: `onto Sphere`")?;
+        let target = self.name("the chart the warp goes to")?;
+        self.expect_word("density", "a warp says what density it has: `density z/pi of omega`")?;
+        let density = self.expression()?;
+        self.expect_word("of", "a density is one with respect to a form: `density z/pi of omega`")?;
+        let form = self.expression()?;
+        let (mut inverse, mut computed, mut conditions) = (Vec::new(), Vec::new(), Vec::new());
+        let mut within = None;
+        loop {
+            let place = self.span();
+            let repeated = if self.eat_word("inverse") {
+                let repeated = !inverse.is_empty();
+                inverse = self.values()?;
+                repeated.then_some("`inverse`")
+            } else if self.eat_word("by") {
+                let repeated = !computed.is_empty();
+                computed = self.values()?;
+                repeated.then_some("`by`")
+            } else if self.eat_word("within") {
+                within.replace(self.expression()?).map(|_| "`within`")
+            } else if self.eat_word("where") {
+                let repeated = !conditions.is_empty();
+                self.more_conditions(&mut conditions)?;
+                repeated.then_some("`where`")
+            } else {
+                let warp = Warp {
+                    name,
+                    parameters,
+                    uniforms,
+                    components,
+                    target,
+                    density,
+                    form,
+                    inverse,
+                    computed,
+                    conditions,
+                    within,
+                };
+                return Ok(ItemKind::Warp(Box::new(warp)));
+            };
+            if let Some(word) = repeated {
+                self.report(Diagnostic::new(place, format!("a warp has one {word}")));
+            }
+        }
+    }
+
+    /// `(p, q; u, v)`: what the map depends on, then the uniform numbers; without `;` there is nothing before it.
+    fn warp_arguments(&mut self) -> Parsed<(Vec<Declared>, Vec<Declared>)> {
+        let open = self.expect(Symbol::OpenParen)?;
+        let (mut before, mut list) = (None, Vec::new());
+        while !self.at(Symbol::CloseParen) {
+            if before.is_none() && self.eat(Symbol::Semicolon).is_some() {
+                before = Some(std::mem::take(&mut list));
+                continue;
+            }
+            list.push(self.declared("an argument")?);
+            if self.eat(Symbol::Comma).is_none() && !self.at(Symbol::Semicolon) {
+                break;
+            }
+        }
+        self.close(open, Symbol::CloseParen, "`,`, `;` or `)`")?;
+        Ok((before.unwrap_or_default(), list))
+    }
+
+    fn expect_word(&mut self, word: &str, help: &str) -> Parsed<()> {
+        if self.eat_word(word) {
+            return Ok(());
+        }
+        Err(self.unexpected(&format!("`{word}`"), Some(help)))
     }
 
     /// One value, or several in round brackets.

@@ -1,0 +1,229 @@
+//! Kernels: what is generated, and derivatives of what is generated before.
+
+use super::evaluation::{Evaluated, Evaluator};
+use super::items::Resolver;
+use super::names::describe;
+use super::theory::{Kernel, KernelUnits, Named};
+use super::value::Value;
+use crate::diagnostic::{Diagnostic, Span};
+use crate::expression::{Condition, Expr, Node, Rational, Symbol, SymbolKind};
+use crate::syntax::ast::{self, Declared, Item, ItemKind, Name};
+use num_traits::Signed;
+
+impl Resolver {
+    pub(super) fn kernel(&mut self, item: &Item) -> Evaluated<()> {
+        let ItemKind::Kernel { name, arguments, outputs, computed, conditions, within, .. } = &item.kind
+        else {
+            return Ok(());
+        };
+        self.theory.names.declare(name, Named::Poisoned)?;
+        let mut locals = Vec::new();
+        let result = self.kernel_arguments(arguments, &mut locals).and_then(|symbols| {
+            let ((values, mentioned), _, _) = self.evaluate(|evaluator| {
+                let values = evaluator.kernel_outputs(outputs, &symbols)?;
+                Ok((values, evaluator.scope.mentioned().clone()))
+            })?;
+            let (computed, _, _) = self.evaluate(|evaluator| evaluator.kernel_outputs(computed, &symbols))?;
+            check_count(&values, &computed, name, item.span)?;
+            let domain = self.kernel_domain(conditions, &symbols)?;
+            let within = within.as_ref().map(|within| self.positive_number(within)).transpose()?;
+            Ok((symbols, (values, computed), (mentioned, domain, within)))
+        });
+        self.forget(locals);
+        let (arguments, (outputs, computed), (mentioned, domain, within)) = result?;
+        let formula = self.theory.pool.texts(&outputs);
+        self.theory.kernels.push(Kernel {
+            name: name.text.clone(),
+            docs: item.docs.clone(),
+            public: item.public,
+            span: item.span,
+            arguments,
+            outputs,
+            computed,
+            domain,
+            within,
+            formula,
+            units: KernelUnits::default(),
+            statements: Vec::new(),
+            mentioned,
+        });
+        self.theory.names.set(name, Named::Kernel(self.theory.kernels.len() - 1));
+        Ok(())
+    }
+
+    /// `kernel g = grad(f; u, v);`: for each output of f its partial derivatives, on the domain of f; a form behind `by`
+    /// is differentiated too, unless it has pieces.
+    pub(super) fn gradient(&mut self, item: &Item) -> Evaluated<()> {
+        let ItemKind::Gradient { name, of, by } = &item.kind else { return Ok(()) };
+        self.theory.names.declare(name, Named::Poisoned)?;
+        let kernel = match self.theory.named(&of.text) {
+            Some(Named::Kernel(number)) => self.theory.kernels[*number].clone(),
+            Some(Named::Poisoned) => return Err(Diagnostic::new(of.span, super::evaluation::POISONED)),
+            Some(other) => {
+                let message = format!("expected a kernel, but `{}` is {}", of.text, describe(other));
+                return Err(Diagnostic::new(of.span, message));
+            }
+            None => return Err(self.theory.names.unknown(&of.text, of.span)),
+        };
+        let pool = &mut self.theory.pool;
+        let mut variables = Vec::new();
+        for variable in by {
+            let argument = kernel.arguments.iter().find(|&&symbol| pool.symbol_name(symbol) == variable.text);
+            let message = || format!("`{}` is not an argument of `{}`", variable.text, of.text);
+            variables.push(*argument.ok_or_else(|| Diagnostic::new(variable.span, message()))?);
+        }
+        let mut derivatives = |values: &[Expr]| -> Vec<Expr> {
+            let pairs = values.iter().flat_map(|&value| variables.iter().map(move |&by| (value, by)));
+            pairs.map(|(value, by)| pool.derivative(value, by)).collect()
+        };
+        let (outputs, mut computed) = (derivatives(&kernel.outputs), derivatives(&kernel.computed));
+        // at a point of its own a piece says nothing of the derivative there
+        let is_piecewise = |part: &Expr| matches!(pool.node(*part), Node::Select { .. });
+        if pool.reachable(&computed).iter().any(is_piecewise) {
+            computed.clear();
+        }
+        let formula = self.theory.pool.texts(&outputs);
+        let (name_text, docs) = (name.text.clone(), item.docs.clone());
+        let of_this = Kernel { name: name_text, docs, public: item.public, span: item.span, ..kernel };
+        self.theory.kernels.push(Kernel {
+            outputs,
+            computed,
+            within: None,
+            formula,
+            units: KernelUnits::default(),
+            statements: Vec::new(),
+            ..of_this
+        });
+        self.theory.names.set(name, Named::Kernel(self.theory.kernels.len() - 1));
+        Ok(())
+    }
+
+    /// Gives back the names that were local to an item.
+    pub(super) fn forget(&mut self, locals: Vec<String>) {
+        locals.iter().for_each(|local| self.theory.names.remove(local));
+    }
+
+    /// The number behind `within`.
+    pub(super) fn positive_number(&mut self, within: &ast::Expr) -> Evaluated<Rational> {
+        let (value, _, _) = self.evaluate(|evaluator| evaluator.scalar(within))?;
+        match self.theory.pool.as_number(value).filter(|number| number.is_positive()) {
+            Some(number) => Ok(number.clone()),
+            None => Err(Diagnostic::new(within.span, "expected a positive rational number")
+                .with_help("`within 1` allows an error of 2**-53 of the value")),
+        }
+    }
+
+    pub(super) fn kernel_arguments(
+        &mut self,
+        arguments: &[Declared],
+        locals: &mut Vec<String>,
+    ) -> Evaluated<Vec<Symbol>> {
+        let mut symbols = Vec::new();
+        for Declared { name, .. } in arguments {
+            let symbol = match self.theory.named(&name.text) {
+                Some(Named::Coordinate(coordinate)) => self.theory.coordinates[coordinate.0 as usize],
+                Some(Named::Parameter(symbol)) => *symbol,
+                Some(other) => {
+                    let message = format!("`{}` is {} and no argument", name.text, describe(other));
+                    return Err(Diagnostic::new(name.span, message)
+                        .with_help("an argument is a coordinate, a param or a new name"));
+                }
+                None => {
+                    let symbol = self.theory.pool.declare_symbol(&name.text, SymbolKind::Local);
+                    self.theory.names.declare(name, Named::Parameter(symbol))?;
+                    locals.push(name.text.clone());
+                    symbol
+                }
+            };
+            if symbols.contains(&symbol) {
+                return Err(Diagnostic::new(name.span, "this argument occurs twice"));
+            }
+            symbols.push(symbol);
+        }
+        Ok(symbols)
+    }
+
+    pub(super) fn kernel_domain(
+        &mut self,
+        conditions: &[ast::Condition],
+        arguments: &[Symbol],
+    ) -> Evaluated<Vec<Condition>> {
+        let (domain, _, _) = self.evaluate(|evaluator| {
+            let mut domain = Vec::new();
+            for condition in conditions {
+                let single = evaluator.conditions(condition)?;
+                let sides: Vec<Expr> = single.iter().flat_map(|c| [c.left, c.right]).collect();
+                evaluator.check_free(&sides, arguments, condition.span)?;
+                domain.extend(single);
+            }
+            Ok(domain)
+        })?;
+        Ok(domain)
+    }
+}
+
+impl Evaluator<'_> {
+    pub(super) fn kernel_outputs(
+        &mut self,
+        outputs: &[ast::Expr],
+        arguments: &[Symbol],
+    ) -> Evaluated<Vec<Expr>> {
+        outputs.iter().map(|output| self.kernel_output(output, arguments)).collect()
+    }
+
+    fn kernel_output(&mut self, output: &ast::Expr, arguments: &[Symbol]) -> Evaluated<Expr> {
+        let value = match self.value(output)? {
+            Value::Form(form) => {
+                return Err(Diagnostic::new(
+                    output.span,
+                    format!("a kernel computes scalars, and this is a {}-form", form.degree()),
+                )
+                .with_help("take a coefficient, as in `pullback(F, w)[du^dv]`"));
+            }
+            Value::Field(_) => {
+                return Err(Diagnostic::new(
+                    output.span,
+                    "a kernel computes scalars, and this is a vector field",
+                )
+                .with_help("take a component, as in `X[x]`"));
+            }
+            Value::Zero => self.zero(),
+            Value::Scalar(value) => value,
+        };
+        self.check_free(&[value], arguments, output.span)?;
+        Ok(value)
+    }
+
+    /// That expressions depend on a kernel's arguments and nothing else.
+    fn check_free(&self, values: &[Expr], arguments: &[Symbol], span: Span) -> Evaluated<()> {
+        let pool = &self.theory.pool;
+        if let Some(free) = pool.symbols_in(values).into_iter().find(|symbol| !arguments.contains(symbol)) {
+            return Err(Diagnostic::new(
+                span,
+                format!("`{}` is not an argument of the kernel", pool.symbol_name(free)),
+            )
+            .with_help(format!("add `{}` to the kernel's arguments", pool.symbol_name(free))));
+        }
+        for node in pool.reachable(values) {
+            if let Node::Jet { function, .. } = pool.node(node) {
+                return Err(Diagnostic::new(
+                    span,
+                    format!(
+                        "`{}` is an unknown function, which a kernel cannot compute",
+                        pool.function(*function).name
+                    ),
+                ));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// That the form behind `by` has as many outputs as the formula.
+pub(super) fn check_count(outputs: &[Expr], computed: &[Expr], name: &Name, span: Span) -> Evaluated<()> {
+    if computed.is_empty() || computed.len() == outputs.len() {
+        return Ok(());
+    }
+    let (wanted, found) = (outputs.len(), computed.len());
+    Err(Diagnostic::new(span, format!("`{}` has {wanted} outputs, and {found} behind `by`", name.text)))
+}

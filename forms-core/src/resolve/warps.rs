@@ -1,0 +1,298 @@
+//! Warps: a map from uniform numbers and the density of its values, as a map, statements and kernels.
+//!
+//! ```text
+//! warp w(p; u, v) = (x, y, z) onto C density E of F inverse (a, b)
+//!   ├─ map w                        the components, on 0 < u < 1, 0 < v < 1
+//!   ├─ prove w_density, w_inverse   pullback(w, E*F) == ±du^dv; pullback(w, a) == u, pullback(w, b) == v
+//!   └─ kernels w_sample(p, u, v), w_pdf(p, x, y, z), w_inverse(p, x, y, z)
+//! ```
+//! `by` gives an equal form of the components, which `w_sample` is computed by; `within` is said of each kernel. The density
+//! vanishes outside the chart, which no uniform numbers are taken to.
+//!
+//! Which of the two orientations is claimed is chosen by a value at a point; that the claim holds is proved like any other.
+
+use super::evaluation::Evaluated;
+use super::items::Resolver;
+use super::kernels::check_count;
+use super::theory::{Chart, Kernel, KernelUnits, Map, Named, Warp};
+use super::value::Value;
+use crate::calculus::{Blade, Coordinate};
+use crate::diagnostic::Diagnostic;
+use crate::enclosure::{Enclosure, Precision, Undecided, enclose};
+use crate::expression::{Condition, Expr, Pool, Rational, Seam, Symbol};
+use crate::random::SplitMix;
+use crate::syntax::ast::{self, Declared, Item, Name, Relation};
+use rustc_hash::FxHashMap;
+use std::collections::BTreeSet;
+
+/// Points tried for the orientation of a map.
+const MOST_POINTS: usize = 200;
+
+/// Their precision, and the parts of the interval they are chosen from.
+const PRECISION: Precision = Precision(80);
+const PARTS: u64 = 997;
+
+/// The variables of a warp while it is resolved.
+struct Variables {
+    parameters: Vec<Symbol>,
+    uniforms: Vec<Coordinate>,
+    /// The variables of the target's coordinates.
+    target: Vec<Symbol>,
+}
+
+impl Resolver {
+    pub(super) fn warp(&mut self, item: &Item, warp: &ast::Warp) -> Evaluated<()> {
+        let mut locals = Vec::new();
+        let result = self.warp_with_locals(item, warp, &mut locals);
+        self.forget(locals);
+        result
+    }
+
+    fn warp_with_locals(&mut self, item: &Item, warp: &ast::Warp, locals: &mut Vec<String>) -> Evaluated<()> {
+        self.theory.names.declare(&warp.name, Named::Poisoned)?;
+        let (target, _, _) = self.evaluate(|evaluator| evaluator.chart(&warp.target))?;
+        let parameters = self.kernel_arguments(&warp.parameters, locals)?;
+        let uniforms = self.uniforms(&warp.uniforms, locals)?;
+        if uniforms.is_empty() {
+            return Err(Diagnostic::new(warp.name.span, "a warp has at least one uniform number")
+                .with_help("they stand behind the `;`: `warp disk(radius; u, v) = …`"));
+        }
+        let coordinates = self.theory.charts[target].coordinates.clone();
+        let symbol =
+            |resolver: &Self, coordinate: &Coordinate| resolver.theory.coordinates[coordinate.0 as usize];
+        let target_symbols: Vec<Symbol> = coordinates.iter().map(|c| symbol(self, c)).collect();
+        let variables = Variables { parameters, uniforms, target: target_symbols };
+        if variables.target.iter().any(|symbol| variables.parameters.contains(symbol)) {
+            let message = "a coordinate of the chart a warp goes to is no parameter of it";
+            return Err(Diagnostic::new(warp.name.span, message));
+        }
+        self.map_of_warp(warp, target, &variables)?;
+        self.claims_of_warp(item, warp, &variables)?;
+        self.kernels_of_warp(item, warp, target, &variables)
+    }
+
+    /// Coordinates for the uniform numbers: known ones, or new ones that are local to the warp.
+    fn uniforms(&mut self, declared: &[Declared], locals: &mut Vec<String>) -> Evaluated<Vec<Coordinate>> {
+        let mut uniforms = Vec::new();
+        for Declared { name, .. } in declared {
+            let is_new = self.theory.named(&name.text).is_none();
+            let coordinate = self.coordinate(name)?;
+            if is_new {
+                locals.extend([name.text.clone(), format!("d{}", name.text)]);
+            }
+            if uniforms.contains(&coordinate) {
+                return Err(Diagnostic::new(name.span, "this argument occurs twice"));
+            }
+            uniforms.push(coordinate);
+        }
+        Ok(uniforms)
+    }
+
+    /// The chart of the uniform numbers: one that has them in this order, or a new one without a name in the file.
+    fn square(&mut self, name: &Name, uniforms: &[Coordinate]) -> usize {
+        let charts = &mut self.theory.charts;
+        if let Some(known) = charts.iter().position(|chart| chart.coordinates == uniforms) {
+            return known;
+        }
+        charts.push(Chart {
+            name: name.text.clone(),
+            coordinates: uniforms.to_vec(),
+            conditions: Vec::new(),
+        });
+        charts.len() - 1
+    }
+
+    fn map_of_warp(&mut self, warp: &ast::Warp, target: usize, variables: &Variables) -> Evaluated<()> {
+        let source = self.square(&warp.name, &variables.uniforms);
+        let (components, mut domain, used) = self.evaluate(|evaluator| {
+            warp.components.iter().map(|component| evaluator.scalar(component)).collect::<Evaluated<Vec<_>>>()
+        })?;
+        domain.extend(self.conditions(&warp.all_conditions())?);
+        let name = warp.name.text.clone();
+        let map = Map { name, source, target, components, domain, used };
+        self.check_map(&map, &warp.name, &warp.components, &variables.parameters)?;
+        self.theory.maps.push(map);
+        self.theory.names.set(&warp.name, Named::Map(self.theory.maps.len() - 1));
+        Ok(())
+    }
+
+    fn claims_of_warp(&mut self, item: &Item, warp: &ast::Warp, variables: &Variables) -> Evaluated<()> {
+        if !warp.inverse.is_empty() && warp.inverse.len() != variables.uniforms.len() {
+            let (wanted, found) = (variables.uniforms.len(), warp.inverse.len());
+            let message =
+                format!("the inverse has {wanted} values, one for each uniform number, found {found}");
+            return Err(Diagnostic::new(warp.name.span, message));
+        }
+        let reverses = self.reverses(warp, &variables.uniforms)?;
+        for claim in warp.claims(item, reverses) {
+            self.statement(&claim)?;
+        }
+        self.theory.warps.push(Warp {
+            name: warp.name.text.clone(),
+            uniforms: variables.uniforms.len(),
+            reverses,
+            has_inverse: !warp.inverse.is_empty(),
+        });
+        Ok(())
+    }
+
+    /// Whether the pulled back density is negative at the first point found that meets every condition.
+    fn reverses(&mut self, warp: &ast::Warp, uniforms: &[Coordinate]) -> Evaluated<bool> {
+        let left = warp.density_on_the_square();
+        let (value, domain, _) = self.evaluate(|evaluator| evaluator.value(&left))?;
+        let Value::Form(form) = value else { return Ok(false) };
+        let mut blade = (Blade::SCALAR, 1);
+        for &uniform in uniforms {
+            blade = match blade.0.wedge(Blade::of(uniform)) {
+                Some((wedge, sign)) => (wedge, sign * blade.1),
+                None => return Ok(false),
+            };
+        }
+        let Some(&coefficient) = form.coefficient(blade.0) else { return Ok(false) };
+        let sampled: Vec<Symbol> =
+            uniforms.iter().map(|uniform| self.theory.coordinates[uniform.0 as usize]).collect();
+        let coefficient = if blade.1 < 0 { self.theory.pool.negate(coefficient) } else { coefficient };
+        Ok(is_negative(&self.theory.pool, coefficient, &domain, &sampled))
+    }
+
+    fn kernels_of_warp(
+        &mut self,
+        item: &Item,
+        warp: &ast::Warp,
+        target: usize,
+        variables: &Variables,
+    ) -> Evaluated<()> {
+        let map = self.theory.maps.last().map(|map| map.components.clone()).unwrap_or_default();
+        let uniforms: Vec<Symbol> =
+            variables.uniforms.iter().map(|uniform| self.theory.coordinates[uniform.0 as usize]).collect();
+        let with_parameters = |others: &[Symbol]| [&variables.parameters, others].concat();
+        let stated = self.conditions(&warp.conditions)?;
+        let mut on_the_square = self.closed_square(&uniforms);
+        on_the_square.extend(&stated);
+        let of_the_target = self.theory.charts[target].conditions.clone();
+        let on_the_target: Vec<Condition> = of_the_target.iter().chain(&stated).copied().collect();
+
+        let arguments = with_parameters(&uniforms);
+        let (computed, _, _) =
+            self.evaluate(|evaluator| evaluator.kernel_outputs(&warp.computed, &arguments))?;
+        check_count(&map, &computed, &warp.name, item.span)?;
+        let docs = "The point that the warp takes uniform numbers to.";
+        self.kernel_of_warp(item, warp, ("sample", docs), (arguments, map, computed), &on_the_square)?;
+
+        let arguments = with_parameters(&variables.target);
+        let density = std::slice::from_ref(&warp.density);
+        let (mut outputs, _, _) = self.evaluate(|evaluator| evaluator.kernel_outputs(density, &arguments))?;
+        for output in &mut outputs {
+            *output = self.zero_outside(&of_the_target, *output);
+        }
+        let docs = "The density of the points that the warp takes uniform numbers to, zero elsewhere.";
+        self.kernel_of_warp(item, warp, ("pdf", docs), (arguments.clone(), outputs, Vec::new()), &stated)?;
+
+        if warp.inverse.is_empty() {
+            return Ok(());
+        }
+        let (outputs, _, _) =
+            self.evaluate(|evaluator| evaluator.kernel_outputs(&warp.inverse, &arguments))?;
+        let docs = "The uniform numbers that the warp takes to a point.";
+        self.kernel_of_warp(item, warp, ("inverse", docs), (arguments, outputs, Vec::new()), &on_the_target)
+    }
+
+    /// The value where the conditions hold, and zero elsewhere.
+    fn zero_outside(&mut self, conditions: &[Condition], value: Expr) -> Expr {
+        let pool = &mut self.theory.pool;
+        let zero = pool.integer(0);
+        conditions.iter().rev().fold(value, |value, condition| {
+            let relation = (condition.left, condition.relation, condition.right);
+            pool.select(relation, value, zero, Seam::Jumps)
+        })
+    }
+
+    /// 0 ≤ u ≤ 1 for each uniform number
+    fn closed_square(&mut self, uniforms: &[Symbol]) -> Vec<Condition> {
+        let pool = &mut self.theory.pool;
+        let (zero, one) = (pool.integer(0), pool.integer(1));
+        let mut conditions = Vec::new();
+        for &uniform in uniforms {
+            let left = pool.symbol(uniform);
+            conditions.push(Condition { left, relation: Relation::GreaterEqual, right: zero });
+            conditions.push(Condition { left, relation: Relation::LessEqual, right: one });
+        }
+        conditions
+    }
+
+    /// The kernel `NAME_part`, on those of the conditions that speak of its arguments alone.
+    fn kernel_of_warp(
+        &mut self,
+        item: &Item,
+        warp: &ast::Warp,
+        (part, sentence): (&str, &str),
+        (arguments, outputs, computed): (Vec<Symbol>, Vec<Expr>, Vec<Expr>),
+        conditions: &[Condition],
+    ) -> Evaluated<()> {
+        let within = warp.within.as_ref().map(|within| self.positive_number(within)).transpose()?;
+        let name = warp.part(part);
+        self.theory.names.declare(&name, Named::Kernel(self.theory.kernels.len()))?;
+        let pool = &self.theory.pool;
+        let speaks_of_them = |condition: &&Condition| {
+            let symbols = pool.symbols_in(&[condition.left, condition.right]);
+            symbols.iter().all(|symbol| arguments.contains(symbol))
+        };
+        let domain: Vec<Condition> = conditions.iter().filter(speaks_of_them).copied().collect();
+        let mut docs = item.docs.clone();
+        if !docs.is_empty() {
+            docs.push(String::new());
+        }
+        docs.push(sentence.to_owned());
+        let formula = pool.texts(&outputs);
+        self.theory.kernels.push(Kernel {
+            name: name.text,
+            docs,
+            public: item.public,
+            span: item.span,
+            arguments,
+            outputs,
+            computed,
+            domain,
+            within,
+            formula,
+            units: KernelUnits::default(),
+            statements: Vec::new(),
+            mentioned: BTreeSet::from([warp.name.text.clone()]),
+        });
+        Ok(())
+    }
+}
+
+/// Whether an expression is negative at the first point found that meets the conditions and tells its sign.
+fn is_negative(pool: &Pool, expression: Expr, conditions: &[Condition], uniforms: &[Symbol]) -> bool {
+    let mut expressions = vec![expression];
+    expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
+    let symbols = pool.symbols_in(&expressions);
+    let mut random = SplitMix(1);
+    let mut signs = (0..MOST_POINTS).filter_map(|_| {
+        let point: FxHashMap<Symbol, Enclosure> = symbols
+            .iter()
+            .map(|&symbol| {
+                let unit = Rational::new((random.next() % PARTS).into(), PARTS.into());
+                let four = Rational::from_integer(4.into());
+                let value = if uniforms.contains(&symbol) {
+                    unit
+                } else {
+                    unit * four - Rational::from_integer(2.into())
+                };
+                (symbol, Enclosure::exact(&value, PRECISION))
+            })
+            .collect();
+        let of = |symbol: Symbol| point.get(&symbol).cloned();
+        let values = enclose(pool, &expressions, &of, &mut |_, _, _| None, PRECISION);
+        let [value, sides @ ..] = values.as_slice() else { return None };
+        let holds = |(condition, side): (&Condition, &[Result<Enclosure, Undecided>])| match side {
+            [Ok(left), Ok(right)] => left.decide(condition.relation, right) == Some(true),
+            _ => false,
+        };
+        let inside = conditions.iter().zip(sides.chunks_exact(2)).all(holds);
+        let value = value.as_ref().ok().filter(|value| inside && !value.contains_zero())?;
+        Some(value.is_negative())
+    });
+    signs.next().unwrap_or(false)
+}

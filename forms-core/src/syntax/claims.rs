@@ -1,0 +1,116 @@
+//! What a warp claims, written out as statements: its density is that of the map, and its inverse undoes it.
+
+use super::ast::{Argument, Binary, Claim, Condition, Expr, ExprKind, Item, ItemKind, Name, Relation, Warp};
+use crate::diagnostic::Span;
+use num_rational::BigRational;
+
+impl Warp {
+    /// `NAME_density: pullback(NAME, density*form) == du^dv`, or `-du^dv` for a map that reverses the orientation; and
+    /// `NAME_inverse` if there is an inverse.
+    pub fn claims(&self, item: &Item, reverses: bool) -> Vec<Item> {
+        let mut claims = vec![self.density_claim(item, reverses)];
+        claims.extend(self.inverse_claim(item));
+        claims
+    }
+
+    /// `pullback(NAME, density*form)`
+    pub(crate) fn density_on_the_square(&self) -> Expr {
+        let span = self.density.span.to(self.form.span);
+        let product = binary(Binary::Multiply, self.density.clone(), self.form.clone(), span);
+        self.pulled_back(product)
+    }
+
+    fn density_claim(&self, item: &Item, reverses: bool) -> Item {
+        let differential = |uniform: &Name| name(&format!("d{}", uniform.text), uniform.span);
+        let area = self.sum_of(Binary::Wedge, differential);
+        let right = if reverses {
+            let span = area.span;
+            Expr { kind: Box::new(ExprKind::Negate(area)), span }
+        } else {
+            area
+        };
+        let docs = format!(
+            "The density of `{}` is that of its map, which {} the orientation.",
+            self.name.text,
+            if reverses { "reverses" } else { "keeps" }
+        );
+        self.statement(item, "density", docs, self.density_on_the_square(), right)
+    }
+
+    /// `pullback(NAME, a)*@u + pullback(NAME, b)*@v == u*@u + v*@v`, one equation for each uniform number
+    fn inverse_claim(&self, item: &Item) -> Option<Item> {
+        if self.inverse.is_empty() {
+            return None;
+        }
+        let along = |value: Expr, uniform: &Name| {
+            let basis = Expr { kind: Box::new(ExprKind::Basis(uniform.clone())), span: uniform.span };
+            let span = value.span;
+            binary(Binary::Multiply, value, basis, span)
+        };
+        let mut values = self.inverse.iter();
+        let left = self.sum_of(Binary::Add, |uniform| {
+            let value = values.next().cloned().unwrap_or_else(|| name(&uniform.text, uniform.span));
+            along(self.pulled_back(value), uniform)
+        });
+        let right = self.sum_of(Binary::Add, |uniform| along(name(&uniform.text, uniform.span), uniform));
+        let docs = format!("The inverse of `{}` gives the uniform numbers back.", self.name.text);
+        Some(self.statement(item, "inverse", docs, left, right))
+    }
+
+    /// Where the uniform numbers are, `0 < u < 1` each, and what the warp itself says.
+    pub(crate) fn all_conditions(&self) -> Vec<Condition> {
+        let inside = self.uniforms.iter().map(|uniform| {
+            let span = uniform.name.span;
+            let variable = name(&uniform.name.text, span);
+            let rest = vec![(Relation::Less, variable), (Relation::Less, number(1, span))];
+            Condition { first: number(0, span), rest, span }
+        });
+        inside.chain(self.conditions.iter().cloned()).collect()
+    }
+
+    fn statement(&self, item: &Item, part: &str, docs: String, left: Expr, right: Expr) -> Item {
+        let name = self.part(part);
+        let conditions = self.all_conditions();
+        let kind = ItemKind::Statement { claim: Claim::Prove, name, left, right, conditions };
+        Item { docs: vec![docs], public: false, span: item.span, kind }
+    }
+
+    /// `NAME_part`
+    pub(crate) fn part(&self, part: &str) -> Name {
+        Name { text: format!("{}_{part}", self.name.text), span: self.name.span }
+    }
+
+    fn pulled_back(&self, value: Expr) -> Expr {
+        let span = value.span;
+        let map = Argument::Value(name(&self.name.text, self.name.span));
+        let function = Name { text: "pullback".to_owned(), span: self.name.span };
+        let arguments = vec![map, Argument::Value(value)];
+        Expr {
+            kind: Box::new(ExprKind::Call { function, index: None, arguments }),
+            span: self.name.span.to(span),
+        }
+    }
+
+    /// What stands for each uniform number, joined by an operator.
+    fn sum_of(&self, operator: Binary, mut part: impl FnMut(&Name) -> Expr) -> Expr {
+        let mut parts =
+            self.uniforms.iter().map(|uniform| part(&uniform.name)).collect::<Vec<_>>().into_iter();
+        let first = parts.next().unwrap_or_else(|| number(1, self.name.span));
+        parts.fold(first, |all, next| {
+            let span = all.span.to(next.span);
+            binary(operator, all, next, span)
+        })
+    }
+}
+
+fn name(text: &str, span: Span) -> Expr {
+    Expr { kind: Box::new(ExprKind::Name(text.to_owned())), span }
+}
+
+fn number(value: i64, span: Span) -> Expr {
+    Expr { kind: Box::new(ExprKind::Number(BigRational::from_integer(value.into()))), span }
+}
+
+fn binary(operator: Binary, left: Expr, right: Expr, span: Span) -> Expr {
+    Expr { kind: Box::new(ExprKind::Binary(operator, span, left, right)), span }
+}
