@@ -1,7 +1,9 @@
-//! Batches: each function in lanes of every set of instructions beside the function of one number, and the pullback of the
-//! solid-angle form by a bilinear patch beside an expert's loops. The throughput is in values.
+//! Batches: each function in lanes of every set of instructions beside the function of one number, and within an accuracy
+//! that lanes bound themselves. The throughput is in values.
 
-use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main, measurement::WallTime};
+use criterion::{
+    BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main, measurement::WallTime,
+};
 use forms_math::{Formula, Instructions, Real, batch_by, batch_f32_by, batch_within_by};
 use std::hint::black_box;
 
@@ -17,7 +19,8 @@ fn function<F: Formula<1, 1>>(criterion: &mut Criterion, name: &str, from: f64, 
     let mut group = criterion.benchmark_group(name);
     group.throughput(Throughput::Elements(COUNT as u64));
     let (x, mut values) = (column(from, to), vec![0.0; COUNT]);
-    let (x_single, mut values_single): (Vec<f32>, _) = (x.iter().map(|&x| x as f32).collect(), vec![0.0; COUNT]);
+    let (x_single, mut values_single): (Vec<f32>, _) =
+        (x.iter().map(|&x| x as f32).collect(), vec![0.0; COUNT]);
     for instructions in Instructions::available() {
         group.bench_function(format!("f64 {}", instructions.name()), |bencher| {
             bencher.iter(|| batch_by::<F, 1, 1>(instructions, [black_box(&x)], [black_box(&mut values)]));
@@ -28,6 +31,10 @@ fn function<F: Formula<1, 1>>(criterion: &mut Criterion, name: &str, from: f64, 
             });
         });
     }
+    group.bench_function("f64 within 8 units", |bencher| {
+        let best = Instructions::best();
+        bencher.iter(|| batch_within_by::<F, 1, 1>(best, [black_box(&x)], [black_box(&mut values)], 8.0));
+    });
     one_number::<F>(&mut group, &x, &mut values);
 }
 
@@ -79,65 +86,5 @@ functions! {
     Rational: |x| x.power(-11, 5), 0.1, 4.0;
 }
 
-/// f(u, v) = p · (p_u × p_v)/|p|³ of p = (1−u)(1−v)a + u(1−v)b + (1−u)v c + uv d.
-struct Patch;
-impl Formula<14, 1> for Patch {
-    #[inline(always)]
-    fn value<T: Real>([u, v, a0, a1, a2, b0, b1, b2, c0, c1, c2, d0, d1, d2]: [T; 14]) -> [T; 1] {
-        let axis = |a: T, b: T, c: T, d: T| {
-            let (ab, cd) = (b - a, d - c);
-            let edge = u.mul_add(ab, a);
-            let across = u.mul_add(cd, c) - edge;
-            (v.mul_add(across, edge), v.mul_add(cd - ab, ab), across)
-        };
-        let (x, xu, xv) = axis(a0, b0, c0, d0);
-        let (y, yu, yv) = axis(a1, b1, c1, d1);
-        let (z, zu, zv) = axis(a2, b2, c2, d2);
-        let flux = x * (yu * zv - zu * yv) + y * (zu * xv - xu * zv) + z * (xu * yv - yu * xv);
-        let square = x * x + y * y + z * z;
-        [flux / (square * square.sqrt())]
-    }
-}
-
-#[cfg(target_arch = "x86_64")]
-#[path = "expert/bilinear.rs"]
-mod expert;
-
-fn bilinear_patch(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("pullback by a bilinear patch");
-    group.throughput(Throughput::Elements(COUNT as u64));
-    let columns: Vec<Vec<f64>> =
-        (0..14).map(|index| column(0.1 * f64::from(index), 1.0 + 0.37 * f64::from(index))).collect();
-    let columns: [&[f64]; 14] = std::array::from_fn(|index| &columns[index][..]);
-    let mut values = vec![0.0; COUNT];
-    for instructions in Instructions::available() {
-        group.bench_function(instructions.name(), |bencher| {
-            bencher.iter(|| batch_by::<Patch, 14, 1>(instructions, black_box(columns), [black_box(&mut values)]));
-        });
-        #[cfg(target_arch = "x86_64")]
-        if let Some(expert) = of_expert(instructions) {
-            group.bench_function(format!("expert {}", instructions.name()), |bencher| {
-                // SAFETY: the processor has the instructions, and all columns are as long as the values.
-                bencher.iter(|| unsafe { expert(black_box(&columns), black_box(&mut values)) });
-            });
-        }
-        group.bench_function(format!("within 1000, {}", instructions.name()), |bencher| {
-            bencher.iter(|| {
-                batch_within_by::<Patch, 14, 1>(instructions, black_box(columns), [black_box(&mut values)], 1000.0)
-            });
-        });
-    }
-}
-
-/// The expert's loop for these instructions.
-#[cfg(target_arch = "x86_64")]
-fn of_expert(instructions: Instructions) -> Option<unsafe fn(&[&[f64]; 14], &mut [f64])> {
-    match instructions.name() {
-        "AVX2" => Some(expert::batch_avx2),
-        "AVX-512" => Some(expert::batch_avx512),
-        _ => None,
-    }
-}
-
-criterion_group!(benches, bilinear_patch, functions);
+criterion_group!(benches, functions);
 criterion_main!(benches);
