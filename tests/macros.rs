@@ -64,6 +64,59 @@ fn a_kernel_is_nan_outside_its_domain() {
 }
 
 #[test]
+fn every_tier_of_a_kernel_has_its_value() {
+    use forms::math::{DoubleDouble, Real};
+    let (u, v) = (0.5_f64, -0.25_f64);
+    let expected = (1.0 + u * u + v * v).powf(-1.5);
+    assert_close(radiometry::density::plain(u, v), expected);
+    assert!((radiometry::density::f32(0.5, -0.25) - expected as f32).abs() < 1e-7);
+    let precise = radiometry::density::dd(DoubleDouble::from_f64(u), DoubleDouble::from_f64(v));
+    assert_close(precise.to_f64(), expected);
+    let mut values = [0.0; 3];
+    radiometry::density::batch(&[0.5, 0.0, 2.0], &[-0.25, 0.0, 1.0], &mut values).expect("equal lengths");
+    for (value, (u, v)) in values.into_iter().zip([(0.5, -0.25), (0.0, 0.0), (2.0, 1.0)]) {
+        assert_close(value, radiometry::density(u, v));
+    }
+    let mut single = [0.0_f32];
+    radiometry::density::batch_f32(&[0.5], &[-0.25], &mut single).expect("equal lengths");
+    assert!((single[0] - expected as f32).abs() < 1e-7);
+    assert!(radiometry::density::batch(&[0.5], &[], &mut [0.0]).is_err());
+    let three = DoubleDouble::from_f64(3.0);
+    assert_eq!((one_third_times_three(three) - DoubleDouble::from_f64(1.0)).to_f64(), 0.0);
+}
+
+/// A tier of a private kernel without arguments, found from outside by its module.
+fn one_third_times_three(three: forms::math::DoubleDouble) -> forms::math::DoubleDouble {
+    forms::kernel! { third() = 1/3; }
+    let mut column = [0.0; 2];
+    third::batch(&mut column).expect("one column has one length");
+    assert_eq!(column, [third(); 2]);
+    third::dd() * three
+}
+
+#[test]
+fn several_outputs_are_several_columns() {
+    let (mut x, mut y, mut z) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+    radiometry::direction::batch(&[3.0, 0.0], &[4.0, 0.0], &[0.0, -2.0], [&mut x, &mut y, &mut z])
+        .expect("equal lengths");
+    for (value, expected) in [x, y, z].concat().into_iter().zip([0.6, 0.0, 0.8, 0.0, 0.0, -1.0]) {
+        assert_close(value, expected);
+    }
+    assert_eq!(radiometry::direction::f32(0.0, 0.0, 5.0), [0.0, 0.0, 1.0]);
+}
+
+#[test]
+fn tiers_are_nan_outside_the_domain_and_choose_by_lanes() {
+    assert!(radiometry::phase::f32(1.0, 0.3).is_nan() && radiometry::phase::plain(-1.5, 0.3).is_nan());
+    let mut values = [0.0; 3];
+    radiometry::phase::batch(&[0.0, 1.0, f64::NAN], &[0.3; 3], &mut values).expect("equal lengths");
+    assert!(values[0] > 0.0 && values[1].is_nan() && values[2].is_nan());
+    let mut ramp = [7.0; 3];
+    radiometry::ramp::batch(&[-1.0, 0.0, 2.5], &mut ramp).expect("equal lengths");
+    assert_eq!(ramp, [0.0, 0.0, 2.5]);
+}
+
+#[test]
 fn one_kernel_may_stand_among_statements() {
     forms::kernel! {
         param n where n > 0;

@@ -28,6 +28,7 @@ pub mod polynomial;
 mod random;
 pub mod resolve;
 pub mod rounding;
+pub mod stability;
 pub mod syntax;
 pub mod topology;
 pub mod units;

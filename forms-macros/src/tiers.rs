@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! written ─ emit_formula ─▶ Plain ──┬─▶ plain
-//! optimised ─ emit_formula ▶ Stable ┴─▶ f32, dd
+//! optimised ─ emit_formula ▶ Stable ┴─▶ f32, dd, batch, batch_f32, batch_parallel
 //! ```
 //! Each function is a thin wrapper that is compiled where it is called and nowhere else. Paths are absolute and
 //! types have no values of their name, so that neither the user's names nor the kernel's arguments get in the way.
@@ -29,7 +29,11 @@ pub(crate) fn module(generated: &Generated) -> Result<TokenStream, proc_macro2::
         quote!(pub enum Stable {} #stable)
     };
     let tiers = Tiers::of(program);
-    let functions = [tiers.plain(), tiers.f32(), tiers.dd()];
+    let mut functions = vec![tiers.plain(), tiers.f32(), tiers.dd()];
+    functions.extend([tiers.batch("batch", "f64"), tiers.batch("batch_f32", "f32")]);
+    if cfg!(feature = "rayon") {
+        functions.push(tiers.batch("batch_parallel", "f64"));
+    }
     let (name, attributes) = (&tiers.name, attributes(program));
     let public = program.is_public().then(|| quote!(pub));
     let about = format!(" `{name}` in every precision.");
@@ -95,6 +99,42 @@ impl Tiers {
         let docs = format!(" `{}` in double-double arithmetic, of about 31 digits.", self.name);
         let number = quote!(::forms::math::DoubleDouble);
         self.scalar(&docs, &format_ident!("dd"), &number, &quote!(Stable))
+    }
+
+    /// A function of columns, by the function of that name in `forms_math`.
+    fn batch(&self, name: &str, number: &str) -> TokenStream {
+        let (arguments, count, outputs) = (&self.arguments, self.arguments.len(), self.outputs);
+        let [function, number] = [name, number].map(|name| format_ident!("{name}"));
+        let several = if name == "batch_parallel" { ", on all processors" } else { "" };
+        let docs = format!(" `{}` of each row of columns of `{number}`s{several}.", self.name);
+        // an argument may have this name
+        let output = format_ident!("{}", self.unused("output"));
+        let (column, columns) = match outputs {
+            1 => (quote!(&mut [#number]), quote!([#output])),
+            _ => (quote!([&mut [#number]; #outputs]), quote!(#output)),
+        };
+        quote! {
+            #[doc = #docs]
+            ///
+            /// # Errors
+            /// Where a column's length is not that of the first.
+            #[inline]
+            pub fn #function(
+                #(#arguments: &[#number],)*
+                #output: #column,
+            ) -> ::core::result::Result<(), ::forms::math::LengthMismatch> {
+                ::forms::math::#function::<Stable, #count, #outputs>([#(#arguments),*], #columns)
+            }
+        }
+    }
+
+    /// A name that no argument has.
+    fn unused(&self, name: &str) -> String {
+        let mut name = name.to_owned();
+        while self.arguments.iter().any(|argument| argument == &name) {
+            name.push('_');
+        }
+        name
     }
 
     /// A function of numbers of one type.

@@ -13,7 +13,9 @@ mod batch;
 mod double_double;
 mod elementary;
 mod error_free;
+mod escalate;
 mod formula;
+mod guarded;
 mod lane;
 mod quadrature;
 mod real;
@@ -27,7 +29,9 @@ pub use batch::{Column, Instructions, LengthMismatch, batch, batch_by, batch_f32
 #[cfg(feature = "rayon")]
 pub use batch::{batch_f32_parallel, batch_parallel};
 pub use double_double::DoubleDouble;
+pub use escalate::{Tier, escalate, escalate_with_tier};
 pub use formula::Formula;
+pub use guarded::{Bound, Guardable, Guarded, Magnitude, Units};
 pub use lane::{Lane32, Lane64};
 pub use real::Real;
 pub use scalar::Scalar;

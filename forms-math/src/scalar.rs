@@ -22,6 +22,11 @@ pub trait Scalar: Real + PartialOrd + Send + Sync + 'static {
     fn from_integer(value: i64) -> Self;
     /// e of a finite number m 2ᵉ other than zero, ½ ≤ |m| < 1.
     fn exponent(self) -> Option<i64>;
+    /// True of what is no number.
+    #[inline(always)]
+    fn is_nan(self) -> bool {
+        self.partial_cmp(&self).is_none()
+    }
     /// self · 2^exponent
     fn scaled(self, exponent: i64) -> Self;
     /// (q mod 4, self − q π/2) with q the nearest integer, the rest accurate relative to itself.

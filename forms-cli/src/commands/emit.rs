@@ -4,7 +4,7 @@ use crate::commands::refuse;
 use crate::kernel::{LIBRARY, files, find, generated};
 use crate::status::Status;
 use crate::theory_file::{TheoryFile, complain};
-use forms::core::kernel::{RustDocs, emit_rust};
+use forms::core::kernel::{KernelDocs, emit_rust};
 use forms::core::resolve::Kernel;
 use forms::core::units::sentence;
 use std::io::{self, Write};
@@ -70,12 +70,13 @@ fn formula(file: &TheoryFile, kernel: &Kernel) -> String {
 
 fn source(file: &TheoryFile, kernel: &Kernel) -> Result<String, Vec<crate::theory_file::FileError>> {
     let generated = generated(file, kernel)?;
-    let docs = RustDocs {
+    let docs = KernelDocs {
         formula: formula(file, kernel),
         statements: kernel.statements.clone(),
         conditions: Vec::new(),
         units: sentence(&file.theory, kernel).unwrap_or_default(),
         translation: generated.translation.to_string(),
+        rounding: forms::core::rounding::sentence(&generated.optimised).unwrap_or_default(),
         docs: kernel.docs.clone(),
     };
     Ok(emit_rust(&generated.optimised, &docs, "forms_math"))

@@ -21,5 +21,6 @@ pub use format::{Format, Rounded};
 pub use ordinal::Width;
 pub use regime::Regime;
 pub use sample::{Sample, Samples, sample};
+pub(crate) use score::bits_lost;
 pub use score::{Score, Statistics};
 pub use truth::{Truth, Value};

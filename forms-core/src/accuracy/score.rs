@@ -82,8 +82,14 @@ fn worst_of(errors: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
     errors.fold((0.0, 0.0), |worst, error| (worst.0.max(error.0), worst.1.max(error.1)))
 }
 
+/// Bits lost at one sample: of several outputs the worst counts.
+pub(crate) fn bits_lost(width: Width, sample: &Sample, computed: &[f64]) -> f64 {
+    let pairs = sample.values.iter().zip(computed);
+    pairs.filter_map(|(exact, got)| Some(bits(width, *got, (*exact)?))).fold(0.0, f64::max)
+}
+
 /// Bits lost against the correctly rounded value.
-pub(crate) fn bits(width: Width, computed: f64, exact: (f64, f64)) -> f64 {
+fn bits(width: Width, computed: f64, exact: (f64, f64)) -> f64 {
     width.bits_between(computed, rounded(width, exact))
 }
 

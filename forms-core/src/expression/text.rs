@@ -9,6 +9,9 @@ use std::borrow::Cow;
 /// Written out, an expression may grow exponentially over its shared form; past this many nodes it is cut.
 const LONGEST: u64 = 20_000;
 
+/// Powers of ten from this one on are written as such.
+const LONG_POWER: usize = 7;
+
 /// How tightly the outermost operator of a text binds.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Binding {
@@ -161,7 +164,20 @@ fn write_number(value: &Rational) -> Written {
         (false, true) => Binding::Atom,
         (false, false) => Binding::Product,
     };
-    Written { text: value.to_string(), binding }
+    Written { text: scientific(value).unwrap_or_else(|| value.to_string()), binding }
+}
+
+/// A long number that is a short one times a power of ten, as `3e-20`.
+fn scientific(value: &Rational) -> Option<String> {
+    let (top, bottom) = (value.numer().to_string(), value.denom().to_string());
+    let zeros = |digits: &str| digits.len() - digits.trim_end_matches('0').len();
+    if bottom == "1" {
+        let power = zeros(&top);
+        return (power >= LONG_POWER).then(|| format!("{}e{power}", &top[..top.len() - power]));
+    }
+    let power = zeros(&bottom);
+    (power >= LONG_POWER && bottom.len() == power + 1 && bottom.starts_with('1'))
+        .then(|| format!("{top}e-{power}"))
 }
 
 /// `sqrt(q)`, `q**3`, `q**(3/2)`, `1/q**2` is left to the division it came from

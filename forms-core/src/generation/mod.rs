@@ -16,6 +16,7 @@ mod seam;
 mod translation;
 
 pub use translation::Translation;
+pub(crate) use translation::{FORM, equality};
 
 use crate::diagnostic::Diagnostic;
 use crate::expression::Pool;

@@ -18,7 +18,7 @@ use std::fmt;
 const EFFORT: Effort = Effort { work: 2_000_000, candidates: 100, points: 12 };
 
 /// A form behind `by` is a claim of its author like a statement.
-const FORM: Effort = Effort { work: 20_000_000, candidates: 300, points: 20 };
+pub(crate) const FORM: Effort = Effort { work: 20_000_000, candidates: 300, points: 20 };
 
 /// What is known of the agreement of a program with its formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -114,7 +114,7 @@ pub(super) fn of_form(pool: &mut Pool, kernel: &Kernel) -> Option<Diagnostic> {
 
 /// Whether the sides of each pair are equal under the conditions: without a look inside functions, which is enough for
 /// most programs and costs little, or else with one.
-fn equality(
+pub(crate) fn equality(
     pool: &mut Pool,
     pairs: &[(Expr, Expr)],
     conditions: &[Condition],

@@ -95,6 +95,12 @@ impl Constant {
         nearest_f64(&self.value())
     }
 
+    /// The nearest `f32`, ties to even.
+    pub fn to_f32(&self) -> f32 {
+        let value = self.value();
+        nearest(value.numer(), value.denom(), SINGLE) as f32
+    }
+
     /// The number as a sum of at most that many `f64`s: each is the nearest to what those before it leave. Exact where
     /// it is shorter. One infinity where the number is beyond all `f64`s.
     pub fn words(&self, most: usize) -> Vec<f64> {

@@ -43,6 +43,16 @@ impl Program {
     }
 }
 
+impl Program {
+    /// One instruction in `f64`, with all others having these values.
+    pub(crate) fn step(&self, place: usize, arguments: &[f64], values: &[f64]) -> f64 {
+        match &self.instructions[place] {
+            Instruction::Constant(constant) => constant.to_f64(),
+            instruction => value_of(instruction, arguments, |value: Value| values[value.place()]),
+        }
+    }
+}
+
 impl<T: Real> Interpreter<'_, T> {
     /// The outputs at these arguments; all NaN outside the kernel's domain. An argument left out is NaN.
     pub fn values(&self, arguments: &[T]) -> Vec<T> {

@@ -11,7 +11,7 @@
 //!
 //! ```
 //! use forms_core::expression::{Pool, SymbolKind};
-//! use forms_core::kernel::{KernelSource, RustDocs, emit_rust, lower};
+//! use forms_core::kernel::{KernelSource, KernelDocs, emit_rust, lower};
 //!
 //! let mut pool = Pool::new();
 //! let x = pool.declare_symbol("x", SymbolKind::Local);
@@ -26,7 +26,7 @@
 //! let kernel = lower(&pool, &source)?.optimise();
 //! assert_eq!(kernel.operations().multiplies, 4);
 //! assert_eq!(kernel.interpret(&[2.0]), [128.0]);
-//! assert!(emit_rust(&kernel, &RustDocs::default(), "forms_math").contains("fn seventh(x: f64) -> f64 {"));
+//! assert!(emit_rust(&kernel, &KernelDocs::default(), "forms_math").contains("fn seventh(x: f64) -> f64 {"));
 //! # Ok::<(), forms_core::kernel::LowerError>(())
 //! ```
 
@@ -39,6 +39,7 @@ mod expand;
 mod factor;
 mod fuse;
 mod graph;
+mod in_order;
 mod interpret;
 mod linearise;
 mod lower;
@@ -57,7 +58,7 @@ mod tally;
 pub use constant::Constant;
 pub(crate) use constant::{Binary, DOUBLE, SINGLE, nearest, nearest_f64};
 pub use count::OperationCount;
-pub use emit::{RustDocs, emit_formula, emit_rust};
+pub use emit::{EmitError, KernelDocs, Precision, Target, emit, emit_formula, emit_rust};
 pub use evaluate::evaluate_f64;
 pub use interpret::Interpreter;
 pub use lower::{KernelSource, LowerError, lower};

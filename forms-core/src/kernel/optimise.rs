@@ -55,6 +55,11 @@ impl Program {
     }
 }
 
+/// The program with each value computed once and signs absorbed, and nothing regrouped.
+pub(super) fn grouped(program: &Program) -> Program {
+    absorb_signs(&number_values(program))
+}
+
 /// The cheaper of two programs, of equals the first.
 fn cheaper(first: Program, second: Program) -> Program {
     if second.cost() < first.cost() { second } else { first }

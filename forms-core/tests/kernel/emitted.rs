@@ -2,7 +2,7 @@
 
 use crate::formula::Formulas;
 use forms_core::expression::Expr;
-use forms_core::kernel::{Program, RustDocs, emit_formula, emit_rust};
+use forms_core::kernel::{KernelDocs, Program, emit_formula, emit_rust};
 use forms_core::syntax::ast::Relation;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -64,7 +64,7 @@ fn with_domains() -> Vec<Program> {
 
 /// Each kernel as a function of `f64`s and as the type `K_NAME` of a formula, with the arithmetic beside it.
 fn emitted(programs: &[Program]) -> String {
-    let docs = RustDocs { formula: "f".into(), ..RustDocs::default() };
+    let docs = KernelDocs { formula: "f".into(), ..KernelDocs::default() };
     let mut source =
         "#![deny(warnings)]\n#![allow(non_camel_case_types)]\n".to_string() + &forms_math::source();
     for program in programs {
@@ -144,7 +144,7 @@ fn nothing_is_fused() {
     assert!(
         kernels()
             .iter()
-            .all(|program| !emit_rust(program, &RustDocs::default(), "forms_math").contains("mul_add"))
+            .all(|program| !emit_rust(program, &KernelDocs::default(), "forms_math").contains("mul_add"))
     );
 }
 /// Σ, one choice, two outputs and a condition, as they are printed.
@@ -154,7 +154,7 @@ fn a_kernel_reads_as_written_by_hand() {
     let [x, zero, first, second] = ["x", "0", "x/sqrt(x**2 + y**2)**3", "if x < y { -2*x } else { y/pi }"]
         .map(|text| formulas.parse(text));
     let program = formulas.named("field").program_where(&[first, second], &[(x, Relation::NotEqual, zero)]);
-    let docs = RustDocs {
+    let docs = KernelDocs {
         formula: formulas.pool.texts(&[first, second]).join(", "),
         statements: vec!["gauss".to_string()],
         conditions: vec!["x != 0".to_string()],

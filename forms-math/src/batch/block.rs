@@ -2,11 +2,14 @@
 
 use crate::{Formula, Lane32, Lane64, Real};
 
-/// The rows of a block: a few vectors of the widest kind, so that the loop over them has no remainder.
-pub(super) const BLOCK: usize = 64;
+/// The rows that are computed at once: many vectors of the widest kind, so that the loop over them has no remainder, and
+/// what it costs to begin is little beside it.
+pub(super) const BLOCK: usize = 256;
 
 /// A number of a column, and the lane it is computed in.
 pub(super) trait Element: Real + Default + Send + Sync + 'static {
+    /// A block of zeros.
+    const ZEROS: [Self; BLOCK];
     /// The lane, with or without fused multiply-add.
     type Lane<const FMA: bool>: Real;
     /// In the lane.
@@ -20,6 +23,7 @@ pub(super) trait Element: Real + Default + Send + Sync + 'static {
 macro_rules! element {
     ($raw:ident, $lane:ident) => {
         impl Element for $raw {
+            const ZEROS: [Self; BLOCK] = [0.0; BLOCK];
             type Lane<const FMA: bool> = $lane<FMA>;
             #[inline(always)]
             fn lane<const FMA: bool>(self) -> $lane<FMA> {
@@ -43,55 +47,54 @@ element!(f32, Lane32);
 /// The arguments of a block.
 pub(super) type Arguments<'a, E, const A: usize> = [&'a [E; BLOCK]; A];
 
+/// The values of a block.
+pub(super) type Values<E, const O: usize> = [[E; BLOCK]; O];
+
 /// What computes a block, and says whether there is a NaN in it.
 pub(super) type Kernel<E, const A: usize, const O: usize> =
-    unsafe fn(&Arguments<'_, E, A>, &mut [[E; BLOCK]; O]) -> bool;
+    unsafe fn(&Arguments<'_, E, A>, &mut Values<E, O>) -> bool;
 
-/// The formula in every row. The outputs are one parameter, so that the compiler knows that they are not also arguments.
+/// The formula in every row. The values are one parameter, so that the compiler knows that they are not also arguments.
 #[inline(always)]
 pub(super) fn rows_of<E: Element, F: Formula<A, O>, const FMA: bool, const A: usize, const O: usize>(
     columns: &Arguments<'_, E, A>,
-    outputs: &mut [[E; BLOCK]; O],
+    values: &mut Values<E, O>,
 ) -> bool {
     for row in 0..BLOCK {
         let mut arguments = [E::default().lane::<FMA>(); A];
         for (argument, column) in arguments.iter_mut().zip(columns) {
             *argument = column[row].lane::<FMA>();
         }
-        for (output, value) in outputs.iter_mut().zip(F::value(arguments)) {
-            output[row] = E::of::<FMA>(value);
+        for (value, result) in values.iter_mut().zip(F::value(arguments)) {
+            value[row] = E::of::<FMA>(result);
         }
     }
-    outputs.iter().flatten().fold(false, |found, value| found | value.is_nan())
+    has_nan(values)
 }
 
-/// The block of a column that begins there.
+/// Whether there is a NaN: two values at a time, which is one comparison.
 #[inline(always)]
-pub(super) fn rows<E>(column: &[E], start: usize) -> &[E; BLOCK] {
-    column[start..].first_chunk().expect("only whole blocks are taken from a column")
+fn has_nan<E: Element, const O: usize>(values: &Values<E, O>) -> bool {
+    let mut found = false;
+    for value in values {
+        let (left, right) = value.split_at(BLOCK / 2);
+        for (left, right) in left.iter().zip(right) {
+            found |= left.is_nan() | right.is_nan();
+        }
+    }
+    found
 }
 
-/// A block that begins with these rows, filled up with the last.
-pub(super) fn filled<E: Element>(rows: &[E]) -> [E; BLOCK] {
-    std::array::from_fn(|row| rows[row.min(rows.len() - 1)])
-}
-
-/// The values of the first `count` rows of a block to the outputs from `start` on.
+/// The values of a block, with those that lanes give up on.
 #[inline(always)]
 pub(super) fn compute<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
     kernel: Kernel<E, A, O>,
-    rows: &Arguments<'_, E, A>,
-    outputs: &mut [&mut [E]; O],
-    start: usize,
-    count: usize,
+    columns: &Arguments<'_, E, A>,
+    values: &mut Values<E, O>,
 ) {
-    let mut values = [[E::default(); BLOCK]; O];
     // SAFETY: `Instructions` chose the kernel, and is made only of what the processor has.
-    if unsafe { kernel(rows, &mut values) } {
-        again::<E, F, A, O>(rows, &mut values);
-    }
-    for (output, values) in outputs.iter_mut().zip(&values) {
-        output[start..start + count].copy_from_slice(&values[..count]);
+    if unsafe { kernel(columns, values) } {
+        again::<E, F, A, O>(columns, values);
     }
 }
 
@@ -99,15 +102,36 @@ pub(super) fn compute<E: Element, F: Formula<A, O>, const A: usize, const O: usi
 #[cold]
 #[inline(never)]
 fn again<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
-    rows: &Arguments<'_, E, A>,
-    values: &mut [[E; BLOCK]; O],
+    columns: &Arguments<'_, E, A>,
+    values: &mut Values<E, O>,
 ) {
     for row in 0..BLOCK {
         if values.iter().any(|column| column[row].is_nan()) {
-            let again = F::value(rows.map(|column| column[row]));
+            let again = F::value(columns.map(|column| column[row]));
             for (column, value) in values.iter_mut().zip(again) {
                 column[row] = value;
             }
         }
     }
+}
+
+/// A block that begins with these rows, filled up with the last.
+pub(super) fn filled<E: Element>(rows: &[E]) -> [E; BLOCK] {
+    let mut block = [rows.last().copied().unwrap_or_default(); BLOCK];
+    for (place, row) in block.iter_mut().zip(rows) {
+        *place = *row;
+    }
+    block
+}
+
+/// The block from there on of the only output, so that it needs no copy; none where there are more.
+#[inline(always)]
+pub(super) fn in_place<'a, E, const O: usize>(
+    outputs: &'a mut [&mut [E]; O],
+    start: usize,
+) -> Option<&'a mut Values<E, O>> {
+    if O != 1 {
+        return None;
+    }
+    outputs.first_mut()?[start..].as_chunks_mut().0.first_chunk_mut()
 }

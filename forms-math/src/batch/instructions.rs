@@ -1,6 +1,6 @@
 //! Which vector instructions a batch runs in: all that is unsafe about batches.
 
-use super::block::{Arguments, BLOCK, Element, Kernel, rows_of};
+use super::block::{Arguments, Element, Kernel, Values, rows_of};
 use crate::Formula;
 
 /// Vector instructions that this processor has.
@@ -88,29 +88,29 @@ impl Set {
 
 fn baseline<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
     columns: &Arguments<'_, E, A>,
-    outputs: &mut [[E; BLOCK]; O],
+    values: &mut Values<E, O>,
 ) -> bool {
     // NEON has fused multiply-add; elsewhere it may be missing, and would be a call.
     #[cfg(target_arch = "aarch64")]
-    return rows_of::<E, F, true, A, O>(columns, outputs);
+    return rows_of::<E, F, true, A, O>(columns, values);
     #[cfg(not(target_arch = "aarch64"))]
-    rows_of::<E, F, false, A, O>(columns, outputs)
+    rows_of::<E, F, false, A, O>(columns, values)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
 fn avx2<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
     columns: &Arguments<'_, E, A>,
-    outputs: &mut [[E; BLOCK]; O],
+    values: &mut Values<E, O>,
 ) -> bool {
-    rows_of::<E, F, true, A, O>(columns, outputs)
+    rows_of::<E, F, true, A, O>(columns, values)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
 fn avx512<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
     columns: &Arguments<'_, E, A>,
-    outputs: &mut [[E; BLOCK]; O],
+    values: &mut Values<E, O>,
 ) -> bool {
-    rows_of::<E, F, true, A, O>(columns, outputs)
+    rows_of::<E, F, true, A, O>(columns, values)
 }

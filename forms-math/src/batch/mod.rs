@@ -1,11 +1,11 @@
 //! A formula over columns of arguments.
 //!
 //! ```text
-//! columns ─▶ length checked ─▶ blocks of BLOCK rows ─▶ lanes, by the best instructions there are ─▶ outputs
+//! columns ─▶ length checked ─▶ blocks of rows ─▶ lanes, by the best instructions there are ─▶ outputs
 //!                                                          └─ rows with a NaN ─▶ the formula in one number ─┘
 //! ```
-//! Every row goes through the same instructions wherever it stands, the last block being filled up by copies of its last
-//! row: the value of a row does not depend on the rows beside it. A NaN that a function of lanes gives for an argument out
+//! Every row goes through the same instructions wherever it stands, fewer rows than a block being filled up by copies of the
+//! last: the value of a row does not depend on the rows beside it. A NaN that a function of lanes gives for an argument out
 //! of its reach is computed again, so that what is NaN in an output is NaN by the formula.
 
 mod block;
@@ -17,7 +17,7 @@ mod rows;
 mod tests;
 
 use crate::Formula;
-use block::{BLOCK, Element};
+use block::{BLOCK, Element, Kernel};
 pub use instructions::Instructions;
 pub use length::{Column, LengthMismatch};
 #[cfg(feature = "ndarray")]
@@ -132,13 +132,38 @@ fn over_blocks<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
 ) {
     let kernel = instructions.kernel::<E, F, A, O>();
     let length = length::of(&columns, &outputs);
-    let whole = length - length % BLOCK;
-    for start in (0..whole).step_by(BLOCK) {
-        let rows = columns.map(|column| block::rows(column, start));
-        block::compute::<E, F, A, O>(kernel, &rows, &mut outputs, start, BLOCK);
+    if length < BLOCK {
+        let filled = columns.map(block::filled);
+        return copied::<E, F, A, O>(kernel, &filled.each_ref(), &mut outputs, 0, length);
     }
-    if whole < length {
-        let filled = columns.map(|column| block::filled(&column[whole..]));
-        block::compute::<E, F, A, O>(kernel, &filled.each_ref(), &mut outputs, whole, length - whole);
+    let zeros = E::ZEROS;
+    let mut blocks = [&zeros; A];
+    for start in (0..length).step_by(BLOCK) {
+        // The last block ends with the columns, and computes some rows of the one before again.
+        let start = start.min(length - BLOCK);
+        // Not by `map`, which is a call that copies all columns.
+        for (block, column) in blocks.iter_mut().zip(&columns) {
+            *block = column[start..].first_chunk().unwrap_or(block);
+        }
+        if let Some(place) = block::in_place(&mut outputs, start) {
+            block::compute::<E, F, A, O>(kernel, &blocks, place);
+        } else {
+            copied::<E, F, A, O>(kernel, &blocks, &mut outputs, start, BLOCK);
+        }
+    }
+}
+
+/// Values of the columns, of which the first `count` go to the outputs from `start` on.
+fn copied<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
+    kernel: Kernel<E, A, O>,
+    blocks: &block::Arguments<'_, E, A>,
+    outputs: &mut [&mut [E]; O],
+    start: usize,
+    count: usize,
+) {
+    let mut values = [E::ZEROS; O];
+    block::compute::<E, F, A, O>(kernel, blocks, &mut values);
+    for (output, values) in outputs.iter_mut().zip(&values) {
+        output[start..start + count].copy_from_slice(&values[..count]);
     }
 }

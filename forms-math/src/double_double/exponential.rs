@@ -14,6 +14,9 @@ const RECIPROCAL_FACTORIALS: [DoubleDouble; 30] = {
     values
 };
 
+/// 2⁻¹⁶⁰: below this e^x − 1 is x to the last bit.
+const SMALL: f64 = f64::from_bits((1023 - 160) << 52);
+
 /// 1/n!
 pub(super) const fn reciprocal_factorial(n: usize) -> DoubleDouble {
     RECIPROCAL_FACTORIALS[n]
@@ -62,6 +65,9 @@ impl DoubleDouble {
     pub(super) fn exponential_minus_one(self) -> Self {
         if self.high == 0.0 || self.high.is_nan() || self.high > 710.0 {
             return Self { high: self.high.exp_m1(), low: 0.0 };
+        }
+        if self.high.abs() < SMALL {
+            return self;
         }
         if self.high < -80.0 {
             return Self::ONE.negated();

@@ -11,7 +11,7 @@ mod power;
 pub(crate) use angle::{angle, arc_cosine, arc_sine, arc_tangent};
 pub(crate) use hyperbolic::{hyperbolic_cosine, hyperbolic_sine, hyperbolic_tangent};
 pub(crate) use logarithm::{logarithm, logarithm_of_one_plus};
-pub(crate) use power::rational_power;
+pub(crate) use power::{LARGEST_BY_SQUARING, rational_power};
 
 use crate::scalar::Scalar;
 

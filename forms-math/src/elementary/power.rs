@@ -31,7 +31,8 @@ pub(crate) fn rational_power<T: Scalar>(x: T, numerator: i64, denominator: i64) 
     }
 }
 
-/// From r with e = (x − rᵈ)/x to r (1 + e/d + (1 − d)/(2d²) e²), of thrice as many digits.
+/// From r with e = (x − rᵈ)/x, so x^(1/d) = r (1 − e)^(−1/d), to r (1 + e/d + (d + 1)/(2d²) e²), of thrice as many
+/// digits.
 fn root<T: Scalar>(x: T, degree: i64) -> T {
     match degree {
         1 => return x,
@@ -43,7 +44,7 @@ fn root<T: Scalar>(x: T, degree: i64) -> T {
     let x = x.scaled(-shift * degree);
     let mut root = T::from_f64(x.to_f64().powf(1.0 / degree as f64));
     let divisor = T::from_integer(degree);
-    let second = T::from_integer(1 - degree) / (divisor * divisor).scaled(1);
+    let second = T::from_integer(degree + 1) / (divisor * divisor).scaled(1);
     let mut bits = 50;
     while bits < T::PRECISION + 8 {
         let left = (x - by_squaring(root, degree.unsigned_abs())) / x;

@@ -12,9 +12,18 @@ use super::word::Word;
 /// x^(numerator/denominator), of x > 0, of x = 0 where the exponent is positive, and of x < 0 where it is an integer.
 #[inline(always)]
 pub(super) fn power<W: Word>(x: W, numerator: i64, denominator: i64) -> W {
-    match lowest_terms(numerator, denominator) {
+    match (numerator, denominator) {
         (_, 0) => W::not_a_number(),
         (0, _) => W::literal(1.0),
+        (n, d) if d < 0 => power_of(x, n.wrapping_neg(), d.wrapping_neg()),
+        (n, d) => power_of(x, n, d),
+    }
+}
+
+/// The same, of a positive denominator.
+#[inline(always)]
+fn power_of<W: Word>(x: W, numerator: i64, denominator: i64) -> W {
+    match (numerator, denominator) {
         (1, 1) => x,
         (2, 1) => x * x,
         (3, 1) => x * x * x,
@@ -28,18 +37,6 @@ pub(super) fn power<W: Word>(x: W, numerator: i64, denominator: i64) -> W {
         (n, 3) => of_pair(x, cube_root(x), n),
         (n, d) => by_logarithm(x, n, d),
     }
-}
-
-/// The fraction with a positive denominator and without common factors; 0 over 0 where it cannot be so written.
-#[inline(always)]
-fn lowest_terms(numerator: i64, denominator: i64) -> (i64, i64) {
-    let (mut divisor, mut rest) = (numerator.unsigned_abs(), denominator.unsigned_abs());
-    while rest != 0 {
-        (divisor, rest) = (rest, divisor % rest);
-    }
-    let Ok(divisor) = i64::try_from(divisor.max(1)) else { return (0, 0) };
-    let divisor = if denominator < 0 { -divisor } else { divisor };
-    (numerator.wrapping_div(divisor), denominator.wrapping_div(divisor))
 }
 
 /// `value` where `magnitude` is in the range in which pairs are right.

@@ -25,5 +25,5 @@ pub(crate) fn error_function<T: Scalar>(x: T, bits: u32) -> T {
         term = term * square.scaled(1) / T::from_f64(odd);
         sum = sum + term;
     }
-    (x * (-square).exp() * sum / T::pi().sqrt()).scaled(1)
+    x.scaled(1) * ((-square).exp() * sum / T::pi().sqrt())
 }

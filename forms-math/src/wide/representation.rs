@@ -88,6 +88,16 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         Self::normalized(negative, exponent + 64 * words as i64, mantissa, guard, false).0
     }
 
+    /// The nearest number of so many limbs; the same where they are no fewer.
+    pub fn to_limbs<const OTHER: usize>(self) -> Wide<OTHER> {
+        match self.class {
+            Class::Finite => {
+                Wide::from_natural(self.negative, &self.mantissa, self.exponent - 64 * LIMBS as i64)
+            }
+            class => Wide { class, negative: self.negative, ..Wide::ZERO },
+        }
+    }
+
     pub(super) fn of_f64(value: f64) -> Self {
         if value == 0.0 {
             return Self::ZERO;

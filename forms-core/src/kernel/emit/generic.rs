@@ -5,6 +5,8 @@
 
 use super::body;
 use super::dialect::{ChoiceFunction, Choices, Dialect};
+use super::docs::{KernelDocs, documentation};
+use super::rust::attributes;
 use super::written::{Binding, Written, function, negated};
 use crate::expression::Operation;
 use crate::kernel::constant::Constant;
@@ -25,6 +27,29 @@ pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
          #[inline(always)]\n    \
          fn value<T: {math}::Real>([{}]: [T; {arguments}]) -> [T; {outputs}] {{\n{body}    }}\n}}\n",
         bound.join(", ")
+    )
+}
+
+/// A documented function of double-doubles, with its formula beside it.
+pub(super) fn double_double(program: &Program, docs: &KernelDocs) -> String {
+    let number = "forms_math::DoubleDouble";
+    let parameters: Vec<String> = program.arguments.iter().map(|name| format!("{name}: {number}")).collect();
+    let (count, outputs) = (program.arguments.len(), program.outputs.len());
+    let (result, ending) = match outputs {
+        1 => (number.to_string(), "[0]"),
+        several => (format!("[{number}; {several}]"), ""),
+    };
+    let formula = emit_formula(program, "Formula", "forms_math");
+    let formula = formula.lines().map(|line| format!("    {line}\n")).collect::<String>();
+    format!(
+        "{}{}{}fn {}(\n{}) -> {result} {{\n    enum Formula {{}}\n{formula}    \
+         <Formula as forms_math::Formula<{count}, {outputs}>>::value([{}]){ending}\n}}\n",
+        documentation(program, docs, "///"),
+        attributes(program),
+        if program.public { "pub " } else { "" },
+        program.name,
+        parameters.iter().map(|parameter| format!("    {parameter},\n")).collect::<String>(),
+        program.arguments.join(", "),
     )
 }
 

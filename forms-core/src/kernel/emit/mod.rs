@@ -1,19 +1,28 @@
 //! Emission: a program as source text of some language, every value as the program computes it.
 //!
 //! ```text
-//! Program ─ blocks ─▶ what each branch alone needs ─ body ─▶ statements ─┬─ rust    ─▶ a function of f64s
-//!                                                    dialect             └─ generic ─▶ a function of any Real
+//! Program ─ blocks ─▶ what each branch alone needs ─ body ─▶ statements ─┬─ rust    ─▶ a function of f32s or f64s
+//!                                                     dialect            ├─ c       ─▶ the same in C or CUDA
+//!                                                     names · docs       ├─ wgsl    ─▶ a function of f32s
+//!                                                                        └─ generic ─▶ a function of any Real
 //! ```
 //! Emission never simplifies. A value used once is written where it is used as long as the line stays short;
-//! the others are named `t0`, `t1`, … in the order of their computation.
+//! the others are named `t0`, `t1`, … in the order of their computation. What a language cannot say is an error.
 
 mod blocks;
 mod body;
+mod c;
 mod dialect;
+mod docs;
 mod generic;
+mod names;
 mod number;
 mod rust;
+mod target;
+mod wgsl;
 mod written;
 
+pub use docs::KernelDocs;
 pub use generic::emit_formula;
-pub use rust::{RustDocs, emit_rust};
+pub use rust::emit_rust;
+pub use target::{EmitError, Precision, Target, emit};

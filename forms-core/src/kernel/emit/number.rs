@@ -1,5 +1,6 @@
 //! Numbers in Rust: the shortest decimals that read back as the nearest `f64`; π and its parts by name.
 
+use super::target::Precision;
 use super::written::{Binding, Written};
 use crate::kernel::constant::Constant;
 
@@ -17,27 +18,48 @@ const NAMED: [(i64, i64, i32, &str); 9] = [
 ];
 
 /// The number as an operand.
-pub(super) fn number(constant: &Constant) -> Written {
-    let (negative, magnitude) = (constant.is_negative(), magnitude(constant));
-    if negative { Written::new(format!("-{magnitude}"), Binding::Sign) } else { Written::atom(magnitude) }
+pub(super) fn number(constant: &Constant, precision: Precision) -> Written {
+    signed(constant, magnitude(constant, precision))
 }
 
-/// A value as what a method is called on: a plain literal has to say that it is an `f64`.
-pub(super) fn receiver(value: &Written) -> String {
+/// A number in the notation of C: the shortest decimals, with what stands behind those of single precision.
+pub(super) fn literal(constant: &Constant, precision: Precision) -> Written {
+    let digits = digits(constant, precision);
+    signed(constant, if precision == Precision::F32 { format!("{digits}f") } else { digits })
+}
+
+/// A value as what a method is called on: a plain literal has to say which type it has.
+pub(super) fn receiver(value: &Written, precision: Precision) -> String {
     let Some(constant) = &value.constant else { return value.within(Binding::Atom) };
-    let magnitude = magnitude(constant);
-    let suffix = if magnitude.starts_with(|c: char| c.is_ascii_digit()) { "_f64" } else { "" };
+    let magnitude = magnitude(constant, precision);
+    let is_plain = magnitude.starts_with(|c: char| c.is_ascii_digit());
+    let suffix = if is_plain { format!("_{}", precision.name()) } else { String::new() };
     if constant.is_negative() { format!("(-{magnitude}{suffix})") } else { format!("{magnitude}{suffix}") }
 }
 
-fn magnitude(constant: &Constant) -> String {
+fn signed(constant: &Constant, magnitude: String) -> Written {
+    if constant.is_negative() {
+        Written::new(format!("-{magnitude}"), Binding::Sign)
+    } else {
+        Written::atom(magnitude)
+    }
+}
+
+fn magnitude(constant: &Constant, precision: Precision) -> String {
     let positive = if constant.is_negative() { constant.negated() } else { constant.clone() };
     let named = NAMED.iter().find(|&&(p, q, pi_exponent, _)| {
         positive.pi_exponent == pi_exponent && positive.factor == num_rational::Ratio::new(p.into(), q.into())
     });
-    match (named, positive.to_f64()) {
-        (Some((.., name)), _) => format!("::core::f64::consts::{name}"),
-        (None, f64::INFINITY) => "f64::INFINITY".to_string(),
-        (None, value) => format!("{value:?}"),
+    match named {
+        Some((.., name)) => format!("::core::{}::consts::{name}", precision.name()),
+        None => digits(constant, precision),
+    }
+}
+
+/// The shortest decimals of the nearest number above zero.
+fn digits(constant: &Constant, precision: Precision) -> String {
+    match precision {
+        Precision::F32 => format!("{:?}", constant.to_f32().abs()),
+        _ => format!("{:?}", constant.to_f64().abs()),
     }
 }

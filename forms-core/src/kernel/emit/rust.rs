@@ -2,7 +2,9 @@
 
 use super::body;
 use super::dialect::{Branches, Choices, Dialect};
+use super::docs::{KernelDocs, documentation};
 use super::number::{number, receiver};
+use super::target::Precision;
 use super::written::{Binding, Written, function};
 use crate::expression::Operation;
 use crate::kernel::constant::Constant;
@@ -17,31 +19,20 @@ const ARRAY: usize = 60;
 /// The most arguments a function has before clippy asks for a structure.
 const MANY_ARGUMENTS: usize = 7;
 
-/// What is said above the function.
-#[derive(Clone, Debug, Default)]
-pub struct RustDocs {
-    /// The formula, in the language's notation, one line or several.
-    pub formula: String,
-    /// The names of the statements the formula rests on.
-    pub statements: Vec<String>,
-    /// Under which conditions.
-    pub conditions: Vec<String>,
-    /// The units of arguments and results, where they are known.
-    pub units: String,
-    /// What is known of the agreement of the program with the formula.
-    pub translation: String,
-    /// The author's own lines.
-    pub docs: Vec<String>,
-}
-
 /// A documented function. It needs nothing but the standard library, and where that does not do (see
 /// [`Program::needs_math`]) what `forms_math` exports, found by the path `math`.
-pub fn emit_rust(program: &Program, docs: &RustDocs, math: &str) -> String {
-    let mut source = documentation(program, docs);
+pub fn emit_rust(program: &Program, docs: &KernelDocs, math: &str) -> String {
+    written(program, docs, math, Precision::F64)
+}
+
+/// The same of `f32`s or of `f64`s.
+pub(super) fn written(program: &Program, docs: &KernelDocs, math: &str, precision: Precision) -> String {
+    let dialect = Rust { math, precision };
+    let mut source = documentation(program, docs, "///");
     source.push_str(&attributes(program));
-    source.push_str(&signature(program));
+    source.push_str(&dialect.signature(program));
     source.push_str(" {\n");
-    source.push_str(&body::write(&Rust { math }, program, &program.arguments));
+    source.push_str(&body::write(&dialect, program, &program.arguments));
     source.push_str("}\n");
     source
 }
@@ -58,20 +49,48 @@ impl Program {
     }
 }
 
-/// Rust with `f64`.
+/// Rust with `f32` or `f64`.
 struct Rust<'a> {
     math: &'a str,
+    precision: Precision,
 }
 
 impl Rust<'_> {
     /// `forms_math::Real::erf(x)`
     fn real(&self, name: &str, operands: &[&Written]) -> Written {
-        function(&format!("<f64 as {}::Real>::{name}", self.math), operands)
+        function(&format!("<{} as {}::Real>::{name}", self.number_type(), self.math), operands)
+    }
+
+    fn signature(&self, program: &Program) -> String {
+        let number = self.number_type();
+        let used = |place: usize| program.instructions.contains(&Instruction::Argument(place as u32));
+        let arguments: Vec<String> = program
+            .arguments
+            .iter()
+            .enumerate()
+            .map(|(place, name)| format!("{}{name}: {number}", if used(place) { "" } else { "_" }))
+            .collect();
+        let public = if program.public { "pub " } else { "" };
+        let result = match program.outputs.len() {
+            1 => number.to_string(),
+            several => format!("[{number}; {several}]"),
+        };
+        let name = &program.name;
+        let line = format!("{public}fn {name}({}) -> {result}", arguments.join(", "));
+        if line.len() + 2 <= WIDTH {
+            return line;
+        }
+        let arguments: String = arguments.iter().map(|argument| format!("    {argument},\n")).collect();
+        format!("{public}fn {name}(\n{arguments}) -> {result}")
+    }
+
+    fn number_type(&self) -> &'static str {
+        self.precision.name()
     }
 
     /// `x.sqrt()`
-    fn method(value: &Written, name: &str, rest: &[String]) -> Written {
-        Written::atom(format!("{}.{name}({})", receiver(value), rest.join(", ")))
+    fn method(&self, value: &Written, name: &str, rest: &[String]) -> Written {
+        Written::atom(format!("{}.{name}({})", receiver(value, self.precision), rest.join(", ")))
     }
 }
 
@@ -81,16 +100,16 @@ impl Dialect for Rust<'_> {
     }
 
     fn number(&self, constant: &Constant) -> Written {
-        number(constant)
+        number(constant, self.precision)
     }
 
     fn sqrt(&self, value: &Written) -> Written {
-        Self::method(value, "sqrt", &[])
+        self.method(value, "sqrt", &[])
     }
 
     fn power(&self, value: &Written, exponent: Ratio<i64>) -> Written {
         if exponent.is_integer() {
-            return Self::method(value, "powf", &[format!("{}.0", exponent.numer())]);
+            return self.method(value, "powf", &[format!("{}.0", exponent.numer())]);
         }
         let [numerator, denominator] = [exponent.numer(), exponent.denom()].map(|part| part.to_string());
         self.real("power", &[value, &Written::atom(numerator), &Written::atom(denominator)])
@@ -101,7 +120,7 @@ impl Dialect for Rust<'_> {
             return self.real(operation.row().real, operands);
         };
         let rest: Vec<String> = operands[1..].iter().map(|operand| operand.argument()).collect();
-        Self::method(operands[0], name, &rest)
+        self.method(operands[0], name, &rest)
     }
 
     fn difference_of_products(&self, factors: [&Written; 4]) -> Written {
@@ -113,7 +132,7 @@ impl Dialect for Rust<'_> {
     }
 
     fn nan(&self) -> String {
-        "f64::NAN".to_string()
+        format!("{}::NAN", self.number_type())
     }
 
     fn declaration(&self, name: &str, value: &str) -> String {
@@ -139,7 +158,7 @@ impl Branches for Rust<'_> {
         match relation {
             Some(Relation::NotEqual) => {
                 let right = format!("&{}", right.within(Binding::Sign));
-                let order = Self::method(left, "partial_cmp", &[right]);
+                let order = self.method(left, "partial_cmp", &[right]);
                 format!("{}.is_some_and(::core::cmp::Ordering::is_ne)", order.text)
             }
             relation => {
@@ -154,59 +173,15 @@ impl Branches for Rust<'_> {
 
     fn leave_unless(&self, condition: &str, outputs: usize) -> String {
         let nan = match outputs {
-            1 => "f64::NAN".to_string(),
-            several => format!("[f64::NAN; {several}]"),
+            1 => self.nan(),
+            several => format!("[{}; {several}]", self.nan()),
         };
         format!("    let inside = {condition};\n    if !inside {{\n        return {nan};\n    }}\n")
     }
 }
 
-fn documentation(program: &Program, docs: &RustDocs) -> String {
-    let mut lines = docs.docs.clone();
-    if !docs.formula.is_empty() {
-        separate(&mut lines);
-        lines.push("```text".to_string());
-        lines.extend(docs.formula.lines().map(str::to_string));
-        lines.push("```".to_string());
-    }
-    if !docs.units.is_empty() {
-        separate(&mut lines);
-        lines.push(docs.units.clone());
-    }
-    if !docs.statements.is_empty() {
-        separate(&mut lines);
-        lines.push(format!("Rests on {}.", quoted(&docs.statements)));
-    }
-    if !docs.conditions.is_empty() {
-        separate(&mut lines);
-        lines.push(format!("Holds where {}.", quoted(&docs.conditions)));
-    }
-    if !docs.translation.is_empty() {
-        separate(&mut lines);
-        lines.push(docs.translation.clone());
-    }
-    separate(&mut lines);
-    let outside = if program.domain.is_empty() { "" } else { " outside its domain and" };
-    lines.push(format!("Its value is NaN{outside} where an argument it depends on is NaN."));
-    lines.push(format!("Takes {}.", program.operations()));
-    lines.iter().fold(String::new(), |text, line| {
-        let line = line.trim();
-        text + "///" + if line.is_empty() { "" } else { " " } + line + "\n"
-    })
-}
-
-fn separate(lines: &mut Vec<String>) {
-    if !lines.is_empty() {
-        lines.push(String::new());
-    }
-}
-
-fn quoted(items: &[String]) -> String {
-    items.iter().map(|item| format!("`{item}`")).collect::<Vec<_>>().join(", ")
-}
-
 /// Only the lints that the names and the number of the arguments make necessary.
-fn attributes(program: &Program) -> String {
+pub(super) fn attributes(program: &Program) -> String {
     let mut text = String::new();
     if program.arguments.len() > MANY_ARGUMENTS {
         text.push_str(
@@ -219,26 +194,4 @@ fn attributes(program: &Program) -> String {
         text.push_str("#[allow(non_snake_case, reason = \"the names of the formula\")]\n");
     }
     text
-}
-
-fn signature(program: &Program) -> String {
-    let used = |place: usize| program.instructions.contains(&Instruction::Argument(place as u32));
-    let arguments: Vec<String> = program
-        .arguments
-        .iter()
-        .enumerate()
-        .map(|(place, name)| format!("{}{name}: f64", if used(place) { "" } else { "_" }))
-        .collect();
-    let public = if program.public { "pub " } else { "" };
-    let result = match program.outputs.len() {
-        1 => "f64".to_string(),
-        several => format!("[f64; {several}]"),
-    };
-    let name = &program.name;
-    let line = format!("{public}fn {name}({}) -> {result}", arguments.join(", "));
-    if line.len() + 2 <= WIDTH {
-        return line;
-    }
-    let arguments: String = arguments.iter().map(|argument| format!("    {argument},\n")).collect();
-    format!("{public}fn {name}(\n{arguments}) -> {result}")
 }

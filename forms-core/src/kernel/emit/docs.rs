@@ -1,0 +1,73 @@
+//! What is said above a function: the formula, what it rests on, and what it costs.
+
+use crate::kernel::program::Program;
+
+/// What is said above the function.
+#[derive(Clone, Debug, Default)]
+pub struct KernelDocs {
+    /// The formula, in the language's notation, one line or several.
+    pub formula: String,
+    /// The names of the statements the formula rests on.
+    pub statements: Vec<String>,
+    /// Under which conditions.
+    pub conditions: Vec<String>,
+    /// The units of arguments and results, where they are known.
+    pub units: String,
+    /// What is known of the agreement of the program with the formula.
+    pub translation: String,
+    /// A bound of the rounding error, where there is one.
+    pub rounding: String,
+    /// The author's own lines.
+    pub docs: Vec<String>,
+}
+
+/// The lines above a function, each behind `comment`.
+pub(super) fn documentation(program: &Program, docs: &KernelDocs, comment: &str) -> String {
+    let mut lines = docs.docs.clone();
+    if !docs.formula.is_empty() {
+        separate(&mut lines);
+        lines.push("```text".to_string());
+        lines.extend(docs.formula.lines().map(str::to_string));
+        lines.push("```".to_string());
+    }
+    if !docs.units.is_empty() {
+        separate(&mut lines);
+        lines.push(docs.units.clone());
+    }
+    if !docs.statements.is_empty() {
+        separate(&mut lines);
+        lines.push(format!("Rests on {}.", quoted(&docs.statements)));
+    }
+    if !docs.conditions.is_empty() {
+        separate(&mut lines);
+        lines.push(format!("Holds where {}.", quoted(&docs.conditions)));
+    }
+    if !docs.translation.is_empty() {
+        separate(&mut lines);
+        lines.push(docs.translation.clone());
+    }
+    if !docs.rounding.is_empty() {
+        separate(&mut lines);
+        lines.push(docs.rounding.clone());
+    }
+    separate(&mut lines);
+    let outside = if program.domain.is_empty() { "" } else { " outside its domain and" };
+    lines.push(format!("Its value is NaN{outside} where an argument it depends on is NaN."));
+    lines.push(format!("Takes {}.", program.operations()));
+    lines.iter().fold(String::new(), |text, line| {
+        let line = line.trim();
+        // a backslash at the end of a line would continue the comment in C
+        let line = line.trim_end_matches('\\');
+        text + comment + if line.is_empty() { "" } else { " " } + line + "\n"
+    })
+}
+
+fn separate(lines: &mut Vec<String>) {
+    if !lines.is_empty() {
+        lines.push(String::new());
+    }
+}
+
+fn quoted(items: &[String]) -> String {
+    items.iter().map(|item| format!("`{item}`")).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,204 @@
+//! The languages and precisions that source is emitted in, and a whole file of it.
+
+use super::c::{C, Flavour};
+use super::docs::KernelDocs;
+use super::{generic, names, rust, wgsl};
+use crate::kernel::program::{Instruction, Program};
+use std::fmt;
+
+/// A language that kernels are emitted in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// Rust, with the standard library.
+    Rust,
+    /// C11, with `math.h`.
+    C,
+    /// The shading language of WebGPU, in single precision.
+    Wgsl,
+    /// CUDA, functions for host and device.
+    Cuda,
+}
+
+impl Target {
+    /// Every target.
+    pub const ALL: [Target; 4] = [Target::Rust, Target::C, Target::Wgsl, Target::Cuda];
+
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Target::Rust => "rust",
+            Target::C => "c",
+            Target::Wgsl => "wgsl",
+            Target::Cuda => "cuda",
+        }
+    }
+
+    /// The precision it is written in where none is asked for.
+    pub fn usual_precision(self) -> Precision {
+        if self == Target::Wgsl { Precision::F32 } else { Precision::F64 }
+    }
+
+    fn has(self, precision: Precision) -> bool {
+        match precision {
+            Precision::F32 => true,
+            Precision::F64 => self != Target::Wgsl,
+            Precision::DoubleDouble => self == Target::Rust,
+        }
+    }
+}
+
+/// The numbers of emitted source.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// Single precision.
+    F32,
+    /// Double precision.
+    F64,
+    /// Two doubles, about 31 digits.
+    DoubleDouble,
+}
+
+impl Precision {
+    /// Every precision.
+    pub const ALL: [Precision; 3] = [Precision::F32, Precision::F64, Precision::DoubleDouble];
+
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Precision::F32 => "f32",
+            Precision::F64 => "f64",
+            Precision::DoubleDouble => "dd",
+        }
+    }
+}
+
+/// What a target cannot say.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum EmitError {
+    /// The target does not have this precision.
+    Precision(Target, Precision),
+    /// The target does not have a function that the kernel calls.
+    Function {
+        /// The kernel.
+        kernel: String,
+        /// The function.
+        function: &'static str,
+        /// The target.
+        target: Target,
+    },
+    /// A number of the kernel is infinite in this precision, or zero where it is not.
+    Number {
+        /// The kernel.
+        kernel: String,
+        /// The number.
+        number: String,
+        /// The precision.
+        precision: Precision,
+    },
+    /// The name of the kernel means something else in the target.
+    Name {
+        /// The kernel.
+        kernel: String,
+        /// The target.
+        target: Target,
+    },
+}
+
+impl fmt::Display for EmitError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            EmitError::Precision(target, precision) => {
+                write!(f, "the target `{}` does not have the precision `{}`", target.name(), precision.name())
+            }
+            EmitError::Function { kernel, function, target } => write!(
+                f,
+                "the kernel `{kernel}` calls `{function}`, which the target `{}` does not have",
+                target.name()
+            ),
+            EmitError::Number { kernel, number, precision } => write!(
+                f,
+                "the kernel `{kernel}` contains the number {number}, which `{}` does not hold",
+                precision.name()
+            ),
+            EmitError::Name { kernel, target } => write!(
+                f,
+                "the kernel `{kernel}` cannot have this name in the target `{}`, where it means something else",
+                target.name()
+            ),
+        }
+    }
+}
+
+impl std::error::Error for EmitError {}
+
+/// Kernels as source that compiles as it stands: what they need, then a documented function each.
+///
+/// # Errors
+/// What the target cannot say, of the first kernel that needs it.
+pub fn emit(
+    kernels: &[(Program, KernelDocs)],
+    target: Target,
+    precision: Precision,
+) -> Result<String, EmitError> {
+    if !target.has(precision) {
+        return Err(EmitError::Precision(target, precision));
+    }
+    for (program, _) in kernels {
+        check(program, target, precision)?;
+    }
+    let function = |(program, docs): &(Program, KernelDocs)| match (target, precision) {
+        (Target::Rust, Precision::DoubleDouble) => generic::double_double(program, docs),
+        (Target::Rust, _) => rust::written(program, docs, "forms_math", precision),
+        (Target::C, _) => C::new(Flavour::C, precision).function(program, docs),
+        (Target::Cuda, _) => C::new(Flavour::Cuda, precision).function(program, docs),
+        (Target::Wgsl, _) => wgsl::function_of(program, docs),
+    };
+    let functions: Vec<String> = kernels.iter().map(function).collect();
+    let programs: Vec<&Program> = kernels.iter().map(|(program, _)| program).collect();
+    let mut parts = vec![match target {
+        Target::Rust => {
+            let is_pasted =
+                precision == Precision::DoubleDouble || programs.iter().any(|program| program.needs_math());
+            if is_pasted { forms_math::source() } else { String::new() }
+        }
+        Target::C => C::new(Flavour::C, precision).head(&programs),
+        Target::Cuda => C::new(Flavour::Cuda, precision).head(&programs),
+        Target::Wgsl => wgsl::head(&programs),
+    }];
+    parts.extend(functions);
+    parts.retain(|part| !part.is_empty());
+    Ok(parts.join("\n"))
+}
+
+/// Whether the target can say what the program does.
+fn check(program: &Program, target: Target, precision: Precision) -> Result<(), EmitError> {
+    let kernel = || program.name.clone();
+    if names::is_taken(target, &program.name) {
+        return Err(EmitError::Name { kernel: kernel(), target });
+    }
+    for instruction in &program.instructions {
+        match instruction {
+            Instruction::Call(operation, _) => {
+                let row = operation.row();
+                let spelling = match target {
+                    Target::Rust => Some(row.real),
+                    Target::C => row.spelling.c,
+                    Target::Wgsl => row.spelling.wgsl,
+                    Target::Cuda => row.spelling.cuda,
+                };
+                if spelling.is_none() {
+                    return Err(EmitError::Function { kernel: kernel(), function: row.name, target });
+                }
+            }
+            Instruction::Constant(constant) if precision == Precision::F32 => {
+                let nearest = constant.to_f32();
+                if !nearest.is_finite() || (nearest == 0.0 && !constant.is_zero()) {
+                    let number = constant.to_string();
+                    return Err(EmitError::Number { kernel: kernel(), number, precision });
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,168 @@
+//! WGSL: one function a kernel over `f32`.
+//!
+//! The language has no way to write NaN, and compilers may assume that there is none: outside the domain of a
+//! kernel its value is NaN where the device has it.
+
+use super::c::unequal_as_less_or_greater;
+use super::dialect::{Branches, Choices, Dialect};
+use super::docs::{KernelDocs, documentation};
+use super::number::literal;
+use super::target::{Precision, Target};
+use super::written::{Written, function, infix, negated};
+use super::{body, names};
+use crate::expression::Operation;
+use crate::kernel::constant::Constant;
+use crate::kernel::program::{Instruction, ProductSum, Program};
+use crate::syntax::ast::Relation;
+use num_rational::Ratio;
+
+/// The longest line of a signature.
+const WIDTH: usize = 100;
+
+/// NaN, by way of a variable, since no constant may be NaN.
+const NAN: &str = "\
+fn forms_nan() -> f32 {
+    var bits = 0x7fc00000u;
+    return bitcast<f32>(bits);
+}
+";
+
+/// a b − c d by the error of one product, after Kahan.
+const DIFFERENCE_OF_PRODUCTS: &str = "\
+// a b - c d by the error of one product (Kahan), where fma rounds once.
+fn forms_difference_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
+    let product = c * d;
+    let error = fma(-c, d, product);
+    return fma(a, b, -product) + error;
+}
+";
+
+/// The functions that these programs need.
+pub(super) fn head(programs: &[&Program]) -> String {
+    let needs = |is_needed: fn(&Instruction) -> bool| {
+        programs.iter().any(|program| program.instructions.iter().any(is_needed))
+    };
+    let has_domain = programs.iter().any(|program| !program.domain.is_empty());
+    let mut parts = Vec::new();
+    if has_domain || needs(|instruction| matches!(instruction, Instruction::Select { .. })) {
+        parts.push(NAN);
+    }
+    let is_product = |instruction: &Instruction| {
+        matches!(instruction, Instruction::DifferenceOfProducts(_) | Instruction::SumOfProducts(_))
+    };
+    if needs(is_product) {
+        parts.push(DIFFERENCE_OF_PRODUCTS);
+    }
+    parts.join("\n")
+}
+
+/// The documented function of a kernel.
+pub(super) fn function_of(program: &Program, docs: &KernelDocs) -> String {
+    let arguments = names::arguments(Target::Wgsl, &program.arguments);
+    let body = body::write(&Wgsl { outputs: program.outputs.len() }, program, &arguments);
+    format!("{}{} {{\n{body}}}\n", documentation(program, docs, "//"), signature(program, &arguments))
+}
+
+fn signature(program: &Program, arguments: &[String]) -> String {
+    let parameters: Vec<String> = arguments.iter().map(|name| format!("{name}: f32")).collect();
+    let result = match program.outputs.len() {
+        1 => "f32".to_string(),
+        several => format!("array<f32, {several}>"),
+    };
+    let line = format!("fn {}({}) -> {result}", program.name, parameters.join(", "));
+    if line.len() <= WIDTH {
+        return line;
+    }
+    format!("fn {}(\n    {},\n) -> {result}", program.name, parameters.join(",\n    "))
+}
+
+struct Wgsl {
+    outputs: usize,
+}
+
+impl Wgsl {
+    fn returned(&self, outputs: &[&str]) -> String {
+        match outputs {
+            [single] => format!("return {single};"),
+            several => format!("return array<f32, {}>({});", self.outputs, several.join(", ")),
+        }
+    }
+}
+
+impl Dialect for Wgsl {
+    fn choices(&self) -> Choices<'_> {
+        Choices::Branches(self)
+    }
+
+    fn number(&self, constant: &Constant) -> Written {
+        literal(constant, Precision::F32)
+    }
+
+    fn sqrt(&self, value: &Written) -> Written {
+        function("sqrt", &[value])
+    }
+
+    /// `pow` is of positive numbers: whole powers of others have the sign that their exponent gives them.
+    fn power(&self, value: &Written, exponent: Ratio<i64>) -> Written {
+        let quotient = format!("{}.0f / {}.0f", exponent.numer(), exponent.denom());
+        if !exponent.is_integer() {
+            return function("pow", &[value, &Written::atom(quotient)]);
+        }
+        let whole = Written::atom(format!("{}.0f", exponent.numer()));
+        let magnitude = function("pow", &[&function("abs", &[value]), &whole]);
+        if exponent.numer() % 2 == 0 {
+            return magnitude;
+        }
+        infix(&function("sign", &[value]), "*", &magnitude)
+    }
+
+    fn call(&self, operation: Operation, operands: &[&Written]) -> Written {
+        let row = operation.row();
+        function(row.spelling.wgsl.unwrap_or(row.name), operands)
+    }
+
+    fn difference_of_products(&self, factors: [&Written; 4]) -> Written {
+        function("forms_difference_of_products", &factors)
+    }
+
+    fn sum_of_products(&self, [a, b, c, d]: [&Written; 4]) -> Written {
+        function("forms_difference_of_products", &[a, b, &negated(c), d])
+    }
+
+    fn multiply_add(&self, sum: ProductSum, [a, b, c]: [&Written; 3]) -> Written {
+        let [factor, other] = sum.signed(a.clone(), c.clone(), |value| negated(&value));
+        function("fma", &[&factor, b, &other])
+    }
+
+    fn nan(&self) -> String {
+        "forms_nan()".to_string()
+    }
+
+    fn declaration(&self, name: &str, value: &str) -> String {
+        format!("let {name} = {value};")
+    }
+
+    fn results(&self, outputs: &[&str]) -> String {
+        format!("    {}\n", self.returned(outputs))
+    }
+}
+
+impl Branches for Wgsl {
+    fn variable(&self, name: &str) -> Option<String> {
+        Some(format!("var {name}: f32;"))
+    }
+
+    fn comparison(&self, left: &Written, relation: Option<Relation>, right: &Written) -> String {
+        unequal_as_less_or_greater(left, relation, right)
+    }
+
+    fn condition(&self, comparison: &str) -> String {
+        comparison.to_string()
+    }
+
+    fn leave_unless(&self, comparison: &str, outputs: usize) -> String {
+        let nan = self.nan();
+        let leave = self.returned(&vec![nan.as_str(); outputs]);
+        format!("    if !({comparison}) {{\n        {leave}\n    }}\n")
+    }
+}

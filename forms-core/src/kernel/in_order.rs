@@ -1,0 +1,91 @@
+//! In order: a program whose sums and products are grouped as they were written, for forms chosen for their accuracy.
+//!
+//! ```text
+//! written ─ powers as products ─ number_values ─ absorb_signs ─ compensate ─ fuse ─ schedule
+//! ```
+//! The other passes regroup sums and products, since their value does not depend on it; their rounding does.
+
+use super::program::{Instruction, Program, Value};
+use num_integer::Integer;
+use num_rational::Ratio;
+
+/// Powers up to this one are written out.
+const WRITTEN_OUT: i64 = 8;
+
+impl Program {
+    /// The same kernel with every sum and product grouped as it is written; products that may cancel are compensated.
+    pub fn in_order(&self) -> Program {
+        super::optimise::grouped(&written_out(self)).compensate()
+    }
+}
+
+/// Small integer powers as products, halves of them with one root.
+fn written_out(program: &Program) -> Program {
+    let mut instructions: Vec<Instruction> = Vec::with_capacity(program.instructions.len());
+    let mut places: Vec<Value> = Vec::with_capacity(program.instructions.len());
+    for instruction in &program.instructions {
+        let instruction = instruction.with_operands(|operand| places[operand.place()]);
+        let value = match instruction {
+            Instruction::Power(base, exponent) if is_short(exponent) => {
+                power(&mut instructions, base, exponent)
+            }
+            other => push(&mut instructions, other),
+        };
+        places.push(value);
+    }
+    program.with_instructions(instructions, |root| places[root.place()])
+}
+
+fn is_short(exponent: Ratio<i64>) -> bool {
+    *exponent.denom() <= 2 && exponent.numer().abs() <= WRITTEN_OUT * exponent.denom()
+}
+
+fn push(instructions: &mut Vec<Instruction>, instruction: Instruction) -> Value {
+    instructions.push(instruction);
+    Value(instructions.len() as u32 - 1)
+}
+
+/// xⁿ by squaring, x^(n/2) = x^⌊n/2⌋ √x, x⁻ʳ = 1/xʳ
+fn power(instructions: &mut Vec<Instruction>, base: Value, exponent: Ratio<i64>) -> Value {
+    let size = exponent.numer().abs();
+    let (whole, half) = size.div_rem(exponent.denom());
+    let mut factors: Vec<Value> = Vec::new();
+    let (mut square, mut rest) = (base, whole);
+    while rest > 0 {
+        if rest.is_odd() {
+            factors.push(square);
+        }
+        rest /= 2;
+        if rest > 0 {
+            square = push(instructions, Instruction::Multiply(square, square));
+        }
+    }
+    if half > 0 {
+        factors.push(push(instructions, Instruction::Sqrt(base)));
+    }
+    let product = factors
+        .into_iter()
+        .reduce(|product, factor| push(instructions, Instruction::Multiply(product, factor)))
+        .expect("an exponent is not zero");
+    if *exponent.numer() > 0 {
+        return product;
+    }
+    let one = push(instructions, Instruction::Constant(super::Constant::integer(1)));
+    push(instructions, Instruction::Divide(one, product))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::kernel::formula::program;
+
+    #[test]
+    fn sums_stay_grouped_and_powers_become_products() {
+        let written = program("a b c", &["c - (a - b)", "a**6 + b**(-3/2)", "(a + b) - a"]);
+        let kept = written.in_order();
+        assert_eq!(kept.operations().function_calls, 0);
+        let point = [1e16, 1.0, 3.0];
+        assert_eq!(kept.interpret(&point)[0], 3.0 - (1e16 - 1.0));
+        assert_eq!(kept.interpret(&point)[2], (1e16 + 1.0) - 1e16);
+        assert_eq!(kept.interpret(&[2.0, 4.0, 0.0])[1], 64.125);
+    }
+}

@@ -1,0 +1,159 @@
+//! Regimes: where no form is best everywhere, each is used where it is best, with the seams at exact numbers.
+//!
+//! The samples are put in the order of one argument. The cheapest way to cut them into at most so many runs, each with
+//! the form that loses least on it, is found by dynamic programming; a cut has to save enough to be made.
+
+use crate::expression::{Expr, Pool, Rational, Seam, Symbol};
+use crate::syntax::ast::Relation;
+use num_bigint::BigInt;
+use num_traits::Zero;
+
+/// The most pieces.
+const MOST_PIECES: usize = 3;
+
+/// What a cut has to save, in bits of the mean.
+const LEAST_GAIN: f64 = 0.15;
+
+/// Runs of the samples in the order of an argument, each with the number of its form.
+pub(super) struct Cut {
+    pub(super) argument: usize,
+    /// The form of each run, and the number below which it is used; the last has none.
+    pub(super) pieces: Vec<(usize, Option<Rational>)>,
+    /// The mean loss.
+    pub(super) loss: f64,
+}
+
+/// The best way to use these forms on the runs of one argument: `losses` has for each form the loss at each sample.
+pub(super) fn best_cut(points: &[&[f64]], weights: &[f64], losses: &[&[f64]]) -> Option<Cut> {
+    let arguments = points.first()?.len();
+    let single = losses.iter().map(|loss| mean(loss, weights)).fold(f64::INFINITY, f64::min);
+    let cuts = (0..arguments).filter_map(|argument| cut(points, weights, losses, argument, single));
+    cuts.min_by(|a, b| a.loss.total_cmp(&b.loss))
+}
+
+/// The mean loss, each sample with its weight.
+pub(super) fn mean(losses: &[f64], weights: &[f64]) -> f64 {
+    losses.iter().zip(weights).map(|(loss, weight)| loss * weight).sum()
+}
+
+fn cut(points: &[&[f64]], weights: &[f64], losses: &[&[f64]], argument: usize, single: f64) -> Option<Cut> {
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|&a, &b| points[a][argument].total_cmp(&points[b][argument]));
+    let value = |place: usize| points[order[place]][argument];
+    // sums of losses over the first samples, for each form
+    let sums: Vec<Vec<f64>> = losses
+        .iter()
+        .map(|loss| {
+            let mut sum = 0.0;
+            std::iter::once(0.0)
+                .chain(order.iter().map(|&place| {
+                    sum += loss[place] * weights[place];
+                    sum
+                }))
+                .collect()
+        })
+        .collect();
+    let count = order.len();
+    // best[k][j]: the least loss of the first j samples in k + 1 runs, with the last run's form and start
+    let mut best: Vec<Vec<(f64, usize, usize)>> = Vec::new();
+    for pieces in 0..MOST_PIECES {
+        let mut row = vec![(f64::INFINITY, 0, 0); count + 1];
+        for (form, sum) in sums.iter().enumerate() {
+            let (mut start, mut least) = (0, if pieces == 0 { 0.0 } else { f64::INFINITY });
+            for end in 1..=count {
+                let place = end - 1;
+                // a run may start where the argument changes
+                if pieces > 0 && place > 0 && value(place - 1) < value(place) {
+                    let before = best[pieces - 1][place].0 - sum[place];
+                    if before < least {
+                        (least, start) = (before, place);
+                    }
+                }
+                let loss = least + sum[end];
+                if loss < row[end].0 {
+                    row[end] = (loss, form, start);
+                }
+            }
+        }
+        best.push(row);
+    }
+    let gain = |pieces: usize| single - best[pieces][count].0 - LEAST_GAIN * pieces as f64;
+    let pieces = (1..MOST_PIECES).max_by(|&a, &b| gain(a).total_cmp(&gain(b))).filter(|&p| gain(p) > 0.0)?;
+    let mut found = Vec::new();
+    let (mut end, mut bound) = (count, None);
+    for left in (0..=pieces).rev() {
+        let (_, form, start) = best[left][end];
+        found.push((form, bound.take()));
+        if start > 0 {
+            bound = Some(between(value(start - 1), value(start)));
+        }
+        end = start;
+    }
+    found.reverse();
+    Some(Cut { argument, pieces: found, loss: best[pieces][count].0 })
+}
+
+/// A short number above a and not above b: zero, a power of ten, or one with few digits.
+fn between(a: f64, b: f64) -> Rational {
+    if a < 0.0 && b >= 0.0 {
+        return Rational::zero();
+    }
+    let exact = |value: f64| Rational::from_float(value).unwrap_or_default();
+    let (lower, upper) = (exact(a), exact(b));
+    let (small, large) = if b <= 0.0 { (-b, -a) } else { (a, b) };
+    let middle = if small > 0.0 { (small.log10() + large.log10()) / 2.0 } else { large.log10() - 1.0 };
+    let power = |exponent: i32| {
+        let ten = Rational::from_integer(BigInt::from(10).pow(exponent.unsigned_abs()));
+        if exponent < 0 { ten.recip() } else { ten }
+    };
+    let exponent = middle.round() as i32;
+    let digits = Rational::from_float(10f64.powf(middle - f64::from(exponent))).unwrap_or_default();
+    for places in 0..17 {
+        let rounded = (&digits * power(places)).round() / power(places) * power(exponent);
+        let candidate = if b <= 0.0 { -rounded } else { rounded };
+        if lower < candidate && candidate <= upper {
+            return candidate;
+        }
+    }
+    upper
+}
+
+/// The outputs of the pieces, chosen by the argument.
+pub(super) fn joined(pool: &mut Pool, argument: Symbol, forms: &[&[Expr]], cut: &Cut) -> Vec<Expr> {
+    let variable = pool.symbol(argument);
+    let (last, others) = cut.pieces.split_last().expect("a cut has pieces");
+    let mut outputs: Vec<Expr> = forms[last.0].to_vec();
+    for (form, bound) in others.iter().rev() {
+        let bound = pool.number(bound.clone().unwrap_or_default());
+        for (output, &piece) in outputs.iter_mut().zip(forms[*form]) {
+            *output = pool.select((variable, Relation::Less, bound), piece, *output, Seam::Agrees);
+        }
+    }
+    outputs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_form_is_used_where_it_loses_least() {
+        let numbers: Vec<[f64; 1]> = (0..20).map(|n| [f64::from(n) - 10.0]).collect();
+        let points: Vec<&[f64]> = numbers.iter().map(|point| &point[..]).collect();
+        let left: Vec<f64> = numbers.iter().map(|x| if x[0] < 3.0 { 0.0 } else { 20.0 }).collect();
+        let right: Vec<f64> = numbers.iter().map(|x| if x[0] < 3.0 { 30.0 } else { 1.0 }).collect();
+        let weights = vec![0.05; 20];
+        let cut = best_cut(&points, &weights, &[&left, &right]).expect("a cut");
+        assert_eq!(cut.pieces, [(0, Some(Rational::from_integer(3.into()))), (1, None)]);
+        assert!((cut.loss - 7.0 * 0.05).abs() < 1e-12);
+        assert!(best_cut(&points, &weights, &[&left, &left]).is_none());
+    }
+
+    #[test]
+    fn a_seam_is_a_short_number() {
+        assert_eq!(between(-1.0, 2.0), Rational::zero());
+        assert_eq!(between(1e-9, 0.3), Rational::new(1.into(), 100_000.into()));
+        assert_eq!(between(-3.7, -0.1), Rational::new((-1).into(), 1.into()));
+        assert_eq!(between(2.15, 2.25), Rational::new(11.into(), 5.into()));
+    }
+}

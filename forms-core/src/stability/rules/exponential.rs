@@ -1,0 +1,174 @@
+//! Exponentials and logarithms near where they are 1 and 0.
+
+use super::Rewriting;
+use super::factors::factors;
+use crate::expression::{Expr, Node, Operation};
+
+/// eᵃ − 1 = expm1 a, among the terms of a sum too, with a factor before both
+pub(super) fn less_one(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    let terms = rewriting.terms(expression);
+    let mut found = Vec::new();
+    for (place, &first) in terms.iter().enumerate() {
+        for (other, &second) in terms.iter().enumerate() {
+            let ((c, power), (k, number)) = (rewriting.scaled(first), rewriting.scaled(second));
+            let opposite = rewriting.pool.negate(k);
+            let is_one = number == rewriting.pool.integer(1);
+            let Some(a) = rewriting.argument_of(Operation::Exp, power).filter(|_| c == opposite && is_one)
+            else {
+                continue;
+            };
+            let value = rewriting.pool.apply(Operation::Expm1, &[a]);
+            let mut all = vec![rewriting.pool.multiply(c, value)];
+            all.extend((0..terms.len()).filter(|at| ![place, other].contains(at)).map(|at| terms[at]));
+            found.push(rewriting.total(&all));
+        }
+    }
+    found
+}
+
+/// eᵃ − eᵇ = eᵇ expm1(a − b)
+pub(super) fn difference(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    let Some((first, second)) = rewriting.two_terms(expression) else { return Vec::new() };
+    let ((c, p), (k, q)) = (rewriting.scaled(first), rewriting.scaled(second));
+    let opposite = rewriting.pool.negate(k);
+    let (Some(a), Some(b)) =
+        (rewriting.argument_of(Operation::Exp, p), rewriting.argument_of(Operation::Exp, q))
+    else {
+        return Vec::new();
+    };
+    if c != opposite {
+        return Vec::new();
+    }
+    let exponent = rewriting.difference(a, b);
+    let growth = rewriting.pool.apply(Operation::Expm1, &[exponent]);
+    let scaled = rewriting.pool.multiply(c, q);
+    vec![rewriting.pool.multiply(scaled, growth)]
+}
+
+/// eᵃ − e⁻ᵃ = 2 sinh a, eᵃ + e⁻ᵃ = 2 cosh a, eᵃ + e⁻ᵃ − 2 = 4 sinh²(a/2), cosh a − 1 = 2 sinh²(a/2)
+pub(super) fn hyperbolic(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    let terms = rewriting.terms(expression);
+    let two = rewriting.pool.integer(2);
+    let half_sine = |rewriting: &mut Rewriting<'_>, a: Expr, factor: i64| {
+        let half = rewriting.half(a);
+        let sine = rewriting.pool.apply(Operation::Sinh, &[half]);
+        let square = rewriting.square(sine);
+        rewriting.times(factor, square)
+    };
+    let exponents: Vec<Option<Expr>> =
+        terms.iter().map(|&term| rewriting.argument_of(Operation::Exp, term)).collect();
+    let known: Vec<Expr> = exponents.iter().flatten().copied().collect();
+    let minus_two = rewriting.pool.integer(-2);
+    let minus_one = rewriting.pool.integer(-1);
+    let mut found = Vec::new();
+    if let [a, b] = known[..]
+        && rewriting.sum(a, b) == rewriting.pool.integer(0)
+    {
+        if terms.len() == 2 {
+            let cosine = rewriting.pool.apply(Operation::Cosh, &[a]);
+            found.push(rewriting.pool.multiply(two, cosine));
+        }
+        if terms.len() == 3 && terms.contains(&minus_two) {
+            found.push(half_sine(rewriting, a, 4));
+        }
+    }
+    if let [first, second] = terms[..] {
+        if let (Some(a), Node::Negate(other)) = (exponents[0], rewriting.pool.node(second).clone())
+            && let Some(b) = rewriting.argument_of(Operation::Exp, other)
+            && rewriting.sum(a, b) == rewriting.pool.integer(0)
+        {
+            let sine = rewriting.pool.apply(Operation::Sinh, &[a]);
+            found.push(rewriting.pool.multiply(two, sine));
+        }
+        if let Some(a) = rewriting.argument_of(Operation::Cosh, first).filter(|_| second == minus_one) {
+            found.push(half_sine(rewriting, a, 2));
+        }
+    }
+    found
+}
+
+/// eᵃ/q(eᵃ) = 1/(q(eᵃ) e⁻ᵃ), which does not overflow, and eᵃ/expm1 a = −1/expm1(−a)
+pub(super) fn reciprocal(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    let Node::Divide(p, q) = *rewriting.pool.node(expression) else { return Vec::new() };
+    let Some(a) = rewriting.argument_of(Operation::Exp, p) else { return Vec::new() };
+    let minus = rewriting.pool.negate(a);
+    let shrinking = rewriting.pool.apply(Operation::Exp, &[minus]);
+    let one = rewriting.pool.integer(1);
+    let mut found = Vec::new();
+    if rewriting.argument_of(Operation::Expm1, q) == Some(a) {
+        let growth = rewriting.pool.apply(Operation::Expm1, &[minus]);
+        let inverse = rewriting.pool.divide(one, growth);
+        found.push(rewriting.pool.negate(inverse));
+    }
+    let terms = rewriting.terms(q);
+    if !terms.is_empty() {
+        let scaled: Vec<Expr> = terms
+            .iter()
+            .map(|&term| {
+                let product = rewriting.pool.multiply(term, shrinking);
+                rewriting.simplified(product)
+            })
+            .collect();
+        let rest = rewriting.total(&scaled);
+        found.push(rewriting.pool.divide(one, rest));
+    }
+    found
+}
+
+/// log a = log1p(a − 1), log(p/q) = log1p((p − q)/q) = log p − log q, (1 + u)ʳ − 1 = expm1(r log1p u)
+pub(super) fn near_one(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    let one = rewriting.pool.integer(1);
+    let mut found = Vec::new();
+    if let Some(a) = rewriting.argument_of(Operation::Log, expression) {
+        let excess = rewriting.difference(a, one);
+        found.push(rewriting.pool.apply(Operation::Log1p, &[excess]));
+        let (above, below, negative) = factors(rewriting.pool, a);
+        if !negative && !below.is_empty() {
+            let p = super::factors::product(rewriting.pool, &above);
+            let q = super::factors::product(rewriting.pool, &below);
+            let difference = rewriting.difference(p, q);
+            let ratio = rewriting.pool.divide(difference, q);
+            found.push(rewriting.pool.apply(Operation::Log1p, &[ratio]));
+            let logs = [p, q].map(|part| {
+                let excess = rewriting.difference(part, one);
+                rewriting.pool.apply(Operation::Log1p, &[excess])
+            });
+            found.push(rewriting.pool.subtract(logs[0], logs[1]));
+        }
+    }
+    let minus_one = rewriting.pool.integer(-1);
+    if let Some((power, number)) = rewriting.two_terms(expression)
+        && number == minus_one
+        && let Node::Power(base, exponent) = *rewriting.pool.node(power)
+    {
+        let excess = rewriting.difference(base, one);
+        let logarithm = rewriting.pool.apply(Operation::Log1p, &[excess]);
+        let exponent = rewriting.pool.ratio(*exponent.numer(), *exponent.denom());
+        let product = rewriting.pool.multiply(exponent, logarithm);
+        found.push(rewriting.pool.apply(Operation::Expm1, &[product]));
+    }
+    found
+}
+
+/// log a − log b = log1p((a − b)/b) = −log1p((b − a)/a)
+pub(super) fn logarithms(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    let Some((first, second)) = rewriting.two_terms(expression) else { return Vec::new() };
+    let ((c, p), (k, q)) = (rewriting.scaled(first), rewriting.scaled(second));
+    let opposite = rewriting.pool.negate(k);
+    let (Some(a), Some(b)) =
+        (rewriting.argument_of(Operation::Log, p), rewriting.argument_of(Operation::Log, q))
+    else {
+        return Vec::new();
+    };
+    if c != opposite {
+        return Vec::new();
+    }
+    let mut found = Vec::new();
+    for (a, b, c) in [(a, b, c), (b, a, k)] {
+        let difference = rewriting.difference(a, b);
+        let ratio = rewriting.pool.divide(difference, b);
+        let logarithm = rewriting.pool.apply(Operation::Log1p, &[ratio]);
+        found.push(rewriting.pool.multiply(c, logarithm));
+    }
+    found
+}

@@ -1,0 +1,204 @@
+//! Rules: what an expression can be written as instead.
+//!
+//! A rule looks at one operation and proposes expressions that are equal to it where both are defined, or nearly always
+//! so; whether one is right is not its business, since every form that is kept is proved.
+
+mod exponential;
+mod factors;
+mod fractions;
+mod radical;
+mod scaling;
+mod sums;
+mod trigonometric;
+
+use crate::decide::simplified_where;
+use crate::expression::{Condition, Expr, Node, Operation, Pool};
+use num_rational::Ratio;
+use rustc_hash::FxHashMap;
+
+/// Texts longer than this are not simplified: nobody would read what comes out, and a kernel should not compute it.
+const LONGEST: usize = 600;
+
+/// What rules work with: the pool, what may be assumed, and what has been simplified before.
+pub(super) struct Rewriting<'a> {
+    pub(super) pool: &'a mut Pool,
+    conditions: &'a [Condition],
+    simple: FxHashMap<Expr, Expr>,
+}
+
+/// A rule: what may stand in the place of an expression.
+type Rule = fn(&mut Rewriting<'_>, Expr) -> Vec<Expr>;
+
+/// All rules, in the order in which they are tried.
+const RULES: &[Rule] = &[
+    simplification,
+    sums::factored,
+    sums::regrouped,
+    sums::shared_function,
+    radical::conjugate,
+    radical::rationalised,
+    radical::of_quotients_and_products,
+    fractions::over_one_denominator,
+    fractions::without_a_common_factor,
+    fractions::reordered,
+    fractions::power_of_a_quotient,
+    exponential::less_one,
+    exponential::difference,
+    exponential::hyperbolic,
+    exponential::reciprocal,
+    exponential::near_one,
+    exponential::logarithms,
+    trigonometric::versine,
+    trigonometric::differences,
+    trigonometric::of_a_sum,
+    trigonometric::half_angle,
+    trigonometric::arc_tangents,
+    trigonometric::from_the_other_leg,
+    scaling::scaled_root,
+    scaling::beside_a_square,
+];
+
+impl<'a> Rewriting<'a> {
+    pub(super) fn new(pool: &'a mut Pool, conditions: &'a [Condition]) -> Self {
+        Rewriting { pool, conditions, simple: FxHashMap::default() }
+    }
+
+    /// Everything the rules propose for an expression, each once, never the expression itself.
+    pub(super) fn alternatives(&mut self, expression: Expr) -> Vec<Expr> {
+        let mut found: Vec<Expr> = Vec::new();
+        for rule in RULES {
+            for proposed in rule(self, expression) {
+                if proposed != expression && !found.contains(&proposed) {
+                    found.push(proposed);
+                }
+            }
+        }
+        found
+    }
+
+    /// The expression as its normal form, where that is shorter.
+    pub(super) fn simplified(&mut self, expression: Expr) -> Expr {
+        if let Some(&known) = self.simple.get(&expression) {
+            return known;
+        }
+        let before = self.pool.text(expression).len();
+        let mut simple = expression;
+        if before <= LONGEST {
+            let proposed = simplified_where(self.pool, self.conditions, expression);
+            if self.pool.text(proposed).len() < before {
+                simple = proposed;
+            }
+        }
+        self.simple.insert(expression, simple);
+        simple
+    }
+
+    /// a − b, simplified
+    pub(super) fn difference(&mut self, a: Expr, b: Expr) -> Expr {
+        let difference = self.pool.subtract(a, b);
+        self.simplified(difference)
+    }
+
+    /// a + b, simplified
+    pub(super) fn sum(&mut self, a: Expr, b: Expr) -> Expr {
+        let sum = self.pool.add(a, b);
+        self.simplified(sum)
+    }
+
+    /// a², as a product
+    pub(super) fn square(&mut self, a: Expr) -> Expr {
+        self.pool.multiply(a, a)
+    }
+
+    /// a/2
+    pub(super) fn half(&mut self, a: Expr) -> Expr {
+        let two = self.pool.integer(2);
+        let half = self.pool.divide(a, two);
+        self.simplified(half)
+    }
+
+    /// c a
+    pub(super) fn times(&mut self, factor: i64, a: Expr) -> Expr {
+        let factor = self.pool.integer(factor);
+        self.pool.multiply(factor, a)
+    }
+
+    /// The argument of an expression that is this function of one.
+    pub(super) fn argument_of(&self, operation: Operation, expression: Expr) -> Option<Expr> {
+        match self.pool.node(expression) {
+            Node::Apply(known, arguments) if *known == operation => Some(arguments[0]),
+            _ => None,
+        }
+    }
+
+    /// q of √q
+    pub(super) fn radicand(&self, expression: Expr) -> Option<Expr> {
+        match self.pool.node(expression) {
+            Node::Power(base, exponent) if *exponent == Ratio::new(1, 2) => Some(*base),
+            _ => None,
+        }
+    }
+
+    /// a of a², written as a power or as a product
+    pub(super) fn squared(&self, expression: Expr) -> Option<Expr> {
+        match self.pool.node(expression) {
+            Node::Power(base, exponent) if *exponent == Ratio::from_integer(2) => Some(*base),
+            Node::Multiply(a, b) if a == b => Some(*a),
+            _ => None,
+        }
+    }
+
+    /// A sum as a first and a second part, if it has just two: a + b with the sign in front of b taken into it.
+    pub(super) fn two_terms(&mut self, expression: Expr) -> Option<(Expr, Expr)> {
+        let Node::Add(a, b) = *self.pool.node(expression) else { return None };
+        Some((a, b))
+    }
+
+    /// The summands of a sum, signs taken into them; nothing where it is no sum.
+    pub(super) fn terms(&mut self, expression: Expr) -> Vec<Expr> {
+        if !matches!(self.pool.node(expression), Node::Add(..)) {
+            return Vec::new();
+        }
+        let summands = self.pool.summands(expression);
+        summands
+            .into_iter()
+            .map(|(term, negative)| if negative { self.pool.negate(term) } else { term })
+            .collect()
+    }
+
+    /// The sum of terms, from the first to the last.
+    pub(super) fn total(&mut self, terms: &[Expr]) -> Expr {
+        let mut sum = self.pool.integer(0);
+        for &term in terms {
+            sum = self.pool.add(sum, term);
+        }
+        sum
+    }
+
+    /// Whether a variable occurs in it.
+    pub(super) fn varies(&self, expression: Expr) -> bool {
+        !self.pool.symbols_in(&[expression]).is_empty()
+    }
+
+    /// c and q of c q, where q is what is left when numbers and signs are taken away.
+    pub(super) fn scaled(&mut self, expression: Expr) -> (Expr, Expr) {
+        let (above, below, negative) = factors::factors(self.pool, expression);
+        let is_number = |pool: &Pool, factor: &Expr| pool.symbols_in(&[*factor]).is_empty();
+        let split = |pool: &Pool, list: Vec<Expr>| -> (Vec<Expr>, Vec<Expr>) {
+            list.into_iter().partition(|factor| is_number(pool, factor))
+        };
+        let (numbers_above, above) = split(self.pool, above);
+        let (numbers_below, below) = split(self.pool, below);
+        let number = factors::quotient(self.pool, &numbers_above, &numbers_below);
+        let number = if negative { self.pool.negate(number) } else { number };
+        (number, factors::quotient(self.pool, &above, &below))
+    }
+}
+
+/// The normal form, where it is shorter: common factors cancel, and what is hidden by cancellation appears.
+fn simplification(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    match rewriting.pool.node(expression) {
+        Node::Add(..) | Node::Divide(..) | Node::Multiply(..) => vec![rewriting.simplified(expression)],
+        _ => Vec::new(),
+    }
+}

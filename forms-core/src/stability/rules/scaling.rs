@@ -1,0 +1,50 @@
+//! Roots of sums of squares that do not leave the range of floating-point numbers on the way.
+
+use super::Rewriting;
+use super::factors::{factors, quotient};
+use crate::expression::{Expr, Operation, Seam};
+use crate::syntax::ast::Relation;
+
+/// √(a² ± b²) = |a| √(1 ± (b/a)²) where |a| ≥ |b|, and the other way round
+pub(super) fn scaled_root(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    let Some(radicand) = rewriting.radicand(expression) else { return Vec::new() };
+    let Some((first, second)) = rewriting.two_terms(radicand) else { return Vec::new() };
+    let (Some(a), Some(b)) = (rewriting.squared(first), rewriting.squared(second)) else {
+        return Vec::new();
+    };
+    let size = |rewriting: &mut Rewriting<'_>, x: Expr| rewriting.pool.apply(Operation::Abs, &[x]);
+    let (size_a, size_b) = (size(rewriting, a), size(rewriting, b));
+    let one = rewriting.pool.integer(1);
+    let scaled = |rewriting: &mut Rewriting<'_>, large: Expr, size: Expr, small: Expr| {
+        let ratio = rewriting.pool.divide(small, large);
+        let square = rewriting.square(ratio);
+        let sum = rewriting.pool.add(one, square);
+        let root = rewriting.pool.sqrt(sum);
+        rewriting.pool.multiply(size, root)
+    };
+    let by_a = scaled(rewriting, a, size_a, b);
+    let by_b = scaled(rewriting, b, size_b, a);
+    let relation = (size_a, Relation::Greater, size_b);
+    vec![rewriting.pool.select(relation, by_a, by_b, Seam::Agrees), by_a, by_b]
+}
+
+/// √(a² + p q) = |a| √(1 + (p/a)(q/a)), where the other term is no square
+pub(super) fn beside_a_square(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    let Some(radicand) = rewriting.radicand(expression) else { return Vec::new() };
+    let Some((first, second)) = rewriting.two_terms(radicand) else { return Vec::new() };
+    let mut found = Vec::new();
+    for (square, other) in [(first, second), (second, first)] {
+        let Some(a) = rewriting.squared(square) else { continue };
+        let (above, below, negative) = factors(rewriting.pool, other);
+        let Some((&last, rest)) = above.split_last() else { continue };
+        let rest = quotient(rewriting.pool, rest, &below);
+        let (p, q) = (rewriting.pool.divide(rest, a), rewriting.pool.divide(last, a));
+        let ratio = rewriting.pool.multiply(p, q);
+        let ratio = if negative { rewriting.pool.negate(ratio) } else { ratio };
+        let one = rewriting.pool.integer(1);
+        let sum = rewriting.pool.add(one, ratio);
+        let (size, root) = (rewriting.pool.apply(Operation::Abs, &[a]), rewriting.pool.sqrt(sum));
+        found.push(rewriting.pool.multiply(size, root));
+    }
+    found
+}

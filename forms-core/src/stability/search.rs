@@ -1,0 +1,304 @@
+//! The search: best first, from the formula as it was written, bounded by the forms that are looked at.
+
+use super::locate::lossy;
+use super::proof::proved;
+use super::regimes::{best_cut, joined, mean};
+use super::rules::Rewriting;
+use crate::accuracy::{Regime, Sample, Samples, Width, bits_lost, sample};
+use crate::expression::{Expr, Pool};
+use crate::kernel::{KernelSource, Program, lower};
+use crate::resolve::Kernel;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// How much is spent on one kernel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Effort {
+    /// Samples of each regime.
+    pub samples: usize,
+    /// Forms that are taken apart.
+    pub expansions: usize,
+    /// Operations of a form that rules are tried on.
+    pub places: usize,
+    /// Forms that are proved.
+    pub proofs: usize,
+}
+
+impl Default for Effort {
+    fn default() -> Self {
+        Effort { samples: 48, expansions: 48, places: 8, proofs: 24 }
+    }
+}
+
+/// Samples that lose most are what a form's operations are looked at with.
+const LOCATED: usize = 24;
+
+/// Forms that lose less than this on the mean are not improved for long, in bits.
+const GOOD: f64 = 0.15;
+
+/// So many forms are taken apart where a good one is known.
+const EXPANSIONS_IF_GOOD: usize = 8;
+
+/// Of smaller forms every operation is looked at.
+const SMALL: usize = 16;
+
+/// A form is not kept beside a cheaper one for a smaller gain than this.
+const PARETO_STEP: f64 = 0.02;
+
+/// Larger programs than this many times the formula's are not looked at.
+const LARGEST_GROWTH: usize = 6;
+
+/// One way to compute a kernel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Form {
+    /// What it computes each output by.
+    pub outputs: Vec<Expr>,
+    /// The mean of the bits it loses in `f64`, over all regimes alike.
+    pub loss: f64,
+    /// The mean in each regime.
+    pub regimes: Vec<(Regime, f64)>,
+    /// Its cost in units of an addition.
+    pub cost: u32,
+}
+
+/// A cheaper form is preferred to one that is so much more accurate, in bits of the mean.
+const WORTH: f64 = 0.12;
+
+/// What a search found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// The formula as it was written.
+    pub written: Form,
+    /// Forms proved equal to it, none of which is both cheaper and more accurate than another; the most accurate first.
+    pub forms: Vec<Form>,
+}
+
+impl Found {
+    /// The form to use: the cheapest of those that lose hardly more than the best.
+    pub fn chosen(&self) -> &Form {
+        let best = self.forms.first().unwrap_or(&self.written);
+        let good = self.forms.iter().filter(|form| form.loss <= best.loss + WORTH);
+        good.min_by_key(|form| form.cost).unwrap_or(best)
+    }
+}
+
+/// A form with its loss at each sample.
+struct Candidate {
+    outputs: Vec<Expr>,
+    losses: Vec<f64>,
+    loss: f64,
+    cost: u32,
+    expanded: bool,
+}
+
+/// Looks for forms of a kernel that lose fewer bits. The pool is that of the kernel; forms are added to it.
+pub fn search(pool: &mut Pool, kernel: &Kernel, effort: Effort) -> Option<Found> {
+    let samples = sample(pool, kernel, Width::Double, &Regime::ALL, effort.samples, 0);
+    let mut search = Search::new(pool, kernel, &samples, effort)?;
+    search.add(kernel.outputs.clone());
+    for _ in 0..effort.expansions {
+        let Some(next) = search.next() else { break };
+        search.expand(next);
+    }
+    search.finish()
+}
+
+struct Search<'a> {
+    pool: &'a mut Pool,
+    kernel: &'a Kernel,
+    samples: &'a [Samples],
+    effort: Effort,
+    /// All samples in turn, and the share of each in the mean.
+    points: Vec<&'a Sample>,
+    weights: Vec<f64>,
+    candidates: Vec<Candidate>,
+    seen: FxHashSet<Vec<Expr>>,
+    largest: usize,
+}
+
+impl<'a> Search<'a> {
+    fn new(pool: &'a mut Pool, kernel: &'a Kernel, samples: &'a [Samples], effort: Effort) -> Option<Self> {
+        let points: Vec<&Sample> = samples.iter().flat_map(|regime| &regime.samples).collect();
+        if points.is_empty() {
+            return None;
+        }
+        let share = |regime: &Samples| 1.0 / (samples.len() * regime.samples.len()) as f64;
+        let weights = samples
+            .iter()
+            .flat_map(|regime| std::iter::repeat_n(share(regime), regime.samples.len()))
+            .collect();
+        let largest = LARGEST_GROWTH * pool.reachable(&kernel.outputs).len().max(8);
+        Some(Search {
+            pool,
+            kernel,
+            samples,
+            effort,
+            points,
+            weights,
+            candidates: Vec::new(),
+            seen: FxHashSet::default(),
+            largest,
+        })
+    }
+
+    /// Scores a form, unless it is known or too large.
+    fn add(&mut self, outputs: Vec<Expr>) {
+        if !self.seen.insert(outputs.clone()) || self.pool.reachable(&outputs).len() > self.largest {
+            return;
+        }
+        let Some(program) = program(self.pool, self.kernel, &outputs) else { return };
+        let interpreter = program.interpreter::<f64>();
+        let losses: Vec<f64> = self
+            .points
+            .iter()
+            .map(|sample| bits_lost(Width::Double, sample, &interpreter.values(&sample.arguments)))
+            .collect();
+        let loss = mean(&losses, &self.weights);
+        self.candidates.push(Candidate { outputs, losses, loss, cost: program.cost(), expanded: false });
+    }
+
+    /// The form to take apart next: of those not yet taken apart the best, in turn over everything and in each regime.
+    fn next(&self) -> Option<usize> {
+        let best = self.candidates.iter().map(|form| form.loss).fold(f64::INFINITY, f64::min);
+        let done = self.candidates.iter().filter(|form| form.expanded).count();
+        if best < GOOD && done > EXPANSIONS_IF_GOOD {
+            return None;
+        }
+        let open = (0..self.candidates.len()).filter(|&place| !self.candidates[place].expanded);
+        let turn = done % (self.samples.len() + 2);
+        let key = |place: &usize| {
+            let form = &self.candidates[*place];
+            let loss = if turn < 2 { form.loss } else { self.regime_loss(form, turn - 2) };
+            (loss * 16.0).round() + f64::from(form.cost) / 1000.0 + form.loss / 1e3
+        };
+        open.min_by(|a, b| key(a).total_cmp(&key(b)))
+    }
+
+    fn regime_loss(&self, form: &Candidate, regime: usize) -> f64 {
+        let start: usize = self.samples[..regime].iter().map(|samples| samples.samples.len()).sum();
+        let count = self.samples[regime].samples.len();
+        form.losses[start..start + count].iter().sum::<f64>() / count as f64
+    }
+
+    /// Adds what the rules make of the operations of a form that lose bits.
+    fn expand(&mut self, place: usize) {
+        self.candidates[place].expanded = true;
+        let outputs = self.candidates[place].outputs.clone();
+        let losses = &self.candidates[place].losses;
+        let mut worst: Vec<usize> = (0..losses.len()).filter(|&at| losses[at] > 0.5).collect();
+        worst.sort_by(|&a, &b| losses[b].total_cmp(&losses[a]));
+        // some of every size of loss, so that one singularity does not hide another
+        let step = worst.len().div_ceil(LOCATED).max(1);
+        let hard: Vec<&Sample> = worst.into_iter().step_by(step).map(|at| self.points[at]).collect();
+        let nodes = self.pool.reachable(&outputs);
+        let targets = if nodes.len() <= SMALL {
+            nodes
+        } else {
+            lossy(self.pool, &self.kernel.arguments, &outputs, &hard, self.effort.places)
+        };
+        let mut rewriting = Rewriting::new(self.pool, &self.kernel.domain);
+        let proposals: Vec<(Expr, Expr)> = targets
+            .into_iter()
+            .flat_map(|target| {
+                let images = rewriting.alternatives(target);
+                images.into_iter().map(move |image| (target, image))
+            })
+            .collect();
+        for (target, image) in proposals {
+            let parts: FxHashMap<Expr, Expr> = [(target, image)].into_iter().collect();
+            let form = outputs.iter().map(|&output| self.pool.replace(output, &parts)).collect();
+            self.add(form);
+        }
+    }
+
+    /// The forms that are proved, alone and joined, as far as none is beaten by another.
+    fn finish(mut self) -> Option<Found> {
+        let written = self.form(&self.candidates.first()?.outputs.clone())?;
+        let mut proved: Vec<usize> = Vec::new();
+        for place in self.finalists() {
+            let outputs = self.candidates[place].outputs.clone();
+            if place == 0 || self::proved(self.pool, self.kernel, &outputs) {
+                proved.push(place);
+            }
+        }
+        let mut forms: Vec<Form> = Vec::new();
+        if let Some(outputs) = self.joined(&proved) {
+            forms.extend(self.form(&outputs));
+        }
+        for place in proved {
+            forms.extend(self.form(&self.candidates[place].outputs.clone()));
+        }
+        forms.sort_by(|a, b| a.loss.total_cmp(&b.loss).then(a.cost.cmp(&b.cost)));
+        let mut front: Vec<Form> = Vec::new();
+        for form in forms {
+            let is_beaten =
+                front.iter().any(|other| other.cost <= form.cost && other.loss <= form.loss + PARETO_STEP);
+            // a dearer form that gains nothing worth its cost gives way
+            if let Some(last) = front.last()
+                && form.loss <= last.loss + PARETO_STEP
+                && form.cost < last.cost
+            {
+                front.pop();
+            }
+            if !is_beaten {
+                front.push(form);
+            }
+        }
+        Some(Found { written, forms: front })
+    }
+
+    /// The forms worth a proof: the best over everything, then the best of each regime, the formula among them.
+    fn finalists(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.candidates.len()).collect();
+        let key = |&place: &usize| (self.candidates[place].loss * 50.0).round() as u64;
+        order.sort_by_key(|place| (key(place), self.candidates[*place].cost));
+        let mut chosen: Vec<usize> = order.into_iter().take(self.effort.proofs).collect();
+        for regime in 0..self.samples.len() {
+            let best = (0..self.candidates.len()).min_by(|&a, &b| {
+                let loss = |place: usize| self.regime_loss(&self.candidates[place], regime);
+                loss(a).total_cmp(&loss(b)).then(self.candidates[a].loss.total_cmp(&self.candidates[b].loss))
+            });
+            chosen.extend(best);
+        }
+        chosen.push(0);
+        let mut seen = FxHashSet::default();
+        chosen.retain(|&place| seen.insert(place));
+        chosen
+    }
+
+    /// The proved forms joined where each is best, if that is better than the best of them.
+    fn joined(&mut self, proved: &[usize]) -> Option<Vec<Expr>> {
+        let points: Vec<&[f64]> = self.points.iter().map(|sample| &sample.arguments[..]).collect();
+        let losses: Vec<&[f64]> = proved.iter().map(|&place| &self.candidates[place].losses[..]).collect();
+        let cut = best_cut(&points, &self.weights, &losses)?;
+        let forms: Vec<Vec<Expr>> =
+            proved.iter().map(|&place| self.candidates[place].outputs.clone()).collect();
+        let forms: Vec<&[Expr]> = forms.iter().map(|form| &form[..]).collect();
+        Some(joined(self.pool, self.kernel.arguments[cut.argument], &forms, &cut))
+    }
+
+    fn form(&mut self, outputs: &[Expr]) -> Option<Form> {
+        if !self.candidates.iter().any(|known| known.outputs == outputs) {
+            self.largest = usize::MAX;
+            self.add(outputs.to_vec());
+        }
+        let known = self.candidates.iter().find(|known| known.outputs == outputs)?;
+        let regimes = self.samples.iter().enumerate();
+        let regimes = regimes.map(|(place, regime)| (regime.regime, self.regime_loss(known, place)));
+        Some(Form {
+            outputs: known.outputs.clone(),
+            loss: known.loss,
+            regimes: regimes.collect(),
+            cost: known.cost,
+        })
+    }
+}
+
+/// The program of a form, grouped as it is written.
+fn program(pool: &Pool, kernel: &Kernel, outputs: &[Expr]) -> Option<Program> {
+    let source = KernelSource {
+        arguments: kernel.arguments.clone(),
+        outputs: outputs.to_vec(),
+        ..KernelSource::default()
+    };
+    Some(lower(pool, &source).ok()?.in_order())
+}

@@ -1,0 +1,111 @@
+//! +, −, ×, ÷ and √.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::{Bound, Guardable, Guarded};
+
+impl<T: Guardable> Guarded<T> {
+    /// The result with its error; undefined where an operand is.
+    #[inline]
+    pub(super) fn of_operands(operands: &[Self], value: T, error: T::Bound) -> Self {
+        if value.size().is_finite() {
+            return Self { value, error };
+        }
+        Self::without_value(operands, value)
+    }
+
+    #[cold]
+    fn without_value(operands: &[Self], value: T) -> Self {
+        if operands.iter().any(|operand| operand.is_undefined()) {
+            Self::undefined()
+        } else {
+            Self::undecided(value)
+        }
+    }
+
+    /// What the errors of two factors make of their product: |a| β + |b| α + α β.
+    #[inline]
+    pub(super) fn error_of_product(self, other: Self) -> T::Bound {
+        if self.is_exact() && other.is_exact() {
+            return T::Bound::ZERO;
+        }
+        let first = self.value.size().times(other.error);
+        let second = other.value.size().plus(other.error).times(self.error);
+        first.plus(second)
+    }
+
+    /// √: |δ|/(√x + √(x + δ)) ≤ α/(√x + √(x − α))
+    pub(super) fn root(self) -> Self {
+        let zero = T::from_f64(0.0);
+        if self.value < zero && self.value.size_down() > self.error {
+            return Self::undefined();
+        }
+        let least = self.value.size_down();
+        if self.value < zero || (self.error > least && !self.is_exact()) {
+            return Self::undecided(self.value.sqrt());
+        }
+        let (root, rounding) = self.value.root();
+        let divisor = least.root_down();
+        let propagated = if self.is_exact() {
+            T::Bound::ZERO
+        } else {
+            self.error.over(divisor).times(root_factor(self, least))
+        };
+        Self::of_operands(&[self], root, rounding.plus(propagated))
+    }
+}
+
+/// 1/(1 + √(1 − α/x)) rounded up: ½ + α/2x is above it for α ≤ x.
+fn root_factor<T: Guardable>(argument: Guarded<T>, least: T::Bound) -> T::Bound {
+    T::Bound::of(0.5).plus(argument.error.over(least).shifted(-1))
+}
+
+impl<T: Guardable> Add for Guarded<T> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let (value, rounding) = self.value.sum(other.value);
+        Self::of_operands(&[self, other], value, rounding.plus(self.error).plus(other.error))
+    }
+}
+
+impl<T: Guardable> Sub for Guarded<T> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl<T: Guardable> Neg for Guarded<T> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self { value: -self.value, error: self.error }
+    }
+}
+
+impl<T: Guardable> Mul for Guarded<T> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let (value, rounding) = self.value.product(other.value);
+        Self::of_operands(&[self, other], value, rounding.plus(self.error_of_product(other)))
+    }
+}
+
+impl<T: Guardable> Div for Guarded<T> {
+    type Output = Self;
+    /// (α + |a/b| β)/(|b| − β)
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        let (value, rounding) = self.value.quotient(other.value);
+        let least = other.value.size_down().minus_down(other.error);
+        let propagated = if self.is_exact() && other.is_exact() {
+            T::Bound::ZERO
+        } else {
+            self.error.plus(value.size().plus(rounding).times(other.error)).over(least)
+        };
+        Self::of_operands(&[self, other], value, rounding.plus(propagated))
+    }
+}

@@ -1,0 +1,241 @@
+//! Elementary functions: their rounding, and what the error ε of an argument makes of them.
+//!
+//! Every bound holds for all δ with |δ| ≤ ε and is stated above the line that computes it, by an addition theorem where
+//! there is one and else by the largest derivative between x − ε and x + ε.
+
+use super::{Bound, Guardable, Guarded};
+use crate::elementary::LARGEST_BY_SQUARING;
+
+impl<T: Guardable> Guarded<T> {
+    /// f(x), within `units`, with what `propagated` makes of the error of the argument.
+    pub(super) fn function(self, value: T, units: f64, propagated: impl FnOnce() -> T::Bound) -> Self {
+        self.function_rounded(value, Self::rounding_of(self, value, units), propagated)
+    }
+
+    /// The same where the rounding is known.
+    pub(super) fn function_rounded(
+        self,
+        value: T,
+        rounding: T::Bound,
+        propagated: impl FnOnce() -> T::Bound,
+    ) -> Self {
+        if self.is_undefined() || (value.is_nan() && self.is_exact()) {
+            return Self::undefined();
+        }
+        if value.is_nan() || !value.size().is_finite() || !self.error.is_finite() {
+            return Self::undecided(value);
+        }
+        let error = if self.is_exact() { rounding } else { rounding.plus(propagated()) };
+        Self { value, error }
+    }
+
+    /// A function that vanishes where its value says so has no rounding error there.
+    fn rounding_of(self, value: T, units: f64) -> T::Bound {
+        if value == T::from_f64(0.0) && self.is_exact() { T::Bound::ZERO } else { value.rounding(units) }
+    }
+
+    /// Undefined where the argument is surely so far outside of the domain, and without a bound where it may be.
+    pub(super) fn outside(self, by: T) -> Self {
+        let sure = !by.is_nan() && by.size_down() > self.error;
+        if sure { Self::undefined() } else { Self::undecided(T::nan()) }
+    }
+
+    /// |x| is at least this much.
+    pub(super) fn least_size(self) -> T::Bound {
+        self.value.size_down().minus_down(self.error)
+    }
+
+    /// |e^δ − 1| ≤ ε (1 + ε) for ε < 1
+    pub(super) fn growth(self) -> T::Bound {
+        let one = T::Bound::of(1.0);
+        if self.error < one { self.error.times(one.plus(self.error)) } else { T::Bound::INFINITE }
+    }
+
+    /// e^(x + δ) − e^x = e^x (e^δ − 1)
+    pub(super) fn exponential(self) -> Self {
+        let value = self.value.exp();
+        let rounding = rounding_above_zero(value, T::UNITS.elementary);
+        self.function_rounded(value, rounding, || value.size().plus(rounding).times(self.growth()))
+    }
+
+    /// The same difference, with e^x ≤ |e^x − 1| + 1.
+    pub(super) fn exponential_minus_one(self) -> Self {
+        let value = self.value.exp_m1();
+        self.function(value, T::UNITS.elementary, || {
+            value.size().shifted(1).plus(T::Bound::of(1.0)).times(self.growth())
+        })
+    }
+
+    /// |ln(1 + δ/x)| ≤ ε/(x − ε)
+    pub(super) fn logarithm(self) -> Self {
+        if self.value < T::from_f64(0.0) {
+            return self.outside(self.value);
+        }
+        let value = self.value.ln();
+        self.function(value, T::UNITS.elementary, || self.error.over(self.least_size()))
+    }
+
+    /// The same with 1 + x.
+    pub(super) fn logarithm_of_one_plus(self) -> Self {
+        let shifted = Self::exact(T::from_f64(1.0)) + self;
+        if shifted.value < T::from_f64(0.0) {
+            return self.outside(shifted.value);
+        }
+        let value = self.value.ln_1p();
+        self.function(value, T::UNITS.elementary, || self.error.over(shifted.least_size()))
+    }
+
+    /// |sin(x + δ) − sin x| ≤ ε
+    pub(super) fn sine(self) -> Self {
+        self.function(self.value.sin(), T::UNITS.elementary, || self.error)
+    }
+
+    /// |cos(x + δ) − cos x| ≤ ε
+    pub(super) fn cosine(self) -> Self {
+        self.function(self.value.cos(), T::UNITS.elementary, || self.error)
+    }
+
+    /// tan(x + δ) − tan x = (1 + t²) tan δ/(1 − t tan δ), t = tan x, tan ε ≤ ε (1 + ε²) for ε < 1
+    pub(super) fn tangent(self) -> Self {
+        let value = self.value.tan();
+        self.function(value, T::UNITS.elementary, || {
+            let one = T::Bound::of(1.0);
+            if self.error >= one {
+                return T::Bound::INFINITE;
+            }
+            let size = value.size().plus(value.rounding(T::UNITS.elementary));
+            let step = self.error.times(one.plus(self.error.times(self.error)));
+            one.plus(size.times(size)).times(step).over(one.minus_down(size.times(step)))
+        })
+    }
+
+    /// ε/√(1 − |x| − ε): above the derivative at the end nearer to 1
+    fn error_of_arc(self) -> T::Bound {
+        let one = Self::exact(T::from_f64(1.0));
+        let size = Self { value: self.value.abs(), error: self.error };
+        let inner = (one - size).least_size();
+        self.error.over(inner.root_down())
+    }
+
+    fn arc(self, value: T) -> Self {
+        let beyond = self.value.abs() - T::from_f64(1.0);
+        if beyond > T::from_f64(0.0) {
+            return self.outside(beyond);
+        }
+        self.function(value, T::UNITS.elementary, || self.error_of_arc())
+    }
+
+    /// The arc sine.
+    pub(super) fn arc_sine(self) -> Self {
+        self.arc(self.value.asin())
+    }
+
+    /// The arc cosine.
+    pub(super) fn arc_cosine(self) -> Self {
+        self.arc(self.value.acos())
+    }
+
+    /// ε/(1 + (|x| − ε)²)
+    pub(super) fn arc_tangent(self) -> Self {
+        self.function(self.value.atan(), T::UNITS.elementary, || {
+            let least = self.least_size();
+            // 1 + m² ≥ the larger of 1 and m²
+            self.error.over(T::Bound::of(1.0).most(least.times_down(least)))
+        })
+    }
+
+    /// With |y|, |x| ≤ p m, q m and max(|x|, |y|) ≥ m > 0, the angle between (x, y) and (x + ξ, y + η) has the tangent
+    /// |x η − y ξ|/(x² + y² + x ξ + y η) ≤ (q η + p ξ)/(m − ξ − η), where the sign of y is certain left of the origin.
+    pub(super) fn angle(self, x: Self) -> Self {
+        let (y, zero) = (self, T::from_f64(0.0));
+        let value = y.value.atan2(x.value);
+        if y.is_undefined() || x.is_undefined() {
+            return Self::undefined();
+        }
+        let certain_side = (x.value > zero && x.value.size_down() > x.error) || y.is_exact();
+        let certain_sign = y.value.size_down() > y.error || y.is_exact();
+        let certain_axis = y.value != zero || x.value.size_down() > x.error || x.is_exact();
+        if value.is_nan() || !certain_axis || !(certain_side || certain_sign) {
+            return Self::undecided(value);
+        }
+        let rounding = if value == zero && y.value == zero {
+            T::Bound::ZERO
+        } else {
+            rounding_above_zero(value, T::UNITS.elementary)
+        };
+        if y.is_exact() && x.is_exact() {
+            return Self { value, error: rounding };
+        }
+        let larger = x.value.size_down().most(y.value.size_down());
+        let part = |side: T| side.size().over(larger);
+        let across = part(x.value).times(y.error).plus(part(y.value).times(x.error));
+        let along = larger.minus_down(x.error.plus(y.error));
+        Self { value, error: rounding.plus(across.over(along)) }
+    }
+
+    /// sinh(x + δ) − sinh x: cosh(|x| + ε) ε ≤ (|sinh x| + 1)(1 + 2ε) ε for ε < 1
+    pub(super) fn hyperbolic_sine(self) -> Self {
+        let value = self.value.sinh();
+        self.function(value, T::UNITS.hyperbolic, || {
+            value.size().shifted(1).plus(T::Bound::of(1.0)).times(self.growth().shifted(1))
+        })
+    }
+
+    /// The same, with sinh(|x| + ε) ≤ cosh x (1 + 2ε).
+    pub(super) fn hyperbolic_cosine(self) -> Self {
+        let value = self.value.cosh();
+        self.function(value, T::UNITS.hyperbolic, || value.size().shifted(1).times(self.growth().shifted(1)))
+    }
+
+    /// |tanh(x + δ) − tanh x| ≤ ε
+    pub(super) fn hyperbolic_tangent(self) -> Self {
+        self.function(self.value.tanh(), T::UNITS.hyperbolic, || self.error)
+    }
+
+    /// |(1 + δ/x)^p − 1| ≤ e^z − 1 ≤ z (1 + z) for z = |p| ε/(|x| − ε) < 1
+    pub(super) fn rational_power(self, numerator: i64, denominator: i64) -> Self {
+        let one = T::Bound::of(1.0);
+        let negative = self.value < T::from_f64(0.0);
+        match (numerator, denominator) {
+            (0, _) => return Self::exact(T::from_f64(1.0)),
+            (1, 1) => return self,
+            (2, 1) => return self * self,
+            (1, 2) => return self.root(),
+            (-1, 1) => return Self::exact(T::from_f64(1.0)) / self,
+            (_, d) if negative && d != 1 => return self.outside(self.value),
+            _ => (),
+        }
+        let value = self.value.power(numerator, denominator);
+        let rounding = if self.is_exact() && self.value == T::from_f64(0.0) {
+            T::Bound::ZERO
+        } else {
+            rounding_above_zero(value, self.units_of_power(numerator, denominator))
+        };
+        self.function_rounded(value, rounding, || {
+            let ratio = T::Bound::of((numerator as f64 / denominator as f64).abs().next_up());
+            let exponent = ratio.times(self.error.over(self.least_size()));
+            if exponent < one {
+                value.size().plus(rounding).times(exponent.times(one.plus(exponent)))
+            } else {
+                T::Bound::INFINITE
+            }
+        })
+    }
+
+    fn units_of_power(self, numerator: i64, denominator: i64) -> f64 {
+        if numerator.unsigned_abs() <= LARGEST_BY_SQUARING
+            && denominator.unsigned_abs() <= LARGEST_BY_SQUARING
+        {
+            return T::UNITS.power;
+        }
+        let exponent = (numerator as f64 / denominator as f64).abs();
+        // |ln x| ≤ ln 2 (|e| + 1) of x = m 2ᵉ
+        let logarithm = self.value.exponent().map_or(0.0, |exponent| exponent.unsigned_abs() as f64 + 1.0);
+        T::UNITS.power_by_logarithm * (1.0 + exponent * logarithm)
+    }
+}
+
+/// The rounding of a function that is never zero: a zero has underflowed.
+pub(super) fn rounding_above_zero<T: Guardable>(value: T, units: f64) -> T::Bound {
+    if value == T::from_f64(0.0) { T::underflow(units) } else { value.rounding(units) }
+}

@@ -1,0 +1,286 @@
+//! What each type of number says of its own rounding: the one place where bounds of a type's functions stand.
+
+use super::bound::{Bound, Magnitude};
+use crate::error_free::{difference_in_words, has_exact_rest, two_product, two_sum};
+use crate::scalar::Scalar;
+use crate::{DoubleDouble, Real, Wide};
+
+/// Bounds of relative errors of functions, in units of 2^−[`Scalar::PRECISION`].
+#[derive(Clone, Copy, Debug)]
+pub struct Units {
+    /// eˣ, ln, sin, cos, tan and their inverses, eˣ − 1, ln(1 + x)
+    pub(super) elementary: f64,
+    /// sinh, cosh, tanh
+    pub(super) hyperbolic: f64,
+    /// x^(n/d) with |n|, d ≤ 64
+    pub(super) power: f64,
+    /// x^(n/d) beyond: so often 1 + |n/d ln x|
+    pub(super) power_by_logarithm: f64,
+    /// erf, Li₂, Cl₂
+    pub(super) special: f64,
+    /// Eₙ
+    pub(super) exponential_integral: f64,
+    /// 1/3 of a node's or weight's in a quadrature, and so often its natural logarithm
+    pub(super) node: f64,
+}
+
+/// A number that can be guarded.
+pub trait Guardable: Scalar {
+    /// The bounds of its errors.
+    type Bound: Bound;
+    /// What is stated of its functions.
+    const UNITS: Units;
+    /// |x| ≤
+    fn size(self) -> Self::Bound;
+    /// |x| ≥
+    fn size_down(self) -> Self::Bound;
+    /// A bound of the error of a value within so many units of it; none where the value is out of the range in which
+    /// that is stated.
+    fn rounding(self, units: f64) -> Self::Bound;
+    /// A bound of the error of a value that is not zero and came out as zero.
+    fn underflow(units: f64) -> Self::Bound;
+    /// The sum and a bound of its rounding error.
+    fn sum(self, other: Self) -> (Self, Self::Bound);
+    /// The product and a bound of its rounding error.
+    fn product(self, other: Self) -> (Self, Self::Bound);
+    /// The quotient and a bound of its rounding error.
+    fn quotient(self, other: Self) -> (Self, Self::Bound);
+    /// The square root of a number that is not negative and a bound of its rounding error.
+    fn root(self) -> (Self, Self::Bound);
+    /// a b − c d and a bound of its rounding error.
+    fn products_difference(a: Self, b: Self, c: Self, d: Self) -> (Self, Self::Bound);
+}
+
+/// 2⁻¹⁰⁷⁴
+const SMALLEST: f64 = f64::from_bits(1);
+/// 2⁻¹⁰²¹: what rounds here rounds relative to its size.
+const NORMAL: f64 = 2.0 * f64::MIN_POSITIVE;
+
+/// The functions of the standard library are within one ulp, those of sinh, cosh, tanh within two, as the C library
+/// states them; an ulp is up to two units. Those of this crate are measured against `Wide` in its tests.
+impl Guardable for f64 {
+    type Bound = f64;
+    const UNITS: Units = Units {
+        elementary: 2.0,
+        hyperbolic: 6.0,
+        power: 6.0,
+        power_by_logarithm: 6.0,
+        special: 2.0,
+        exponential_integral: 2.0,
+        node: 8.0,
+    };
+
+    #[inline(always)]
+    fn size(self) -> f64 {
+        self.abs()
+    }
+    #[inline(always)]
+    fn size_down(self) -> f64 {
+        self.abs()
+    }
+    #[inline(always)]
+    fn rounding(self, units: f64) -> f64 {
+        let relative = self.abs() * (units * (f64::EPSILON / 2.0 * (1.0 + 4.0 * f64::EPSILON)));
+        if self.abs() < NORMAL { relative + units * SMALLEST } else { relative }
+    }
+    fn underflow(units: f64) -> f64 {
+        units * SMALLEST
+    }
+    #[inline(always)]
+    fn sum(self, other: Self) -> (Self, f64) {
+        let (sum, rest) = two_sum(self, other);
+        (sum, if sum.is_finite() { rest.abs() } else { f64::INFINITY })
+    }
+    #[inline(always)]
+    fn product(self, other: Self) -> (Self, f64) {
+        let (product, rest) = two_product(self, other);
+        if has_exact_rest(product, self, other) {
+            (product, rest.abs())
+        } else {
+            (product, product.rounding(1.0))
+        }
+    }
+    #[inline(always)]
+    fn quotient(self, other: Self) -> (Self, f64) {
+        let quotient = self / other;
+        let (product, rest) = two_product(quotient, other);
+        if self == 0.0 && other != 0.0 {
+            (quotient, 0.0)
+        } else if quotient.abs() >= NORMAL && has_exact_rest(product, quotient, other) {
+            (quotient, ((self - product) - rest).abs().over(other.abs()))
+        } else {
+            (quotient, quotient.rounding(1.0))
+        }
+    }
+    #[inline(always)]
+    fn root(self) -> (Self, f64) {
+        let root = self.sqrt();
+        let (square, rest) = two_product(root, root);
+        // √x − r = (x − r²)/(√x + r)
+        let error = if has_exact_rest(square, root, root) {
+            ((self - square) - rest).abs().over(root * 1.999)
+        } else {
+            root.rounding(1.0)
+        };
+        (root, if self == 0.0 { 0.0 } else { error })
+    }
+    #[inline(always)]
+    fn products_difference(a: Self, b: Self, c: Self, d: Self) -> (Self, f64) {
+        if has_exact_rest(a * b, a, b) && has_exact_rest(c * d, c, d) {
+            let [value, rest, least] = difference_in_words(a, b, c, d);
+            let (value, left) = two_sum(value, rest + least);
+            // The last sums of the rests were rounded by at most an ulp of each.
+            let inner = (rest.abs() + least.abs()) * (4.0 * f64::EPSILON);
+            return (value, left.abs().plus(inner));
+        }
+        let value = f64::difference_of_products(a, b, c, d);
+        (value, if value.is_finite() { value.rounding(2.0) } else { f64::INFINITY })
+    }
+}
+
+/// The bounds of double-double hold from 2⁻⁹⁰⁰ to 2⁹⁰⁰.
+fn in_range(value: f64) -> bool {
+    const LEAST: f64 = f64::from_bits((1023 - 900) << 52);
+    const MOST: f64 = f64::from_bits((1023 + 900) << 52);
+    value == 0.0 || (value.abs() >= LEAST && value.abs() <= MOST)
+}
+
+impl DoubleDouble {
+    /// An error of `units` of the result of numbers in range.
+    fn of_numbers(self, units: f64, numbers: &[Self]) -> (Self, f64) {
+        let known = numbers.iter().all(|number| in_range(number.high()));
+        (self, if known { self.rounding(units) } else { f64::INFINITY })
+    }
+
+    fn is_power_of_two(self) -> bool {
+        self.low() == 0.0 && self.high().to_bits() << 12 == 0
+    }
+}
+
+/// The bounds of the sum, product, quotient and root stand at the operations, those of the functions are measured
+/// against `Wide` in the tests and stated with a margin of four and more.
+impl Guardable for DoubleDouble {
+    type Bound = f64;
+    const UNITS: Units = Units {
+        elementary: 32.0,
+        hyperbolic: 64.0,
+        power: 1024.0,
+        power_by_logarithm: 128.0,
+        special: 512.0,
+        exponential_integral: 512.0,
+        node: 64.0,
+    };
+
+    fn size(self) -> f64 {
+        (self.high().abs() + self.low().abs()).next_up()
+    }
+    fn size_down(self) -> f64 {
+        if self.high() == 0.0 { 0.0 } else { (self.high().abs() - self.low().abs()).next_down() }
+    }
+    fn rounding(self, units: f64) -> f64 {
+        if in_range(self.high()) { self.size().times(units).shifted(-106) } else { f64::INFINITY }
+    }
+    fn underflow(_: f64) -> f64 {
+        f64::INFINITY
+    }
+    fn sum(self, other: Self) -> (Self, f64) {
+        let exact = self.low() == 0.0 && other.low() == 0.0;
+        (self + other).of_numbers(if exact { 0.0 } else { 3.0 }, &[self, other])
+    }
+    fn product(self, other: Self) -> (Self, f64) {
+        let exact =
+            (self.low() == 0.0 && other.low() == 0.0) || self.is_power_of_two() || other.is_power_of_two();
+        let product = self * other;
+        if product.high() == 0.0 && self.high() != 0.0 && other.high() != 0.0 {
+            return (product, f64::INFINITY);
+        }
+        product.of_numbers(if exact { 0.0 } else { 7.0 }, &[self, other])
+    }
+    fn quotient(self, other: Self) -> (Self, f64) {
+        let exact = other.is_power_of_two() || self.high() == 0.0;
+        let quotient = self / other;
+        if quotient.high() == 0.0 && self.high() != 0.0 {
+            return (quotient, f64::INFINITY);
+        }
+        quotient.of_numbers(if exact { 0.0 } else { 15.0 }, &[self, other])
+    }
+    fn root(self) -> (Self, f64) {
+        let root = self.sqrt();
+        let exact = root.low() == 0.0 && root * root == self;
+        root.of_numbers(if exact { 0.0 } else { 4.0 }, &[self])
+    }
+    fn products_difference(a: Self, b: Self, c: Self, d: Self) -> (Self, f64) {
+        let (value, relative) = Self::difference_of_products(a, b, c, d).of_numbers(8.0, &[a, b, c, d]);
+        let products = a.size().times(b.size()).plus(c.size().times(d.size()));
+        let known = in_range(a.high() * b.high()) && in_range(c.high() * d.high());
+        (value, if known { relative.plus(products.shifted(-156)) } else { f64::INFINITY })
+    }
+}
+
+/// Sums, products, quotients are rounded to nearest; the functions are within a few ulp and an eighth word of spare bits.
+impl<const LIMBS: usize> Guardable for Wide<LIMBS> {
+    type Bound = Magnitude;
+    const UNITS: Units = Units {
+        elementary: 4.0,
+        hyperbolic: 4.0,
+        power: 16.0,
+        power_by_logarithm: 16.0,
+        special: 16.0,
+        exponential_integral: 16.0,
+        node: 4.0,
+    };
+
+    fn size(self) -> Magnitude {
+        match self.exponent() {
+            Some(exponent) => Magnitude::new(self.scaled(-exponent).to_f64().abs().next_up(), exponent),
+            None if self == Self::from_f64(0.0) => Magnitude::ZERO,
+            None => Magnitude::INFINITE,
+        }
+    }
+    fn size_down(self) -> Magnitude {
+        match self.exponent() {
+            Some(exponent) => Magnitude::new(self.scaled(-exponent).to_f64().abs().next_down(), exponent),
+            None => Magnitude::ZERO,
+        }
+    }
+    fn rounding(self, units: f64) -> Magnitude {
+        self.size().times(Magnitude::of(units)).shifted(-i64::from(Self::PRECISION))
+    }
+    /// Where eˣ is out of range it is below 2^(−2⁵⁰).
+    fn underflow(_: f64) -> Magnitude {
+        Magnitude::new(0.5, -(1 << 49))
+    }
+    fn sum(self, other: Self) -> (Self, Magnitude) {
+        Self::within_half_an_ulp(Wide::sum(self, other))
+    }
+    fn product(self, other: Self) -> (Self, Magnitude) {
+        Self::within_half_an_ulp(Wide::product(self, other))
+    }
+    fn quotient(self, other: Self) -> (Self, Magnitude) {
+        Self::within_half_an_ulp(Wide::quotient(self, other))
+    }
+    fn root(self) -> (Self, Magnitude) {
+        let root = self.sqrt();
+        let exact = Wide::product(root, root) == (self, true);
+        (root, if exact { Magnitude::ZERO } else { root.rounding(1.0) })
+    }
+    fn products_difference(a: Self, b: Self, c: Self, d: Self) -> (Self, Magnitude) {
+        let ((first, first_error), (second, second_error)) =
+            (Guardable::product(a, b), Guardable::product(c, d));
+        let (value, error) = Guardable::sum(first, -second);
+        (value, error.plus(first_error).plus(second_error))
+    }
+}
+
+impl<const LIMBS: usize> Wide<LIMBS> {
+    fn within_half_an_ulp((value, exact): (Self, bool)) -> (Self, Magnitude) {
+        if exact {
+            return (value, Magnitude::ZERO);
+        }
+        // Zero that is not exact lies below the range of the exponents.
+        if value == Self::from_f64(0.0) {
+            return (value, Magnitude::INFINITE);
+        }
+        (value, value.size().shifted(-64 * LIMBS as i64))
+    }
+}

@@ -1,0 +1,70 @@
+//! Special functions: their rounding, and what the error ε of an argument makes of them.
+
+use super::functions::rounding_above_zero;
+use super::{Bound, Guardable, Guarded};
+
+impl<T: Guardable> Guarded<T> {
+    /// |erf′| ≤ 2/√π < 1.13
+    pub(super) fn error_function(self) -> Self {
+        self.function(self.value.erf(), T::UNITS.special, || self.error.times(T::Bound::of(1.13)))
+    }
+
+    /// Eₙ′ = −Eₙ₋₁, and e^(−x) < (x + n) Eₙ(x). Between x − ε and x + ε, with y = x − ε > 0 and e^(−y) ≤ e^(−x)(1 + 2ε):
+    /// E₀ = e^(−y)/y, E₁ ≤ e^(−y) ln(1 + 1/y) ≤ e^(−y)/√y, E₂ ≤ e^(−y)/(1 + y) ≤ e^(−y).
+    pub(super) fn exponential_integral(self, order: u32) -> Self {
+        if self.value < T::from_f64(0.0) {
+            return self.outside(self.value);
+        }
+        let value = match order {
+            1 => self.value.expint1(),
+            2 => self.value.expint2(),
+            _ => self.value.expint3(),
+        };
+        let rounding = rounding_above_zero(value, T::UNITS.exponential_integral);
+        self.function_rounded(value, rounding, || {
+            let (one, least) = (T::Bound::of(1.0), self.least_size());
+            if self.error >= one || least.is_zero() {
+                return T::Bound::INFINITE;
+            }
+            let decay =
+                value.size().plus(rounding).times(self.value.size().plus(T::Bound::of(f64::from(order))));
+            let grown = decay.times(one.plus(self.error.shifted(1))).times(self.error);
+            match order {
+                1 => grown.over(least),
+                2 => grown.over(least.root_down()),
+                _ => grown,
+            }
+        })
+    }
+
+    /// Li₂′ = −ln(1 − t)/t grows; up to ½ it is below 1.4, and with w = 1 − x − ε, −ln w ≤ 0.75/√w gives 1.5/√w beyond;
+    /// for t ≤ −1, ln(1 + |t|)/|t| ≤ 1/√|t|.
+    pub(super) fn dilogarithm(self) -> Self {
+        let one = Self::exact(T::from_f64(1.0));
+        let beyond = self.value - T::from_f64(1.0);
+        if beyond > T::from_f64(0.0) {
+            return self.outside(beyond);
+        }
+        self.function(self.value.dilog(), T::UNITS.special, || {
+            let limit = T::Bound::of(1.0);
+            let least = self.least_size();
+            if self.value < T::from_f64(0.0) && least > limit {
+                return self.error.over(least.root_down());
+            }
+            let width = (one - self).least_size().least(limit);
+            self.error.times(T::Bound::of(1.5)).over(width.root_down())
+        })
+    }
+
+    /// Cl₂′ = −ln|2 sin(t/2)|, between −ln 2 and 1/√m where |2 sin(t/2)| ≥ m, and that changes by at most ε.
+    pub(super) fn clausen_function(self) -> Self {
+        self.function(self.value.clausen(), T::UNITS.special, || {
+            let half = Self { value: self.value.scaled(-1), error: T::Bound::ZERO };
+            let least = half.sine().least_size().shifted(1).minus_down(self.error);
+            if least.is_zero() {
+                return T::Bound::INFINITE;
+            }
+            self.error.times(T::Bound::of(1.0).most(T::Bound::of(1.0).over(least.root_down())))
+        })
+    }
+}

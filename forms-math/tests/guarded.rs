@@ -1,0 +1,202 @@
+//! A bound of an error is never exceeded: random formulas in guarded arithmetic against more precision.
+
+use forms_math::{Bound, DoubleDouble, Guardable, Guarded, Magnitude, Real, Scalar, Wide};
+use proptest::prelude::*;
+
+/// One step of a formula: an operation on values that stand before it.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    operation: usize,
+    operands: [usize; 4],
+}
+
+type Function<T> = fn(T) -> T;
+
+fn functions<T: Real>() -> [Function<T>; 24] {
+    [
+        T::sqrt,
+        T::abs,
+        T::sin,
+        T::cos,
+        T::tan,
+        T::asin,
+        T::acos,
+        T::atan,
+        T::exp,
+        T::exp_m1,
+        T::ln,
+        T::ln_1p,
+        T::sinh,
+        T::cosh,
+        T::tanh,
+        T::erf,
+        T::expint1,
+        T::expint2,
+        T::expint3,
+        T::dilog,
+        T::clausen,
+        |x| x.power(-3, 2),
+        |x| x.power(3, 1),
+        |x| x.power(1, 3),
+    ]
+}
+
+const OPERATIONS: usize = 24 + 4 * 4 + 5;
+
+impl Step {
+    fn value<T: Real>(self, values: &[T]) -> T {
+        let [a, b, c, d] = self.operands.map(|operand| values[operand % values.len()]);
+        match self.operation {
+            index if index < 24 => functions::<T>()[index](a),
+            index if index < 40 => match index % 4 {
+                0 => a + b,
+                1 => a - b,
+                2 => a * b,
+                _ => a / b,
+            },
+            40 => T::difference_of_products(a, b, c, d),
+            41 => a.atan2(b),
+            42 => T::if_less(a, b, c, d),
+            43 => T::if_less_equal(a, b, c, d),
+            _ => T::if_equal(a, b, c, d),
+        }
+    }
+}
+
+fn run<T: Real>(steps: &[Step], arguments: &[f64]) -> Vec<T> {
+    let mut values: Vec<T> = arguments.iter().map(|&argument| T::from_f64(argument)).collect();
+    for step in steps {
+        values.push(step.value(&values));
+    }
+    values
+}
+
+type Truth = Guarded<Wide<8>>;
+
+/// |value − truth| ≤ the two errors, with the words of a value as exact summands.
+fn within<T: Guardable>(
+    value: Guarded<T>,
+    truth: Truth,
+    words: fn(T) -> Wide<8>,
+    error: fn(T::Bound) -> Wide<8>,
+) -> bool {
+    if !value.error().is_finite() || !truth.error().is_finite() {
+        return true;
+    }
+    if value.is_undefined() || truth.is_undefined() {
+        return value.is_undefined() && truth.is_undefined();
+    }
+    let distance = (words(value.value()) - truth.value()).abs();
+    let beyond = distance - error(value.error());
+    beyond.to_f64() <= 0.0
+        || Guarded::exact(beyond).value().size_down() <= truth.error().times(Bound::of(1.0 + 1e-9))
+}
+
+fn argument() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        4 => -4.0..4.0_f64,
+        1 => prop::num::f64::NORMAL,
+        1 => prop::num::f64::SUBNORMAL,
+        1 => (-40..40_i32).prop_map(|k| f64::from(k) * 0.25),
+        1 => (-60..-10_i32, prop::bool::ANY).prop_map(|(e, sign)| if sign { 1.0 - 2.0_f64.powi(e) } else { 2.0_f64.powi(e) - 1.0 }),
+        1 => (-30.0..30.0_f64).prop_map(f64::exp),
+    ]
+}
+
+fn steps(most: usize) -> impl Strategy<Value = Vec<Step>> {
+    let step = (0..OPERATIONS, prop::array::uniform4(0..64_usize))
+        .prop_map(|(operation, operands)| Step { operation, operands });
+    prop::collection::vec(step, 1..most)
+}
+
+fn check<T: Guardable + std::fmt::Debug>(
+    steps: &[Step],
+    arguments: &[f64],
+    words: fn(T) -> Wide<8>,
+    error: fn(T::Bound) -> Wide<8>,
+) -> Result<(), TestCaseError> {
+    let values = run::<Guarded<T>>(steps, arguments);
+    let truths = run::<Truth>(steps, arguments);
+    for (index, (value, truth)) in values.into_iter().zip(truths).enumerate() {
+        prop_assert!(within(value, truth, words, error), "value {index}: {value:?} is not {truth:?}");
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 256, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn bounds_of_f64_hold(steps in steps(8), arguments in prop::collection::vec(argument(), 4)) {
+        check::<f64>(&steps, &arguments, Wide::from_f64, Wide::from_f64)?;
+    }
+
+    #[test]
+    fn bounds_of_double_double_hold(steps in steps(6), arguments in prop::collection::vec(argument(), 4)) {
+        let words = |value: DoubleDouble| Wide::from_f64(value.high()) + Wide::from_f64(value.low());
+        check::<DoubleDouble>(&steps, &arguments, words, Wide::from_f64)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 32, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn bounds_of_four_words_hold(steps in steps(6), arguments in prop::collection::vec(argument(), 4)) {
+        let error = |error: Magnitude| {
+            let (mantissa, exponent) = error.parts();
+            Wide::from_f64(mantissa).scaled(exponent)
+        };
+        check::<Wide<4>>(&steps, &arguments, Wide::to_limbs, error)?;
+    }
+}
+
+/// A bound that is never exceeded is worth something only if it is not far above the error.
+#[test]
+fn bounds_are_sharp() {
+    let x = Guarded::<f64>::from_f64;
+    let third = x(1.0) / x(3.0);
+    assert!(third.error() < 2.0_f64.powi(-54));
+    for exact in
+        [x(0.75) - x(0.5), x(3.0) * x(0.125), x(1e200) / x(1024.0), x(6.25).sqrt(), x(1e16) - x(1e16 - 2.0)]
+    {
+        assert_eq!(exact.error(), 0.0, "{exact:?}");
+    }
+    for tight in
+        [third.sin(), third.exp(), third.ln(), third.atan2(third * third), third.power(1, 3), third.dilog()]
+    {
+        assert!(tight.error() <= 8.0 * f64::EPSILON * tight.value().abs(), "{tight:?}");
+    }
+}
+
+#[test]
+fn what_is_not_known_has_no_bound() {
+    let x = Guarded::<f64>::from_f64;
+    // Zero with an error of an ulp of a third.
+    let nothing = x(1.0) / x(3.0) - x(1.0 / 3.0);
+    assert_eq!(nothing.value(), 0.0);
+    assert!(nothing.error() > 0.0);
+    for unknown in [
+        nothing.sqrt(),
+        nothing.ln(),
+        x(1.0) / nothing,
+        nothing.atan2(x(-1.0)),
+        nothing.power(1, 3),
+        (nothing + x(1.0)).acos(),
+    ] {
+        assert_eq!(unknown.error(), f64::INFINITY, "{unknown:?}");
+    }
+    assert!(nothing.atan2(x(1.0)).error() < 1e-15);
+    let open = Guarded::if_less(nothing, x(0.0), x(1.0), x(1.5));
+    assert!((open.value() - 1.5).abs() <= open.error() && (open.value() - 1.0).abs() <= open.error());
+    for undefined in [
+        x(-1.0).sqrt(),
+        x(-1.0).ln(),
+        x(2.0).acos(),
+        x(f64::NAN) + x(1.0),
+        x(1.5).dilog(),
+        (x(-1.0) / x(3.0)).sqrt(),
+    ] {
+        assert!(undefined.is_undefined(), "{undefined:?}");
+    }
+}

@@ -1,0 +1,61 @@
+//! Instructions of calls, counted by valgrind's callgrind: this program runs itself under it.
+//!
+//! Callgrind counts within [`call`] only, and writes what it has counted each time `call` is entered: one file before the
+//! first, one for each. It shows programs a processor without AVX-512, so batches choose AVX2.
+
+use std::ffi::OsStr;
+use std::io::{Error, ErrorKind, Result};
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// Does it, in a function that callgrind finds by its name.
+#[inline(never)]
+pub(crate) fn call(work: &dyn Fn()) {
+    work();
+}
+
+/// Whether valgrind is installed.
+pub(crate) fn is_installed() -> bool {
+    let version = Command::new("valgrind").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+    version.is_ok_and(|status| status.success())
+}
+
+/// The instructions of each `call` of this program when it is started with this argument.
+///
+/// # Errors
+/// Where a folder for callgrind's files cannot be made or read, or valgrind fails.
+pub(crate) fn counted(argument: &str) -> Result<Vec<u64>> {
+    let folder = std::env::temp_dir().join(format!("forms-instructions-{}", std::process::id()));
+    std::fs::create_dir_all(&folder)?;
+    let counts = run(argument, &folder).and_then(|()| totals(&folder));
+    std::fs::remove_dir_all(&folder)?;
+    counts
+}
+
+fn run(argument: &str, folder: &Path) -> Result<()> {
+    let mut out = OsStr::new("--callgrind-out-file=").to_owned();
+    out.push(folder.join("counts"));
+    let name = "*instructions*callgrind*call*";
+    let status = Command::new("valgrind")
+        .args(["--quiet", "--tool=callgrind", "--combine-dumps=no"])
+        .args([format!("--toggle-collect={name}"), format!("--dump-before={name}")])
+        .arg(out)
+        .arg(std::env::current_exe()?)
+        .arg(argument)
+        .status()?;
+    if status.success() { Ok(()) } else { Err(Error::other(format!("valgrind ends with {status}"))) }
+}
+
+/// The totals in callgrind's files in the order in which it wrote them: `counts.1` before the first call, the last without
+/// a number.
+fn totals(folder: &Path) -> Result<Vec<u64>> {
+    let numbered = (2..).map(|number| folder.join(format!("counts.{number}"))).take_while(|path| path.exists());
+    numbered.chain([folder.join("counts")]).map(|path| total(&std::fs::read_to_string(path)?)).collect()
+}
+
+/// The number of the line `totals: 1234`.
+fn total(file: &str) -> Result<u64> {
+    let line = file.lines().find_map(|line| line.strip_prefix("totals: "));
+    line.and_then(|number| number.trim().parse().ok())
+        .ok_or_else(|| Error::new(ErrorKind::InvalidData, "a file of callgrind’s has no total"))
+}
