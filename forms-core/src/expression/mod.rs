@@ -19,6 +19,7 @@ mod nature;
 mod node;
 mod operation;
 mod primitive;
+mod quadrature;
 mod relation;
 mod substitution;
 mod text;
