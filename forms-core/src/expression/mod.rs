@@ -28,4 +28,5 @@ pub use condition::Condition;
 pub(crate) use nature::Nature;
 pub use node::{Expr, FunctionId, Node, Pool, Rational, Seam, Symbol, SymbolKind, Unknown};
 pub use operation::{Operation, Row, Spelling, TABLE};
+pub(crate) use quadrature::Quadrature;
 pub use substitution::Substitution;

@@ -4,10 +4,11 @@
 //! Q(a, b, q₁ … qₖ) = ∫ₐᵇ w(s, q₁ … qₖ) ds      each qᵢ one variable that the integrand holds beside s
 //! ```
 //! Such an integral is a function of its ends and of what else the integrand depends on, written in formal variables, so
-//! that the same integral under other names is the same function and nothing inside is touched by a substitution. Its
-//! derivatives are −w(a), w(b) and the quadratures of the derivatives of w.
+//! that the same integral under other names is the same function and nothing inside is touched by a substitution. A number
+//! stands before the integral, and the factors of the integrand in the order of the pool. The derivatives of Q are −w(a),
+//! w(b) and the quadratures of the derivatives of w.
 
-use super::node::{Expr, FunctionId, Node, Pool, Symbol};
+use super::node::{Expr, FunctionId, Pool, Symbol};
 use super::substitution::Substitution;
 use rustc_hash::FxHashMap;
 
@@ -29,23 +30,27 @@ pub(super) struct Quadratures {
 impl Pool {
     /// ∫ integrand d variable between two ends, as it is.
     pub(crate) fn quadrature(&mut self, integrand: Expr, variable: Symbol, from: Expr, to: Expr) -> Expr {
-        if from == to || self.is_zero(integrand) {
+        if self.is_zero(integrand) {
             return self.integer(0);
         }
         let captured: Vec<Symbol> =
             self.symbols_in(&[integrand]).into_iter().filter(|&symbol| symbol != variable).collect();
         let formal = self.formal_variable(0);
-        let parameters: Vec<Symbol> = (0..captured.len()).map(|number| self.formal_parameter(number)).collect();
+        let parameters: Vec<Symbol> =
+            (0..captured.len()).map(|number| self.formal_parameter(number)).collect();
         let mut values: Substitution = Substitution::default();
         for (&own, &formal) in captured.iter().chain([&variable]).zip(parameters.iter().chain([&formal])) {
             values.insert(own, self.symbol(formal));
         }
         let integrand = self.substitute(integrand, &values);
+        let (number, integrand) = self.content(integrand);
+        let (number, integrand) = (self.number(number), self.with_factors_in_order(integrand));
         let function = self.function_of(Quadrature { integrand, variable: formal, parameters });
         let mut arguments = vec![from, to];
         arguments.extend(captured.into_iter().map(|symbol| self.symbol(symbol)));
         let orders = vec![0; arguments.len()];
-        self.jet(function, &orders, &arguments)
+        let integral = self.jet(function, &orders, &arguments);
+        self.multiply(number, integral)
     }
 
     fn function_of(&mut self, quadrature: Quadrature) -> FunctionId {
@@ -66,7 +71,11 @@ impl Pool {
     }
 
     /// What a quadrature integrates at these arguments, and the variable, which does not occur in them.
-    pub(crate) fn integrand_at(&mut self, function: FunctionId, arguments: &[Expr]) -> Option<(Expr, Symbol)> {
+    pub(crate) fn integrand_at(
+        &mut self,
+        function: FunctionId,
+        arguments: &[Expr],
+    ) -> Option<(Expr, Symbol)> {
         let Quadrature { integrand, variable, parameters } = self.quadrature_of(function)?.clone();
         let taken = self.symbols_in(arguments);
         let free = (0..=taken.len()).map(|number| self.formal_variable(number));
@@ -85,9 +94,8 @@ impl Pool {
     ) -> Option<Expr> {
         let Quadrature { integrand, variable, parameters } = self.quadrature_of(function)?.clone();
         let place = orders.iter().position(|&order| order > 0)?;
-        let rest: Vec<(usize, u32)> = (0..orders.len())
-            .map(|number| (number, orders[number] - u32::from(number == place)))
-            .collect();
+        let rest: Vec<(usize, u32)> =
+            (0..orders.len()).map(|number| (number, orders[number] - u32::from(number == place))).collect();
         // the arguments as variables, so that what is left can be differentiated by them
         let ends = [self.formal_end(0), self.formal_end(1)];
         let formal: Vec<Symbol> = ends.into_iter().chain(parameters.iter().copied()).collect();
