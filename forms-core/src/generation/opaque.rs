@@ -52,9 +52,12 @@ pub(super) fn opaque(pool: &mut Pool, expressions: &[Expr], depth: Depth) -> Vec
     let radicands: FxHashSet<Expr> = reachable.iter().filter_map(radicand).collect();
     let sums = if depth == Depth::Sums { whole_sums(pool, &reachable) } else { FxHashSet::default() };
     let mut variables: Vec<Variable> = Vec::new();
+    // a sum is made of what its summands are, so that a part of it that is a radicand elsewhere makes no difference
+    let mut plain: FxHashMap<Expr, Expr> = FxHashMap::default();
     let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
     for expression in reachable {
         let mut image = match pool.node(expression).clone() {
+            node @ (Node::Add(..) | Node::Negate(_)) => pool.image(expression, node, &plain),
             Node::Apply(operation, operands) => {
                 let operands = operands.iter().map(|operand| images[operand]).collect();
                 variable(pool, &mut variables, Hidden::Applied(operation), operands)
@@ -65,6 +68,7 @@ pub(super) fn opaque(pool: &mut Pool, expressions: &[Expr], depth: Depth) -> Vec
             }
             node => pool.image(expression, node, &images),
         };
+        plain.insert(expression, image);
         let is_one_already = matches!(pool.node(image), Node::Symbol(_) | Node::Number(_));
         if radicands.contains(&expression) && !is_one_already {
             image = variable(pool, &mut variables, Hidden::Radicand, vec![image]);
@@ -140,6 +144,7 @@ mod tests {
         assert!(are_alike("sin((x + y)**2)", "sin(x**2 + 2*x*y + y**2)"));
         assert!(are_alike("exp(x*sqrt(y*(x + 1)))", "exp(sqrt(x*y + y)*x)"));
         assert!(are_alike("(x + y)**(3/2)*x", "(x + y)*sqrt(x + y)*x"));
+        assert!(are_alike("sqrt(x + y)*sin(x + y + 1)", "sqrt(x + y)*sin(x + (y + 1))"));
     }
 
     #[test]
