@@ -1,6 +1,7 @@
 //! A block of rows: the loop that is vectorised, and what stands around it.
 
 use crate::{Formula, Lane32, Lane64, Real};
+use std::ops::BitOr;
 
 /// The rows that are computed at once: many vectors of the widest kind, so that the loop over them has no remainder, and
 /// what it costs to begin is little beside it.
@@ -9,7 +10,9 @@ pub(super) const BLOCK: usize = 256;
 /// A number of a column, and the lane it is computed in.
 pub(super) trait Element: Real + Default + Send + Sync + 'static {
     /// A block of zeros.
-    const ZEROS: [Self; BLOCK];
+    const ZEROS: &'static [Self; BLOCK];
+    /// A whole number as wide as this, so that as many go into a vector.
+    type Bits: Copy + Default + Eq + BitOr<Output = Self::Bits>;
     /// The lane, with or without fused multiply-add.
     type Lane<const FMA: bool>: Real;
     /// In the lane.
@@ -18,12 +21,15 @@ pub(super) trait Element: Real + Default + Send + Sync + 'static {
     fn of<const FMA: bool>(lane: Self::Lane<FMA>) -> Self;
     /// Whether this is NaN.
     fn is_nan(self) -> bool;
+    /// All bits where this is NaN, none elsewhere.
+    fn nan_bits(self) -> Self::Bits;
 }
 
 macro_rules! element {
-    ($raw:ident, $lane:ident) => {
+    ($raw:ident, $lane:ident, $bits:ident) => {
         impl Element for $raw {
-            const ZEROS: [Self; BLOCK] = [0.0; BLOCK];
+            const ZEROS: &'static [Self; BLOCK] = &[0.0; BLOCK];
+            type Bits = $bits;
             type Lane<const FMA: bool> = $lane<FMA>;
             #[inline(always)]
             fn lane<const FMA: bool>(self) -> $lane<FMA> {
@@ -37,12 +43,16 @@ macro_rules! element {
             fn is_nan(self) -> bool {
                 $raw::is_nan(self)
             }
+            #[inline(always)]
+            fn nan_bits(self) -> $bits {
+                $bits::from(self.is_nan()).wrapping_neg()
+            }
         }
     };
 }
 
-element!(f64, Lane64);
-element!(f32, Lane32);
+element!(f64, Lane64, u64);
+element!(f32, Lane32, u32);
 
 /// The arguments of a block.
 pub(super) type Arguments<'a, E, const A: usize> = [&'a [E; BLOCK]; A];
@@ -50,7 +60,7 @@ pub(super) type Arguments<'a, E, const A: usize> = [&'a [E; BLOCK]; A];
 /// The values of a block.
 pub(super) type Values<E, const O: usize> = [[E; BLOCK]; O];
 
-/// What computes a block, and says whether there is a NaN in it.
+/// What computes a block, and says whether lanes may have given up in it.
 pub(super) type Kernel<E, const A: usize, const O: usize> =
     unsafe fn(&Arguments<'_, E, A>, &mut Values<E, O>) -> bool;
 
@@ -60,6 +70,7 @@ pub(super) fn rows_of<E: Element, F: Formula<A, O>, const FMA: bool, const A: us
     columns: &Arguments<'_, E, A>,
     values: &mut Values<E, O>,
 ) -> bool {
+    let mut found = E::Bits::default();
     for row in 0..BLOCK {
         let mut arguments = [E::default().lane::<FMA>(); A];
         for (argument, column) in arguments.iter_mut().zip(columns) {
@@ -67,22 +78,12 @@ pub(super) fn rows_of<E: Element, F: Formula<A, O>, const FMA: bool, const A: us
         }
         for (value, result) in values.iter_mut().zip(F::value(arguments)) {
             value[row] = E::of::<FMA>(result);
+            if F::MAY_GIVE_UP {
+                found = found | value[row].nan_bits();
+            }
         }
     }
-    has_nan(values)
-}
-
-/// Whether there is a NaN: two values at a time, which is one comparison.
-#[inline(always)]
-fn has_nan<E: Element, const O: usize>(values: &Values<E, O>) -> bool {
-    let mut found = false;
-    for value in values {
-        let (left, right) = value.split_at(BLOCK / 2);
-        for (left, right) in left.iter().zip(right) {
-            found |= left.is_nan() | right.is_nan();
-        }
-    }
-    found
+    found != E::Bits::default()
 }
 
 /// The values of a block, with those that lanes give up on.

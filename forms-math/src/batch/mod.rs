@@ -136,8 +136,7 @@ fn over_blocks<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
         let filled = columns.map(block::filled);
         return copied::<E, F, A, O>(kernel, &filled.each_ref(), &mut outputs, 0, length);
     }
-    let zeros = E::ZEROS;
-    let mut blocks = [&zeros; A];
+    let mut blocks = [E::ZEROS; A];
     for start in (0..length).step_by(BLOCK) {
         // The last block ends with the columns, and computes some rows of the one before again.
         let start = start.min(length - BLOCK);
@@ -161,7 +160,7 @@ fn copied<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
     start: usize,
     count: usize,
 ) {
-    let mut values = [E::ZEROS; O];
+    let mut values = [*E::ZEROS; O];
     block::compute::<E, F, A, O>(kernel, blocks, &mut values);
     for (output, values) in outputs.iter_mut().zip(&values) {
         output[start..start + count].copy_from_slice(&values[..count]);
