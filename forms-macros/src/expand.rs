@@ -11,7 +11,7 @@ use crate::tokens::Body;
 use forms_core::check::{decide_all, objection, resolve_parsed};
 use forms_core::decide::Verdict;
 use forms_core::diagnostic::{Diagnostic, Span};
-use forms_core::generation::{Translation, generate};
+use forms_core::generation::{Generated, generate};
 use forms_core::kernel::{KernelDocs, emit_rust};
 use forms_core::resolve::{Kernel, Theory};
 use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
@@ -156,7 +156,7 @@ fn function(
     origin: &Origin,
 ) -> Result<TokenStream, Vec<Diagnostic>> {
     let generated = generate(&mut theory.pool, kernel)?;
-    let docs = documentation(theory, verdicts, kernel, &generated.translation);
+    let docs = documentation(theory, verdicts, kernel, &generated);
     let source = emit_rust(&generated.optimised, &docs, tiers::MATH);
     let unreadable = |error: proc_macro2::LexError| {
         let message = format!("the function generated for `{}` cannot be read by Rust: {error}", kernel.name);
@@ -172,7 +172,7 @@ fn documentation(
     theory: &Theory,
     verdicts: &[Verdict],
     kernel: &Kernel,
-    translation: &Translation,
+    generated: &Generated,
 ) -> KernelDocs {
     let arguments: Vec<&str> =
         kernel.arguments.iter().map(|&argument| theory.pool.symbol_name(argument)).collect();
@@ -189,7 +189,8 @@ fn documentation(
         statements: kernel.statements.iter().filter(is_proved).cloned().collect(),
         conditions: kernel.domain.iter().map(|condition| condition.text(&theory.pool)).collect(),
         units: forms_core::units::sentence(theory, kernel).unwrap_or_default(),
-        translation: translation.to_string(),
+        translation: generated.translation.to_string(),
+        rounding: forms_core::rounding::sentence(&generated.optimised).unwrap_or_default(),
         docs: kernel.docs.clone(),
     }
 }

@@ -146,14 +146,14 @@ def emit():
     print("//! The polynomials and constants of the functions of lanes; computed by `coefficients/lane.py`.")
     print("#![allow(clippy::approx_constant)]\n")
     print("/// The numbers of one floating-point format; polynomials have their constant term first.")
-    print("pub(super) struct Coefficients<W: 'static> {")
+    print("pub(crate) struct Coefficients<W: 'static> {")
     for name, meaning, value in tables[0]:
         kind = "&'static [W]" if isinstance(value, list) else "W"
-        print(f"    /// {meaning}\n    pub(super) {name}: {kind},")
+        print(f"    /// {meaning}\n    pub(crate) {name}: {kind},")
     print("}")
     for form, rows in zip(FORMATS, tables):
         print(f"\n/// Of `{form.rust}`.")
-        print(f"pub(super) const {form.rust.upper()}: Coefficients<{form.rust}> = Coefficients {{")
+        print(f"pub(crate) const {form.rust.upper()}: Coefficients<{form.rust}> = Coefficients {{")
         for name, _, value in rows:
             if isinstance(value, list):
                 print(f"    {name}: &[")

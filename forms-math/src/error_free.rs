@@ -79,7 +79,8 @@ pub(crate) fn mantissa_and_exponent(value: f64) -> (f64, i64) {
 /// True where [`two_product`] holds what the rounding of a · b leaves.
 #[inline(always)]
 pub(crate) fn has_exact_rest(product: f64, a: f64, b: f64) -> bool {
-    (product.abs() >= EXACT_PRODUCT || a == 0.0 || b == 0.0) && product.abs() <= SPLIT_LIMIT
+    (product.abs() >= EXACT_PRODUCT && product.abs() <= SPLIT_LIMIT)
+        || (product == 0.0 && (a == 0.0 || b == 0.0))
 }
 
 /// a b − c d within an ulp, at any size of the products that does not leave the range of the result.

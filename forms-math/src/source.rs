@@ -42,6 +42,48 @@ const FILES: &[(&str, &str)] = &[
     ("wide/sum", include_str!("wide/sum.rs")),
 ];
 
+/// The files that are not pasted, since they are for more than one value at a time or for bounds of errors.
+const OTHER_FILES: &[(&str, &str)] = &[
+    ("batch", include_str!("batch/mod.rs")),
+    ("batch/block", include_str!("batch/block.rs")),
+    ("batch/instructions", include_str!("batch/instructions.rs")),
+    ("batch/length", include_str!("batch/length.rs")),
+    ("escalate", include_str!("escalate.rs")),
+    ("guarded", include_str!("guarded/mod.rs")),
+    ("guarded/arithmetic", include_str!("guarded/arithmetic.rs")),
+    ("guarded/bound", include_str!("guarded/bound.rs")),
+    ("guarded/functions", include_str!("guarded/functions.rs")),
+    ("guarded/number", include_str!("guarded/number.rs")),
+    ("guarded/real", include_str!("guarded/real.rs")),
+    ("guarded/special", include_str!("guarded/special.rs")),
+    ("lane", include_str!("lane/mod.rs")),
+    ("lane/coefficients", include_str!("lane/coefficients.rs")),
+    ("lane/error_function", include_str!("lane/error_function.rs")),
+    ("lane/exponential", include_str!("lane/exponential.rs")),
+    ("lane/inverse", include_str!("lane/inverse.rs")),
+    ("lane/logarithm", include_str!("lane/logarithm.rs")),
+    ("lane/pair", include_str!("lane/pair.rs")),
+    ("lane/power", include_str!("lane/power.rs")),
+    ("lane/real", include_str!("lane/real.rs")),
+    ("lane/trigonometric", include_str!("lane/trigonometric.rs")),
+    ("lane/word", include_str!("lane/word.rs")),
+];
+
+/// This crate as files of a folder, by their paths in it, to be compiled beside kernels where the crate itself is not at
+/// hand: without features, tests and this function.
+///
+/// ```
+/// let files = forms_math::crate_files();
+/// assert!(files.iter().any(|(path, text)| path == "lib.rs" && text.contains("pub use batch::")));
+/// ```
+pub fn crate_files() -> Vec<(String, String)> {
+    let root = include_str!("lib.rs").lines().filter(|line| !line.contains("source"));
+    let root = root.map(|line| format!("{line}\n")).collect();
+    let modules = FILES.iter().chain(OTHER_FILES);
+    let modules = modules.map(|(path, text)| (format!("{path}.rs"), (*text).to_string()));
+    std::iter::once(("lib.rs".to_string(), root)).chain(modules).collect()
+}
+
 /// `mod forms_math { … }` for the root of a crate: `f32`, `f64`, [`DoubleDouble`](crate::DoubleDouble) and
 /// [`Wide`](crate::Wide) as [`Real`](crate::Real)s, without comments on files and without tests.
 ///

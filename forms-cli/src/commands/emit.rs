@@ -76,6 +76,7 @@ fn source(file: &TheoryFile, kernel: &Kernel) -> Result<String, Vec<crate::theor
         conditions: Vec::new(),
         units: sentence(&file.theory, kernel).unwrap_or_default(),
         translation: generated.translation.to_string(),
+        rounding: forms::core::rounding::sentence(&generated.optimised).unwrap_or_default(),
         docs: kernel.docs.clone(),
     };
     Ok(emit_rust(&generated.optimised, &docs, "forms_math"))

@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+mod accuracy;
 mod check;
 mod derive;
 mod emit;
@@ -30,6 +31,18 @@ pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<S
             eval::eval(file, kernel, precision, *tier, output)
         }
         Some(Command::Emit { file, kernel, target }) => emit::emit(file, kernel.as_deref(), target, output),
+        Some(Command::Accuracy { file, kernel, json, write, pages, samples, no_times }) => {
+            let request = accuracy::Request {
+                file,
+                kernel: kernel.as_deref(),
+                json: *json,
+                write: *write,
+                pages: pages.as_deref(),
+                samples: *samples,
+                times: !no_times,
+            };
+            accuracy::accuracy(&request, output)
+        }
         Some(Command::Kernels) => kernels::kernels(output),
     }
 }

@@ -67,6 +67,17 @@ impl fmt::Display for Unbounded {
     }
 }
 
+/// Boxes for what is said beside a kernel, which is generated inside the compiler of whoever uses it.
+const BOXES_OF_DOCUMENTATION: usize = 64;
+
+/// What is said beside a kernel of its rounding: a bound for each output, or nothing where there is none.
+pub fn sentence(program: &Program) -> Option<String> {
+    let bounds = program.error_bound(BOXES_OF_DOCUMENTATION).ok()?;
+    let bounds: Vec<String> = bounds.iter().map(ErrorBound::to_string).collect();
+    let of = if bounds.len() == 1 { "Its value" } else { "Each value" };
+    Some(format!("{of} in `f64` is within {} of the true one, anywhere on the domain.", bounds.join(", ")))
+}
+
 impl Program {
     /// Bounds of the rounding error of each output over the whole domain, from at most so many boxes.
     ///

@@ -54,9 +54,8 @@ impl<T: Guardable> Guarded<T> {
 
     /// A node or weight of a quadrature, below one.
     fn node(value: T) -> Self {
-        // |ln w| ≤ |e| + 1 of w = m 2ᵉ
         let logarithm = value.exponent().map_or(0.0, |exponent| exponent.unsigned_abs() as f64 + 1.0);
-        Self { value, error: value.rounding(T::UNITS.node * (3.0 + logarithm)) }
+        Self { value, error: value.rounding(T::UNITS.node + T::UNITS.node_by_logarithm * logarithm) }
     }
 }
 

@@ -2,49 +2,49 @@
 #![allow(clippy::approx_constant)]
 
 /// The numbers of one floating-point format; polynomials have their constant term first.
-pub(super) struct Coefficients<W: 'static> {
+pub(crate) struct Coefficients<W: 'static> {
     /// From here on erf x rounds to 1
-    pub(super) erf_is_one: W,
+    pub(crate) erf_is_one: W,
     /// 1/ln 2
-    pub(super) log2_e: W,
+    pub(crate) log2_e: W,
     /// ln 2, the first part times any exponent being exact
-    pub(super) ln_2: &'static [W],
+    pub(crate) ln_2: &'static [W],
     /// 2/pi
-    pub(super) two_over_pi: W,
+    pub(crate) two_over_pi: W,
     /// pi/2, all parts but the last times any multiple in reach being exact
-    pub(super) half_pi: &'static [W],
+    pub(crate) half_pi: &'static [W],
     /// pi/4, pi/2, 3 pi/4 and pi, each with what its rounding leaves
-    pub(super) quarters_pi: &'static [W],
+    pub(crate) quarters_pi: &'static [W],
     /// 2/sqrt pi with what its rounding leaves
-    pub(super) two_over_root_pi: &'static [W],
+    pub(crate) two_over_root_pi: &'static [W],
     /// 2/3 with what its rounding leaves
-    pub(super) two_thirds: &'static [W],
+    pub(crate) two_thirds: &'static [W],
     /// (e^r - 1 - r)/r^2 of |r| <= (ln 2)/2
-    pub(super) exp: &'static [W],
+    pub(crate) exp: &'static [W],
     /// (sinh r - r)/r^3 in r^2, of |r| <= (ln 2)/2
-    pub(super) sinh: &'static [W],
+    pub(crate) sinh: &'static [W],
     /// (cosh r - 1 - r^2/2)/r^4 in r^2, of |r| <= (ln 2)/2
-    pub(super) cosh: &'static [W],
+    pub(crate) cosh: &'static [W],
     /// (2 artanh s - 2 s)/s^3 in s^2, of |s| <= (sqrt 2 - 1)/(sqrt 2 + 1)
-    pub(super) ln: &'static [W],
+    pub(crate) ln: &'static [W],
     /// (2 artanh s - 2 s - 2 s^3/3)/s^5 in s^2, on the same interval
-    pub(super) ln_tail: &'static [W],
+    pub(crate) ln_tail: &'static [W],
     /// (sin r - r)/r^3 in r^2, of |r| <= pi/4
-    pub(super) sin: &'static [W],
+    pub(crate) sin: &'static [W],
     /// (cos r - 1 + r^2/2)/r^4 in r^2, of |r| <= pi/4
-    pub(super) cos: &'static [W],
+    pub(crate) cos: &'static [W],
     /// (atan t - t)/t^3 in t^2, of |t| <= 1/2
-    pub(super) atan: &'static [W],
+    pub(crate) atan: &'static [W],
     /// (asin t - t)/t^3 in t^2, of |t| <= 1/2
-    pub(super) asin: &'static [W],
+    pub(crate) asin: &'static [W],
     /// (erf x - 2 x/sqrt pi)/x^3 in x^2, of |x| <= 1
-    pub(super) erf: &'static [W],
+    pub(crate) erf: &'static [W],
     /// ln erfc(1 + t) of t >= 0, to where erf rounds to 1
-    pub(super) ln_erfc: &'static [W],
+    pub(crate) ln_erfc: &'static [W],
 }
 
 /// Of `f64`.
-pub(super) const F64: Coefficients<f64> = Coefficients {
+pub(crate) const F64: Coefficients<f64> = Coefficients {
     erf_is_one: 6.0,
     log2_e: 1.4426950408889634,
     ln_2: &[0.6931471805598903, 5.497923018708371e-14],
@@ -195,7 +195,7 @@ pub(super) const F64: Coefficients<f64> = Coefficients {
 };
 
 /// Of `f32`.
-pub(super) const F32: Coefficients<f32> = Coefficients {
+pub(crate) const F32: Coefficients<f32> = Coefficients {
     erf_is_one: 4.0,
     log2_e: 1.442695,
     ln_2: &[0.69314575, 1.4286068e-6],

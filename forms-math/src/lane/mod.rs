@@ -10,6 +10,7 @@
 //! A function that gives up on an argument, because it is rare and would cost all others, has the value NaN there:
 //! [`batch`](crate::batch) computes such values again by the functions of single numbers.
 
+mod bounded;
 mod coefficients;
 mod error_function;
 mod exponential;
@@ -23,4 +24,5 @@ mod tests;
 mod trigonometric;
 mod word;
 
+pub(crate) use bounded::Bounded;
 pub use word::{Lane32, Lane64};

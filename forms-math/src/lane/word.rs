@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A floating-point number of a format, in one lane of a vector.
-pub(super) trait Word:
+pub(crate) trait Word:
     Copy
     + PartialOrd
     + Add<Output = Self>
@@ -39,6 +39,8 @@ pub(super) trait Word:
     fn of(raw: Self::Raw) -> Self;
     /// The nearest number of this format.
     fn literal(value: f64) -> Self;
+    /// The number in `f64`.
+    fn to_double(self) -> f64;
     /// self · factor + summand, with one rounding where the processor has that in an instruction.
     fn fused(self, factor: Self, summand: Self) -> Self;
     /// √x
@@ -91,7 +93,11 @@ pub(super) trait Word:
         }
         for (position, &[of_even, of_odd]) in pairs.iter().enumerate().rev() {
             let is_last = position + 1 == pairs.len();
-            even = if is_last && rest.is_empty() { Self::of(of_even) } else { even.fused(square, Self::of(of_even)) };
+            even = if is_last && rest.is_empty() {
+                Self::of(of_even)
+            } else {
+                even.fused(square, Self::of(of_even))
+            };
             odd = if is_last { Self::of(of_odd) } else { odd.fused(square, Self::of(of_odd)) };
         }
         odd.fused(self, even)
@@ -132,6 +138,10 @@ macro_rules! word {
             #[inline(always)]
             fn literal(value: f64) -> Self {
                 Self(value as $raw)
+            }
+            #[inline(always)]
+            fn to_double(self) -> f64 {
+                self.0.into()
             }
             #[inline(always)]
             fn fused(self, factor: Self, summand: Self) -> Self {

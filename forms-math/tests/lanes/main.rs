@@ -2,4 +2,5 @@
 
 mod arguments;
 mod double;
-mod reference;
+mod formulas;
+mod single;

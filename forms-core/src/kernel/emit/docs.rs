@@ -15,6 +15,8 @@ pub struct KernelDocs {
     pub units: String,
     /// What is known of the agreement of the program with the formula.
     pub translation: String,
+    /// A bound of the rounding error, where there is one.
+    pub rounding: String,
     /// The author's own lines.
     pub docs: Vec<String>,
 }
@@ -43,6 +45,10 @@ pub(super) fn documentation(program: &Program, docs: &KernelDocs, comment: &str)
     if !docs.translation.is_empty() {
         separate(&mut lines);
         lines.push(docs.translation.clone());
+    }
+    if !docs.rounding.is_empty() {
+        separate(&mut lines);
+        lines.push(docs.rounding.clone());
     }
     separate(&mut lines);
     let outside = if program.domain.is_empty() { "" } else { " outside its domain and" };
