@@ -73,7 +73,7 @@ pub(crate) enum Command {
         file: String,
         /// A kernel in it
         kernel: String,
-        /// The arithmetic: f64, or exact for 50 certain digits
+        /// The arithmetic: f32, f64, dd for double-double, or exact for 50 certain digits
         #[arg(long, default_value = "f64")]
         precision: String,
         /// The kernel as it was written, or as it is generated
@@ -87,9 +87,38 @@ pub(crate) enum Command {
         /// Only this kernel
         #[arg(long)]
         kernel: Option<String>,
-        /// The language to write: rust
+        /// The language to write: rust, c, wgsl or cuda
         #[arg(long)]
         target: String,
+        /// The numbers: f32, f64 or dd; f64 unless said otherwise, f32 in wgsl
+        #[arg(long)]
+        precision: Option<String>,
+    },
+    /// Show what each precision and form of a kernel costs and buys, on typical and on hard arguments
+    ///
+    /// Times are measured where there is a rustc. With --write, forms that lose fewer bits are looked for, proved equal to
+    /// the formulas, and written beside the file, with the ending `stable`; kernels are computed by them from then on.
+    Accuracy {
+        /// A file of the forms language, or - for the library
+        #[arg(default_value = "-")]
+        file: String,
+        /// Only this kernel
+        kernel: Option<String>,
+        /// One JSON object a line
+        #[arg(long)]
+        json: bool,
+        /// Look for better forms and write them beside the file
+        #[arg(long, conflicts_with_all = ["json", "pages", "kernel"])]
+        write: bool,
+        /// Write accuracy.md and its figures into this folder
+        #[arg(long, value_name = "FOLDER")]
+        pages: Option<String>,
+        /// Arguments in each regime
+        #[arg(long, default_value_t = 128, value_name = "COUNT")]
+        samples: usize,
+        /// Do not measure times
+        #[arg(long)]
+        no_times: bool,
     },
     /// List the kernels of the library with their arguments, units and formulas
     Kernels,

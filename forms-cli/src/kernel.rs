@@ -14,7 +14,14 @@ pub(crate) fn files(file: &str) -> Result<Vec<TheoryFile>, Vec<FileError>> {
 
 /// The files of the library.
 pub(crate) fn library() -> Result<Vec<TheoryFile>, Vec<FileError>> {
-    forms_radiometry::library().iter().map(|file| theory_file::from_text(file.name, file.text)).collect()
+    let read = |file: &forms_radiometry::TheoryFile| {
+        let mut theory = theory_file::from_text(file.name, file.text)?;
+        if let Some(choices) = file.choices {
+            theory.choose("the choices of forms of the library", choices)?;
+        }
+        Ok(theory)
+    };
+    forms_radiometry::library().iter().map(read).collect()
 }
 
 /// A kernel by its name, with the file it stands in.

@@ -3,9 +3,11 @@
 use forms::core::check::read_theory;
 use forms::core::diagnostic::{Diagnostic, Span};
 use forms::core::resolve::Theory;
+use forms::core::stability::{Choices, EXTENSION};
 use forms::core::syntax::Source;
 use std::fs::File;
 use std::io::Read;
+use std::path::{Path, PathBuf};
 
 /// The largest file that is read, in bytes.
 const LARGEST_FILE: u64 = 16 << 20;
@@ -49,7 +51,16 @@ impl FileError {
 pub(crate) fn read(path: &str) -> Result<TheoryFile, Vec<FileError>> {
     let bytes = bytes(path).map_err(|message| vec![FileError::of_file(path, message)])?;
     match String::from_utf8(bytes) {
-        Ok(text) => from_text(path, text),
+        Ok(text) => {
+            let mut file = from_text(path, text)?;
+            let beside = choices_beside(path);
+            if beside.is_file() {
+                let name = beside.to_string_lossy().into_owned();
+                let text = text_of_choices(&name)?;
+                file.choose(&name, text)?;
+            }
+            Ok(file)
+        }
         Err(error) => {
             let valid = error.utf8_error().valid_up_to();
             let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
@@ -57,6 +68,29 @@ pub(crate) fn read(path: &str) -> Result<TheoryFile, Vec<FileError>> {
             let message = "the file is not UTF-8 text: this byte belongs to no character";
             let diagnostic = Diagnostic::new(Span::new(place, place + 1), message);
             Err(vec![FileError::at(&Source::new(path, text), &diagnostic)])
+        }
+    }
+}
+
+/// Where the choices of forms for the kernels of a file stand.
+pub(crate) fn choices_beside(path: &str) -> PathBuf {
+    Path::new(path).with_extension(EXTENSION)
+}
+
+fn text_of_choices(path: &str) -> Result<String, Vec<FileError>> {
+    text(path).map_err(|message| vec![FileError::of_file(path, message)])
+}
+
+impl TheoryFile {
+    /// Lets the kernels be computed by the forms that a file of choices has for them.
+    pub(crate) fn choose(&mut self, name: &str, text: impl Into<String>) -> Result<(), Vec<FileError>> {
+        let source = Source::new(name, text);
+        match Choices::read(&source.text) {
+            Ok(choices) => {
+                choices.apply(&mut self.theory);
+                Ok(())
+            }
+            Err(errors) => Err(errors.iter().map(|error| FileError::at(&source, error)).collect()),
         }
     }
 }

@@ -3,6 +3,8 @@
 use crate::expand::theory_checked;
 use crate::report::{Origin, compile_error};
 use forms_core::check::read_theory;
+use forms_core::resolve::Theory;
+use forms_core::stability::{Choices, EXTENSION};
 use forms_core::syntax::Source;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -44,6 +46,25 @@ impl Included {
         }
     }
 
+    /// Lets kernels be computed by the forms chosen in the file beside this one, if there is one; what makes the compiler
+    /// look at that file again when it changes.
+    fn choose(&self, theory: &mut Theory) -> Result<TokenStream, TokenStream> {
+        let path = self.path.with_extension(EXTENSION);
+        let Ok(text) = std::fs::read_to_string(&path) else { return Ok(TokenStream::new()) };
+        let path = path.to_string_lossy();
+        let source = Source::new(path.clone(), text);
+        match Choices::read(&source.text) {
+            Ok(choices) => {
+                choices.apply(theory);
+                Ok(quote! { const _: &str = ::core::include_str!(#path); })
+            }
+            Err(errors) => {
+                let message: String = errors.iter().map(|error| source.render(error)).collect();
+                Err(compile_error(self.place, self.place, &message))
+            }
+        }
+    }
+
     /// An expression of the file's text, which also makes the compiler look at the file again when it changes.
     pub(crate) fn text(&self) -> TokenStream {
         let path = self.path.to_string_lossy();
@@ -63,10 +84,15 @@ pub(crate) fn items(argument: TokenStream) -> TokenStream {
         Err(error) => return error,
     };
     let text = included.text();
-    let (theory, diagnostics) = read_theory(&included.source.text);
+    let (mut theory, diagnostics) = read_theory(&included.source.text);
+    let chosen = match included.choose(&mut theory) {
+        Ok(chosen) => chosen,
+        Err(error) => return error,
+    };
     let items = theory_checked(theory, diagnostics, &Origin::File(included.source, included.place));
     quote! {
         const _: &str = #text;
+        #chosen
         #items
     }
 }

@@ -61,16 +61,51 @@ pub fn escalate_with_tier<F: Formula<A, O>, const A: usize, const O: usize>(
     outputs
 }
 
-/// Computes in guarded `T` and takes what is good enough of the outputs that are still open; true where none is left.
+/// Computes in guarded `T` what is still open; true where nothing is left.
 fn take<F: Formula<A, O>, T: Guardable, const A: usize, const O: usize>(
     arguments: [f64; A],
     within: f64,
     tier: Tier,
     outputs: &mut [(f64, Tier); O],
 ) -> bool {
-    let values = F::value(arguments.map(Guarded::<T>::from_f64));
+    settle(&F::value(arguments.map(Guarded::<T>::from_f64)), within, tier, outputs)
+}
+
+/// What can be computed in guarded numbers of every precision: a formula known when the program runs.
+pub trait Computation {
+    /// The outputs in one precision.
+    fn values<T: Guardable>(&self, arguments: &[Guarded<T>]) -> Vec<Guarded<T>>;
+}
+
+/// [`escalate`] of a computation with so many outputs.
+pub fn escalate_computation(
+    computation: &impl Computation,
+    arguments: &[f64],
+    outputs: usize,
+    within: f64,
+) -> Vec<f64> {
+    fn take<T: Guardable>(
+        computation: &impl Computation,
+        arguments: &[f64],
+        (within, tier): (f64, Tier),
+        outputs: &mut [(f64, Tier)],
+    ) -> bool {
+        let arguments: Vec<Guarded<T>> = arguments.iter().map(|&value| Guarded::from_f64(value)).collect();
+        settle(&computation.values(&arguments), within, tier, outputs)
+    }
+    let mut found = vec![(f64::NAN, Tier::Undecided); outputs];
+    let _ = take::<f64>(computation, arguments, (within, Tier::Double), &mut found)
+        || take::<DoubleDouble>(computation, arguments, (within, Tier::DoubleDouble), &mut found)
+        || take::<Wide<4>>(computation, arguments, (within, Tier::Words4), &mut found)
+        || take::<Wide<8>>(computation, arguments, (within, Tier::Words8), &mut found)
+        || take::<Wide<16>>(computation, arguments, (within, Tier::Words16), &mut found);
+    found.into_iter().map(|(value, _)| value).collect()
+}
+
+/// Takes of the values what is good enough of the outputs that are still open; true where none is left.
+fn settle<T: Guardable>(values: &[Guarded<T>], within: f64, tier: Tier, outputs: &mut [(f64, Tier)]) -> bool {
     let units = if tier == Tier::Double { within } else { (within - 1.0).max(LEAST_SLACK) };
-    for (output, value) in outputs.iter_mut().zip(values) {
+    for (output, &value) in outputs.iter_mut().zip(values) {
         if output.1 != Tier::Undecided {
             continue;
         }

@@ -25,15 +25,20 @@ mod special;
 mod table;
 mod wide;
 
-pub use batch::{Column, Instructions, LengthMismatch, batch, batch_by, batch_f32, batch_f32_by};
+pub use batch::{
+    Column, Instructions, LengthMismatch, batch, batch_by, batch_f32, batch_f32_by, batch_within,
+    batch_within_by,
+};
+#[cfg(feature = "ndarray")]
+pub use batch::{RowsMismatch, batch_rows};
 #[cfg(feature = "rayon")]
 pub use batch::{batch_f32_parallel, batch_parallel};
 pub use double_double::DoubleDouble;
-pub use escalate::{Tier, escalate, escalate_with_tier};
+pub use escalate::{Computation, Tier, escalate, escalate_computation, escalate_with_tier};
 pub use formula::Formula;
 pub use guarded::{Bound, Guardable, Guarded, Magnitude, Units};
 pub use lane::{Lane32, Lane64};
 pub use real::Real;
 pub use scalar::Scalar;
-pub use source::source;
+pub use source::{crate_files, source};
 pub use wide::Wide;

@@ -3,7 +3,7 @@
 //! ```text
 //! lib.rs ─ mod error_free; ─▶ mod error_free { … } ─ … ─▶ one module that needs nothing but the standard library
 //! ```
-//! Lanes, batches and error bounds are left out: what is pasted is for one value at a time.
+//! Lanes and batches are left out: what is pasted is for one value at a time.
 
 /// The files that are pasted, by their path without `.rs` or `/mod.rs`.
 const FILES: &[(&str, &str)] = &[
@@ -18,7 +18,15 @@ const FILES: &[(&str, &str)] = &[
     ("elementary/logarithm", include_str!("elementary/logarithm.rs")),
     ("elementary/power", include_str!("elementary/power.rs")),
     ("error_free", include_str!("error_free.rs")),
+    ("escalate", include_str!("escalate.rs")),
     ("formula", include_str!("formula.rs")),
+    ("guarded", include_str!("guarded/mod.rs")),
+    ("guarded/arithmetic", include_str!("guarded/arithmetic.rs")),
+    ("guarded/bound", include_str!("guarded/bound.rs")),
+    ("guarded/functions", include_str!("guarded/functions.rs")),
+    ("guarded/number", include_str!("guarded/number.rs")),
+    ("guarded/real", include_str!("guarded/real.rs")),
+    ("guarded/special", include_str!("guarded/special.rs")),
     ("quadrature", include_str!("quadrature.rs")),
     ("real", include_str!("real.rs")),
     ("scalar", include_str!("scalar.rs")),
@@ -42,6 +50,48 @@ const FILES: &[(&str, &str)] = &[
     ("wide/sum", include_str!("wide/sum.rs")),
 ];
 
+/// The files that are not pasted, since they are for more than one value at a time or for bounds of errors.
+const OTHER_FILES: &[(&str, &str)] = &[
+    ("batch", include_str!("batch/mod.rs")),
+    ("batch/block", include_str!("batch/block.rs")),
+    ("batch/instructions", include_str!("batch/instructions.rs")),
+    ("batch/length", include_str!("batch/length.rs")),
+    ("escalate", include_str!("escalate.rs")),
+    ("guarded", include_str!("guarded/mod.rs")),
+    ("guarded/arithmetic", include_str!("guarded/arithmetic.rs")),
+    ("guarded/bound", include_str!("guarded/bound.rs")),
+    ("guarded/functions", include_str!("guarded/functions.rs")),
+    ("guarded/number", include_str!("guarded/number.rs")),
+    ("guarded/real", include_str!("guarded/real.rs")),
+    ("guarded/special", include_str!("guarded/special.rs")),
+    ("lane", include_str!("lane/mod.rs")),
+    ("lane/coefficients", include_str!("lane/coefficients.rs")),
+    ("lane/error_function", include_str!("lane/error_function.rs")),
+    ("lane/exponential", include_str!("lane/exponential.rs")),
+    ("lane/inverse", include_str!("lane/inverse.rs")),
+    ("lane/logarithm", include_str!("lane/logarithm.rs")),
+    ("lane/pair", include_str!("lane/pair.rs")),
+    ("lane/power", include_str!("lane/power.rs")),
+    ("lane/real", include_str!("lane/real.rs")),
+    ("lane/trigonometric", include_str!("lane/trigonometric.rs")),
+    ("lane/word", include_str!("lane/word.rs")),
+];
+
+/// This crate as files of a folder, by their paths in it, to be compiled beside kernels where the crate itself is not at
+/// hand: without features, tests and this function.
+///
+/// ```
+/// let files = forms_math::crate_files();
+/// assert!(files.iter().any(|(path, text)| path == "lib.rs" && text.contains("pub use batch::")));
+/// ```
+pub fn crate_files() -> Vec<(String, String)> {
+    let root = include_str!("lib.rs").lines().filter(|line| !line.contains("source"));
+    let root = root.map(|line| format!("{line}\n")).collect();
+    let modules = FILES.iter().chain(OTHER_FILES);
+    let modules = modules.map(|(path, text)| (format!("{path}.rs"), (*text).to_string()));
+    std::iter::once(("lib.rs".to_string(), root)).chain(modules).collect()
+}
+
 /// `mod forms_math { … }` for the root of a crate: `f32`, `f64`, [`DoubleDouble`](crate::DoubleDouble) and
 /// [`Wide`](crate::Wide) as [`Real`](crate::Real)s, without comments on files and without tests.
 ///
@@ -63,13 +113,20 @@ fn pasted(path: &str, text: &str) -> String {
     for line in own.lines().filter(|line| !line.trim_start().starts_with("//!")) {
         let declared = line.strip_suffix(';').and_then(|line| Some(line.split_once("mod ")?.1));
         let imported = line.strip_prefix("pub use ").and_then(|rest| rest.split("::").next());
-        match (declared, imported) {
-            (Some(module), _) => lines.extend(file(path, module).map(|(path, text)| {
-                let head = line.trim_end_matches(';');
-                format!("{head} {{\n{}}}", pasted(&path, text))
-            })),
-            (None, Some(module)) if path.is_empty() && file(path, module).is_none() => {}
-            _ => lines.push(line.replace("crate::", "crate::forms_math::")),
+        let left_out = match (declared, imported) {
+            (Some(module), _) => file(path, module).is_none(),
+            (None, Some(module)) => path.is_empty() && file(path, module).is_none(),
+            (None, None) => false,
+        };
+        if left_out {
+            // with the attributes above it
+            while lines.last().is_some_and(|line: &String| line.starts_with("#[")) {
+                lines.pop();
+            }
+        } else if let Some((path, text)) = declared.and_then(|module| file(path, module)) {
+            lines.push(format!("{} {{\n{}}}", line.trim_end_matches(';'), pasted(&path, text)));
+        } else {
+            lines.push(line.replace("crate::", "crate::forms_math::"));
         }
     }
     lines.join("\n") + "\n"

@@ -7,12 +7,14 @@ pub struct TheoryFile {
     pub name: &'static str,
     /// Its characters.
     pub text: &'static str,
+    /// The forms chosen for its kernels, if there is a file of them.
+    pub choices: Option<&'static str>,
 }
 
 /// One file of the folder `theory`.
 macro_rules! theory_file {
     ($name:literal) => {
-        TheoryFile { name: $name, text: include_str!(concat!("../theory/", $name)) }
+        TheoryFile { name: $name, text: include_str!(concat!("../theory/", $name)), choices: None }
     };
 }
 
@@ -46,10 +48,17 @@ pub fn theory() -> &'static [TheoryFile] {
     ]
 }
 
-/// One file of the folder `kernels`.
+/// One file of the folder `kernels`, and the file of choices beside it where there is one.
 macro_rules! kernel_file {
     ($name:literal) => {
-        TheoryFile { name: $name, text: include_str!(concat!("../kernels/", $name)) }
+        TheoryFile { name: $name, text: include_str!(concat!("../kernels/", $name)), choices: None }
+    };
+    ($name:literal, $choices:literal) => {
+        TheoryFile {
+            name: $name,
+            text: include_str!(concat!("../kernels/", $name)),
+            choices: Some(include_str!(concat!("../kernels/", $choices))),
+        }
     };
 }
 
@@ -69,5 +78,7 @@ pub fn library() -> &'static [TheoryFile] {
         kernel_file!("warps_microfacet.forms"),
         kernel_file!("warps_axis.forms"),
         kernel_file!("warps_distance.forms"),
+        kernel_file!("warps_spherical_triangle.forms"),
+        kernel_file!("warps_spherical_rectangle.forms"),
     ]
 }

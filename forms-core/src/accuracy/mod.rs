@@ -15,6 +15,7 @@ mod ordinal;
 mod regime;
 mod sample;
 mod score;
+mod sheet;
 mod truth;
 
 pub use format::{Format, Rounded};
@@ -23,4 +24,5 @@ pub use regime::Regime;
 pub use sample::{Sample, Samples, sample};
 pub(crate) use score::bits_lost;
 pub use score::{Score, Statistics};
+pub use sheet::{Arithmetic, Line, Variant, sheet};
 pub use truth::{Truth, Value};

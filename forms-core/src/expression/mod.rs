@@ -14,6 +14,7 @@ mod build;
 mod condition;
 mod derivative;
 mod domain;
+mod import;
 mod kernel;
 mod nature;
 mod node;

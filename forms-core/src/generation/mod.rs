@@ -16,7 +16,6 @@ mod seam;
 mod translation;
 
 pub use translation::Translation;
-pub(crate) use translation::{FORM, equality};
 
 use crate::diagnostic::Diagnostic;
 use crate::expression::Pool;
@@ -28,7 +27,8 @@ use crate::resolve::Kernel;
 pub struct Generated {
     /// One instruction for each operation of the formula as it was written.
     pub written: Program,
-    /// The form behind `by`, or the formula where there is none, at least cost.
+    /// The form behind `by`, or the formula where there is none, at least cost; with products that cancel computed
+    /// without loss where there is a form behind `by`, or a bound behind `within`.
     pub optimised: Program,
     /// What is known of their agreement.
     pub translation: Translation,
@@ -62,25 +62,34 @@ pub fn generate(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagn
         lower(pool, source).map_err(|error| vec![Diagnostic::new(kernel.span, error.to_string())])
     };
     let written = lowered(pool, &source)?;
-    let form = by_form(kernel);
     let mut faults = seam::faults(pool, kernel);
-    if let Some(form) = &form {
-        faults.extend(seam::faults(pool, form));
-        if faults.is_empty() {
-            faults.extend(translation::of_form(pool, kernel));
-        }
+    if faults.is_empty() {
+        faults = form_faults(pool, kernel);
     }
     if !faults.is_empty() {
         return Err(faults);
     }
+    let form = by_form(kernel);
     let computed = form.as_ref().unwrap_or(kernel);
     let program = lowered(pool, &KernelSource { outputs: computed.outputs.clone(), ..source })?;
-    let optimised = program.optimise();
+    // a form that was chosen keeps the order of its sums and products, on which its rounding depends
+    let optimised = if form.is_some() { program.in_order() } else { program.optimise() };
+    // whoever gives a form to compute by, or a bound to keep to, wants accuracy first
+    let is_stable = form.is_some() || kernel.within.is_some();
+    let optimised = if is_stable { optimised.compensate() } else { optimised };
     let translation = translation::validate(pool, computed, &optimised);
     match translation.objection(kernel) {
         Some(objection) => Err(vec![objection]),
         None => Ok(Generated { written, optimised, translation }),
     }
+}
+
+/// What is to be said of the form that a kernel is computed by: pieces that do not agree where they meet, or a form that is
+/// not proved equal to the formula. Nothing where there is no form.
+pub(crate) fn form_faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Diagnostic> {
+    let Some(form) = by_form(kernel) else { return Vec::new() };
+    let faults = seam::faults(pool, &form);
+    if faults.is_empty() { translation::of_form(pool, kernel).into_iter().collect() } else { faults }
 }
 
 /// The kernel with the form behind `by` for its formula, if there is one.

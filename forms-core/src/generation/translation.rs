@@ -4,7 +4,7 @@
 //! The equation is decided like any other statement, on the kernel's domain and wherever both sides are defined.
 
 use super::boundary::{replaced, sheets};
-use super::opaque::opaque;
+use super::opaque::{Choices, are_equal, opaque};
 use super::pieces::{MOST_PIECES, pieces};
 use crate::decide::{Effort, Equations, Finding, Witness};
 use crate::diagnostic::Diagnostic;
@@ -18,7 +18,7 @@ use std::fmt;
 const EFFORT: Effort = Effort { work: 2_000_000, candidates: 100, points: 12 };
 
 /// A form behind `by` is a claim of its author like a statement.
-pub(crate) const FORM: Effort = Effort { work: 20_000_000, candidates: 300, points: 20 };
+const FORM: Effort = Effort { work: 20_000_000, candidates: 300, points: 20 };
 
 /// What is known of the agreement of a program with its formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -112,8 +112,8 @@ pub(super) fn of_form(pool: &mut Pool, kernel: &Kernel) -> Option<Diagnostic> {
     Some(Diagnostic::new(kernel.span, message).with_help(help))
 }
 
-/// Whether the sides of each pair are equal under the conditions: without a look inside functions, which is enough for
-/// most programs and costs little, or else with one.
+/// Whether the sides of each pair are equal under the conditions: without a look inside choices, or at least inside
+/// functions, which is enough for most programs and costs little, or else with one.
 pub(crate) fn equality(
     pool: &mut Pool,
     pairs: &[(Expr, Expr)],
@@ -122,10 +122,12 @@ pub(crate) fn equality(
 ) -> Translation {
     let different: Vec<Expr> =
         pairs.iter().filter(|(raised, written)| raised != written).flat_map(|&(a, b)| [a, b]).collect();
-    let opaque = opaque(pool, &different);
-    if opaque.chunks_exact(2).all(|pair| pair[0] == pair[1])
-        || by_pieces(pool, &opaque, &[], effort).is_proved()
-    {
+    let closed = opaque(pool, &different, Choices::Opaque);
+    if closed.chunks_exact(2).all(|pair| are_equal(pool, &pair[..1], &pair[1..])) {
+        return Translation::Proved;
+    }
+    let opaque = opaque(pool, &different, Choices::Kept);
+    if by_pieces(pool, &opaque, &[], effort).is_proved() {
         return Translation::Proved;
     }
     by_pieces(pool, &different, conditions, effort)

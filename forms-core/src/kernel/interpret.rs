@@ -5,7 +5,7 @@
 use super::constant::Constant;
 use super::program::{Instruction, Program, Value};
 use crate::syntax::ast::Relation;
-use forms_math::Real;
+use forms_math::{Computation, Guardable, Guarded, Real, escalate_computation};
 
 /// A program with its numbers rounded to one precision.
 #[derive(Clone, Debug)]
@@ -43,7 +43,22 @@ impl Program {
     }
 }
 
+/// A program in guarded numbers of any precision.
+struct InAnyPrecision<'a>(&'a Program);
+
+impl Computation for InAnyPrecision<'_> {
+    fn values<T: Guardable>(&self, arguments: &[Guarded<T>]) -> Vec<Guarded<T>> {
+        self.0.interpret_as(arguments)
+    }
+}
+
 impl Program {
+    /// The outputs within so many units of 2⁻⁵³ of their exact values, in as much precision as that takes at these
+    /// arguments.
+    pub fn interpret_within(&self, arguments: &[f64], within: f64) -> Vec<f64> {
+        escalate_computation(&InAnyPrecision(self), arguments, self.outputs.len(), within)
+    }
+
     /// One instruction in `f64`, with all others having these values.
     pub(crate) fn step(&self, place: usize, arguments: &[f64], values: &[f64]) -> f64 {
         match &self.instructions[place] {

@@ -104,7 +104,7 @@ impl Resolver {
     }
 
     /// The number behind `within`.
-    fn positive_number(&mut self, within: &ast::Expr) -> Evaluated<Rational> {
+    pub(super) fn positive_number(&mut self, within: &ast::Expr) -> Evaluated<Rational> {
         let (value, _, _) = self.evaluate(|evaluator| evaluator.scalar(within))?;
         match self.theory.pool.as_number(value).filter(|number| number.is_positive()) {
             Some(number) => Ok(number.clone()),
@@ -225,7 +225,7 @@ impl Evaluator<'_> {
 }
 
 /// That the form behind `by` has as many outputs as the formula.
-fn check_count(outputs: &[Expr], computed: &[Expr], name: &Name, span: Span) -> Evaluated<()> {
+pub(super) fn check_count(outputs: &[Expr], computed: &[Expr], name: &Name, span: Span) -> Evaluated<()> {
     if computed.is_empty() || computed.len() == outputs.len() {
         return Ok(());
     }

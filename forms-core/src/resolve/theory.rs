@@ -134,6 +134,13 @@ pub struct Kernel {
     pub(super) mentioned: BTreeSet<String>,
 }
 
+impl Kernel {
+    /// Whether it says itself how it is computed: by a form of its own, or to within a bound.
+    pub fn has_form(&self) -> bool {
+        !self.computed.is_empty() || self.within.is_some()
+    }
+}
+
 /// The units of a kernel's arguments and outputs in the language's notation; none where nothing states them. Both lists
 /// are empty in a file that states no unit.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -10,10 +10,12 @@
 //! domain. Where no form is best everywhere, two are joined at an exact seam. The search is bounded, and the same for
 //! the same kernel.
 
+mod choice;
 mod locate;
 mod proof;
 mod regimes;
 mod rules;
 mod search;
 
+pub use choice::{Choices, EXTENSION, key, written};
 pub use search::{Effort, Form, Found, search};

@@ -221,7 +221,9 @@ impl<'a> Search<'a> {
             }
         }
         let mut forms: Vec<Form> = Vec::new();
-        if let Some(outputs) = self.joined(&proved) {
+        if let Some(outputs) = self.joined(&proved)
+            && self::proved(self.pool, self.kernel, &outputs)
+        {
             forms.extend(self.form(&outputs));
         }
         for place in proved {

@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A floating-point number of a format, in one lane of a vector.
-pub(super) trait Word:
+pub(crate) trait Word:
     Copy
     + PartialOrd
     + Add<Output = Self>
@@ -39,6 +39,8 @@ pub(super) trait Word:
     fn of(raw: Self::Raw) -> Self;
     /// The nearest number of this format.
     fn literal(value: f64) -> Self;
+    /// The number in `f64`.
+    fn to_double(self) -> f64;
     /// self · factor + summand, with one rounding where the processor has that in an instruction.
     fn fused(self, factor: Self, summand: Self) -> Self;
     /// √x
@@ -55,6 +57,8 @@ pub(super) trait Word:
     fn unshifted(self) -> Self;
     /// 2^k of an integer k in the range of exponents of normal numbers.
     fn power_of_two(self) -> Self;
+    /// 2^k of such an integer, from the sum that `shifted` gives.
+    fn power_of_two_of_shifted(self) -> Self;
     /// (k, m) with x = m 2^k and √½ ≤ m < √2, of a positive normal number.
     fn split(self) -> (Self, Self);
     /// `odd` where the shifted integer is odd, `even` where it is even.
@@ -121,6 +125,10 @@ macro_rules! word {
                 Self(value as $raw)
             }
             #[inline(always)]
+            fn to_double(self) -> f64 {
+                self.0.into()
+            }
+            #[inline(always)]
             fn fused(self, factor: Self, summand: Self) -> Self {
                 if FMA { Self(self.0.mul_add(factor.0, summand.0)) } else { self * factor + summand }
             }
@@ -150,7 +158,11 @@ macro_rules! word {
             }
             #[inline(always)]
             fn power_of_two(self) -> Self {
-                let exponent = self.shifted().0.to_bits() << ($precision - 1);
+                self.shifted().power_of_two_of_shifted()
+            }
+            #[inline(always)]
+            fn power_of_two_of_shifted(self) -> Self {
+                let exponent = self.0.to_bits() << ($precision - 1);
                 Self($raw::from_bits(exponent.wrapping_add((1.0 as $raw).to_bits())))
             }
             #[inline(always)]

@@ -14,6 +14,9 @@ use crate::kernel::program::{Instruction, ProductSum, Program};
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 
+/// The module that is pasted beside kernels.
+pub(super) const MATH: &str = "forms_math";
+
 /// `impl FORMULA for TYPE`, where the paths `math` lead to what `forms_math` exports.
 pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
     let (arguments, outputs) = (program.arguments.len(), program.outputs.len());
@@ -30,6 +33,13 @@ pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
     )
 }
 
+/// A type `Formula` of the program, to stand in a function.
+pub(super) fn nested_formula(program: &Program) -> String {
+    let formula = emit_formula(program, "Formula", MATH);
+    let lines: String = formula.lines().map(|line| format!("    {line}\n")).collect();
+    format!("    enum Formula {{}}\n{lines}")
+}
+
 /// A documented function of double-doubles, with its formula beside it.
 pub(super) fn double_double(program: &Program, docs: &KernelDocs) -> String {
     let number = "forms_math::DoubleDouble";
@@ -39,10 +49,9 @@ pub(super) fn double_double(program: &Program, docs: &KernelDocs) -> String {
         1 => (number.to_string(), "[0]"),
         several => (format!("[{number}; {several}]"), ""),
     };
-    let formula = emit_formula(program, "Formula", "forms_math");
-    let formula = formula.lines().map(|line| format!("    {line}\n")).collect::<String>();
+    let formula = nested_formula(program);
     format!(
-        "{}{}{}fn {}(\n{}) -> {result} {{\n    enum Formula {{}}\n{formula}    \
+        "{}{}{}fn {}(\n{}) -> {result} {{\n{formula}    \
          <Formula as forms_math::Formula<{count}, {outputs}>>::value([{}]){ending}\n}}\n",
         documentation(program, docs, "///"),
         attributes(program),

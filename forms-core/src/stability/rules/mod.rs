@@ -16,6 +16,9 @@ use crate::expression::{Condition, Expr, Node, Operation, Pool};
 use num_rational::Ratio;
 use rustc_hash::FxHashMap;
 
+/// Counted up when a rule or the search changes, so that choices made before are made anew.
+pub(super) const VERSION: u32 = 1;
+
 /// Texts longer than this are not simplified: nobody would read what comes out, and a kernel should not compute it.
 const LONGEST: usize = 600;
 

@@ -1,0 +1,50 @@
+//! The choice of forms: looked for, proved, and written beside the file.
+
+use crate::commands::refuse;
+use crate::kernel::LIBRARY;
+use crate::palette::Palette;
+use crate::status::Status;
+use crate::theory_file::{choices_beside, complain, from_text, text};
+use forms::core::stability::{Effort, Found, search, written};
+use std::io::{self, Write};
+
+/// Looks for the best form of every kernel of a file that does not say itself how it is computed.
+pub(super) fn choose(path: &str, output: &mut dyn Write) -> io::Result<Status> {
+    if path == LIBRARY {
+        return Ok(refuse("forms are written beside a file; name one"));
+    }
+    let source = match text(path) {
+        Ok(source) => source,
+        Err(message) => return Ok(refuse(&format!("{message} ({path})"))),
+    };
+    let mut file = match from_text(path, source) {
+        Ok(file) => file,
+        Err(errors) => {
+            complain(&errors);
+            return Ok(Status::Error);
+        }
+    };
+    let palette = Palette::of_output();
+    let kernels = file.theory.kernels.clone();
+    let mut choices: Vec<(usize, Found)> = Vec::new();
+    for (place, kernel) in kernels.iter().enumerate() {
+        let name = &kernel.name;
+        if kernel.has_form() {
+            writeln!(output, "{name}: {}", palette.quiet("says itself how it is computed"))?;
+            continue;
+        }
+        let Some(found) = search(&mut file.theory.pool, kernel, Effort::default()) else {
+            writeln!(output, "{name}: {}", palette.notable("no arguments with a certain value were found"))?;
+            continue;
+        };
+        let form = found.chosen();
+        let change = format!("{:.2} -> {:.2} bits lost", found.written.loss, form.loss);
+        writeln!(output, "{name}: {change}, cost {} -> {}", found.written.cost, form.cost)?;
+        choices.push((place, found));
+    }
+    let pairs: Vec<_> = choices.iter().map(|(place, found)| (&kernels[*place], found)).collect();
+    let beside = choices_beside(path);
+    std::fs::write(&beside, written(&file.theory.pool, &pairs))?;
+    writeln!(output, "{}", palette.quiet(&format!("written to {}", beside.display())))?;
+    Ok(Status::AsStated)
+}

@@ -1,0 +1,168 @@
+//! Times: the generated source of a kernel compiled and run, on typical arguments.
+//!
+//! ```text
+//! the crate of the arithmetic ─ rustc, once ─▶ library ─┐
+//! program ─ formula, harness ─ rustc ─▶ executable ─────┴─ run ─▶ nanoseconds of a value, for each variant
+//! ```
+//! Compiled as a release build is, for no particular processor: batches choose their instructions when they run.
+
+use forms::core::accuracy::{Arithmetic, Regime, Variant, Width, sample};
+use forms::core::expression::Pool;
+use forms::core::generation::Generated;
+use forms::core::kernel::emit_formula;
+use forms::core::resolve::Kernel;
+use std::collections::HashMap;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Rows of the columns that are timed: their arguments and results stay in the cache nearest to the processor.
+const ROWS: usize = 1024;
+
+/// Different rows among them.
+const DIFFERENT: usize = 128;
+
+/// A folder with the library of the arithmetic, compiled.
+pub(super) struct Workshop {
+    folder: PathBuf,
+}
+
+impl Workshop {
+    /// A workshop, where there is a rustc.
+    pub(super) fn open() -> Option<Self> {
+        let folder = std::env::temp_dir().join(format!("forms-accuracy-{}", std::process::id()));
+        let workshop = Workshop { folder };
+        let source = workshop.folder.join("forms_math");
+        for (path, text) in forms::math::crate_files() {
+            let path = source.join(path);
+            std::fs::create_dir_all(path.parent()?).ok()?;
+            std::fs::write(path, text).ok()?;
+        }
+        let compiled =
+            workshop.compile(&source.join("lib.rs"), &["--crate-type", "rlib", "--crate-name", "forms_math"]);
+        compiled.then_some(workshop)
+    }
+
+    fn compile(&self, source: &Path, options: &[&str]) -> bool {
+        let rustc = Command::new("rustc")
+            .args(["--edition", "2024", "-C", "opt-level=3", "-C", "codegen-units=1", "--cap-lints", "allow"])
+            .args(options)
+            .arg("--out-dir")
+            .arg(&self.folder)
+            .arg("-L")
+            .arg(&self.folder)
+            .arg(source)
+            .output();
+        rustc.is_ok_and(|output| output.status.success())
+    }
+
+    /// The nanoseconds of one value in each variant, by its name; nothing where the source does not compile or run.
+    pub(super) fn times(
+        &self,
+        pool: &Pool,
+        kernel: &Kernel,
+        programs: &Generated,
+    ) -> Option<HashMap<String, f64>> {
+        let typical = sample(pool, kernel, Width::Single, &[Regime::Typical], DIFFERENT, 0);
+        let rows: Vec<&[f64]> = typical.first()?.samples.iter().map(|sample| &sample.arguments[..]).collect();
+        let source = self.folder.join("kernel.rs");
+        std::fs::write(&source, harness(kernel, programs, &rows)).ok()?;
+        let math = format!("forms_math={}", self.folder.join("libforms_math.rlib").display());
+        if !self.compile(&source, &["--crate-name", "kernel", "--extern", &math]) {
+            return None;
+        }
+        let output = Command::new(self.folder.join("kernel")).output().ok()?;
+        let text = String::from_utf8(output.stdout).ok()?;
+        let line = |line: &str| {
+            let (name, time) = line.rsplit_once(' ')?;
+            Some((name.to_string(), time.parse().ok()?))
+        };
+        text.lines().map(line).collect()
+    }
+}
+
+impl Drop for Workshop {
+    fn drop(&mut self) {
+        // what cannot be removed from a temporary folder does no harm there
+        let _ = std::fs::remove_dir_all(&self.folder);
+    }
+}
+
+/// A program that prints the least time of a value in each variant.
+fn harness(kernel: &Kernel, programs: &Generated, rows: &[&[f64]]) -> String {
+    let (arguments, outputs) = (kernel.arguments.len(), kernel.outputs.len());
+    let mut text = String::from("use forms_math::{DoubleDouble, Formula, Real, batch, batch_f32};\n");
+    for (name, program) in [("Written", &programs.written), ("Stable", &programs.optimised)] {
+        let _ = writeln!(text, "enum {name} {{}}\n{}", emit_formula(program, name, "forms_math"));
+    }
+    let bits: Vec<String> = (0..arguments)
+        .map(|column| {
+            let numbers: Vec<String> =
+                rows.iter().map(|row| format!("{:#x}", row[column].to_bits())).collect();
+            format!("[{}]", numbers.join(", "))
+        })
+        .collect();
+    let _ = writeln!(text, "const BITS: [[u64; {}]; {arguments}] = [{}];", rows.len(), bits.join(",\n"));
+    text.push_str(
+        &MEASURE
+            .replace("ARGUMENTS", &arguments.to_string())
+            .replace("OUTPUTS", &outputs.to_string())
+            .replace("ROWS", &ROWS.to_string()),
+    );
+    text.push_str("fn main() {\n");
+    for variant in Variant::ALL {
+        let form = if variant.stable { "Stable" } else { "Written" };
+        let number = match variant.arithmetic {
+            Arithmetic::Single => "f32",
+            Arithmetic::Double => "f64",
+            Arithmetic::DoubleDouble => "DoubleDouble",
+        };
+        let call = match (variant.batch, variant.arithmetic) {
+            (false, _) => format!("each::<{form}, {number}>()"),
+            (true, Arithmetic::Single) => format!("column(batch_f32::<{form}, {arguments}, {outputs}>)"),
+            (true, _) => format!("column(batch::<{form}, {arguments}, {outputs}>)"),
+        };
+        let _ = writeln!(text, "    println!(\"{} {{}}\", {call});", variant.name());
+    }
+    text.push_str("}\n");
+    text
+}
+
+/// The part of the harness that is the same for every kernel.
+const MEASURE: &str = "
+fn columns<T: Real>() -> [Vec<T>; ARGUMENTS] {
+    BITS.map(|column| column.iter().cycle().take(ROWS).map(|&bits| T::from_f64(f64::from_bits(bits))).collect())
+}
+fn least(mut run: impl FnMut()) -> f64 {
+    run();
+    let once = { let start = std::time::Instant::now(); run(); start.elapsed().as_secs_f64() };
+    let repeats = (2e-4 / once.max(1e-9)).ceil().clamp(1.0, 1e4) as usize;
+    let time = |_| {
+        let start = std::time::Instant::now();
+        (0..repeats).for_each(|_| run());
+        start.elapsed().as_secs_f64() / repeats as f64
+    };
+    (0..40).map(time).fold(f64::INFINITY, f64::min) * 1e9 / ROWS as f64
+}
+#[inline(never)]
+fn one<F: Formula<ARGUMENTS, OUTPUTS>, T: Real>(arguments: [T; ARGUMENTS]) -> [T; OUTPUTS] {
+    F::value(arguments)
+}
+fn each<F: Formula<ARGUMENTS, OUTPUTS>, T: Real>() -> f64 {
+    let columns = columns::<T>();
+    least(|| {
+        for row in 0..ROWS {
+            std::hint::black_box(one::<F, T>(std::array::from_fn(|column| columns[column][row])));
+        }
+    })
+}
+fn column<T: Real, E: std::fmt::Debug>(batch: impl Fn([&[T]; ARGUMENTS], [&mut [T]; OUTPUTS]) -> Result<(), E>) -> f64 {
+    let columns = columns::<T>();
+    let mut outputs: [Vec<T>; OUTPUTS] = std::array::from_fn(|_| vec![T::from_f64(0.0); ROWS]);
+    least(|| {
+        let outputs = outputs.each_mut().map(|output| &mut output[..]);
+        batch(columns.each_ref().map(|column| &column[..]), outputs).expect(\"columns of one length\");
+        std::hint::black_box(&columns);
+    })
+}
+";

@@ -1,0 +1,158 @@
+//! Sheets: what each arithmetic and each form of a kernel loses, on typical arguments and in each hard regime.
+
+use super::ordinal::Width;
+use super::regime::Regime;
+use super::sample::{Samples, sample};
+use super::score::Score;
+use crate::expression::Pool;
+use crate::generation::Generated;
+use crate::kernel::{Program, nearest_f64};
+use crate::resolve::Kernel;
+use forms_math::{DoubleDouble, Lane32, Lane64, Real};
+
+/// One way to run a kernel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Variant {
+    /// The arithmetic.
+    pub arithmetic: Arithmetic,
+    /// Whether it is computed by the stable form, or else as the formula is written.
+    pub stable: bool,
+    /// Whether whole columns are computed by the lanes of vectors.
+    pub batch: bool,
+}
+
+/// The numbers a kernel is computed in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Arithmetic {
+    /// `f32`
+    Single,
+    /// `f64`
+    Double,
+    /// The sum of two `f64`s, about 31 digits.
+    DoubleDouble,
+}
+
+impl Variant {
+    /// Every way there is. Double-double has no lanes, and is worth its time for the stable form only.
+    pub const ALL: [Variant; 9] = {
+        const fn of(arithmetic: Arithmetic, stable: bool, batch: bool) -> Variant {
+            Variant { arithmetic, stable, batch }
+        }
+        [
+            of(Arithmetic::Single, false, false),
+            of(Arithmetic::Single, true, false),
+            of(Arithmetic::Double, false, false),
+            of(Arithmetic::Double, true, false),
+            of(Arithmetic::DoubleDouble, true, false),
+            of(Arithmetic::Single, false, true),
+            of(Arithmetic::Single, true, true),
+            of(Arithmetic::Double, false, true),
+            of(Arithmetic::Double, true, true),
+        ]
+    };
+
+    /// `f64 stable batch`
+    pub fn name(self) -> String {
+        let mut name = match self.arithmetic {
+            Arithmetic::Single => "f32",
+            Arithmetic::Double => "f64",
+            Arithmetic::DoubleDouble => "dd",
+        }
+        .to_string();
+        if self.stable && self.arithmetic != Arithmetic::DoubleDouble {
+            name.push_str(" stable");
+        }
+        if self.batch {
+            name.push_str(" batch");
+        }
+        name
+    }
+
+    /// The numbers that arguments are taken from.
+    pub fn width(self) -> Width {
+        if self.arithmetic == Arithmetic::Single { Width::Single } else { Width::Double }
+    }
+}
+
+/// The errors of one variant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// The variant.
+    pub variant: Variant,
+    /// Its errors in each regime, the typical one first.
+    pub scores: Vec<Score>,
+}
+
+impl Line {
+    /// The scores of the regimes that are not typical.
+    pub fn hard(&self) -> impl Iterator<Item = &Score> {
+        self.scores.iter().filter(|score| score.regime != Regime::Typical)
+    }
+
+    /// The score on typical arguments.
+    pub fn typical(&self) -> Option<&Score> {
+        self.scores.iter().find(|score| score.regime == Regime::Typical)
+    }
+}
+
+/// The errors of a kernel in every variant, with so many samples of each regime.
+pub fn sheet(pool: &Pool, kernel: &Kernel, generated: &Generated, count: usize, seed: u64) -> Vec<Line> {
+    let samples = |width| sample(pool, kernel, width, &Regime::ALL, count, seed);
+    let (single, double) = (samples(Width::Single), samples(Width::Double));
+    let line = |variant: Variant| {
+        let program = if variant.stable { &generated.optimised } else { &generated.written };
+        let samples = if variant.width() == Width::Single { &single } else { &double };
+        let within = kernel.within.as_ref().filter(|_| variant.stable).map(nearest_f64);
+        Line { variant, scores: scores(program, within, variant, samples) }
+    };
+    Variant::ALL.into_iter().map(line).collect()
+}
+
+fn scores(program: &Program, within: Option<f64>, variant: Variant, samples: &[Samples]) -> Vec<Score> {
+    let width = variant.width();
+    let by = |computed: &dyn Fn(&[f64]) -> Vec<f64>| -> Vec<Score> {
+        samples.iter().map(|regime| Score::of(regime, width, computed)).collect()
+    };
+    let single = program.interpreter::<f32>();
+    let double = program.interpreter::<f64>();
+    let in_single = |arguments: &[f64]| converted(arguments, |arguments: &[f32]| single.values(arguments));
+    let in_double = |arguments: &[f64]| match within {
+        // what is promised is kept by as much precision as that takes
+        Some(within) => program.interpret_within(arguments, within),
+        None => double.values(arguments),
+    };
+    match (variant.arithmetic, variant.batch) {
+        (Arithmetic::Single, false) => by(&in_single),
+        (Arithmetic::Double, false) => by(&in_double),
+        (Arithmetic::Single, true) => {
+            let lanes = program.interpreter::<Lane32<true>>();
+            let in_lanes = |arguments: &[f64]| converted(arguments, |a: &[Lane32<true>]| lanes.values(a));
+            by(&|arguments| without_nan(in_lanes(arguments), || in_single(arguments)))
+        }
+        (Arithmetic::Double, true) => {
+            let lanes = program.interpreter::<Lane64<true>>();
+            let in_lanes = |arguments: &[f64]| converted(arguments, |a: &[Lane64<true>]| lanes.values(a));
+            by(&|arguments| without_nan(in_lanes(arguments), || in_double(arguments)))
+        }
+        (Arithmetic::DoubleDouble, _) => {
+            let wide = program.interpreter::<DoubleDouble>();
+            let computed = |arguments: &[f64]| {
+                let arguments: Vec<DoubleDouble> =
+                    arguments.iter().map(|&x| DoubleDouble::from_f64(x)).collect();
+                wide.values(&arguments).into_iter().map(|value| (value.high(), value.low())).collect()
+            };
+            samples.iter().map(|regime| Score::of_double_double(regime, computed)).collect()
+        }
+    }
+}
+
+/// The results of another arithmetic at the same arguments.
+fn converted<T: Real>(arguments: &[f64], compute: impl Fn(&[T]) -> Vec<T>) -> Vec<f64> {
+    let arguments: Vec<T> = arguments.iter().map(|&value| T::from_f64(value)).collect();
+    compute(&arguments).into_iter().map(T::to_f64).collect()
+}
+
+/// What batches do: a row in which lanes gave up is computed by single numbers.
+fn without_nan(lanes: Vec<f64>, single: impl Fn() -> Vec<f64>) -> Vec<f64> {
+    if lanes.iter().any(|value| value.is_nan()) { single() } else { lanes }
+}

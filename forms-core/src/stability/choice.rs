@@ -1,0 +1,212 @@
+//! Choices: the forms that kernels are computed by, kept in a file that is committed.
+//!
+//! ```text
+//! search ─▶ entry ─ text ─▶ NAME.stable, beside NAME.forms ─ read ─▶ Choices ─ apply ─▶ kernels computed by their forms
+//! ```
+//! The file is in the language: a kernel for each entry, with the key of what the choice was made for in the first line
+//! of its documentation. The key depends on the formula, the domain, the op table and the rules; an entry with another
+//! key says nothing, and the kernel is computed as rules alone make it. Generation proves each form anew.
+
+use super::rules::VERSION;
+use super::search::{Form, Found};
+use crate::check::read_theory;
+use crate::diagnostic::Diagnostic;
+use crate::expression::{Expr, Pool, Rational, Symbol, TABLE};
+use crate::resolve::{Kernel, Theory};
+use rustc_hash::FxHashMap;
+use std::fmt::Write;
+
+/// What the name of a file of choices ends in, in the place of `forms`.
+pub const EXTENSION: &str = "stable";
+
+/// Where the best form loses more bits than this on the mean, there is no good one: the kernel is computed in as much
+/// precision as its arguments ask for.
+const MOST_LOSS: f64 = 4.0;
+
+/// What such a kernel then promises, in units of 2⁻⁵³.
+const WITHIN: u32 = 2;
+
+/// The head of every file of choices.
+const HEAD: &str = "\
+// The forms that the kernels of the file beside this one are computed by, each proved equal to its formula when it is
+// generated. Written by `forms accuracy FILE --write`. A line of documentation has the key of the formula and the mean of
+// the bits that are lost in f64, as written and by this form; with another key an entry says nothing.
+";
+
+/// What a choice depends on, as 16 hexadecimal digits: the kernel's name, arguments, formula and domain, the op table,
+/// the rules, and the version of this crate, whose prover has to prove it.
+pub fn key(pool: &Pool, kernel: &Kernel) -> String {
+    let mut text = format!("{} {VERSION} {}", env!("CARGO_PKG_VERSION"), kernel.name);
+    for row in TABLE {
+        let _ = write!(text, " {} {}", row.name, row.cost);
+    }
+    for &argument in &kernel.arguments {
+        let _ = write!(text, " {}", pool.symbol_name(argument));
+    }
+    for output in pool.texts(&kernel.outputs) {
+        let _ = write!(text, "; {output}");
+    }
+    for condition in &kernel.domain {
+        let _ = write!(text, ", {}", condition.text(pool));
+    }
+    format!("{:016x}", fowler_noll_vo(text.as_bytes()))
+}
+
+/// FNV-1a of 64 bits (G. Fowler, L. C. Noll, K.-P. Vo): the same on every machine and in every version.
+fn fowler_noll_vo(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
+}
+
+/// The text of a file with these choices; a kernel for which the formula itself is best has no entry.
+pub fn written(pool: &Pool, choices: &[(&Kernel, &Found)]) -> String {
+    let mut text = HEAD.to_string();
+    for (kernel, found) in choices {
+        let form = found.chosen();
+        let is_open = form.loss > MOST_LOSS;
+        if (form.outputs != kernel.outputs || is_open) && !kernel.has_form() {
+            entry(pool, kernel, found, form, &mut text);
+        }
+    }
+    text
+}
+
+fn entry(pool: &Pool, kernel: &Kernel, found: &Found, form: &Form, text: &mut String) {
+    let arguments: Vec<&str> = kernel.arguments.iter().map(|&argument| pool.symbol_name(argument)).collect();
+    let formulas = pool.texts(&form.outputs);
+    let formula = match &formulas[..] {
+        [single] => single.clone(),
+        several => format!("({})", several.join(", ")),
+    };
+    let (key, before, after) = (key(pool, kernel), found.written.loss, form.loss);
+    let promise = if after > MOST_LOSS { format!("\n    within {WITHIN}") } else { String::new() };
+    let _ = write!(
+        text,
+        "\n/// {key} bits {before:.2} -> {after:.2}, cost {} -> {}\nkernel {}({}) = {formula}{promise};\n",
+        found.written.cost,
+        form.cost,
+        kernel.name,
+        arguments.join(", ")
+    );
+}
+
+/// The entries of a file of choices.
+pub struct Choices {
+    theory: Theory,
+}
+
+impl Choices {
+    /// Reads a file of choices.
+    ///
+    /// # Errors
+    /// If it is not in the language.
+    pub fn read(text: &str) -> Result<Choices, Vec<Diagnostic>> {
+        let (theory, errors) = read_theory(text);
+        if errors.is_empty() { Ok(Choices { theory }) } else { Err(errors) }
+    }
+
+    /// Lets every kernel with a valid entry and no form of its own be computed by that entry; how many those are.
+    pub fn apply(&self, theory: &mut Theory) -> usize {
+        let mut applied = 0;
+        for place in 0..theory.kernels.len() {
+            if theory.kernels[place].has_form() {
+                continue;
+            }
+            if let Some((form, within)) = self.form_of(&mut theory.pool, &theory.kernels[place]) {
+                let kernel = &mut theory.kernels[place];
+                if form != kernel.outputs {
+                    kernel.computed = form;
+                }
+                kernel.within = within;
+                applied += 1;
+            }
+        }
+        applied
+    }
+
+    /// The form that an entry gives for a kernel, as expressions of the kernel's pool, and what it promises.
+    fn form_of(&self, pool: &mut Pool, kernel: &Kernel) -> Option<(Vec<Expr>, Option<Rational>)> {
+        let entry = self.theory.kernels.iter().find(|entry| entry.name == kernel.name)?;
+        let told = entry.docs.first()?.split_whitespace().next()?;
+        let fits = entry.arguments.len() == kernel.arguments.len()
+            && entry.outputs.len() == kernel.outputs.len()
+            && told == key(pool, kernel);
+        if !fits {
+            return None;
+        }
+        let symbols = entry.arguments.iter().zip(&kernel.arguments);
+        let variables: FxHashMap<Symbol, Expr> =
+            symbols.map(|(&entry, &own)| (entry, pool.symbol(own))).collect();
+        let form = pool.import(&self.theory.pool, &entry.outputs, &variables)?;
+        Some((form, entry.within.clone()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generation::generate;
+    use crate::stability::{Effort, search};
+
+    const SOURCE: &str = "kernel root(x) = sqrt(x + 1) - sqrt(x) where x >= 0;\nkernel plain(x) = x + 1;";
+
+    fn theory(source: &str) -> Theory {
+        let (theory, errors) = read_theory(source);
+        assert!(errors.is_empty(), "{errors:?}");
+        theory
+    }
+
+    fn chosen(source: &str) -> String {
+        let mut theory = theory(source);
+        let kernels = theory.kernels.clone();
+        let found: Vec<Found> = kernels
+            .iter()
+            .map(|kernel| search(&mut theory.pool, kernel, Effort::default()).expect("samples"))
+            .collect();
+        let pairs: Vec<(&Kernel, &Found)> = kernels.iter().zip(&found).collect();
+        written(&theory.pool, &pairs)
+    }
+
+    #[test]
+    fn a_choice_is_written_read_and_used() {
+        let text = chosen(SOURCE);
+        assert!(
+            text.contains("kernel root(x) = 1/(sqrt(x + 1) + sqrt(x));") && !text.contains("plain"),
+            "{text}"
+        );
+        let mut theory = theory(SOURCE);
+        assert_eq!(Choices::read(&text).expect("a file").apply(&mut theory), 1);
+        let kernel = theory.kernels[0].clone();
+        let generated = generate(&mut theory.pool, &kernel).expect("a kernel");
+        assert!(generated.translation.is_proved());
+        assert_eq!(generated.optimised.interpret(&[1e20]), [5e-11]);
+        assert_eq!(generated.written.interpret(&[1e20]), [0.0]);
+    }
+
+    #[test]
+    fn a_choice_for_another_formula_says_nothing() {
+        let text = chosen(SOURCE);
+        let choices = Choices::read(&text).expect("a file");
+        for source in [
+            "kernel root(x) = sqrt(x + 2) - sqrt(x) where x >= 0;",
+            "kernel root(x) = sqrt(x + 1) - sqrt(x) where x > 0;",
+            "kernel root(y) = sqrt(y + 1) - sqrt(y) where y >= 0;",
+            "kernel root(x) = sqrt(x + 1) - sqrt(x) by sqrt(1 + x) - sqrt(x) where x >= 0;",
+        ] {
+            assert_eq!(choices.apply(&mut theory(source)), 0, "{source}");
+        }
+    }
+
+    #[test]
+    fn a_form_that_is_not_equal_is_an_error() {
+        let theory_of_key = theory(SOURCE);
+        let key = key(&theory_of_key.pool, &theory_of_key.kernels[0]);
+        let choices = Choices::read(&format!("/// {key}\nkernel root(x) = 1/(sqrt(x + 2) + sqrt(x));"));
+        let mut theory = theory(SOURCE);
+        assert_eq!(choices.expect("a file").apply(&mut theory), 1);
+        let kernel = theory.kernels[0].clone();
+        let errors = generate(&mut theory.pool, &kernel).expect_err("a false form");
+        assert!(errors[0].message.contains("differs from its formula"), "{errors:?}");
+    }
+}
