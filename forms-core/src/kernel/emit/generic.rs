@@ -79,9 +79,13 @@ pub(super) fn closure(
     let arguments: Vec<String> = std::iter::once("s".to_string()).chain(names.iter().cloned()).collect();
     let body = result(&body::write(dialect, integrand, &arguments));
     let values: Vec<String> = captured.iter().map(|value| value.argument()).collect();
-    let (names, values, from, to) = (names.join(", "), values.join(", "), from.argument(), to.argument());
+    let (from, to) = (from.argument(), to.argument());
+    let captures = match captured {
+        [] => String::new(),
+        _ => format!("    let [{}] = [{}];\n", names.join(", "), values.join(", ")),
+    };
     Written::atom(format!(
-        "{{\n    let (from, to) = ({from}, {to});\n    let [{names}] = [{values}];\n    {quadrature}(from, to, |s| {{\n{body}    }})\n}}"
+        "{{\n    let (from, to) = ({from}, {to});\n{captures}    {quadrature}(from, to, |s| {{\n{body}    }})\n}}"
     ))
 }
 
