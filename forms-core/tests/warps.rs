@@ -82,7 +82,9 @@ fn a_form_behind_by_and_an_accuracy_go_with_the_sample() {
     let mut wrong = theory(&wrong);
     let kernel = wrong.kernels[0].clone();
     assert!(generate(&mut wrong.pool, &kernel).is_err());
-    assert!(errors(&HEMISPHERE.replace("+ 1/2);", "+ 1/2) by (u, v);")).contains("3 outputs, and 2 behind `by`"));
+    assert!(
+        errors(&HEMISPHERE.replace("+ 1/2);", "+ 1/2) by (u, v);")).contains("3 outputs, and 2 behind `by`")
+    );
 }
 
 #[test]

@@ -27,8 +27,12 @@ pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
     let bound: Vec<&str> =
         names.iter().enumerate().map(|(place, name)| if used(place) { name.as_str() } else { "_" }).collect();
     let body = body::write(&Generic, program, &names);
+    let is_arithmetic = !program.instructions.iter().any(|instruction| {
+        matches!(instruction, Instruction::Power(..) | Instruction::Call(..))
+    });
+    let gives_up = if is_arithmetic { "    const MAY_GIVE_UP: bool = false;\n" } else { "" };
     format!(
-        "impl {math}::Formula<{arguments}, {outputs}> for {type_name} {{\n    \
+        "impl {math}::Formula<{arguments}, {outputs}> for {type_name} {{\n{gives_up}    \
          #[inline(always)]\n    \
          fn value<T: {math}::Real>([{}]: [T; {arguments}]) -> [T; {outputs}] {{\n{body}    }}\n}}\n",
         bound.join(", ")
@@ -62,6 +66,25 @@ pub(super) fn double_double(program: &Program, docs: &KernelDocs) -> String {
         parameters.iter().map(|parameter| format!("    {parameter},\n")).collect::<String>(),
         program.arguments.join(", "),
     )
+}
+
+/// `quadrature(from, to, |s| …)`, where what the integrand depends on is given names before.
+pub(super) fn closure(
+    dialect: &dyn Dialect,
+    quadrature: &str,
+    integrand: &Program,
+    operands: &[&Written],
+    result: impl Fn(&str) -> String,
+) -> Written {
+    let [from, to, captured @ ..] = operands else { return Written::atom(dialect.nan()) };
+    let names: Vec<String> = (0..captured.len()).map(|place| format!("k{place}")).collect();
+    let arguments: Vec<String> = std::iter::once("s".to_string()).chain(names.iter().cloned()).collect();
+    let body = result(&body::write(dialect, integrand, &arguments));
+    let values: Vec<String> = captured.iter().map(|value| value.argument()).collect();
+    let (names, values, from, to) = (names.join(", "), values.join(", "), from.argument(), to.argument());
+    Written::atom(format!(
+        "{{\n    let (from, to) = ({from}, {to});\n    let [{names}] = [{values}];\n    {quadrature}(from, to, |s| {{\n{body}    }})\n}}"
+    ))
 }
 
 /// Rust over any `T: Real`.
@@ -118,6 +141,12 @@ impl Dialect for Generic {
     fn multiply_add(&self, sum: ProductSum, [a, b, c]: [&Written; 3]) -> Written {
         let [factor, summand] = sum.signed(a.clone(), c.clone(), |value| negated(&value));
         Self::method(&factor, "mul_add", &[b.argument(), summand.argument()])
+    }
+
+    fn quadrature(&self, integrand: &Program, operands: &[&Written]) -> Written {
+        closure(self, "T::quadrature", integrand, operands, |value| {
+            format!("let [value] = {{\n{value}}};\nvalue\n")
+        })
     }
 
     fn nan(&self) -> String {
