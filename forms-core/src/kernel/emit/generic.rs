@@ -6,7 +6,9 @@
 use super::body;
 use super::dialect::{ChoiceFunction, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
+use super::number::number;
 use super::rust::attributes;
+use super::target::Precision;
 use super::written::{Binding, Written, function, negated};
 use crate::expression::Operation;
 use crate::kernel::constant::Constant;
@@ -108,9 +110,14 @@ impl Dialect for Generic {
     }
 
     fn number(&self, constant: &Constant) -> Written {
+        // the first word by its name where it has one
+        let first = number(constant, Precision::F64).text;
         Written::atom(match constant.words(Constant::WORDS)[..] {
-            [single] => format!("T::from_f64({single:?})"),
-            ref several => format!("T::constant(&{several:?})"),
+            [_] => format!("T::from_f64({first})"),
+            ref words => {
+                let rest: Vec<String> = words[1..].iter().map(|word| format!("{word:?}")).collect();
+                format!("T::constant(&[{first}, {}])", rest.join(", "))
+            }
         })
     }
 
