@@ -66,7 +66,25 @@ fn a_warp_gives_a_sample_a_density_and_an_inverse() {
     assert!((pdf.interpret(&point)[0] - point[2] / std::f64::consts::PI).abs() < 1e-16);
     let back = inverse.interpret(&point);
     assert!((back[0] - u).abs() < 1e-15 && (back[1] - v).abs() < 1e-15, "{back:?}");
-    assert!(sample.interpret(&[1.5, v])[0].is_nan() && pdf.interpret(&[0.0, 0.0, -1.0])[0].is_nan());
+    assert!(sample.interpret(&[1.5, v])[0].is_nan() && inverse.interpret(&[0.0, 0.0, -1.0])[0].is_nan());
+    assert_eq!(pdf.interpret(&[0.0, 0.0, -1.0])[0], 0.0);
+}
+
+#[test]
+fn a_form_behind_by_and_an_accuracy_go_with_the_sample() {
+    let by = "by (sqrt(u)*sin(2*pi*(1/4 - v)), sqrt(u)*sin(2*pi*v), sqrt(1 - u)) within 16;";
+    let mut known = theory(&HEMISPHERE.replace("+ 1/2);", &format!("+ 1/2) {by}")));
+    let kernels = known.kernels.clone();
+    assert!(kernels.iter().all(|kernel| kernel.within.is_some()));
+    let sample = generate(&mut known.pool, &kernels[0]).expect("a kernel").optimised;
+    assert_eq!(sample.interpret(&[0.5, 0.25])[0], 0.0);
+    let wrong = HEMISPHERE.replace("+ 1/2);", &format!("+ 1/2) {}", by.replace("1/4 - v", "1/2 - v")));
+    let mut wrong = theory(&wrong);
+    let kernel = wrong.kernels[0].clone();
+    assert!(generate(&mut wrong.pool, &kernel).is_err());
+    assert!(
+        errors(&HEMISPHERE.replace("+ 1/2);", "+ 1/2) by (u, v);")).contains("3 outputs, and 2 behind `by`")
+    );
 }
 
 #[test]
@@ -136,7 +154,8 @@ fn the_names_of_uniform_numbers_are_local() {
 fn the_claims_of_a_warp_are_derived_like_others() {
     let source = Source::new("w.forms", HEMISPHERE);
     let derivation = derive(&source, "cosine_hemisphere_density").expect("a statement");
-    assert!(derivation.ok && derivation.text().contains("Proved"), "{}", derivation.text());
+    let text = derivation.text();
+    assert!(derivation.ok && text.contains("pullback(cosine_hemisphere, z/pi*omega) = du^dv"), "{text}");
 }
 
 #[test]

@@ -13,7 +13,7 @@ use forms_core::check::{decide_all, objection, resolve_parsed};
 use forms_core::decide::Verdict;
 use forms_core::diagnostic::{Diagnostic, Span};
 use forms_core::generation::{Generated, generate};
-use forms_core::kernel::{KernelDocs, emit_rust};
+use forms_core::kernel::{KernelDocs, emit_rust, emit_rust_within};
 use forms_core::resolve::{Kernel, Theory};
 use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
 use forms_core::syntax::token::{Symbol, Token, TokenKind};
@@ -158,7 +158,14 @@ fn function(
 ) -> Result<TokenStream, Vec<Diagnostic>> {
     let generated = generate(&mut theory.pool, kernel)?;
     let docs = documentation(theory, verdicts, kernel, &generated);
-    let source = emit_rust(&generated.optimised, &docs, tiers::MATH);
+    let program = &generated.optimised;
+    let source = match &kernel.within {
+        None => emit_rust(program, &docs, tiers::MATH),
+        Some(within) => {
+            let formula = format!("{}::Stable", kernel.name);
+            emit_rust_within(program, &docs, tiers::MATH, &formula, within)
+        }
+    };
     let unreadable = |error: proc_macro2::LexError| {
         let message = format!("the function generated for `{}` cannot be read by Rust: {error}", kernel.name);
         vec![Diagnostic::new(kernel.span, message)]

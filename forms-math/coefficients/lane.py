@@ -1,7 +1,7 @@
 """Computes forms-math/src/lane/coefficients.rs: run it from forms-math as `python coefficients/lane.py > src/lane/coefficients.rs`.
 
 A polynomial interpolates its function at the Chebyshev nodes of its interval, which is within a small factor of the best
-approximation, and has the least degree whose error, times `weight` there, is below 2^-(precision + 7); its
+approximation, and has the least degree whose error, times `weight` there, is below 2^-(precision + 4); its
 coefficients are then rounded to the format. A constant in parts has so many bits in each part as its use needs.
 """
 
@@ -81,7 +81,7 @@ def fit_weighted(function, weight, low, high, degree):
 
 def polynomial(function, weight, low, high, form, fit=None):
     """The coefficients, constant term first, of the least degree that is good enough."""
-    tolerance = mpf(2) ** -(form.precision + 7)
+    tolerance = mpf(2) ** -(form.precision + 4)
     for degree in range(2, 40):
         found = fit(degree) if fit else interpolate(function, low, high, degree)
         points = [low + (high - low) * mpf(i + mpf(1) / 3) / 100 for i in range(100)]
@@ -116,7 +116,7 @@ def table(form):
     yield "two_over_root_pi", "2/sqrt pi with what its rounding leaves", parts(2 / sqrt(pi), pair, form)
     yield "two_thirds", "2/3 with what its rounding leaves", parts(mpf(2) / 3, pair, form)
     yield "exp", "(e^r - 1 - r)/r^2 of |r| <= (ln 2)/2", polynomial(
-        lambda r: (exp(r) - 1 - r) / r**2, lambda r: r * r, -half_ln2, half_ln2, form)
+        lambda r: (exp(r) - 1 - r) / r**2, abs, -half_ln2, half_ln2, form)
     yield "sinh", "(sinh r - r)/r^3 in r^2, of |r| <= (ln 2)/2", polynomial(
         of_square(lambda r: (sinh(r) - r) / r**3), lambda z: z, tiny, half_ln2**2, form)
     yield "cosh", "(cosh r - 1 - r^2/2)/r^4 in r^2, of |r| <= (ln 2)/2", polynomial(
@@ -130,8 +130,8 @@ def table(form):
         of_square(lambda r: (sin(r) - r) / r**3), lambda z: z, tiny, quarter_pi**2, form)
     yield "cos", "(cos r - 1 + r^2/2)/r^4 in r^2, of |r| <= pi/4", polynomial(
         of_square(lambda r: (cos(r) - 1 + r**2 / 2) / r**4), lambda z: z * z, tiny, quarter_pi**2, form)
-    t = (sqrt(2) - 1) * mpf("1.0001")
-    yield "atan", "(atan t - t)/t^3 in t^2, of |t| <= tan(pi/8)", polynomial(
+    t = mpf(1) / 2
+    yield "atan", "(atan t - t)/t^3 in t^2, of |t| <= 1/2", polynomial(
         of_square(lambda t: (atan(t) - t) / t**3), lambda z: z, tiny, t**2, form)
     yield "asin", "(asin t - t)/t^3 in t^2, of |t| <= 1/2", polynomial(
         of_square(lambda t: (asin(t) - t) / t**3), lambda z: z, tiny, mpf(1) / 4, form)
@@ -146,14 +146,14 @@ def emit():
     print("//! The polynomials and constants of the functions of lanes; computed by `coefficients/lane.py`.")
     print("#![allow(clippy::approx_constant)]\n")
     print("/// The numbers of one floating-point format; polynomials have their constant term first.")
-    print("pub(super) struct Coefficients<W: 'static> {")
+    print("pub(crate) struct Coefficients<W: 'static> {")
     for name, meaning, value in tables[0]:
         kind = "&'static [W]" if isinstance(value, list) else "W"
-        print(f"    /// {meaning}\n    pub(super) {name}: {kind},")
+        print(f"    /// {meaning}\n    pub(crate) {name}: {kind},")
     print("}")
     for form, rows in zip(FORMATS, tables):
         print(f"\n/// Of `{form.rust}`.")
-        print(f"pub(super) const {form.rust.upper()}: Coefficients<{form.rust}> = Coefficients {{")
+        print(f"pub(crate) const {form.rust.upper()}: Coefficients<{form.rust}> = Coefficients {{")
         for name, _, value in rows:
             if isinstance(value, list):
                 print(f"    {name}: &[")

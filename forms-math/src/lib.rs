@@ -25,7 +25,12 @@ mod special;
 mod table;
 mod wide;
 
-pub use batch::{Column, Instructions, LengthMismatch, batch, batch_by, batch_f32, batch_f32_by};
+pub use batch::{
+    Column, Instructions, LengthMismatch, batch, batch_by, batch_f32, batch_f32_by, batch_within,
+    batch_within_by,
+};
+#[cfg(feature = "ndarray")]
+pub use batch::{RowsMismatch, batch_rows};
 #[cfg(feature = "rayon")]
 pub use batch::{batch_f32_parallel, batch_parallel};
 pub use double_double::DoubleDouble;

@@ -11,8 +11,11 @@ use crate::Real;
 use crate::scalar::Scalar;
 use crate::table::table;
 
-/// The most intervals that an integral is taken over.
-const INTERVALS: u32 = 256;
+/// The most intervals that an integral is taken over, fewer where each takes more nodes of more digits.
+const fn most_intervals(precision: u32) -> u32 {
+    let intervals = 256 * f64::MANTISSA_DIGITS / precision;
+    if intervals < 16 { 16 } else { intervals }
+}
 
 /// A place in the unit interval, from its nearer end, and its weight.
 #[derive(Clone, Copy)]
@@ -26,20 +29,20 @@ struct Nodes;
 /// The nodes s = 0, h, 2h, … of level 0 (h = ½), of the others the odd multiples of h = 2^(−1 − level).
 fn nodes<S: Scalar>(level: u32) -> &'static [Node<S>] {
     table::<Nodes, Node<S>>(level as usize, || {
-        let one = S::from_f64(1.0);
+        let one = S::Wider::from_f64(1.0);
         let (first, stride) = if level == 0 { (0.0, 1.0) } else { (1.0, 2.0) };
         let last = one.scaled(-2 * i64::from(S::PRECISION));
         let mut nodes = Vec::new();
         let mut multiple = first;
         loop {
-            let s = S::from_f64(multiple).scaled(-1 - i64::from(level));
-            let decay = (-(S::pi() * s.sinh())).exp();
+            let s = S::Wider::from_f64(multiple).scaled(-1 - i64::from(level));
+            let decay = (-(S::Wider::pi() * s.sinh())).exp();
             let place = decay / (one + decay);
-            let weight = S::pi() * s.cosh() * place / (one + decay);
+            let weight = S::Wider::pi() * s.cosh() * place / (one + decay);
             if place < last {
                 return nodes;
             }
-            nodes.push(Node { place, weight });
+            nodes.push(Node { place: S::rounded(place), weight: S::rounded(weight) });
             multiple += stride;
         }
     })
@@ -89,7 +92,7 @@ pub(crate) fn double_exponential<T: Real, S: Scalar>(
         let estimate = over_interval(start, end, &integrand, kind, magnitude);
         let scale = if magnitude > estimate.magnitude { magnitude } else { estimate.magnitude };
         if estimate.error > scale * kind.tolerance_of_interval()
-            && intervals + (open.len() as u32) < INTERVALS
+            && intervals + (open.len() as u32) < most_intervals(S::PRECISION)
         {
             let middle = (start + end) * (kind.of)(S::from_f64(0.5));
             open.push((middle, end));

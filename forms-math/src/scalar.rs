@@ -11,6 +11,10 @@ use crate::{DoubleDouble, Real};
 pub trait Scalar: Real + PartialOrd + Send + Sync + 'static {
     /// The bits of its significand.
     const PRECISION: u32;
+    /// What tables of this type are computed in, so that each entry is rounded once.
+    type Wider: Scalar;
+    /// The nearest number.
+    fn rounded(wider: Self::Wider) -> Self;
 
     /// π
     fn pi() -> Self;
@@ -256,6 +260,10 @@ fn power(x: f64, numerator: i64, denominator: i64) -> f64 {
 
 impl Scalar for f64 {
     const PRECISION: u32 = 53;
+    type Wider = DoubleDouble;
+    fn rounded(wider: DoubleDouble) -> Self {
+        wider.to_f64()
+    }
 
     fn pi() -> Self {
         std::f64::consts::PI

@@ -16,3 +16,5 @@ forms::include_forms!("kernels/warps_uniform.forms");
 forms::include_forms!("kernels/warps_microfacet.forms");
 forms::include_forms!("kernels/warps_axis.forms");
 forms::include_forms!("kernels/warps_distance.forms");
+forms::include_forms!("kernels/warps_spherical_triangle.forms");
+forms::include_forms!("kernels/warps_spherical_rectangle.forms");

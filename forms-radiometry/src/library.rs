@@ -78,5 +78,7 @@ pub fn library() -> &'static [TheoryFile] {
         kernel_file!("warps_microfacet.forms"),
         kernel_file!("warps_axis.forms"),
         kernel_file!("warps_distance.forms"),
+        kernel_file!("warps_spherical_triangle.forms"),
+        kernel_file!("warps_spherical_rectangle.forms"),
     ]
 }

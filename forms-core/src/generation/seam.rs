@@ -37,12 +37,13 @@ enum Agreement {
 
 /// What is to be said of the seams of a kernel at which its pieces are not shown to agree.
 pub(super) fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Diagnostic> {
+    let claims = with_claims(pool, &kernel.outputs);
     let (mut faults, mut seams) = (Vec::new(), 0);
     let mut seen: FxHashSet<(Expr, Vec<Condition>)> = FxHashSet::default();
     let mut open: Vec<(Expr, Vec<Condition>)> =
         kernel.outputs.iter().rev().map(|&output| (output, Vec::new())).collect();
     while let Some((expression, path)) = open.pop() {
-        if !seen.insert((expression, path.clone())) {
+        if !claims.contains(&expression) || !seen.insert((expression, path.clone())) {
             continue;
         }
         let Node::Select { left, relation, right, then, otherwise, seam } = *pool.node(expression) else {
@@ -67,6 +68,20 @@ pub(super) fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Diagnostic> {
         open.extend([left, right].map(|side| (side, path.clone())));
     }
     faults
+}
+
+/// What contains an `if` whose branches are to agree.
+fn with_claims(pool: &Pool, expressions: &[Expr]) -> FxHashSet<Expr> {
+    let mut found: FxHashSet<Expr> = FxHashSet::default();
+    for expression in pool.reachable(expressions) {
+        let node = pool.node(expression);
+        let mut claims = matches!(node, Node::Select { seam: Seam::Agrees, .. });
+        node.for_each_operand(|operand| claims |= found.contains(&operand));
+        if claims {
+            found.insert(expression);
+        }
+    }
+    found
 }
 
 /// Every `if` that an expression contains outside the others.

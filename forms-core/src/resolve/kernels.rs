@@ -104,7 +104,7 @@ impl Resolver {
     }
 
     /// The number behind `within`.
-    fn positive_number(&mut self, within: &ast::Expr) -> Evaluated<Rational> {
+    pub(super) fn positive_number(&mut self, within: &ast::Expr) -> Evaluated<Rational> {
         let (value, _, _) = self.evaluate(|evaluator| evaluator.scalar(within))?;
         match self.theory.pool.as_number(value).filter(|number| number.is_positive()) {
             Some(number) => Ok(number.clone()),
@@ -168,7 +168,10 @@ impl Evaluator<'_> {
         outputs: &[ast::Expr],
         arguments: &[Symbol],
     ) -> Evaluated<Vec<Expr>> {
-        outputs.iter().map(|output| self.kernel_output(output, arguments)).collect()
+        self.in_kernel = true;
+        let values = outputs.iter().map(|output| self.kernel_output(output, arguments)).collect();
+        self.in_kernel = false;
+        values
     }
 
     fn kernel_output(&mut self, output: &ast::Expr, arguments: &[Symbol]) -> Evaluated<Expr> {
@@ -205,7 +208,9 @@ impl Evaluator<'_> {
             .with_help(format!("add `{}` to the kernel's arguments", pool.symbol_name(free))));
         }
         for node in pool.reachable(values) {
-            if let Node::Jet { function, .. } = pool.node(node) {
+            if let Node::Jet { function, .. } = pool.node(node)
+                && pool.quadrature_of(*function).is_none()
+            {
                 return Err(Diagnostic::new(
                     span,
                     format!(
@@ -220,7 +225,7 @@ impl Evaluator<'_> {
 }
 
 /// That the form behind `by` has as many outputs as the formula.
-fn check_count(outputs: &[Expr], computed: &[Expr], name: &Name, span: Span) -> Evaluated<()> {
+pub(super) fn check_count(outputs: &[Expr], computed: &[Expr], name: &Name, span: Span) -> Evaluated<()> {
     if computed.is_empty() || computed.len() == outputs.len() {
         return Ok(());
     }

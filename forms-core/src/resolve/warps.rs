@@ -6,16 +6,20 @@
 //!   ├─ prove w_density, w_inverse   pullback(w, E*F) == ±du^dv; pullback(w, a) == u, pullback(w, b) == v
 //!   └─ kernels w_sample(p, u, v), w_pdf(p, x, y, z), w_inverse(p, x, y, z)
 //! ```
+//! `by` gives an equal form of the components, which `w_sample` is computed by; `within` is said of each kernel. The density
+//! vanishes outside the chart, which no uniform numbers are taken to.
+//!
 //! Which of the two orientations is claimed is chosen by a value at a point; that the claim holds is proved like any other.
 
 use super::evaluation::Evaluated;
 use super::items::Resolver;
+use super::kernels::check_count;
 use super::theory::{Chart, Kernel, KernelUnits, Map, Named, Warp};
 use super::value::Value;
 use crate::calculus::{Blade, Coordinate};
 use crate::diagnostic::Diagnostic;
 use crate::enclosure::{Enclosure, Precision, Undecided, enclose};
-use crate::expression::{Condition, Expr, Pool, Rational, Symbol};
+use crate::expression::{Condition, Expr, Pool, Rational, Seam, Symbol};
 use crate::random::SplitMix;
 use crate::syntax::ast::{self, Declared, Item, Name, Relation};
 use rustc_hash::FxHashMap;
@@ -165,28 +169,42 @@ impl Resolver {
         let stated = self.conditions(&warp.conditions)?;
         let mut on_the_square = self.closed_square(&uniforms);
         on_the_square.extend(&stated);
-        let mut on_the_target = self.theory.charts[target].conditions.clone();
-        on_the_target.extend(&stated);
+        let of_the_target = self.theory.charts[target].conditions.clone();
+        let on_the_target: Vec<Condition> = of_the_target.iter().chain(&stated).copied().collect();
+
         let arguments = with_parameters(&uniforms);
+        let (computed, _, _) =
+            self.evaluate(|evaluator| evaluator.kernel_outputs(&warp.computed, &arguments))?;
+        check_count(&map, &computed, &warp.name, item.span)?;
         let docs = "The point that the warp takes uniform numbers to.";
-        self.kernel_of_warp(item, warp, ("sample", docs), (arguments, map), &on_the_square)?;
+        self.kernel_of_warp(item, warp, ("sample", docs), (arguments, map, computed), &on_the_square)?;
+
         let arguments = with_parameters(&variables.target);
-        for (part, docs, formulas) in [
-            (
-                "pdf",
-                "The density of the points that the warp takes uniform numbers to.",
-                std::slice::from_ref(&warp.density),
-            ),
-            ("inverse", "The uniform numbers that the warp takes to a point.", &warp.inverse),
-        ] {
-            if formulas.is_empty() {
-                continue;
-            }
-            let (outputs, _, _) =
-                self.evaluate(|evaluator| evaluator.kernel_outputs(formulas, &arguments))?;
-            self.kernel_of_warp(item, warp, (part, docs), (arguments.clone(), outputs), &on_the_target)?;
+        let density = std::slice::from_ref(&warp.density);
+        let (mut outputs, _, _) = self.evaluate(|evaluator| evaluator.kernel_outputs(density, &arguments))?;
+        for output in &mut outputs {
+            *output = self.zero_outside(&of_the_target, *output);
         }
-        Ok(())
+        let docs = "The density of the points that the warp takes uniform numbers to, zero elsewhere.";
+        self.kernel_of_warp(item, warp, ("pdf", docs), (arguments.clone(), outputs, Vec::new()), &stated)?;
+
+        if warp.inverse.is_empty() {
+            return Ok(());
+        }
+        let (outputs, _, _) =
+            self.evaluate(|evaluator| evaluator.kernel_outputs(&warp.inverse, &arguments))?;
+        let docs = "The uniform numbers that the warp takes to a point.";
+        self.kernel_of_warp(item, warp, ("inverse", docs), (arguments, outputs, Vec::new()), &on_the_target)
+    }
+
+    /// The value where the conditions hold, and zero elsewhere.
+    fn zero_outside(&mut self, conditions: &[Condition], value: Expr) -> Expr {
+        let pool = &mut self.theory.pool;
+        let zero = pool.integer(0);
+        conditions.iter().rev().fold(value, |value, condition| {
+            let relation = (condition.left, condition.relation, condition.right);
+            pool.select(relation, value, zero, Seam::Jumps)
+        })
     }
 
     /// 0 ≤ u ≤ 1 for each uniform number
@@ -208,9 +226,10 @@ impl Resolver {
         item: &Item,
         warp: &ast::Warp,
         (part, sentence): (&str, &str),
-        (arguments, outputs): (Vec<Symbol>, Vec<Expr>),
+        (arguments, outputs, computed): (Vec<Symbol>, Vec<Expr>, Vec<Expr>),
         conditions: &[Condition],
     ) -> Evaluated<()> {
+        let within = warp.within.as_ref().map(|within| self.positive_number(within)).transpose()?;
         let name = warp.part(part);
         self.theory.names.declare(&name, Named::Kernel(self.theory.kernels.len()))?;
         let pool = &self.theory.pool;
@@ -232,9 +251,9 @@ impl Resolver {
             span: item.span,
             arguments,
             outputs,
-            computed: Vec::new(),
+            computed,
             domain,
-            within: None,
+            within,
             formula,
             units: KernelUnits::default(),
             statements: Vec::new(),

@@ -105,8 +105,12 @@ pub struct Warp {
     pub form: Expr,
     /// The uniform numbers as functions of the target's coordinates, or nothing.
     pub inverse: Vec<Expr>,
+    /// The forms that the components are computed by, or nothing.
+    pub computed: Vec<Expr>,
     /// Where it is defined.
     pub conditions: Vec<Condition>,
+    /// What stands behind `within`, of all its kernels.
+    pub within: Option<Expr>,
 }
 
 /// What a statement claims of its equation.

@@ -72,6 +72,7 @@ impl Inference<'_> {
             self.names.insert(format!("d{uniform}"), quantity);
         }
         self.map(&warp.target, &warp.components);
+        self.map(&warp.target, &warp.computed);
         // the sign of a claim makes no difference to its units
         warp.claims(item, false).iter().for_each(|claim| self.item(claim));
         let density = self.quantity(&warp.density);

@@ -1,48 +1,10 @@
 //! A block of rows: the loop that is vectorised, and what stands around it.
 
-use crate::{Formula, Lane32, Lane64, Real};
+use super::method::{Element, Method};
 
 /// The rows that are computed at once: many vectors of the widest kind, so that the loop over them has no remainder, and
 /// what it costs to begin is little beside it.
 pub(super) const BLOCK: usize = 256;
-
-/// A number of a column, and the lane it is computed in.
-pub(super) trait Element: Real + Default + Send + Sync + 'static {
-    /// A block of zeros.
-    const ZEROS: [Self; BLOCK];
-    /// The lane, with or without fused multiply-add.
-    type Lane<const FMA: bool>: Real;
-    /// In the lane.
-    fn lane<const FMA: bool>(self) -> Self::Lane<FMA>;
-    /// Out of the lane.
-    fn of<const FMA: bool>(lane: Self::Lane<FMA>) -> Self;
-    /// Whether this is NaN.
-    fn is_nan(self) -> bool;
-}
-
-macro_rules! element {
-    ($raw:ident, $lane:ident) => {
-        impl Element for $raw {
-            const ZEROS: [Self; BLOCK] = [0.0; BLOCK];
-            type Lane<const FMA: bool> = $lane<FMA>;
-            #[inline(always)]
-            fn lane<const FMA: bool>(self) -> $lane<FMA> {
-                $lane(self)
-            }
-            #[inline(always)]
-            fn of<const FMA: bool>(lane: $lane<FMA>) -> Self {
-                lane.0
-            }
-            #[inline(always)]
-            fn is_nan(self) -> bool {
-                $raw::is_nan(self)
-            }
-        }
-    };
-}
-
-element!(f64, Lane64);
-element!(f32, Lane32);
 
 /// The arguments of a block.
 pub(super) type Arguments<'a, E, const A: usize> = [&'a [E; BLOCK]; A];
@@ -50,64 +12,58 @@ pub(super) type Arguments<'a, E, const A: usize> = [&'a [E; BLOCK]; A];
 /// The values of a block.
 pub(super) type Values<E, const O: usize> = [[E; BLOCK]; O];
 
-/// What computes a block, and says whether there is a NaN in it.
-pub(super) type Kernel<E, const A: usize, const O: usize> =
-    unsafe fn(&Arguments<'_, E, A>, &mut Values<E, O>) -> bool;
+/// What computes a block, and says whether lanes may have given up in it.
+pub(super) type Kernel<M, E, const A: usize, const O: usize> =
+    unsafe fn(M, &Arguments<'_, E, A>, &mut Values<E, O>) -> bool;
 
-/// The formula in every row. The values are one parameter, so that the compiler knows that they are not also arguments.
+/// The method in every row. The values are one parameter, so that the compiler knows that they are not also arguments.
 #[inline(always)]
-pub(super) fn rows_of<E: Element, F: Formula<A, O>, const FMA: bool, const A: usize, const O: usize>(
+pub(super) fn rows_of<M: Method<E, A, O>, E: Element, const FMA: bool, const A: usize, const O: usize>(
+    method: M,
     columns: &Arguments<'_, E, A>,
     values: &mut Values<E, O>,
 ) -> bool {
+    let mut found = E::Bits::default();
     for row in 0..BLOCK {
-        let mut arguments = [E::default().lane::<FMA>(); A];
+        let mut arguments = [E::default(); A];
         for (argument, column) in arguments.iter_mut().zip(columns) {
-            *argument = column[row].lane::<FMA>();
+            *argument = column[row];
         }
-        for (value, result) in values.iter_mut().zip(F::value(arguments)) {
-            value[row] = E::of::<FMA>(result);
-        }
-    }
-    has_nan(values)
-}
-
-/// Whether there is a NaN: two values at a time, which is one comparison.
-#[inline(always)]
-fn has_nan<E: Element, const O: usize>(values: &Values<E, O>) -> bool {
-    let mut found = false;
-    for value in values {
-        let (left, right) = value.split_at(BLOCK / 2);
-        for (left, right) in left.iter().zip(right) {
-            found |= left.is_nan() | right.is_nan();
+        for (value, result) in values.iter_mut().zip(method.in_lanes::<FMA>(arguments)) {
+            value[row] = result;
+            if M::MAY_GIVE_UP {
+                found = found | result.nan_bits();
+            }
         }
     }
-    found
+    found != E::Bits::default()
 }
 
 /// The values of a block, with those that lanes give up on.
 #[inline(always)]
-pub(super) fn compute<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
-    kernel: Kernel<E, A, O>,
+pub(super) fn compute<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
+    method: M,
+    kernel: Kernel<M, E, A, O>,
     columns: &Arguments<'_, E, A>,
     values: &mut Values<E, O>,
 ) {
     // SAFETY: `Instructions` chose the kernel, and is made only of what the processor has.
-    if unsafe { kernel(columns, values) } {
-        again::<E, F, A, O>(columns, values);
+    if unsafe { kernel(method, columns, values) } {
+        again(method, columns, values);
     }
 }
 
 /// Rows with a NaN, in one number.
 #[cold]
 #[inline(never)]
-fn again<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
+fn again<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
+    method: M,
     columns: &Arguments<'_, E, A>,
     values: &mut Values<E, O>,
 ) {
     for row in 0..BLOCK {
         if values.iter().any(|column| column[row].is_nan()) {
-            let again = F::value(columns.map(|column| column[row]));
+            let again = method.in_one_number(columns.map(|column| column[row]));
             for (column, value) in values.iter_mut().zip(again) {
                 column[row] = value;
             }

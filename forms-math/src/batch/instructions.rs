@@ -1,7 +1,7 @@
 //! Which vector instructions a batch runs in: all that is unsafe about batches.
 
-use super::block::{Arguments, Element, Kernel, Values, rows_of};
-use crate::Formula;
+use super::block::{Arguments, Kernel, Values, rows_of};
+use super::method::{Element, Method};
 
 /// Vector instructions that this processor has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,15 +56,15 @@ impl Instructions {
     }
 
     /// The loop over a block, compiled for these instructions.
-    pub(super) fn kernel<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
+    pub(super) fn kernel<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
         self,
-    ) -> Kernel<E, A, O> {
+    ) -> Kernel<M, E, A, O> {
         match self.0 {
-            Set::Baseline => baseline::<E, F, A, O>,
+            Set::Baseline => baseline::<M, E, A, O>,
             #[cfg(target_arch = "x86_64")]
-            Set::Avx2 => avx2::<E, F, A, O>,
+            Set::Avx2 => avx2::<M, E, A, O>,
             #[cfg(target_arch = "x86_64")]
-            Set::Avx512 => avx512::<E, F, A, O>,
+            Set::Avx512 => avx512::<M, E, A, O>,
         }
     }
 }
@@ -86,31 +86,34 @@ impl Set {
     }
 }
 
-fn baseline<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
+fn baseline<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
+    method: M,
     columns: &Arguments<'_, E, A>,
     values: &mut Values<E, O>,
 ) -> bool {
     // NEON has fused multiply-add; elsewhere it may be missing, and would be a call.
     #[cfg(target_arch = "aarch64")]
-    return rows_of::<E, F, true, A, O>(columns, values);
+    return rows_of::<M, E, true, A, O>(method, columns, values);
     #[cfg(not(target_arch = "aarch64"))]
-    rows_of::<E, F, false, A, O>(columns, values)
+    rows_of::<M, E, false, A, O>(method, columns, values)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
-fn avx2<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
+fn avx2<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
+    method: M,
     columns: &Arguments<'_, E, A>,
     values: &mut Values<E, O>,
 ) -> bool {
-    rows_of::<E, F, true, A, O>(columns, values)
+    rows_of::<M, E, true, A, O>(method, columns, values)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
-fn avx512<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
+fn avx512<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
+    method: M,
     columns: &Arguments<'_, E, A>,
     values: &mut Values<E, O>,
 ) -> bool {
-    rows_of::<E, F, true, A, O>(columns, values)
+    rows_of::<M, E, true, A, O>(method, columns, values)
 }

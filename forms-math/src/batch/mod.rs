@@ -11,17 +11,17 @@
 mod block;
 mod instructions;
 mod length;
+mod method;
 #[cfg(feature = "ndarray")]
 mod rows;
-#[cfg(test)]
-mod tests;
 
 use crate::Formula;
-use block::{BLOCK, Element, Kernel};
+use block::{BLOCK, Kernel};
 pub use instructions::Instructions;
 pub use length::{Column, LengthMismatch};
+use method::{Element, Method, Plain, Within};
 #[cfg(feature = "ndarray")]
-pub use rows::batch_rows;
+pub use rows::{RowsMismatch, batch_rows};
 
 /// The values of a formula in `f64`, one row at each position of the columns.
 ///
@@ -71,7 +71,7 @@ pub fn batch_by<F: Formula<A, O>, const A: usize, const O: usize>(
     outputs: [&mut [f64]; O],
 ) -> Result<(), LengthMismatch> {
     length::common(&columns, &outputs)?;
-    over_blocks::<f64, F, A, O>(instructions, columns, outputs);
+    over_blocks(Plain::<F>::new(), instructions, columns, outputs);
     Ok(())
 }
 
@@ -85,7 +85,35 @@ pub fn batch_f32_by<F: Formula<A, O>, const A: usize, const O: usize>(
     outputs: [&mut [f32]; O],
 ) -> Result<(), LengthMismatch> {
     length::common(&columns, &outputs)?;
-    over_blocks::<f32, F, A, O>(instructions, columns, outputs);
+    over_blocks(Plain::<F>::new(), instructions, columns, outputs);
+    Ok(())
+}
+
+/// The values of a formula within `within` · 2⁻⁵³ of the exact ones, relative to them, as [`escalate`](crate::escalate) has
+/// them: lanes bound their errors, and rows whose bound is not good enough are escalated.
+///
+/// # Errors
+/// Where a column's length is not that of the first.
+pub fn batch_within<F: Formula<A, O>, const A: usize, const O: usize>(
+    columns: [&[f64]; A],
+    outputs: [&mut [f64]; O],
+    within: f64,
+) -> Result<(), LengthMismatch> {
+    batch_within_by::<F, A, O>(Instructions::best(), columns, outputs, within)
+}
+
+/// [`batch_within`] with given instructions.
+///
+/// # Errors
+/// Where a column's length is not that of the first.
+pub fn batch_within_by<F: Formula<A, O>, const A: usize, const O: usize>(
+    instructions: Instructions,
+    columns: [&[f64]; A],
+    outputs: [&mut [f64]; O],
+    within: f64,
+) -> Result<(), LengthMismatch> {
+    length::common(&columns, &outputs)?;
+    over_blocks(Within::<F>::new(within), instructions, columns, outputs);
     Ok(())
 }
 
@@ -100,7 +128,7 @@ pub fn batch_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
 ) -> Result<(), LengthMismatch> {
     let length = length::common(&columns, &outputs)?;
     parallel::over_shares(columns, outputs, length, &|columns, outputs| {
-        over_blocks::<f64, F, A, O>(Instructions::best(), columns, outputs);
+        over_blocks(Plain::<F>::new(), Instructions::best(), columns, outputs);
     });
     Ok(())
 }
@@ -116,7 +144,7 @@ pub fn batch_f32_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
 ) -> Result<(), LengthMismatch> {
     let length = length::common(&columns, &outputs)?;
     parallel::over_shares(columns, outputs, length, &|columns, outputs| {
-        over_blocks::<f32, F, A, O>(Instructions::best(), columns, outputs);
+        over_blocks(Plain::<F>::new(), Instructions::best(), columns, outputs);
     });
     Ok(())
 }
@@ -125,19 +153,22 @@ pub fn batch_f32_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
 mod parallel;
 
 /// Columns of one length, block by block.
-fn over_blocks<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
+fn over_blocks<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
+    method: M,
     instructions: Instructions,
     columns: [&[E]; A],
     mut outputs: [&mut [E]; O],
 ) {
-    let kernel = instructions.kernel::<E, F, A, O>();
+    let kernel = instructions.kernel::<M, E, A, O>();
     let length = length::of(&columns, &outputs);
+    if length == 0 {
+        return;
+    }
     if length < BLOCK {
         let filled = columns.map(block::filled);
-        return copied::<E, F, A, O>(kernel, &filled.each_ref(), &mut outputs, 0, length);
+        return copied(method, kernel, &filled.each_ref(), &mut outputs, 0, length);
     }
-    let zeros = E::ZEROS;
-    let mut blocks = [&zeros; A];
+    let mut blocks = [E::ZEROS; A];
     for start in (0..length).step_by(BLOCK) {
         // The last block ends with the columns, and computes some rows of the one before again.
         let start = start.min(length - BLOCK);
@@ -146,23 +177,24 @@ fn over_blocks<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
             *block = column[start..].first_chunk().unwrap_or(block);
         }
         if let Some(place) = block::in_place(&mut outputs, start) {
-            block::compute::<E, F, A, O>(kernel, &blocks, place);
+            block::compute(method, kernel, &blocks, place);
         } else {
-            copied::<E, F, A, O>(kernel, &blocks, &mut outputs, start, BLOCK);
+            copied(method, kernel, &blocks, &mut outputs, start, BLOCK);
         }
     }
 }
 
 /// Values of the columns, of which the first `count` go to the outputs from `start` on.
-fn copied<E: Element, F: Formula<A, O>, const A: usize, const O: usize>(
-    kernel: Kernel<E, A, O>,
+fn copied<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
+    method: M,
+    kernel: Kernel<M, E, A, O>,
     blocks: &block::Arguments<'_, E, A>,
     outputs: &mut [&mut [E]; O],
     start: usize,
     count: usize,
 ) {
-    let mut values = [E::ZEROS; O];
-    block::compute::<E, F, A, O>(kernel, blocks, &mut values);
+    let mut values = [*E::ZEROS; O];
+    block::compute(method, kernel, blocks, &mut values);
     for (output, values) in outputs.iter_mut().zip(&values) {
         output[start..start + count].copy_from_slice(&values[..count]);
     }

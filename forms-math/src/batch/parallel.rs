@@ -1,10 +1,11 @@
 //! Batches on all processors: the rows in shares of some blocks each.
 
-use super::block::{BLOCK, Element};
+use super::block::BLOCK;
+use super::method::Element;
 use rayon::prelude::*;
 
 /// The rows of a share: enough that handing it over costs little beside it.
-const SHARE: usize = 64 * BLOCK;
+const SHARE: usize = 16 * BLOCK;
 
 /// Runs `batch` over shares of the rows.
 pub(super) fn over_shares<E: Element, const A: usize, const O: usize>(

@@ -1,1 +1,69 @@
 //! Batches over the rows of a matrix.
+
+use super::{LengthMismatch, batch};
+use crate::Formula;
+use ndarray::{ArrayView2, ArrayViewMut2};
+
+/// [`batch`] over rows: row i of `arguments` holds the arguments, row i of `outputs` takes the values.
+///
+/// Columns that lie together in memory (Fortran order) are taken as they are, others are copied.
+///
+/// # Errors
+/// Where the matrices have not the formula's number of columns, or not the same number of rows.
+pub fn batch_rows<F: Formula<A, O>, const A: usize, const O: usize>(
+    arguments: ArrayView2<'_, f64>,
+    mut outputs: ArrayViewMut2<'_, f64>,
+) -> Result<(), RowsMismatch> {
+    let found = [arguments.ncols(), outputs.ncols()];
+    if found != [A, O] {
+        return Err(RowsMismatch::Columns { expected: [A, O], found });
+    }
+    let columns: [_; A] = std::array::from_fn(|index| column(arguments.column(index)));
+    let mut values: [Vec<f64>; O] = std::array::from_fn(|_| vec![0.0; outputs.nrows()]);
+    batch::<F, A, O>(
+        columns.each_ref().map(|column| &column[..]),
+        values.each_mut().map(|value| &mut value[..]),
+    )
+    .map_err(RowsMismatch::Rows)?;
+    for (mut output, values) in outputs.columns_mut().into_iter().zip(values) {
+        output.assign(&ndarray::ArrayView1::from(&values));
+    }
+    Ok(())
+}
+
+/// A column as it lies in memory, or its copy.
+fn column(column: ndarray::ArrayView1<'_, f64>) -> std::borrow::Cow<'_, [f64]> {
+    match column.to_slice() {
+        Some(slice) => slice.into(),
+        None => column.to_vec().into(),
+    }
+}
+
+/// Matrices that do not belong to a formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RowsMismatch {
+    /// The columns of the arguments and of the outputs.
+    Columns {
+        /// The formula's numbers of them.
+        expected: [usize; 2],
+        /// Those of the matrices.
+        found: [usize; 2],
+    },
+    /// The numbers of rows differ.
+    Rows(LengthMismatch),
+}
+
+impl std::fmt::Display for RowsMismatch {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Columns { expected, found } => write!(
+                f,
+                "the formula has {} arguments and {} values, the matrices have {} and {} columns",
+                expected[0], expected[1], found[0], found[1]
+            ),
+            Self::Rows(mismatch) => mismatch.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for RowsMismatch {}

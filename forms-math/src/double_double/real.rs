@@ -53,6 +53,10 @@ impl Real for DoubleDouble {
 
 impl Scalar for DoubleDouble {
     const PRECISION: u32 = 106;
+    type Wider = Self;
+    fn rounded(wider: Self) -> Self {
+        wider
+    }
 
     fn pi() -> Self {
         Self { high: std::f64::consts::PI, low: 1.224_646_799_147_353_2e-16 }

@@ -26,12 +26,7 @@ impl<T: Guardable> Guarded<T> {
     /// What the errors of two factors make of their product: |a| β + |b| α + α β.
     #[inline]
     pub(super) fn error_of_product(self, other: Self) -> T::Bound {
-        if self.is_exact() && other.is_exact() {
-            return T::Bound::ZERO;
-        }
-        let first = self.value.size().times(other.error);
-        let second = other.value.size().plus(other.error).times(self.error);
-        first.plus(second)
+        T::Bound::of_product(self.value.size(), self.error, other.value.size(), other.error)
     }
 
     /// √: |δ|/(√x + √(x + δ)) ≤ α/(√x + √(x − α))

@@ -23,6 +23,14 @@ pub trait Bound: Copy + PartialOrd + std::fmt::Debug {
     /// The root of a size that is at least so much.
     fn root_down(self) -> Self;
 
+    /// size · other_error + (other_size + other_error) · error: what the errors of two factors make of their product.
+    fn of_product(size: Self, error: Self, other_size: Self, other_error: Self) -> Self {
+        if error.is_zero() && other_error.is_zero() {
+            return Self::ZERO;
+        }
+        size.times(other_error).plus(other_size.plus(other_error).times(error))
+    }
+
     /// True of nothing.
     fn is_zero(self) -> bool {
         self == Self::ZERO
@@ -93,6 +101,18 @@ impl Bound for f64 {
         } else {
             quotient_at_the_end_of_the_range(self, least)
         }
+    }
+    #[inline(always)]
+    fn of_product(size: Self, error: Self, other_size: Self, other_error: Self) -> Self {
+        if error + other_error == 0.0 {
+            return 0.0;
+        }
+        let sum = size * other_error + (other_size + other_error) * error;
+        // Five roundings, each below 2⁻⁵³.
+        if sum > UNDERFLOW {
+            return sum * (1.0 + 4.0 * f64::EPSILON);
+        }
+        size.times(other_error).plus(other_size.plus(other_error).times(error))
     }
     #[inline(always)]
     fn shifted(self, exponent: i64) -> Self {

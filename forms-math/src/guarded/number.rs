@@ -20,8 +20,12 @@ pub struct Units {
     pub(super) special: f64,
     /// Eₙ
     pub(super) exponential_integral: f64,
-    /// 1/3 of a node's or weight's in a quadrature, and so often its natural logarithm
+    /// A constant given by its words
+    pub(super) constant: f64,
+    /// A node's or weight's in a quadrature
     pub(super) node: f64,
+    /// So often the logarithm of a node or weight to the base 2, in addition
+    pub(super) node_by_logarithm: f64,
 }
 
 /// A number that can be guarded.
@@ -67,7 +71,9 @@ impl Guardable for f64 {
         power_by_logarithm: 6.0,
         special: 2.0,
         exponential_integral: 2.0,
-        node: 8.0,
+        constant: 1.0,
+        node: 1.0,
+        node_by_logarithm: 0.0,
     };
 
     #[inline(always)]
@@ -139,6 +145,7 @@ impl Guardable for f64 {
 }
 
 /// The bounds of double-double hold from 2⁻⁹⁰⁰ to 2⁹⁰⁰.
+#[inline(always)]
 fn in_range(value: f64) -> bool {
     const LEAST: f64 = f64::from_bits((1023 - 900) << 52);
     const MOST: f64 = f64::from_bits((1023 + 900) << 52);
@@ -147,8 +154,10 @@ fn in_range(value: f64) -> bool {
 
 impl DoubleDouble {
     /// An error of `units` of the result of numbers in range.
+    #[inline(always)]
     fn of_numbers(self, units: f64, numbers: &[Self]) -> (Self, f64) {
-        let known = numbers.iter().all(|number| in_range(number.high()));
+        let known =
+            numbers.iter().fold(in_range(self.high()), |known, number| known & in_range(number.high()));
         (self, if known { self.rounding(units) } else { f64::INFINITY })
     }
 
@@ -168,17 +177,23 @@ impl Guardable for DoubleDouble {
         power_by_logarithm: 128.0,
         special: 512.0,
         exponential_integral: 512.0,
+        constant: 4.0,
         node: 64.0,
+        node_by_logarithm: 16.0,
     };
 
+    #[inline(always)]
     fn size(self) -> f64 {
-        (self.high().abs() + self.low().abs()).next_up()
+        self.high().abs() * (1.0 + f64::EPSILON)
     }
+    #[inline(always)]
     fn size_down(self) -> f64 {
-        if self.high() == 0.0 { 0.0 } else { (self.high().abs() - self.low().abs()).next_down() }
+        self.high().abs() * (1.0 - f64::EPSILON)
     }
     fn rounding(self, units: f64) -> f64 {
-        if in_range(self.high()) { self.size().times(units).shifted(-106) } else { f64::INFINITY }
+        // 2⁻¹⁰⁶ and what rounds up the product of three.
+        const UNIT: f64 = f64::from_bits((1023 - 106) << 52) * (1.0 + 4.0 * f64::EPSILON);
+        if in_range(self.high()) { self.high().abs() * (units * UNIT) } else { f64::INFINITY }
     }
     fn underflow(_: f64) -> f64 {
         f64::INFINITY
@@ -213,7 +228,7 @@ impl Guardable for DoubleDouble {
         let (value, relative) = Self::difference_of_products(a, b, c, d).of_numbers(8.0, &[a, b, c, d]);
         let products = a.size().times(b.size()).plus(c.size().times(d.size()));
         let known = in_range(a.high() * b.high()) && in_range(c.high() * d.high());
-        (value, if known { relative.plus(products.shifted(-156)) } else { f64::INFINITY })
+        (value, if known { relative.plus(products * 2.0_f64.powi(-156)) } else { f64::INFINITY })
     }
 }
 
@@ -227,7 +242,9 @@ impl<const LIMBS: usize> Guardable for Wide<LIMBS> {
         power_by_logarithm: 16.0,
         special: 16.0,
         exponential_integral: 16.0,
+        constant: 1.0,
         node: 4.0,
+        node_by_logarithm: 1.0,
     };
 
     fn size(self) -> Magnitude {

@@ -54,9 +54,8 @@ impl<T: Guardable> Guarded<T> {
 
     /// A node or weight of a quadrature, below one.
     fn node(value: T) -> Self {
-        // |ln w| ≤ |e| + 1 of w = m 2ᵉ
         let logarithm = value.exponent().map_or(0.0, |exponent| exponent.unsigned_abs() as f64 + 1.0);
-        Self { value, error: value.rounding(T::UNITS.node * (3.0 + logarithm)) }
+        Self { value, error: value.rounding(T::UNITS.node + T::UNITS.node_by_logarithm * logarithm) }
     }
 }
 
@@ -69,7 +68,7 @@ impl<T: Guardable> Real for Guarded<T> {
         }
         // What the words leave, and what the type leaves of the words.
         let beyond = T::Bound::of(last.abs()).shifted(-53);
-        Self { value, error: value.rounding(4.0).plus(beyond) }
+        Self { value, error: value.rounding(T::UNITS.constant).plus(beyond) }
     }
     #[inline]
     fn from_f64(value: f64) -> Self {

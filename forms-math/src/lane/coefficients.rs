@@ -2,49 +2,49 @@
 #![allow(clippy::approx_constant)]
 
 /// The numbers of one floating-point format; polynomials have their constant term first.
-pub(super) struct Coefficients<W: 'static> {
+pub(crate) struct Coefficients<W: 'static> {
     /// From here on erf x rounds to 1
-    pub(super) erf_is_one: W,
+    pub(crate) erf_is_one: W,
     /// 1/ln 2
-    pub(super) log2_e: W,
+    pub(crate) log2_e: W,
     /// ln 2, the first part times any exponent being exact
-    pub(super) ln_2: &'static [W],
+    pub(crate) ln_2: &'static [W],
     /// 2/pi
-    pub(super) two_over_pi: W,
+    pub(crate) two_over_pi: W,
     /// pi/2, all parts but the last times any multiple in reach being exact
-    pub(super) half_pi: &'static [W],
+    pub(crate) half_pi: &'static [W],
     /// pi/4, pi/2, 3 pi/4 and pi, each with what its rounding leaves
-    pub(super) quarters_pi: &'static [W],
+    pub(crate) quarters_pi: &'static [W],
     /// 2/sqrt pi with what its rounding leaves
-    pub(super) two_over_root_pi: &'static [W],
+    pub(crate) two_over_root_pi: &'static [W],
     /// 2/3 with what its rounding leaves
-    pub(super) two_thirds: &'static [W],
+    pub(crate) two_thirds: &'static [W],
     /// (e^r - 1 - r)/r^2 of |r| <= (ln 2)/2
-    pub(super) exp: &'static [W],
+    pub(crate) exp: &'static [W],
     /// (sinh r - r)/r^3 in r^2, of |r| <= (ln 2)/2
-    pub(super) sinh: &'static [W],
+    pub(crate) sinh: &'static [W],
     /// (cosh r - 1 - r^2/2)/r^4 in r^2, of |r| <= (ln 2)/2
-    pub(super) cosh: &'static [W],
+    pub(crate) cosh: &'static [W],
     /// (2 artanh s - 2 s)/s^3 in s^2, of |s| <= (sqrt 2 - 1)/(sqrt 2 + 1)
-    pub(super) ln: &'static [W],
+    pub(crate) ln: &'static [W],
     /// (2 artanh s - 2 s - 2 s^3/3)/s^5 in s^2, on the same interval
-    pub(super) ln_tail: &'static [W],
+    pub(crate) ln_tail: &'static [W],
     /// (sin r - r)/r^3 in r^2, of |r| <= pi/4
-    pub(super) sin: &'static [W],
+    pub(crate) sin: &'static [W],
     /// (cos r - 1 + r^2/2)/r^4 in r^2, of |r| <= pi/4
-    pub(super) cos: &'static [W],
-    /// (atan t - t)/t^3 in t^2, of |t| <= tan(pi/8)
-    pub(super) atan: &'static [W],
+    pub(crate) cos: &'static [W],
+    /// (atan t - t)/t^3 in t^2, of |t| <= 1/2
+    pub(crate) atan: &'static [W],
     /// (asin t - t)/t^3 in t^2, of |t| <= 1/2
-    pub(super) asin: &'static [W],
+    pub(crate) asin: &'static [W],
     /// (erf x - 2 x/sqrt pi)/x^3 in x^2, of |x| <= 1
-    pub(super) erf: &'static [W],
+    pub(crate) erf: &'static [W],
     /// ln erfc(1 + t) of t >= 0, to where erf rounds to 1
-    pub(super) ln_erfc: &'static [W],
+    pub(crate) ln_erfc: &'static [W],
 }
 
 /// Of `f64`.
-pub(super) const F64: Coefficients<f64> = Coefficients {
+pub(crate) const F64: Coefficients<f64> = Coefficients {
     erf_is_one: 6.0,
     log2_e: 1.4426950408889634,
     ln_2: &[0.6931471805598903, 5.497923018708371e-14],
@@ -129,33 +129,33 @@ pub(super) const F64: Coefficients<f64> = Coefficients {
     ],
     atan: &[
         -0.3333333333333333,
-        0.19999999999999804,
-        -0.14285714285659729,
-        0.11111111105145725,
-        -0.09090908753017178,
-        0.07692296361048218,
-        -0.06666424634599337,
-        0.05878926110528101,
-        -0.052304330074828924,
-        0.0455149623749493,
-        -0.034568068014968874,
-        0.016282993238924487,
+        0.19999999999999488,
+        -0.14285714285599188,
+        0.11111111100917376,
+        -0.09090908620322523,
+        0.07692294712540285,
+        -0.06666435677235948,
+        0.05879578429582425,
+        -0.05240099507994713,
+        0.04628024868570153,
+        -0.03806653672057366,
+        0.025006503566489507,
+        -0.009215792047089858,
     ],
     asin: &[
-        0.16666666666666666,
-        0.07500000000000118,
-        0.044642857142551895,
-        0.03038194447553234,
-        0.02237215744350722,
-        0.017352816540325496,
-        0.01396378001220357,
-        0.011566459612121669,
-        0.009621842970100282,
-        0.009319560794767446,
-        0.0030448799094556773,
-        0.019554513336123378,
-        -0.01924167174674304,
-        0.02961201126495512,
+        0.16666666666666669,
+        0.07499999999998433,
+        0.04464285714635543,
+        0.030381944138531247,
+        0.02237217294214989,
+        0.017352392720869973,
+        0.013971212973552933,
+        0.011479177415184906,
+        0.01032281435018578,
+        0.005457506718640358,
+        0.01740087944269402,
+        -0.014851887071247204,
+        0.028757851367421566,
     ],
     erf: &[
         -0.37612638903183754,
@@ -173,30 +173,29 @@ pub(super) const F64: Coefficients<f64> = Coefficients {
     ],
     ln_erfc: &[
         -1.8496055099332482,
-        -2.638967514234791,
-        -0.8431072563585141,
-        -0.041561098045777706,
-        0.010033825424326973,
-        -0.0019779029417962037,
-        0.0002373242990155171,
-        2.6271811498889146e-5,
-        -2.7144694889513223e-5,
-        9.583825837410725e-6,
-        -2.027314267649718e-6,
-        1.1127390399785589e-7,
-        1.207912234872649e-7,
-        -6.493122346945093e-8,
-        2.0257956190995882e-8,
-        -4.491804499638708e-9,
-        7.206300828655542e-10,
-        -8.005900555520548e-11,
-        5.5187715264283915e-12,
-        -1.7762389738213685e-13,
+        -2.638967514234788,
+        -0.8431072563586866,
+        -0.04156109804159179,
+        0.010033825371928505,
+        -0.0019779025510959767,
+        0.0002373224078962554,
+        2.6278094448532506e-5,
+        -2.715957480596495e-5,
+        9.60960724352212e-6,
+        -2.0605669406249576e-6,
+        1.4353832208517946e-7,
+        9.713692640519622e-8,
+        -5.185047792207241e-8,
+        1.4849384331745716e-8,
+        -2.849581657658107e-9,
+        3.660080614374357e-10,
+        -2.8608882469579202e-11,
+        1.0305267765735484e-12,
     ],
 };
 
 /// Of `f32`.
-pub(super) const F32: Coefficients<f32> = Coefficients {
+pub(crate) const F32: Coefficients<f32> = Coefficients {
     erf_is_one: 4.0,
     log2_e: 1.442695,
     ln_2: &[0.69314575, 1.4286068e-6],
@@ -220,18 +219,9 @@ pub(super) const F32: Coefficients<f32> = Coefficients {
     ln: &[0.6666667, 0.40000123, 0.28550813, 0.23330697],
     ln_tail: &[0.4, 0.2857153, 0.22204758, 0.19120552],
     sin: &[-0.16666667, 0.008333332, -0.00019840086, 2.7249864e-6],
-    cos: &[0.041666668, -0.0013888888, 2.48006e-5, -2.7300908e-7],
-    atan: &[-0.33333334, 0.19999978, -0.1428415, 0.110713445, -0.0862452, 0.050477363],
-    asin: &[0.16666667, 0.07499992, 0.044647664, 0.030269139, 0.023611818, 0.010574415, 0.03097454],
+    cos: &[0.041666664, -0.0013888302, 2.4547891e-5],
+    atan: &[-0.33333334, 0.19999875, -0.142798, 0.110068806, -0.08235506, 0.04225686],
+    asin: &[0.16666666, 0.07500094, 0.044599403, 0.031100662, 0.017149238, 0.033690847],
     erf: &[-0.37612638, 0.1128379, -0.026865946, 0.005222611, -0.0008508545, 0.00011451737, -1.0216748e-5],
-    ln_erfc: &[
-        -1.8496056,
-        -2.6389675,
-        -0.843107,
-        -0.041563988,
-        0.01004751,
-        -0.002013065,
-        0.00029007543,
-        -2.1790322e-5,
-    ],
+    ln_erfc: &[-1.8496056, -2.6389668, -0.8431178, -0.041503053, 0.009895253, -0.0018296357, 0.00018655171],
 };

@@ -37,12 +37,23 @@ pub(super) fn scaled<W: Word>(y: W, k: W) -> W {
     y * half.power_of_two() * (k - half).power_of_two()
 }
 
-/// eˣ = 2^k (1 + r + r² P(r))
+/// Beyond this size of x, e^x is no normal number, or nearly so.
+#[inline(always)]
+fn reach<W: Word>() -> W {
+    W::literal(f64::from(W::LARGEST_EXPONENT - 1) * std::f64::consts::LN_2)
+}
+
+/// eˣ = 2^k (1 + r + r² P(r)). Gives up where it is no normal number and not 0.
 #[inline(always)]
 pub(super) fn exp<W: Word>(x: W) -> W {
-    let (low, high) = limits::<W>();
-    let (k, r) = reduce(clamped(x, low, high));
-    from_rest(k, r)
+    let multiple = (x * W::of(W::TABLE.log2_e)).shifted();
+    let (k, scale) = (multiple.unshifted(), multiple.power_of_two_of_shifted());
+    let r = k.fused(-W::of(W::TABLE.ln_2[1]), k.fused(-W::of(W::TABLE.ln_2[0]), x));
+    let sum = (r * r).fused(r.polynomial(W::TABLE.exp), r);
+    let value = scale.fused(sum, scale);
+    let (low, _) = limits::<W>();
+    let beyond = if x < W::literal(low) { W::literal(0.0) } else { W::not_a_number() };
+    if x.magnitude() <= reach() { value } else { beyond }
 }
 
 /// eˣ of a pair.
@@ -61,18 +72,16 @@ fn from_rest<W: Word>(k: W, r: Pair<W>) -> W {
     scaled(W::literal(1.0) + sum, k)
 }
 
-/// eˣ − 1 = 2^k ((1 − 2^−k) + r + r² P(r)), the sum in brackets being added without a rounding.
+/// eˣ − 1 = 2^k (r + r² P(r)) + (2^k − 1), of which the last is exact where it matters. Gives up where eˣ is no normal
+/// number.
 #[inline(always)]
 pub(super) fn exp_m1<W: Word>(x: W) -> W {
-    let (_, high) = limits::<W>();
-    let (k, r) = reduce(clamped(x, -f64::from(W::PRECISION), high));
-    let difference = W::literal(1.0) - inverse_power(k);
-    let sum = two_sum(difference, r.head);
-    let square = r.head * r.head;
-    let tail = square.fused(r.head.polynomial(W::TABLE.exp), r.tail + sum.tail);
-    let tiny = x.magnitude() < W::two_to(-W::PRECISION - 1);
-    let value = scaled(sum.head + tail, k);
-    if tiny { x } else { value }
+    let low = W::literal(-f64::from(W::PRECISION));
+    let (k, r) = reduce(if x < low { low } else { x });
+    let change = r.head + (r.head * r.head).fused(r.head.polynomial(W::TABLE.exp), r.tail);
+    let scale = k.power_of_two();
+    let value = scale.fused(change, scale - W::literal(1.0)).with_sign(x);
+    if x <= reach() { value } else { W::not_a_number() }
 }
 
 /// 2^−k, or its limit 0 where it is far below a rounding error of 1.

@@ -1,6 +1,6 @@
 //! The angles of a sine, a cosine, a tangent and a point.
 
-use super::pair::{Pair, fast_two_sum, pair, quotient, two_product, two_sum};
+use super::pair::{Pair, pair, two_product, two_sum};
 use super::word::Word;
 
 /// arcsin t = t + t³ A(t²) of |t| ≤ 1/2; beyond, arcsin |x| = π/2 − 2 arcsin t with t² = (1 − |x|)/2.
@@ -53,65 +53,25 @@ pub(super) fn atan<W: Word>(x: W) -> W {
     atan2(x, W::literal(1.0))
 }
 
-/// The angle in (−π, π] of the point (x, y): of the nearest multiple of π/4 with |y|/|x| in the first octants,
-/// and of t + t³ A(t²) with t the tangent of what is left, |t| ≤ tan(π/8).
+/// The angle in (−π, π] of the point (x, y): a multiple of π/4 and ±(t + t³ A(t²)), where t is the smaller over the larger
+/// coordinate or, where they are within a factor of two, the tangent of the angle from the diagonal. Gives up at the origin
+/// and where coordinates are near overflow.
 #[inline(always)]
 pub(super) fn atan2<W: Word>(y: W, x: W) -> W {
-    let (height, width) = within_reach(y.magnitude(), x.magnitude());
-    let zero = W::literal(0.0);
-    let tangent = W::literal(std::f64::consts::SQRT_2 - 1.0);
-    let (low, high) = (height < tangent * width, width < tangent * height);
-    let (difference, sum) = (two_sum(height, -width), two_sum(height, width));
-    let numerator = if low { pair(height, zero) } else { difference };
-    let denominator = if low { pair(width, zero) } else { sum };
-    let numerator = if high { pair(-width, zero) } else { numerator };
-    let denominator = if high { pair(height, zero) } else { denominator };
-    let t = tangent_of(numerator, denominator);
-    let backwards = W::literal(1.0).with_sign(x) < zero;
-    from_octant(t, low, high, backwards).with_sign(y)
-}
-
-/// n/d, to twice the precision unless it is so small that this has no use.
-#[inline(always)]
-fn tangent_of<W: Word>(numerator: Pair<W>, denominator: Pair<W>) -> Pair<W> {
-    let t = quotient(numerator, denominator);
-    let tail = if t.head.magnitude() < W::two_to(W::SMALL) { W::literal(0.0) } else { t.tail };
-    pair(t.head, tail)
-}
-
-/// The multiple of π/4 plus arctan t, or the same from π backwards.
-#[inline(always)]
-fn from_octant<W: Word>(t: Pair<W>, low: bool, high: bool, backwards: bool) -> W {
-    let quarter = |count: usize| Pair::<W>::of(W::TABLE.quarters_pi, count - 1);
-    let none = pair(W::literal(0.0), W::literal(0.0));
-    let beside = if backwards { quarter(4) } else { none };
-    let diagonal = if backwards { quarter(3) } else { quarter(1) };
-    let base = if low { beside } else { diagonal };
-    let base = if high { quarter(2) } else { base };
-    let one = W::literal(1.0);
-    let direction = if backwards { -one } else { one };
-    let square = t.head * t.head;
-    let tail = t.tail - t.tail * square;
-    let series = (t.head * square).fused(square.polynomial(W::TABLE.atan), tail);
-    let sum = fast_two_sum(base.head, direction * t.head);
-    sum.head + direction.fused(series, sum.tail + base.tail)
-}
-
-/// The point scaled by a power of two so that no sum or quotient of its coordinates overflows or loses bits that count;
-/// infinite coordinates become 1 beside 0, and the origin (0, 1).
-#[inline(always)]
-fn within_reach<W: Word>(height: W, width: W) -> (W, W) {
-    let larger = if height > width { height } else { width };
-    let (one, large) = (W::literal(1.0), W::two_to(W::LARGE));
-    let scale = if larger < one { W::two_to(W::LARGE / 2) } else { one };
-    let scale = if larger > large { W::two_to(W::LARGE - W::LARGEST_EXPONENT - 1) } else { scale };
-    let infinite = larger >= W::infinity();
-    let of_infinite = |side: W| {
-        let flattened = side * W::literal(0.0);
-        if side >= W::infinity() { one } else { flattened }
-    };
-    let height_value = if infinite { of_infinite(height) } else { height * scale };
-    let width_value = if infinite { of_infinite(width) } else { width * scale };
-    let width_value = if larger <= W::literal(0.0) { one } else { width_value };
-    (height_value, width_value)
+    let (height, width) = (y.magnitude(), x.magnitude());
+    let (zero, one, two) = (W::literal(0.0), W::literal(1.0), W::literal(2.0));
+    let (swapped, backwards) = (width < height, x < zero);
+    let larger = if swapped { height } else { width };
+    let smaller = if swapped { width } else { height };
+    // The difference of numbers within a factor of two has no rounding (Sterbenz).
+    let near = larger < smaller + smaller;
+    let t = (if near { smaller - larger } else { smaller }) / if near { smaller + larger } else { larger };
+    let square = t * t;
+    let angle = (t * square).fused(square.polynomial(W::TABLE.atan), t);
+    let quarters = if near { one } else { zero };
+    let (angle, quarters) = if swapped { (-angle, two - quarters) } else { (angle, quarters) };
+    let (angle, quarters) = if backwards { (-angle, two + two - quarters) } else { (angle, quarters) };
+    let quarter = Pair::<W>::of(W::TABLE.quarters_pi, 0);
+    let value = quarters.fused(quarter.head, quarters.fused(quarter.tail, angle)).with_sign(y);
+    if larger <= W::two_to(W::LARGEST_EXPONENT - 2) { value } else { W::not_a_number() }
 }

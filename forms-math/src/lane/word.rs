@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A floating-point number of a format, in one lane of a vector.
-pub(super) trait Word:
+pub(crate) trait Word:
     Copy
     + PartialOrd
     + Add<Output = Self>
@@ -39,6 +39,8 @@ pub(super) trait Word:
     fn of(raw: Self::Raw) -> Self;
     /// The nearest number of this format.
     fn literal(value: f64) -> Self;
+    /// The number in `f64`.
+    fn to_double(self) -> f64;
     /// self · factor + summand, with one rounding where the processor has that in an instruction.
     fn fused(self, factor: Self, summand: Self) -> Self;
     /// √x
@@ -55,6 +57,8 @@ pub(super) trait Word:
     fn unshifted(self) -> Self;
     /// 2^k of an integer k in the range of exponents of normal numbers.
     fn power_of_two(self) -> Self;
+    /// 2^k of such an integer, from the sum that `shifted` gives.
+    fn power_of_two_of_shifted(self) -> Self;
     /// (k, m) with x = m 2^k and √½ ≤ m < √2, of a positive normal number.
     fn split(self) -> (Self, Self);
     /// `odd` where the shifted integer is odd, `even` where it is even.
@@ -77,11 +81,26 @@ pub(super) trait Word:
     fn infinity() -> Self {
         Self::literal(f64::INFINITY)
     }
-    /// c₀ + c₁ x + …
+    /// c₀ + c₁ x + …: the even and the odd terms side by side, each by Horner's rule in x², so that the second does not wait
+    /// for the first.
     #[inline(always)]
     fn polynomial(self, coefficients: &'static [Self::Raw]) -> Self {
-        let Some((last, rest)) = coefficients.split_last() else { return Self::literal(0.0) };
-        rest.iter().rev().fold(Self::of(*last), |sum, &coefficient| sum.fused(self, Self::of(coefficient)))
+        let square = self * self;
+        let (mut even, mut odd) = (Self::literal(0.0), Self::literal(0.0));
+        let (pairs, rest) = coefficients.as_chunks::<2>();
+        if let [last] = rest {
+            even = Self::of(*last);
+        }
+        for (position, &[of_even, of_odd]) in pairs.iter().enumerate().rev() {
+            let is_last = position + 1 == pairs.len();
+            even = if is_last && rest.is_empty() {
+                Self::of(of_even)
+            } else {
+                even.fused(square, Self::of(of_even))
+            };
+            odd = if is_last { Self::of(of_odd) } else { odd.fused(square, Self::of(of_odd)) };
+        }
+        odd.fused(self, even)
     }
 }
 
@@ -121,6 +140,10 @@ macro_rules! word {
                 Self(value as $raw)
             }
             #[inline(always)]
+            fn to_double(self) -> f64 {
+                self.0.into()
+            }
+            #[inline(always)]
             fn fused(self, factor: Self, summand: Self) -> Self {
                 if FMA { Self(self.0.mul_add(factor.0, summand.0)) } else { self * factor + summand }
             }
@@ -150,7 +173,11 @@ macro_rules! word {
             }
             #[inline(always)]
             fn power_of_two(self) -> Self {
-                let exponent = self.shifted().0.to_bits() << ($precision - 1);
+                self.shifted().power_of_two_of_shifted()
+            }
+            #[inline(always)]
+            fn power_of_two_of_shifted(self) -> Self {
+                let exponent = self.0.to_bits() << ($precision - 1);
                 Self($raw::from_bits(exponent.wrapping_add((1.0 as $raw).to_bits())))
             }
             #[inline(always)]

@@ -158,3 +158,56 @@ fn shifted_right(number: &[u64], bits: usize) -> Vec<u64> {
         )
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// Words that make carries and wrong guesses likely.
+    fn number(words: std::ops::Range<usize>) -> impl Strategy<Value = Vec<u64>> {
+        let word =
+            prop_oneof![any::<u64>(), Just(0), Just(1), Just(u64::MAX), Just(1 << 63), Just(u64::MAX - 1)];
+        prop::collection::vec(word, words)
+    }
+
+    fn product(a: &[u64], b: &[u64]) -> Vec<u64> {
+        let mut sum = vec![0; a.len() + b.len()];
+        for (row, &factor) in a.iter().enumerate() {
+            let mut carry = 0;
+            for (column, &word) in b.iter().enumerate() {
+                (sum[row + column], carry) = multiply_add(sum[row + column], word, factor, carry);
+            }
+            sum[row + b.len()] = carry;
+        }
+        sum
+    }
+
+    proptest! {
+        #[test]
+        fn quotient_times_divisor_and_remainder(mut a in number(1..9), b in number(1..5)) {
+            prop_assume!(bit_length(&b) > 0);
+            let (quotient, mut rest) = quotient_and_remainder(&a, &b);
+            prop_assert!(compare(&rest, &b).is_lt());
+            let mut sum = product(&quotient, &b);
+            let length = sum.len().max(a.len()).max(rest.len());
+            sum.resize(length, 0);
+            rest.resize(length, 0);
+            a.resize(length, 0);
+            add(&mut sum, &rest);
+            prop_assert_eq!(&sum, &a);
+        }
+
+        #[test]
+        fn division_by_a_word_is_that_by_a_number(a in number(1..6), wide in 1..u64::MAX, narrow in 1..u64::from(u32::MAX)) {
+            for divisor in [wide, narrow] {
+                let (quotient, rest) = quotient_and_remainder(&a, &[divisor]);
+                let mut by_word = a.clone();
+                let rest_by_word = divide_by_word(&mut by_word, divisor);
+                prop_assert_eq!(rest.first(), Some(&rest_by_word));
+                prop_assert!(compare(&quotient, &by_word).is_eq());
+            }
+        }
+    }
+}

@@ -37,6 +37,10 @@ struct EulerGamma;
 
 impl<const LIMBS: usize> Scalar for Wide<LIMBS> {
     const PRECISION: u32 = 64 * LIMBS as u32 - 8;
+    type Wider = Self;
+    fn rounded(wider: Self) -> Self {
+        wider
+    }
 
     fn pi() -> Self {
         Self::constants()[0]

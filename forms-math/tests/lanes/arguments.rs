@@ -1,30 +1,30 @@
 //! Arguments: over all binades, evenly spread, and near places where a function is hard or changes its method.
 
 /// A generator of numbers that look random (SplitMix64).
-pub struct Draw(pub u64);
+pub(crate) struct Draw(pub(crate) u64);
 
 impl Draw {
-    pub fn bits(&mut self) -> u64 {
+    pub(crate) fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
     }
-    pub fn unit(&mut self) -> f64 {
+    pub(crate) fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / 9_007_199_254_740_992.0
     }
     /// Even in value.
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         (low / 2.0 + (high / 2.0 - low / 2.0) * self.unit()) * 2.0
     }
     /// Even in the count of numbers below: all binades alike.
-    pub fn of_any_binade(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn of_any_binade(&mut self, low: f64, high: f64) -> f64 {
         let (from, to) = (i128::from(position(low)), i128::from(position(high)));
         at_position((from + (self.unit() * (to - from) as f64) as i128) as i64)
     }
     /// A few numbers away.
-    pub fn near(&mut self, place: f64) -> f64 {
+    pub(crate) fn near(&mut self, place: f64) -> f64 {
         at_position(position(place) + (self.bits() % 2000) as i64 - 1000)
     }
 }
@@ -53,7 +53,7 @@ fn places() -> Vec<f64> {
 }
 
 /// `count` arguments from `low` to `high`.
-pub fn arguments(low: f64, high: f64, count: usize, seed: u64) -> Vec<f64> {
+pub(crate) fn arguments(low: f64, high: f64, count: usize, seed: u64) -> Vec<f64> {
     let mut draw = Draw(seed);
     let places: Vec<f64> = places().into_iter().filter(|&x| low < x && x < high).collect();
     let (inner_low, inner_high) = (low.max(-30.0), high.min(30.0));

@@ -4,7 +4,7 @@
 //! kernel  = "kernel" name "(" { declared } ")" [ ":" values ] "=" values { "by" values | where | "within" sum | effects }
 //!         | "kernel" name "=" "grad" "(" name ";" name "," … ")"
 //! warp    = "warp" name "(" [ { declared } ";" ] { declared } ")" "=" values "onto" name
-//!           "density" sum "of" sum { "inverse" values | where }
+//!           "density" sum "of" sum { "inverse" values | "by" values | where | "within" sum }
 //! values  = "(" sum "," … ")" | sum
 //! effects = "effects" "{" name ":" name "=" sum { ";" … } "}"
 //! ```
@@ -71,15 +71,15 @@ impl Parser<'_> {
         let open = self.expect(Symbol::OpenParen)?;
         let of = self.name("the kernel to differentiate")?;
         self.expect(Symbol::Semicolon)?;
-        let mut by = vec![self.name("an argument of the kernel")?];
+        let mut by = vec![self.quantity("an argument of the kernel")?];
         while self.eat(Symbol::Comma).is_some() {
-            by.push(self.name("an argument of the kernel")?);
+            by.push(self.quantity("an argument of the kernel")?);
         }
         self.close(open, Symbol::CloseParen, "`,` or `)`")?;
         Ok(ItemKind::Gradient { name, of, by })
     }
 
-    /// `name(p; u, v) = (x, y, z) onto C density E of w inverse (…) where …`
+    /// `name(p; u, v) = (x, y, z) onto C density E of w inverse (…) by (…) where … within N`
     pub(super) fn warp(&mut self) -> Parsed<ItemKind> {
         let name = self.name("the warp's name")?;
         let (parameters, uniforms) = self.warp_arguments()?;
@@ -91,13 +91,20 @@ impl Parser<'_> {
         let density = self.expression()?;
         self.expect_word("of", "a density is one with respect to a form: `density z/pi of omega`")?;
         let form = self.expression()?;
-        let (mut inverse, mut conditions) = (Vec::new(), Vec::new());
+        let (mut inverse, mut computed, mut conditions) = (Vec::new(), Vec::new(), Vec::new());
+        let mut within = None;
         loop {
             let place = self.span();
             let repeated = if self.eat_word("inverse") {
                 let repeated = !inverse.is_empty();
                 inverse = self.values()?;
                 repeated.then_some("`inverse`")
+            } else if self.eat_word("by") {
+                let repeated = !computed.is_empty();
+                computed = self.values()?;
+                repeated.then_some("`by`")
+            } else if self.eat_word("within") {
+                within.replace(self.expression()?).map(|_| "`within`")
             } else if self.eat_word("where") {
                 let repeated = !conditions.is_empty();
                 self.more_conditions(&mut conditions)?;
@@ -112,7 +119,9 @@ impl Parser<'_> {
                     density,
                     form,
                     inverse,
+                    computed,
                     conditions,
+                    within,
                 };
                 return Ok(ItemKind::Warp(Box::new(warp)));
             };

@@ -1,0 +1,145 @@
+//! A lane and a bound of its error, without branches: what a batch with a promise of accuracy runs in.
+//!
+//! A bound is a sum of products of non-negative numbers, each at least what it stands for, raised by more than its own
+//! roundings. Where a rule holds in a range only, there is no bound beyond it, which is ∞ or NaN: the value is then computed
+//! again by [`escalate`](crate::escalate). With α, β the bounds of the arguments' errors:
+//!
+//! * sums, products, quotients and roots have their rounding error by the operations of [`pair`](super::pair);
+//! * functions of lanes are within 1.5 ulp, that is 3 · 2^−p relative, as the tests measure;
+//! * what may be lost of a bound to underflow is far below 2^[`Word::SMALL`], which is added.
+
+mod functions;
+mod real;
+
+use super::pair::{two_product, two_sum};
+use super::word::{Lane64, Word};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A number whose exact value is at most `error` away; nothing is known of it where `error` is ∞ or NaN.
+#[derive(Clone, Copy)]
+pub(crate) struct Bounded<W> {
+    value: W,
+    error: W,
+}
+
+/// A little more than 1, and a little less: by as many roundings as a bound may have.
+#[inline(always)]
+fn above_one<W: Word>() -> W {
+    W::literal(1.0) + W::two_to(8 - W::PRECISION)
+}
+#[inline(always)]
+fn below_one<W: Word>() -> W {
+    W::literal(1.0) - W::two_to(8 - W::PRECISION)
+}
+
+impl<const FMA: bool> Bounded<Lane64<FMA>> {
+    /// A number without error.
+    #[inline(always)]
+    pub(crate) fn lane(value: f64) -> Self {
+        Self::exact(Lane64(value))
+    }
+
+    /// The value where its error is at most `within` · 2⁻⁵³ of it, otherwise NaN.
+    #[inline(always)]
+    pub(crate) fn value_within(self, within: f64) -> f64 {
+        self.within(Lane64(within) * Lane64::two_to(-53)).0
+    }
+}
+
+impl<W: Word> Bounded<W> {
+    /// A number without error.
+    #[inline(always)]
+    fn exact(value: W) -> Self {
+        Self { value, error: W::literal(0.0) }
+    }
+
+    /// The value where its error is at most so much of it, otherwise NaN.
+    #[inline(always)]
+    fn within(self, relative: W) -> W {
+        let allowed = relative * below_one() * self.value.magnitude();
+        if self.error <= allowed { self.value } else { W::not_a_number() }
+    }
+
+    /// Whether this is zero for certain.
+    #[inline(always)]
+    fn is_zero(self) -> bool {
+        (self.value == W::literal(0.0)) & (self.error == W::literal(0.0))
+    }
+
+    /// A value with a bound that was computed in a few roundings.
+    #[inline(always)]
+    fn raised(value: W, error: W) -> Self {
+        Self { value, error: error * above_one() }
+    }
+
+    /// The same, where what the bound is made of may have been lost to underflow; without error where that is certain.
+    #[inline(always)]
+    fn above_underflow(value: W, error: W, certain: bool) -> Self {
+        let bound = Self::raised(value, error + W::two_to(W::SMALL));
+        Self { value, error: if certain { W::literal(0.0) } else { bound.error } }
+    }
+
+    /// α |b| + |a| β + α β
+    #[inline(always)]
+    fn error_of_product(self, other: Self) -> W {
+        let second = (self.value.magnitude() + self.error) * other.error;
+        self.error.fused(other.value.magnitude(), second)
+    }
+}
+
+/// What is left of x, less than so much being no certain rest: it may have lost bits to underflow.
+#[inline(always)]
+fn rest_of<W: Word>(x: W, rest: W) -> W {
+    let small = if x == W::literal(0.0) { W::literal(0.0) } else { W::infinity() };
+    if x.magnitude() > W::two_to(W::SMALL) { rest.magnitude() } else { small }
+}
+
+impl<W: Word> Add for Bounded<W> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        let sum = two_sum(self.value, other.value);
+        Self::raised(sum.head, sum.tail.magnitude() + (self.error + other.error))
+    }
+}
+
+impl<W: Word> Sub for Bounded<W> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl<W: Word> Neg for Bounded<W> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { value: -self.value, error: self.error }
+    }
+}
+
+impl<W: Word> Mul for Bounded<W> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let product = two_product(self.value, other.value);
+        let error = product.tail.magnitude() + self.error_of_product(other);
+        Self::above_underflow(product.head, error, self.is_zero() | other.is_zero())
+    }
+}
+
+impl<W: Word> Div for Bounded<W> {
+    type Output = Self;
+    /// (a + α)/(b + β) − q = (a − q b + α − q β)/(b + β)
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        let quotient = self.value / other.value;
+        let product = two_product(quotient, other.value);
+        let rest = rest_of(self.value, (self.value - product.head) - product.tail);
+        let least = other.value.magnitude() * below_one() - other.error;
+        let error = (rest + self.error + quotient.magnitude() * other.error) / least;
+        let error = if least > W::literal(0.0) { error } else { W::infinity() };
+        Self::above_underflow(quotient, error, self.is_zero() & (least > W::literal(0.0)))
+    }
+}

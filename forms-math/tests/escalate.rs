@@ -1,0 +1,117 @@
+//! Escalation: what is promised is kept, by as little precision as it takes.
+
+use forms_math::{Formula, Guarded, Real, Tier, Wide, escalate, escalate_with_tier};
+use proptest::prelude::*;
+
+/// (1 − cos x)/x², √(1 + x²) − 1, and the product of the two.
+struct Cancelling;
+
+impl Formula<1, 3> for Cancelling {
+    fn value<T: Real>([x]: [T; 1]) -> [T; 3] {
+        let one = T::from_f64(1.0);
+        let versine = (one - x.cos()) / (x * x);
+        let excess = (one + x * x).sqrt() - one;
+        [versine, excess, versine * excess]
+    }
+}
+
+/// The area of a triangle of sides a, b, c by Heron's formula as written, NaN where there is none.
+struct Heron;
+
+impl Formula<3, 1> for Heron {
+    fn value<T: Real>([a, b, c]: [T; 3]) -> [T; 1] {
+        let half = (a + b + c) * T::from_f64(0.5);
+        [(half * (half - a) * (half - b) * (half - c)).sqrt()]
+    }
+}
+
+/// 2 below 1, 3 from there on, of the square of a root.
+struct Piecewise;
+
+impl Formula<1, 1> for Piecewise {
+    fn value<T: Real>([x]: [T; 1]) -> [T; 1] {
+        let root = x.sqrt();
+        [T::if_less(root * root, T::from_f64(2.0), T::from_f64(2.0), T::from_f64(3.0))]
+    }
+}
+
+fn exact<F: Formula<A, O>, const A: usize, const O: usize>(arguments: [f64; A]) -> [Wide<16>; O] {
+    F::value(arguments.map(Guarded::<Wide<16>>::from_f64)).map(Guarded::value)
+}
+
+fn units(value: f64, exact: Wide<16>) -> f64 {
+    let scale = exact.abs().to_f64().max(f64::MIN_POSITIVE);
+    ((Wide::from_f64(value) - exact).abs() / Wide::from_f64(scale)).to_f64() * 2.0_f64.powi(53)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn promises_are_kept(exponent in -600.0..300.0_f64, within in 1.0..64.0_f64) {
+        let x = exponent.exp2();
+        let values = escalate::<Cancelling, 1, 3>([x], within);
+        for (value, exact) in values.into_iter().zip(exact::<Cancelling, 1, 3>([x])) {
+            // Wide<16> has the digits for x² > 2⁻⁹⁰⁰.
+            if exponent > -450.0 {
+                prop_assert!(units(value, exact) <= within * 1.000_001, "{x:e}: {value:e} is not {exact}");
+            }
+        }
+    }
+
+    #[test]
+    fn needles_have_areas(a in 1.0..2.0_f64, exponent in -50..0_i32) {
+        let c = a * 2.0_f64.powi(exponent);
+        let sides = [a, a + 0.75 * c, c];
+        let [value] = escalate::<Heron, 3, 1>(sides, 2.0);
+        prop_assert!(units(value, exact::<Heron, 3, 1>(sides)[0]) <= 2.000_001);
+    }
+
+    #[test]
+    fn arguments_are_never_a_panic(a in prop::num::f64::ANY, b in prop::num::f64::ANY, c in prop::num::f64::ANY) {
+        let [value] = escalate::<Heron, 3, 1>([a, b, c], 4.0);
+        if a.is_nan() || b.is_nan() || c.is_nan() {
+            prop_assert!(value.is_nan());
+        }
+    }
+}
+
+#[test]
+fn as_little_precision_as_it_takes() {
+    let tiers = |x: f64| escalate_with_tier::<Cancelling, 1, 3>([x], 8.0).map(|(_, tier)| tier);
+    assert_eq!(tiers(1.0), [Tier::Double; 3]);
+    assert_eq!(tiers(1e-5)[0], Tier::DoubleDouble);
+    assert_eq!(tiers(1e-12)[0], Tier::Words4);
+    assert_eq!(tiers(1e-40)[0], Tier::Words8);
+    assert_eq!(tiers(1e-100)[0], Tier::Words16);
+    assert_eq!(escalate::<Heron, 3, 1>([3.0, 4.0, 5.0], 1.0), [6.0]);
+    assert_eq!(escalate_with_tier::<Heron, 3, 1>([3.0, 4.0, 5.0], 1.0)[0].1, Tier::Double);
+}
+
+/// Every precision comes to the end of its digits somewhere on the way.
+#[test]
+fn promises_are_kept_where_digits_run_out() {
+    for quarter in 0..400 {
+        let x = 2.0_f64.powf(-0.25 * f64::from(quarter));
+        let values = escalate::<Cancelling, 1, 3>([x], 1.5);
+        for (value, exact) in values.into_iter().zip(exact::<Cancelling, 1, 3>([x])) {
+            assert!(units(value, exact) <= 1.500_001, "{x:e}: {value:e} is not {exact}");
+        }
+    }
+}
+
+#[test]
+fn outside_of_the_domain_at_once() {
+    for arguments in [[1.0, 1.0, 3.0], [f64::NAN, 1.0, 1.0]] {
+        let [(value, tier)] = escalate_with_tier::<Heron, 3, 1>(arguments, 8.0);
+        assert!(value.is_nan());
+        assert_eq!(tier, Tier::Double);
+    }
+}
+
+#[test]
+fn a_choice_on_a_tie_is_left_open() {
+    assert_eq!(escalate_with_tier::<Piecewise, 1, 1>([1.5], 1.0), [(2.0, Tier::Double)]);
+    // The root of 2 is irrational: whether its square is below 2 no precision tells.
+    assert_eq!(escalate_with_tier::<Piecewise, 1, 1>([2.0], 1.0)[0].1, Tier::Undecided);
+}
