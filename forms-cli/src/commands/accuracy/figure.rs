@@ -102,7 +102,7 @@ fn plot(svg: &mut String, report: &Report) {
     let times: Vec<f64> = report.rows.iter().filter_map(|row| row.nanoseconds).collect();
     let least = times.iter().copied().fold(f64::INFINITY, f64::min);
     let most = times.iter().copied().fold(0.0, f64::max);
-    let axes = Axes { from: (least.log10() - 0.25).floor().max(-2.0), to: (most.log10() + 0.15).ceil() };
+    let axes = Axes { from: (least.log10() - 0.04).floor().max(-2.0), to: (most.log10() + 0.15).ceil() };
     frame(svg, &axes);
     let mut taken: Vec<[f64; 2]> = Vec::new();
     for (place, row) in report.rows.iter().enumerate() {

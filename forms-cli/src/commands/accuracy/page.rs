@@ -129,5 +129,5 @@ fn machine() -> String {
     let model = model.unwrap_or("a processor of unknown name");
     let count = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let (system, architecture) = (std::env::consts::OS, std::env::consts::ARCH);
-    format!("{model}, {count} of its threads, {system} {architecture}, one thread used")
+    format!("{model}, {count} processors, of which one is used, {system} {architecture}")
 }
