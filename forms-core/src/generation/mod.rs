@@ -12,6 +12,7 @@ mod boundary;
 mod limit;
 mod opaque;
 mod pieces;
+mod ratios;
 mod seam;
 mod translation;
 

@@ -6,6 +6,7 @@
 use super::boundary::{replaced, sheets};
 use super::opaque::{Depth, are_equal, opaque};
 use super::pieces::{MOST_PIECES, pieces};
+use super::ratios::equal_by_ratios;
 use crate::decide::{Effort, Equations, Finding, Witness};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Condition, Expr, Pool};
@@ -154,6 +155,10 @@ fn by_pieces(pool: &mut Pool, different: &[Expr], conditions: &[Condition], effo
             .map(|(condition, side)| Condition { left: side[0], right: side[1], ..*condition })
             .collect();
         assumed.extend(piece.path);
+        if let Some(points) = equal_by_ratios(pool, &sides, &assumed, effort) {
+            seen += points;
+            continue;
+        }
         match (Equations { sides: &sides, conditions: &assumed }).decide(pool, effort) {
             Finding::Equal { points } => seen += points,
             Finding::Empty(reason) => nowhere = format!("it is defined nowhere: {reason}"),

@@ -6,7 +6,9 @@
 use super::body;
 use super::dialect::{ChoiceFunction, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
+use super::number::number;
 use super::rust::attributes;
+use super::target::Precision;
 use super::written::{Binding, Written, function, negated};
 use crate::expression::Operation;
 use crate::kernel::constant::Constant;
@@ -25,8 +27,12 @@ pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
     let bound: Vec<&str> =
         names.iter().enumerate().map(|(place, name)| if used(place) { name.as_str() } else { "_" }).collect();
     let body = body::write(&Generic, program, &names);
+    let is_arithmetic = !program.instructions.iter().any(|instruction| {
+        matches!(instruction, Instruction::Power(..) | Instruction::Call(..))
+    });
+    let gives_up = if is_arithmetic { "    const MAY_GIVE_UP: bool = false;\n" } else { "" };
     format!(
-        "impl {math}::Formula<{arguments}, {outputs}> for {type_name} {{\n    \
+        "impl {math}::Formula<{arguments}, {outputs}> for {type_name} {{\n{gives_up}    \
          #[inline(always)]\n    \
          fn value<T: {math}::Real>([{}]: [T; {arguments}]) -> [T; {outputs}] {{\n{body}    }}\n}}\n",
         bound.join(", ")
@@ -62,6 +68,29 @@ pub(super) fn double_double(program: &Program, docs: &KernelDocs) -> String {
     )
 }
 
+/// `quadrature(from, to, |s| …)`, where what the integrand depends on is given names before.
+pub(super) fn closure(
+    dialect: &dyn Dialect,
+    quadrature: &str,
+    integrand: &Program,
+    operands: &[&Written],
+    result: impl Fn(&str) -> String,
+) -> Written {
+    let [from, to, captured @ ..] = operands else { return Written::atom(dialect.nan()) };
+    let names: Vec<String> = (0..captured.len()).map(|place| format!("k{place}")).collect();
+    let arguments: Vec<String> = std::iter::once("s".to_string()).chain(names.iter().cloned()).collect();
+    let body = result(&body::write(dialect, integrand, &arguments));
+    let values: Vec<String> = captured.iter().map(|value| value.argument()).collect();
+    let (from, to) = (from.argument(), to.argument());
+    let captures = match captured {
+        [] => String::new(),
+        _ => format!("    let [{}] = [{}];\n", names.join(", "), values.join(", ")),
+    };
+    Written::atom(format!(
+        "{{\n    let (from, to) = ({from}, {to});\n{captures}    {quadrature}(from, to, |s| {{\n{body}    }})\n}}"
+    ))
+}
+
 /// Rust over any `T: Real`.
 struct Generic;
 
@@ -81,9 +110,14 @@ impl Dialect for Generic {
     }
 
     fn number(&self, constant: &Constant) -> Written {
+        // the first word by its name where it has one
+        let first = number(constant, Precision::F64).text;
         Written::atom(match constant.words(Constant::WORDS)[..] {
-            [single] => format!("T::from_f64({single:?})"),
-            ref several => format!("T::constant(&{several:?})"),
+            [_] => format!("T::from_f64({first})"),
+            ref words => {
+                let rest: Vec<String> = words[1..].iter().map(|word| format!("{word:?}")).collect();
+                format!("T::constant(&[{first}, {}])", rest.join(", "))
+            }
         })
     }
 
@@ -111,6 +145,12 @@ impl Dialect for Generic {
     fn multiply_add(&self, sum: ProductSum, [a, b, c]: [&Written; 3]) -> Written {
         let [factor, summand] = sum.signed(a.clone(), c.clone(), |value| negated(&value));
         Self::method(&factor, "mul_add", &[b.argument(), summand.argument()])
+    }
+
+    fn quadrature(&self, integrand: &Program, operands: &[&Written]) -> Written {
+        closure(self, "T::quadrature", integrand, operands, |value| {
+            format!("let [value] = {{\n{value}}};\nvalue\n")
+        })
     }
 
     fn nan(&self) -> String {

@@ -3,7 +3,7 @@
 use super::body;
 use super::dialect::{Branches, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
-use super::generic::{MATH, nested_formula};
+use super::generic::{MATH, closure, nested_formula};
 use super::number::{number, receiver};
 use super::target::Precision;
 use super::written::{Binding, Written, function};
@@ -18,7 +18,7 @@ const WIDTH: usize = 100;
 /// The longest array that stays on one line.
 const ARRAY: usize = 60;
 /// The most arguments a function has before clippy asks for a structure.
-const MANY_ARGUMENTS: usize = 7;
+pub const MANY_ARGUMENTS: usize = 7;
 
 /// A documented function. It needs nothing but the standard library, and where that does not do (see
 /// [`Program::needs_math`]) what `forms_math` exports, found by the path `math`.
@@ -84,6 +84,7 @@ impl Program {
     pub fn needs_math(&self) -> bool {
         self.instructions.iter().any(|instruction| match instruction {
             Instruction::DifferenceOfProducts(_) | Instruction::SumOfProducts(_) => true,
+            Instruction::Quadrature { .. } => true,
             Instruction::Power(_, exponent) => !exponent.is_integer(),
             Instruction::Call(operation, _) => operation.row().spelling.rust.is_none(),
             _ => false,
@@ -183,6 +184,11 @@ impl Dialect for Rust<'_> {
 
     fn sum_of_products(&self, factors: [&Written; 4]) -> Written {
         self.real("sum_of_products", &factors)
+    }
+
+    fn quadrature(&self, integrand: &Program, operands: &[&Written]) -> Written {
+        let name = format!("<{} as {}::Real>::quadrature", self.number_type(), self.math);
+        closure(self, &name, integrand, operands, str::to_string)
     }
 
     fn nan(&self) -> String {

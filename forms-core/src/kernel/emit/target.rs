@@ -228,6 +228,10 @@ fn check(program: &Program, target: Target, precision: Precision) -> Result<(), 
                     return Err(EmitError::Number { kernel: kernel(), number, precision });
                 }
             }
+            Instruction::Quadrature { .. } if target != Target::Rust => {
+                return Err(EmitError::Function { kernel: kernel(), function: "quadrature", target });
+            }
+            Instruction::Quadrature { integrand, .. } => check(integrand, target, precision)?,
             _ => {}
         }
     }

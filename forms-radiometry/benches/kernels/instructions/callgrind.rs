@@ -16,7 +16,8 @@ pub(crate) fn call(work: &dyn Fn()) {
 
 /// Whether valgrind is installed.
 pub(crate) fn is_installed() -> bool {
-    let version = Command::new("valgrind").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+    let version =
+        Command::new("valgrind").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
     version.is_ok_and(|status| status.success())
 }
 
@@ -49,7 +50,8 @@ fn run(argument: &str, folder: &Path) -> Result<()> {
 /// The totals in callgrind's files in the order in which it wrote them: `counts.1` before the first call, the last without
 /// a number.
 fn totals(folder: &Path) -> Result<Vec<u64>> {
-    let numbered = (2..).map(|number| folder.join(format!("counts.{number}"))).take_while(|path| path.exists());
+    let numbered =
+        (2..).map(|number| folder.join(format!("counts.{number}"))).take_while(|path| path.exists());
     numbered.chain([folder.join("counts")]).map(|path| total(&std::fs::read_to_string(path)?)).collect()
 }
 
