@@ -77,6 +77,31 @@ pub use forms_macros::prove;
 /// assert!((reflectance(1.5) - 0.04).abs() < 1e-15);
 /// assert!(reflectance(-1.0).is_nan());
 /// ```
+///
+/// Beside the function stands a module of its name, with the formula as it is written, other precisions, and batches
+/// of columns:
+///
+/// ```
+/// use forms::math::DoubleDouble;
+///
+/// forms::kernel! {
+///     /// The mean of e⁻ˢ for s from 0 to t.
+///     mean_transmittance(t) = (1 - exp(-t))/t by -expm1(-t)/t where t > 0
+/// }
+/// // as it is written it has lost everything to cancellation
+/// assert_eq!(mean_transmittance(1e-17), 1.0);
+/// assert_eq!(mean_transmittance::plain(1e-17), 0.0);
+///
+/// assert!((mean_transmittance::f32(0.5) - 0.78693868).abs() < 1e-7);
+/// let precise = mean_transmittance::dd(DoubleDouble::new(0.5, 0.0));
+/// assert!((precise - DoubleDouble::new(0.7869386805747332, -1.2e-17)).high().abs() < 1e-16);
+///
+/// let mut means = [0.0; 3];
+/// mean_transmittance::batch(&[1e-17, 0.5, 2.0], &mut means)?;
+/// assert!((means[2] - mean_transmittance(2.0)).abs() < 1e-15);
+/// assert!(mean_transmittance::batch(&[0.5, 2.0], &mut means).is_err(), "columns of different lengths");
+/// # Ok::<(), forms::math::LengthMismatch>(())
+/// ```
 pub use forms_macros::kernel;
 
 /// ```

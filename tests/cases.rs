@@ -32,6 +32,7 @@ case_files! {
     pullbacks "tests/cases/pullbacks.forms";
     radicals "tests/cases/radicals.forms";
     sampling_densities "tests/cases/sampling_densities.forms";
+    special_functions "tests/cases/special_functions.forms";
     solid_angle "tests/cases/solid_angle.forms";
     sphere_pullbacks "tests/cases/sphere_pullbacks.forms";
     stokes "tests/cases/stokes.forms";
@@ -39,5 +40,6 @@ case_files! {
     triangle_gradient "tests/cases/triangle_gradient.forms";
     triangle_harmonicity "tests/cases/triangle_harmonicity.forms";
     trigonometry "tests/cases/trigonometry.forms";
+    warps "tests/cases/warps.forms";
     wedge_and_interior "tests/cases/wedge_and_interior.forms";
 }

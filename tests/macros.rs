@@ -18,6 +18,8 @@ mod radiometry {
         pub kernel phase(g, mu) = (1 - g**2)/(4*pi*(1 + g**2 - 2*g*mu)**(3/2)) where -1 < g < 1;
         pub kernel ramp(t) = if t > 0 { t } else { 0 };
         kernel one_third() = 1/3;
+        pub kernel versine_ratio(x) = (1 - cos(x))/x**2 within 2 where x > 0;
+        pub kernel gap(a, b) = (a**2 - b**2)/(a + b) by a - b where a + b > 0;
     }
 
     #[test]
@@ -92,6 +94,16 @@ fn one_third_times_three(three: forms::math::DoubleDouble) -> forms::math::Doubl
     third::batch(&mut column).expect("one column has one length");
     assert_eq!(column, [third(); 2]);
     third::dd() * three
+}
+
+#[test]
+fn a_bound_is_kept_by_more_digits_and_a_stable_form_is_what_is_computed() {
+    assert_eq!(radiometry::versine_ratio(1e-10), 0.5);
+    assert_eq!(radiometry::versine_ratio::plain(1e-10), 0.0);
+    let (a, b) = (1.0 + f64::EPSILON, 1.0);
+    assert_eq!(radiometry::gap(a, b), f64::EPSILON);
+    assert!(radiometry::gap::plain(1e200, 1e199).is_nan());
+    assert_close(radiometry::gap(1e200, 1e199), 9e199);
 }
 
 #[test]

@@ -73,7 +73,7 @@ pub(crate) enum Command {
         file: String,
         /// A kernel in it
         kernel: String,
-        /// The arithmetic: f64, or exact for 50 certain digits
+        /// The arithmetic: f32, f64, dd for double-double, or exact for 50 certain digits
         #[arg(long, default_value = "f64")]
         precision: String,
         /// The kernel as it was written, or as it is generated
@@ -87,9 +87,12 @@ pub(crate) enum Command {
         /// Only this kernel
         #[arg(long)]
         kernel: Option<String>,
-        /// The language to write: rust
+        /// The language to write: rust, c, wgsl or cuda
         #[arg(long)]
         target: String,
+        /// The numbers: f32, f64 or dd; f64 unless said otherwise, f32 in wgsl
+        #[arg(long)]
+        precision: Option<String>,
     },
     /// Show what each precision and form of a kernel costs and buys, on typical and on hard arguments
     ///

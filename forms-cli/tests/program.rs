@@ -202,13 +202,76 @@ fn exact_evaluation_gives_fifty_digits_of_exact_arguments() {
 }
 
 #[test]
+fn rows_are_evaluated_in_every_precision() {
+    let folder = Folder::with(&[("third.forms", "kernel third(x) = x/3;")]);
+    let value = |precision: &str| {
+        let run = forms_on(&folder, &["eval", "third.forms", "third", "--precision", precision], "x\n0.1\n");
+        assert_eq!(run.status, 0, "{}", run.errors);
+        run.output.lines().nth(1).expect("a row").to_string()
+    };
+    assert_eq!(value("f32"), "1.0000000149011612e-1,3.3333335071802139e-2");
+    assert_eq!(value("f64"), "1.0000000000000001e-1,3.3333333333333333e-2");
+    let twice = value("dd");
+    let (argument, quotient) = twice.split_once(',').expect("two columns");
+    // the double-double nearest to 0.1 is below it, by a unit of the 33rd digit
+    assert!(
+        argument.starts_with("9.9999999999999999999999999999999") && argument.ends_with("e-2"),
+        "{twice}"
+    );
+    assert!(quotient.starts_with("3.33333333333333333333333333333") && quotient.len() == 40, "{twice}");
+}
+
+#[test]
+fn kernels_are_emitted_in_every_language() {
+    let folder = Folder::with(&[("good.forms", THEORY)]);
+    let emitted = |arguments: &[&str]| {
+        let run = forms(&folder, &[&["emit", "good.forms", "--target"], arguments].concat());
+        assert_eq!(run.status, 0, "{}", run.errors);
+        run.output
+    };
+    assert!(emitted(&["c"]).contains("double ratio(double a, double b) {"));
+    assert!(emitted(&["c", "--precision", "f32"]).contains("float ratio(float a, float b) {"));
+    assert!(emitted(&["cuda"]).contains("__host__ __device__ inline void both(double x, double *outputs) {"));
+    assert!(emitted(&["wgsl"]).contains("fn both(x: f32) -> array<f32, 2> {"));
+    for precision in ["f32", "f64", "dd"] {
+        let source = emitted(&["rust", "--precision", precision]);
+        assert!(process::compiles(&folder, &source), "{source}");
+    }
+}
+
+#[test]
+fn a_function_that_a_target_does_not_have_is_named() {
+    let folder = Folder::with(&[("special.forms", "kernel thick(x) = expint3(x) where x > 0;")]);
+    let run = forms(&folder, &["emit", "special.forms", "--target", "c"]);
+    assert_eq!((run.status, run.output.as_str()), (2, ""));
+    assert!(
+        run.errors.contains("`thick` calls `expint3`, which the target `c` does not have"),
+        "{}",
+        run.errors
+    );
+    let source = forms(&folder, &["emit", "special.forms", "--target", "rust"]).output;
+    assert!(process::compiles(&folder, &source), "{source}");
+}
+
+#[test]
+fn a_number_that_f64_does_not_hold_is_an_error_and_not_an_infinity() {
+    let folder = Folder::with(&[("huge.forms", "kernel huge(x) = 1e400*x; kernel tiny(x) = x/10**400;")]);
+    for (kernel, size) in [("huge", "large"), ("tiny", "large")] {
+        let run = forms_on(&folder, &["eval", "huge.forms", kernel], "x\n1\n");
+        assert_eq!((run.status, run.output.as_str()), (2, ""), "{kernel}");
+        assert!(run.errors.contains(&format!("is too {size} for `f64`")), "{}", run.errors);
+    }
+}
+
+#[test]
 fn what_is_not_available_is_said() {
     let folder = Folder::with(&[("good.forms", THEORY)]);
-    let cases: [&[&str]; 6] = [
-        &["emit", "good.forms", "--target", "c"],
+    let cases: [&[&str]; 7] = [
+        &["emit", "good.forms", "--target", "wgsl", "--precision", "f64"],
+        &["emit", "good.forms", "--target", "c", "--precision", "f16"],
         &["emit", "good.forms", "--target", "cobol"],
         &["emit", "good.forms", "--target", "rust", "--kernel", "nothing"],
-        &["eval", "good.forms", "ratio", "--precision", "dd"],
+        &["eval", "good.forms", "ratio", "--precision", "f16"],
         &["eval", "good.forms", "nothing"],
         &["conquer"],
     ];

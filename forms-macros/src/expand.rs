@@ -8,11 +8,12 @@
 use crate::report::Origin;
 use crate::tiers;
 use crate::tokens::Body;
+use forms_core::accuracy::removable_singularities;
 use forms_core::check::{decide_all, objection, resolve_parsed};
 use forms_core::decide::Verdict;
 use forms_core::diagnostic::{Diagnostic, Span};
 use forms_core::generation::{Generated, generate};
-use forms_core::kernel::{KernelDocs, emit_rust};
+use forms_core::kernel::{KernelDocs, emit_rust, emit_rust_within};
 use forms_core::resolve::{Kernel, Theory};
 use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
 use forms_core::syntax::token::{Symbol, Token, TokenKind};
@@ -157,14 +158,43 @@ fn function(
 ) -> Result<TokenStream, Vec<Diagnostic>> {
     let generated = generate(&mut theory.pool, kernel)?;
     let docs = documentation(theory, verdicts, kernel, &generated);
-    let source = emit_rust(&generated.optimised, &docs, tiers::MATH);
+    let program = &generated.optimised;
+    let source = match &kernel.within {
+        None => emit_rust(program, &docs, tiers::MATH),
+        Some(within) => {
+            let formula = format!("{}::Stable", kernel.name);
+            emit_rust_within(program, &docs, tiers::MATH, &formula, within)
+        }
+    };
     let unreadable = |error: proc_macro2::LexError| {
         let message = format!("the function generated for `{}` cannot be read by Rust: {error}", kernel.name);
         vec![Diagnostic::new(kernel.span, message)]
     };
     let mut items = source.parse::<TokenStream>().map_err(unreadable)?;
     items.extend(tiers::module(&generated).map_err(unreadable)?);
+    items.extend(warning(theory, kernel).parse::<TokenStream>().map_err(unreadable)?);
     Ok(named_at(items, &kernel.name, origin.place(kernel.span).0))
+}
+
+/// What makes the compiler warn of removable singularities in the declared domain: macros cannot warn, but what they
+/// write can use something deprecated.
+fn warning(theory: &Theory, kernel: &Kernel) -> String {
+    if kernel.domain.is_empty() {
+        return String::new();
+    }
+    let places = removable_singularities(&theory.pool, kernel);
+    if places.is_empty() {
+        return String::new();
+    }
+    let note = format!(
+        "`{}` has no value at {}, where its formula has a limit: give an equal form that has one behind `by`, or \
+         exclude the place behind `where`",
+        kernel.name,
+        places.join(" and at ")
+    );
+    format!(
+        "const _: () = {{ #[deprecated(note = {note:?})] const REMOVABLE_SINGULARITY: () = (); REMOVABLE_SINGULARITY }};"
+    )
 }
 
 /// The formula, the proved statements it rests on, the domain it is stated on, and whether it is computed.

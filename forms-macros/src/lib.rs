@@ -53,7 +53,8 @@ pub fn prove(body: TokenStream) -> TokenStream {
     expand::equation(tokens::read(body.into())).into()
 }
 
-/// Generates one function: declarations, then `name(u, v) = … where …`, with `pub` before it if wanted.
+/// Generates one function and the module of its precisions: declarations, then `name(u, v) = … where …`, with `pub`
+/// before it if wanted.
 #[proc_macro]
 pub fn kernel(body: TokenStream) -> TokenStream {
     expand::kernel(tokens::read(body.into())).into()

@@ -54,7 +54,16 @@ pub(crate) const fn two_product(a: f64, b: f64) -> (f64, f64) {
 pub(crate) const EXACT_PRODUCT: f64 = f64::from_bits((1023 - 969) << 52);
 
 /// `value` · 2^`exponent`, rounded once unless the result is subnormal.
+#[inline]
 pub(crate) fn scaled(value: f64, exponent: i64) -> f64 {
+    if (-1022..=1023).contains(&exponent) {
+        return value * f64::from_bits(((1023 + exponent) as u64) << 52);
+    }
+    scaled_in_steps(value, exponent)
+}
+
+#[cold]
+fn scaled_in_steps(value: f64, exponent: i64) -> f64 {
     let mut value = value;
     let mut left = exponent.clamp(-2300, 2300);
     while left != 0 {

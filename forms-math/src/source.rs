@@ -3,7 +3,7 @@
 //! ```text
 //! lib.rs ─ mod error_free; ─▶ mod error_free { … } ─ … ─▶ one module that needs nothing but the standard library
 //! ```
-//! Lanes, batches and error bounds are left out: what is pasted is for one value at a time.
+//! Lanes and batches are left out: what is pasted is for one value at a time.
 
 /// The files that are pasted, by their path without `.rs` or `/mod.rs`.
 const FILES: &[(&str, &str)] = &[
@@ -18,7 +18,15 @@ const FILES: &[(&str, &str)] = &[
     ("elementary/logarithm", include_str!("elementary/logarithm.rs")),
     ("elementary/power", include_str!("elementary/power.rs")),
     ("error_free", include_str!("error_free.rs")),
+    ("escalate", include_str!("escalate.rs")),
     ("formula", include_str!("formula.rs")),
+    ("guarded", include_str!("guarded/mod.rs")),
+    ("guarded/arithmetic", include_str!("guarded/arithmetic.rs")),
+    ("guarded/bound", include_str!("guarded/bound.rs")),
+    ("guarded/functions", include_str!("guarded/functions.rs")),
+    ("guarded/number", include_str!("guarded/number.rs")),
+    ("guarded/real", include_str!("guarded/real.rs")),
+    ("guarded/special", include_str!("guarded/special.rs")),
     ("quadrature", include_str!("quadrature.rs")),
     ("real", include_str!("real.rs")),
     ("scalar", include_str!("scalar.rs")),
@@ -101,17 +109,26 @@ pub fn source() -> String {
 /// The text of a module with the files of its modules in their places.
 fn pasted(path: &str, text: &str) -> String {
     let mut lines = Vec::new();
+    let mut within_left_out = false;
     let own = text.split("\n#[cfg(test)]").next().unwrap_or_default();
     for line in own.lines().filter(|line| !line.trim_start().starts_with("//!")) {
         let declared = line.strip_suffix(';').and_then(|line| Some(line.split_once("mod ")?.1));
         let imported = line.strip_prefix("pub use ").and_then(|rest| rest.split("::").next());
-        match (declared, imported) {
-            (Some(module), _) => lines.extend(file(path, module).map(|(path, text)| {
-                let head = line.trim_end_matches(';');
-                format!("{head} {{\n{}}}", pasted(&path, text))
-            })),
-            (None, Some(module)) if path.is_empty() && file(path, module).is_none() => {}
-            _ => lines.push(line.replace("crate::", "crate::forms_math::")),
+        let left_out = match (declared, imported) {
+            (Some(module), _) => file(path, module).is_none(),
+            (None, Some(module)) => path.is_empty() && file(path, module).is_none(),
+            (None, None) => within_left_out,
+        };
+        within_left_out = left_out && !line.ends_with(';');
+        if left_out {
+            // with the attributes above it
+            while lines.last().is_some_and(|line: &String| line.starts_with("#[")) {
+                lines.pop();
+            }
+        } else if let Some((path, text)) = declared.and_then(|module| file(path, module)) {
+            lines.push(format!("{} {{\n{}}}", line.trim_end_matches(';'), pasted(&path, text)));
+        } else {
+            lines.push(line.replace("crate::", "crate::forms_math::"));
         }
     }
     lines.join("\n") + "\n"

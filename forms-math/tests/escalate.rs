@@ -88,6 +88,18 @@ fn as_little_precision_as_it_takes() {
     assert_eq!(escalate_with_tier::<Heron, 3, 1>([3.0, 4.0, 5.0], 1.0)[0].1, Tier::Double);
 }
 
+/// Every precision comes to the end of its digits somewhere on the way.
+#[test]
+fn promises_are_kept_where_digits_run_out() {
+    for quarter in 0..400 {
+        let x = 2.0_f64.powf(-0.25 * f64::from(quarter));
+        let values = escalate::<Cancelling, 1, 3>([x], 1.5);
+        for (value, exact) in values.into_iter().zip(exact::<Cancelling, 1, 3>([x])) {
+            assert!(units(value, exact) <= 1.500_001, "{x:e}: {value:e} is not {exact}");
+        }
+    }
+}
+
 #[test]
 fn outside_of_the_domain_at_once() {
     for arguments in [[1.0, 1.0, 3.0], [f64::NAN, 1.0, 1.0]] {

@@ -151,6 +151,68 @@ proptest! {
     }
 }
 
+/// Functions of two numbers.
+fn functions_of_two<T: Real>() -> [fn(T, T) -> T; 9] {
+    [
+        |a, b| a + b,
+        |a, b| a - b,
+        |a, b| a * b,
+        |a, b| a / b,
+        T::atan2,
+        |a, b| T::difference_of_products(a, b, b, b),
+        |a, b| T::sum_of_products(a, a, b, b),
+        |a, b| T::if_less(a, b, a * b, b),
+        |a, b| T::if_equal(a, b, a, a + b),
+    ]
+}
+
+fn in_words(value: f64) -> Truth {
+    Guarded::exact(Wide::from_f64(value))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// What is said of x with an error of ε holds of every number between x − ε and x + ε.
+    #[test]
+    fn errors_of_arguments_are_carried(
+        places in prop::array::uniform2(argument()),
+        digits in prop::array::uniform2(0..60_i32),
+        parts in prop::array::uniform2(-1.0..1.0_f64),
+    ) {
+        let errors = [0, 1].map(|k| places[k].abs().min(1e300) * 2.0_f64.powi(-digits[k]));
+        let guarded = [0, 1].map(|k| Guarded::<f64>::new(places[k], errors[k]));
+        let truths = [0, 1].map(|k| in_words(places[k]) + in_words(errors[k]) * in_words(parts[k]));
+        for (index, (of_guarded, of_truth)) in functions().into_iter().zip(functions()).enumerate() {
+            let (value, truth): (Guarded<f64>, Truth) = (of_guarded(guarded[0]), of_truth(truths[0]));
+            prop_assert!(within(value, truth, Wide::from_f64, Wide::from_f64), "{index}: {value:?} is not {truth:?}");
+        }
+        for (index, (of_guarded, of_truth)) in functions_of_two().into_iter().zip(functions_of_two()).enumerate() {
+            let value: Guarded<f64> = of_guarded(guarded[0], guarded[1]);
+            let truth: Truth = of_truth(truths[0], truths[1]);
+            prop_assert!(within(value, truth, Wide::from_f64, Wide::from_f64), "{index}: {value:?} is not {truth:?}");
+        }
+    }
+
+    /// An operation of wide numbers that is said to be exact is.
+    #[test]
+    fn what_is_exact_is_known(a in any::<i64>(), b in any::<i64>(), shift in -260..260_i64) {
+        let number = |value: i64, shift: i64| Wide::<4>::from_integer(value).scaled(shift);
+        let (x, y) = (number(a, shift), number(b, 0) + number(a, -190));
+        // All bits in use, so that a carry pushes the last one out.
+        let (full, other) = (number(a, 0) + number(b, -193), number(b, 0) + number(a, -193));
+        let exactly = |value: Wide<4>| value.to_limbs::<16>();
+        for (value, exact) in [
+            (Guarded::exact(x) + Guarded::exact(y), exactly(x) + exactly(y)),
+            (Guarded::exact(full) + Guarded::exact(other), exactly(full) + exactly(other)),
+            (Guarded::exact(x) - Guarded::exact(y), exactly(x) - exactly(y)),
+            (Guarded::exact(x) * Guarded::exact(y), exactly(x) * exactly(y)),
+        ] {
+            prop_assert_eq!(value.error().parts().0 == 0.0, exactly(value.value()) == exact);
+        }
+    }
+}
+
 /// A bound that is never exceeded is worth something only if it is not far above the error.
 #[test]
 fn bounds_are_sharp() {

@@ -3,12 +3,15 @@
 use crate::arguments::Tier;
 use crate::commands::exact::Exact;
 use crate::commands::refuse;
-use crate::decimal::nearest;
+use crate::commands::rounded::Rounded;
 use crate::kernel::{files, find, generated};
 use crate::status::Status;
 use crate::theory_file::complain;
-use forms::core::kernel::Program;
+use forms::math::DoubleDouble;
 use std::io::{self, Write};
+
+/// What may stand behind `--precision`.
+const PRECISIONS: [&str; 4] = ["f32", "f64", "dd", "exact"];
 
 /// The file name that rows from standard input are reported under.
 const INPUT: &str = "<stdin>";
@@ -21,17 +24,9 @@ pub(crate) fn eval(
     tier: Tier,
     output: &mut dyn Write,
 ) -> io::Result<Status> {
-    match precision {
-        "f64" | "exact" => {}
-        "f32" | "dd" => {
-            let message = format!(
-                "the precision `{precision}` is not available in this version; there are `f64` and `exact`"
-            );
-            return Ok(refuse(&message));
-        }
-        _ => {
-            return Ok(refuse(&format!("there is no precision `{precision}`; there are `f64` and `exact`")));
-        }
+    if !PRECISIONS.contains(&precision) {
+        let known = PRECISIONS.map(|name| format!("`{name}`")).join(", ");
+        return Ok(refuse(&format!("there is no precision `{precision}`; there are {known}")));
     }
     let files = match files(file) {
         Ok(files) => files,
@@ -55,7 +50,12 @@ pub(crate) fn eval(
             return Ok(Status::Error);
         }
     };
-    table(&program, io::stdin().lock(), output)
+    let input = io::stdin().lock();
+    match precision {
+        "f32" => table(&Rounded::<f32>::new(&program), input, output),
+        "dd" => table(&Rounded::<DoubleDouble>::new(&program), input, output),
+        _ => table(&Rounded::<f64>::new(&program), input, output),
+    }
 }
 
 /// A kernel in one arithmetic: how its numbers are read, computed and written.
@@ -74,35 +74,6 @@ pub(super) trait Evaluation {
     fn values(&self, arguments: &[Self::Number]) -> Vec<String>;
     /// An argument as it is written.
     fn written(&self, argument: &Self::Number) -> String;
-}
-
-/// A program in `f64`.
-impl Evaluation for Program {
-    type Number = f64;
-
-    fn name(&self) -> &str {
-        Program::name(self)
-    }
-
-    fn arguments(&self) -> &[String] {
-        Program::arguments(self)
-    }
-
-    fn outputs(&self) -> usize {
-        Program::outputs(self).len()
-    }
-
-    fn read(&self, text: &str) -> Option<f64> {
-        nearest(text)
-    }
-
-    fn values(&self, arguments: &[f64]) -> Vec<String> {
-        self.interpret(arguments).into_iter().map(digits).collect()
-    }
-
-    fn written(&self, argument: &f64) -> String {
-        digits(*argument)
-    }
 }
 
 /// Reads rows and writes them with their values; a kernel without arguments has one row, and needs no input for it.
@@ -211,22 +182,4 @@ fn header(kernel: &impl Evaluation) -> Vec<String> {
         several => names.extend((0..several).map(|place| format!("{}_{place}", kernel.name()))),
     }
     names
-}
-
-/// Seventeen significant digits, which tell any two numbers apart.
-fn digits(value: f64) -> String {
-    if value.is_finite() { format!("{value:.16e}") } else { value.to_string() }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::digits;
-
-    #[test]
-    fn seventeen_digits_give_the_same_number_back() {
-        for value in [0.1, 1.0 / 3.0, 5e-324, f64::MAX, -0.0] {
-            assert_eq!(digits(value).parse::<f64>().map(f64::to_bits), Ok(value.to_bits()));
-        }
-        assert_eq!((digits(f64::NAN), digits(0.5)), ("NaN".into(), "5.0000000000000000e-1".into()));
-    }
 }

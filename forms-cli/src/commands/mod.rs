@@ -8,6 +8,7 @@ mod eval;
 mod exact;
 mod kernels;
 mod prove;
+mod rounded;
 mod show;
 mod topology;
 mod tour;
@@ -30,7 +31,9 @@ pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<S
         Some(Command::Eval { file, kernel, precision, tier }) => {
             eval::eval(file, kernel, precision, *tier, output)
         }
-        Some(Command::Emit { file, kernel, target }) => emit::emit(file, kernel.as_deref(), target, output),
+        Some(Command::Emit { file, kernel, target, precision }) => {
+            emit::emit(file, kernel.as_deref(), (target, precision.as_deref()), output)
+        }
         Some(Command::Accuracy { file, kernel, json, write, pages, samples, no_times }) => {
             let request = accuracy::Request {
                 file,

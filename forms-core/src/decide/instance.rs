@@ -106,7 +106,7 @@ impl Functions {
         for expression in pool.reachable(expressions) {
             let node = pool.node(expression).clone();
             let image = match &node {
-                Node::Jet { function, orders, arguments } => {
+                Node::Jet { function, orders, arguments } if pool.quadrature_of(*function).is_none() => {
                     let places: Vec<Expr> = arguments.iter().map(|argument| images[argument]).collect();
                     if pool.is_primitive(*function) {
                         self.integral(pool, *function, orders, &places)?

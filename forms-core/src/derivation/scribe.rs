@@ -5,7 +5,7 @@ use crate::expression::{Condition, Expr};
 use crate::notation::{latex, latex_as_written, latex_of_relation, simplify, text};
 use crate::resolve::{Theory, Trace, Value};
 use crate::syntax::Source;
-use crate::syntax::ast;
+use crate::syntax::ast::{self, Binary, ExprKind};
 
 /// A value that takes more characters is told by its size.
 const LONGEST: usize = 600;
@@ -53,10 +53,38 @@ pub(super) struct Scribe<'a> {
 impl Scribe<'_> {
     /// An expression as its author wrote it, on one line.
     pub(super) fn written(&self, expression: &ast::Expr) -> Formula {
+        Formula::new(self.text_as_written(expression), latex_as_written(self.theory, expression))
+    }
+
+    /// The text of an expression in its source; what has no place there, as the claims of a warp, is put together.
+    fn text_as_written(&self, expression: &ast::Expr) -> String {
+        let of = |part: &ast::Expr| self.text_as_written(part);
+        let factor = |part: &ast::Expr| match &*part.kind {
+            ExprKind::Binary(Binary::Add | Binary::Subtract, ..) => format!("({})", of(part)),
+            _ => of(part),
+        };
         let span = expression.span.start as usize..expression.span.end as usize;
-        let text = self.source.text.get(span).unwrap_or_default();
-        let words: Vec<&str> = text.split_whitespace().collect();
-        Formula::new(words.join(" "), latex_as_written(self.theory, expression))
+        match &*expression.kind {
+            _ if !span.is_empty() => {
+                let text = self.source.text.get(span).unwrap_or_default();
+                text.split_whitespace().collect::<Vec<_>>().join(" ")
+            }
+            ExprKind::Name(name) => name.clone(),
+            ExprKind::Number(value) => value.to_string(),
+            ExprKind::Basis(name) => format!("@{}", name.text),
+            ExprKind::Negate(inner) => format!("-{}", factor(inner)),
+            ExprKind::Binary(Binary::Add, _, a, b) => format!("{} + {}", of(a), of(b)),
+            ExprKind::Binary(Binary::Wedge, _, a, b) => format!("{}^{}", factor(a), factor(b)),
+            ExprKind::Binary(_, _, a, b) => format!("{}*{}", factor(a), factor(b)),
+            ExprKind::Call { function, arguments, .. } => {
+                let values = arguments.iter().map(|argument| match argument {
+                    ast::Argument::Value(value) => of(value),
+                    ast::Argument::Range { variable, .. } => variable.text.clone(),
+                });
+                format!("{}({})", function.text, values.collect::<Vec<_>>().join(", "))
+            }
+            ExprKind::Index { .. } | ExprKind::Select { .. } => String::new(),
+        }
     }
 
     /// A value, simplified as the statement's conditions allow.

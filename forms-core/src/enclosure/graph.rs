@@ -1,6 +1,7 @@
 //! Enclosures of expressions: the shared graph evaluated once, operands before results.
 
 use super::bounds::{Enclosure, Precision, Undecided};
+use super::quadrature::quadrature;
 use crate::expression::{Expr, FunctionId, Node, Operation, Pool, Symbol};
 use num_rational::Ratio;
 use rustc_hash::FxHashMap;
@@ -43,7 +44,7 @@ impl Enclosure {
 /// The values of expressions where the variables have these values and the unknown functions these jets.
 ///
 /// `jets` gives a partial derivative of an unknown function by its orders and the values of its arguments. A
-/// value that is not given is unknown; what is computed from something undefined is undefined. Where a
+/// value that is not given is unknown, but for quadratures, which are integrals of what is known; what is computed from something undefined is undefined. Where a
 /// condition is not decided, the result encloses both branches.
 pub fn enclose(
     pool: &Pool,
@@ -56,8 +57,10 @@ pub fn enclose(
     for expression in pool.reachable(expressions) {
         let value = match pool.node(expression) {
             Node::Symbol(symbol) => values(*symbol).ok_or(Undecided::Unknown),
-            Node::Jet { function, orders, arguments } => all(arguments, &known)
-                .and_then(|arguments| jets(*function, orders, &arguments).ok_or(Undecided::Unknown)),
+            Node::Jet { function, orders, arguments } => all(arguments, &known).and_then(|arguments| {
+                quadrature(pool, *function, &arguments, precision)
+                    .unwrap_or_else(|| jets(*function, orders, &arguments).ok_or(Undecided::Unknown))
+            }),
             node => evaluate(node, &known, precision),
         };
         known.insert(expression, value.and_then(bounded));

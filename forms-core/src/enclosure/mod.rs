@@ -22,8 +22,10 @@ mod exponential_integral;
 mod graph;
 mod inverse;
 mod power;
+mod quadrature;
 mod range;
 mod series;
+mod taylor;
 #[cfg(test)]
 mod tests;
 mod word;

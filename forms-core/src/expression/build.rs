@@ -188,10 +188,17 @@ impl Pool {
     }
 
     /// A partial derivative of an unknown function at the given arguments; all orders zero is its value.
-    /// A derivative of a primitive by an upper end is what it integrates there, and a primitive from 0 to 0 is 0.
+    /// A derivative of a primitive by an upper end is what it integrates there, and a primitive from 0 to 0 is 0. Derivatives
+    /// of a quadrature are written out.
     pub fn jet(&mut self, function: FunctionId, orders: &[u32], arguments: &[Expr]) -> Expr {
         if let Some(lowered) = self.lowered(function, orders, arguments) {
             return lowered;
+        }
+        if let Some(derivative) = self.derivative_of_quadrature(function, orders, arguments) {
+            return derivative;
+        }
+        if self.quadrature_of(function).is_some() && arguments[0] == arguments[1] {
+            return self.integer(0);
         }
         if arguments[..self.upper_ends(function)].iter().any(|&end| self.is_zero(end)) {
             return self.integer(0);

@@ -72,7 +72,7 @@ impl Pool {
     }
 
     /// The number that a product is a multiple of, and the rest.
-    fn content(&mut self, product: Expr) -> (Rational, Expr) {
+    pub(super) fn content(&mut self, product: Expr) -> (Rational, Expr) {
         match self.node(product).clone() {
             Node::Number(value) => (value, self.integer(1)),
             Node::Negate(a) => {
@@ -200,7 +200,7 @@ impl Pool {
     }
 
     /// A product with its factors in the order of the pool, equal ones as powers.
-    fn with_factors_in_order(&mut self, product: Expr) -> Expr {
+    pub(super) fn with_factors_in_order(&mut self, product: Expr) -> Expr {
         let mut exponents: BTreeMap<Expr, i64> = BTreeMap::new();
         let mut open = vec![(product, 1)];
         while let Some((part, exponent)) = open.pop() {

@@ -2,6 +2,7 @@
 
 use super::operation::Operation;
 use super::primitive::Primitives;
+use super::quadrature::Quadratures;
 use crate::syntax::ast::Relation;
 use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::collections::hash_map::Entry;
@@ -181,6 +182,8 @@ pub struct Pool {
     pub(super) integers: FxHashMap<i64, Expr>,
     /// The unknown functions that stand for integrals.
     pub(super) primitives: Primitives,
+    /// The functions that stand for integrals which are computed numerically.
+    pub(super) quadratures: Quadratures,
 }
 
 /// Room for the nodes of a short statement, so that its tables need not grow.
@@ -199,6 +202,7 @@ impl Default for Pool {
             least_derivative: None,
             integers: FxHashMap::default(),
             primitives: Primitives::default(),
+            quadratures: Quadratures::default(),
         }
     }
 }

@@ -50,6 +50,7 @@ pub(super) struct Primitives {
     parameters: Vec<Symbol>,
     /// Variables of a kernel that is being put together.
     inner: Vec<Symbol>,
+    ends: Vec<Symbol>,
 }
 
 impl Primitive {
@@ -174,6 +175,15 @@ impl Pool {
             self.primitives.integrated.push(symbol);
         }
         self.primitives.integrated[number]
+    }
+
+    /// The ends of a quadrature.
+    pub(super) fn formal_end(&mut self, number: usize) -> Symbol {
+        while self.primitives.ends.len() <= number {
+            let symbol = self.declare_symbol(["a", "b"][self.primitives.ends.len() % 2], SymbolKind::Local);
+            self.primitives.ends.push(symbol);
+        }
+        self.primitives.ends[number]
     }
 
     pub(super) fn formal_parameter(&mut self, number: usize) -> Symbol {

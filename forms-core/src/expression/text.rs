@@ -118,6 +118,9 @@ impl Pool {
         if self.is_primitive(function) {
             return self.write_integral(function, orders, arguments, written);
         }
+        if self.quadrature_of(function).is_some() {
+            return self.write_quadrature(function, arguments, written);
+        }
         let unknown = self.function(function);
         let mut head = unknown.name.clone();
         if orders.iter().any(|&order| order > 0) {
@@ -135,6 +138,18 @@ impl Pool {
             .zip(arguments)
             .all(|(symbol, argument)| *self.node(*argument) == Node::Symbol(*symbol));
         if own { head } else { format!("{head}({})", written.join(", ")) }
+    }
+
+    /// `quadrature(w, s1 = a..b)`
+    fn write_quadrature(&self, function: FunctionId, arguments: &[Expr], written: &[Cow<str>]) -> String {
+        let mut pool = self.clone();
+        match (pool.integrand_at(function, arguments), written) {
+            (Some((integrand, variable)), [from, to, ..]) => {
+                let name = pool.symbol_name(variable);
+                format!("quadrature({}, {name} = {from}..{to})", pool.text(integrand))
+            }
+            _ => self.function(function).name.clone(),
+        }
     }
 
     /// `integral(w, s1 = 0..b)`

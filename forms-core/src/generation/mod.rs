@@ -12,6 +12,7 @@ mod boundary;
 mod limit;
 mod opaque;
 mod pieces;
+mod ratios;
 mod seam;
 mod translation;
 
@@ -27,7 +28,8 @@ use crate::resolve::Kernel;
 pub struct Generated {
     /// One instruction for each operation of the formula as it was written.
     pub written: Program,
-    /// The form behind `by`, or the formula where there is none, at least cost.
+    /// The form behind `by`, or the formula where there is none, at least cost; with products that cancel computed
+    /// without loss where there is a form behind `by`, or a bound behind `within`.
     pub optimised: Program,
     /// What is known of their agreement.
     pub translation: Translation,
@@ -73,6 +75,9 @@ pub fn generate(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagn
     let program = lowered(pool, &KernelSource { outputs: computed.outputs.clone(), ..source })?;
     // a form that was chosen keeps the order of its sums and products, on which its rounding depends
     let optimised = if form.is_some() { program.in_order() } else { program.optimise() };
+    // whoever gives a form to compute by, or a bound to keep to, wants accuracy first
+    let is_stable = form.is_some() || kernel.within.is_some();
+    let optimised = if is_stable { optimised.compensate() } else { optimised };
     let translation = translation::validate(pool, computed, &optimised);
     match translation.objection(kernel) {
         Some(objection) => Err(vec![objection]),

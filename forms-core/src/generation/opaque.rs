@@ -1,5 +1,5 @@
-//! Opaque functions: expressions with a variable in the place of every function and radicand, and of every choice if
-//! wanted, for proofs that need not look inside.
+//! Opaque functions: expressions with a variable in the place of every function and radicand, and of every choice and
+//! sum if wanted, for proofs that need not look inside.
 //!
 //! A pass rewrites sums and products and leaves functions as they are. So operands of functions are compared first,
 //! innermost functions first, and functions of equal operands become one variable; likewise equal radicands, whose roots
@@ -21,13 +21,18 @@ enum Hidden {
     Radicand,
     Applied(Operation),
     Choice(Relation),
+    Sum,
 }
 
-/// Whether a choice is a function of what it compares and of its branches, or stays a choice.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Choices {
-    Opaque,
-    Kept,
+/// What has variables in its place.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Depth {
+    /// Functions and radicands.
+    Functions,
+    /// Choices too, as functions of what they compare and of their branches.
+    Choices,
+    /// Sums too, where they are not themselves summands.
+    Sums,
 }
 
 /// A variable that stands for a function of operands, or for its only operand; they are opaque themselves.
@@ -38,34 +43,58 @@ struct Variable {
 }
 
 /// The expressions with variables for functions and radicands; equal functions of equal operands are one variable.
-pub(super) fn opaque(pool: &mut Pool, expressions: &[Expr], choices: Choices) -> Vec<Expr> {
+pub(super) fn opaque(pool: &mut Pool, expressions: &[Expr], depth: Depth) -> Vec<Expr> {
     let reachable = pool.reachable(expressions);
     let radicand = |expression: &Expr| match pool.node(*expression) {
         Node::Power(base, exponent) if !exponent.is_integer() => Some(*base),
         _ => None,
     };
     let radicands: FxHashSet<Expr> = reachable.iter().filter_map(radicand).collect();
+    let sums = if depth == Depth::Sums { whole_sums(pool, &reachable) } else { FxHashSet::default() };
     let mut variables: Vec<Variable> = Vec::new();
+    // a sum is made of what its summands are, so that a part of it that is a radicand elsewhere makes no difference
+    let mut plain: FxHashMap<Expr, Expr> = FxHashMap::default();
     let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
     for expression in reachable {
         let mut image = match pool.node(expression).clone() {
+            node @ (Node::Add(..) | Node::Negate(_)) => pool.image(expression, node, &plain),
             Node::Apply(operation, operands) => {
                 let operands = operands.iter().map(|operand| images[operand]).collect();
                 variable(pool, &mut variables, Hidden::Applied(operation), operands)
             }
-            Node::Select { left, relation, right, then, otherwise, .. } if choices == Choices::Opaque => {
+            Node::Select { left, relation, right, then, otherwise, .. } if depth >= Depth::Choices => {
                 let operands = [left, right, then, otherwise].map(|operand| images[&operand]);
                 variable(pool, &mut variables, Hidden::Choice(relation), operands.to_vec())
             }
             node => pool.image(expression, node, &images),
         };
+        plain.insert(expression, image);
         let is_one_already = matches!(pool.node(image), Node::Symbol(_) | Node::Number(_));
         if radicands.contains(&expression) && !is_one_already {
             image = variable(pool, &mut variables, Hidden::Radicand, vec![image]);
+        } else if sums.contains(&expression) && !is_one_already {
+            image = variable(pool, &mut variables, Hidden::Sum, vec![image]);
         }
         images.insert(expression, image);
     }
     expressions.iter().map(|expression| images[expression]).collect()
+}
+
+/// The sums that are operands of anything but sums.
+fn whole_sums(pool: &Pool, expressions: &[Expr]) -> FxHashSet<Expr> {
+    let mut sums = FxHashSet::default();
+    for expression in expressions {
+        let node = pool.node(*expression);
+        if matches!(node, Node::Add(..) | Node::Negate(_)) {
+            continue;
+        }
+        node.for_each_operand(|operand| {
+            if matches!(pool.node(operand), Node::Add(..)) {
+                sums.insert(operand);
+            }
+        });
+    }
+    sums
 }
 
 /// The variable that stands for this.
@@ -97,16 +126,16 @@ mod tests {
     use crate::check::read_theory;
 
     /// The outputs of the kernel `f(x, y) = (…)`, made opaque.
-    fn outputs(values: &str) -> (Pool, Vec<Expr>) {
+    fn outputs(values: &str, depth: Depth) -> (Pool, Vec<Expr>) {
         let (theory, errors) = read_theory(&format!("kernel f(x, y) = ({values});"));
         assert!(errors.is_empty(), "{errors:?}");
         let mut pool = theory.pool;
-        let images = opaque(&mut pool, &theory.kernels[0].outputs, Choices::Opaque);
+        let images = opaque(&mut pool, &theory.kernels[0].outputs, depth);
         (pool, images)
     }
 
     fn are_alike(left: &str, right: &str) -> bool {
-        let (mut pool, images) = outputs(&format!("{left}, {right}"));
+        let (mut pool, images) = outputs(&format!("{left}, {right}"), Depth::Choices);
         are_equal(&mut pool, &images[..1], &images[1..])
     }
 
@@ -115,6 +144,7 @@ mod tests {
         assert!(are_alike("sin((x + y)**2)", "sin(x**2 + 2*x*y + y**2)"));
         assert!(are_alike("exp(x*sqrt(y*(x + 1)))", "exp(sqrt(x*y + y)*x)"));
         assert!(are_alike("(x + y)**(3/2)*x", "(x + y)*sqrt(x + y)*x"));
+        assert!(are_alike("sqrt(x + y)*sin(x + y + 1)", "sqrt(x + y)*sin(x + (y + 1))"));
     }
 
     #[test]
@@ -122,6 +152,14 @@ mod tests {
         let choice = |x: &str| format!("if jump {x} > y {{ sin({x}) }} else {{ {x}*y }}");
         assert!(are_alike(&choice("(x*(x + y))"), &choice("(x**2 + x*y)")));
         assert!(!are_alike(&choice("(x*(x + y))"), &choice("(x**2 + y)")));
+    }
+
+    #[test]
+    fn sums_are_opaque_as_operands() {
+        let values = "(x + y)**40*x, x*(y + x)**40, (x + y)*x, x**2 + y*x";
+        let (mut pool, images) = outputs(values, Depth::Sums);
+        assert!(are_equal(&mut pool, &images[..1], &images[1..2]));
+        assert!(!are_equal(&mut pool, &images[2..3], &images[3..]));
     }
 
     #[test]

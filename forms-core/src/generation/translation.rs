@@ -4,8 +4,9 @@
 //! The equation is decided like any other statement, on the kernel's domain and wherever both sides are defined.
 
 use super::boundary::{replaced, sheets};
-use super::opaque::{Choices, are_equal, opaque};
+use super::opaque::{Depth, are_equal, opaque};
 use super::pieces::{MOST_PIECES, pieces};
+use super::ratios::equal_by_ratios;
 use crate::decide::{Effort, Equations, Finding, Witness};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Condition, Expr, Pool};
@@ -112,7 +113,7 @@ pub(super) fn of_form(pool: &mut Pool, kernel: &Kernel) -> Option<Diagnostic> {
     Some(Diagnostic::new(kernel.span, message).with_help(help))
 }
 
-/// Whether the sides of each pair are equal under the conditions: without a look inside choices, or at least inside
+/// Whether the sides of each pair are equal under the conditions: without a look inside choices, sums or at least inside
 /// functions, which is enough for most programs and costs little, or else with one.
 fn equality(
     pool: &mut Pool,
@@ -122,11 +123,13 @@ fn equality(
 ) -> Translation {
     let different: Vec<Expr> =
         pairs.iter().filter(|(raised, written)| raised != written).flat_map(|&(a, b)| [a, b]).collect();
-    let closed = opaque(pool, &different, Choices::Opaque);
-    if closed.chunks_exact(2).all(|pair| are_equal(pool, &pair[..1], &pair[1..])) {
-        return Translation::Proved;
+    for depth in [Depth::Choices, Depth::Sums] {
+        let closed = opaque(pool, &different, depth);
+        if closed.chunks_exact(2).all(|pair| are_equal(pool, &pair[..1], &pair[1..])) {
+            return Translation::Proved;
+        }
     }
-    let opaque = opaque(pool, &different, Choices::Kept);
+    let opaque = opaque(pool, &different, Depth::Functions);
     if by_pieces(pool, &opaque, &[], effort).is_proved() {
         return Translation::Proved;
     }
@@ -152,6 +155,10 @@ fn by_pieces(pool: &mut Pool, different: &[Expr], conditions: &[Condition], effo
             .map(|(condition, side)| Condition { left: side[0], right: side[1], ..*condition })
             .collect();
         assumed.extend(piece.path);
+        if let Some(points) = equal_by_ratios(pool, &sides, &assumed, effort) {
+            seen += points;
+            continue;
+        }
         match (Equations { sides: &sides, conditions: &assumed }).decide(pool, effort) {
             Finding::Equal { points } => seen += points,
             Finding::Empty(reason) => nowhere = format!("it is defined nowhere: {reason}"),

@@ -11,6 +11,8 @@ const SQUARE_ROOT: u32 = 5;
 const PRODUCTS: u32 = 6;
 /// A general power beside an addition.
 const POWER: u32 = 30;
+/// How often an integrand is computed for one integral, about.
+const NODES: u32 = 60;
 /// A choice beside an addition.
 const SELECT: u32 = 2;
 
@@ -86,7 +88,9 @@ impl Program {
                 Instruction::Divide(..) => count.divisions += 1,
                 Instruction::Negate(_) => count.negations += 1,
                 Instruction::Sqrt(_) => count.square_roots += 1,
-                Instruction::Power(..) | Instruction::Call(..) => count.function_calls += 1,
+                Instruction::Power(..) | Instruction::Call(..) | Instruction::Quadrature { .. } => {
+                    count.function_calls += 1;
+                }
                 Instruction::Select { .. } => count.selects += 1,
             }
         }
@@ -107,6 +111,7 @@ impl Program {
             Instruction::Sqrt(_) => SQUARE_ROOT,
             Instruction::Power(..) => POWER,
             Instruction::Call(operation, _) => operation.row().cost,
+            Instruction::Quadrature { integrand, .. } => NODES * integrand.cost(),
             Instruction::Select { .. } => SELECT,
         };
         self.instructions.iter().map(cost).sum()

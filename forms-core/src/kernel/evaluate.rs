@@ -11,13 +11,18 @@ use rustc_hash::FxHashMap;
 pub fn evaluate_f64(pool: &Pool, expressions: &[Expr], values: &[(Symbol, f64)]) -> Option<Vec<f64>> {
     let mut known: FxHashMap<Expr, f64> = FxHashMap::default();
     for expression in pool.reachable(expressions) {
-        let value = evaluate_node(pool.node(expression), values, &known)?;
+        let value = evaluate_node(pool, pool.node(expression), values, &known)?;
         known.insert(expression, value);
     }
     Some(expressions.iter().map(|expression| known[expression]).collect())
 }
 
-fn evaluate_node(node: &Node, values: &[(Symbol, f64)], known: &FxHashMap<Expr, f64>) -> Option<f64> {
+fn evaluate_node(
+    pool: &Pool,
+    node: &Node,
+    values: &[(Symbol, f64)],
+    known: &FxHashMap<Expr, f64>,
+) -> Option<f64> {
     let of = |expression: &Expr| known[expression];
     Some(match node {
         Node::Number(value) => nearest_f64(value),
@@ -32,7 +37,19 @@ fn evaluate_node(node: &Node, values: &[(Symbol, f64)], known: &FxHashMap<Expr, 
             let arguments: Vec<f64> = arguments.iter().map(of).collect();
             operation.apply(&arguments)
         }
-        Node::Jet { .. } => return None,
+        Node::Jet { function, arguments, .. } => {
+            let quadrature = pool.quadrature_of(*function)?;
+            let [from, to, captured @ ..] = &arguments[..] else { return None };
+            let mut inner: Vec<(Symbol, f64)> =
+                quadrature.parameters.iter().copied().zip(captured.iter().map(of)).collect();
+            inner.push((quadrature.variable, 0.0));
+            let place = inner.len() - 1;
+            f64::quadrature(of(from), of(to), |t| {
+                let mut values = inner.clone();
+                values[place].1 = t;
+                evaluate_f64(pool, &[quadrature.integrand], &values).map_or(f64::NAN, |values| values[0])
+            })
+        }
         Node::Select { left, relation, right, then, otherwise, .. } => {
             match holds(*relation, of(left), of(right)) {
                 Some(true) => of(then),

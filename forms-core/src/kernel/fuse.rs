@@ -8,6 +8,7 @@
 
 use super::numbering::without_unused;
 use super::program::{Instruction, ProductSum, Program, Value};
+use super::schedule::schedule;
 
 /// The program with products that one sum uses fused into it.
 pub(super) fn fuse(program: &Program) -> Program {
@@ -64,7 +65,7 @@ fn rewritten(program: &Program, replacement: impl Fn(&Instruction) -> Option<Ins
 impl Program {
     /// The same kernel with differences and sums of two products that may cancel computed without loss.
     pub fn compensate(&self) -> Program {
-        fuse(&compensate(&self.unfused()))
+        schedule(&fuse(&compensate(&self.unfused())))
     }
 
     /// The same kernel in additions, subtractions and multiplications.

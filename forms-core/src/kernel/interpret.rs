@@ -116,6 +116,15 @@ fn value_of<T: Real>(instruction: &Instruction, arguments: &[T], of: impl Fn(Val
             let operands: Vec<T> = operands.iter().map(|&operand| of(operand)).collect();
             operation.apply(&operands)
         }
+        Instruction::Quadrature { integrand, operands } => {
+            let [from, to, captured @ ..] = &operands[..] else { return T::nan() };
+            let captured: Vec<T> = captured.iter().map(|&operand| of(operand)).collect();
+            let interpreter = integrand.interpreter::<T>();
+            T::quadrature(of(*from), of(*to), |t| {
+                let arguments: Vec<T> = std::iter::once(t).chain(captured.iter().copied()).collect();
+                interpreter.values(&arguments)[0]
+            })
+        }
         Instruction::Select { left, relation, right, then, otherwise } => {
             choice([of(*left), of(*right)], *relation, [of(*then), of(*otherwise)])
         }

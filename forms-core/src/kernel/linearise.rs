@@ -94,6 +94,10 @@ impl Lines<'_> {
                 let operands: Vec<Value> = operands.iter().map(|&operand| self.scaled(operand)).collect();
                 self.push(Instruction::Call(*operation, operands.into()))
             }
+            Form::Quadrature(integrand, operands) => {
+                let operands = operands.iter().map(|&operand| self.scaled(operand)).collect();
+                self.push(Instruction::Quadrature { integrand: integrand.clone(), operands })
+            }
             Form::Power(base, exponent) => {
                 let base = self.scaled(*base);
                 self.push(Instruction::Power(base, *exponent))

@@ -2,7 +2,7 @@
 
 use super::constant::Constant;
 use super::program::{Comparison, Instruction, Program, Value};
-use crate::expression::{Condition, Expr, Node, Pool, Symbol};
+use crate::expression::{Condition, Expr, FunctionId, Node, Pool, Symbol};
 use num_rational::Ratio;
 use rustc_hash::FxHashMap;
 use std::fmt;
@@ -127,6 +127,12 @@ fn instruction(
         Node::Apply(operation, arguments) => {
             Instruction::Call(*operation, arguments.iter().map(|&argument| of(argument)).collect())
         }
+        Node::Jet { function, arguments, .. } if pool.quadrature_of(*function).is_some() => {
+            Instruction::Quadrature {
+                integrand: Box::new(integrand(pool, *function)?),
+                operands: arguments.iter().map(|&argument| of(argument)).collect(),
+            }
+        }
         Node::Jet { function, .. } => {
             return Err(LowerError::UnknownFunction(pool.function(*function).name.clone()));
         }
@@ -138,4 +144,18 @@ fn instruction(
             otherwise: of(*otherwise),
         },
     })
+}
+
+/// What a quadrature integrates, as a kernel of its variable and of what else it depends on.
+fn integrand(pool: &Pool, function: FunctionId) -> Result<Program, LowerError> {
+    let unknown = || LowerError::UnknownFunction(pool.function(function).name.clone());
+    let quadrature = pool.quadrature_of(function).ok_or_else(unknown)?;
+    let arguments = std::iter::once(quadrature.variable).chain(quadrature.parameters.iter().copied());
+    let source = KernelSource {
+        name: "integrand".to_owned(),
+        arguments: arguments.collect(),
+        outputs: vec![quadrature.integrand],
+        ..KernelSource::default()
+    };
+    lower(pool, &source)
 }

@@ -58,7 +58,10 @@ mod tally;
 pub use constant::Constant;
 pub(crate) use constant::{Binary, DOUBLE, SINGLE, nearest, nearest_f64};
 pub use count::OperationCount;
-pub use emit::{EmitError, KernelDocs, Precision, Target, emit, emit_formula, emit_rust};
+pub use emit::{
+    EmitError, KernelDocs, MANY_ARGUMENTS, Precision, Source, Target, emit, emit_formula, emit_rust,
+    emit_rust_within,
+};
 pub use evaluate::evaluate_f64;
 pub use interpret::Interpreter;
 pub use lower::{KernelSource, LowerError, lower};

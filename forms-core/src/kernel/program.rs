@@ -84,6 +84,13 @@ pub enum Instruction {
     Power(Value, Ratio<i64>),
     /// A function of the op table.
     Call(Operation, Box<[Value]>),
+    /// ∫ₐᵇ w dt, computed numerically.
+    Quadrature {
+        /// What is integrated, as a kernel of t and of the other values.
+        integrand: Box<Program>,
+        /// a, b, and the values that the integrand depends on beside t.
+        operands: Box<[Value]>,
+    },
     /// `then` where the relation holds, `otherwise` where it does not, NaN where the sides cannot be compared.
     Select {
         /// The relation's left side.
@@ -113,7 +120,7 @@ impl Instruction {
             Instruction::DifferenceOfProducts(factors) | Instruction::SumOfProducts(factors) => {
                 factors.to_vec()
             }
-            Instruction::Call(_, arguments) => arguments.to_vec(),
+            Instruction::Call(_, operands) | Instruction::Quadrature { operands, .. } => operands.to_vec(),
             Instruction::Select { left, right, then, otherwise, .. } => {
                 vec![*left, *right, *then, *otherwise]
             }
@@ -137,6 +144,10 @@ impl Instruction {
             Instruction::Call(operation, arguments) => {
                 Instruction::Call(*operation, arguments.iter().map(|&a| of(a)).collect())
             }
+            Instruction::Quadrature { integrand, operands } => Instruction::Quadrature {
+                integrand: integrand.clone(),
+                operands: operands.iter().map(|&a| of(a)).collect(),
+            },
             Instruction::Select { left, relation, right, then, otherwise } => Instruction::Select {
                 left: of(*left),
                 relation: *relation,
@@ -167,7 +178,7 @@ pub(super) fn holds(relation: Relation, left: f64, right: f64) -> Option<bool> {
 /// A kernel as instructions.
 ///
 /// Its value is NaN wherever a condition of its domain fails, and wherever an argument it depends on is NaN.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Program {
     pub(crate) name: String,
     pub(crate) public: bool,

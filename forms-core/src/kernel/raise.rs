@@ -2,7 +2,7 @@
 
 use super::constant::Constant;
 use super::program::{Instruction, Program, Value};
-use crate::expression::{Condition, Expr, Pool, Seam, Symbol};
+use crate::expression::{Condition, Expr, Pool, Seam, Substitution, Symbol, SymbolKind};
 
 /// A program as expressions.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -66,10 +66,30 @@ fn raise_instruction(
             let operands: Vec<Expr> = operands.iter().map(of).collect();
             pool.apply(*operation, &operands)
         }
+        Instruction::Quadrature { integrand, operands } => {
+            let operands: Vec<Expr> = operands.iter().map(of).collect();
+            raise_quadrature(integrand, &operands, pool)
+        }
         Instruction::Select { left, relation, right, then, otherwise } => {
             pool.select((of(left), *relation, of(right)), of(then), of(otherwise), Seam::Agrees)
         }
     }
+}
+
+/// The integrand as an expression of variables of its own, for which the other values are put in afterwards.
+fn raise_quadrature(integrand: &Program, operands: &[Expr], pool: &mut Pool) -> Expr {
+    let [from, to, captured @ ..] = operands else { return pool.integer(0) };
+    let names = integrand.arguments().to_vec();
+    let variables: Vec<Symbol> =
+        names.into_iter().map(|name| pool.declare_symbol(name, SymbolKind::Local)).collect();
+    let value = integrand.raise(pool, &variables).outputs[0];
+    let captured = variables[1..].iter().copied().zip(captured.iter().copied()).collect();
+    let ends = [(), ()].map(|()| pool.declare_symbol("end", SymbolKind::Local));
+    let [a, b] = ends.map(|end| pool.symbol(end));
+    let integral = pool.quadrature(value, variables[0], a, b);
+    let mut values: Substitution = captured;
+    values.extend([(ends[0], *from), (ends[1], *to)]);
+    pool.substitute(integral, &values)
 }
 
 /// q πᵏ

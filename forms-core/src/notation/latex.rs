@@ -176,6 +176,9 @@ impl Writer<'_> {
         if let Some(integral) = self.integral(function, orders, arguments) {
             return integral;
         }
+        if let Some(quadrature) = self.quadrature(function, arguments) {
+            return quadrature;
+        }
         let unknown = self.pool.function(function);
         let name = latex_name(&unknown.name);
         let total: u32 = orders.iter().sum();
@@ -204,6 +207,16 @@ impl Writer<'_> {
         }
         let list: Vec<String> = arguments.iter().map(|&a| self.of(a, Binding::Sum)).collect();
         (format!("{head}{}", bracketed(&list.join(", "))), Binding::Fraction)
+    }
+
+    /// ∫ₐᵇ w ds, where a function is a quadrature
+    fn quadrature(&self, function: FunctionId, arguments: &[Expr]) -> Option<(String, Binding)> {
+        let mut pool = self.pool.clone();
+        let (integrand, variable) = pool.integrand_at(function, arguments)?;
+        let [from, to] = [arguments[0], arguments[1]].map(|end| self.of(end, Binding::Sum));
+        let name = latex_name(pool.symbol_name(variable));
+        let integrand = latex_of_expression(&pool, integrand);
+        Some((format!("\\int_{{{from}}}^{{{to}}} {integrand}\\,\\mathrm{{d}}{name}"), Binding::Sum))
     }
 
     /// ∫₀ᵇ w ds, where a function stands for one

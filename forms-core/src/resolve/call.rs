@@ -27,6 +27,9 @@ impl Evaluator<'_> {
         if name == "integral" {
             return self.integral(arguments, span);
         }
+        if name == "quadrature" {
+            return self.quadrature(arguments, span);
+        }
         if name == "boundary_integral" {
             return self.boundary_integral(arguments, span);
         }
@@ -320,7 +323,7 @@ fn plain_arguments(arguments: &[Argument]) -> Evaluated<Vec<&ast::Expr>> {
             Argument::Value(value) => Ok(value),
             Argument::Range { variable, .. } => Err(Diagnostic::new(
                 variable.span,
-                "a range `u = a..b` belongs to `integral` and `boundary_integral` only",
+                "a range `u = a..b` belongs to `integral`, `quadrature` and `boundary_integral` only",
             )),
         })
         .collect()

@@ -25,6 +25,8 @@ pub(super) struct Evaluator<'a> {
     pub(super) declared: &'a super::items::Declarations,
     /// What the statement says of the points that it speaks of.
     pub(super) given: Vec<Condition>,
+    /// Whether it is a kernel that is evaluated: integrals without a closed form are computed numerically there.
+    pub(super) in_kernel: bool,
     /// What each part of the source was evaluated to, where that is wanted.
     pub(super) trace: Option<Trace>,
 }
@@ -34,7 +36,14 @@ pub type Trace = FxHashMap<Span, Value>;
 
 impl<'a> Evaluator<'a> {
     pub(super) fn new(theory: &'a mut Theory, declared: &'a super::items::Declarations) -> Self {
-        Evaluator { theory, scope: Scope::default(), declared, given: Vec::new(), trace: None }
+        Evaluator {
+            theory,
+            scope: Scope::default(),
+            declared,
+            given: Vec::new(),
+            in_kernel: false,
+            trace: None,
+        }
     }
 
     pub(super) fn ring(&mut self) -> Structured<'_> {

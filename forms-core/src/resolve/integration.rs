@@ -2,7 +2,7 @@
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::scope::Scope;
-use super::theory::Integration;
+use super::theory::{Integration, Named};
 use super::value::Value;
 use crate::assume::is_at_most;
 use crate::calculus::{Blade, Form};
@@ -34,6 +34,46 @@ impl Evaluator<'_> {
         let coefficient = self.integrand(value, &ranges, integrand.span)?;
         let defined: Vec<Condition> = bounds.conditions().iter().chain(inner.conditions()).copied().collect();
         let integral = self.iterated(coefficient, &ranges, &defined, integrand.span)?;
+        self.keep_outside(&bounds, &ranges);
+        self.keep_outside(&inner, &ranges);
+        Ok(Value::Scalar(integral))
+    }
+
+    /// `quadrature(f, t = a..b)`: the integral as it is. In a statement the integrand has to be known to be defined all over
+    /// the range; in a kernel it is whoever computes it who meets a place where it is not.
+    pub(super) fn quadrature(&mut self, arguments: &[Argument], span: Span) -> Evaluated<Value> {
+        let [Argument::Value(integrand), range @ Argument::Range { variable, .. }] = arguments else {
+            let message = "`quadrature` takes an integrand and one range: quadrature(f, t = 0..1)";
+            return Err(Diagnostic::new(span, message));
+        };
+        // the variable may be a name of its own
+        let is_new = self.theory.named(&variable.text).is_none();
+        if is_new {
+            let symbol = self.theory.pool.declare_symbol(&variable.text, SymbolKind::Local);
+            self.theory.names.declare(variable, Named::Parameter(symbol))?;
+        }
+        let value = self.quadrature_over(integrand, range);
+        if is_new {
+            self.theory.names.remove(&variable.text);
+        }
+        value
+    }
+
+    fn quadrature_over(&mut self, integrand: &ast::Expr, range: &Argument) -> Evaluated<Value> {
+        let (ranges, bounds) = self.ranges(std::slice::from_ref(range))?;
+        let (value, inner) =
+            self.bound_by(&ranges, |evaluator| evaluator.apart(|evaluator| evaluator.scalar(integrand)))?;
+        if !self.in_kernel {
+            let mut region = self.region(value, inner.conditions(), &ranges);
+            let unmet = region.first_unmet(&mut self.theory.pool, inner.conditions(), Strictness::Strict);
+            if let Some(condition) = unmet {
+                let text = condition.text(&self.theory.pool);
+                let message = format!("it is not known that `{text}` holds all over the range");
+                return Err(Diagnostic::new(integrand.span, message));
+            }
+        }
+        let Range { symbol, from, to, .. } = ranges[0];
+        let integral = self.theory.pool.quadrature(value, symbol, from, to);
         self.keep_outside(&bounds, &ranges);
         self.keep_outside(&inner, &ranges);
         Ok(Value::Scalar(integral))
@@ -111,7 +151,17 @@ impl Evaluator<'_> {
         let whole = region.clone();
         let mut integral = integrand;
         for range in ranges.iter().rev() {
-            let found = region.integral(&mut self.theory.pool, integral).map_err(|reason| {
+            let attempt = region.integral(&mut self.theory.pool, integral);
+            if self.in_kernel && attempt.is_err() {
+                // what has no closed form is computed, if it is known to be continuous
+                let mut whole = whole.clone();
+                if whole.first_unmet(&mut self.theory.pool, defined, Strictness::Strict).is_none() {
+                    integral = self.theory.pool.quadrature(integral, range.symbol, range.from, range.to);
+                    region.forget_innermost(&self.theory.pool);
+                    continue;
+                }
+            }
+            let found = attempt.map_err(|reason| {
                 let message = format!("cannot integrate over `{}`: {reason}", range.name.text);
                 // Continuous on a closed box, the integrand has an integral; with a singularity there may be none.
                 match whole.clone().first_unmet(&mut self.theory.pool, defined, Strictness::Strict) {

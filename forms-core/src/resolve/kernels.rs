@@ -168,7 +168,10 @@ impl Evaluator<'_> {
         outputs: &[ast::Expr],
         arguments: &[Symbol],
     ) -> Evaluated<Vec<Expr>> {
-        outputs.iter().map(|output| self.kernel_output(output, arguments)).collect()
+        self.in_kernel = true;
+        let values = outputs.iter().map(|output| self.kernel_output(output, arguments)).collect();
+        self.in_kernel = false;
+        values
     }
 
     fn kernel_output(&mut self, output: &ast::Expr, arguments: &[Symbol]) -> Evaluated<Expr> {
@@ -205,7 +208,9 @@ impl Evaluator<'_> {
             .with_help(format!("add `{}` to the kernel's arguments", pool.symbol_name(free))));
         }
         for node in pool.reachable(values) {
-            if let Node::Jet { function, .. } = pool.node(node) {
+            if let Node::Jet { function, .. } = pool.node(node)
+                && pool.quadrature_of(*function).is_none()
+            {
                 return Err(Diagnostic::new(
                     span,
                     format!(

@@ -164,6 +164,9 @@ impl<'a> Analysis<'a> {
                 let derivatives = program.outputs().iter().map(|output| values[output.place()]);
                 operands.iter().copied().zip(derivatives).collect()
             }
+            Instruction::Quadrature { operands, .. } => {
+                operands.iter().map(|&operand| (operand, Interval::EVERYTHING)).collect()
+            }
             Instruction::Select { left, relation, right, then, otherwise } => {
                 match of(*left).decide(*relation, of(*right)) {
                     Some(true) => vec![(*then, one)],
@@ -251,6 +254,8 @@ fn rounding(program: &Program, place: usize) -> (f64, f64) {
         // a few ulp, as `Real::difference_of_products` states
         Instruction::DifferenceOfProducts(_) | Instruction::SumOfProducts(_) => (FUNCTION, UNDERFLOW),
         Instruction::Power(..) | Instruction::Call(..) => (FUNCTION, UNDERFLOW),
+        // what the rule leaves out is estimated where it is computed, not bounded here
+        Instruction::Quadrature { .. } => (f64::INFINITY, f64::INFINITY),
     }
 }
 
@@ -289,6 +294,7 @@ fn ranges(
                 let operands: Vec<Interval> = operands.iter().map(of).collect();
                 Interval::apply(*operation, &operands)
             }
+            Instruction::Quadrature { .. } => Interval::EVERYTHING,
             Instruction::Select { left, relation, right, then, otherwise } => {
                 match of(left).decide(*relation, of(right)) {
                     Some(true) => of(then),

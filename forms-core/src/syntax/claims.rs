@@ -1,4 +1,6 @@
 //! What a warp claims, written out as statements: its density is that of the map, and its inverse undoes it.
+//!
+//! What its author did not write stands at places of length 0 beside what it is made from, each part at its own.
 
 use super::ast::{Argument, Binary, Claim, Condition, Expr, ExprKind, Item, ItemKind, Name, Relation, Warp};
 use crate::diagnostic::Span;
@@ -15,17 +17,16 @@ impl Warp {
 
     /// `pullback(NAME, density*form)`
     pub(crate) fn density_on_the_square(&self) -> Expr {
-        let span = self.density.span.to(self.form.span);
-        let product = binary(Binary::Multiply, self.density.clone(), self.form.clone(), span);
-        self.pulled_back(product)
+        let span = self.density.span;
+        let product = binary(Binary::Multiply, self.density.clone(), self.form.clone(), before(span));
+        self.pulled_back(product, behind(span))
     }
 
     fn density_claim(&self, item: &Item, reverses: bool) -> Item {
-        let differential = |uniform: &Name| name(&format!("d{}", uniform.text), uniform.span);
-        let area = self.sum_of(Binary::Wedge, differential);
+        let differential = |uniform: &Name| name(&format!("d{}", uniform.text), before(uniform.span));
+        let area = self.joined(Binary::Wedge, self.name.span, differential);
         let right = if reverses {
-            let span = area.span;
-            Expr { kind: Box::new(ExprKind::Negate(area)), span }
+            Expr { kind: Box::new(ExprKind::Negate(area)), span: before(self.name.span) }
         } else {
             area
         };
@@ -42,17 +43,20 @@ impl Warp {
         if self.inverse.is_empty() {
             return None;
         }
-        let along = |value: Expr, uniform: &Name| {
-            let basis = Expr { kind: Box::new(ExprKind::Basis(uniform.clone())), span: uniform.span };
-            let span = value.span;
-            binary(Binary::Multiply, value, basis, span)
+        let along = |value: Expr, uniform: &Name, span: Span| {
+            let basis = Expr { kind: Box::new(ExprKind::Basis(uniform.clone())), span: before(uniform.span) };
+            binary(Binary::Multiply, value, basis, before(span))
         };
         let mut values = self.inverse.iter();
-        let left = self.sum_of(Binary::Add, |uniform| {
-            let value = values.next().cloned().unwrap_or_else(|| name(&uniform.text, uniform.span));
-            along(self.pulled_back(value), uniform)
+        let left = self.joined(Binary::Add, self.target.span, |uniform| {
+            let own = || name(&uniform.text, before(uniform.span));
+            let value = values.next().cloned().unwrap_or_else(own);
+            let span = value.span;
+            along(self.pulled_back(value, behind(span)), uniform, span)
         });
-        let right = self.sum_of(Binary::Add, |uniform| along(name(&uniform.text, uniform.span), uniform));
+        let right = self.joined(Binary::Add, self.name.span, |uniform| {
+            along(name(&uniform.text, before(uniform.span)), uniform, uniform.span)
+        });
         let docs = format!("The inverse of `{}` gives the uniform numbers back.", self.name.text);
         Some(self.statement(item, "inverse", docs, left, right))
     }
@@ -60,7 +64,7 @@ impl Warp {
     /// Where the uniform numbers are, `0 < u < 1` each, and what the warp itself says.
     pub(crate) fn all_conditions(&self) -> Vec<Condition> {
         let inside = self.uniforms.iter().map(|uniform| {
-            let span = uniform.name.span;
+            let span = before(uniform.name.span);
             let variable = name(&uniform.name.text, span);
             let rest = vec![(Relation::Less, variable), (Relation::Less, number(1, span))];
             Condition { first: number(0, span), rest, span }
@@ -80,27 +84,29 @@ impl Warp {
         Name { text: format!("{}_{part}", self.name.text), span: self.name.span }
     }
 
-    fn pulled_back(&self, value: Expr) -> Expr {
-        let span = value.span;
-        let map = Argument::Value(name(&self.name.text, self.name.span));
+    fn pulled_back(&self, value: Expr, span: Span) -> Expr {
+        let map = Argument::Value(name(&self.name.text, before(self.name.span)));
         let function = Name { text: "pullback".to_owned(), span: self.name.span };
         let arguments = vec![map, Argument::Value(value)];
-        Expr {
-            kind: Box::new(ExprKind::Call { function, index: None, arguments }),
-            span: self.name.span.to(span),
-        }
+        Expr { kind: Box::new(ExprKind::Call { function, index: None, arguments }), span }
     }
 
     /// What stands for each uniform number, joined by an operator.
-    fn sum_of(&self, operator: Binary, mut part: impl FnMut(&Name) -> Expr) -> Expr {
-        let mut parts =
-            self.uniforms.iter().map(|uniform| part(&uniform.name)).collect::<Vec<_>>().into_iter();
-        let first = parts.next().unwrap_or_else(|| number(1, self.name.span));
-        parts.fold(first, |all, next| {
-            let span = all.span.to(next.span);
-            binary(operator, all, next, span)
-        })
+    fn joined(&self, operator: Binary, place: Span, mut part: impl FnMut(&Name) -> Expr) -> Expr {
+        let parts: Vec<Expr> = self.uniforms.iter().map(|uniform| part(&uniform.name)).collect();
+        let joined = parts.into_iter().reduce(|all, next| binary(operator, all, next, behind(place)));
+        joined.unwrap_or_else(|| number(1, before(place)))
     }
+}
+
+/// The place of length 0 before another.
+fn before(span: Span) -> Span {
+    Span::new(span.start, span.start)
+}
+
+/// The place of length 0 behind another.
+fn behind(span: Span) -> Span {
+    Span::new(span.end, span.end)
 }
 
 fn name(text: &str, span: Span) -> Expr {

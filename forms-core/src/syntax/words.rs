@@ -44,6 +44,7 @@ pub const FUNCTIONS: &[&str] = &[
     "potential",
     "integral",
     "boundary_integral",
+    "quadrature",
     "sqrt",
     "sin",
     "cos",

@@ -20,7 +20,7 @@ impl Inference<'_> {
     ) -> Quantity {
         let name = function.text.as_str();
         match name {
-            "integral" => return self.integral(arguments),
+            "integral" | "quadrature" => return self.integral(arguments),
             "boundary_integral" => return self.boundary_integral(arguments),
             _ => {}
         }

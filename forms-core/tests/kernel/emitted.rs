@@ -22,10 +22,10 @@ const KERNELS: &[(&str, &str, &[&str])] = &[
 ];
 
 /// Where NaN, infinities, signed zeros and ordinary numbers come from: a fixed linear congruence.
-struct Inputs(u64);
+pub(crate) struct Inputs(pub(crate) u64);
 
 impl Inputs {
-    fn next(&mut self) -> f64 {
+    pub(crate) fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         match (self.0 >> 33) % 17 {
             0 => f64::NAN,
@@ -36,7 +36,8 @@ impl Inputs {
     }
 }
 
-fn kernels() -> Vec<Program> {
+/// The kernels as they are written and optimised, one with compensated products, and two with conditions.
+pub(crate) fn kernels() -> Vec<Program> {
     let mut programs = Vec::new();
     for (name, variables, outputs) in KERNELS {
         let mut formulas = Formulas::over(variables);
@@ -160,6 +161,7 @@ fn a_kernel_reads_as_written_by_hand() {
         conditions: vec!["x != 0".to_string()],
         units: "Units: `x` in `m`.".to_string(),
         translation: "Proved.".to_string(),
+        rounding: String::new(),
         docs: vec!["A field and a choice.".to_string()],
     };
     let expected = r#"/// A field and a choice.

@@ -3,5 +3,6 @@
 mod counts;
 mod emitted;
 mod formula;
+mod targets;
 mod translation;
 mod values;

@@ -14,8 +14,6 @@ mod length;
 mod method;
 #[cfg(feature = "ndarray")]
 mod rows;
-#[cfg(test)]
-mod tests;
 
 use crate::Formula;
 use block::{BLOCK, Kernel};

@@ -15,10 +15,11 @@ pub(crate) use power::{LARGEST_BY_SQUARING, rational_power};
 
 use crate::scalar::Scalar;
 
-/// s + c s³/3 + c² s⁵/5 + …: artanh s with c = 1, arctan s with c = −1, of |s| < 2⁻⁴⁰.
+/// s + c s³/3 + c² s⁵/5 + …: artanh s with c = 1, arctan s with c = −1, of |s| < 2⁻⁴⁹.
 fn odd_series<T: Scalar>(s: T, sign: f64) -> T {
     let square = s * s * T::from_f64(sign);
-    let terms = T::PRECISION / 80 + 1;
+    // The first term left out is below 2^(−98 (terms + 1)) of the sum.
+    let terms = (T::PRECISION + 8).div_ceil(98) - 1;
     let mut sum = T::from_f64(0.0);
     for term in (1..=terms).rev() {
         sum = (sum + T::from_f64(1.0) / T::from_f64(f64::from(2 * term + 1))) * square;

@@ -148,7 +148,9 @@ impl<T: Guardable> Guarded<T> {
     /// |x η − y ξ|/(x² + y² + x ξ + y η) ≤ (q η + p ξ)/(m − ξ − η), where the sign of y is certain left of the origin.
     pub(super) fn angle(self, x: Self) -> Self {
         let (y, zero) = (self, T::from_f64(0.0));
-        let value = y.value.atan2(x.value);
+        // Zero has no sign here, whatever the type makes of one.
+        let unsigned = |value: T| if value == zero { zero } else { value };
+        let value = unsigned(y.value).atan2(unsigned(x.value));
         if y.is_undefined() || x.is_undefined() {
             return Self::undefined();
         }

@@ -20,6 +20,8 @@ pub struct Units {
     pub(super) special: f64,
     /// Eₙ
     pub(super) exponential_integral: f64,
+    /// A constant given by its words
+    pub(super) constant: f64,
     /// A node's or weight's in a quadrature
     pub(super) node: f64,
     /// So often the logarithm of a node or weight to the base 2, in addition
@@ -69,6 +71,7 @@ impl Guardable for f64 {
         power_by_logarithm: 6.0,
         special: 2.0,
         exponential_integral: 2.0,
+        constant: 1.0,
         node: 1.0,
         node_by_logarithm: 0.0,
     };
@@ -174,6 +177,7 @@ impl Guardable for DoubleDouble {
         power_by_logarithm: 128.0,
         special: 512.0,
         exponential_integral: 512.0,
+        constant: 4.0,
         node: 64.0,
         node_by_logarithm: 16.0,
     };
@@ -238,6 +242,7 @@ impl<const LIMBS: usize> Guardable for Wide<LIMBS> {
         power_by_logarithm: 16.0,
         special: 16.0,
         exponential_integral: 16.0,
+        constant: 1.0,
         node: 4.0,
         node_by_logarithm: 1.0,
     };

@@ -68,7 +68,7 @@ impl<T: Guardable> Real for Guarded<T> {
         }
         // What the words leave, and what the type leaves of the words.
         let beyond = T::Bound::of(last.abs()).shifted(-53);
-        Self { value, error: value.rounding(4.0).plus(beyond) }
+        Self { value, error: value.rounding(T::UNITS.constant).plus(beyond) }
     }
     #[inline]
     fn from_f64(value: f64) -> Self {

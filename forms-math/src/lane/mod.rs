@@ -8,7 +8,11 @@
 //! surrounding function is compiled for. With `FMA` the processor must have fused multiply-add, else each is a call.
 //!
 //! A function that gives up on an argument, because it is rare and would cost all others, has the value NaN there:
-//! [`batch`](crate::batch) computes such values again by the functions of single numbers.
+//! [`batch`](crate::batch) computes such values again by the functions of single numbers. These are angles beyond 2²⁰ right
+//! angles (2¹² in `f32`), powers whose intermediate values leave the range of pairs, and everywhere the functions that
+//! lanes do not have: exponential integrals, the dilogarithm, Clausen's function and quadratures.
+//!
+//! The largest error of every function is below 1.5 ulp, with fused multiply-add and without: `tests/lanes` measures it.
 
 mod bounded;
 mod coefficients;
@@ -19,8 +23,6 @@ mod logarithm;
 mod pair;
 mod power;
 mod real;
-#[cfg(test)]
-mod tests;
 mod trigonometric;
 mod word;
 

@@ -26,6 +26,16 @@ macro_rules! functions {
     )*)* };
 }
 
+/// Functions that lanes do not have: a batch computes them in one number.
+macro_rules! unknown {
+    ($($name:ident),*) => { $(
+        #[inline(always)]
+        fn $name(self) -> Self {
+            Self::nan()
+        }
+    )* };
+}
+
 macro_rules! real {
     ($lane:ident, $raw:ty) => {
         impl<const FMA: bool> Real for $lane<FMA> {
@@ -88,22 +98,9 @@ macro_rules! real {
                 logarithm: ln, ln_1p;
                 error_function: erf;
             }
-            fn expint1(self) -> Self {
-                Self::nan()
-            }
-            fn expint2(self) -> Self {
-                Self::nan()
-            }
-            fn expint3(self) -> Self {
-                Self::nan()
-            }
-            fn dilog(self) -> Self {
-                Self::nan()
-            }
-            fn clausen(self) -> Self {
-                Self::nan()
-            }
-            fn quadrature(_from: Self, _to: Self, _integrand: impl Fn(Self) -> Self) -> Self {
+            unknown!(expint1, expint2, expint3, dilog, clausen);
+            #[inline(always)]
+            fn quadrature(_: Self, _: Self, _: impl Fn(Self) -> Self) -> Self {
                 Self::nan()
             }
         }

@@ -16,13 +16,14 @@ pub(crate) fn error_function<T: Scalar>(x: T, bits: u32) -> T {
         return if x.to_f64() < 0.0 { -one } else { one };
     }
     let square = x * x;
+    let step = square.scaled(1);
     let (mut term, mut sum) = (one, one);
     let mut odd = 1.0;
     let negligible = one.scaled(-i64::from(bits) - 2);
     // The terms grow until 2n + 1 > 2 x² and fall by at least the half beyond twice that.
     while term > sum * negligible {
         odd += 2.0;
-        term = term * square.scaled(1) / T::from_f64(odd);
+        term = term * step / T::from_f64(odd);
         sum = sum + term;
     }
     x.scaled(1) * ((-square).exp() * sum / T::pi().sqrt())

@@ -38,8 +38,12 @@ fn by_series<T: Scalar>(order: u32, x: T, bits: u32) -> T {
         }
     }
     let mut value = sum - (T::euler_gamma() + x.ln());
+    if order == 1 {
+        return value;
+    }
+    let decay = (-x).exp();
     for lower in 1..order {
-        value = ((-x).exp() - x * value) / T::from_f64(f64::from(lower));
+        value = (decay - x * value) / T::from_f64(f64::from(lower));
     }
     value
 }

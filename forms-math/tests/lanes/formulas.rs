@@ -29,11 +29,6 @@ functions! {
     Cosh: cosh;
     Tanh: tanh;
     Erf: erf;
-    Sqrt: sqrt;
-    Expint1: expint1;
-    Expint2: expint2;
-    Expint3: expint3;
-    Dilog: dilog;
     Clausen: clausen;
 }
 

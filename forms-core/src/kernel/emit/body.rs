@@ -187,6 +187,10 @@ impl Body<'_> {
                 let operands: Vec<&Written> = operands.iter().map(|&operand| self.text(operand)).collect();
                 self.dialect.call(*operation, &operands)
             }
+            Instruction::Quadrature { integrand, operands } => {
+                let operands: Vec<&Written> = operands.iter().map(|&operand| self.text(operand)).collect();
+                self.dialect.quadrature(integrand, &operands)
+            }
             Instruction::Select { left, relation, right, then, otherwise } => {
                 let dialect = self.dialect;
                 match dialect.choices() {

@@ -57,7 +57,8 @@ const DIFFERENCE_OF_PRODUCTS: &str = "\
 SPECIFIERS NUMBER forms_difference_of_products(NUMBER a, NUMBER b, NUMBER c, NUMBER d) {
     const NUMBER product = c * d;
     const NUMBER error = fmaSUFFIX(-c, d, product);
-    return fmaSUFFIX(a, b, -product) + error;
+    const NUMBER value = fmaSUFFIX(a, b, -product) + error;
+    return isnan(value) ? a * b - product : value;
 }
 ";
 

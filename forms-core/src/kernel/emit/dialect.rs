@@ -3,7 +3,7 @@
 use super::written::{Written, infix};
 use crate::expression::Operation;
 use crate::kernel::constant::Constant;
-use crate::kernel::program::ProductSum;
+use crate::kernel::program::{ProductSum, Program};
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 
@@ -29,6 +29,12 @@ pub(super) trait Dialect {
         let product = infix(a, "*", b);
         let [left, right] = sum.terms(&product, c);
         infix(left, if sum.is_difference() { "-" } else { "+" }, right)
+    }
+
+    /// The integral of a program of one output from the first operand to the second; the others are what it depends on
+    /// beside its first argument. Only of languages with functions within functions.
+    fn quadrature(&self, _integrand: &Program, _operands: &[&Written]) -> Written {
+        Written::atom(self.nan())
     }
 
     /// NaN

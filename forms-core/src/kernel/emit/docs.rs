@@ -15,7 +15,7 @@ pub struct KernelDocs {
     pub units: String,
     /// What is known of the agreement of the program with the formula.
     pub translation: String,
-    /// A bound of the rounding error, where there is one.
+    /// A bound of the error in `f64`, where there is one.
     pub rounding: String,
     /// The author's own lines.
     pub docs: Vec<String>,

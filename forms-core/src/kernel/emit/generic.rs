@@ -6,13 +6,18 @@
 use super::body;
 use super::dialect::{ChoiceFunction, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
+use super::number::number;
 use super::rust::attributes;
+use super::target::Precision;
 use super::written::{Binding, Written, function, negated};
 use crate::expression::Operation;
 use crate::kernel::constant::Constant;
 use crate::kernel::program::{Instruction, ProductSum, Program};
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
+
+/// The module that is pasted beside kernels.
+pub(super) const MATH: &str = "forms_math";
 
 /// `impl FORMULA for TYPE`, where the paths `math` lead to what `forms_math` exports.
 pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
@@ -34,6 +39,13 @@ pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
     )
 }
 
+/// A type `Formula` of the program, to stand in a function.
+pub(super) fn nested_formula(program: &Program) -> String {
+    let formula = emit_formula(program, "Formula", MATH);
+    let lines: String = formula.lines().map(|line| format!("    {line}\n")).collect();
+    format!("    enum Formula {{}}\n{lines}")
+}
+
 /// A documented function of double-doubles, with its formula beside it.
 pub(super) fn double_double(program: &Program, docs: &KernelDocs) -> String {
     let number = "forms_math::DoubleDouble";
@@ -43,10 +55,9 @@ pub(super) fn double_double(program: &Program, docs: &KernelDocs) -> String {
         1 => (number.to_string(), "[0]"),
         several => (format!("[{number}; {several}]"), ""),
     };
-    let formula = emit_formula(program, "Formula", "forms_math");
-    let formula = formula.lines().map(|line| format!("    {line}\n")).collect::<String>();
+    let formula = nested_formula(program);
     format!(
-        "{}{}{}fn {}(\n{}) -> {result} {{\n    enum Formula {{}}\n{formula}    \
+        "{}{}{}fn {}(\n{}) -> {result} {{\n{formula}    \
          <Formula as forms_math::Formula<{count}, {outputs}>>::value([{}]){ending}\n}}\n",
         documentation(program, docs, "///"),
         attributes(program),
@@ -55,6 +66,29 @@ pub(super) fn double_double(program: &Program, docs: &KernelDocs) -> String {
         parameters.iter().map(|parameter| format!("    {parameter},\n")).collect::<String>(),
         program.arguments.join(", "),
     )
+}
+
+/// `quadrature(from, to, |s| …)`, where what the integrand depends on is given names before.
+pub(super) fn closure(
+    dialect: &dyn Dialect,
+    quadrature: &str,
+    integrand: &Program,
+    operands: &[&Written],
+    result: impl Fn(&str) -> String,
+) -> Written {
+    let [from, to, captured @ ..] = operands else { return Written::atom(dialect.nan()) };
+    let names: Vec<String> = (0..captured.len()).map(|place| format!("k{place}")).collect();
+    let arguments: Vec<String> = std::iter::once("s".to_string()).chain(names.iter().cloned()).collect();
+    let body = result(&body::write(dialect, integrand, &arguments));
+    let values: Vec<String> = captured.iter().map(|value| value.argument()).collect();
+    let (from, to) = (from.argument(), to.argument());
+    let captures = match captured {
+        [] => String::new(),
+        _ => format!("    let [{}] = [{}];\n", names.join(", "), values.join(", ")),
+    };
+    Written::atom(format!(
+        "{{\n    let (from, to) = ({from}, {to});\n{captures}    {quadrature}(from, to, |s| {{\n{body}    }})\n}}"
+    ))
 }
 
 /// Rust over any `T: Real`.
@@ -76,9 +110,14 @@ impl Dialect for Generic {
     }
 
     fn number(&self, constant: &Constant) -> Written {
+        // the first word by its name where it has one
+        let first = number(constant, Precision::F64).text;
         Written::atom(match constant.words(Constant::WORDS)[..] {
-            [single] => format!("T::from_f64({single:?})"),
-            ref several => format!("T::constant(&{several:?})"),
+            [_] => format!("T::from_f64({first})"),
+            ref words => {
+                let rest: Vec<String> = words[1..].iter().map(|word| format!("{word:?}")).collect();
+                format!("T::constant(&[{first}, {}])", rest.join(", "))
+            }
         })
     }
 
@@ -106,6 +145,12 @@ impl Dialect for Generic {
     fn multiply_add(&self, sum: ProductSum, [a, b, c]: [&Written; 3]) -> Written {
         let [factor, summand] = sum.signed(a.clone(), c.clone(), |value| negated(&value));
         Self::method(&factor, "mul_add", &[b.argument(), summand.argument()])
+    }
+
+    fn quadrature(&self, integrand: &Program, operands: &[&Written]) -> Written {
+        closure(self, "T::quadrature", integrand, operands, |value| {
+            format!("let [value] = {{\n{value}}};\nvalue\n")
+        })
     }
 
     fn nan(&self) -> String {

@@ -3,11 +3,12 @@
 use super::body;
 use super::dialect::{Branches, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
+use super::generic::{MATH, closure, nested_formula};
 use super::number::{number, receiver};
 use super::target::Precision;
 use super::written::{Binding, Written, function};
-use crate::expression::Operation;
-use crate::kernel::constant::Constant;
+use crate::expression::{Operation, Rational};
+use crate::kernel::constant::{Constant, nearest_f64};
 use crate::kernel::program::{Instruction, Program};
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
@@ -17,7 +18,7 @@ const WIDTH: usize = 100;
 /// The longest array that stays on one line.
 const ARRAY: usize = 60;
 /// The most arguments a function has before clippy asks for a structure.
-const MANY_ARGUMENTS: usize = 7;
+pub const MANY_ARGUMENTS: usize = 7;
 
 /// A documented function. It needs nothing but the standard library, and where that does not do (see
 /// [`Program::needs_math`]) what `forms_math` exports, found by the path `math`.
@@ -25,16 +26,57 @@ pub fn emit_rust(program: &Program, docs: &KernelDocs, math: &str) -> String {
     written(program, docs, math, Precision::F64)
 }
 
-/// The same of `f32`s or of `f64`s.
+/// The same, its values within so many units of 2⁻⁵³ of the exact ones, relative to them: computed by `escalate` of
+/// `forms_math` from the type `formula`, which is a formula of this program (see [`emit_formula`](super::emit_formula)).
+pub fn emit_rust_within(
+    program: &Program,
+    docs: &KernelDocs,
+    math: &str,
+    formula: &str,
+    within: &Rational,
+) -> String {
+    let escalated = escalated(program, math, formula, within);
+    Rust { math, precision: Precision::F64 }.function(program, &promised(docs, within), |_| true, &escalated)
+}
+
+/// The same with the formula inside.
+pub(super) fn escalating(program: &Program, docs: &KernelDocs, within: &Rational) -> String {
+    let body = nested_formula(program) + &escalated(program, MATH, "Formula", within);
+    let dialect = Rust { math: MATH, precision: Precision::F64 };
+    dialect.function(program, &promised(docs, within), |_| true, &body)
+}
+
+fn promised(docs: &KernelDocs, within: &Rational) -> KernelDocs {
+    let promise = format!("Its value is within {}·2⁻⁵³ of the exact one, relative to it.", below(within));
+    KernelDocs { rounding: promise, ..docs.clone() }
+}
+
+/// The statements that compute the values of a formula well enough.
+fn escalated(program: &Program, math: &str, formula: &str, within: &Rational) -> String {
+    let (arguments, outputs) = (program.arguments.len(), program.outputs.len());
+    let within = below(within);
+    let values = format!(
+        "{math}::escalate::<{formula}, {arguments}, {outputs}>([{}], {within:?})",
+        program.arguments.join(", ")
+    );
+    match outputs {
+        1 => format!("    let [value] = {values};\n    value\n"),
+        _ => format!("    {values}\n"),
+    }
+}
+
+/// The largest `f64` that is not above a number above zero.
+fn below(number: &Rational) -> f64 {
+    let nearest = nearest_f64(number);
+    let is_above = Rational::from_float(nearest).is_none_or(|exact| exact > *number);
+    if is_above { nearest.next_down() } else { nearest }
+}
+
+/// The function of `f32`s or of `f64`s.
 pub(super) fn written(program: &Program, docs: &KernelDocs, math: &str, precision: Precision) -> String {
     let dialect = Rust { math, precision };
-    let mut source = documentation(program, docs, "///");
-    source.push_str(&attributes(program));
-    source.push_str(&dialect.signature(program));
-    source.push_str(" {\n");
-    source.push_str(&body::write(&dialect, program, &program.arguments));
-    source.push_str("}\n");
-    source
+    let used = |place: usize| program.instructions.contains(&Instruction::Argument(place as u32));
+    dialect.function(program, docs, used, &body::write(&dialect, program, &program.arguments))
 }
 
 impl Program {
@@ -42,6 +84,7 @@ impl Program {
     pub fn needs_math(&self) -> bool {
         self.instructions.iter().any(|instruction| match instruction {
             Instruction::DifferenceOfProducts(_) | Instruction::SumOfProducts(_) => true,
+            Instruction::Quadrature { .. } => true,
             Instruction::Power(_, exponent) => !exponent.is_integer(),
             Instruction::Call(operation, _) => operation.row().spelling.rust.is_none(),
             _ => false,
@@ -61,9 +104,21 @@ impl Rust<'_> {
         function(&format!("<{} as {}::Real>::{name}", self.number_type(), self.math), operands)
     }
 
-    fn signature(&self, program: &Program) -> String {
+    /// The documented function with this body, which uses some of the arguments.
+    fn function(
+        &self,
+        program: &Program,
+        docs: &KernelDocs,
+        uses: impl Fn(usize) -> bool,
+        body: &str,
+    ) -> String {
+        let documentation = documentation(program, docs, "///");
+        let (attributes, signature) = (attributes(program), self.signature(program, uses));
+        format!("{documentation}{attributes}{signature} {{\n{body}}}\n")
+    }
+
+    fn signature(&self, program: &Program, used: impl Fn(usize) -> bool) -> String {
         let number = self.number_type();
-        let used = |place: usize| program.instructions.contains(&Instruction::Argument(place as u32));
         let arguments: Vec<String> = program
             .arguments
             .iter()
@@ -129,6 +184,11 @@ impl Dialect for Rust<'_> {
 
     fn sum_of_products(&self, factors: [&Written; 4]) -> Written {
         self.real("sum_of_products", &factors)
+    }
+
+    fn quadrature(&self, integrand: &Program, operands: &[&Written]) -> Written {
+        let name = format!("<{} as {}::Real>::quadrature", self.number_type(), self.math);
+        closure(self, &name, integrand, operands, str::to_string)
     }
 
     fn nan(&self) -> String {

@@ -3,6 +3,7 @@
 use super::c::{C, Flavour};
 use super::docs::KernelDocs;
 use super::{generic, names, rust, wgsl};
+use crate::expression::Rational;
 use crate::kernel::program::{Instruction, Program};
 use std::fmt;
 
@@ -131,42 +132,72 @@ impl fmt::Display for EmitError {
 
 impl std::error::Error for EmitError {}
 
+/// A kernel to be emitted.
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// What it computes.
+    pub program: Program,
+    /// What is said above it.
+    pub docs: KernelDocs,
+    /// How far its `f64` value may be from the exact one, in units of 2⁻⁵³ of that; kept in Rust alone.
+    pub within: Option<Rational>,
+}
+
+impl Source {
+    /// The documented function.
+    fn function(&self, target: Target, precision: Precision) -> String {
+        let program = &self.program;
+        let mut docs = self.docs.clone();
+        if precision != Precision::F64 {
+            docs.rounding.clear();
+        }
+        let docs = &docs;
+        match (target, precision) {
+            (Target::Rust, Precision::DoubleDouble) => generic::double_double(program, docs),
+            (Target::Rust, _) => match &self.within {
+                Some(within) if precision == Precision::F64 => rust::escalating(program, docs, within),
+                _ => rust::written(program, docs, generic::MATH, precision),
+            },
+            (Target::C, _) => C::new(Flavour::C, precision).function(program, docs),
+            (Target::Cuda, _) => C::new(Flavour::Cuda, precision).function(program, docs),
+            (Target::Wgsl, _) => wgsl::function_of(program, docs),
+        }
+    }
+
+    /// Whether its Rust source needs the arithmetic of `forms_math`.
+    fn needs_math(&self, precision: Precision) -> bool {
+        match precision {
+            Precision::F32 => self.program.needs_math(),
+            Precision::F64 => self.within.is_some() || self.program.needs_math(),
+            Precision::DoubleDouble => true,
+        }
+    }
+}
+
 /// Kernels as source that compiles as it stands: what they need, then a documented function each.
 ///
 /// # Errors
 /// What the target cannot say, of the first kernel that needs it.
-pub fn emit(
-    kernels: &[(Program, KernelDocs)],
-    target: Target,
-    precision: Precision,
-) -> Result<String, EmitError> {
+pub fn emit(kernels: &[Source], target: Target, precision: Precision) -> Result<String, EmitError> {
     if !target.has(precision) {
         return Err(EmitError::Precision(target, precision));
     }
-    for (program, _) in kernels {
-        check(program, target, precision)?;
+    for kernel in kernels {
+        check(&kernel.program, target, precision)?;
     }
-    let function = |(program, docs): &(Program, KernelDocs)| match (target, precision) {
-        (Target::Rust, Precision::DoubleDouble) => generic::double_double(program, docs),
-        (Target::Rust, _) => rust::written(program, docs, "forms_math", precision),
-        (Target::C, _) => C::new(Flavour::C, precision).function(program, docs),
-        (Target::Cuda, _) => C::new(Flavour::Cuda, precision).function(program, docs),
-        (Target::Wgsl, _) => wgsl::function_of(program, docs),
-    };
-    let functions: Vec<String> = kernels.iter().map(function).collect();
-    let programs: Vec<&Program> = kernels.iter().map(|(program, _)| program).collect();
-    let mut parts = vec![match target {
-        Target::Rust => {
-            let is_pasted =
-                precision == Precision::DoubleDouble || programs.iter().any(|program| program.needs_math());
-            if is_pasted { forms_math::source() } else { String::new() }
-        }
+    let programs: Vec<&Program> = kernels.iter().map(|kernel| &kernel.program).collect();
+    let head = match target {
+        Target::Rust if kernels.iter().any(|kernel| kernel.needs_math(precision)) => forms_math::source(),
+        Target::Rust => String::new(),
         Target::C => C::new(Flavour::C, precision).head(&programs),
         Target::Cuda => C::new(Flavour::Cuda, precision).head(&programs),
         Target::Wgsl => wgsl::head(&programs),
-    }];
-    parts.extend(functions);
-    parts.retain(|part| !part.is_empty());
+    };
+    let functions: Vec<String> = kernels.iter().map(|kernel| kernel.function(target, precision)).collect();
+    let functions = functions.join("\n");
+    // in Rust what is needed comes last, so that the kernels can be read first
+    let parts = if target == Target::Rust { [functions, head] } else { [head, functions] };
+    let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
     Ok(parts.join("\n"))
 }
 
@@ -197,6 +228,10 @@ fn check(program: &Program, target: Target, precision: Precision) -> Result<(), 
                     return Err(EmitError::Number { kernel: kernel(), number, precision });
                 }
             }
+            Instruction::Quadrature { .. } if target != Target::Rust => {
+                return Err(EmitError::Function { kernel: kernel(), function: "quadrature", target });
+            }
+            Instruction::Quadrature { integrand, .. } => check(integrand, target, precision)?,
             _ => {}
         }
     }

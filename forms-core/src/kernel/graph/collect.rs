@@ -55,6 +55,10 @@ impl Collector {
                 let operands = operands.iter().map(of).collect();
                 self.graph.plain(Form::Call(*operation, operands))
             }
+            Instruction::Quadrature { integrand, operands } => {
+                let operands = operands.iter().map(of).collect();
+                self.graph.plain(Form::Quadrature(integrand.clone(), operands))
+            }
             Instruction::Select { left, relation, right, then, otherwise } => {
                 let operands = [left, right, then, otherwise].map(of);
                 self.graph.plain(Form::Select(*relation, Box::new(operands)))

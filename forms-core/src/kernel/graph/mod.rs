@@ -15,6 +15,7 @@ pub(super) use build::joined;
 pub(super) use coefficient::{Coefficient, Exponent};
 
 use super::constant::Constant;
+use super::program::Program;
 use crate::expression::Operation;
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
@@ -53,6 +54,8 @@ pub(super) enum Form {
     Number(Constant),
     /// A function of the op table.
     Call(Operation, Box<[Scaled]>),
+    /// A definite integral: its integrand, then the ends and what else it depends on.
+    Quadrature(Box<Program>, Box<[Scaled]>),
     /// A power whose exponent is no small rational.
     Power(Scaled, Ratio<i64>),
     /// A choice: left, relation, right, then, otherwise.
@@ -151,6 +154,10 @@ impl Graph {
                 let operands = operands.iter().map(|&operand| self.image(operand, images)).collect();
                 self.intern(Form::Call(*operation, operands))
             }
+            Form::Quadrature(integrand, operands) => {
+                let operands = operands.iter().map(|&operand| self.image(operand, images)).collect();
+                self.intern(Form::Quadrature(integrand.clone(), operands))
+            }
             Form::Power(base, exponent) => {
                 let base = self.image(*base, images);
                 self.intern(Form::Power(base, *exponent))
@@ -180,7 +187,9 @@ impl Form {
     pub(super) fn operands(&self, mut visit: impl FnMut(Node)) {
         match self {
             Form::One | Form::Argument(_) | Form::Number(_) => {}
-            Form::Call(_, operands) => operands.iter().for_each(|operand| visit(operand.node)),
+            Form::Call(_, operands) | Form::Quadrature(_, operands) => {
+                operands.iter().for_each(|operand| visit(operand.node));
+            }
             Form::Power(base, _) => visit(base.node),
             Form::Select(_, operands) => operands.iter().for_each(|operand| visit(operand.node)),
             Form::Sum(terms) => terms.iter().for_each(|&(_, node)| visit(node)),

@@ -55,6 +55,10 @@ fn modular_value(
             let operands: Option<Vec<u64>> = operands.iter().map(|&operand| of(operand)).collect();
             scrambled(*operation, &operands?)
         }
+        Instruction::Quadrature { operands, .. } => {
+            let operands: Option<Vec<u64>> = operands.iter().map(|&operand| of(operand)).collect();
+            operands?.into_iter().fold(1, |mixed, operand| add(multiply(mixed, PI), operand))
+        }
         Instruction::Select { left, relation, right, then, otherwise } => {
             let side = multiply(of(*left)?, 3).wrapping_add(of(*right)?).wrapping_add(*relation as u64);
             // both branches have to be defined, as for the other instructions

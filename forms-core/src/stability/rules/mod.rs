@@ -205,3 +205,47 @@ fn simplification(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> 
         _ => Vec::new(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::read_theory;
+
+    /// What the rules propose for a formula, as texts.
+    fn proposed(formula: &str) -> Vec<String> {
+        let (mut theory, errors) = read_theory(&format!("kernel k(a, b, x) = {formula} where a > 0, b > 0;"));
+        assert!(errors.is_empty(), "{errors:?}");
+        let kernel = theory.kernels[0].clone();
+        let found = Rewriting::new(&mut theory.pool, &kernel.domain).alternatives(kernel.outputs[0]);
+        theory.pool.texts(&found)
+    }
+
+    #[test]
+    fn each_rule_proposes_the_form_it_is_named_for() {
+        for (formula, expected) in [
+            ("sqrt(a + 1) - sqrt(a)", "1/(sqrt(a + 1) + sqrt(a))"),
+            ("1/(a + 1) - 1/a", "-1/((a + 1)*a)"),
+            ("a**2 - b**2", "(a - b)*(a + b)"),
+            ("x*a - x*b", "x*(a - b)"),
+            ("exp(x) - 1", "expm1(x)"),
+            ("3*exp(x) - 3", "3*expm1(x)"),
+            ("exp(a) - exp(b)", "exp(b)*expm1(a - b)"),
+            ("exp(x) - 2 + exp(-x)", "4*(sinh(x/2)*sinh(x/2))"),
+            ("exp(x) - exp(-x)", "2*sinh(x)"),
+            ("exp(x)/expm1(x)", "-1/expm1(-x)"),
+            ("log(1 + x)", "log1p(x)"),
+            ("log(a) - log(b)", "log1p((a - b)/b)"),
+            ("1 - cos(x)", "2*(sin(x/2)*sin(x/2))"),
+            ("cos(a) - cos(b)", "-2*(sin((a - b)/2)*sin((a + b)/2))"),
+            ("(1 - cos(x))/sin(x)", "tan(x/2)"),
+            ("atan(a) - atan(b)", "atan2(a - b, 1 + a*b)"),
+            ("sin(a + b)", "sin(a)*cos(b) + cos(a)*sin(b)"),
+            ("acos(x)", "atan2(sqrt((1 - x)*(1 + x)), x)"),
+            ("sin(x)**2/x**2", "(sin(x)/x)**2"),
+            ("sqrt(a**2 + b**2)", "abs(a)*sqrt(1 + b/a*(b/a))"),
+        ] {
+            let found = proposed(formula);
+            assert!(found.iter().any(|text| text == expected), "{formula}: {found:#?}");
+        }
+    }
+}

@@ -124,7 +124,8 @@ pub(super) fn half_angle(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec
     }
     let half = rewriting.half(a);
     let tangent = rewriting.pool.apply(Operation::Tan, &[half]);
-    vec![tangent, rewriting.square(tangent)]
+    let has_sine = [p, q].iter().any(|&part| rewriting.argument_of(Operation::Sin, part).is_some());
+    vec![if has_sine { tangent } else { rewriting.square(tangent) }]
 }
 
 /// atan a − atan b = atan2(a − b, 1 + a b)

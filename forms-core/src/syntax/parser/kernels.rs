@@ -71,9 +71,9 @@ impl Parser<'_> {
         let open = self.expect(Symbol::OpenParen)?;
         let of = self.name("the kernel to differentiate")?;
         self.expect(Symbol::Semicolon)?;
-        let mut by = vec![self.name("an argument of the kernel")?];
+        let mut by = vec![self.quantity("an argument of the kernel")?];
         while self.eat(Symbol::Comma).is_some() {
-            by.push(self.name("an argument of the kernel")?);
+            by.push(self.quantity("an argument of the kernel")?);
         }
         self.close(open, Symbol::CloseParen, "`,` or `)`")?;
         Ok(ItemKind::Gradient { name, of, by })

@@ -1,0 +1,135 @@
+//! The values of a kernel in one of the precisions it is generated in.
+
+use super::eval::Evaluation;
+use crate::decimal;
+use forms::core::accuracy::{Format, Rounded as Text};
+use forms::core::kernel::{Constant, Interpreter, Program};
+use forms::math::{DoubleDouble, Real};
+use num_rational::BigRational;
+
+/// Significant digits of a double-double: more than its 106 bits, so that digits tell any two of them apart.
+const DOUBLE_DOUBLE_DIGITS: u32 = 36;
+
+/// A number that rows are read, computed and written in.
+pub(super) trait Number: Real {
+    /// The nearest to what a text stands for.
+    fn read(text: &str) -> Option<Self>;
+    /// Enough significant digits to tell any two numbers apart, at least seventeen.
+    fn digits(self) -> String;
+}
+
+impl Number for f32 {
+    fn read(text: &str) -> Option<Self> {
+        if text.contains('/') {
+            return Some(Constant::rational(decimal::exact(text)?).to_f32());
+        }
+        decimal::nearest(text)?;
+        text.parse().ok()
+    }
+
+    fn digits(self) -> String {
+        f64::from(self).digits()
+    }
+}
+
+impl Number for f64 {
+    fn read(text: &str) -> Option<Self> {
+        decimal::nearest(text)
+    }
+
+    fn digits(self) -> String {
+        if self.is_finite() { format!("{self:.16e}") } else { self.to_string() }
+    }
+}
+
+impl Number for DoubleDouble {
+    fn read(text: &str) -> Option<Self> {
+        let nearest = decimal::nearest(text)?;
+        // beyond the powers of ten that are kept exact there is nothing but zero and infinity
+        let Some(exact) = decimal::exact(text) else { return Some(Self::from_f64(nearest)) };
+        let words = Constant::rational(exact).words(2);
+        Some(Self::constant(&words))
+    }
+
+    fn digits(self) -> String {
+        let exact = |word: f64| BigRational::from_float(word);
+        match exact(self.high()).zip(exact(self.low())) {
+            Some((high, low)) => match Format::Digits(DOUBLE_DOUBLE_DIGITS).of(&(high + low)) {
+                Text::Digits(digits) => digits,
+                _ => self.high().digits(),
+            },
+            None => self.high().digits(),
+        }
+    }
+}
+
+/// A program with its numbers rounded to one precision.
+pub(super) struct Rounded<'a, T> {
+    program: &'a Program,
+    interpreter: Interpreter<'a, T>,
+}
+
+impl<'a, T: Number> Rounded<'a, T> {
+    pub(super) fn new(program: &'a Program) -> Self {
+        Rounded { program, interpreter: program.interpreter() }
+    }
+}
+
+impl<T: Number> Evaluation for Rounded<'_, T> {
+    type Number = T;
+
+    fn name(&self) -> &str {
+        self.program.name()
+    }
+
+    fn arguments(&self) -> &[String] {
+        self.program.arguments()
+    }
+
+    fn outputs(&self) -> usize {
+        self.program.outputs().len()
+    }
+
+    fn read(&self, text: &str) -> Option<T> {
+        T::read(text)
+    }
+
+    fn values(&self, arguments: &[T]) -> Vec<String> {
+        self.interpreter.values(arguments).into_iter().map(T::digits).collect()
+    }
+
+    fn written(&self, argument: &T) -> String {
+        argument.digits()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn seventeen_digits_give_the_same_number_back() {
+        for value in [0.1, 1.0 / 3.0, 5e-324, f64::MAX, -0.0] {
+            assert_eq!(value.digits().parse::<f64>().map(f64::to_bits), Ok(value.to_bits()));
+        }
+        assert_eq!((f64::NAN.digits(), 0.5.digits()), ("NaN".into(), "5.0000000000000000e-1".into()));
+        assert_eq!(f32::read("0.1").map(f32::digits), Some("1.0000000149011612e-1".to_string()));
+    }
+
+    #[test]
+    fn a_double_double_is_read_and_written_in_thirty_six_digits() {
+        for text in ["1/3", "3.33333333333333333333333333333333333e-1"] {
+            let written = DoubleDouble::read(text).expect("a number").digits();
+            assert!(
+                written.starts_with("3.3333333333333333333333333333333") && written.len() == 40,
+                "{written}"
+            );
+        }
+        let value = DoubleDouble::new(0.7, 1e-18);
+        assert_eq!(
+            DoubleDouble::read(&value.digits()).map(|read| (read.high(), read.low())),
+            Some((0.7, value.low()))
+        );
+        assert!(DoubleDouble::nan().digits() == "NaN" && DoubleDouble::read("x").is_none());
+    }
+}

@@ -1,0 +1,127 @@
+//! Enclosures of definite integrals, by Taylor polynomials on intervals that are halved until the remainders are small.
+//!
+//! ```text
+//! ∫ f over [m − h, m + h] ∈ Σ fₖ(m) 2hᵏ⁺¹/(k + 1) + fₙ([m − h, m + h])·2hⁿ⁺¹/(n + 1)      k < n even
+//! ```
+//! with fₖ(x) the k-th Taylor coefficient of f at x. The remainder holds the integral of f − Σ fₖ(m)(x − m)ᵏ by Taylor's
+//! theorem, and the odd powers vanish. An integrand with a singularity at an end stays undecided.
+
+use super::bounds::{Enclosure, Precision, Undecided};
+use super::taylor::{Series, Taylor};
+use crate::expression::{FunctionId, Pool, Quadrature, Rational, Symbol};
+use num_traits::{One, Zero};
+use rustc_hash::FxHashMap;
+
+/// Places that absorb the rounding of a few hundred intervals.
+const GUARD: u32 = 32;
+
+/// More intervals than this are not looked at.
+const MOST_INTERVALS: usize = 200;
+
+/// Places to which an integral is computed at most: what agrees with something else to 50 digits does so for a reason,
+/// which is for a proof to find, and the work grows with the third power.
+const MOST_PLACES: u32 = 176;
+
+/// A quadrature at its arguments; nothing for another function.
+pub(super) fn quadrature(
+    pool: &Pool,
+    function: FunctionId,
+    arguments: &[Enclosure],
+    precision: Precision,
+) -> Option<Result<Enclosure, Undecided>> {
+    let quadrature = pool.quadrature_of(function)?;
+    let [from, to, parameters @ ..] = arguments else { return Some(Err(Undecided::Unknown)) };
+    let places = precision.0.min(MOST_PLACES);
+    let working = Precision(places + GUARD);
+    // the order is even
+    let order = 8 + 2 * (places as usize / 20);
+    let integral = Integral {
+        pool,
+        quadrature,
+        from: from.at(working),
+        length: to.at(working).sub(&from.at(working)),
+        parameters: parameters.iter().map(|parameter| parameter.at(working)).collect(),
+        order,
+        precision: working,
+    };
+    Some(integral.enclosed(places).map(|value| value.at(precision)))
+}
+
+/// ∫ f(from + length·x)·length dx over 0 ≤ x ≤ 1
+struct Integral<'a> {
+    pool: &'a Pool,
+    quadrature: &'a Quadrature,
+    from: Enclosure,
+    length: Enclosure,
+    parameters: Vec<Enclosure>,
+    order: usize,
+    precision: Precision,
+}
+
+impl Integral<'_> {
+    fn enclosed(&self, places: u32) -> Result<Enclosure, Undecided> {
+        let tolerance = Rational::new(1.into(), num_bigint::BigInt::one() << places);
+        let mut sum = Enclosure::integer(0, self.precision);
+        let mut open = vec![(Rational::zero(), Rational::one())];
+        let mut looked_at = 0;
+        while let Some((lower, upper)) = open.pop() {
+            looked_at += 1;
+            if looked_at > MOST_INTERVALS {
+                return Err(Undecided::Unknown);
+            }
+            let width = &upper - &lower;
+            match self.on(&lower, &upper) {
+                Ok((part, remainder)) if remainder.width() <= &tolerance * &width => {
+                    sum = sum.add(&part).add(&remainder);
+                }
+                _ => {
+                    let middle = (&lower + &upper) / Rational::from_integer(2.into());
+                    open.push((middle.clone(), upper));
+                    open.push((lower, middle));
+                }
+            }
+        }
+        Ok(sum.mul(&self.length))
+    }
+
+    /// The integral of the polynomial over an interval, and what the remainder adds.
+    fn on(&self, lower: &Rational, upper: &Rational) -> Result<(Enclosure, Enclosure), Undecided> {
+        let two = Rational::from_integer(2.into());
+        let (middle, half) = ((lower + upper) / &two, (upper - lower) / &two);
+        let at_middle = self.coefficients(Enclosure::exact(&middle, self.precision))?;
+        let over_all = self.coefficients(Enclosure::between(lower, upper, self.precision))?;
+        let mut part = Enclosure::integer(0, self.precision);
+        let mut power = half.clone();
+        let (square, mut remainder) = (&half * &half, part.clone());
+        for k in (0..=self.order).step_by(2) {
+            let weight = &two * &power / Rational::from_integer((k + 1).into());
+            let weight = Enclosure::exact(&weight, self.precision);
+            if k < self.order {
+                part = part.add(&at_middle[k].mul(&weight));
+            } else {
+                remainder = over_all[k].mul(&weight);
+            }
+            power *= &square;
+        }
+        Ok((part, remainder))
+    }
+
+    /// The Taylor coefficients of f(from + length·x) about a point or over an interval.
+    fn coefficients(&self, place: Enclosure) -> Result<Series, Undecided> {
+        let Quadrature { integrand, variable, parameters } = self.quadrature;
+        let mut values: FxHashMap<Symbol, Series> = FxHashMap::default();
+        let zero = Enclosure::integer(0, self.precision);
+        let series = |first: Enclosure, second: &Enclosure| {
+            let mut series = vec![zero.clone(); self.order + 1];
+            (series[0], series[1]) = (first, second.clone());
+            series
+        };
+        values.insert(*variable, series(self.from.add(&self.length.mul(&place)), &self.length));
+        for (&symbol, value) in parameters.iter().zip(&self.parameters) {
+            values.insert(symbol, series(value.clone(), &zero));
+        }
+        let taylor =
+            Taylor { pool: self.pool, values: &values, order: self.order, precision: self.precision };
+        taylor.of(*integrand)
+    }
+}

@@ -1,0 +1,288 @@
+//! Kernels in C, CUDA and WGSL: compiled or validated where there is a compiler, run, and compared with the
+//! interpreter. What is emitted is kept in the folder `targets`; with `FORMS_WRITE=1` it is written anew.
+
+use crate::emitted::{Inputs, kernels};
+use crate::formula::Formulas;
+use forms_core::expression::{Expr, Operation};
+use forms_core::kernel::{EmitError, Instruction, KernelDocs, Precision, Program, Source, Target, emit};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// How far a value may be from that of the interpreter, which has functions and compensated products from elsewhere.
+const ULP: i64 = 4;
+
+fn sources(programs: &[Program]) -> Vec<Source> {
+    let source = |program: &Program| Source {
+        program: program.clone(),
+        docs: KernelDocs { formula: program.name().to_string(), ..KernelDocs::default() },
+        within: None,
+    };
+    programs.iter().map(source).collect()
+}
+
+fn emitted(target: Target, precision: Precision) -> String {
+    emit(&sources(&kernels()), target, precision).expect("every kernel can be said")
+}
+
+fn folder() -> PathBuf {
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
+}
+
+/// Whether a tool is there.
+fn has(tool: &str) -> bool {
+    Command::new(tool).arg("--version").output().is_ok_and(|output| output.status.success())
+}
+
+/// Runs a tool on a file; its complaints are a failure, silence too.
+#[track_caller]
+fn accepted(tool: &str, arguments: &[&str], file: &Path) {
+    let output = Command::new(tool).args(arguments).arg(file).output().expect("the tool runs");
+    let complaints = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        output.status.success(),
+        "{tool}: {complaints}\n{}",
+        std::fs::read_to_string(file).unwrap_or_default()
+    );
+}
+
+/// Compares a text with the file that keeps it.
+#[track_caller]
+fn is_kept(name: &str, text: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/kernel/targets").join(name);
+    if std::env::var_os("FORMS_WRITE").is_some() {
+        std::fs::write(&path, text).expect("the folder of the tests");
+    }
+    let kept = std::fs::read_to_string(&path).unwrap_or_default();
+    assert_eq!(kept, text, "{name}: FORMS_WRITE=1 cargo test -p forms-core --test kernel targets");
+}
+
+/// Each target in its usual precision, and those that have another in that.
+const KEPT: [(&str, Target, Precision); 6] = [
+    ("kernels.c", Target::C, Precision::F64),
+    ("kernels_f32.c", Target::C, Precision::F32),
+    ("kernels.cu", Target::Cuda, Precision::F64),
+    ("kernels_f32.cu", Target::Cuda, Precision::F32),
+    ("kernels.wgsl", Target::Wgsl, Precision::F32),
+    ("kernels_f32.rs", Target::Rust, Precision::F32),
+];
+
+#[test]
+fn what_is_emitted_is_kept() {
+    for (name, target, precision) in KEPT {
+        let text = emitted(target, precision);
+        // the pasted arithmetic has its own home
+        let own = text.split("\n#[allow(dead_code, unused_imports").next().unwrap_or_default();
+        is_kept(name, own);
+    }
+}
+
+/// A program in C that prints every kernel at each row in hexadecimal digits.
+fn harness(programs: &[Program], rows: &[Vec<f64>], precision: Precision) -> String {
+    let number = if precision == Precision::F32 { "float" } else { "double" };
+    let mut source = emitted(Target::C, precision) + "\n#include <stdio.h>\nint main(void) {\n";
+    source += &format!("    {number} outputs[8];\n");
+    for (program, row) in programs.iter().flat_map(|program| rows.iter().map(move |row| (program, row))) {
+        let mut arguments: Vec<String> =
+            row[..program.arguments().len()].iter().map(|&value| literal(value)).collect();
+        let count = program.outputs().len();
+        let call = if count == 1 { "outputs[0] = " } else { "" };
+        if count > 1 {
+            arguments.push("outputs".to_string());
+        }
+        source += &format!("    {call}{}({});\n", program.name(), arguments.join(", "));
+        source += &format!("    for (int i = 0; i < {count}; i++) printf(\"%a\\n\", (double)outputs[i]);\n");
+    }
+    source + "}\n"
+}
+
+fn literal(value: f64) -> String {
+    if value.is_nan() {
+        return "NAN".to_string();
+    }
+    if value.is_infinite() { "INFINITY".to_string() } else { format!("{value:?}") }
+}
+
+/// A number as `%a` prints it.
+fn hexadecimal(text: &str) -> f64 {
+    let (negative, text) = text.strip_prefix('-').map_or((false, text), |rest| (true, rest));
+    let magnitude = match text.strip_prefix("0x") {
+        None if text == "inf" => f64::INFINITY,
+        None => f64::NAN,
+        Some(digits) => {
+            let (mantissa, exponent) = digits.split_once('p').expect("an exponent");
+            let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+            let bits = u64::from_str_radix(&format!("{whole}{fraction}"), 16).expect("digits");
+            let exponent: i32 = exponent.parse().expect("an exponent");
+            bits as f64 * 2f64.powi(exponent - 4 * fraction.len() as i32)
+        }
+    };
+    if negative { -magnitude } else { magnitude }
+}
+
+/// How many numbers of the precision lie between two.
+fn distance(a: f64, b: f64, precision: Precision) -> i64 {
+    if a == b || (a.is_nan() && b.is_nan()) {
+        return 0;
+    }
+    let ordinal = |value: f64| match precision {
+        Precision::F32 => {
+            let bits = (value as f32).to_bits() as i32;
+            i64::from(if bits < 0 { i32::MIN - bits } else { bits })
+        }
+        _ => {
+            let bits = value.to_bits() as i64;
+            if bits < 0 { i64::MIN - bits } else { bits }
+        }
+    };
+    if a.is_nan() || b.is_nan() { i64::MAX } else { (ordinal(a) - ordinal(b)).abs() }
+}
+
+fn has_functions(program: &Program) -> bool {
+    let is_function = |i: &Instruction| {
+        use Instruction::{Call, DifferenceOfProducts, Power, SumOfProducts};
+        matches!(i, Call(..) | Power(..) | DifferenceOfProducts(_) | SumOfProducts(_))
+    };
+    program.instructions().iter().any(is_function)
+}
+
+#[test]
+fn c_compiles_without_warnings_and_computes_what_the_interpreter_computes() {
+    let mut inputs = Inputs(7);
+    let row = |_| (0..8).map(|_| f64::from(inputs.next() as f32)).collect();
+    let rows: Vec<Vec<f64>> = (0..30).map(row).collect();
+    let programs = kernels();
+    for compiler in ["gcc", "clang"].into_iter().filter(|compiler| has(compiler)) {
+        for precision in [Precision::F64, Precision::F32] {
+            let source = harness(&programs, &rows, precision);
+            let printed = compiled_and_run(compiler, &source, precision);
+            let mut printed = printed.lines().map(hexadecimal);
+            for (program, row) in
+                programs.iter().flat_map(|program| rows.iter().map(move |row| (program, row)))
+            {
+                let row = &row[..program.arguments().len()];
+                let allowed = if has_functions(program) { ULP } else { 0 };
+                for expected in interpreted(program, row, precision) {
+                    let value = printed.next().expect("a value for every output");
+                    let is_close = distance(value, expected, precision) <= allowed;
+                    let name = program.name();
+                    assert!(is_close, "{name} at {row:?}: {compiler} {value:e}, interpreted {expected:e}");
+                }
+            }
+            assert_eq!(printed.next(), None);
+        }
+    }
+}
+
+fn compiled_and_run(compiler: &str, source: &str, precision: Precision) -> String {
+    let name = format!("emitted_by_{compiler}_{}", precision.name());
+    let (file, program) = (folder().join(format!("{name}.c")), folder().join(&name));
+    std::fs::write(&file, source).expect("a file in the build's folder");
+    let path = program.to_string_lossy();
+    let strict = ["-std=c11", "-Wall", "-Wextra", "-Werror", "-o", &path];
+    let output = Command::new(compiler).args(strict).arg(&file).arg("-lm").output().expect("it runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let output = Command::new(&program).output().expect("the compiled program");
+    String::from_utf8(output.stdout).expect("numbers")
+}
+
+fn interpreted(program: &Program, row: &[f64], precision: Precision) -> Vec<f64> {
+    if precision == Precision::F64 {
+        return program.interpret(row);
+    }
+    let single: Vec<f32> = row.iter().map(|&value| value as f32).collect();
+    program.interpret_as(&single).into_iter().map(f64::from).collect()
+}
+
+#[test]
+fn cuda_is_sound_as_a_program_of_cpp() {
+    for precision in [Precision::F64, Precision::F32] {
+        let text = emitted(Target::Cuda, precision);
+        let file = folder().join(format!("emitted_{}.cu", precision.name()));
+        if has("nvcc") {
+            std::fs::write(&file, &text).expect("a file in the build's folder");
+            accepted("nvcc", &["-c", "-o", "/dev/null"], &file);
+        } else if has("g++") {
+            let text = format!("#define __host__\n#define __device__\n{text}");
+            std::fs::write(&file, text).expect("a file in the build's folder");
+            accepted(
+                "g++",
+                &["-x", "c++", "-std=c++14", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"],
+                &file,
+            );
+        }
+    }
+}
+
+#[test]
+fn wgsl_is_valid() {
+    if has("naga") {
+        let file = folder().join("emitted.wgsl");
+        std::fs::write(&file, emitted(Target::Wgsl, Precision::F32)).expect("a file in the build's folder");
+        accepted("naga", &[], &file);
+    }
+}
+
+#[test]
+fn rust_in_f32_and_in_double_double_compiles_as_it_stands() {
+    for precision in [Precision::F32, Precision::DoubleDouble] {
+        let text = emitted(Target::Rust, precision);
+        let file = folder().join(format!("emitted_{}.rs", precision.name()));
+        std::fs::write(&file, text).expect("a file in the build's folder");
+        let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_string());
+        let metadata = folder().join(format!("emitted_{}.rmeta", precision.name()));
+        let metadata = metadata.to_string_lossy();
+        let strict = [
+            "--edition",
+            "2024",
+            "--crate-type",
+            "lib",
+            "-D",
+            "warnings",
+            "--emit",
+            "metadata",
+            "-o",
+            &metadata,
+        ];
+        accepted(&rustc, &strict, &file);
+    }
+}
+
+#[test]
+fn what_a_target_cannot_say_is_an_error_that_names_it() {
+    let mut formulas = Formulas::over("x");
+    let x = formulas.parse("x");
+    let integral = formulas.pool.apply(Operation::Expint3, &[x]);
+    let [huge, double]: [Expr; 2] =
+        ["x*1000000000000000000000000000000000000000000", "2*x"].map(|text| formulas.parse(text));
+    let single = |program: Program| sources(&[program]);
+    let special = single(formulas.named("optical").program(&[integral]));
+    for target in [Target::C, Target::Wgsl, Target::Cuda] {
+        let error = emit(&special, target, target.usual_precision()).expect_err("no such function");
+        let text = format!(
+            "the kernel `optical` calls `expint3`, which the target `{}` does not have",
+            target.name()
+        );
+        assert_eq!(error.to_string(), text);
+    }
+    assert!(emit(&special, Target::Rust, Precision::F64).is_ok());
+    let huge = single(formulas.named("huge").program(&[huge]));
+    assert!(matches!(emit(&huge, Target::C, Precision::F32), Err(EmitError::Number { .. })));
+    assert!(emit(&huge, Target::C, Precision::F64).is_ok());
+    let double = single(formulas.named("double").program(&[double]));
+    assert!(matches!(emit(&double, Target::C, Precision::F64), Err(EmitError::Name { .. })));
+    assert_eq!(
+        emit(&double, Target::Wgsl, Precision::F64),
+        Err(EmitError::Precision(Target::Wgsl, Precision::F64))
+    );
+}
+
+#[test]
+fn arguments_get_names_that_the_target_does_not_have() {
+    let mut formulas = Formulas::over("double double_ fn");
+    let sum = formulas.parse("double + 2*double_ + fn");
+    let source = sources(&[formulas.named("sum").program(&[sum])]);
+    let c = emit(&source, Target::C, Precision::F64).expect("C");
+    assert!(c.contains("double sum(double double__, double double_, double fn) {"), "{c}");
+    let wgsl = emit(&source, Target::Wgsl, Precision::F32).expect("WGSL");
+    assert!(wgsl.contains("fn sum(double: f32, double_: f32, fn_: f32) -> f32 {"), "{wgsl}");
+}

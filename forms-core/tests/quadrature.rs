@@ -1,0 +1,79 @@
+//! Integrals that are computed numerically: what is decided of them, and their values.
+
+use forms_core::check::{decide_all, read_theory};
+use forms_core::generation::generate;
+use forms_core::kernel::evaluate_f64;
+use forms_core::resolve::Theory;
+
+fn theory(text: &str) -> Theory {
+    let (theory, errors) = read_theory(text);
+    assert!(errors.is_empty(), "{errors:?}");
+    theory
+}
+
+/// The last kernel of a source at these arguments.
+fn values(text: &str, arguments: &[f64]) -> Vec<f64> {
+    let mut theory = theory(text);
+    let kernel = theory.kernels.last().cloned().expect("a kernel");
+    let generated = generate(&mut theory.pool, &kernel).expect("a kernel");
+    assert!(generated.translation.is_proved(), "{text}: {}", generated.translation);
+    let point: Vec<_> = kernel.arguments.iter().copied().zip(arguments.iter().copied()).collect();
+    let values = generated.optimised.interpret(arguments);
+    let plain = evaluate_f64(&theory.pool, &kernel.outputs, &point).expect("values");
+    for (value, plain) in values.iter().zip(plain) {
+        assert!((value - plain).abs() <= 1e-14 * plain.abs().max(1.0), "{text}: {value} {plain}");
+    }
+    values
+}
+
+fn is_near(found: &[f64], expected: &[f64]) {
+    assert_eq!(found.len(), expected.len());
+    for (found, expected) in found.iter().zip(expected) {
+        assert!((found - expected).abs() <= 1e-14 * expected.abs().max(1.0), "{found} {expected}");
+    }
+}
+
+#[test]
+fn what_a_quadrature_is_a_function_of_decides_statements() {
+    let mut theory = theory(
+        "chart T(t, x);
+         prove end: diff(quadrature(exp(-x*t**2), t = 0..x), x)
+            == exp(-x**3) - quadrature(t**2*exp(-x*t**2), t = 0..x);
+         prove name: quadrature(exp(-x*t**2), t = 0..1) == quadrature(exp(-x*s**2), s = 0..1);
+         prove empty: quadrature(sin(t**3), t = x..x) == 0;
+         refute value: quadrature(exp(-t**2), t = 0..1) == 3/4;
+         refute function: quadrature(exp(-x*t**2), t = 0..1) == exp(-x/3);",
+    );
+    for (verdict, statement) in decide_all(&mut theory).iter().zip(&theory.statements) {
+        assert!(verdict.bears_out(statement.claim), "{}: {verdict:?}", statement.name);
+    }
+}
+
+#[test]
+fn kernels_compute_quadratures_and_integrals_without_a_closed_form() {
+    is_near(&values("kernel k(x) = quadrature(cos(t**2), t = 0..x);", &[0.7]), &[0.683_378_790_502_197]);
+    is_near(
+        &values("chart Line(s); kernel k(x) = integral(exp(-s**4), s = 0..x);", &[0.7]),
+        &[0.668_509_137_694_402_6],
+    );
+    is_near(
+        &values("kernel k(x) = quadrature(quadrature(sin(s*t), t = 0..s), s = 0..x);", &[0.7]),
+        &[0.029_713_846_808_293_84],
+    );
+    is_near(
+        &values("kernel f(x) = quadrature(exp(-t**2), t = 0..x); kernel g = grad(f; x);", &[0.7]),
+        &[(-0.49_f64).exp()],
+    );
+}
+
+#[test]
+fn a_quadrature_is_refused_where_it_means_nothing() {
+    for (text, message) in [
+        ("chart X(x); prove s: quadrature(1/t, t = -1..1) == 0;", "it is not known that `t != 0` holds"),
+        ("kernel k(x) = quadrature(x);", "`quadrature` takes an integrand and one range"),
+        ("kernel k(x) = quadrature(t*y, t = 0..x);", "`y` is not declared"),
+    ] {
+        let found: String = read_theory(text).1.into_iter().map(|error| error.message + "\n").collect();
+        assert!(found.contains(message), "{text}\n{found}");
+    }
+}
