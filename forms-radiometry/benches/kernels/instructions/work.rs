@@ -9,12 +9,15 @@ use forms_radiometry::kernels;
 /// Values of a call: some blocks of a batch.
 const VALUES: usize = 512;
 
+/// Fills the outputs with the values at these columns.
+type FillAll = dyn Fn(&[&[f64]], &mut [&mut [f64]]);
+
 /// A function over columns, and the columns.
 pub(crate) struct Work {
     pub(crate) name: String,
     columns: Vec<Vec<f64>>,
     outputs: usize,
-    fill: Box<dyn Fn(&[&[f64]], &mut [&mut [f64]])>,
+    fill: Box<FillAll>,
 }
 
 impl Work {
