@@ -8,7 +8,7 @@
 //! types have no values of their name, so that neither the user's names nor the kernel's arguments get in the way.
 
 use forms_core::generation::Generated;
-use forms_core::kernel::{Program, emit_formula};
+use forms_core::kernel::{MANY_ARGUMENTS, Program, emit_formula};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -59,9 +59,13 @@ fn attributes(program: &Program) -> TokenStream {
         .flat_map(str::chars)
         .any(char::is_uppercase)
         .then(|| quote!(#[allow(non_snake_case, reason = "the names of the formula")]));
+    // a batch has one more, its output
+    let many = (program.arguments().len() + 1 > MANY_ARGUMENTS)
+        .then(|| quote!(#[allow(clippy::too_many_arguments, reason = "one for each variable")]));
     quote! {
         #[allow(dead_code, reason = "a crate may use only some of a kernel's tiers")]
         #case
+        #many
     }
 }
 

@@ -109,6 +109,7 @@ pub fn source() -> String {
 /// The text of a module with the files of its modules in their places.
 fn pasted(path: &str, text: &str) -> String {
     let mut lines = Vec::new();
+    let mut within_left_out = false;
     let own = text.split("\n#[cfg(test)]").next().unwrap_or_default();
     for line in own.lines().filter(|line| !line.trim_start().starts_with("//!")) {
         let declared = line.strip_suffix(';').and_then(|line| Some(line.split_once("mod ")?.1));
@@ -116,8 +117,9 @@ fn pasted(path: &str, text: &str) -> String {
         let left_out = match (declared, imported) {
             (Some(module), _) => file(path, module).is_none(),
             (None, Some(module)) => path.is_empty() && file(path, module).is_none(),
-            (None, None) => false,
+            (None, None) => within_left_out,
         };
+        within_left_out = left_out && !line.ends_with(';');
         if left_out {
             // with the attributes above it
             while lines.last().is_some_and(|line: &String| line.starts_with("#[")) {

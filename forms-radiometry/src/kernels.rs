@@ -17,6 +17,8 @@ forms::include_forms!("kernels/reflection.forms");
 forms::include_forms!("kernels/reconnection.forms");
 forms::include_forms!("kernels/transport.forms");
 forms::include_forms!("kernels/single_scattering.forms");
+forms::include_forms!("kernels/airlight.forms");
+forms::include_forms!("kernels/chandrasekhar.forms");
 forms::include_forms!("kernels/fresnel.forms");
 forms::include_forms!("kernels/phase_function.forms");
 forms::include_forms!("kernels/planck.forms");

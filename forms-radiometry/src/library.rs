@@ -79,6 +79,8 @@ pub fn library() -> &'static [TheoryFile] {
         kernel_file!("reconnection.forms"),
         kernel_file!("transport.forms"),
         kernel_file!("single_scattering.forms"),
+        kernel_file!("airlight.forms"),
+        kernel_file!("chandrasekhar.forms"),
         kernel_file!("fresnel.forms"),
         kernel_file!("phase_function.forms"),
         kernel_file!("planck.forms"),

@@ -11,6 +11,8 @@ mod catalogue;
 mod elsewhere;
 #[path = "../benches/kernels/expert/mod.rs"]
 mod expert;
+#[path = "../benches/kernels/generated.rs"]
+mod generated;
 #[path = "../benches/kernels/inputs.rs"]
 mod inputs;
 

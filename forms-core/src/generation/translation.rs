@@ -113,7 +113,7 @@ pub(super) fn of_form(pool: &mut Pool, kernel: &Kernel) -> Option<Diagnostic> {
     Some(Diagnostic::new(kernel.span, message).with_help(help))
 }
 
-/// Whether the sides of each pair are equal under the conditions: without a look inside sums, choices or at least inside
+/// Whether the sides of each pair are equal under the conditions: without a look inside choices, sums or at least inside
 /// functions, which is enough for most programs and costs little, or else with one.
 fn equality(
     pool: &mut Pool,
@@ -123,7 +123,7 @@ fn equality(
 ) -> Translation {
     let different: Vec<Expr> =
         pairs.iter().filter(|(raised, written)| raised != written).flat_map(|&(a, b)| [a, b]).collect();
-    for depth in [Depth::Sums, Depth::Choices] {
+    for depth in [Depth::Choices, Depth::Sums] {
         let closed = opaque(pool, &different, depth);
         if closed.chunks_exact(2).all(|pair| are_equal(pool, &pair[..1], &pair[1..])) {
             return Translation::Proved;

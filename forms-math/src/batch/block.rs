@@ -12,7 +12,7 @@ pub(super) type Arguments<'a, E, const A: usize> = [&'a [E; BLOCK]; A];
 /// The values of a block.
 pub(super) type Values<E, const O: usize> = [[E; BLOCK]; O];
 
-/// What computes a block, and says whether there is a NaN in it.
+/// What computes a block, and says whether lanes may have given up in it.
 pub(super) type Kernel<M, E, const A: usize, const O: usize> =
     unsafe fn(M, &Arguments<'_, E, A>, &mut Values<E, O>) -> bool;
 
@@ -23,6 +23,7 @@ pub(super) fn rows_of<M: Method<E, A, O>, E: Element, const FMA: bool, const A: 
     columns: &Arguments<'_, E, A>,
     values: &mut Values<E, O>,
 ) -> bool {
+    let mut found = E::Bits::default();
     for row in 0..BLOCK {
         let mut arguments = [E::default(); A];
         for (argument, column) in arguments.iter_mut().zip(columns) {
@@ -30,22 +31,12 @@ pub(super) fn rows_of<M: Method<E, A, O>, E: Element, const FMA: bool, const A: 
         }
         for (value, result) in values.iter_mut().zip(method.in_lanes::<FMA>(arguments)) {
             value[row] = result;
+            if M::MAY_GIVE_UP {
+                found = found | result.nan_bits();
+            }
         }
     }
-    has_nan(values)
-}
-
-/// Whether there is a NaN: two values at a time, which is one comparison.
-#[inline(always)]
-fn has_nan<E: Element, const O: usize>(values: &Values<E, O>) -> bool {
-    let mut found = false;
-    for value in values {
-        let (left, right) = value.split_at(BLOCK / 2);
-        for (left, right) in left.iter().zip(right) {
-            found |= left.is_nan() | right.is_nan();
-        }
-    }
-    found
+    found != E::Bits::default()
 }
 
 /// The values of a block, with those that lanes give up on.

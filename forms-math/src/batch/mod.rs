@@ -168,8 +168,7 @@ fn over_blocks<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
         let filled = columns.map(block::filled);
         return copied(method, kernel, &filled.each_ref(), &mut outputs, 0, length);
     }
-    let zeros = E::ZEROS;
-    let mut blocks = [&zeros; A];
+    let mut blocks = [E::ZEROS; A];
     for start in (0..length).step_by(BLOCK) {
         // The last block ends with the columns, and computes some rows of the one before again.
         let start = start.min(length - BLOCK);
@@ -194,7 +193,7 @@ fn copied<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     start: usize,
     count: usize,
 ) {
-    let mut values = [E::ZEROS; O];
+    let mut values = [*E::ZEROS; O];
     block::compute(method, kernel, blocks, &mut values);
     for (output, values) in outputs.iter_mut().zip(&values) {
         output[start..start + count].copy_from_slice(&values[..count]);

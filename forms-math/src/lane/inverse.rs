@@ -53,27 +53,24 @@ pub(super) fn atan<W: Word>(x: W) -> W {
     atan2(x, W::literal(1.0))
 }
 
-/// The angle in (−π, π] of the point (x, y): a multiple of π/4 and t + t³ A(t²), where t is the tangent of what is left in
-/// the octant, or of that less π/4. Gives up at the origin and where coordinates are near overflow.
+/// The angle in (−π, π] of the point (x, y): a multiple of π/4 and ±(t + t³ A(t²)), where t is the smaller over the larger
+/// coordinate or, where they are within a factor of two, the tangent of the angle from the diagonal. Gives up at the origin
+/// and where coordinates are near overflow.
 #[inline(always)]
 pub(super) fn atan2<W: Word>(y: W, x: W) -> W {
     let (height, width) = (y.magnitude(), x.magnitude());
-    let swapped = width < height;
+    let (zero, one, two) = (W::literal(0.0), W::literal(1.0), W::literal(2.0));
+    let (swapped, backwards) = (width < height, x < zero);
     let larger = if swapped { height } else { width };
     let smaller = if swapped { width } else { height };
-    let (zero, one) = (W::literal(0.0), W::literal(1.0));
-    // The difference of numbers within a factor of two has no rounding.
+    // The difference of numbers within a factor of two has no rounding (Sterbenz).
     let near = larger < smaller + smaller;
-    let numerator = if near { smaller - larger } else { smaller };
-    let denominator = if near { smaller + larger } else { larger };
-    let quarters = if near { one } else { zero };
-    let quarters = if swapped { W::literal(2.0) - quarters } else { quarters };
-    let backwards = x < zero;
-    let quarters = if backwards { W::literal(4.0) - quarters } else { quarters };
-    let direction = if swapped { -one } else { one };
-    let t = numerator / denominator * (if backwards { -direction } else { direction });
+    let t = (if near { smaller - larger } else { smaller }) / if near { smaller + larger } else { larger };
     let square = t * t;
     let angle = (t * square).fused(square.polynomial(W::TABLE.atan), t);
+    let quarters = if near { one } else { zero };
+    let (angle, quarters) = if swapped { (-angle, two - quarters) } else { (angle, quarters) };
+    let (angle, quarters) = if backwards { (-angle, two + two - quarters) } else { (angle, quarters) };
     let quarter = Pair::<W>::of(W::TABLE.quarters_pi, 0);
     let value = quarters.fused(quarter.head, quarters.fused(quarter.tail, angle)).with_sign(y);
     if larger <= W::two_to(W::LARGEST_EXPONENT - 2) { value } else { W::not_a_number() }

@@ -81,11 +81,26 @@ pub(crate) trait Word:
     fn infinity() -> Self {
         Self::literal(f64::INFINITY)
     }
-    /// c₀ + c₁ x + …
+    /// c₀ + c₁ x + …: the even and the odd terms side by side, each by Horner's rule in x², so that the second does not wait
+    /// for the first.
     #[inline(always)]
     fn polynomial(self, coefficients: &'static [Self::Raw]) -> Self {
-        let Some((last, rest)) = coefficients.split_last() else { return Self::literal(0.0) };
-        rest.iter().rev().fold(Self::of(*last), |sum, &coefficient| sum.fused(self, Self::of(coefficient)))
+        let square = self * self;
+        let (mut even, mut odd) = (Self::literal(0.0), Self::literal(0.0));
+        let (pairs, rest) = coefficients.as_chunks::<2>();
+        if let [last] = rest {
+            even = Self::of(*last);
+        }
+        for (position, &[of_even, of_odd]) in pairs.iter().enumerate().rev() {
+            let is_last = position + 1 == pairs.len();
+            even = if is_last && rest.is_empty() {
+                Self::of(of_even)
+            } else {
+                even.fused(square, Self::of(of_even))
+            };
+            odd = if is_last { Self::of(of_odd) } else { odd.fused(square, Self::of(of_odd)) };
+        }
+        odd.fused(self, even)
     }
 }
 

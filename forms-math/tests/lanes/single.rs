@@ -106,11 +106,16 @@ fn assert_accurate(choice: impl Fn(f32, f32) -> Choice) {
     assert!(results.iter().all(|within| *within), "a function is not within {LIMIT} units; see the output");
 }
 
+/// Every so many bit patterns: from `FORMS_MATH_STRIDE`, or such as code that is not optimised takes in seconds.
+fn stride() -> usize {
+    std::env::var("FORMS_MATH_STRIDE").ok().and_then(|stride| stride.parse().ok()).unwrap_or(99_991)
+}
+
 #[test]
 fn functions_of_f32_are_accurate_at_evenly_chosen_places() {
     let everything = f32::NEG_INFINITY..=f32::INFINITY;
     assert_accurate(|_, _| Choice {
-        stride: 99_991,
+        stride: stride(),
         within: everything.clone(),
         instructions: Instructions::available(),
     });

@@ -3,6 +3,7 @@
 use crate::elsewhere::{by_sympy, by_wrenfold};
 use crate::expert;
 use crate::expert::batch::InstructionSet;
+use crate::generated;
 use crate::inputs::Domain;
 use std::hint::black_box;
 
@@ -79,10 +80,15 @@ macro_rules! scalar {
     };
 }
 
-/// The emitted function of that name with these arguments, by both generators.
+/// The functions of that name with these arguments that generators emit.
 macro_rules! emitted {
     ($name:ident, $($argument:ident)*) => {
         [
+            (Author::Generated, Box::new(|columns: &[&[f64]], out: &mut [f64]| {
+                let [$($argument),*] = array(columns);
+                generated::$name::batch($($argument,)* out).expect("the columns have one length");
+            }) as Fill),
+            (Author::GeneratedScalar, scalar!(generated::$name, $($argument)*) as Fill),
             (Author::SymPy, scalar!(by_sympy::$name, $($argument)*) as Fill),
             (Author::Wrenfold, scalar!(by_wrenfold::$name, $($argument)*) as Fill),
         ]

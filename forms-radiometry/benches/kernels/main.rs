@@ -6,13 +6,16 @@
 //!                                                              └─ figure ─▶ docs/figures/kernels.svg
 //! ```
 //! `cargo bench --bench kernels -- [--write] [NAME…]` measures the kernels whose names contain one of the words, or all.
-//! With `--write` and all of them the page and the figure are written anew.
+//! With `--write` and all of them the page and the figure are written anew. With `--instructions` instructions are counted
+//! instead, and compared with the record; `--write` writes the record.
 
 mod catalogue;
 mod elsewhere;
 mod expert;
 mod figure;
+mod generated;
 mod inputs;
+mod instructions;
 mod measure;
 #[path = "../../../forms-core/benches/page/mod.rs"]
 mod page;
@@ -20,11 +23,19 @@ mod table;
 
 use expert::batch::InstructionSet;
 use std::path::Path;
+use std::process::ExitCode;
 use table::Row;
 
-fn main() -> std::io::Result<()> {
+fn main() -> std::io::Result<ExitCode> {
+    if instructions::is_counted() {
+        return Ok(ExitCode::SUCCESS);
+    }
     let (options, words): (Vec<String>, Vec<String>) =
         std::env::args().skip(1).partition(|argument| argument.starts_with('-'));
+    let has = |name: &str| options.iter().any(|option| option == name);
+    if has("--instructions") {
+        return instructions::check(has("--write"));
+    }
     let set = InstructionSet::detected();
     let entries = catalogue::all(set);
     let wanted = |name: &str| words.is_empty() || words.iter().any(|word| name.contains(word.as_str()));
@@ -33,10 +44,10 @@ fn main() -> std::io::Result<()> {
         measured.map(|entry| Row { name: entry.name, seconds: measure::seconds_per_value(entry) }).collect();
     let table = table::markdown(&rows, set.name());
     print!("{table}");
-    if words.is_empty() && options.iter().any(|option| option == "--write") {
+    if words.is_empty() && has("--write") {
         write(&rows, &table)?;
     }
-    Ok(())
+    Ok(ExitCode::SUCCESS)
 }
 
 fn write(rows: &[Row], table: &str) -> std::io::Result<()> {

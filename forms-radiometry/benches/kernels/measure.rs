@@ -5,8 +5,8 @@ use crate::inputs;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// Values of a call: the columns of every kernel fit the first-level cache.
-pub(crate) const VALUES: usize = 256;
+/// Values of a call.
+pub(crate) const VALUES: usize = 1024;
 /// Turns, of which the median is taken.
 const TURNS: usize = 101;
 /// The least time of a turn.

@@ -6,7 +6,9 @@
 use super::body;
 use super::dialect::{ChoiceFunction, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
+use super::number::number;
 use super::rust::attributes;
+use super::target::Precision;
 use super::written::{Binding, Written, function, negated};
 use crate::expression::Operation;
 use crate::kernel::constant::Constant;
@@ -25,8 +27,13 @@ pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
     let bound: Vec<&str> =
         names.iter().enumerate().map(|(place, name)| if used(place) { name.as_str() } else { "_" }).collect();
     let body = body::write(&Generic, program, &names);
+    let is_arithmetic = !program
+        .instructions
+        .iter()
+        .any(|instruction| matches!(instruction, Instruction::Power(..) | Instruction::Call(..)));
+    let gives_up = if is_arithmetic { "    const MAY_GIVE_UP: bool = false;\n" } else { "" };
     format!(
-        "impl {math}::Formula<{arguments}, {outputs}> for {type_name} {{\n    \
+        "impl {math}::Formula<{arguments}, {outputs}> for {type_name} {{\n{gives_up}    \
          #[inline(always)]\n    \
          fn value<T: {math}::Real>([{}]: [T; {arguments}]) -> [T; {outputs}] {{\n{body}    }}\n}}\n",
         bound.join(", ")
@@ -75,9 +82,13 @@ pub(super) fn closure(
     let arguments: Vec<String> = std::iter::once("s".to_string()).chain(names.iter().cloned()).collect();
     let body = result(&body::write(dialect, integrand, &arguments));
     let values: Vec<String> = captured.iter().map(|value| value.argument()).collect();
-    let (names, values, from, to) = (names.join(", "), values.join(", "), from.argument(), to.argument());
+    let (from, to) = (from.argument(), to.argument());
+    let captures = match captured {
+        [] => String::new(),
+        _ => format!("    let [{}] = [{}];\n", names.join(", "), values.join(", ")),
+    };
     Written::atom(format!(
-        "{{\n    let (from, to) = ({from}, {to});\n    let [{names}] = [{values}];\n    {quadrature}(from, to, |s| {{\n{body}    }})\n}}"
+        "{{\n    let (from, to) = ({from}, {to});\n{captures}    {quadrature}(from, to, |s| {{\n{body}    }})\n}}"
     ))
 }
 
@@ -100,9 +111,14 @@ impl Dialect for Generic {
     }
 
     fn number(&self, constant: &Constant) -> Written {
+        // the first word by its name where it has one
+        let first = number(constant, Precision::F64).text;
         Written::atom(match constant.words(Constant::WORDS)[..] {
-            [single] => format!("T::from_f64({single:?})"),
-            ref several => format!("T::constant(&{several:?})"),
+            [_] => format!("T::from_f64({first})"),
+            ref words => {
+                let rest: Vec<String> = words[1..].iter().map(|word| format!("{word:?}")).collect();
+                format!("T::constant(&[{first}, {}])", rest.join(", "))
+            }
         })
     }
 

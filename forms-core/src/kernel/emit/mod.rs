@@ -24,5 +24,5 @@ mod written;
 
 pub use docs::KernelDocs;
 pub use generic::emit_formula;
-pub use rust::{emit_rust, emit_rust_within};
+pub use rust::{MANY_ARGUMENTS, emit_rust, emit_rust_within};
 pub use target::{EmitError, Precision, Source, Target, emit};

@@ -18,7 +18,7 @@ const WIDTH: usize = 100;
 /// The longest array that stays on one line.
 const ARRAY: usize = 60;
 /// The most arguments a function has before clippy asks for a structure.
-const MANY_ARGUMENTS: usize = 7;
+pub const MANY_ARGUMENTS: usize = 7;
 
 /// A documented function. It needs nothing but the standard library, and where that does not do (see
 /// [`Program::needs_math`]) what `forms_math` exports, found by the path `math`.

@@ -80,7 +80,7 @@ pub(super) fn of_quotients_and_products(rewriting: &mut Rewriting<'_>, expressio
 /// |a| for a², a|a|… for higher powers, √a otherwise
 fn root_of_factor(rewriting: &mut Rewriting<'_>, factor: Expr) -> Expr {
     if let Some(base) = rewriting.squared(factor) {
-        return rewriting.pool.apply(crate::expression::Operation::Abs, &[base]);
+        return rewriting.size(base);
     }
     match *rewriting.pool.node(factor) {
         Node::Power(base, exponent) if exponent.is_integer() && exponent.numer() % 4 == 0 => {

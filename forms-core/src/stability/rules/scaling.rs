@@ -2,7 +2,7 @@
 
 use super::Rewriting;
 use super::factors::{factors, quotient};
-use crate::expression::{Expr, Operation, Seam};
+use crate::expression::{Expr, Seam};
 use crate::syntax::ast::Relation;
 
 /// √(a² ± b²) = |a| √(1 ± (b/a)²) where |a| ≥ |b|, and the other way round
@@ -12,8 +12,7 @@ pub(super) fn scaled_root(rewriting: &mut Rewriting<'_>, expression: Expr) -> Ve
     let (Some(a), Some(b)) = (rewriting.squared(first), rewriting.squared(second)) else {
         return Vec::new();
     };
-    let size = |rewriting: &mut Rewriting<'_>, x: Expr| rewriting.pool.apply(Operation::Abs, &[x]);
-    let (size_a, size_b) = (size(rewriting, a), size(rewriting, b));
+    let (size_a, size_b) = (rewriting.size(a), rewriting.size(b));
     let one = rewriting.pool.integer(1);
     let scaled = |rewriting: &mut Rewriting<'_>, large: Expr, size: Expr, small: Expr| {
         let ratio = rewriting.pool.divide(small, large);
@@ -43,7 +42,7 @@ pub(super) fn beside_a_square(rewriting: &mut Rewriting<'_>, expression: Expr) -
         let ratio = if negative { rewriting.pool.negate(ratio) } else { ratio };
         let one = rewriting.pool.integer(1);
         let sum = rewriting.pool.add(one, ratio);
-        let (size, root) = (rewriting.pool.apply(Operation::Abs, &[a]), rewriting.pool.sqrt(sum));
+        let (size, root) = (rewriting.size(a), rewriting.pool.sqrt(sum));
         found.push(rewriting.pool.multiply(size, root));
     }
     found

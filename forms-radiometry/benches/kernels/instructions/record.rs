@@ -16,14 +16,16 @@ pub(crate) struct Record {
 
 /// Where it is kept.
 pub(crate) fn path() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("benches/instructions/counts.csv")
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("benches/kernels/instructions/counts.csv")
 }
 
 impl Record {
     /// # Errors
     /// A line that is not of this form.
     pub(crate) fn read(text: &str) -> Result<Self> {
-        let unreadable = || Error::new(ErrorKind::InvalidData, "counts are a line `# compiler`, then `kernel,instructions`");
+        let unreadable = || {
+            Error::new(ErrorKind::InvalidData, "counts are a line `# compiler`, then `kernel,instructions`")
+        };
         let (first, rest) = text.split_once('\n').ok_or_else(unreadable)?;
         let compiler = first.strip_prefix("# ").ok_or_else(unreadable)?.to_string();
         let count = |line: &str| {

@@ -1,0 +1,73 @@
+//! Hamming's cases and others of FPBench: how many bits they lose as they are written, and by the forms chosen for them.
+
+use forms_core::accuracy::{Regime, Samples, Score, Width, sample};
+use forms_core::check::read_theory;
+use forms_core::generation::generate;
+use forms_core::kernel::Program;
+use forms_core::resolve::{Kernel, Theory};
+use forms_core::stability::Choices;
+
+const CASES: &str = include_str!("../../tests/stability/hamming.forms");
+const CHOICES: &str = include_str!("../../tests/stability/hamming.stable");
+
+/// Samples of each regime, and the seed: others than those of the search, so that a form is not judged by what it was
+/// chosen for.
+const SAMPLES: usize = 24;
+const SEED: u64 = 11;
+
+/// What no case loses more of by its form, in bits of the mean over all regimes.
+const MOST_LOST: f64 = 5.0;
+
+fn theories() -> (Theory, usize) {
+    let (mut theory, errors) = read_theory(CASES);
+    assert!(errors.is_empty(), "{errors:?}");
+    let choices = Choices::read(CHOICES).expect("a file of choices");
+    let applied = choices.apply(&mut theory);
+    (theory, applied)
+}
+
+/// The mean over the regimes of the mean loss in each.
+fn loss(samples: &[Samples], mut values: impl FnMut(&[f64]) -> Vec<f64>) -> f64 {
+    let means = samples.iter().map(|regime| Score::of(regime, Width::Double, &mut values).bits.mean);
+    means.sum::<f64>() / samples.len() as f64
+}
+
+/// The loss as written, and by the form that was chosen.
+fn losses(theory: &mut Theory, kernel: &Kernel) -> (f64, f64) {
+    let generated = generate(&mut theory.pool, kernel).unwrap_or_else(|errors| panic!("{errors:?}"));
+    assert!(generated.translation.is_proved(), "{}: {}", kernel.name, generated.translation);
+    let samples = sample(&theory.pool, kernel, Width::Double, &Regime::ALL, SAMPLES, SEED);
+    let by = |program: &Program| loss(&samples, |arguments| program.interpret(arguments));
+    let promised = kernel.within.is_some();
+    let after = if promised {
+        loss(&samples, |arguments| generated.optimised.interpret_within(arguments, 2.0))
+    } else {
+        by(&generated.optimised)
+    };
+    (by(&generated.written), after)
+}
+
+#[test]
+fn chosen_forms_lose_less_than_a_bit_on_the_mean() {
+    let (mut theory, applied) = theories();
+    let kernels = theory.kernels.clone();
+    assert_eq!(
+        applied,
+        kernels.len(),
+        "every case has a valid entry: forms accuracy --write makes them anew"
+    );
+    let found: Vec<(f64, f64)> = kernels.iter().map(|kernel| losses(&mut theory, kernel)).collect();
+    let lines: Vec<String> = kernels
+        .iter()
+        .zip(&found)
+        .map(|(kernel, (before, after))| format!("{:<22}{before:>6.2}{after:>6.2}", kernel.name))
+        .collect();
+    println!("{}", lines.join("\n"));
+    let mean = |of: fn(&(f64, f64)) -> f64| found.iter().map(of).sum::<f64>() / found.len() as f64;
+    let (before, after) = (mean(|pair| pair.0), mean(|pair| pair.1));
+    println!("{:<22}{before:>6.2}{after:>6.2}", "mean");
+    assert!(before > 10.0 && after < 1.0, "{before} {after}\n{}", lines.join("\n"));
+    for ((before, after), line) in found.iter().zip(&lines) {
+        assert!(after < before && *after < MOST_LOST, "{line}");
+    }
+}

@@ -1,0 +1,77 @@
+//! How many instructions the batch of each kernel takes with AVX2, so that it does not grow unseen.
+//!
+//! ```text
+//! work ── callgrind ──▶ counts ─┬─▶ compared with counts.csv: a kernel that grew by more than 2 % fails
+//!                               └─▶ counts.csv, written anew
+//! ```
+//! Without valgrind it says that nothing was counted. Counts belong to a compiler: with another than the record’s they are
+//! shown, and not compared.
+
+mod callgrind;
+mod record;
+mod work;
+
+use record::Record;
+use std::collections::BTreeMap;
+use std::io::{Error, Result};
+use std::process::{Command, ExitCode};
+
+/// What this program is started with to be counted.
+const COUNTED: &str = "--counted";
+
+/// Runs what is counted, if this is the program under valgrind.
+pub(crate) fn is_counted() -> bool {
+    let counted = std::env::args().any(|argument| argument == COUNTED);
+    if counted {
+        work::all().iter().for_each(work::Work::run);
+    }
+    counted
+}
+
+/// Counts, and compares with the record or writes it anew.
+///
+/// # Errors
+/// Where valgrind fails or the record cannot be read or written.
+pub(crate) fn check(writes: bool) -> Result<ExitCode> {
+    if !callgrind::is_installed() {
+        println!("valgrind is not installed: no instructions were counted, so none were checked");
+        return Ok(ExitCode::SUCCESS);
+    }
+    let counts = callgrind::counted(COUNTED)?;
+    let works = work::all();
+    if counts.len() != works.len() {
+        return Err(Error::other(format!("valgrind counted {} calls of {}", counts.len(), works.len())));
+    }
+    let counts: BTreeMap<String, u64> = works.into_iter().map(|work| work.name).zip(counts).collect();
+    if writes {
+        std::fs::write(record::path(), Record { compiler: compiler(), counts }.text())?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    Ok(compare(&Record::read(&std::fs::read_to_string(record::path())?)?, counts))
+}
+
+fn compare(record: &Record, counts: BTreeMap<String, u64>) -> ExitCode {
+    let compiler = compiler();
+    if record.compiler != compiler {
+        println!("the record is of {}: these counts of {compiler} are not compared with it", record.compiler);
+        print!("{}", Record { compiler, counts }.text());
+        return ExitCode::SUCCESS;
+    }
+    let complaints = record.complaints(&counts);
+    complaints.iter().for_each(|complaint| println!("{complaint}"));
+    println!("instructions of {} functions counted, {} complaints", counts.len(), complaints.len());
+    if complaints.is_empty() {
+        return ExitCode::SUCCESS;
+    }
+    println!("if that is meant: cargo bench --bench kernels -- --instructions --write");
+    ExitCode::FAILURE
+}
+
+/// The compiler, by its own words.
+fn compiler() -> String {
+    let output = Command::new("rustc").arg("--version").output();
+    output.map_or_else(
+        |_| "an unknown compiler".to_string(),
+        |output| String::from_utf8_lossy(&output.stdout).trim().to_string(),
+    )
+}
