@@ -13,7 +13,7 @@ use forms_core::check::{decide_all, objection, resolve_parsed};
 use forms_core::decide::Verdict;
 use forms_core::diagnostic::{Diagnostic, Span};
 use forms_core::generation::{Generated, generate};
-use forms_core::kernel::{KernelDocs, emit_rust, emit_rust_within};
+use forms_core::kernel::{Constant, KernelDocs, emit_rust, emit_rust_within};
 use forms_core::resolve::{Kernel, Theory};
 use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
 use forms_core::syntax::token::{Symbol, Token, TokenKind};
@@ -171,7 +171,8 @@ fn function(
         vec![Diagnostic::new(kernel.span, message)]
     };
     let mut items = source.parse::<TokenStream>().map_err(unreadable)?;
-    items.extend(tiers::module(&generated).map_err(unreadable)?);
+    let within = kernel.within.as_ref().map(|within| Constant::rational(within.clone()).to_f64());
+    items.extend(tiers::module(&generated, within).map_err(unreadable)?);
     items.extend(warning(theory, kernel).parse::<TokenStream>().map_err(unreadable)?);
     Ok(named_at(items, &kernel.name, origin.place(kernel.span).0))
 }

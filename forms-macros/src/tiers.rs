@@ -2,8 +2,10 @@
 //!
 //! ```text
 //! written ─ emit_formula ─▶ Plain ──┬─▶ plain
-//! optimised ─ emit_formula ▶ Stable ┴─▶ f32, dd, batch, batch_f32, batch_parallel
+//! optimised ─ emit_formula ▶ Stable ┴─▶ f32, dd, batch, batch_f32, batch_parallel; unguarded, batch_unguarded
 //! ```
+//! The batch of a kernel that promises an accuracy keeps the promise; what it is without is `unguarded`.
+//!
 //! Each function is a thin wrapper that is compiled where it is called and nowhere else. Paths are absolute and
 //! types have no values of their name, so that neither the user's names nor the kernel's arguments get in the way.
 
@@ -16,7 +18,10 @@ use quote::{format_ident, quote};
 pub(crate) const MATH: &str = "::forms::math";
 
 /// `mod NAME { … }`, or why Rust cannot read what was generated.
-pub(crate) fn module(generated: &Generated) -> Result<TokenStream, proc_macro2::LexError> {
+pub(crate) fn module(
+    generated: &Generated,
+    within: Option<f64>,
+) -> Result<TokenStream, proc_macro2::LexError> {
     let program = &generated.optimised;
     let formula = |program: &Program, name: &str| emit_formula(program, name, MATH).parse::<TokenStream>();
     let plain = formula(&generated.written, "Plain")?;
@@ -29,10 +34,19 @@ pub(crate) fn module(generated: &Generated) -> Result<TokenStream, proc_macro2::
         quote!(pub enum Stable {} #stable)
     };
     let tiers = Tiers::of(program);
-    let mut functions = vec![tiers.plain(), tiers.f32(), tiers.dd()];
-    functions.extend([tiers.batch("batch", "f64"), tiers.batch("batch_f32", "f32")]);
-    if cfg!(feature = "rayon") {
-        functions.push(tiers.batch("batch_parallel", "f64"));
+    let mut functions = vec![tiers.plain(), tiers.f32(), tiers.dd(), tiers.batch_f32()];
+    match within {
+        Some(within) => functions.extend([
+            tiers.unguarded(),
+            tiers.batch(Batch {
+                name: "batch",
+                function: "batch_within",
+                number: "f64",
+                within: Some(within),
+            }),
+            tiers.batch(Batch { name: "batch_unguarded", function: "batch", number: "f64", within: None }),
+        ]),
+        None => functions.extend(batches_of(&tiers)),
     }
     let (name, attributes) = (&tiers.name, attributes(program));
     let public = program.is_public().then(|| quote!(pub));
@@ -67,6 +81,25 @@ fn attributes(program: &Program) -> TokenStream {
         #case
         #many
     }
+}
+
+/// A function of columns.
+struct Batch<'a> {
+    /// Its name in the module.
+    name: &'a str,
+    /// The function of `forms_math` it calls.
+    function: &'a str,
+    /// The type of its numbers.
+    number: &'a str,
+    /// What it promises, in units of 2⁻⁵³.
+    within: Option<f64>,
+}
+
+/// The batches of a kernel that promises nothing.
+fn batches_of(tiers: &Tiers) -> Vec<TokenStream> {
+    let names = if cfg!(feature = "rayon") { &["batch", "batch_parallel"][..] } else { &["batch"][..] };
+    let batch = |&name: &&str| tiers.batch(Batch { name, function: name, number: "f64", within: None });
+    names.iter().map(batch).collect()
 }
 
 /// What the wrappers of one kernel have in common.
@@ -105,12 +138,27 @@ impl Tiers {
         self.scalar(&docs, &format_ident!("dd"), &number, &quote!(Stable))
     }
 
-    /// A function of columns, by the function of that name in `forms_math`.
-    fn batch(&self, name: &str, number: &str) -> TokenStream {
+    /// The form that a kernel with a promise is computed by, in `f64` and without the promise.
+    fn unguarded(&self) -> TokenStream {
+        let docs = format!(" `{}` in `f64` by its form alone, without a bound of the error.", self.name);
+        self.scalar(&docs, &format_ident!("unguarded"), &quote!(f64), &quote!(Stable))
+    }
+
+    fn batch_f32(&self) -> TokenStream {
+        self.batch(Batch { name: "batch_f32", function: "batch_f32", number: "f32", within: None })
+    }
+
+    /// A function of columns, by a function of `forms_math`.
+    fn batch(&self, Batch { name, function, number, within }: Batch) -> TokenStream {
         let (arguments, count, outputs) = (&self.arguments, self.arguments.len(), self.outputs);
-        let [function, number] = [name, number].map(|name| format_ident!("{name}"));
-        let several = if name == "batch_parallel" { ", on all processors" } else { "" };
-        let docs = format!(" `{}` of each row of columns of `{number}`s{several}.", self.name);
+        let how = match name {
+            "batch_parallel" => ", on all processors",
+            "batch_unguarded" => ", by its form alone, without a bound of the error",
+            _ => "",
+        };
+        let docs = format!(" `{}` of each row of columns of `{number}`s{how}.", self.name);
+        let [name, function, number] = [name, function, number].map(|name| format_ident!("{name}"));
+        let within = within.map(|within| quote!(, #within));
         // an argument may have this name
         let output = format_ident!("{}", self.unused("output"));
         let (column, columns) = match outputs {
@@ -123,11 +171,11 @@ impl Tiers {
             /// # Errors
             /// Where a column's length is not that of the first.
             #[inline]
-            pub fn #function(
+            pub fn #name(
                 #(#arguments: &[#number],)*
                 #output: #column,
             ) -> ::core::result::Result<(), ::forms::math::LengthMismatch> {
-                ::forms::math::#function::<Stable, #count, #outputs>([#(#arguments),*], #columns)
+                ::forms::math::#function::<Stable, #count, #outputs>([#(#arguments),*], #columns #within)
             }
         }
     }

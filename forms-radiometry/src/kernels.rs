@@ -5,10 +5,20 @@
 
 forms::include_forms!("kernels/solid_angle.forms");
 forms::include_forms!("kernels/irradiance.forms");
+forms::include_forms!("kernels/polygon_solid_angle.forms");
+forms::include_forms!("kernels/round_solid_angle.forms");
+forms::include_forms!("kernels/polygon_form_factor.forms");
+forms::include_forms!("kernels/round_form_factor.forms");
+forms::include_forms!("kernels/rectangle_view_factor.forms");
+forms::include_forms!("kernels/disk_view_factor.forms");
+forms::include_forms!("kernels/sphere_view_factor.forms");
+forms::include_forms!("kernels/linear_luminaire.forms");
 forms::include_forms!("kernels/reflection.forms");
 forms::include_forms!("kernels/reconnection.forms");
 forms::include_forms!("kernels/transport.forms");
 forms::include_forms!("kernels/single_scattering.forms");
+forms::include_forms!("kernels/airlight.forms");
+forms::include_forms!("kernels/chandrasekhar.forms");
 forms::include_forms!("kernels/fresnel.forms");
 forms::include_forms!("kernels/phase_function.forms");
 forms::include_forms!("kernels/planck.forms");

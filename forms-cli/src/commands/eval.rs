@@ -3,7 +3,7 @@
 use crate::arguments::Tier;
 use crate::commands::exact::Exact;
 use crate::commands::refuse;
-use crate::commands::rounded::Rounded;
+use crate::commands::rounded::{Promised, Rounded};
 use crate::kernel::{files, find, generated};
 use crate::status::Status;
 use crate::theory_file::complain;
@@ -42,19 +42,20 @@ pub(crate) fn eval(
     if precision == "exact" {
         return table(&Exact::new(file, kernel), io::stdin().lock(), output);
     }
-    let program = match generated(file, kernel) {
-        Ok(generated) if tier == Tier::Stable => generated.optimised,
-        Ok(generated) => generated.written,
+    let (program, within) = match generated(file, kernel) {
+        Ok(generated) if tier == Tier::Stable => (generated.optimised, kernel.within.as_ref()),
+        Ok(generated) => (generated.written, None),
         Err(errors) => {
             complain(&errors);
             return Ok(Status::Error);
         }
     };
     let input = io::stdin().lock();
-    match precision {
-        "f32" => table(&Rounded::<f32>::new(&program), input, output),
-        "dd" => table(&Rounded::<DoubleDouble>::new(&program), input, output),
-        _ => table(&Rounded::<f64>::new(&program), input, output),
+    match (precision, within) {
+        ("f32", _) => table(&Rounded::<f32>::new(&program), input, output),
+        ("dd", _) => table(&Rounded::<DoubleDouble>::new(&program), input, output),
+        (_, None) => table(&Rounded::<f64>::new(&program), input, output),
+        (_, Some(within)) => table(&Promised::new(&program, within), input, output),
     }
 }
 

@@ -1,8 +1,9 @@
-//! The values of a kernel in one of the precisions it is generated in.
+//! The values of a kernel in one of the precisions it is generated in, or in as much as its promise of accuracy takes.
 
 use super::eval::Evaluation;
 use crate::decimal;
 use forms::core::accuracy::{Format, Rounded as Text};
+use forms::core::expression::Rational;
 use forms::core::kernel::{Constant, Interpreter, Program};
 use forms::math::{DoubleDouble, Real};
 use num_rational::BigRational;
@@ -99,6 +100,48 @@ impl<T: Number> Evaluation for Rounded<'_, T> {
     }
 
     fn written(&self, argument: &T) -> String {
+        argument.digits()
+    }
+}
+
+/// A program whose `f64` values are as near to the exact ones as its kernel promises.
+pub(super) struct Promised<'a> {
+    program: &'a Program,
+    within: f64,
+}
+
+impl<'a> Promised<'a> {
+    /// With the bound behind `within`, in units of 2⁻⁵³.
+    pub(super) fn new(program: &'a Program, within: &Rational) -> Self {
+        Promised { program, within: Constant::rational(within.clone()).to_f64() }
+    }
+}
+
+impl Evaluation for Promised<'_> {
+    type Number = f64;
+
+    fn name(&self) -> &str {
+        self.program.name()
+    }
+
+    fn arguments(&self) -> &[String] {
+        self.program.arguments()
+    }
+
+    fn outputs(&self) -> usize {
+        self.program.outputs().len()
+    }
+
+    fn read(&self, text: &str) -> Option<f64> {
+        f64::read(text)
+    }
+
+    fn values(&self, arguments: &[f64]) -> Vec<String> {
+        let values = self.program.interpret_within(arguments, self.within);
+        values.into_iter().map(f64::digits).collect()
+    }
+
+    fn written(&self, argument: &f64) -> String {
         argument.digits()
     }
 }

@@ -21,6 +21,7 @@ enum Hidden {
     Radicand,
     Applied(Operation),
     Choice(Relation),
+    Quadrature,
     Sum,
 }
 
@@ -44,40 +45,77 @@ struct Variable {
 
 /// The expressions with variables for functions and radicands; equal functions of equal operands are one variable.
 pub(super) fn opaque(pool: &mut Pool, expressions: &[Expr], depth: Depth) -> Vec<Expr> {
-    let reachable = pool.reachable(expressions);
-    let radicand = |expression: &Expr| match pool.node(*expression) {
-        Node::Power(base, exponent) if !exponent.is_integer() => Some(*base),
-        _ => None,
-    };
-    let radicands: FxHashSet<Expr> = reachable.iter().filter_map(radicand).collect();
-    let sums = if depth == Depth::Sums { whole_sums(pool, &reachable) } else { FxHashSet::default() };
-    let mut variables: Vec<Variable> = Vec::new();
-    // a sum is made of what its summands are, so that a part of it that is a radicand elsewhere makes no difference
-    let mut plain: FxHashMap<Expr, Expr> = FxHashMap::default();
-    let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
-    for expression in reachable {
-        let mut image = match pool.node(expression).clone() {
-            node @ (Node::Add(..) | Node::Negate(_)) => pool.image(expression, node, &plain),
-            Node::Apply(operation, operands) => {
-                let operands = operands.iter().map(|operand| images[operand]).collect();
-                variable(pool, &mut variables, Hidden::Applied(operation), operands)
-            }
-            Node::Select { left, relation, right, then, otherwise, .. } if depth >= Depth::Choices => {
-                let operands = [left, right, then, otherwise].map(|operand| images[&operand]);
-                variable(pool, &mut variables, Hidden::Choice(relation), operands.to_vec())
-            }
-            node => pool.image(expression, node, &images),
+    let mut images =
+        Images { depth, variables: Vec::new(), plain: FxHashMap::default(), images: FxHashMap::default() };
+    images.of(pool, expressions)
+}
+
+/// What stands for the expressions met so far.
+struct Images {
+    depth: Depth,
+    variables: Vec<Variable>,
+    /// As summands: a sum is made of what its summands are, so that a part of it that is a radicand elsewhere makes no
+    /// difference.
+    plain: FxHashMap<Expr, Expr>,
+    /// As operands of anything else.
+    images: FxHashMap<Expr, Expr>,
+}
+
+impl Images {
+    fn of(&mut self, pool: &mut Pool, expressions: &[Expr]) -> Vec<Expr> {
+        let reachable = pool.reachable(expressions);
+        let radicand = |expression: &Expr| match pool.node(*expression) {
+            Node::Power(base, exponent) if !exponent.is_integer() => Some(*base),
+            _ => None,
         };
-        plain.insert(expression, image);
-        let is_one_already = matches!(pool.node(image), Node::Symbol(_) | Node::Number(_));
-        if radicands.contains(&expression) && !is_one_already {
-            image = variable(pool, &mut variables, Hidden::Radicand, vec![image]);
-        } else if sums.contains(&expression) && !is_one_already {
-            image = variable(pool, &mut variables, Hidden::Sum, vec![image]);
+        let mut hidden: FxHashMap<Expr, Hidden> = FxHashMap::default();
+        if self.depth == Depth::Sums {
+            hidden.extend(whole_sums(pool, &reachable).into_iter().map(|sum| (sum, Hidden::Sum)));
         }
-        images.insert(expression, image);
+        hidden.extend(reachable.iter().filter_map(radicand).map(|base| (base, Hidden::Radicand)));
+        for expression in reachable {
+            if self.images.contains_key(&expression) {
+                continue;
+            }
+            let mut image = self.image(pool, expression);
+            self.plain.insert(expression, image);
+            let is_one_already = matches!(pool.node(image), Node::Symbol(_) | Node::Number(_));
+            if let Some(hidden) = hidden.get(&expression)
+                && !is_one_already
+            {
+                image = variable(pool, &mut self.variables, *hidden, vec![image]);
+            }
+            self.images.insert(expression, image);
+        }
+        expressions.iter().map(|expression| self.images[expression]).collect()
     }
-    expressions.iter().map(|expression| images[expression]).collect()
+
+    /// The image of an expression whose operands have theirs.
+    fn image(&mut self, pool: &mut Pool, expression: Expr) -> Expr {
+        match pool.node(expression).clone() {
+            node @ (Node::Add(..) | Node::Negate(_)) => pool.image(expression, node, &self.plain),
+            Node::Apply(operation, operands) => {
+                let operands = operands.iter().map(|operand| self.images[operand]).collect();
+                variable(pool, &mut self.variables, Hidden::Applied(operation), operands)
+            }
+            Node::Select { left, relation, right, then, otherwise, .. } if self.depth >= Depth::Choices => {
+                let operands = [left, right, then, otherwise].map(|operand| self.images[&operand]);
+                variable(pool, &mut self.variables, Hidden::Choice(relation), operands.to_vec())
+            }
+            Node::Jet { function, orders, arguments } if orders.iter().all(|&order| order == 0) => {
+                match pool.integrand_at(function, &arguments) {
+                    // the integrands are compared as functions of their variable
+                    Some((integrand, _)) => {
+                        let mut operands = self.of(pool, &[integrand]);
+                        operands.extend(arguments[..2].iter().map(|end| self.images[end]));
+                        variable(pool, &mut self.variables, Hidden::Quadrature, operands)
+                    }
+                    None => pool.image(expression, pool.node(expression).clone(), &self.images),
+                }
+            }
+            node => pool.image(expression, node, &self.images),
+        }
+    }
 }
 
 /// The sums that are operands of anything but sums.
@@ -160,6 +198,14 @@ mod tests {
         let (mut pool, images) = outputs(values, Depth::Sums);
         assert!(are_equal(&mut pool, &images[..1], &images[1..2]));
         assert!(!are_equal(&mut pool, &images[2..3], &images[3..]));
+    }
+
+    #[test]
+    fn quadratures_are_compared_by_their_integrands() {
+        let of = |integrand: &str| format!("quadrature({integrand}, t = 0..y)");
+        assert!(are_alike(&of("exp(-(x + t)**2)/(1 + t)"), &of("exp(-x**2 - 2*x*t - t**2)*(1/(t + 1))")));
+        assert!(!are_alike(&of("exp(-x*t)"), &of("exp(x*t)")));
+        assert!(!are_alike(&of("exp(-x*t)"), "quadrature(exp(-x*t), t = 0..x)"));
     }
 
     #[test]

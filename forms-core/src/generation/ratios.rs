@@ -65,7 +65,8 @@ mod tests {
     const EFFORT: Effort = Effort { work: 2_000_000, candidates: 100, points: 12 };
 
     fn seen(outputs: &str) -> Option<usize> {
-        let (theory, errors) = read_theory(&format!("kernel f(a, b, c) = ({outputs}) where a > 0, b > 0, c > 0;"));
+        let (theory, errors) =
+            read_theory(&format!("kernel f(a, b, c) = ({outputs}) where a > 0, b > 0, c > 0;"));
         assert!(errors.is_empty(), "{errors:?}");
         let (mut pool, kernel) = (theory.pool, &theory.kernels[0]);
         let sides = [(kernel.outputs[0], kernel.outputs[1])];

@@ -1,4 +1,4 @@
-//! Batches in `f64` against values of 256 bits, with every set of instructions that the processor has: at most 1.5 units in
+//! Batches in `f64` against values of 256 bits, with every set of instructions that the processor has: at most 2 units in
 //! the last place. `FORMS_MATH_CASES` sets how many arguments each function gets.
 
 use crate::arguments::{Draw, arguments};
@@ -6,7 +6,7 @@ use crate::formulas::*;
 use forms_math::{Formula, Instructions, Real, Wide, batch_by};
 
 /// What is allowed.
-const LIMIT: f64 = 1.5;
+const LIMIT: f64 = 2.0;
 
 /// The largest angle that lanes reach.
 const REACH: f64 = 1_647_000.0;

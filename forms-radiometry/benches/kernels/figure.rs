@@ -6,9 +6,9 @@ use crate::page::processor;
 use crate::table::Row;
 use std::fmt::Write;
 
-const WIDTH: f64 = 820.0;
+const WIDTH: f64 = 900.0;
 /// Left and right ends of the axis.
-const ACROSS: [f64; 2] = [270.0, 800.0];
+const ACROSS: [f64; 2] = [330.0, 860.0];
 /// The first line, and how far apart lines are.
 const TOP: f64 = 96.0;
 const STEP: f64 = 30.0;

@@ -27,9 +27,10 @@ pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
     let bound: Vec<&str> =
         names.iter().enumerate().map(|(place, name)| if used(place) { name.as_str() } else { "_" }).collect();
     let body = body::write(&Generic, program, &names);
-    let is_arithmetic = !program.instructions.iter().any(|instruction| {
-        matches!(instruction, Instruction::Power(..) | Instruction::Call(..))
-    });
+    let is_arithmetic = !program
+        .instructions
+        .iter()
+        .any(|instruction| matches!(instruction, Instruction::Power(..) | Instruction::Call(..)));
     let gives_up = if is_arithmetic { "    const MAY_GIVE_UP: bool = false;\n" } else { "" };
     format!(
         "impl {math}::Formula<{arguments}, {outputs}> for {type_name} {{\n{gives_up}    \

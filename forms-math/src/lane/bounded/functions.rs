@@ -1,4 +1,4 @@
-//! Functions of bounded lanes: 1.5 ulp, and what the error α of the argument makes of the value for all δ with |δ| ≤ α.
+//! Functions of bounded lanes: 2 ulp, and what the error α of the argument makes of the value for all δ with |δ| ≤ α.
 
 use super::super::pair::two_product;
 use super::super::word::Word;
@@ -9,8 +9,7 @@ impl<W: Word> Bounded<W> {
     /// A function's value, with what the error of the argument makes of it.
     #[inline(always)]
     fn function(value: W, propagated: W) -> Self {
-        let unit = W::two_to(-W::PRECISION);
-        Self::above_underflow(value, value.magnitude() * (unit * W::literal(3.0)) + propagated, false)
+        Self::above_underflow(value, value.magnitude() * W::two_to(2 - W::PRECISION) + propagated, false)
     }
 
     /// |e^δ − 1| ≤ α (1 + α) of α < 1

@@ -5,7 +5,7 @@
 //! again by [`escalate`](crate::escalate). With α, β the bounds of the arguments' errors:
 //!
 //! * sums, products, quotients and roots have their rounding error by the operations of [`pair`](super::pair);
-//! * functions of lanes are within 1.5 ulp, that is 3 · 2^−p relative, as the tests measure;
+//! * functions of lanes are within 2 ulp, that is 2^(2−p) relative, as the tests measure;
 //! * what may be lost of a bound to underflow is far below 2^[`Word::SMALL`], which is added.
 
 mod functions;

@@ -1,7 +1,7 @@
 //! Instructions of calls, counted by valgrind's callgrind: this program runs itself under it.
 //!
-//! Callgrind counts within [`call`] only, and writes what it has counted each time `call` is entered: one file before the
-//! first, one for each. It shows programs a processor without AVX-512, so batches choose AVX2.
+//! Callgrind counts within [`call`] only, and writes what it has counted each time `call` is left. It shows programs a
+//! processor without AVX-512, so batches choose AVX2.
 
 use std::ffi::OsStr;
 use std::io::{Error, ErrorKind, Result};
@@ -10,7 +10,7 @@ use std::process::{Command, Stdio};
 
 /// Does it, in a function that callgrind finds by its name.
 #[inline(never)]
-pub(crate) fn call(work: &dyn Fn()) {
+pub(crate) fn call(work: &mut dyn FnMut()) {
     work();
 }
 
@@ -36,10 +36,10 @@ pub(crate) fn counted(argument: &str) -> Result<Vec<u64>> {
 fn run(argument: &str, folder: &Path) -> Result<()> {
     let mut out = OsStr::new("--callgrind-out-file=").to_owned();
     out.push(folder.join("counts"));
-    let name = "*instructions*callgrind*call*";
+    let name = "*::callgrind::call";
     let status = Command::new("valgrind")
         .args(["--quiet", "--tool=callgrind", "--combine-dumps=no"])
-        .args([format!("--toggle-collect={name}"), format!("--dump-before={name}")])
+        .args([format!("--toggle-collect={name}"), format!("--dump-after={name}")])
         .arg(out)
         .arg(std::env::current_exe()?)
         .arg(argument)
@@ -47,12 +47,11 @@ fn run(argument: &str, folder: &Path) -> Result<()> {
     if status.success() { Ok(()) } else { Err(Error::other(format!("valgrind ends with {status}"))) }
 }
 
-/// The totals in callgrind's files in the order in which it wrote them: `counts.1` before the first call, the last without
-/// a number.
+/// The totals in callgrind's files, which are numbered from 1 on in the order of the calls.
 fn totals(folder: &Path) -> Result<Vec<u64>> {
     let numbered =
-        (2..).map(|number| folder.join(format!("counts.{number}"))).take_while(|path| path.exists());
-    numbered.chain([folder.join("counts")]).map(|path| total(&std::fs::read_to_string(path)?)).collect()
+        (1..).map(|number| folder.join(format!("counts.{number}"))).take_while(|path| path.exists());
+    numbered.map(|path| total(&std::fs::read_to_string(path)?)).collect()
 }
 
 /// The number of the line `totals: 1234`.
