@@ -12,7 +12,6 @@ forms::include_forms!("kernels/round_form_factor.forms");
 forms::include_forms!("kernels/rectangle_view_factor.forms");
 forms::include_forms!("kernels/disk_view_factor.forms");
 forms::include_forms!("kernels/sphere_view_factor.forms");
-forms::include_forms!("kernels/linear_luminaire.forms");
 forms::include_forms!("kernels/reflection.forms");
 forms::include_forms!("kernels/reconnection.forms");
 forms::include_forms!("kernels/transport.forms");
