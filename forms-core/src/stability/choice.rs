@@ -59,8 +59,9 @@ fn fowler_noll_vo(bytes: &[u8]) -> u64 {
     })
 }
 
-/// The text of a file with these choices; a kernel for which the formula itself is best has no entry.
-pub fn written(pool: &Pool, choices: &[(&Kernel, &Found)]) -> String {
+/// The text of a file with these choices; a kernel for which the formula itself is best has no entry, and a file without
+/// entries is none.
+pub fn written(pool: &Pool, choices: &[(&Kernel, &Found)]) -> Option<String> {
     let mut text = HEAD.to_string();
     for (kernel, found) in choices {
         let form = found.chosen();
@@ -69,7 +70,7 @@ pub fn written(pool: &Pool, choices: &[(&Kernel, &Found)]) -> String {
             entry(pool, kernel, found, form, &mut text);
         }
     }
-    text
+    (text.len() > HEAD.len()).then_some(text)
 }
 
 fn entry(pool: &Pool, kernel: &Kernel, found: &Found, form: &Form, text: &mut String) {
@@ -165,7 +166,7 @@ mod tests {
             .map(|kernel| search(&mut theory.pool, kernel, Effort::default()).expect("samples"))
             .collect();
         let pairs: Vec<(&Kernel, &Found)> = kernels.iter().zip(&found).collect();
-        written(&theory.pool, &pairs)
+        written(&theory.pool, &pairs).expect("a choice")
     }
 
     #[test]

@@ -44,7 +44,13 @@ pub(super) fn choose(path: &str, output: &mut dyn Write) -> io::Result<Status> {
     }
     let pairs: Vec<_> = choices.iter().map(|(place, found)| (&kernels[*place], found)).collect();
     let beside = choices_beside(path);
-    std::fs::write(&beside, written(&file.theory.pool, &pairs))?;
-    writeln!(output, "{}", palette.quiet(&format!("written to {}", beside.display())))?;
+    let told = match written(&file.theory.pool, &pairs) {
+        Some(text) => {
+            std::fs::write(&beside, text)?;
+            format!("written to {}", beside.display())
+        }
+        None => "no form is better than the formula as it is written; nothing was written".to_string(),
+    };
+    writeln!(output, "{}", palette.quiet(&told))?;
     Ok(Status::AsStated)
 }
