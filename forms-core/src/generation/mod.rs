@@ -13,6 +13,7 @@ mod limit;
 mod opaque;
 mod pieces;
 mod ratios;
+mod residue;
 mod seam;
 mod translation;
 

@@ -7,12 +7,13 @@
 //! at each point at which the expressions are defined the variables have values. The converse does not hold, as
 //! sin² + cos² = 1 shows.
 
+use super::residue::Residues;
 use crate::decide::{Effort, Equations, Finding};
 use crate::expression::{Expr, Node, Operation, Pool, SymbolKind};
 use crate::syntax::ast::Relation;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Most pairs of operands differ, which a few points show; the others are small.
+/// Most pairs of operands differ, which their residues show; the others are small.
 const EFFORT: Effort = Effort { work: 1_000_000, candidates: 24, points: 4 };
 
 /// What a variable stands for.
@@ -46,14 +47,14 @@ struct Variable {
 /// The expressions with variables for functions and radicands; equal functions of equal operands are one variable.
 pub(super) fn opaque(pool: &mut Pool, expressions: &[Expr], depth: Depth) -> Vec<Expr> {
     let mut images =
-        Images { depth, variables: Vec::new(), plain: FxHashMap::default(), images: FxHashMap::default() };
+        Images { depth, variables: Variables::default(), plain: FxHashMap::default(), images: FxHashMap::default() };
     images.of(pool, expressions)
 }
 
 /// What stands for the expressions met so far.
 struct Images {
     depth: Depth,
-    variables: Vec<Variable>,
+    variables: Variables,
     /// As summands: a sum is made of what its summands are, so that a part of it that is a radicand elsewhere makes no
     /// difference.
     plain: FxHashMap<Expr, Expr>,
@@ -83,7 +84,7 @@ impl Images {
             if let Some(hidden) = hidden.get(&expression)
                 && !is_one_already
             {
-                image = variable(pool, &mut self.variables, *hidden, vec![image]);
+                image = self.variables.variable(pool, *hidden, vec![image]);
             }
             self.images.insert(expression, image);
         }
@@ -96,11 +97,11 @@ impl Images {
             node @ (Node::Add(..) | Node::Negate(_)) => pool.image(expression, node, &self.plain),
             Node::Apply(operation, operands) => {
                 let operands = operands.iter().map(|operand| self.images[operand]).collect();
-                variable(pool, &mut self.variables, Hidden::Applied(operation), operands)
+                self.variables.variable(pool, Hidden::Applied(operation), operands)
             }
             Node::Select { left, relation, right, then, otherwise, .. } if self.depth >= Depth::Choices => {
                 let operands = [left, right, then, otherwise].map(|operand| self.images[&operand]);
-                variable(pool, &mut self.variables, Hidden::Choice(relation), operands.to_vec())
+                self.variables.variable(pool, Hidden::Choice(relation), operands.to_vec())
             }
             Node::Jet { function, orders, arguments } if orders.iter().all(|&order| order == 0) => {
                 match pool.integrand_at(function, &arguments) {
@@ -108,7 +109,7 @@ impl Images {
                     Some((integrand, _)) => {
                         let mut operands = self.of(pool, &[integrand]);
                         operands.extend(arguments[..2].iter().map(|end| self.images[end]));
-                        variable(pool, &mut self.variables, Hidden::Quadrature, operands)
+                        self.variables.variable(pool, Hidden::Quadrature, operands)
                     }
                     None => pool.image(expression, pool.node(expression).clone(), &self.images),
                 }
@@ -135,17 +136,39 @@ fn whole_sums(pool: &Pool, expressions: &[Expr]) -> FxHashSet<Expr> {
     sums
 }
 
-/// The variable that stands for this.
-fn variable(pool: &mut Pool, variables: &mut Vec<Variable>, hidden: Hidden, operands: Vec<Expr>) -> Expr {
-    for known in variables.iter().filter(|known| known.hidden == hidden) {
-        if are_equal(pool, &known.operands, &operands) {
-            return known.symbol;
+/// The variables so far, and the residues of what they stand for.
+#[derive(Default)]
+struct Variables {
+    known: Vec<Variable>,
+    residues: Residues,
+}
+
+impl Variables {
+    /// The variable that stands for this.
+    fn variable(&mut self, pool: &mut Pool, hidden: Hidden, operands: Vec<Expr>) -> Expr {
+        for place in 0..self.known.len() {
+            if self.known[place].hidden == hidden
+                && self.may_be_equal(pool, place, &operands)
+                && are_equal(pool, &self.known[place].operands, &operands)
+            {
+                return self.known[place].symbol;
+            }
         }
+        let symbol = pool.declare_symbol(format!("opaque_{}", self.known.len()), SymbolKind::Local);
+        let symbol = pool.symbol(symbol);
+        self.known.push(Variable { hidden, operands, symbol });
+        symbol
     }
-    let symbol = pool.declare_symbol(format!("opaque_{}", variables.len()), SymbolKind::Local);
-    let symbol = pool.symbol(symbol);
-    variables.push(Variable { hidden, operands, symbol });
-    symbol
+
+    /// Whether no residue tells the operands from those of a known variable.
+    fn may_be_equal(&mut self, pool: &Pool, place: usize, operands: &[Expr]) -> bool {
+        let pairs = self.known[place].operands.iter().zip(operands);
+        let mut residue = |operand: &Expr| self.residues.of(pool, *operand);
+        pairs.into_iter().all(|(known, operand)| match (residue(known), residue(operand)) {
+            (Some(known), Some(operand)) => known == operand,
+            _ => true,
+        })
+    }
 }
 
 pub(super) fn are_equal(pool: &mut Pool, left: &[Expr], right: &[Expr]) -> bool {
