@@ -46,8 +46,12 @@ struct Variable {
 
 /// The expressions with variables for functions and radicands; equal functions of equal operands are one variable.
 pub(super) fn opaque(pool: &mut Pool, expressions: &[Expr], depth: Depth) -> Vec<Expr> {
-    let mut images =
-        Images { depth, variables: Variables::default(), plain: FxHashMap::default(), images: FxHashMap::default() };
+    let mut images = Images {
+        depth,
+        variables: Variables::default(),
+        plain: FxHashMap::default(),
+        images: FxHashMap::default(),
+    };
     images.of(pool, expressions)
 }
 
