@@ -2,6 +2,7 @@
 //! large product. Times are of the work named; what is called built was built beforehand, everything else but powers,
 //! products and d² starts from text.
 
+#[allow(dead_code, reason = "this bench writes no page")]
 mod page;
 mod workload;
 

@@ -1,0 +1,89 @@
+//! Reference values: every row that names a kernel of the library, to the tolerance that stands in the row.
+//!
+//! The rows are computed as a user would compute them, by `forms eval - KERNEL`, and compared as exact rationals.
+
+use num_rational::BigRational;
+use num_traits::{Signed, pow};
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+const ROWS: &str = include_str!("../../tests/reference/visible.json");
+
+/// A decimal such as `-1.5e-3`, exactly.
+fn exact(text: &str) -> BigRational {
+    let (digits, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+    let integer: num_rational::BigRational = format!("{whole}{fraction}").parse().expect("digits");
+    let exponent = exponent.parse::<i32>().expect("an exponent") - fraction.len() as i32;
+    let ten = BigRational::from_integer(10.into());
+    integer * pow(if exponent < 0 { ten.recip() } else { ten }, exponent.unsigned_abs() as usize)
+}
+
+/// A number of a row as it is given to the program: those of JSON are the nearest doubles, texts are decimals.
+fn text(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.clone(),
+        number => format!("{:?}", number.as_f64().expect("a number")),
+    }
+}
+
+/// The values of a kernel for these rows.
+fn evaluated(kernel: &str, rows: &[&Value]) -> Vec<String> {
+    let names: Vec<&String> = rows[0]["args"].as_object().expect("arguments").keys().collect();
+    let line = |items: Vec<String>| items.join(",") + "\n";
+    let mut input = line(names.iter().map(ToString::to_string).collect());
+    for row in rows {
+        input += &line(names.iter().map(|name| text(&row["args"][name.as_str()])).collect());
+    }
+    let mut program = Command::new(env!("CARGO_BIN_EXE_forms"))
+        .args(["eval", "-", kernel])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    program.stdin.take().expect("a pipe").write_all(input.as_bytes()).expect("the rows are read");
+    let output = program.wait_with_output().expect("the program ends");
+    assert!(output.status.success(), "{kernel}");
+    let output = String::from_utf8(output.stdout).expect("text");
+    output.lines().skip(1).map(|line| line.rsplit(',').next().unwrap_or_default().to_string()).collect()
+}
+
+/// Whether |y − value| ≤ max(rtol |value|, atol).
+fn is_within(row: &Value, computed: &str) -> bool {
+    if !computed.contains(|c: char| c.is_ascii_digit()) {
+        return false;
+    }
+    let of = |key: &str| exact(&text(&row[key]));
+    let value = of("value");
+    let tolerance = (of("rtol") * value.abs()).max(of("atol"));
+    (exact(computed) - value).abs() <= tolerance
+}
+
+#[test]
+fn every_row_that_names_a_kernel_is_within_its_tolerance() {
+    let reference: Value = serde_json::from_str(ROWS).expect("JSON");
+    let mut kernels: BTreeMap<&str, Vec<&Value>> = BTreeMap::new();
+    for row in reference["cases"].as_array().expect("cases") {
+        if let Some(kernel) = row["kernel"].as_str() {
+            kernels.entry(kernel).or_default().push(row);
+        }
+    }
+    assert!(kernels.len() >= 22, "{} kernels", kernels.len());
+    let mut wrong = Vec::new();
+    for (kernel, rows) in kernels {
+        let values = evaluated(kernel, &rows);
+        assert_eq!(values.len(), rows.len(), "{kernel}");
+        let outside = rows.iter().zip(&values).filter(|(row, value)| !is_within(row, value));
+        wrong.extend(outside.map(|(row, value)| format!("{}: {value}, not {}", row["id"], row["value"])));
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_value_beside_its_tolerance_is_noticed() {
+    let row = serde_json::json!({"value": "0.25", "rtol": 1e-15, "atol": 5e-324});
+    assert!(is_within(&row, "2.5000000000000000e-1") && is_within(&row, "2.5000000000000011e-1"));
+    assert!(!is_within(&row, "2.5000000000000056e-1") && !is_within(&row, "NaN"));
+}
