@@ -48,9 +48,12 @@ impl Bounded {
     }
 }
 
+/// The ends that each argument lies between.
+type Ranges = &'static [(f64, f64)];
+
 /// A kernel of one argument or two, between bounds that are powers of two apart, and the largest relative bound in units of
 /// 2⁻⁵³ that is sharp enough.
-const KERNELS: &[(&str, &[(f64, f64)], f64)] = &[
+const KERNELS: &[(&str, Ranges, f64)] = &[
     ("kernel k(x) = x*x*x where 1 <= x <= 1024;", &[(1.0, 1024.0)], 2.1),
     ("kernel k(x) = 1/3*x where 1e-3 <= x <= 1e3;", &[(1e-3, 1e3)], 2.1),
     ("kernel k(x) = sqrt(x + 1) - sqrt(x) where 1 <= x <= 16;", &[(1.0, 16.0)], 120.0),
