@@ -93,6 +93,6 @@ mod tests {
 
     #[test]
     fn functions_have_none() {
-        assert_eq!(residues("sin(x) + y, 1/(x - x + y - y)"), [None, None]);
+        assert_eq!(residues("sin(x) + y, x/exp(y)"), [None, None]);
     }
 }
