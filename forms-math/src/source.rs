@@ -50,21 +50,17 @@ const FILES: &[(&str, &str)] = &[
     ("wide/sum", include_str!("wide/sum.rs")),
 ];
 
-/// The files that are not pasted, since they are for more than one value at a time or for bounds of errors.
+/// The files that are not pasted, since they are for more than one value at a time.
 const OTHER_FILES: &[(&str, &str)] = &[
     ("batch", include_str!("batch/mod.rs")),
     ("batch/block", include_str!("batch/block.rs")),
     ("batch/instructions", include_str!("batch/instructions.rs")),
     ("batch/length", include_str!("batch/length.rs")),
-    ("escalate", include_str!("escalate.rs")),
-    ("guarded", include_str!("guarded/mod.rs")),
-    ("guarded/arithmetic", include_str!("guarded/arithmetic.rs")),
-    ("guarded/bound", include_str!("guarded/bound.rs")),
-    ("guarded/functions", include_str!("guarded/functions.rs")),
-    ("guarded/number", include_str!("guarded/number.rs")),
-    ("guarded/real", include_str!("guarded/real.rs")),
-    ("guarded/special", include_str!("guarded/special.rs")),
+    ("batch/method", include_str!("batch/method.rs")),
     ("lane", include_str!("lane/mod.rs")),
+    ("lane/bounded", include_str!("lane/bounded/mod.rs")),
+    ("lane/bounded/functions", include_str!("lane/bounded/functions.rs")),
+    ("lane/bounded/real", include_str!("lane/bounded/real.rs")),
     ("lane/coefficients", include_str!("lane/coefficients.rs")),
     ("lane/error_function", include_str!("lane/error_function.rs")),
     ("lane/exponential", include_str!("lane/exponential.rs")),
@@ -139,4 +135,27 @@ fn file(path: &str, module: &str) -> Option<(String, &'static str)> {
     let path = if path.is_empty() { module.to_string() } else { format!("{path}/{module}") };
     let (_, text) = FILES.iter().find(|(known, _)| *known == path)?;
     Some((path, text))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_crate_as_files_has_every_module_that_is_compiled() {
+        let files = crate_files();
+        for (path, text) in &files {
+            let folder = path.strip_suffix("lib.rs").unwrap_or(path.trim_end_matches(".rs"));
+            let folder = if folder.is_empty() { String::new() } else { format!("{folder}/") };
+            let lines: Vec<&str> = text.lines().collect();
+            for (place, line) in lines.iter().enumerate() {
+                let declared = line.strip_suffix(';').and_then(|line| Some(line.split_once("mod ")?.1));
+                let conditional = place > 0 && lines[place - 1].starts_with("#[cfg(");
+                if let Some(module) = declared.filter(|_| !conditional) {
+                    let wanted = format!("{folder}{module}.rs");
+                    assert_eq!(files.iter().filter(|(path, _)| *path == wanted).count(), 1, "{wanted}");
+                }
+            }
+        }
+    }
 }

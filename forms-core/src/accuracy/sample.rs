@@ -15,6 +15,9 @@ use crate::syntax::ast::Relation;
 /// Candidates looked at for each sample wanted.
 const CANDIDATES: usize = 24;
 
+/// Values that need more binary places than this are no samples: squares of the least numbers have about 2200.
+const MOST_PLACES: u32 = 2500;
+
 /// How often a candidate outside the domain is moved half-way to a sample that was inside.
 const PULLS: usize = 6;
 
@@ -50,7 +53,7 @@ pub fn sample(
     seed: u64,
 ) -> Vec<Samples> {
     let edges = Edges::of(&mut pool.clone(), kernel);
-    let truth = Truth::new(pool, &kernel.outputs, &kernel.domain);
+    let truth = Truth::new(pool, &kernel.outputs, &kernel.domain).up_to(MOST_PLACES);
     let drawn = regimes.iter().map(|&regime| {
         let seed = seed ^ (regime as u64 + 1).wrapping_mul(0xd6e8_feb8_6659_fd93);
         let arguments = Arguments { edges: &edges, width, random: SplitMix(seed) };
@@ -76,7 +79,7 @@ impl Drawing<'_> {
     fn samples(&mut self, regime: Regime, count: usize) -> Samples {
         let mut found = Samples { regime, samples: Vec::new(), undecided: 0 };
         for _ in 0..count * CANDIDATES {
-            if found.samples.len() == count {
+            if found.samples.len() == count || found.undecided > count {
                 break;
             }
             let Some(candidate) = self.arguments.next(regime) else { break };

@@ -43,6 +43,8 @@ pub struct Truth<'a> {
     /// The outputs, then both sides of each condition.
     expressions: Vec<Expr>,
     conditions: &'a [Condition],
+    /// Precisions beyond are not tried.
+    highest: u32,
 }
 
 impl<'a> Truth<'a> {
@@ -50,14 +52,20 @@ impl<'a> Truth<'a> {
     pub fn new(pool: &'a Pool, outputs: &[Expr], conditions: &'a [Condition]) -> Self {
         let sides = conditions.iter().flat_map(|condition| [condition.left, condition.right]);
         let expressions = outputs.iter().copied().chain(sides).collect();
-        Truth { pool, outputs: outputs.len(), expressions, conditions }
+        Truth { pool, outputs: outputs.len(), expressions, conditions, highest: u32::MAX }
+    }
+
+    /// The same, undecided where more than so many binary places are needed.
+    #[must_use]
+    pub fn up_to(self, places: u32) -> Self {
+        Truth { highest: places, ..self }
     }
 
     /// The values at a point, correctly rounded.
     pub fn at(&self, point: &[(Symbol, Rational)], format: Format) -> Vec<Value> {
         let mut values = vec![None; self.outputs];
         let mut inside = self.conditions.is_empty();
-        for precision in PRECISIONS.map(Precision) {
+        for precision in PRECISIONS.into_iter().take_while(|&places| places <= self.highest).map(Precision) {
             let enclosures = self.enclosures(point, precision);
             if !inside {
                 match self.is_inside(&enclosures) {
