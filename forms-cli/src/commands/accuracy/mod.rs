@@ -77,13 +77,10 @@ pub(crate) fn accuracy(request: &Request<'_>, output: &mut dyn Write) -> io::Res
         table::legend(workshop.is_some(), output)?;
     }
     if let Some(folder) = request.pages {
-        page::write(Path::new(folder), origin(request.file), &reports)?;
+        let file = (request.file != LIBRARY).then(|| Path::new(request.file));
+        page::write(Path::new(folder), file, request.samples, &reports)?;
     }
     Ok(Status::AsStated)
-}
-
-fn origin(file: &str) -> &str {
-    if file == LIBRARY { "the library" } else { file }
 }
 
 fn show(report: &Report, request: &Request<'_>, output: &mut dyn Write) -> io::Result<()> {
