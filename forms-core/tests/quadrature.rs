@@ -106,3 +106,11 @@ fn integrals_of_every_size_have_fifty_certain_digits() {
         format!("{digits_of_erf}e-21")
     );
 }
+
+#[test]
+fn a_view_factor_without_a_closed_form_has_fifty_certain_digits() {
+    // two unit spheres at the distance 3, as `view_factor_spheres` has it
+    let source = "kernel k(r, R, D) = 64*R**2/(pi*D)*quadrature(u**2*(1 - u**2)**2/((1 + u**2)**4*(D*(1 + u**2)
+        + sqrt((D - r - R)*(D + r + R)*(1 + u**2)**2 + 16*r*R*u**2))), u = 0..1) where r > 0, R >= 0, D >= r + R;";
+    assert_eq!(digits(source, &["1", "1", "3"]), "2.9590312250550431403804540422850051399434907326547e-2");
+}

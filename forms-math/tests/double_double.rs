@@ -12,7 +12,11 @@ fn exactly(value: DoubleDouble) -> Truth {
 /// The relative error in units of 2⁻¹⁰⁶.
 fn units(value: DoubleDouble, exact: Truth) -> f64 {
     let difference = exactly(value) - exact;
-    if difference == Truth::from_f64(0.0) { 0.0 } else { (difference / exact).abs().to_f64() * 2.0_f64.powi(106) }
+    if difference == Truth::from_f64(0.0) {
+        0.0
+    } else {
+        (difference / exact).abs().to_f64() * 2.0_f64.powi(106)
+    }
 }
 
 /// m (1 + r 2⁻⁵⁴) 2ᵉ with a second word that is not zero.

@@ -21,7 +21,7 @@ pub const EXTENSION: &str = "stable";
 
 /// Where the best form loses more bits than this on the mean, there is no good one: the kernel is computed in as much
 /// precision as its arguments ask for.
-const MOST_LOSS: f64 = 4.0;
+const MOST_LOSS: f64 = 1.0;
 
 /// What such a kernel then promises, in units of 2⁻⁵³.
 const WITHIN: u32 = 2;

@@ -15,9 +15,9 @@ mod method;
 #[cfg(feature = "ndarray")]
 mod rows;
 
+use crate::Formula;
 use crate::escalate::{Computation, escalate_computation};
 use crate::lane::{Bounded, Lane64};
-use crate::Formula;
 use block::{BLOCK, Kernel};
 pub use instructions::Instructions;
 pub use length::{Column, LengthMismatch};
@@ -120,7 +120,12 @@ pub fn batch_within_by<F: Formula<A, O>, const A: usize, const O: usize>(
 }
 
 /// What [`batch_within`] computes of one row by a formula known when the program runs.
-pub fn row_within(computation: &impl Computation, arguments: &[f64], outputs: usize, within: f64) -> Vec<f64> {
+pub fn row_within(
+    computation: &impl Computation,
+    arguments: &[f64],
+    outputs: usize,
+    within: f64,
+) -> Vec<f64> {
     let lanes: Vec<_> = arguments.iter().map(|&argument| Bounded::<Lane64<true>>::lane(argument)).collect();
     let values: Vec<f64> =
         computation.values(&lanes).into_iter().map(|value| value.value_within(within)).collect();

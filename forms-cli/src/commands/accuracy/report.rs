@@ -108,7 +108,8 @@ impl Report {
 
     /// What the kernel computes: the first sentence of its documentation, or its formula where it has none.
     pub(super) fn summary(&self) -> String {
-        let paragraph: Vec<&str> = self.docs.iter().map(|line| line.trim()).take_while(|line| !line.is_empty()).collect();
+        let paragraph: Vec<&str> =
+            self.docs.iter().map(|line| line.trim()).take_while(|line| !line.is_empty()).collect();
         let text = paragraph.join(" ");
         match text.split_once(". ") {
             _ if text.is_empty() => format!("{} = {}", self.kernel, self.formula),

@@ -9,7 +9,7 @@
 use forms::core::accuracy::{Arithmetic, Regime, Variant, Width, sample};
 use forms::core::expression::Pool;
 use forms::core::generation::Generated;
-use forms::core::kernel::{emit_formula, nearest_f64};
+use forms::core::kernel::{Constant, emit_formula};
 use forms::core::resolve::Kernel;
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -22,8 +22,9 @@ pub(super) const ROWS: usize = 1024;
 /// Different rows among them.
 const DIFFERENT: usize = 128;
 
-/// Runs of which the median is taken, each of some tenths of a millisecond.
-pub(super) const RUNS: usize = 101;
+/// Runs of which the median is taken, each of some tenths of a millisecond: as many as fit in half a second, but no fewer
+/// than the first of these and no more than the second.
+pub(super) const RUNS: [usize; 2] = [11, 101];
 
 /// A folder with the library of the arithmetic, compiled.
 pub(super) struct Workshop {
@@ -111,10 +112,11 @@ fn harness(kernel: &Kernel, programs: &Generated, rows: &[&[f64]]) -> String {
             .replace("ARGUMENTS", &arguments.to_string())
             .replace("OUTPUTS", &outputs.to_string())
             .replace("ROWS", &ROWS.to_string())
-            .replace("RUNS", &RUNS.to_string()),
+            .replace("LEAST", &RUNS[0].to_string())
+            .replace("MOST", &RUNS[1].to_string()),
     );
     text.push_str("fn main() {\n");
-    let within = kernel.within.as_ref().map(nearest_f64);
+    let within = kernel.within.as_ref().map(|within| Constant::rational(within.clone()).to_f64());
     for variant in Variant::ALL {
         let call = call(variant, &format!("{arguments}, {outputs}"), within.filter(|_| variant.stable));
         let _ = writeln!(text, "    println!(\"{} {{}}\", {call});", variant.name());
@@ -160,9 +162,10 @@ fn median(mut run: impl FnMut()) -> f64 {
         (0..repeats).for_each(|_| run());
         start.elapsed().as_secs_f64() / repeats as f64
     };
-    let mut times: Vec<f64> = (0..RUNS).map(time).collect();
+    let runs = ((0.5 / (once * repeats as f64)) as usize).clamp(LEAST, MOST);
+    let mut times: Vec<f64> = (0..runs).map(time).collect();
     times.sort_by(f64::total_cmp);
-    times[RUNS / 2] * 1e9 / ROWS as f64
+    times[runs / 2] * 1e9 / ROWS as f64
 }
 #[inline(never)]
 fn one<T: Real>(value: &impl Fn([T; ARGUMENTS]) -> [T; OUTPUTS], arguments: [T; ARGUMENTS]) -> [T; OUTPUTS] {

@@ -43,7 +43,8 @@ pub(super) fn svg(report: &Report, machine: &str) -> String {
     y += HEAD + ROW * report.rows.len() as f64 + 24.0;
     key(&mut drawing, y);
     y += 22.0;
-    let times = format!("Times are medians of {RUNS} runs on typical arguments: {machine}.");
+    let [least, most] = RUNS;
+    let times = format!("Times are medians of {least} to {most} runs on typical arguments: {machine}.");
     for line in wrapped(&times, 11.5, RIGHT - LEFT + 34.0) {
         drawing.text([LEFT - 34.0, y], Style::of(11.5, QUIET), &line);
         y += 16.0;
@@ -188,7 +189,13 @@ mod tests {
         for variant in Variant::ALL {
             assert_eq!(svg.matches(&format!(">{}</text>", variant.name())).count(), 3, "{}", variant.name());
         }
-        for part in ["form_factor_of_something", "What is seen of x &lt; 1 &amp; more.", "typical", "large", "a machine"] {
+        for part in [
+            "form_factor_of_something",
+            "What is seen of x &lt; 1 &amp; more.",
+            "typical",
+            "large",
+            "a machine",
+        ] {
             assert!(svg.contains(part), "{part}");
         }
         assert!(!svg.contains("Not shown"));

@@ -6,7 +6,8 @@ use super::svg::Anchor;
 const DISTANCES: [f64; 9] = [11.0, 20.0, 32.0, 46.0, 62.0, 80.0, 100.0, 122.0, 146.0];
 
 /// Directions that are tried at each distance, the first ones preferred: right, left, then around.
-const DIRECTIONS: [f64; 12] = [0.0, 180.0, -40.0, 40.0, -140.0, 140.0, -90.0, 90.0, -65.0, 65.0, -115.0, 115.0];
+const DIRECTIONS: [f64; 12] =
+    [0.0, 180.0, -40.0, 40.0, -140.0, 140.0, -90.0, 90.0, -65.0, 65.0, -115.0, 115.0];
 
 /// From here on a name has a thread.
 const NEAR: f64 = 12.0;
@@ -102,7 +103,8 @@ impl Names {
                 (candidate(mark, distance, direction, width), cost)
             })
         });
-        let scored = candidates.map(|((place, area), cost)| (cost + self.obstacles(mark, &place, &area), place, area));
+        let scored =
+            candidates.map(|((place, area), cost)| (cost + self.obstacles(mark, &place, &area), place, area));
         let best = scored.min_by(|a, b| a.0.total_cmp(&b.0));
         let (_, place, area) = best.expect("there are candidates");
         self.taken.push(area);
@@ -141,17 +143,15 @@ fn candidate(mark: [f64; 2], distance: f64, direction: f64, width: f64) -> (Plac
     };
     // above and below the thread ends at the rim of the name
     let middle = if anchor == Anchor::Middle { end[1] + sine.signum() * HALF_HEIGHT } else { end[1] };
-    let area =
-        Area { left, top: middle - HALF_HEIGHT, right: left + width, bottom: middle + HALF_HEIGHT };
+    let area = Area { left, top: middle - HALF_HEIGHT, right: left + width, bottom: middle + HALF_HEIGHT };
     let thread = (distance > NEAR).then_some(end);
     (Place { text: [end[0], middle + 4.0], anchor, thread }, area)
 }
 
 /// Whether two segments cross.
 fn meet(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> bool {
-    let side = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
-        (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
-    };
+    let side =
+        |p: [f64; 2], q: [f64; 2], r: [f64; 2]| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }
 

@@ -64,7 +64,9 @@ impl Panel<'_> {
         let marks: Vec<[f64; 2]> = rows.iter().map(|(_, mark)| *mark).collect();
         let stairs = self.front(&marks);
         drawing.path(&stairs, FRONT, 3.0);
-        let levels = LEVELS.iter().map(|level| [[self.area.left, self.y(level.2)], [self.area.right, self.y(level.2)]]);
+        let levels = LEVELS
+            .iter()
+            .map(|level| [[self.area.left, self.y(level.2)], [self.area.right, self.y(level.2)]]);
         let lines = stairs.windows(2).map(|step| [step[0], step[1]]).chain(levels).collect();
         let mut names = Names::new(self.area, &marks, taken, lines);
         for (row, mark) in &rows {

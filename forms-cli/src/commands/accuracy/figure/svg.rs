@@ -161,8 +161,15 @@ impl Drawing {
     }
 
     /// A filled box with an outline of its own colour or another.
-    pub(super) fn cell(&mut self, [x, y]: [f64; 2], [width, height]: [f64; 2], fill: &str, outline: Option<&str>) {
-        let outline = outline.map_or(String::new(), |colour| format!(" stroke=\"{colour}\" stroke-width=\"1.6\""));
+    pub(super) fn cell(
+        &mut self,
+        [x, y]: [f64; 2],
+        [width, height]: [f64; 2],
+        fill: &str,
+        outline: Option<&str>,
+    ) {
+        let outline =
+            outline.map_or(String::new(), |colour| format!(" stroke=\"{colour}\" stroke-width=\"1.6\""));
         let _ = writeln!(
             self.body,
             "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" fill=\"{fill}\"{outline}/>"
