@@ -3,6 +3,7 @@
 use crate::theory_file::{self, FileError, TheoryFile};
 use forms::core::generation::{Generated, generate};
 use forms::core::resolve::Kernel;
+use forms::core::stability::by_rules;
 
 /// Where FILE is this, the library is meant.
 pub(crate) const LIBRARY: &str = "-";
@@ -40,6 +41,8 @@ pub(crate) fn find<'a>(files: &'a [TheoryFile], name: &str) -> Result<(&'a Theor
 pub(crate) fn generated(file: &TheoryFile, kernel: &Kernel) -> Result<Generated, Vec<FileError>> {
     let mut kernel = kernel.clone();
     kernel.public = true;
-    generate(&mut file.theory.pool.clone(), &kernel)
+    let mut pool = file.theory.pool.clone();
+    kernel.rewritten = by_rules(&mut pool, &kernel);
+    generate(&mut pool, &kernel)
         .map_err(|errors| errors.iter().map(|error| FileError::at(&file.source, error)).collect())
 }

@@ -15,6 +15,7 @@ use forms_core::diagnostic::{Diagnostic, Span};
 use forms_core::generation::{Generated, generate};
 use forms_core::kernel::{Constant, KernelDocs, emit_rust, emit_rust_within};
 use forms_core::resolve::{Kernel, Theory};
+use forms_core::stability::by_rules;
 use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
 use forms_core::syntax::token::{Symbol, Token, TokenKind};
 use forms_core::syntax::words::ITEMS;
@@ -139,7 +140,8 @@ pub(crate) fn theory_checked(
             .filter_map(|(statement, verdict)| objection(statement, verdict)),
     );
     let mut output = TokenStream::new();
-    for kernel in theory.kernels.clone() {
+    for mut kernel in theory.kernels.clone() {
+        kernel.rewritten = by_rules(&mut theory.pool, &kernel);
         match function(&mut theory, &verdicts, &kernel, origin) {
             Ok(function) => output.extend(function),
             Err(found) => diagnostics.extend(found),
@@ -220,7 +222,7 @@ fn documentation(
         statements: kernel.statements.iter().filter(is_proved).cloned().collect(),
         conditions: kernel.domain.iter().map(|condition| condition.text(&theory.pool)).collect(),
         units: forms_core::units::sentence(theory, kernel).unwrap_or_default(),
-        translation: generated.translation.to_string(),
+        translation: generated.account(),
         rounding: forms_core::rounding::sentence(&generated.optimised).unwrap_or_default(),
         docs: kernel.docs.clone(),
     }
