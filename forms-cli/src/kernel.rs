@@ -10,7 +10,9 @@ pub(crate) const LIBRARY: &str = "-";
 
 /// The files that FILE names: one on disk, or those of the library.
 pub(crate) fn files(file: &str) -> Result<Vec<TheoryFile>, Vec<FileError>> {
-    if file == LIBRARY { library() } else { theory_file::read(file).map(|file| vec![file]) }
+    let files = if file == LIBRARY { library() } else { theory_file::read(file).map(|file| vec![file]) }?;
+    files.iter().filter_map(|file| file.warning.as_ref()).for_each(|warning| eprintln!("{warning}"));
+    Ok(files)
 }
 
 /// The files of the library.

@@ -5,7 +5,7 @@
 //!                                   └─ kernels ─ generate, emit ─▶ errors, or documented functions
 //! ```
 
-use crate::report::Origin;
+use crate::report::{Origin, warned};
 use crate::tiers;
 use crate::tokens::Body;
 use forms_core::accuracy::removable_singularities;
@@ -175,29 +175,24 @@ fn function(
     let mut items = source.parse::<TokenStream>().map_err(unreadable)?;
     let within = kernel.within.as_ref().map(|within| Constant::rational(within.clone()).to_f64());
     items.extend(tiers::module(&generated, within).map_err(unreadable)?);
-    items.extend(warning(theory, kernel).parse::<TokenStream>().map_err(unreadable)?);
+    items.extend(warning(theory, kernel));
     Ok(named_at(items, &kernel.name, origin.place(kernel.span).0))
 }
 
-/// What makes the compiler warn of removable singularities in the declared domain: macros cannot warn, but what they
-/// write can use something deprecated.
-fn warning(theory: &Theory, kernel: &Kernel) -> String {
+/// A warning of removable singularities in the declared domain, if there are any.
+fn warning(theory: &Theory, kernel: &Kernel) -> Option<TokenStream> {
     if kernel.domain.is_empty() {
-        return String::new();
+        return None;
     }
     let places = removable_singularities(&theory.pool, kernel);
-    if places.is_empty() {
-        return String::new();
-    }
-    let note = format!(
-        "`{}` has no value at {}, where its formula has a limit: give an equal form that has one behind `by`, or \
-         exclude the place behind `where`",
-        kernel.name,
-        places.join(" and at ")
-    );
-    format!(
-        "const _: () = {{ #[deprecated(note = {note:?})] const REMOVABLE_SINGULARITY: () = (); REMOVABLE_SINGULARITY }};"
-    )
+    (!places.is_empty()).then(|| {
+        warned(&format!(
+            "`{}` has no value at {}, where its formula has a limit: give an equal form that has one behind `by`, or \
+             exclude the place behind `where`",
+            kernel.name,
+            places.join(" and at ")
+        ))
+    })
 }
 
 /// The formula, the proved statements it rests on, the domain it is stated on, and whether it is computed.

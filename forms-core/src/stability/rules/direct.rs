@@ -16,10 +16,8 @@ const EFFORT: Effort = Effort { work: 200_000, candidates: 24, points: 4 };
 const ROUNDS: usize = 6;
 
 /// A rule, and which of its results are never worse than what they stand for.
-type Direct = (
-    fn(&mut Rewriting<'_>, Expr) -> Vec<Expr>,
-    fn(&mut Rewriting<'_>, before: Expr, after: Expr) -> bool,
-);
+type Direct =
+    (fn(&mut Rewriting<'_>, Expr) -> Vec<Expr>, fn(&mut Rewriting<'_>, before: Expr, after: Expr) -> bool);
 
 const DIRECT: &[Direct] = &[
     (exponential::less_one, |_, _, _| true),
