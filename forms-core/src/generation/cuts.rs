@@ -19,7 +19,6 @@ use rustc_hash::{FxHashMap, FxHashSet};
 const EFFORT: Effort = Effort { work: 1_000_000, candidates: 24, points: 4 };
 
 /// A sum that is a shared one, or its negative.
-#[derive(Clone, Copy)]
 struct Member {
     sum: Expr,
     is_negative: bool,
@@ -77,24 +76,25 @@ impl Cuts {
             let cut = self.most_cuts(pool, sides, &shared);
             let values = self.values(&shared, &cut);
             let met = met(pool, sides, &values);
-            let is_one = |cuts: &mut Cuts, pool: &mut Pool, sums: &Shared| {
-                let mut met = sums.iter().filter(|member| met.contains(&member.sum));
-                let first = met.next().copied();
-                first.is_none_or(|first| met.all(|&member| cuts.is_one_sum(pool, first, member)))
+            let different = cut.into_iter().find(|&place| !self.are_one_sum(pool, &shared[place], &met));
+            let Some(different) = different else {
+                let images = images(pool, sides, &values);
+                return are_equal_as_they_stand(pool, images);
             };
-            match cut.iter().find(|&&place| !is_one(self, pool, &shared[place])) {
-                Some(&different) => drop(shared.remove(different)),
-                None => {
-                    let images = images(pool, sides, &values);
-                    return are_equal_as_they_stand(pool, images);
-                }
-            }
+            shared.remove(different);
         }
     }
 
-    fn is_one_sum(&mut self, pool: &mut Pool, a: Member, b: Member) -> bool {
-        let b_as_a = if a.is_negative == b.is_negative { b.sum } else { pool.negate(b.sum) };
-        self.is_equal(pool, a.sum, b_as_a)
+    /// Whether those of the sums that are met are proved to be equal to the first, up to their signs; as elements of one
+    /// field they are then equal to each other.
+    fn are_one_sum(&mut self, pool: &mut Pool, sums: &Shared, met: &FxHashSet<Expr>) -> bool {
+        let mut met = sums.iter().filter(|member| met.contains(&member.sum));
+        let Some(first) = met.next() else { return true };
+        met.all(|member| {
+            let like_first =
+                if member.is_negative == first.is_negative { member.sum } else { pool.negate(member.sum) };
+            self.is_equal(pool, first.sum, like_first)
+        })
     }
 
     /// The sums inside both sides, those that contain others before them.
@@ -127,14 +127,14 @@ impl Cuts {
         }
         let order = pool.reachable(&sides);
         let mut cut: Vec<usize> = Vec::new();
-        let mut open = vec![0..shared.len()];
-        while let Some(range) = open.pop() {
-            let more: Vec<usize> = cut.iter().copied().chain(range.clone()).collect();
+        let mut open = vec![(0, shared.len())];
+        while let Some((start, end)) = open.pop() {
+            let more: Vec<usize> = cut.iter().copied().chain(start..end).collect();
             if self.leaves_one_residue(pool, &order, sides, &self.values(shared, &more)) {
                 cut = more;
-            } else if range.len() > 1 {
-                let middle = range.start + range.len() / 2;
-                open.extend([middle..range.end, range.start..middle]);
+            } else if end - start > 1 {
+                let middle = start.midpoint(end);
+                open.extend([(middle, end), (start, middle)]);
             }
         }
         cut
