@@ -9,6 +9,7 @@
 //! be proved is said beside the kernel, and never passed off as a proof.
 
 mod boundary;
+mod cuts;
 mod limit;
 mod opaque;
 mod pieces;
