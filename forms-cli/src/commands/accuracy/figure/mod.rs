@@ -57,7 +57,11 @@ fn head(drawing: &mut Drawing, report: &Report) -> f64 {
     let left = LEFT - 34.0;
     drawing.text([left, 30.0], Style::of(19.0, INK).bold(), &report.kernel);
     let mut y = 34.0;
-    for line in wrapped(&report.summary(), 13.0, RIGHT - left) {
+    let (summary, formula) = (report.summary(), format!("{} = {}", report.kernel, report.formula));
+    let with_formula = format!("{summary} {formula}");
+    // the formula too where both have room in one line
+    let has_room = summary != formula && svg::width(&with_formula, 13.0) <= RIGHT - left;
+    for line in wrapped(if has_room { &with_formula } else { &summary }, 13.0, RIGHT - left) {
         y += 17.0;
         drawing.text([left, y], Style::of(13.0, QUIET), &line);
     }

@@ -129,9 +129,8 @@ impl Panel<'_> {
                 continue;
             }
             drawing.line([x, top], [x, bottom], GRID, 1.0);
-            let number = (step * 10f64.powi(power + 3)).round() / 1e3;
             let style = Style::of(12.0, INK).anchored(Anchor::Middle);
-            drawing.text([x, bottom + 17.0], style, &number.to_string());
+            drawing.text([x, bottom + 17.0], style, &tick(step, power));
         }
         let style = Style::of(12.0, INK).anchored(Anchor::Middle);
         drawing.text([(left + right) / 2.0, bottom + 35.0], style, "time of one value [ns], logarithmic");
@@ -152,5 +151,26 @@ impl Panel<'_> {
         let end = stairs.last().map(|last| [self.area.right, last[1]]);
         stairs.extend(end);
         stairs
+    }
+}
+
+/// step · 10^power as it stands at an axis; long numbers as powers of ten.
+fn tick(step: f64, power: i32) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    match usize::try_from(power) {
+        Ok(power @ 5..=9) if step == 1.0 => format!("10{}", RAISED[power]),
+        Ok(power @ 4..=9) if step != 1.0 => format!("{step}·10{}", RAISED[power]),
+        _ => ((step * 10f64.powi(power + 3)).round() / 1e3).to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::tick;
+
+    #[test]
+    fn ticks_are_short() {
+        let found = [(1.0, -2), (5.0, -1), (2.0, 3), (1.0, 4), (5.0, 4), (1.0, 6)].map(|(s, p)| tick(s, p));
+        assert_eq!(found, ["0.01", "0.5", "2000", "10000", "5·10⁴", "10⁶"]);
     }
 }
