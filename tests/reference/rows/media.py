@@ -1,8 +1,8 @@
 """Light on its way through media, and at their boundaries."""
 
-from mpmath import cos, cot, exp, expint, log, mp, mpf, pi, quad, sin, sqrt, workdps
+from mpmath import cos, cot, exp, expint, log, mp, mpf, pi, sin, sqrt, workdps
 
-from .table import exact, over_scales, row, uniform
+from .table import exact, integral, over_scales, row, uniform
 
 
 def absorption():
@@ -77,7 +77,7 @@ def scattered_on_the_way(beta, h, s, end):
         return beta / (4 * pi) * exp(-beta * (way + x)) / way**2
 
     marks = {s} | {s + sign * h * mpf(2) ** step for step in range(-3, 24) for sign in (-1, 1)}
-    return quad(density, sorted({mark for mark in marks if 0 < mark < end} | {mpf(0), end}))
+    return integral(density, {mark for mark in marks if 0 < mark < end} | {mpf(0), end})
 
 
 def airlight():
@@ -110,7 +110,7 @@ def half_space():
 
         # the denominator falls to mu**2 within about mu of pi/2
         marks = [pi / 2 - mu * mpf(4) ** step for step in range(-1, 8)]
-        return exp(-mu / pi * quad(density, sorted([mpf(0), pi / 4, pi / 2] + [x for x in marks if pi / 4 < x])))
+        return exp(-mu / pi * integral(density, [mpf(0), pi / 4, pi / 2] + [x for x in marks if pi / 4 < x]))
 
     cases = [(uniform(0.05, 0.95), uniform(0.1, 1)) for _ in range(6)]
     cases += [(0.5, 1.0), (1.0, 1.0), (0.999, 0.5), (1.0, 0.25), (0.9, 0.0), (0.0, 0.5), (1e-9, 1.0)]
