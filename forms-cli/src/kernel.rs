@@ -3,13 +3,16 @@
 use crate::theory_file::{self, FileError, TheoryFile};
 use forms::core::generation::{Generated, generate};
 use forms::core::resolve::Kernel;
+use forms::core::stability::by_rules;
 
 /// Where FILE is this, the library is meant.
 pub(crate) const LIBRARY: &str = "-";
 
 /// The files that FILE names: one on disk, or those of the library.
 pub(crate) fn files(file: &str) -> Result<Vec<TheoryFile>, Vec<FileError>> {
-    if file == LIBRARY { library() } else { theory_file::read(file).map(|file| vec![file]) }
+    let files = if file == LIBRARY { library() } else { theory_file::read(file).map(|file| vec![file]) }?;
+    files.iter().filter_map(|file| file.warning.as_ref()).for_each(|warning| eprintln!("{warning}"));
+    Ok(files)
 }
 
 /// The files of the library.
@@ -40,6 +43,8 @@ pub(crate) fn find<'a>(files: &'a [TheoryFile], name: &str) -> Result<(&'a Theor
 pub(crate) fn generated(file: &TheoryFile, kernel: &Kernel) -> Result<Generated, Vec<FileError>> {
     let mut kernel = kernel.clone();
     kernel.public = true;
-    generate(&mut file.theory.pool.clone(), &kernel)
+    let mut pool = file.theory.pool.clone();
+    kernel.rewritten = by_rules(&mut pool, &kernel);
+    generate(&mut pool, &kernel)
         .map_err(|errors| errors.iter().map(|error| FileError::at(&file.source, error)).collect())
 }

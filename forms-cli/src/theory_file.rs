@@ -16,6 +16,8 @@ const LARGEST_FILE: u64 = 16 << 20;
 pub(crate) struct TheoryFile {
     pub(crate) source: Source,
     pub(crate) theory: Theory,
+    /// What is to be said of the forms chosen for its kernels.
+    pub(crate) warning: Option<String>,
 }
 
 /// One error, with its place and as it is shown.
@@ -87,6 +89,8 @@ impl TheoryFile {
         let source = Source::new(name, text);
         match Choices::read(&source.text) {
             Ok(choices) => {
+                self.warning =
+                    choices.objection(&self.theory).map(|text| format!("warning: {text}\n --> {name}\n"));
                 choices.apply(&mut self.theory);
                 Ok(())
             }
@@ -117,7 +121,7 @@ pub(crate) fn from_text(name: &str, text: impl Into<String>) -> Result<TheoryFil
     let source = Source::new(name, text);
     let (theory, diagnostics) = read_theory(&source.text);
     if diagnostics.is_empty() {
-        return Ok(TheoryFile { source, theory });
+        return Ok(TheoryFile { source, theory, warning: None });
     }
     Err(diagnostics.iter().map(|diagnostic| FileError::at(&source, diagnostic)).collect())
 }

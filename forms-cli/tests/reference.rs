@@ -1,7 +1,9 @@
 //! Reference values: every row that names a kernel of the library, to the tolerance that stands in the row.
 //!
-//! The rows are computed as a user would compute them, by `forms eval - KERNEL`, and compared as exact rationals.
+//! The rows are computed as a user would compute them, by `forms eval - KERNEL`, and compared as exact rationals. `own.json`
+//! is written by `tests/reference/make_rows.py`, from definitions.
 
+use forms::core::check::read_theory;
 use num_rational::BigRational;
 use num_traits::{Signed, pow};
 use serde_json::Value;
@@ -10,6 +12,7 @@ use std::io::Write;
 use std::process::{Command, Stdio};
 
 const ROWS: &str = include_str!("../../tests/reference/visible.json");
+const OWN_ROWS: &str = include_str!("../../tests/reference/own.json");
 
 /// A decimal such as `-1.5e-3`, exactly.
 fn exact(text: &str) -> BigRational {
@@ -29,7 +32,7 @@ fn text(value: &Value) -> String {
     }
 }
 
-/// The values of a kernel for these rows.
+/// The values of a kernel for these rows, of each the output that the row counts, or else the only one.
 fn evaluated(kernel: &str, rows: &[&Value]) -> Vec<String> {
     let names: Vec<&String> = rows[0]["args"].as_object().expect("arguments").keys().collect();
     let line = |items: Vec<String>| items.join(",") + "\n";
@@ -47,7 +50,11 @@ fn evaluated(kernel: &str, rows: &[&Value]) -> Vec<String> {
     let output = program.wait_with_output().expect("the program ends");
     assert!(output.status.success(), "{kernel}");
     let output = String::from_utf8(output.stdout).expect("text");
-    output.lines().skip(1).map(|line| line.rsplit(',').next().unwrap_or_default().to_string()).collect()
+    let lines = output.lines().skip(1).map(|line| line.split(',').skip(names.len()).collect::<Vec<_>>());
+    lines
+        .zip(rows)
+        .map(|(values, row)| values[row["output"].as_u64().unwrap_or(0) as usize].to_string())
+        .collect()
 }
 
 /// Whether |y − value| ≤ max(rtol |value|, atol).
@@ -61,24 +68,46 @@ fn is_within(row: &Value, computed: &str) -> bool {
     (exact(computed) - value).abs() <= tolerance
 }
 
-#[test]
-fn every_row_that_names_a_kernel_is_within_its_tolerance() {
-    let reference: Value = serde_json::from_str(ROWS).expect("JSON");
+/// The rows of each kernel that they name.
+fn by_kernel(reference: &Value) -> BTreeMap<&str, Vec<&Value>> {
     let mut kernels: BTreeMap<&str, Vec<&Value>> = BTreeMap::new();
     for row in reference["cases"].as_array().expect("cases") {
         if let Some(kernel) = row["kernel"].as_str() {
             kernels.entry(kernel).or_default().push(row);
         }
     }
-    assert!(kernels.len() >= 22, "{} kernels", kernels.len());
+    kernels
+}
+
+fn are_within(kernels: &BTreeMap<&str, Vec<&Value>>) {
     let mut wrong = Vec::new();
     for (kernel, rows) in kernels {
-        let values = evaluated(kernel, &rows);
+        let values = evaluated(kernel, rows);
         assert_eq!(values.len(), rows.len(), "{kernel}");
         let outside = rows.iter().zip(&values).filter(|(row, value)| !is_within(row, value));
         wrong.extend(outside.map(|(row, value)| format!("{}: {value}, not {}", row["id"], row["value"])));
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn every_row_that_names_a_kernel_is_within_its_tolerance() {
+    let reference: Value = serde_json::from_str(ROWS).expect("JSON");
+    let kernels = by_kernel(&reference);
+    assert!(kernels.len() >= 22, "{} kernels", kernels.len());
+    are_within(&kernels);
+}
+
+#[test]
+fn every_kernel_has_rows_from_its_definition_and_is_within_their_tolerance() {
+    let reference: Value = serde_json::from_str(OWN_ROWS).expect("JSON");
+    let kernels = by_kernel(&reference);
+    let library = forms_radiometry::library().iter().flat_map(|file| read_theory(file.text).0.kernels);
+    for kernel in library.filter(|kernel| kernel.public) {
+        let rows = kernels.get(kernel.name.as_str()).map_or(0, Vec::len);
+        assert!(rows >= 10, "{} has {rows} rows", kernel.name);
+    }
+    are_within(&kernels);
 }
 
 #[test]

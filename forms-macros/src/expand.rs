@@ -5,7 +5,7 @@
 //!                                   └─ kernels ─ generate, emit ─▶ errors, or documented functions
 //! ```
 
-use crate::report::Origin;
+use crate::report::{Origin, warned};
 use crate::tiers;
 use crate::tokens::Body;
 use forms_core::accuracy::removable_singularities;
@@ -15,6 +15,7 @@ use forms_core::diagnostic::{Diagnostic, Span};
 use forms_core::generation::{Generated, generate};
 use forms_core::kernel::{Constant, KernelDocs, emit_rust, emit_rust_within};
 use forms_core::resolve::{Kernel, Theory};
+use forms_core::stability::by_rules;
 use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
 use forms_core::syntax::token::{Symbol, Token, TokenKind};
 use forms_core::syntax::words::ITEMS;
@@ -139,7 +140,8 @@ pub(crate) fn theory_checked(
             .filter_map(|(statement, verdict)| objection(statement, verdict)),
     );
     let mut output = TokenStream::new();
-    for kernel in theory.kernels.clone() {
+    for mut kernel in theory.kernels.clone() {
+        kernel.rewritten = by_rules(&mut theory.pool, &kernel);
         match function(&mut theory, &verdicts, &kernel, origin) {
             Ok(function) => output.extend(function),
             Err(found) => diagnostics.extend(found),
@@ -173,29 +175,24 @@ fn function(
     let mut items = source.parse::<TokenStream>().map_err(unreadable)?;
     let within = kernel.within.as_ref().map(|within| Constant::rational(within.clone()).to_f64());
     items.extend(tiers::module(&generated, within).map_err(unreadable)?);
-    items.extend(warning(theory, kernel).parse::<TokenStream>().map_err(unreadable)?);
+    items.extend(warning(theory, kernel));
     Ok(named_at(items, &kernel.name, origin.place(kernel.span).0))
 }
 
-/// What makes the compiler warn of removable singularities in the declared domain: macros cannot warn, but what they
-/// write can use something deprecated.
-fn warning(theory: &Theory, kernel: &Kernel) -> String {
+/// A warning of removable singularities in the declared domain, if there are any.
+fn warning(theory: &Theory, kernel: &Kernel) -> Option<TokenStream> {
     if kernel.domain.is_empty() {
-        return String::new();
+        return None;
     }
     let places = removable_singularities(&theory.pool, kernel);
-    if places.is_empty() {
-        return String::new();
-    }
-    let note = format!(
-        "`{}` has no value at {}, where its formula has a limit: give an equal form that has one behind `by`, or \
-         exclude the place behind `where`",
-        kernel.name,
-        places.join(" and at ")
-    );
-    format!(
-        "const _: () = {{ #[deprecated(note = {note:?})] const REMOVABLE_SINGULARITY: () = (); REMOVABLE_SINGULARITY }};"
-    )
+    (!places.is_empty()).then(|| {
+        warned(&format!(
+            "`{}` has no value at {}, where its formula has a limit: give an equal form that has one behind `by`, or \
+             exclude the place behind `where`",
+            kernel.name,
+            places.join(" and at ")
+        ))
+    })
 }
 
 /// The formula, the proved statements it rests on, the domain it is stated on, and whether it is computed.
@@ -220,7 +217,7 @@ fn documentation(
         statements: kernel.statements.iter().filter(is_proved).cloned().collect(),
         conditions: kernel.domain.iter().map(|condition| condition.text(&theory.pool)).collect(),
         units: forms_core::units::sentence(theory, kernel).unwrap_or_default(),
-        translation: generated.translation.to_string(),
+        translation: generated.account(),
         rounding: forms_core::rounding::sentence(&generated.optimised).unwrap_or_default(),
         docs: kernel.docs.clone(),
     }

@@ -1,7 +1,7 @@
 //! Files named in macros: where they are, what is in them, and how the compiler learns that they changed.
 
 use crate::expand::theory_checked;
-use crate::report::{Origin, compile_error};
+use crate::report::{Origin, compile_error, warned};
 use forms_core::check::read_theory;
 use forms_core::resolve::Theory;
 use forms_core::stability::{Choices, EXTENSION};
@@ -55,8 +55,12 @@ impl Included {
         let source = Source::new(path.clone(), text);
         match Choices::read(&source.text) {
             Ok(choices) => {
+                let warning = choices.objection(theory).map(|message| warned(&message));
                 choices.apply(theory);
-                Ok(quote! { const _: &str = ::core::include_str!(#path); })
+                Ok(quote! {
+                    const _: &str = ::core::include_str!(#path);
+                    #warning
+                })
             }
             Err(errors) => {
                 let message: String = errors.iter().map(|error| source.render(error)).collect();

@@ -3,6 +3,7 @@
 use forms_core::diagnostic::{Diagnostic, Span};
 use forms_core::syntax::Source;
 use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::quote;
 use std::fmt::Write;
 
 /// Where the language's tokens came from.
@@ -63,6 +64,17 @@ impl Origin {
             return (before, before);
         }
         (at(span.start).0, at(span.end - 1).1)
+    }
+}
+
+/// What makes the compiler say this as a warning: macros cannot warn, but what they write can use something deprecated.
+pub(crate) fn warned(message: &str) -> TokenStream {
+    quote! {
+        const _: () = {
+            #[deprecated(note = #message)]
+            const WARNING: () = ();
+            WARNING
+        };
     }
 }
 

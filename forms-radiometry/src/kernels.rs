@@ -9,6 +9,7 @@ forms::include_forms!("kernels/polygon_solid_angle.forms");
 forms::include_forms!("kernels/round_solid_angle.forms");
 forms::include_forms!("kernels/polygon_form_factor.forms");
 forms::include_forms!("kernels/round_form_factor.forms");
+forms::include_forms!("kernels/linear_luminaire.forms");
 forms::include_forms!("kernels/rectangle_view_factor.forms");
 forms::include_forms!("kernels/disk_view_factor.forms");
 forms::include_forms!("kernels/sphere_view_factor.forms");

@@ -71,6 +71,7 @@ pub fn library() -> &'static [TheoryFile] {
         kernel_file!("round_solid_angle.forms"),
         kernel_file!("polygon_form_factor.forms"),
         kernel_file!("round_form_factor.forms"),
+        kernel_file!("linear_luminaire.forms"),
         kernel_file!("rectangle_view_factor.forms"),
         kernel_file!("disk_view_factor.forms"),
         kernel_file!("sphere_view_factor.forms"),

@@ -90,7 +90,7 @@ fn source(file: &TheoryFile, kernel: &Kernel) -> Result<Source, Vec<crate::theor
         statements: kernel.statements.clone(),
         conditions: Vec::new(),
         units: sentence(&file.theory, kernel).unwrap_or_default(),
-        translation: generated.translation.to_string(),
+        translation: generated.account(),
         rounding: forms::core::rounding::sentence(&generated.optimised).unwrap_or_default(),
         docs: kernel.docs.clone(),
     };

@@ -9,6 +9,7 @@
 //! be proved is said beside the kernel, and never passed off as a proof.
 
 mod boundary;
+mod cuts;
 mod limit;
 mod opaque;
 mod pieces;
@@ -29,11 +30,29 @@ use crate::resolve::Kernel;
 pub struct Generated {
     /// One instruction for each operation of the formula as it was written.
     pub written: Program,
-    /// The form behind `by`, or the formula where there is none, at least cost; with products that cancel computed
-    /// without loss where there is a form behind `by`, or a bound behind `within`.
+    /// The form behind `by`, or the one that rules give, or the formula where there is none, at least cost; with products
+    /// that cancel computed without loss where there is such a form, or a bound behind `within`.
     pub optimised: Program,
     /// What is known of their agreement.
     pub translation: Translation,
+    /// The form that rules gave each output, where it is what the kernel is computed by.
+    pub rewritten: Vec<String>,
+}
+
+/// Longer forms are not quoted.
+const LONGEST_FORM: usize = 200;
+
+impl Generated {
+    /// What the program is beside the formula, in sentences.
+    pub fn account(&self) -> String {
+        let form = match &self.rewritten[..] {
+            [] => return self.translation.to_string(),
+            [single] => single.clone(),
+            several => format!("({})", several.join(", ")),
+        };
+        let form = if form.len() <= LONGEST_FORM { format!(": `{form}`") } else { String::new() };
+        format!("{} Computed by an equal form that rules alone give{form}.", self.translation)
+    }
 }
 
 /// Generates a kernel whose expressions belong to this pool.
@@ -71,7 +90,7 @@ pub fn generate(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagn
     if !faults.is_empty() {
         return Err(faults);
     }
-    let form = by_form(kernel);
+    let form = by_form(kernel).or_else(|| by_rules(kernel));
     let computed = form.as_ref().unwrap_or(kernel);
     let program = lowered(pool, &KernelSource { outputs: computed.outputs.clone(), ..source })?;
     // a form that was chosen keeps the order of its sums and products, on which its rounding depends
@@ -82,7 +101,10 @@ pub fn generate(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagn
     let translation = translation::validate(pool, computed, &optimised);
     match translation.objection(kernel) {
         Some(objection) => Err(vec![objection]),
-        None => Ok(Generated { written, optimised, translation }),
+        None => {
+            let rewritten = if kernel.has_form() { Vec::new() } else { pool.texts(&kernel.rewritten) };
+            Ok(Generated { written, optimised, translation, rewritten })
+        }
     }
 }
 
@@ -92,6 +114,14 @@ pub(crate) fn form_faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Diagnostic> {
     let Some(form) = by_form(kernel) else { return Vec::new() };
     let faults = seam::faults(pool, &form);
     if faults.is_empty() { translation::of_form(pool, kernel).into_iter().collect() } else { faults }
+}
+
+/// The kernel with the form that rules give for its formula, if there is one and it promises nothing.
+fn by_rules(kernel: &Kernel) -> Option<Kernel> {
+    let is_used = !kernel.rewritten.is_empty() && !kernel.has_form();
+    let mut form = is_used.then(|| kernel.clone())?;
+    form.outputs = std::mem::take(&mut form.rewritten);
+    Some(form)
 }
 
 /// The kernel with the form behind `by` for its formula, if there is one.

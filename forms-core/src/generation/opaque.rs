@@ -1,5 +1,5 @@
-//! Opaque functions: expressions with a variable in the place of every function and radicand, and of every choice and
-//! sum if wanted, for proofs that need not look inside.
+//! Opaque functions: expressions with a variable in the place of every function and radicand, and of every choice if
+//! wanted, for proofs that need not look inside.
 //!
 //! A pass rewrites sums and products and leaves functions as they are. So operands of functions are compared first,
 //! innermost functions first, and functions of equal operands become one variable; likewise equal radicands, whose roots
@@ -7,14 +7,10 @@
 //! at each point at which the expressions are defined the variables have values. The converse does not hold, as
 //! sin² + cos² = 1 shows.
 
-use super::residue::Residues;
-use crate::decide::{Effort, Equations, Finding};
+use super::cuts::Cuts;
 use crate::expression::{Expr, Node, Operation, Pool, SymbolKind};
 use crate::syntax::ast::Relation;
 use rustc_hash::{FxHashMap, FxHashSet};
-
-/// Most pairs of operands differ, which their residues show; the others are small.
-const EFFORT: Effort = Effort { work: 1_000_000, candidates: 24, points: 4 };
 
 /// What a variable stands for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -23,18 +19,15 @@ enum Hidden {
     Applied(Operation),
     Choice(Relation),
     Quadrature,
-    Sum,
 }
 
 /// What has variables in its place.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Depth {
     /// Functions and radicands.
     Functions,
     /// Choices too, as functions of what they compare and of their branches.
     Choices,
-    /// Sums too, where they are not themselves summands.
-    Sums,
 }
 
 /// A variable that stands for a function of operands, or for its only operand; they are opaque themselves.
@@ -73,11 +66,7 @@ impl Images {
             Node::Power(base, exponent) if !exponent.is_integer() => Some(*base),
             _ => None,
         };
-        let mut hidden: FxHashMap<Expr, Hidden> = FxHashMap::default();
-        if self.depth == Depth::Sums {
-            hidden.extend(whole_sums(pool, &reachable).into_iter().map(|sum| (sum, Hidden::Sum)));
-        }
-        hidden.extend(reachable.iter().filter_map(radicand).map(|base| (base, Hidden::Radicand)));
+        let radicands: FxHashSet<Expr> = reachable.iter().filter_map(radicand).collect();
         for expression in reachable {
             if self.images.contains_key(&expression) {
                 continue;
@@ -85,10 +74,8 @@ impl Images {
             let mut image = self.image(pool, expression);
             self.plain.insert(expression, image);
             let is_one_already = matches!(pool.node(image), Node::Symbol(_) | Node::Number(_));
-            if let Some(hidden) = hidden.get(&expression)
-                && !is_one_already
-            {
-                image = self.variables.variable(pool, *hidden, vec![image]);
+            if radicands.contains(&expression) && !is_one_already {
+                image = self.variables.variable(pool, Hidden::Radicand, vec![image]);
             }
             self.images.insert(expression, image);
         }
@@ -103,7 +90,7 @@ impl Images {
                 let operands = operands.iter().map(|operand| self.images[operand]).collect();
                 self.variables.variable(pool, Hidden::Applied(operation), operands)
             }
-            Node::Select { left, relation, right, then, otherwise, .. } if self.depth >= Depth::Choices => {
+            Node::Select { left, relation, right, then, otherwise, .. } if self.depth == Depth::Choices => {
                 let operands = [left, right, then, otherwise].map(|operand| self.images[&operand]);
                 self.variables.variable(pool, Hidden::Choice(relation), operands.to_vec())
             }
@@ -123,39 +110,19 @@ impl Images {
     }
 }
 
-/// The sums that are operands of anything but sums.
-fn whole_sums(pool: &Pool, expressions: &[Expr]) -> FxHashSet<Expr> {
-    let mut sums = FxHashSet::default();
-    for expression in expressions {
-        let node = pool.node(*expression);
-        if matches!(node, Node::Add(..) | Node::Negate(_)) {
-            continue;
-        }
-        node.for_each_operand(|operand| {
-            if matches!(pool.node(operand), Node::Add(..)) {
-                sums.insert(operand);
-            }
-        });
-    }
-    sums
-}
-
-/// The variables so far, and the residues of what they stand for.
+/// The variables so far, and comparisons of what they stand for.
 #[derive(Default)]
 struct Variables {
     known: Vec<Variable>,
-    residues: Residues,
+    cuts: Cuts,
 }
 
 impl Variables {
     /// The variable that stands for this.
     fn variable(&mut self, pool: &mut Pool, hidden: Hidden, operands: Vec<Expr>) -> Expr {
-        for place in 0..self.known.len() {
-            if self.known[place].hidden == hidden
-                && self.may_be_equal(pool, place, &operands)
-                && are_equal(pool, &self.known[place].operands, &operands)
-            {
-                return self.known[place].symbol;
+        for known in self.known.iter().filter(|known| known.hidden == hidden) {
+            if self.cuts.are_equal(pool, &known.operands, &operands) {
+                return known.symbol;
             }
         }
         let symbol = pool.declare_symbol(format!("opaque_{}", self.known.len()), SymbolKind::Local);
@@ -163,26 +130,6 @@ impl Variables {
         self.known.push(Variable { hidden, operands, symbol });
         symbol
     }
-
-    /// Whether no residue tells the operands from those of a known variable.
-    fn may_be_equal(&mut self, pool: &Pool, place: usize, operands: &[Expr]) -> bool {
-        let pairs = self.known[place].operands.iter().zip(operands);
-        let mut residue = |operand: &Expr| self.residues.of(pool, *operand);
-        pairs.into_iter().all(|(known, operand)| match (residue(known), residue(operand)) {
-            (Some(known), Some(operand)) => known == operand,
-            _ => true,
-        })
-    }
-}
-
-pub(super) fn are_equal(pool: &mut Pool, left: &[Expr], right: &[Expr]) -> bool {
-    let sides: Vec<(Expr, Expr)> =
-        left.iter().copied().zip(right.iter().copied()).filter(|(left, right)| left != right).collect();
-    sides.is_empty()
-        || matches!(
-            (Equations { sides: &sides, conditions: &[] }).decide(pool, EFFORT),
-            Finding::Equal { .. }
-        )
 }
 
 #[cfg(test)]
@@ -190,18 +137,13 @@ mod tests {
     use super::*;
     use crate::check::read_theory;
 
-    /// The outputs of the kernel `f(x, y) = (…)`, made opaque.
-    fn outputs(values: &str, depth: Depth) -> (Pool, Vec<Expr>) {
-        let (theory, errors) = read_theory(&format!("kernel f(x, y) = ({values});"));
+    /// Whether two expressions of x and y are proved to be equal without a look inside functions and choices.
+    fn are_alike(left: &str, right: &str) -> bool {
+        let (theory, errors) = read_theory(&format!("kernel f(x, y) = ({left}, {right});"));
         assert!(errors.is_empty(), "{errors:?}");
         let mut pool = theory.pool;
-        let images = opaque(&mut pool, &theory.kernels[0].outputs, depth);
-        (pool, images)
-    }
-
-    fn are_alike(left: &str, right: &str) -> bool {
-        let (mut pool, images) = outputs(&format!("{left}, {right}"), Depth::Choices);
-        are_equal(&mut pool, &images[..1], &images[1..])
+        let images = opaque(&mut pool, &theory.kernels[0].outputs, Depth::Choices);
+        Cuts::default().are_equal(&mut pool, &images[..1], &images[1..])
     }
 
     #[test]
@@ -217,14 +159,6 @@ mod tests {
         let choice = |x: &str| format!("if jump {x} > y {{ sin({x}) }} else {{ {x}*y }}");
         assert!(are_alike(&choice("(x*(x + y))"), &choice("(x**2 + x*y)")));
         assert!(!are_alike(&choice("(x*(x + y))"), &choice("(x**2 + y)")));
-    }
-
-    #[test]
-    fn sums_are_opaque_as_operands() {
-        let values = "(x + y)**40*x, x*(y + x)**40, (x + y)*x, x**2 + y*x";
-        let (mut pool, images) = outputs(values, Depth::Sums);
-        assert!(are_equal(&mut pool, &images[..1], &images[1..2]));
-        assert!(!are_equal(&mut pool, &images[2..3], &images[3..]));
     }
 
     #[test]

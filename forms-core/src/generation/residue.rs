@@ -25,13 +25,23 @@ impl Residues {
         if let Some(known) = self.0.get(&expression) {
             return *known;
         }
-        for part in pool.reachable(&[expression]) {
+        self.extend(pool, &pool.reachable(&[expression]));
+        self.0[&expression]
+    }
+
+    /// Finds those of expressions that come after their operands.
+    pub(super) fn extend(&mut self, pool: &Pool, expressions: &[Expr]) {
+        for &part in expressions {
             if !self.0.contains_key(&part) {
                 let residue = self.of_node(pool, pool.node(part));
                 self.0.insert(part, residue);
             }
         }
-        self.0[&expression]
+    }
+
+    /// Gives an expression a residue in the place of its own.
+    pub(super) fn set(&mut self, expression: Expr, residue: Option<u64>) {
+        self.0.insert(expression, residue);
     }
 
     fn of_node(&self, pool: &Pool, node: &Node) -> Option<u64> {

@@ -4,7 +4,8 @@
 //! The equation is decided like any other statement, on the kernel's domain and wherever both sides are defined.
 
 use super::boundary::{replaced, sheets};
-use super::opaque::{Depth, are_equal, opaque};
+use super::cuts::Cuts;
+use super::opaque::{Depth, opaque};
 use super::pieces::{MOST_PIECES, pieces};
 use super::ratios::equal_by_ratios;
 use crate::decide::{Effort, Equations, Finding, Witness};
@@ -113,8 +114,8 @@ pub(super) fn of_form(pool: &mut Pool, kernel: &Kernel) -> Option<Diagnostic> {
     Some(Diagnostic::new(kernel.span, message).with_help(help))
 }
 
-/// Whether the sides of each pair are equal under the conditions: without a look inside choices, sums or at least inside
-/// functions, which is enough for most programs and costs little, or else with one.
+/// Whether the sides of each pair are equal under the conditions: without a look inside choices or at least inside functions,
+/// which is enough for most programs and costs little, or else with one.
 fn equality(
     pool: &mut Pool,
     pairs: &[(Expr, Expr)],
@@ -123,11 +124,10 @@ fn equality(
 ) -> Translation {
     let different: Vec<Expr> =
         pairs.iter().filter(|(raised, written)| raised != written).flat_map(|&(a, b)| [a, b]).collect();
-    for depth in [Depth::Choices, Depth::Sums] {
-        let closed = opaque(pool, &different, depth);
-        if closed.chunks_exact(2).all(|pair| are_equal(pool, &pair[..1], &pair[1..])) {
-            return Translation::Proved;
-        }
+    let closed = opaque(pool, &different, Depth::Choices);
+    let mut cuts = Cuts::default();
+    if closed.chunks_exact(2).all(|pair| cuts.are_equal(pool, &pair[..1], &pair[1..])) {
+        return Translation::Proved;
     }
     let opaque = opaque(pool, &different, Depth::Functions);
     if by_pieces(pool, &opaque, &[], effort).is_proved() {
@@ -240,21 +240,52 @@ mod tests {
         lower(&theory.pool, &source).expect("a kernel")
     }
 
-    /// What is found of each program that has one of the kernel's additions turned into a subtraction.
-    fn with_a_sign_lost(source: &str) -> Vec<Translation> {
+    /// What is found of each program that has one of the kernel's instructions changed.
+    fn with_one_changed(
+        source: &str,
+        changed: impl Fn(&Instruction) -> Option<Instruction>,
+    ) -> Vec<Translation> {
         let mut theory = theory(source);
         let kernel = theory.kernels[0].clone();
         let program = written(&theory);
         let mut found = Vec::new();
         for place in 0..program.instructions().len() {
-            if let Instruction::Add(a, b) = program.instructions()[place] {
-                let mut instructions = program.instructions().to_vec();
-                instructions[place] = Instruction::Subtract(a, b);
+            let mut instructions = program.instructions().to_vec();
+            if let Some(instruction) = changed(&instructions[place]) {
+                instructions[place] = instruction;
                 let wrong = program.with_instructions(instructions, |value| value);
                 found.push(validate(&mut theory.pool, &kernel, &wrong));
             }
         }
+        assert!(!found.is_empty(), "{source}");
         found
+    }
+
+    fn with_a_sign_lost(source: &str) -> Vec<Translation> {
+        with_one_changed(source, |instruction| match *instruction {
+            Instruction::Add(a, b) => Some(Instruction::Subtract(a, b)),
+            _ => None,
+        })
+    }
+
+    /// A sum of functions with coefficients that share sums, in a choice.
+    const SUM_OF_FUNCTIONS: &str =
+        "kernel k(a, b, c, d) = atan2((a + b)*(c - d), a*c + b*d)*(a*(b + c) + d*(b + c))
+        + clausen(a*(c + d))*(a + b)**2/sqrt(a**2 + b**2 + 1)
+        + (if jump a + d > b*c { log1p((a + b)**2)*(c + d) } else { clausen(c - a*d)*(a + b) });";
+
+    #[test]
+    fn a_sum_of_functions_that_lost_a_sign_or_has_another_coefficient_is_not_proved() {
+        let lost = with_a_sign_lost(SUM_OF_FUNCTIONS);
+        let doubled = with_one_changed(SUM_OF_FUNCTIONS, |instruction| match *instruction {
+            Instruction::Multiply(a, b) if a != b => Some(Instruction::Multiply(a, a)),
+            _ => None,
+        });
+        assert!(lost.iter().chain(&doubled).all(|translation| !translation.is_proved()));
+        let (mut theory, regrouped) =
+            (theory(SUM_OF_FUNCTIONS), written(&theory(SUM_OF_FUNCTIONS)).optimise());
+        let kernel = theory.kernels[0].clone();
+        assert!(validate(&mut theory.pool, &kernel, &regrouped).is_proved());
     }
 
     #[test]
@@ -266,7 +297,6 @@ mod tests {
             "kernel k(x) = atan(x + 1)*log(2 + x**2);",
         ] {
             let found = with_a_sign_lost(source);
-            assert!(!found.is_empty(), "{source}");
             let refuted = |translation: &Translation| matches!(translation, Translation::Refuted(_));
             assert!(found.iter().all(refuted), "{source}: {found:?}");
         }
@@ -287,19 +317,38 @@ mod tests {
         assert!(matches!(validate(&mut theory.pool, &kernel, &wrong), Translation::Refuted(_)));
     }
 
+    /// What is found of two forms of a function of x.
+    fn compared(kernels: &str) -> Translation {
+        let mut theory = theory(kernels);
+        let [kernel, other] = [0, 1].map(|place| theory.kernels[place].clone());
+        let arguments = other.arguments.iter().zip(&kernel.arguments);
+        let names = arguments.map(|(&other, &own)| (own, theory.pool.symbol(other))).collect();
+        let pair = (other.outputs[0], theory.pool.substitute(kernel.outputs[0], &names));
+        equality(&mut theory.pool, &[pair], &other.domain, EFFORT)
+    }
+
     #[test]
     fn what_is_outside_the_class_is_not_called_proved() {
         // Ramanujan: (2^(1/3) − 1)^(1/3) = (1/9)^(1/3) − (2/9)^(1/3) + (4/9)^(1/3)
-        let mut theory = theory(
+        let found = compared(
             "kernel k(x) = (2**(1/3) - 1)**(1/3)*x;
              kernel l(x) = ((1/9)**(1/3) - (2/9)**(1/3) + (4/9)**(1/3))*x where x > 0;",
         );
-        let (kernel, other) = (theory.kernels[0].clone(), theory.kernels[1].clone());
-        let pairs = [(other.outputs[0], kernel.outputs[0])];
-        let x = [(kernel.arguments[0], theory.pool.symbol(other.arguments[0]))].into_iter().collect();
-        let pairs = pairs.map(|(a, b)| (a, theory.pool.substitute(b, &x)));
-        let found = equality(&mut theory.pool, &pairs, &other.domain, EFFORT);
         assert!(matches!(found, Translation::Unknown { points: 1.., .. }), "{found:?}");
         assert!(found.to_string().starts_with("Not proved equal to its formula, only compared"), "{found}");
+    }
+
+    #[test]
+    fn what_takes_too_much_work_is_compared_at_points_and_not_called_proved() {
+        let found = compared(
+            "kernel k(x, y, z, s, t) =
+                (x + y**2 + z**3 + s*t)**40*x + (x**2 - y**3 + z*s + t)**40;
+             kernel l(x, y, z, s, t) =
+                ((x + z**3)**2 + (y**2 + s*t)**2 + 2*(x + z**3)*(y**2 + s*t))**20*x
+                + ((x**2 + t)**2 + (y**3 - z*s)**2 - 2*(x**2 + t)*(y**3 - z*s))**20;",
+        );
+        let Translation::Unknown { reason, points: 12 } = &found else { panic!("{found:?}") };
+        assert!(reason.contains("too large"), "{reason}");
+        assert!(found.to_string().contains("only compared with it at 12 points: "), "{found}");
     }
 }

@@ -40,6 +40,7 @@ impl Resolver {
             arguments,
             outputs,
             computed,
+            rewritten: Vec::new(),
             domain,
             within,
             formula,
@@ -88,6 +89,7 @@ impl Resolver {
         self.theory.kernels.push(Kernel {
             outputs,
             computed,
+            rewritten: Vec::new(),
             within: None,
             formula,
             units: KernelUnits::default(),

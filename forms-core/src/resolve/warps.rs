@@ -252,6 +252,7 @@ impl Resolver {
             arguments,
             outputs,
             computed,
+            rewritten: Vec::new(),
             domain,
             within,
             formula,

@@ -126,13 +126,32 @@ impl Choices {
         applied
     }
 
+    /// What is to be said of entries that fit no kernel: those of the kernels that changed since. Nothing where all fit.
+    pub fn objection(&self, theory: &Theory) -> Option<String> {
+        let fits = |entry: &Kernel| {
+            let told = told_key(entry);
+            theory
+                .kernels
+                .iter()
+                .any(|kernel| kernel.name == entry.name && told == Some(key(&theory.pool, kernel).as_str()))
+        };
+        let stale = self.theory.kernels.iter().filter(|entry| !fits(entry));
+        let names: Vec<String> = stale.map(|entry| format!("`{}`", entry.name)).collect();
+        (!names.is_empty()).then(|| {
+            format!(
+                "the forms chosen for {} were chosen for other formulas, and are not used; `forms accuracy FILE --write` \
+                 chooses anew",
+                names.join(", ")
+            )
+        })
+    }
+
     /// The form that an entry gives for a kernel, as expressions of the kernel's pool, and what it promises.
     fn form_of(&self, pool: &mut Pool, kernel: &Kernel) -> Option<(Vec<Expr>, Option<Rational>)> {
         let entry = self.theory.kernels.iter().find(|entry| entry.name == kernel.name)?;
-        let told = entry.docs.first()?.split_whitespace().next()?;
         let fits = entry.arguments.len() == kernel.arguments.len()
             && entry.outputs.len() == kernel.outputs.len()
-            && told == key(pool, kernel);
+            && told_key(entry)? == key(pool, kernel);
         if !fits {
             return None;
         }
@@ -142,6 +161,11 @@ impl Choices {
         let form = pool.import(&self.theory.pool, &entry.outputs, &variables)?;
         Some((form, entry.within.clone()))
     }
+}
+
+/// The key that an entry says it was made for.
+fn told_key(entry: &Kernel) -> Option<&str> {
+    entry.docs.first()?.split_whitespace().next()
 }
 
 #[cfg(test)]
@@ -197,6 +221,13 @@ mod tests {
         ] {
             assert_eq!(choices.apply(&mut theory(source)), 0, "{source}");
         }
+        let message =
+            choices.objection(&theory("kernel root(x) = sqrt(x + 2) - sqrt(x);")).expect("a stale entry");
+        assert!(
+            message.starts_with("the forms chosen for `root` were chosen for other formulas"),
+            "{message}"
+        );
+        assert_eq!(choices.objection(&theory(SOURCE)), None);
     }
 
     #[test]

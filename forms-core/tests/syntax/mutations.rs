@@ -1,7 +1,7 @@
 //! Damaged files: nothing panics, every place is in the text, and one wound is one report.
 
 use crate::files;
-use forms_core::syntax::token::{Symbol, Token, TokenKind};
+use forms_core::syntax::token::Symbol;
 use forms_core::syntax::{Source, end_of, lex, parse, read};
 use proptest::prelude::*;
 
@@ -20,9 +20,7 @@ fn survives(text: &str) {
 fn to_lose_one_token_is_at_most_one_mistake_and_at_most_one_item() {
     for source in files::sources() {
         let tokens = lex(&source.text).0;
-        let is_end = |token: &Token| token.kind == TokenKind::Symbol(Symbol::Semicolon);
-        let items: Vec<&[Token]> = tokens.split_inclusive(is_end).collect();
-        for three in items.windows(3) {
+        for three in files::items(&tokens).windows(3) {
             for lost in 0..three[1].len() {
                 let (before, after) = (&three[1][..lost], &three[1][lost + 1..]);
                 let (file, diagnostics) =

@@ -3,6 +3,7 @@
 //! A rule looks at one operation and proposes expressions that are equal to it where both are defined, or nearly always
 //! so; whether one is right is not its business, since every form that is kept is proved.
 
+mod direct;
 mod exponential;
 mod factors;
 mod fractions;
@@ -10,6 +11,8 @@ mod radical;
 mod scaling;
 mod sums;
 mod trigonometric;
+
+pub use direct::by_rules;
 
 use crate::decide::simplified_where;
 use crate::expression::{Condition, Expr, Node, Operation, Pool};

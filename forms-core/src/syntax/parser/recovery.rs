@@ -1,7 +1,7 @@
 //! Where an item ends, and where the next one begins after a mistake.
 
 use super::cursor::{Parsed, Parser};
-use crate::syntax::token::{Symbol, TokenKind};
+use crate::syntax::token::{Symbol, Token, TokenKind};
 use crate::syntax::words::ITEMS;
 
 impl Parser<'_> {
@@ -69,7 +69,9 @@ impl Parser<'_> {
             match self.tokens[at].kind {
                 TokenKind::Symbol(Symbol::OpenBrace) => braces += 1,
                 TokenKind::Symbol(Symbol::CloseBrace) => braces = braces.saturating_sub(1),
-                TokenKind::Symbol(Symbol::Semicolon) if at >= self.position && braces == 0 => {
+                TokenKind::Symbol(Symbol::Semicolon)
+                    if at >= self.position && braces == 0 && !self.is_before_names(at) =>
+                {
                     self.position = at + 1;
                     return;
                 }
@@ -77,5 +79,14 @@ impl Parser<'_> {
             }
         }
         self.position = self.tokens.len();
+    }
+
+    /// Whether a semicolon stands in front of names alone and a closing bracket, as that in the head of a warp.
+    fn is_before_names(&self, semicolon: usize) -> bool {
+        let is_of_list =
+            |token: &&Token| matches!(token.kind, TokenKind::Name(_) | TokenKind::Symbol(Symbol::Comma));
+        let names = self.tokens[semicolon + 1..].iter().take_while(is_of_list).count();
+        let end = self.tokens.get(semicolon + 1 + names).map(|token| &token.kind);
+        names > 0 && end == Some(&TokenKind::Symbol(Symbol::CloseParen))
     }
 }

@@ -1,0 +1,179 @@
+//! Direct: the form that rules alone give, without a sample, for kernels that nobody chose a form for.
+//!
+//! Of all rules these are the ones whose result is not less accurate than what it stands for at any argument, and is
+//! defined wherever that is. Each step is proved by itself: both sides are equal wherever both are defined.
+
+use super::{Rewriting, exponential, factors, fractions, radical, sums, trigonometric};
+use crate::decide::{Effort, Equations, Finding};
+use crate::expression::{Condition, Expr, Node, Operation, Pool};
+use crate::resolve::Kernel;
+use rustc_hash::FxHashMap;
+
+/// Both sides of a step are small, and a step that takes more to prove is not made.
+const EFFORT: Effort = Effort { work: 200_000, candidates: 24, points: 4 };
+
+/// Forms are gone through at most so many times: one step may make room for another.
+const ROUNDS: usize = 6;
+
+/// A rule, and which of its results are never worse than what they stand for.
+type Direct =
+    (fn(&mut Rewriting<'_>, Expr) -> Vec<Expr>, fn(&mut Rewriting<'_>, before: Expr, after: Expr) -> bool);
+
+const DIRECT: &[Direct] = &[
+    (exponential::less_one, |_, _, _| true),
+    (exponential::hyperbolic, |_, _, _| true),
+    (exponential::near_one, is_logarithm_beside_one),
+    (exponential::logarithms, has_a_number_above),
+    (trigonometric::versine, |_, _, _| true),
+    (trigonometric::half_angle, |_, _, _| true),
+    (trigonometric::differences, is_by_an_exact_half),
+    (trigonometric::arc_tangents, has_a_number_above),
+    (sums::factored, is_of_squares),
+    (radical::conjugate, is_a_difference_with_a_number_above),
+    (fractions::over_one_denominator, has_a_number_above),
+];
+
+/// The form that rules alone give each output of a kernel; empty if that is the formula.
+pub fn by_rules(pool: &mut Pool, kernel: &Kernel) -> Vec<Expr> {
+    let mut form = kernel.outputs.clone();
+    for _ in 0..ROUNDS {
+        let next = round(pool, &kernel.domain, &form);
+        if next == form {
+            break;
+        }
+        form = next;
+    }
+    if form == kernel.outputs { Vec::new() } else { form }
+}
+
+/// One step at every operation that there is one for; where an operation has one, its operands wait for the next round,
+/// as a step of theirs could hide it.
+fn round(pool: &mut Pool, conditions: &[Condition], form: &[Expr]) -> Vec<Expr> {
+    let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
+    for expression in pool.reachable(form) {
+        let image = step(pool, conditions, expression).unwrap_or_else(|| {
+            let node = pool.node(expression).clone();
+            pool.image(expression, node, &images)
+        });
+        images.insert(expression, image);
+    }
+    form.iter().map(|output| images[output]).collect()
+}
+
+/// The first result of a direct rule that is proved.
+fn step(pool: &mut Pool, conditions: &[Condition], before: Expr) -> Option<Expr> {
+    let mut rewriting = Rewriting::new(pool, conditions);
+    let found = DIRECT.iter().find_map(|(rule, is_never_worse)| {
+        let proposed = rule(&mut rewriting, before);
+        proposed.into_iter().find(|&after| after != before && is_never_worse(&mut rewriting, before, after))
+    })?;
+    let finding = Equations { sides: &[(before, found)], conditions }.decide(pool, EFFORT);
+    matches!(finding, Finding::Equal { .. }).then_some(found)
+}
+
+/// log(1 + u) = log1p u, with the u that is there
+fn is_logarithm_beside_one(rewriting: &mut Rewriting<'_>, before: Expr, after: Expr) -> bool {
+    let Some(sum) = rewriting.argument_of(Operation::Log, before) else { return false };
+    let one = rewriting.pool.integer(1);
+    rewriting.terms(sum).contains(&one) && rewriting.argument_of(Operation::Log1p, after).is_some()
+}
+
+/// What cancelled is now a number: the numerator of a quotient, or of an argument of log1p, atan or atan2.
+fn has_a_number_above(rewriting: &mut Rewriting<'_>, _: Expr, after: Expr) -> bool {
+    let (_, core) = rewriting.scaled(after);
+    let ratio = match rewriting.pool.node(core) {
+        Node::Apply(Operation::Log1p | Operation::Atan | Operation::Atan2, arguments) => arguments[0],
+        _ => after,
+    };
+    let (above, ..) = factors::factors(rewriting.pool, ratio);
+    let zero = rewriting.pool.integer(0);
+    above.iter().all(|&factor| factor != zero && !rewriting.varies(factor))
+}
+
+/// √p − √q with p − q a number: of a sum of roots the other factor would cancel.
+fn is_a_difference_with_a_number_above(rewriting: &mut Rewriting<'_>, before: Expr, after: Expr) -> bool {
+    let Some((a, b)) = rewriting.two_terms(before) else { return false };
+    let is_negative = |part: Expr| matches!(rewriting.pool.node(part), Node::Negate(_));
+    is_negative(a) != is_negative(b) && has_a_number_above(rewriting, before, after)
+}
+
+/// f(b + h) − f(b) with an h that is a number or a variable, by the sine of its half and what stands in the middle
+/// between them.
+fn is_by_an_exact_half(rewriting: &mut Rewriting<'_>, before: Expr, _: Expr) -> bool {
+    let Some((first, second)) = rewriting.two_terms(before) else { return false };
+    let [(_, p), (_, q)] = [first, second].map(|term| rewriting.scaled(term));
+    let (Node::Apply(_, a), Node::Apply(_, b)) =
+        (rewriting.pool.node(p).clone(), rewriting.pool.node(q).clone())
+    else {
+        return false;
+    };
+    let difference = rewriting.difference(a[0], b[0]);
+    let (_, core) = rewriting.scaled(difference);
+    matches!(rewriting.pool.node(core), Node::Symbol(_) | Node::Number(_) | Node::Pi)
+        && matches!(rewriting.pool.node(b[0]), Node::Symbol(_))
+}
+
+/// a² − b² = (a − b)(a + b)
+fn is_of_squares(rewriting: &mut Rewriting<'_>, before: Expr, _: Expr) -> bool {
+    let Some((a, b)) = rewriting.two_terms(before) else { return false };
+    let Node::Negate(b) = *rewriting.pool.node(b) else { return false };
+    let one = rewriting.pool.integer(1);
+    let is_square = |part: Expr| part == one || rewriting.squared(part).is_some();
+    is_square(a) && is_square(b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::read_theory;
+
+    /// What rules alone give a formula, or the formula.
+    fn form_of(formula: &str) -> String {
+        let (mut theory, errors) = read_theory(&format!("kernel k(a, b, x) = {formula} where a > 0, b > 0;"));
+        assert!(errors.is_empty(), "{errors:?}");
+        let kernel = theory.kernels[0].clone();
+        let form = by_rules(&mut theory.pool, &kernel);
+        theory.pool.text(*form.first().unwrap_or(&kernel.outputs[0]))
+    }
+
+    #[test]
+    fn what_cancels_is_rewritten() {
+        for (formula, expected) in [
+            ("exp(x) - 1", "expm1(x)"),
+            ("(1 - exp(-a*b))/a", "-expm1(-a*b)/a"),
+            ("exp(x) - exp(-x)", "2*sinh(x)"),
+            ("log(1 + x)", "log1p(x)"),
+            ("log(1 + x**2*a)", "log1p(x**2*a)"),
+            ("log(a + 1) - log(a)", "log1p(1/a)"),
+            ("1 - cos(x)", "2*(sin(x/2)*sin(x/2))"),
+            ("(1 - cos(x))/sin(x)", "tan(x/2)"),
+            ("sin(x + a) - sin(x)", "2*(sin(a/2)*cos((2*x + a)/2))"),
+            ("atan(x + 1) - atan(x)", "atan2(1, 1 + (x + 1)*x)"),
+            ("a**2 - b**2", "(a - b)*(a + b)"),
+            ("1 - x**2", "(1 - x)*(1 + x)"),
+            ("sqrt(a + 1) - sqrt(a)", "1/(sqrt(a + 1) + sqrt(a))"),
+            ("1/(a + 1) - 1/a", "-1/((a + 1)*a)"),
+            ("sqrt(1 - cos(x)**2) + b", "sqrt(sin(x)*sin(x)) + b"),
+        ] {
+            assert_eq!(form_of(formula), expected, "{formula}");
+        }
+    }
+
+    #[test]
+    fn what_may_lose_elsewhere_is_left_as_it_is() {
+        for formula in [
+            "sqrt(a) - sqrt(b)",
+            "exp(a) - exp(b)",
+            "log(a)",
+            "log(a) - log(b)",
+            "sin(a) - sin(b)",
+            "1/a - 1/b",
+            "x**2 + a**2",
+            "a*x - b*x",
+            "sqrt(a + 1) + sqrt(a)",
+            "sqrt(a**2 + b**2)",
+        ] {
+            assert_eq!(form_of(formula), formula);
+        }
+    }
+}

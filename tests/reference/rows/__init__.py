@@ -1,0 +1,1 @@
+"""Rows of reference values by topic."""
