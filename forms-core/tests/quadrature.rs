@@ -4,7 +4,7 @@ use forms_core::accuracy::{Format, Rounded, Truth, Value};
 use forms_core::check::{decide_all, read_theory};
 use forms_core::expression::{Rational, Symbol};
 use forms_core::generation::generate;
-use forms_core::kernel::evaluate_f64;
+use forms_core::kernel::{Instruction, evaluate_f64};
 use forms_core::resolve::Theory;
 
 fn theory(text: &str) -> Theory {
@@ -66,6 +66,34 @@ fn kernels_compute_quadratures_and_integrals_without_a_closed_form() {
         &values("kernel f(x) = quadrature(exp(-t**2), t = 0..x); kernel g = grad(f; x);", &[0.7]),
         &[(-0.49_f64).exp()],
     );
+}
+
+/// The operations of what the last kernel of a source integrates, after optimisation.
+fn operations_of_the_integrand(text: &str) -> String {
+    let mut theory = theory(text);
+    let kernel = theory.kernels.last().cloned().expect("a kernel");
+    let generated = generate(&mut theory.pool, &kernel).expect("a kernel");
+    assert!(generated.translation.is_proved(), "{text}: {}", generated.translation);
+    let integrand = generated.optimised.instructions().iter().find_map(|instruction| match instruction {
+        Instruction::Quadrature { integrand, .. } => Some(integrand.operations().to_string()),
+        _ => None,
+    });
+    integrand.expect("a quadrature")
+}
+
+#[test]
+fn what_a_quadrature_integrates_is_optimised_like_a_kernel() {
+    let cases = [
+        ("t**2", "1 multiplication"),
+        ("t**3 + 2*t**2 + x*t", "2 additions, 2 multiplications"),
+        ("t**2*exp(-x*t**2)", "2 multiplications, 1 function call"),
+        ("(x + t)**(3/2)", "1 addition, 1 multiplication, 1 square root"),
+        ("quadrature(s**2, s = 0..t)", "1 function call"),
+    ];
+    for (integrand, expected) in cases {
+        let text = format!("kernel k(x) = quadrature({integrand}, t = 0..1);");
+        assert_eq!(operations_of_the_integrand(&text), expected, "{integrand}");
+    }
 }
 
 #[test]

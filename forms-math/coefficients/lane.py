@@ -5,7 +5,7 @@ approximation, and has the least degree whose error, times `weight` there, is be
 coefficients are then rounded to the format. A constant in parts has so many bits in each part as its use needs.
 """
 
-from mpmath import asin, atan, atanh, cos, cosh, erf, erfc, exp, ln, lu_solve, matrix, mp, mpf, pi, polyval, sin, sinh, sqrt
+from mpmath import asin, atan, atanh, cos, cosh, erf, erfc, exp, hyp1f1, ln, lu_solve, matrix, mp, mpf, pi, polyval, sin, sinh, sqrt
 
 mp.prec = 300
 
@@ -116,7 +116,7 @@ def table(form):
     yield "two_over_root_pi", "2/sqrt pi with what its rounding leaves", parts(2 / sqrt(pi), pair, form)
     yield "two_thirds", "2/3 with what its rounding leaves", parts(mpf(2) / 3, pair, form)
     yield "exp", "(e^r - 1 - r)/r^2 of |r| <= (ln 2)/2", polynomial(
-        lambda r: (exp(r) - 1 - r) / r**2, abs, -half_ln2, half_ln2, form)
+        lambda r: hyp1f1(1, 3, r) / 2, abs, -half_ln2, half_ln2, form)
     yield "sinh", "(sinh r - r)/r^3 in r^2, of |r| <= (ln 2)/2", polynomial(
         of_square(lambda r: (sinh(r) - r) / r**3), lambda z: z, tiny, half_ln2**2, form)
     yield "cosh", "(cosh r - 1 - r^2/2)/r^4 in r^2, of |r| <= (ln 2)/2", polynomial(
@@ -130,9 +130,10 @@ def table(form):
         of_square(lambda r: (sin(r) - r) / r**3), lambda z: z, tiny, quarter_pi**2, form)
     yield "cos", "(cos r - 1 + r^2/2)/r^4 in r^2, of |r| <= pi/4", polynomial(
         of_square(lambda r: (cos(r) - 1 + r**2 / 2) / r**4), lambda z: z * z, tiny, quarter_pi**2, form)
-    t = mpf(1) / 2
-    yield "atan", "(atan t - t)/t^3 in t^2, of |t| <= 1/2", polynomial(
-        of_square(lambda t: (atan(t) - t) / t**3), lambda z: z, tiny, t**2, form)
+    steep = mpf("0.5464")
+    yield "atan_limit", "Up to here angles are taken from an axis, beyond from the diagonal: the tangent of a little over 1/2", steep
+    yield "atan", "(atan t - t)/t^3 in t^2, of |t| to that limit", polynomial(
+        of_square(lambda t: (atan(t) - t) / t**3), lambda z: z, tiny, (steep * mpf("1.0001"))**2, form)
     yield "asin", "(asin t - t)/t^3 in t^2, of |t| <= 1/2", polynomial(
         of_square(lambda t: (asin(t) - t) / t**3), lambda z: z, tiny, mpf(1) / 4, form)
     yield "erf", "(erf x - 2 x/sqrt pi)/x^3 in x^2, of |x| <= 1", polynomial(

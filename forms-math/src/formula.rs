@@ -6,7 +6,8 @@ use crate::Real;
 ///
 /// Outside its domain, and where an argument it depends on is NaN, every output is NaN.
 pub trait Formula<const ARGUMENTS: usize, const OUTPUTS: usize> {
-    /// Whether lanes may give up on arguments, because the body has more than arithmetic, roots and choices.
+    /// Whether lanes may give up on arguments, because the body has more than arithmetic, roots, absolute values
+    /// and choices.
     const MAY_GIVE_UP: bool = true;
 
     /// The values at these arguments.

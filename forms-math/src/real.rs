@@ -47,6 +47,22 @@ pub trait Real:
     /// `then` where left = right, `otherwise` where they differ.
     fn if_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self;
 
+    /// [`Real::if_less`] for choices that are followed by NaN where their sides cannot be compared: `otherwise` will do there.
+    #[inline(always)]
+    fn either_if_less(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
+        Self::if_less(left, right, then, otherwise)
+    }
+    /// [`Real::if_less_equal`], likewise.
+    #[inline(always)]
+    fn either_if_less_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
+        Self::if_less_equal(left, right, then, otherwise)
+    }
+    /// [`Real::if_equal`], likewise.
+    #[inline(always)]
+    fn either_if_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
+        Self::if_equal(left, right, then, otherwise)
+    }
+
     /// sin x
     fn sin(self) -> Self;
     /// cos x

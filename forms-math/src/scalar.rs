@@ -82,6 +82,18 @@ macro_rules! choices {
                 Self::nan()
             }
         }
+        #[inline(always)]
+        fn either_if_less(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
+            if left < right { then } else { otherwise }
+        }
+        #[inline(always)]
+        fn either_if_less_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
+            if left <= right { then } else { otherwise }
+        }
+        #[inline(always)]
+        fn either_if_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
+            if left == right { then } else { otherwise }
+        }
     };
 }
 pub(crate) use choices;

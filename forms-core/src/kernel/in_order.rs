@@ -15,7 +15,7 @@ const WRITTEN_OUT: i64 = 8;
 impl Program {
     /// The same kernel with every sum and product grouped as it is written; products that may cancel are compensated.
     pub fn in_order(&self) -> Program {
-        super::optimise::grouped(&written_out(self)).compensate()
+        super::optimise::grouped(&written_out(&self.with_integrands(Program::in_order))).compensate()
     }
 }
 

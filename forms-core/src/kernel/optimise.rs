@@ -5,7 +5,7 @@
 //!                          └───────────────────┘ for each setting, and once without
 //! the cheapest ─ fuse ─ schedule
 //! ```
-//! Every pass keeps the value. Expansion is tried from the least to the most, and has to make the kernel cheaper
+//! Every pass keeps the value. What a quadrature integrates is a kernel, and goes through the same passes before. Expansion is tried from the least to the most, and has to make the kernel cheaper
 //! to be kept, because a formula as its author wrote it is usually the accurate one.
 
 use super::expand::{Limits, expand};
@@ -35,7 +35,7 @@ const SEARCHED: usize = 4_000;
 impl Program {
     /// The same kernel at least cost.
     pub fn optimise(&self) -> Program {
-        let numbered = number_values(self);
+        let numbered = number_values(&self.with_integrands(Program::optimise));
         let written = collect(&numbered).reordered();
         let is_searched = numbered.instructions.len() <= SEARCHED;
         let expansions = expansions(&written, is_searched);

@@ -231,6 +231,17 @@ impl Program {
         })
     }
 
+    /// The same kernel with other programs of what its quadratures integrate.
+    pub(super) fn with_integrands(&self, of: impl Fn(&Program) -> Program) -> Program {
+        let instructions = self.instructions.iter().map(|instruction| match instruction {
+            Instruction::Quadrature { integrand, operands } => {
+                Instruction::Quadrature { integrand: Box::new(of(integrand)), operands: operands.clone() }
+            }
+            other => other.clone(),
+        });
+        self.with_instructions(instructions.collect(), |root| root)
+    }
+
     /// How often each value is used, by instructions and from outside.
     pub(crate) fn uses(&self) -> Vec<usize> {
         let mut uses = vec![0; self.instructions.len()];

@@ -21,6 +21,23 @@ const KERNELS: &[(&str, &str, &[&str])] = &[
     ("many", "a b c d e f g H", &["a*b + c*d - (e*f - g*H)"]),
 ];
 
+/// Kernels of choices, in whose branches or beside which their sides stand, or not.
+const CHOICES: &[(&str, &str, &[&str])] = &[
+    (
+        "in_branches",
+        "x y",
+        &["if x < y { x*y } else { 1 }", "if x <= 1 { 1 } else { x*y }", "if x < y { x - y } else { 1 }"],
+    ),
+    ("beside", "x y", &["x + (if x < 1 { y } else { 2 }) + (if x <= 1 { 1 } else { y })"]),
+    (
+        "together",
+        "x y",
+        &["(if x < y { 1 } else { 2 })*(if y < x { 3 } else { x }) + (if x <= y { 5 } else { 7 })"],
+    ),
+    ("nested", "x y", &["if x < 1 { if y < 1 { x } else { 1 } } else { if y < 2 { x + y } else { 2 } }"]),
+    ("apart", "x y", &["x + (if x < 1 { y } else { 2 })", "if x < 2 { 1 } else { y }"]),
+];
+
 /// Where NaN, infinities, signed zeros and ordinary numbers come from: a fixed linear congruence.
 pub(crate) struct Inputs(pub(crate) u64);
 
@@ -38,18 +55,23 @@ impl Inputs {
 
 /// The kernels as they are written and optimised, one with compensated products, and two with conditions.
 pub(crate) fn kernels() -> Vec<Program> {
+    let mut programs = written_and_optimised(KERNELS);
+    let mut products = Formulas::over("a b c d");
+    let difference = products.parse("a*b - c*d");
+    programs.push(products.named("products").program(&[difference]).optimise().compensate());
+    programs.extend(with_domains());
+    programs
+}
+
+fn written_and_optimised(kernels: &[(&str, &str, &[&str])]) -> Vec<Program> {
     let mut programs = Vec::new();
-    for (name, variables, outputs) in KERNELS {
+    for (name, variables, outputs) in kernels {
         let mut formulas = Formulas::over(variables);
         let outputs: Vec<Expr> = outputs.iter().map(|output| formulas.parse(output)).collect();
         let written = formulas.named(name).program(&outputs);
         programs.push(formulas.named(&format!("{name}_optimised")).program(&outputs).optimise());
         programs.push(written);
     }
-    let mut products = Formulas::over("a b c d");
-    let difference = products.parse("a*b - c*d");
-    programs.push(products.named("products").program(&[difference]).optimise().compensate());
-    programs.extend(with_domains());
     programs
 }
 
@@ -115,9 +137,9 @@ fn compiled_and_run(source: &str) -> Vec<f64> {
 
 #[test]
 fn emitted_rust_computes_what_the_interpreter_computes() {
-    let programs = kernels();
+    let programs = [kernels(), written_and_optimised(CHOICES)].concat();
     let mut inputs = Inputs(1);
-    let rows: Vec<Vec<f64>> = (0..12).map(|_| (0..8).map(|_| inputs.next()).collect()).collect();
+    let rows: Vec<Vec<f64>> = (0..24).map(|_| (0..8).map(|_| inputs.next()).collect()).collect();
     let computed = compiled_and_run(&harness(&programs, &rows));
     let mut computed = computed.into_iter();
     for program in &programs {

@@ -23,7 +23,6 @@ pub(super) fn rows_of<M: Method<E, A, O>, E: Element, const FMA: bool, const A: 
     columns: &Arguments<'_, E, A>,
     values: &mut Values<E, O>,
 ) -> bool {
-    let mut found = E::Bits::default();
     for row in 0..BLOCK {
         let mut arguments = [E::default(); A];
         for (argument, column) in arguments.iter_mut().zip(columns) {
@@ -31,12 +30,16 @@ pub(super) fn rows_of<M: Method<E, A, O>, E: Element, const FMA: bool, const A: 
         }
         for (value, result) in values.iter_mut().zip(method.in_lanes::<FMA>(arguments)) {
             value[row] = result;
-            if M::MAY_GIVE_UP {
-                found = found | result.nan_bits();
-            }
         }
     }
-    found != E::Bits::default()
+    M::MAY_GIVE_UP && values.iter().any(has_nan)
+}
+
+/// Whether one of the values is NaN. A loop of its own: within the loop over the rows it would hold on to what the next
+/// rows can begin without.
+#[inline(always)]
+fn has_nan<E: Element>(values: &[E; BLOCK]) -> bool {
+    values.iter().fold(E::Bits::default(), |found, value| found | value.nan_bits()) != E::Bits::default()
 }
 
 /// The values of a block, with those that lanes give up on.

@@ -53,25 +53,27 @@ pub(super) fn atan<W: Word>(x: W) -> W {
     atan2(x, W::literal(1.0))
 }
 
-/// The angle in (−π, π] of the point (x, y): a multiple of π/4 and ±(t + t³ A(t²)), where t is the smaller over the larger
-/// coordinate or, where they are within a factor of two, the tangent of the angle from the diagonal. Gives up at the origin
-/// and where coordinates are near overflow.
+/// The angle in (−π, π] of the point (x, y): t + t³ A(t²), where t is the smaller over the larger coordinate or, from half a
+/// radian on, the tangent of the angle from the diagonal; reflected into the octant of (|x|, |y|), and then of (x, y). Gives
+/// up at the origin and where coordinates are near overflow.
 #[inline(always)]
 pub(super) fn atan2<W: Word>(y: W, x: W) -> W {
     let (height, width) = (y.magnitude(), x.magnitude());
-    let (zero, one, two) = (W::literal(0.0), W::literal(1.0), W::literal(2.0));
+    let zero = W::literal(0.0);
     let (swapped, backwards) = (width < height, x < zero);
     let larger = if swapped { height } else { width };
     let smaller = if swapped { width } else { height };
+    let near_diagonal = larger * W::of(W::TABLE.atan_limit) <= smaller;
     // The difference of numbers within a factor of two has no rounding (Sterbenz).
-    let near = larger < smaller + smaller;
-    let t = (if near { smaller - larger } else { smaller }) / if near { smaller + larger } else { larger };
+    let numerator = if near_diagonal { smaller - larger } else { smaller };
+    let t = numerator / if near_diagonal { smaller + larger } else { larger };
     let square = t * t;
     let angle = (t * square).fused(square.polynomial(W::TABLE.atan), t);
-    let quarters = if near { one } else { zero };
-    let (angle, quarters) = if swapped { (-angle, two - quarters) } else { (angle, quarters) };
-    let (angle, quarters) = if backwards { (-angle, two + two - quarters) } else { (angle, quarters) };
-    let quarter = Pair::<W>::of(W::TABLE.quarters_pi, 0);
-    let value = quarters.fused(quarter.head, quarters.fused(quarter.tail, angle)).with_sign(y);
-    if larger <= W::two_to(W::LARGEST_EXPONENT - 2) { value } else { W::not_a_number() }
+    // What the rounding of these constants leaves is below half a unit of the sum, which is not below 1/2.
+    let quarters = |count: usize| W::of(W::TABLE.quarters_pi[2 * (count - 1)]);
+    let angle = angle + if near_diagonal { quarters(1) } else { zero };
+    let angle = if swapped { quarters(2) - angle } else { angle };
+    let angle = if backwards { quarters(4) - angle } else { angle };
+    // Near overflow four times the larger coordinate is infinite, and 0·∞ is NaN.
+    (larger * W::literal(4.0)).fused(zero, angle).with_sign(y)
 }

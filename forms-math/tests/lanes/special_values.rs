@@ -116,3 +116,19 @@ fn choices_between_what_cannot_be_compared_are_nan() {
         assert!(choice(nan, nan, one, two).0.is_nan());
     }
 }
+
+#[test]
+fn choices_that_are_followed_by_nan_in_any_case_compare_once() {
+    let (one, two, nan) = (Lane64::<false>(1.0), Lane64(2.0), Lane64(f64::NAN));
+    let choices: [[fn(Lane64<false>, Lane64<false>, Lane64<false>, Lane64<false>) -> Lane64<false>; 2]; 3] = [
+        [Lane64::if_less, Lane64::either_if_less],
+        [Lane64::if_less_equal, Lane64::either_if_less_equal],
+        [Lane64::if_equal, Lane64::either_if_equal],
+    ];
+    for [strict, either] in choices {
+        for (left, right) in [(one, two), (two, one), (one, one)] {
+            assert_eq!(strict(left, right, one, two).0, either(left, right, one, two).0);
+        }
+        assert_eq!(either(one, nan, one, two).0, 2.0);
+    }
+}

@@ -2,6 +2,7 @@
 
 use super::blocks::{Block, Blocks, FUNCTION};
 use super::dialect::{Branches, ChoiceFunction, Choices, Dialect};
+use super::unordered::{Unordered, unordered};
 use super::written::{Binding, Written, infix, negated};
 use crate::kernel::program::{Comparison, Instruction, Program, Value};
 use std::fmt::Write;
@@ -15,9 +16,9 @@ const INDENT: usize = 4;
 /// Writes the statements that compute the program, and its outputs as the function's value. The arguments are called
 /// by these names.
 pub(super) fn write(dialect: &dyn Dialect, program: &Program, arguments: &[String]) -> String {
-    let blocks = match dialect.choices() {
-        Choices::Function(_) => Blocks::one(program),
-        Choices::Branches(_) => Blocks::nested(program),
+    let (blocks, unordered) = match dialect.choices() {
+        Choices::Function(_) => (Blocks::one(program), unordered(program)),
+        Choices::Branches(_) => (Blocks::nested(program), Vec::new()),
     };
     let mut body = Body {
         dialect,
@@ -25,6 +26,7 @@ pub(super) fn write(dialect: &dyn Dialect, program: &Program, arguments: &[Strin
         arguments,
         uses: program.uses(),
         blocks,
+        unordered,
         texts: vec![None; program.instructions.len()],
         prefix: prefix(arguments),
         temporaries: 0,
@@ -59,6 +61,8 @@ struct Body<'a> {
     arguments: &'a [String],
     uses: Vec<usize>,
     blocks: Blocks,
+    /// What the choices of a language that makes them by functions do where sides cannot be compared.
+    unordered: Vec<Unordered>,
     texts: Vec<Option<Written>>,
     prefix: String,
     temporaries: usize,
@@ -157,7 +161,7 @@ impl Body<'_> {
         let nan = Written::atom(self.dialect.nan());
         self.program.domain.iter().rev().fold(output.clone(), |value, condition| {
             let sides = [condition.left, condition.right].map(|side| self.text(side));
-            function.choice(sides, condition.relation, [&value, &nan])
+            function.choice(sides, condition.relation, [&value, &nan], Unordered::Otherwise)
         })
     }
 
@@ -197,7 +201,7 @@ impl Body<'_> {
                     Choices::Function(function) => {
                         let [left, right, then, otherwise] =
                             [left, right, then, otherwise].map(|&value| self.text(value));
-                        function.choice([left, right], *relation, [then, otherwise])
+                        function.choice([left, right], *relation, [then, otherwise], self.unordered[place])
                     }
                     Choices::Branches(branches) => {
                         let text = self.select(branches, place, level, str::to_string);

@@ -1,5 +1,6 @@
 //! What one language says differently from another.
 
+use super::unordered::Unordered;
 use super::written::{Written, infix};
 use crate::expression::Operation;
 use crate::kernel::constant::Constant;
@@ -55,8 +56,14 @@ pub(super) enum Choices<'a> {
 
 /// Choices that compute both values.
 pub(super) trait ChoiceFunction {
-    /// A relation, and the values where it holds and where not.
-    fn choice(&self, sides: [&Written; 2], relation: Relation, branches: [&Written; 2]) -> Written;
+    /// A relation, and the values where it holds and where not; and what is to be where the sides cannot be compared.
+    fn choice(
+        &self,
+        sides: [&Written; 2],
+        relation: Relation,
+        branches: [&Written; 2],
+        unordered: Unordered,
+    ) -> Written;
 }
 
 /// Choices by `if`.

@@ -9,6 +9,7 @@ use super::docs::{KernelDocs, documentation};
 use super::number::number;
 use super::rust::attributes;
 use super::target::Precision;
+use super::unordered::Unordered;
 use super::written::{Binding, Written, function, negated};
 use crate::expression::Operation;
 use crate::kernel::constant::Constant;
@@ -27,17 +28,26 @@ pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
     let bound: Vec<&str> =
         names.iter().enumerate().map(|(place, name)| if used(place) { name.as_str() } else { "_" }).collect();
     let body = body::write(&Generic, program, &names);
-    let is_arithmetic = !program
-        .instructions
-        .iter()
-        .any(|instruction| matches!(instruction, Instruction::Power(..) | Instruction::Call(..)));
-    let gives_up = if is_arithmetic { "    const MAY_GIVE_UP: bool = false;\n" } else { "" };
+    let gives_up = if program.instructions.iter().all(lanes_have_it_everywhere) {
+        "    const MAY_GIVE_UP: bool = false;\n"
+    } else {
+        ""
+    };
     format!(
         "impl {math}::Formula<{arguments}, {outputs}> for {type_name} {{\n{gives_up}    \
          #[inline(always)]\n    \
          fn value<T: {math}::Real>([{}]: [T; {arguments}]) -> [T; {outputs}] {{\n{body}    }}\n}}\n",
         bound.join(", ")
     )
+}
+
+/// Whether lanes compute an instruction whatever its operands are: arithmetic, choices, roots and absolute values.
+fn lanes_have_it_everywhere(instruction: &Instruction) -> bool {
+    match instruction {
+        Instruction::Call(operation, _) => *operation == Operation::Abs,
+        Instruction::Power(..) | Instruction::Quadrature { .. } => false,
+        _ => true,
+    }
 }
 
 /// A type `Formula` of the program, to stand in a function.
@@ -173,8 +183,18 @@ impl Dialect for Generic {
 }
 
 impl ChoiceFunction for Generic {
-    fn choice(&self, [left, right]: [&Written; 2], relation: Relation, branches: [&Written; 2]) -> Written {
-        let [then, otherwise] = branches;
+    fn choice(
+        &self,
+        [left, right]: [&Written; 2],
+        relation: Relation,
+        [then, otherwise]: [&Written; 2],
+        unordered: Unordered,
+    ) -> Written {
+        // one comparison gives the second value where it fails, and so where there is none
+        let (relation, then, otherwise) = match (unordered, relation.complement()) {
+            (Unordered::Then, Some(complement)) => (complement, otherwise, then),
+            _ => (relation, then, otherwise),
+        };
         let (name, operands) = match relation {
             Relation::Less => ("if_less", [left, right, then, otherwise]),
             Relation::Greater => ("if_less", [right, left, then, otherwise]),
@@ -182,6 +202,12 @@ impl ChoiceFunction for Generic {
             Relation::GreaterEqual => ("if_less_equal", [right, left, then, otherwise]),
             Relation::NotEqual => ("if_equal", [left, right, otherwise, then]),
         };
-        Self::associated(name, &operands)
+        let looks_twice = match unordered {
+            Unordered::Nan => true,
+            Unordered::Otherwise => relation == Relation::NotEqual,
+            Unordered::Then | Unordered::Either => false,
+        };
+        let name = if looks_twice { name.to_string() } else { format!("either_{name}") };
+        Self::associated(&name, &operands)
     }
 }

@@ -19,6 +19,7 @@ mod names;
 mod number;
 mod rust;
 mod target;
+mod unordered;
 mod wgsl;
 mod written;
 
