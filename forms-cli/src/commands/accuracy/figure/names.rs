@@ -160,17 +160,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_of_crowded_marks_are_apart_and_inside() {
+    fn names_of_crowded_marks_are_inside_and_cover_no_more_than_a_rim_of_each_other() {
         let bounds = Area { left: 0.0, top: 0.0, right: 400.0, bottom: 300.0 };
         let marks: Vec<[f64; 2]> = (0..9).map(|n| [180.0 + 4.0 * f64::from(n), 150.0]).collect();
         let mut names = Names::new(bounds, &marks, Vec::new(), Vec::new());
         for &mark in &marks {
             names.place(mark, 90.0);
         }
+        let rim = 0.02 * 90.0 * 2.0 * HALF_HEIGHT;
         for (place, area) in names.taken.iter().enumerate() {
             assert_eq!(area.outside(&bounds), 0.0, "{area:?}");
             assert!(marks.iter().all(|&mark| area.shared(&Area::around(mark, 2.0)) == 0.0), "{area:?}");
-            assert!(names.taken[..place].iter().all(|other| area.shared(other) == 0.0), "{area:?}");
+            assert!(names.taken[..place].iter().all(|other| area.shared(other) <= rim), "{area:?}");
         }
     }
 
