@@ -1,6 +1,8 @@
 //! Integrals that are computed numerically: what is decided of them, and their values.
 
+use forms_core::accuracy::{Format, Rounded, Truth, Value};
 use forms_core::check::{decide_all, read_theory};
+use forms_core::expression::{Rational, Symbol};
 use forms_core::generation::generate;
 use forms_core::kernel::{Instruction, evaluate_f64};
 use forms_core::resolve::Theory;
@@ -103,4 +105,39 @@ fn a_quadrature_is_refused_where_it_means_nothing() {
         let found: String = read_theory(text).1.into_iter().map(|error| error.message + "\n").collect();
         assert!(found.contains(message), "{text}\n{found}");
     }
+}
+
+/// The last kernel of a source at exact arguments, to fifty digits.
+fn digits(text: &str, arguments: &[&str]) -> String {
+    let theory = theory(text);
+    let kernel = theory.kernels.last().expect("a kernel");
+    let numbers = arguments.iter().map(|text| text.parse::<Rational>().expect("a fraction"));
+    let point: Vec<(Symbol, Rational)> = kernel.arguments.iter().copied().zip(numbers).collect();
+    let truth = Truth::new(&theory.pool, &kernel.outputs, &kernel.domain);
+    match truth.at(&point, Format::Digits(50)).remove(0) {
+        Value::Known(Rounded::Digits(digits)) => digits,
+        other => format!("{other:?}"),
+    }
+}
+
+#[test]
+fn integrals_of_every_size_have_fifty_certain_digits() {
+    // erf(1) √π/2, and the same scaled
+    let digits_of_erf = "7.4682413281242702539946743613185300535449968681261";
+    assert_eq!(
+        digits("kernel k(x) = quadrature(exp(-t**2), t = 0..x);", &["1"]),
+        format!("{digits_of_erf}e-1")
+    );
+    assert_eq!(
+        digits("kernel k(x, s) = quadrature(s*exp(-t**2), t = 0..x);", &["1", "1/100000000000000000000"]),
+        format!("{digits_of_erf}e-21")
+    );
+}
+
+#[test]
+fn a_view_factor_without_a_closed_form_has_fifty_certain_digits() {
+    // two unit spheres at the distance 3, as `view_factor_spheres` has it
+    let source = "kernel k(r, R, D) = 64*R**2/(pi*D)*quadrature(u**2*(1 - u**2)**2/((1 + u**2)**4*(D*(1 + u**2)
+        + sqrt((D - r - R)*(D + r + R)*(1 + u**2)**2 + 16*r*R*u**2))), u = 0..1) where r > 0, R >= 0, D >= r + R;";
+    assert_eq!(digits(source, &["1", "1", "3"]), "2.9590312250550431403804540422850051399434907326547e-2");
 }

@@ -34,7 +34,7 @@ pub(crate) fn module(
         quote!(pub enum Stable {} #stable)
     };
     let tiers = Tiers::of(program);
-    let mut functions = vec![tiers.plain(), tiers.f32(), tiers.dd(), tiers.batch_f32()];
+    let mut functions = vec![tiers.plain(), tiers.f32(), tiers.dd(within.is_some()), tiers.batch_f32()];
     match within {
         Some(within) => functions.extend([
             tiers.unguarded(),
@@ -131,11 +131,19 @@ impl Tiers {
         self.scalar(&docs, &format_ident!("f32"), &quote!(f32), &quote!(Stable))
     }
 
-    /// The stable form in double-double.
-    fn dd(&self) -> TokenStream {
-        let docs = format!(" `{}` in double-double arithmetic, of about 31 digits.", self.name);
+    /// The stable form in double-double; of a kernel with a promise to 29 digits at least.
+    fn dd(&self, promised: bool) -> TokenStream {
+        let (count, outputs, arguments) = (self.arguments.len(), self.outputs, &self.arguments);
         let number = quote!(::forms::math::DoubleDouble);
-        self.scalar(&docs, &format_ident!("dd"), &number, &quote!(Stable))
+        let name = format_ident!("dd");
+        if !promised {
+            let docs = format!(" `{}` in double-double arithmetic, of about 31 digits.", self.name);
+            return self.scalar(&docs, &name, &number, &quote!(Stable));
+        }
+        let docs = format!(" `{}` in double-double, its digits bounded: 29 at least.", self.name);
+        let escalate = quote!(::forms::math::escalate_double_double);
+        let value = quote!(#escalate::<Stable, #count, #outputs>([#(#arguments),*]));
+        self.function(&docs, &name, &number, value)
     }
 
     /// The form that a kernel with a promise is computed by, in `f64` and without the promise.
@@ -194,6 +202,12 @@ impl Tiers {
         let (arguments, outputs) = (&self.arguments, self.outputs);
         let (count, call) = (arguments.len(), quote!(::forms::math::Formula));
         let value = quote!(<#formula as #call<#count, #outputs>>::value([#(#arguments),*]));
+        self.function(docs, name, number, value)
+    }
+
+    /// A function of numbers of one type, by an array of the outputs.
+    fn function(&self, docs: &str, name: &Ident, number: &TokenStream, value: TokenStream) -> TokenStream {
+        let (arguments, outputs) = (&self.arguments, self.outputs);
         let (result, body) = match outputs {
             1 => (quote!(#number), quote!(let [value] = #value; value)),
             _ => (quote!([#number; #outputs]), value),

@@ -27,14 +27,17 @@ mod wide;
 
 pub use batch::{
     Column, Instructions, LengthMismatch, batch, batch_by, batch_f32, batch_f32_by, batch_within,
-    batch_within_by,
+    batch_within_by, row_within,
 };
 #[cfg(feature = "ndarray")]
 pub use batch::{RowsMismatch, batch_rows};
 #[cfg(feature = "rayon")]
 pub use batch::{batch_f32_parallel, batch_parallel};
 pub use double_double::DoubleDouble;
-pub use escalate::{Computation, Tier, escalate, escalate_computation, escalate_with_tier};
+pub use escalate::{
+    Computation, Tier, escalate, escalate_computation, escalate_double_double,
+    escalate_double_double_computation, escalate_with_tier,
+};
 pub use formula::Formula;
 pub use guarded::{Bound, Guardable, Guarded, Magnitude, Units};
 pub use lane::{Lane32, Lane64};

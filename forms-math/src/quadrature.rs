@@ -172,7 +172,8 @@ fn at_node<T: Real, S: Scalar>(
     (first + second, (kind.number)(first).abs() + (kind.number)(second).abs())
 }
 
-/// The error of the newest of three sums: convergence at least squares a difference, relative to the scale, each level.
+/// The error of the newest of three sums: convergence squares a difference, relative to the scale, each level. A difference
+/// that is smaller than the square of the one before is so by chance.
 fn rule_error<S: Scalar>(sums: [S; 3], scale: S) -> S {
     let zero = S::from_f64(0.0);
     let newest = (sums[0] - sums[1]).abs();
@@ -185,6 +186,38 @@ fn rule_error<S: Scalar>(sums: [S; 3], scale: S) -> S {
     if newest_digits >= -3.0 || older_digits >= 0.0 {
         return newest;
     }
+    let newest_digits = newest_digits.max(2.0 * older_digits);
     let predicted = (newest_digits * newest_digits / older_digits).max(2.0 * newest_digits);
     scale.scaled((predicted / std::f64::consts::LN_2).ceil() as i64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn convergence_squares_the_differences() {
+        let error: f64 = rule_error([1.0, 1.0 + 1e-6, 1.0 + 1e-3], 1.0);
+        assert!((0.5e-12..2e-12).contains(&error), "{error}");
+    }
+
+    #[test]
+    fn sums_that_agree_by_chance_are_no_convergence() {
+        let error: f64 = rule_error([1.0, 1.0 + 1e-13, 1.0 + 1e-3], 1.0);
+        assert!(error > 0.5e-12, "{error}");
+    }
+
+    #[test]
+    fn a_smooth_integrand_that_two_levels_agree_on_by_chance_is_integrated() {
+        // the H function of Chandrasekhar, by the formula of Stibbs and Weir
+        let (albedo, cosine) = (0.11979952456552519_f64, 0.41128390788583297_f64);
+        let integrand = |p: f64| {
+            let turned = p.sin().atan2(cosine * p.cos());
+            (-albedo * turned * cosine * p.cos() / p.sin()).ln_1p()
+        };
+        let kind = Kind::<f64, f64> { of: |number| number, number: |number| number, bits: 53 };
+        let (integral, error) = double_exponential(0.0, std::f64::consts::FRAC_PI_2, integrand, &kind);
+        assert!((integral + 0.099_655_980_272_441_05).abs() < 2e-16, "{integral}");
+        assert!(error < 1e-15, "{error}");
+    }
 }

@@ -3,7 +3,7 @@
 use crate::arguments::Tier;
 use crate::commands::exact::Exact;
 use crate::commands::refuse;
-use crate::commands::rounded::{Promised, Rounded};
+use crate::commands::rounded::{Promised, PromisedDigits, Rounded};
 use crate::kernel::{files, find, generated};
 use crate::status::Status;
 use crate::theory_file::complain;
@@ -53,7 +53,8 @@ pub(crate) fn eval(
     let input = io::stdin().lock();
     match (precision, within) {
         ("f32", _) => table(&Rounded::<f32>::new(&program), input, output),
-        ("dd", _) => table(&Rounded::<DoubleDouble>::new(&program), input, output),
+        ("dd", None) => table(&Rounded::<DoubleDouble>::new(&program), input, output),
+        ("dd", Some(_)) => table(&PromisedDigits(&program), input, output),
         (_, None) => table(&Rounded::<f64>::new(&program), input, output),
         (_, Some(within)) => table(&Promised::new(&program, within), input, output),
     }

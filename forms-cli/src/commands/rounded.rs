@@ -146,6 +146,37 @@ impl Evaluation for Promised<'_> {
     }
 }
 
+/// A program whose double-double values have 29 digits at least.
+pub(super) struct PromisedDigits<'a>(pub(super) &'a Program);
+
+impl Evaluation for PromisedDigits<'_> {
+    type Number = DoubleDouble;
+
+    fn name(&self) -> &str {
+        self.0.name()
+    }
+
+    fn arguments(&self) -> &[String] {
+        self.0.arguments()
+    }
+
+    fn outputs(&self) -> usize {
+        self.0.outputs().len()
+    }
+
+    fn read(&self, text: &str) -> Option<DoubleDouble> {
+        DoubleDouble::read(text)
+    }
+
+    fn values(&self, arguments: &[DoubleDouble]) -> Vec<String> {
+        self.0.interpret_double_double(arguments).into_iter().map(DoubleDouble::digits).collect()
+    }
+
+    fn written(&self, argument: &DoubleDouble) -> String {
+        argument.digits()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

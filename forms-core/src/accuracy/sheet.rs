@@ -132,18 +132,25 @@ fn scores(program: &Program, within: Option<f64>, variant: Variant, samples: &[S
         (Arithmetic::Double, true) => {
             let lanes = program.interpreter::<Lane64<true>>();
             let in_lanes = |arguments: &[f64]| converted(arguments, |a: &[Lane64<true>]| lanes.values(a));
-            by(&|arguments| without_nan(in_lanes(arguments), || in_double(arguments)))
+            match within {
+                Some(within) => by(&|arguments| program.interpret_row_within(arguments, within)),
+                None => by(&|arguments| without_nan(in_lanes(arguments), || in_double(arguments))),
+            }
         }
-        (Arithmetic::DoubleDouble, _) => {
-            let wide = program.interpreter::<DoubleDouble>();
-            let computed = |arguments: &[f64]| {
-                let arguments: Vec<DoubleDouble> =
-                    arguments.iter().map(|&x| DoubleDouble::from_f64(x)).collect();
-                wide.values(&arguments).into_iter().map(|value| (value.high(), value.low())).collect()
-            };
-            samples.iter().map(|regime| Score::of_double_double(regime, computed)).collect()
-        }
+        (Arithmetic::DoubleDouble, _) => double_double_scores(program, within.is_some(), samples),
     }
+}
+
+/// Of double-doubles alone, or of those that a kernel with a promise has.
+fn double_double_scores(program: &Program, promised: bool, samples: &[Samples]) -> Vec<Score> {
+    let wide = program.interpreter::<DoubleDouble>();
+    let computed = |arguments: &[f64]| {
+        let arguments: Vec<DoubleDouble> = arguments.iter().map(|&x| DoubleDouble::from_f64(x)).collect();
+        let values =
+            if promised { program.interpret_double_double(&arguments) } else { wide.values(&arguments) };
+        values.into_iter().map(|value| (value.high(), value.low())).collect()
+    };
+    samples.iter().map(|regime| Score::of_double_double(regime, computed)).collect()
 }
 
 /// The results of another arithmetic at the same arguments.

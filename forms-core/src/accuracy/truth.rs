@@ -7,7 +7,7 @@
 use super::format::{Format, Rounded};
 use crate::decide::{Effort, Equations, Finding};
 use crate::enclosure::{Enclosure, Precision, Undecided, enclose};
-use crate::expression::{Condition, Expr, Pool, Rational, Substitution, Symbol};
+use crate::expression::{Condition, Expr, Node, Pool, Rational, Substitution, Symbol};
 use num_bigint::BigInt;
 use num_traits::Zero;
 
@@ -19,6 +19,9 @@ const PROVED_FROM: u32 = 2500;
 
 /// Conditions are decided up to here.
 const DECIDED_TO: u32 = 592;
+
+/// Integrals are known to some sixty digits: more places than these find no more of them.
+const INTEGRALS_TO: u32 = 592;
 
 /// What is spent on such a proof.
 const EFFORT: Effort = Effort { work: 20_000, candidates: 2, points: 1 };
@@ -52,13 +55,16 @@ impl<'a> Truth<'a> {
     pub fn new(pool: &'a Pool, outputs: &[Expr], conditions: &'a [Condition]) -> Self {
         let sides = conditions.iter().flat_map(|condition| [condition.left, condition.right]);
         let expressions = outputs.iter().copied().chain(sides).collect();
-        Truth { pool, outputs: outputs.len(), expressions, conditions, highest: u32::MAX }
+        let has_integral = |part: Expr| matches!(pool.node(part), Node::Jet { .. });
+        let has_integrals = pool.reachable(outputs).into_iter().any(has_integral);
+        let highest = if has_integrals { INTEGRALS_TO } else { u32::MAX };
+        Truth { pool, outputs: outputs.len(), expressions, conditions, highest }
     }
 
     /// The same, undecided where more than so many binary places are needed.
     #[must_use]
     pub fn up_to(self, places: u32) -> Self {
-        Truth { highest: places, ..self }
+        Truth { highest: places.min(self.highest), ..self }
     }
 
     /// The values at a point, correctly rounded.

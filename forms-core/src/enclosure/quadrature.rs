@@ -9,7 +9,7 @@
 use super::bounds::{Enclosure, Precision, Undecided};
 use super::taylor::{Series, Taylor};
 use crate::expression::{FunctionId, Pool, Quadrature, Rational, Symbol};
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
 
 /// Places that absorb the rounding of a few hundred intervals.
@@ -20,7 +20,13 @@ const MOST_INTERVALS: usize = 200;
 
 /// Places to which an integral is computed at most: what agrees with something else to 50 digits does so for a reason,
 /// which is for a proof to find, and the work grows with the third power.
-const MOST_PLACES: u32 = 176;
+const MOST_PLACES: u32 = 208;
+
+/// Integrands smaller than 2⁻ⁿ have fewer digits.
+const MOST_SMALLER: i32 = 1024;
+
+/// Where the integrand is looked at for its size, in eighths of the range.
+const LOOKED_AT: [i64; 4] = [1, 3, 5, 7];
 
 /// A quadrature at its arguments; nothing for another function.
 pub(super) fn quadrature(
@@ -33,9 +39,9 @@ pub(super) fn quadrature(
     let [from, to, parameters @ ..] = arguments else { return Some(Err(Undecided::Unknown)) };
     let places = precision.0.min(MOST_PLACES);
     let working = Precision(places + GUARD);
-    // the order is even
-    let order = 8 + 2 * (places as usize / 20);
-    let integral = Integral {
+    // even, and about what makes the order squared times the intervals, which shrink as 2^(-places/order), least
+    let order = 8 + 2 * (places as usize / 8);
+    let integral = |working: Precision| Integral {
         pool,
         quadrature,
         from: from.at(working),
@@ -44,7 +50,11 @@ pub(super) fn quadrature(
         order,
         precision: working,
     };
-    Some(integral.enclosed(places).map(|value| value.at(precision)))
+    // places are counted from the point: a small integrand needs more of them
+    let size = integral(working).size();
+    let smaller = (-size).clamp(0, MOST_SMALLER) as u32;
+    let value = integral(Precision(working.0 + smaller)).enclosed(size, places);
+    Some(value.map(|value| value.at(precision)))
 }
 
 /// ∫ f(from + length·x)·length dx over 0 ≤ x ≤ 1
@@ -59,8 +69,9 @@ struct Integral<'a> {
 }
 
 impl Integral<'_> {
-    fn enclosed(&self, places: u32) -> Result<Enclosure, Undecided> {
-        let tolerance = Rational::new(1.into(), num_bigint::BigInt::one() << places);
+    /// The integral of a function of size 2ˢ to so many places of that.
+    fn enclosed(&self, size: i32, places: u32) -> Result<Enclosure, Undecided> {
+        let tolerance = Rational::from_integer(2.into()).pow(size - places as i32);
         let mut sum = Enclosure::integer(0, self.precision);
         let mut open = vec![(Rational::zero(), Rational::one())];
         let mut looked_at = 0;
@@ -82,6 +93,18 @@ impl Integral<'_> {
             }
         }
         Ok(sum.mul(&self.length))
+    }
+
+    /// The power of two of about the size of the integrand, which the tolerance is relative to. What it is changes the
+    /// work and not the truth of an enclosure.
+    fn size(&self) -> i32 {
+        let at = |eighths: i64| {
+            let place = Rational::new(eighths.into(), 8.into());
+            let value = self.expanded(Enclosure::exact(&place, self.precision), 0).ok()?;
+            Some(value[0].lower().abs().max(value[0].upper().abs()))
+        };
+        let largest = LOOKED_AT.into_iter().filter_map(at).max().filter(|largest| !largest.is_zero());
+        largest.map_or(0, |largest| largest.numer().bits() as i32 - largest.denom().bits() as i32)
     }
 
     /// The integral of the polynomial over an interval, and what the remainder adds.
@@ -108,20 +131,27 @@ impl Integral<'_> {
 
     /// The Taylor coefficients of f(from + length·x) about a point or over an interval.
     fn coefficients(&self, place: Enclosure) -> Result<Series, Undecided> {
+        self.expanded(place, self.order)
+    }
+
+    /// Those up to an order.
+    fn expanded(&self, place: Enclosure, order: usize) -> Result<Series, Undecided> {
         let Quadrature { integrand, variable, parameters } = self.quadrature;
         let mut values: FxHashMap<Symbol, Series> = FxHashMap::default();
         let zero = Enclosure::integer(0, self.precision);
         let series = |first: Enclosure, second: &Enclosure| {
-            let mut series = vec![zero.clone(); self.order + 1];
-            (series[0], series[1]) = (first, second.clone());
+            let mut series = vec![zero.clone(); order + 1];
+            series[0] = first;
+            if let Some(slope) = series.get_mut(1) {
+                *slope = second.clone();
+            }
             series
         };
         values.insert(*variable, series(self.from.add(&self.length.mul(&place)), &self.length));
         for (&symbol, value) in parameters.iter().zip(&self.parameters) {
             values.insert(symbol, series(value.clone(), &zero));
         }
-        let taylor =
-            Taylor { pool: self.pool, values: &values, order: self.order, precision: self.precision };
+        let taylor = Taylor { pool: self.pool, values: &values, order, precision: self.precision };
         taylor.of(*integrand)
     }
 }

@@ -5,7 +5,9 @@
 use super::constant::Constant;
 use super::program::{Instruction, Program, Value};
 use crate::syntax::ast::Relation;
-use forms_math::{Computation, Guardable, Guarded, Real, escalate_computation};
+use forms_math::{
+    Computation, DoubleDouble, Real, escalate_computation, escalate_double_double_computation, row_within,
+};
 
 /// A program with its numbers rounded to one precision.
 #[derive(Clone, Debug)]
@@ -43,11 +45,11 @@ impl Program {
     }
 }
 
-/// A program in guarded numbers of any precision.
+/// A program in numbers of any kind.
 struct InAnyPrecision<'a>(&'a Program);
 
 impl Computation for InAnyPrecision<'_> {
-    fn values<T: Guardable>(&self, arguments: &[Guarded<T>]) -> Vec<Guarded<T>> {
+    fn values<T: Real>(&self, arguments: &[T]) -> Vec<T> {
         self.0.interpret_as(arguments)
     }
 }
@@ -57,6 +59,16 @@ impl Program {
     /// arguments.
     pub fn interpret_within(&self, arguments: &[f64], within: f64) -> Vec<f64> {
         escalate_computation(&InAnyPrecision(self), arguments, self.outputs.len(), within)
+    }
+
+    /// The same in the lanes of a batch, where the bound of their errors allows.
+    pub fn interpret_row_within(&self, arguments: &[f64], within: f64) -> Vec<f64> {
+        row_within(&InAnyPrecision(self), arguments, self.outputs.len(), within)
+    }
+
+    /// The outputs in double-double to 29 digits at least, in as much precision as that takes.
+    pub fn interpret_double_double(&self, arguments: &[DoubleDouble]) -> Vec<DoubleDouble> {
+        escalate_double_double_computation(&InAnyPrecision(self), arguments, self.outputs.len())
     }
 
     /// One instruction in `f64`, with all others having these values.

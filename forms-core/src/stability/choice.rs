@@ -19,9 +19,12 @@ use std::fmt::Write;
 /// What the name of a file of choices ends in, in the place of `forms`.
 pub const EXTENSION: &str = "stable";
 
-/// Where the best form loses more bits than this on the mean, there is no good one: the kernel is computed in as much
-/// precision as its arguments ask for.
-const MOST_LOSS: f64 = 4.0;
+/// Where the best form loses more bits than this on the mean over all regimes, there is no good one: the kernel is computed
+/// in as much precision as its arguments ask for.
+const MOST_LOSS: f64 = 1.0;
+
+/// The same of the mean in one regime.
+const MOST_LOSS_OF_A_REGIME: f64 = 2.0;
 
 /// What such a kernel then promises, in units of 2⁻⁵³.
 const WITHIN: u32 = 2;
@@ -65,12 +68,16 @@ pub fn written(pool: &Pool, choices: &[(&Kernel, &Found)]) -> Option<String> {
     let mut text = HEAD.to_string();
     for (kernel, found) in choices {
         let form = found.chosen();
-        let is_open = form.loss > MOST_LOSS;
-        if (form.outputs != kernel.outputs || is_open) && !kernel.has_form() {
+        if (form.outputs != kernel.outputs || is_open(form)) && !kernel.has_form() {
             entry(pool, kernel, found, form, &mut text);
         }
     }
     (text.len() > HEAD.len()).then_some(text)
+}
+
+/// Whether a form is not good enough.
+fn is_open(form: &Form) -> bool {
+    form.loss > MOST_LOSS || form.regimes.iter().any(|(_, loss)| *loss > MOST_LOSS_OF_A_REGIME)
 }
 
 fn entry(pool: &Pool, kernel: &Kernel, found: &Found, form: &Form, text: &mut String) {
@@ -81,7 +88,7 @@ fn entry(pool: &Pool, kernel: &Kernel, found: &Found, form: &Form, text: &mut St
         several => format!("({})", several.join(", ")),
     };
     let (key, before, after) = (key(pool, kernel), found.written.loss, form.loss);
-    let promise = if after > MOST_LOSS { format!("\n    within {WITHIN}") } else { String::new() };
+    let promise = if is_open(form) { format!("\n    within {WITHIN}") } else { String::new() };
     let _ = write!(
         text,
         "\n/// {key} bits {before:.2} -> {after:.2}, cost {} -> {}\nkernel {}({}) = {formula}{promise};\n",

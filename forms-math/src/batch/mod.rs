@@ -16,6 +16,8 @@ mod method;
 mod rows;
 
 use crate::Formula;
+use crate::escalate::{Computation, escalate_computation};
+use crate::lane::{Bounded, Lane64};
 use block::{BLOCK, Kernel};
 pub use instructions::Instructions;
 pub use length::{Column, LengthMismatch};
@@ -115,6 +117,22 @@ pub fn batch_within_by<F: Formula<A, O>, const A: usize, const O: usize>(
     length::common(&columns, &outputs)?;
     over_blocks(Within::<F>::new(within), instructions, columns, outputs);
     Ok(())
+}
+
+/// What [`batch_within`] computes of one row by a formula known when the program runs.
+pub fn row_within(
+    computation: &impl Computation,
+    arguments: &[f64],
+    outputs: usize,
+    within: f64,
+) -> Vec<f64> {
+    let lanes: Vec<_> = arguments.iter().map(|&argument| Bounded::<Lane64<true>>::lane(argument)).collect();
+    let values: Vec<f64> =
+        computation.values(&lanes).into_iter().map(|value| value.value_within(within)).collect();
+    if values.iter().any(|value| value.is_nan()) {
+        return escalate_computation(computation, arguments, outputs, within);
+    }
+    values
 }
 
 /// [`batch`] on all processors.

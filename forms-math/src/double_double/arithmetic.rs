@@ -6,6 +6,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::DoubleDouble;
+use super::ends::is_near_an_end;
 use crate::error_free::{fast_two_sum, two_product, two_sum};
 
 impl DoubleDouble {
@@ -47,8 +48,8 @@ impl DoubleDouble {
     #[inline(always)]
     pub(super) const fn times(self, other: Self) -> Self {
         let (product, rest) = two_product(self.high, other.high);
-        if !product.is_finite() || product == 0.0 {
-            return Self::single(product);
+        if is_near_an_end(product) {
+            return self.times_near_an_end(other);
         }
         Self::ordered(product, rest + (self.high * other.low + self.low * other.high))
     }
@@ -57,8 +58,8 @@ impl DoubleDouble {
     #[inline(always)]
     pub(super) const fn times_f64(self, other: f64) -> Self {
         let (product, rest) = two_product(self.high, other);
-        if !product.is_finite() || product == 0.0 {
-            return Self::single(product);
+        if is_near_an_end(product) {
+            return self.times_near_an_end(Self::single(other));
         }
         Self::ordered(product, rest + self.low * other)
     }
@@ -67,8 +68,8 @@ impl DoubleDouble {
     #[inline(always)]
     pub(super) const fn over(self, other: Self) -> Self {
         let quotient = self.high / other.high;
-        if !quotient.is_finite() || quotient == 0.0 || !other.high.is_finite() {
-            return Self::single(quotient);
+        if is_near_an_end(quotient) || is_near_an_end(self.high) {
+            return self.over_near_an_end(other);
         }
         let product = other.times_f64(quotient);
         let left = (self.high - product.high) + (self.low - product.low);
@@ -78,10 +79,10 @@ impl DoubleDouble {
     /// Within 4 units.
     #[inline(always)]
     pub(super) fn square_root(self) -> Self {
-        let root = self.high.sqrt();
-        if root == 0.0 || !root.is_finite() {
-            return Self::single(root);
+        if is_near_an_end(self.high) {
+            return self.root_near_an_end();
         }
+        let root = self.high.sqrt();
         let (square, rest) = two_product(root, root);
         Self::ordered(root, ((self.high - square) - rest + self.low) / (2.0 * root))
     }

@@ -2,12 +2,14 @@
 //!
 //! ```text
 //! arithmetic ─┬─ exponential ─┬─ elementary functions ─ special functions
-//!             └─ circular    ─┘
+//!   └─ ends   └─ circular    ─┘
 //! ```
-//! Below 2⁻⁹⁰⁰ the second word loses bits to underflow; the bounds that stand at the functions hold above it.
+//! The exponents are those of `f64`: a result beyond 2¹⁰²⁴ is infinite, and below 2⁻⁹⁰⁰ the second word loses bits to
+//! underflow. The bounds that stand at the functions hold above that.
 
 mod arithmetic;
 mod circular;
+mod ends;
 mod exponential;
 mod real;
 

@@ -1,6 +1,7 @@
 //! Double-double as a number of a kernel.
 
 use super::DoubleDouble;
+use super::ends::is_near_an_end;
 use crate::error_free::{mantissa_and_exponent, two_product};
 use crate::scalar::{Scalar, composed_functions};
 use crate::{Real, Wide};
@@ -25,6 +26,9 @@ impl Real for DoubleDouble {
         };
         let direct = a * b - c * d;
         let (first, second) = (a.high * b.high, c.high * d.high);
+        if is_near_an_end(first) || is_near_an_end(second) {
+            return Self::difference_near_an_end([a, b], [c, d]).unwrap_or(direct);
+        }
         if !direct.high.is_finite() || direct.high.abs() > 0.125 * first.abs().max(second.abs()) {
             return direct;
         }

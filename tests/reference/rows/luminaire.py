@@ -6,10 +6,10 @@ over rho is elementary; that over phi along each edge is taken numerically.
 
 from fractions import Fraction
 
-from mpmath import atan, fabs, log, mp, mpf, pi, quad, sqrt, workdps
+from mpmath import atan, fabs, log, mp, mpf, pi, sqrt, workdps
 
 from .polygons import clipped, lambert
-from .table import row, uniform
+from .table import integral, row, uniform
 from .vectors import cross, dot, minus, named, norm, plus, rational, real, times, unit
 
 
@@ -53,7 +53,7 @@ class Luminaire:
         marks = {*ends, mpf(0)}
         for scale in (fabs(p), sqrt(p**2 + self.distance**2)):
             marks |= {sign * scale * mpf(4) ** step for step in range(-1, 20) for sign in (-1, 1)}
-        return quad(wedge, sorted(mark for mark in marks if ends[0] <= mark <= ends[1]))
+        return integral(wedge, (mark for mark in marks if ends[0] <= mark <= ends[1]))
 
     def between_foot_and(self, place):
         """The integral of h L z/r**4 rho drho on the way to a place, where L and z are linear in rho."""

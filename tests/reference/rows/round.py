@@ -1,8 +1,8 @@
 """Disks and spheres, seen from a point."""
 
-from mpmath import acos, asin, cos, fabs, mpf, pi, quad, sin, sqrt, workdps
+from mpmath import acos, asin, cos, fabs, mpf, pi, sin, sqrt, workdps
 
-from .table import exact, over_scales, row, uniform
+from .table import exact, integral, over_scales, row, uniform
 
 
 def on_the_axis():
@@ -68,7 +68,7 @@ def cosine_over_cap(d, R, cosine):
 
     low, high = fabs(tilt - half), pi / 2
     inner = pi * sin(half - tilt) ** 2 if half > tilt else mpf(0)
-    return (quad(ring, [low, (low + high) / 2, high]) + inner) / pi
+    return (integral(ring, [low, (low + high) / 2, high]) + inner) / pi
 
 
 def spheres():

@@ -2,7 +2,7 @@
 
 import random
 
-from mpmath import mp, mpf
+from mpmath import fabs, mp, mpf, quad
 
 mp.dps = 90
 DIGITS = 30
@@ -41,6 +41,15 @@ def rows(kernel, formula, args, values, **more):
     """A row for each of several outputs."""
     for output, value in enumerate(values):
         row(kernel, formula, args, value, output=output, **more)
+
+
+def integral(function, marks):
+    """The integral over the pieces between the marks, halved once more as a check."""
+    marks = sorted(set(marks))
+    halves = [(a + b) / 2 for a, b in zip(marks, marks[1:])]
+    value, finer = quad(function, marks), quad(function, sorted(marks + halves))
+    assert fabs(value - finer) <= fabs(finer) * mpf(10) ** -25, (value, finer)
+    return finer
 
 
 def exact(numbers):

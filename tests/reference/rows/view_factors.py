@@ -1,8 +1,8 @@
 """View factors by the formulas of Howell's catalog as they are printed, and of spheres by the overlap of their shadows."""
 
-from mpmath import acos, atan, fabs, log, mpf, pi, quad, sin, sqrt, workdps
+from mpmath import acos, atan, fabs, log, mpf, pi, sin, sqrt, workdps
 
-from .table import exact, over_scales, row
+from .table import exact, integral, over_scales, row
 
 
 def parallel_rectangles(a, b, c):
@@ -74,7 +74,7 @@ def lines_through_both(r1, r2, distance):
 
     low, high = fabs(r1 - r2), r1 + r2
     inside = pi * min(r1, r2) ** 2 * 2 * pi * (1 - sqrt(1 - (low / distance) ** 2))
-    return (inside + quad(density, [low, (low + high) / 2, high])) / (4 * pi**2 * r1**2)
+    return (inside + integral(density, [low, (low + high) / 2, high])) / (4 * pi**2 * r1**2)
 
 
 def spheres():

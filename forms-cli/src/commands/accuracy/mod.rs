@@ -18,6 +18,7 @@ use crate::commands::refuse;
 use crate::kernel::{LIBRARY, files, find};
 use crate::status::Status;
 use crate::theory_file::{TheoryFile, complain};
+use forms::core::expression::Node;
 use forms::core::resolve::Kernel;
 use report::Report;
 use std::io::{self, Write};
@@ -54,36 +55,54 @@ pub(crate) fn accuracy(request: &Request<'_>, output: &mut dyn Write) -> io::Res
             return Ok(Status::Error);
         }
     };
-    let chosen: Vec<(&TheoryFile, &Kernel)> = match request.kernel.map(|name| find(&files, name)) {
-        Some(Ok(found)) => vec![found],
-        Some(Err(message)) => return Ok(refuse(&format!("{message} (in {})", request.file))),
-        None => files.iter().flat_map(|file| file.theory.kernels.iter().map(move |k| (file, k))).collect(),
+    let (chosen, left_out) = match choice(request, &files) {
+        Ok(choice) => choice,
+        Err(message) => return Ok(refuse(&format!("{message} (in {})", request.file))),
     };
     let workshop = if request.times { Workshop::open() } else { None };
     let mut reports = Vec::new();
     for (file, kernel) in chosen {
-        match Report::of(file, kernel, request.samples, workshop.as_ref()) {
-            Ok(report) => {
-                show(&report, request, output)?;
-                reports.push(report);
-            }
+        let report = match Report::of(file, kernel, request.samples, workshop.as_ref()) {
+            Ok(report) => report,
             Err(errors) => {
                 complain(&errors);
                 return Ok(Status::Error);
             }
+        };
+        show(&report, request, output)?;
+        reports.push(report);
+        // so that what was measured is kept when the rest is not waited for
+        if let Some(folder) = request.pages {
+            let file = (request.file != LIBRARY).then(|| Path::new(request.file));
+            page::Page { folder: Path::new(folder), file, samples: request.samples, left_out: &left_out }
+                .write(&reports)?;
         }
     }
     if !request.json {
         table::legend(workshop.is_some(), output)?;
     }
-    if let Some(folder) = request.pages {
-        page::write(Path::new(folder), origin(request.file), &reports)?;
-    }
     Ok(Status::AsStated)
 }
 
-fn origin(file: &str) -> &str {
-    if file == LIBRARY { "the library" } else { file }
+/// Kernels with the files they stand in.
+type Chosen<'a> = Vec<(&'a TheoryFile, &'a Kernel)>;
+
+/// The kernel that was named, or all of them; of a page the names of those that it leaves out, because their integrals take
+/// long to be enclosed.
+fn choice<'a>(request: &Request<'_>, files: &'a [TheoryFile]) -> Result<(Chosen<'a>, Vec<&'a str>), String> {
+    if let Some(name) = request.kernel {
+        return Ok((vec![find(files, name)?], Vec::new()));
+    }
+    let all = files.iter().flat_map(|file| file.theory.kernels.iter().map(move |kernel| (file, kernel)));
+    let (left_out, chosen): (Chosen<'_>, Chosen<'_>) =
+        all.partition(|(file, kernel)| request.pages.is_some() && has_integrals(file, kernel));
+    Ok((chosen, left_out.into_iter().map(|(_, kernel)| kernel.name.as_str()).collect()))
+}
+
+fn has_integrals(file: &TheoryFile, kernel: &Kernel) -> bool {
+    let pool = &file.theory.pool;
+    let mut parts = pool.reachable(&kernel.outputs).into_iter();
+    parts.any(|part| matches!(pool.node(part), Node::Jet { .. }))
 }
 
 fn show(report: &Report, request: &Request<'_>, output: &mut dyn Write) -> io::Result<()> {

@@ -18,6 +18,8 @@ pub(super) struct Report {
     pub(super) file: String,
     /// Its name.
     pub(super) kernel: String,
+    /// The lines of its documentation.
+    pub(super) docs: Vec<String>,
     /// Its formula, as it was written.
     pub(super) formula: String,
     /// Where it is defined.
@@ -42,6 +44,16 @@ impl Row {
     /// The variant.
     pub(super) fn variant(&self) -> Variant {
         self.line.variant
+    }
+
+    /// The time in nanoseconds to three figures, or a dash.
+    pub(super) fn time(&self) -> String {
+        match self.nanoseconds {
+            None => "-".to_string(),
+            Some(time) if time < 10.0 => format!("{time:.2}"),
+            Some(time) if time < 100.0 => format!("{time:.1}"),
+            Some(time) => format!("{time:.0}"),
+        }
     }
 
     /// The bits of a result that are right on the mean over these scores.
@@ -84,6 +96,7 @@ impl Report {
         let mut report = Report {
             file: file.source.name.clone(),
             kernel: kernel.name.clone(),
+            docs: kernel.docs.clone(),
             formula: kernel.formula.join(", "),
             domain: kernel.domain.iter().map(|condition| condition.text(pool)).collect(),
             form: (!kernel.computed.is_empty()).then(|| pool.texts(&kernel.computed).join(", ")),
@@ -91,6 +104,23 @@ impl Report {
         };
         report.mark();
         Ok(report)
+    }
+
+    /// What the kernel computes: the first sentence of its documentation, or its formula where it has none.
+    pub(super) fn summary(&self) -> String {
+        let paragraph: Vec<&str> =
+            self.docs.iter().map(|line| line.trim()).take_while(|line| !line.is_empty()).collect();
+        let text = paragraph.join(" ");
+        match text.split_once(". ") {
+            _ if text.is_empty() => format!("{} = {}", self.kernel, self.formula),
+            Some((sentence, _)) => format!("{sentence}."),
+            None => text,
+        }
+    }
+
+    /// The row of a variant.
+    pub(super) fn row(&self, name: &str) -> Option<&Row> {
+        self.rows.iter().find(|row| row.variant().name() == name)
     }
 
     /// Marks the variants that no other beats in both time and correct bits.

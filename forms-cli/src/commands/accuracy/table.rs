@@ -31,7 +31,7 @@ pub(super) fn write(report: &Report, output: &mut dyn Write) -> io::Result<()> {
 
 fn line(row: &Row) -> String {
     let mark = if row.pareto { "*" } else { " " };
-    let time = row.nanoseconds.map_or("-".to_string(), |time| format!("{time:.2}"));
+    let time = row.time();
     let typical = row.line.typical().map_or(" ".repeat(20), |score| numbers(&score.bits));
     let hardest = row.hardest().map_or(String::new(), |score| {
         format!("{:<11}{:>5.1}{:>7.1}", score.regime.name(), score.bits.mean, score.bits.maximum)

@@ -9,7 +9,7 @@
 use forms::core::accuracy::{Arithmetic, Regime, Variant, Width, sample};
 use forms::core::expression::Pool;
 use forms::core::generation::Generated;
-use forms::core::kernel::emit_formula;
+use forms::core::kernel::{Constant, emit_formula};
 use forms::core::resolve::Kernel;
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -17,10 +17,14 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Rows of the columns that are timed: their arguments and results stay in the cache nearest to the processor.
-const ROWS: usize = 1024;
+pub(super) const ROWS: usize = 1024;
 
 /// Different rows among them.
 const DIFFERENT: usize = 128;
+
+/// Runs of which the median is taken, each of some tenths of a millisecond: as many as fit in half a second, but no fewer
+/// than the first of these and no more than the second.
+pub(super) const RUNS: [usize; 2] = [11, 101];
 
 /// A folder with the library of the arithmetic, compiled.
 pub(super) struct Workshop {
@@ -88,10 +92,10 @@ impl Drop for Workshop {
     }
 }
 
-/// A program that prints the least time of a value in each variant.
+/// A program that prints the median time of a value in each variant.
 fn harness(kernel: &Kernel, programs: &Generated, rows: &[&[f64]]) -> String {
     let (arguments, outputs) = (kernel.arguments.len(), kernel.outputs.len());
-    let mut text = String::from("use forms_math::{DoubleDouble, Formula, Real, batch, batch_f32};\n");
+    let mut text = String::from("use forms_math::*;\n");
     for (name, program) in [("Written", &programs.written), ("Stable", &programs.optimised)] {
         let _ = writeln!(text, "enum {name} {{}}\n{}", emit_formula(program, name, "forms_math"));
     }
@@ -107,25 +111,41 @@ fn harness(kernel: &Kernel, programs: &Generated, rows: &[&[f64]]) -> String {
         &MEASURE
             .replace("ARGUMENTS", &arguments.to_string())
             .replace("OUTPUTS", &outputs.to_string())
-            .replace("ROWS", &ROWS.to_string()),
+            .replace("ROWS", &ROWS.to_string())
+            .replace("LEAST", &RUNS[0].to_string())
+            .replace("MOST", &RUNS[1].to_string()),
     );
     text.push_str("fn main() {\n");
+    let within = kernel.within.as_ref().map(|within| Constant::rational(within.clone()).to_f64());
     for variant in Variant::ALL {
-        let form = if variant.stable { "Stable" } else { "Written" };
-        let number = match variant.arithmetic {
-            Arithmetic::Single => "f32",
-            Arithmetic::Double => "f64",
-            Arithmetic::DoubleDouble => "DoubleDouble",
-        };
-        let call = match (variant.batch, variant.arithmetic) {
-            (false, _) => format!("each::<{form}, {number}>()"),
-            (true, Arithmetic::Single) => format!("column(batch_f32::<{form}, {arguments}, {outputs}>)"),
-            (true, _) => format!("column(batch::<{form}, {arguments}, {outputs}>)"),
-        };
+        let call = call(variant, &format!("{arguments}, {outputs}"), within.filter(|_| variant.stable));
         let _ = writeln!(text, "    println!(\"{} {{}}\", {call});", variant.name());
     }
     text.push_str("}\n");
     text
+}
+
+/// What is timed: what a user would call.
+fn call(variant: Variant, counts: &str, within: Option<f64>) -> String {
+    let form = if variant.stable { "Stable" } else { "Written" };
+    match (variant.batch, variant.arithmetic, within) {
+        (false, Arithmetic::Single, _) => format!("each(<{form} as Formula<{counts}>>::value::<f32>)"),
+        (false, Arithmetic::Double, None) => format!("each(<{form} as Formula<{counts}>>::value::<f64>)"),
+        (false, Arithmetic::Double, Some(within)) => {
+            format!("each(|row| escalate::<{form}, {counts}>(row, {within:?}))")
+        }
+        (_, Arithmetic::DoubleDouble, None) => {
+            format!("each(<{form} as Formula<{counts}>>::value::<DoubleDouble>)")
+        }
+        (_, Arithmetic::DoubleDouble, Some(_)) => {
+            format!("each(escalate_double_double::<{form}, {counts}>)")
+        }
+        (true, Arithmetic::Single, _) => format!("column(batch_f32::<{form}, {counts}>)"),
+        (true, Arithmetic::Double, None) => format!("column(batch::<{form}, {counts}>)"),
+        (true, Arithmetic::Double, Some(within)) => {
+            format!("column(|rows, values| batch_within::<{form}, {counts}>(rows, values, {within:?}))")
+        }
+    }
 }
 
 /// The part of the harness that is the same for every kernel.
@@ -133,7 +153,7 @@ const MEASURE: &str = "
 fn columns<T: Real>() -> [Vec<T>; ARGUMENTS] {
     BITS.map(|column| column.iter().cycle().take(ROWS).map(|&bits| T::from_f64(f64::from_bits(bits))).collect())
 }
-fn least(mut run: impl FnMut()) -> f64 {
+fn median(mut run: impl FnMut()) -> f64 {
     run();
     let once = { let start = std::time::Instant::now(); run(); start.elapsed().as_secs_f64() };
     let repeats = (2e-4 / once.max(1e-9)).ceil().clamp(1.0, 1e4) as usize;
@@ -142,24 +162,27 @@ fn least(mut run: impl FnMut()) -> f64 {
         (0..repeats).for_each(|_| run());
         start.elapsed().as_secs_f64() / repeats as f64
     };
-    (0..40).map(time).fold(f64::INFINITY, f64::min) * 1e9 / ROWS as f64
+    let runs = ((0.5 / (once * repeats as f64)) as usize).clamp(LEAST, MOST);
+    let mut times: Vec<f64> = (0..runs).map(time).collect();
+    times.sort_by(f64::total_cmp);
+    times[runs / 2] * 1e9 / ROWS as f64
 }
 #[inline(never)]
-fn one<F: Formula<ARGUMENTS, OUTPUTS>, T: Real>(arguments: [T; ARGUMENTS]) -> [T; OUTPUTS] {
-    F::value(arguments)
+fn one<T: Real>(value: &impl Fn([T; ARGUMENTS]) -> [T; OUTPUTS], arguments: [T; ARGUMENTS]) -> [T; OUTPUTS] {
+    value(arguments)
 }
-fn each<F: Formula<ARGUMENTS, OUTPUTS>, T: Real>() -> f64 {
+fn each<T: Real>(value: impl Fn([T; ARGUMENTS]) -> [T; OUTPUTS]) -> f64 {
     let columns = columns::<T>();
-    least(|| {
+    median(|| {
         for row in 0..ROWS {
-            std::hint::black_box(one::<F, T>(std::array::from_fn(|column| columns[column][row])));
+            std::hint::black_box(one(&value, std::array::from_fn(|column| columns[column][row])));
         }
     })
 }
 fn column<T: Real, E: std::fmt::Debug>(batch: impl Fn([&[T]; ARGUMENTS], [&mut [T]; OUTPUTS]) -> Result<(), E>) -> f64 {
     let columns = columns::<T>();
     let mut outputs: [Vec<T>; OUTPUTS] = std::array::from_fn(|_| vec![T::from_f64(0.0); ROWS]);
-    least(|| {
+    median(|| {
         let outputs = outputs.each_mut().map(|output| &mut output[..]);
         batch(columns.each_ref().map(|column| &column[..]), outputs).expect(\"columns of one length\");
         std::hint::black_box(&columns);

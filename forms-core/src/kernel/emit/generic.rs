@@ -57,8 +57,9 @@ pub(super) fn nested_formula(program: &Program) -> String {
     format!("    enum Formula {{}}\n{lines}")
 }
 
-/// A documented function of double-doubles, with its formula beside it.
-pub(super) fn double_double(program: &Program, docs: &KernelDocs) -> String {
+/// A documented function of double-doubles, with its formula beside it; one that keeps its digits by more precision where
+/// the kernel promises an accuracy.
+pub(super) fn double_double(program: &Program, docs: &KernelDocs, promised: bool) -> String {
     let number = "forms_math::DoubleDouble";
     let parameters: Vec<String> = program.arguments.iter().map(|name| format!("{name}: {number}")).collect();
     let (count, outputs) = (program.arguments.len(), program.outputs.len());
@@ -67,9 +68,13 @@ pub(super) fn double_double(program: &Program, docs: &KernelDocs) -> String {
         several => (format!("[{number}; {several}]"), ""),
     };
     let formula = nested_formula(program);
+    let value = if promised {
+        format!("forms_math::escalate_double_double::<Formula, {count}, {outputs}>")
+    } else {
+        format!("<Formula as forms_math::Formula<{count}, {outputs}>>::value")
+    };
     format!(
-        "{}{}{}fn {}(\n{}) -> {result} {{\n{formula}    \
-         <Formula as forms_math::Formula<{count}, {outputs}>>::value([{}]){ending}\n}}\n",
+        "{}{}{}fn {}(\n{}) -> {result} {{\n{formula}    {value}([{}]){ending}\n}}\n",
         documentation(program, docs, "///"),
         attributes(program),
         if program.public { "pub " } else { "" },

@@ -153,7 +153,9 @@ impl Source {
         }
         let docs = &docs;
         match (target, precision) {
-            (Target::Rust, Precision::DoubleDouble) => generic::double_double(program, docs),
+            (Target::Rust, Precision::DoubleDouble) => {
+                generic::double_double(program, docs, self.within.is_some())
+            }
             (Target::Rust, _) => match &self.within {
                 Some(within) if precision == Precision::F64 => rust::escalating(program, docs, within),
                 _ => rust::written(program, docs, generic::MATH, precision),

@@ -4,6 +4,11 @@
 //! Guarded<f64> ─▶ Guarded<DoubleDouble> ─▶ Guarded<Wide<4>> ─▶ <8> ─▶ <16>
 //!       └─ each output from the first that bounds its error well enough
 //! ```
+//! Results of two words begin with the second ([`double_double`]).
+
+mod double_double;
+
+pub use double_double::{escalate_double_double, escalate_double_double_computation};
 
 use crate::guarded::{Bound, Guardable, Guarded};
 use crate::{DoubleDouble, Formula, Real, Wide};
@@ -71,10 +76,10 @@ fn take<F: Formula<A, O>, T: Guardable, const A: usize, const O: usize>(
     settle(&F::value(arguments.map(Guarded::<T>::from_f64)), within, tier, outputs)
 }
 
-/// What can be computed in guarded numbers of every precision: a formula known when the program runs.
+/// What can be computed in numbers of every kind: a formula known when the program runs.
 pub trait Computation {
-    /// The outputs in one precision.
-    fn values<T: Guardable>(&self, arguments: &[Guarded<T>]) -> Vec<Guarded<T>>;
+    /// The outputs in one kind of number.
+    fn values<T: Real>(&self, arguments: &[T]) -> Vec<T>;
 }
 
 /// [`escalate`] of a computation with so many outputs.

@@ -1,0 +1,207 @@
+//! The figure of a kernel.
+//!
+//! ```text
+//! Report ─┬─ panel ─▶ digits over time on typical arguments │ the same in the hardest regime
+//!         └─ strip ─▶ the variants, their times, the bits that each regime costs
+//! ```
+
+mod names;
+mod panel;
+mod strip;
+mod svg;
+
+use super::report::Report;
+use super::timing::RUNS;
+use forms::core::accuracy::{Arithmetic, Variant};
+use names::Area;
+use panel::{Panel, Times};
+use strip::{HEAD, ROW, Strip};
+use svg::{Anchor, Drawing, INK, QUIET, Style, wrapped};
+
+const WIDTH: f64 = 960.0;
+const LEFT: f64 = 62.0;
+const RIGHT: f64 = 940.0;
+/// Between the panels.
+const GAP: f64 = 26.0;
+/// The height of the panels, and what stands above and below them.
+const PANEL: f64 = 310.0;
+const ABOVE_PANEL: f64 = 34.0;
+const BELOW_PANEL: f64 = 50.0;
+
+/// The colour of the Pareto front.
+const FRONT: &str = "#b9c0c7";
+
+/// The figure as SVG.
+pub(super) fn svg(report: &Report, machine: &str) -> String {
+    let mut drawing = Drawing::new();
+    let mut y = head(&mut drawing, report);
+    if let Some(times) = Times::of(report) {
+        panels(&mut drawing, report, times, y + ABOVE_PANEL);
+        y += ABOVE_PANEL + PANEL + BELOW_PANEL;
+    }
+    Strip { left: LEFT - 34.0, right: RIGHT, top: y }.draw(&mut drawing, report);
+    y += HEAD + ROW * report.rows.len() as f64 + 24.0;
+    key(&mut drawing, y);
+    y += 22.0;
+    let [least, most] = RUNS;
+    let times = format!("Times are medians of {least} to {most} runs on typical arguments: {machine}.");
+    for line in wrapped(&times, 11.5, RIGHT - LEFT + 34.0) {
+        drawing.text([LEFT - 34.0, y], Style::of(11.5, QUIET), &line);
+        y += 16.0;
+    }
+    drawing.finish(WIDTH, y, &format!("{}: accuracy and time of every variant", report.kernel))
+}
+
+/// The name of the kernel and what it computes; gives where that ends.
+fn head(drawing: &mut Drawing, report: &Report) -> f64 {
+    let left = LEFT - 34.0;
+    drawing.text([left, 30.0], Style::of(19.0, INK).bold(), &report.kernel);
+    let mut y = 34.0;
+    let (summary, formula) = (report.summary(), format!("{} = {}", report.kernel, report.formula));
+    let with_formula = format!("{summary} {formula}");
+    // the formula too where both have room in one line
+    let has_room = summary != formula && svg::width(&with_formula, 13.0) <= RIGHT - left;
+    for line in wrapped(if has_room { &with_formula } else { &summary }, 13.0, RIGHT - left) {
+        y += 17.0;
+        drawing.text([left, y], Style::of(13.0, QUIET), &line);
+    }
+    y
+}
+
+fn panels(drawing: &mut Drawing, report: &Report, times: Times, top: f64) {
+    let width = (RIGHT - LEFT - GAP) / 2.0;
+    let area = |left: f64| Area { left, top, right: left + width, bottom: top + PANEL };
+    Panel {
+        area: area(LEFT),
+        times,
+        title: "typical arguments",
+        score: |row| row.line.typical(),
+        numbered: true,
+    }
+    .draw(drawing, report);
+    Panel {
+        area: area(LEFT + width + GAP),
+        times,
+        title: "each variant in the regime that is hardest for it",
+        score: |row| row.hardest().or(row.line.typical()),
+        numbered: false,
+    }
+    .draw(drawing, report);
+    drawing.upright([LEFT - 34.0, top + PANEL / 2.0], 12.0, "correct decimal digits, mean");
+}
+
+fn colour(arithmetic: Arithmetic) -> &'static str {
+    match arithmetic {
+        Arithmetic::Single => "#a8412a",
+        Arithmetic::Double => "#22618f",
+        Arithmetic::DoubleDouble => "#3f7030",
+    }
+}
+
+/// A circle for one value at a time, a square for batches; open as written, small and filled for the stable form, so that
+/// both are seen where they coincide.
+fn marker(drawing: &mut Drawing, at: [f64; 2], variant: Variant) {
+    let colour = colour(variant.arithmetic);
+    match (variant.batch, variant.stable) {
+        (false, false) => drawing.circle(at, 6.0, "none", colour),
+        (false, true) => drawing.circle(at, 3.4, colour, colour),
+        (true, false) => drawing.square(at, 5.5, "none", colour),
+        (true, true) => drawing.square(at, 3.0, colour, colour),
+    }
+}
+
+/// What the marks and lines mean.
+fn key(drawing: &mut Drawing, y: f64) {
+    let variant = |stable: bool, batch: bool| Variant { arithmetic: Arithmetic::Double, stable, batch };
+    let marks = [
+        (variant(false, false), "as written"),
+        (variant(true, false), "stable form"),
+        (variant(false, true), "as written, batch"),
+        (variant(true, true), "stable form, batch"),
+    ];
+    let mut x = LEFT - 26.0;
+    for (variant, name) in marks {
+        marker(drawing, [x, y - 4.0], variant);
+        drawing.text([x + 12.0, y], Style::of(11.5, INK), name);
+        x += 30.0 + svg::width(name, 11.5);
+    }
+    drawing.line([x - 4.0, y - 4.0], [x + 20.0, y - 4.0], FRONT, 3.0);
+    let front = "Pareto front; up and to the left is better";
+    drawing.text([x + 26.0, y], Style::of(11.5, INK).anchored(Anchor::Start), front);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::commands::accuracy::report::Row;
+    use forms::core::accuracy::{Line, Regime, Score, Statistics};
+
+    fn report() -> Report {
+        let score = |regime, mean| Score {
+            regime,
+            points: 8,
+            bits: Statistics { mean, percentile: mean, maximum: mean },
+            ulps: Statistics::default(),
+            worst: Vec::new(),
+        };
+        let rows = Variant::ALL.into_iter().enumerate().map(|(place, variant)| Row {
+            line: Line { variant, scores: vec![score(Regime::Typical, 0.5), score(Regime::Large, 9.0)] },
+            nanoseconds: Some(1.0 + 0.3 * place as f64),
+            pareto: place == 0,
+        });
+        Report {
+            file: "f.forms".into(),
+            kernel: "form_factor_of_something".into(),
+            docs: vec!["What is seen of x < 1 & more. Not shown.".into()],
+            formula: "x".into(),
+            domain: Vec::new(),
+            form: None,
+            rows: rows.collect(),
+        }
+    }
+
+    /// What stands behind a name of an element.
+    fn attribute<'a>(element: &'a str, name: &str) -> &'a str {
+        let rest = element.split_once(&format!(" {name}=\"")).expect("the attribute").1;
+        rest.split_once('"').expect("its end").0
+    }
+
+    #[test]
+    fn every_text_is_inside_and_large_enough_to_be_read() {
+        let svg = svg(&report(), "a machine");
+        let height: f64 = attribute(&svg, "height").parse().expect("a number");
+        let texts: Vec<&str> = svg.split("<text").skip(1).collect();
+        assert!(texts.len() > 60, "{svg}");
+        for text in texts.iter().filter(|text| !text.contains("rotate")) {
+            let number = |name| attribute(text, name).parse::<f64>().expect("a number");
+            let content = text.split_once('>').expect("a tag").1.split_once('<').expect("its end").0;
+            let wide = svg::width(content, number("font-size"));
+            let left = number("x")
+                - match attribute(text, "text-anchor") {
+                    "start" => 0.0,
+                    "middle" => wide / 2.0,
+                    _ => wide,
+                };
+            assert!(number("font-size") >= 11.0, "{text}");
+            assert!(left >= 0.0 && left + wide <= WIDTH && number("y") <= height - 4.0, "{text}");
+        }
+    }
+
+    #[test]
+    fn each_variant_is_named_in_both_panels_and_in_the_strip() {
+        let svg = svg(&report(), "a machine");
+        for variant in Variant::ALL {
+            assert_eq!(svg.matches(&format!(">{}</text>", variant.name())).count(), 3, "{}", variant.name());
+        }
+        for part in [
+            "form_factor_of_something",
+            "What is seen of x &lt; 1 &amp; more.",
+            "typical",
+            "large",
+            "a machine",
+        ] {
+            assert!(svg.contains(part), "{part}");
+        }
+        assert!(!svg.contains("Not shown"));
+    }
+}

@@ -1,0 +1,184 @@
+//! Names placed beside their marks: none covers a mark or another name, and a thread leads to a mark that is not near.
+
+use super::svg::Anchor;
+
+/// How far from its mark a name may stand.
+const DISTANCES: [f64; 9] = [11.0, 20.0, 32.0, 46.0, 62.0, 80.0, 100.0, 122.0, 146.0];
+
+/// Directions that are tried at each distance, the first ones preferred: right, left, then around.
+const DIRECTIONS: [f64; 12] =
+    [0.0, 180.0, -40.0, 40.0, -140.0, 140.0, -90.0, 90.0, -65.0, 65.0, -115.0, 115.0];
+
+/// From here on a name has a thread.
+const NEAR: f64 = 12.0;
+
+/// Half the side of the box that a mark takes.
+const MARK: f64 = 7.5;
+
+/// The height of a name above and below its middle.
+const HALF_HEIGHT: f64 = 6.5;
+
+/// What a unit of area costs that is covered twice, in units of distance.
+const OVERLAP: f64 = 4.0;
+
+/// What a crossing costs of a thread, and of a line of the panel.
+const CROSSING: f64 = 70.0;
+const OVER_A_LINE: f64 = 14.0;
+
+/// A box.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Area {
+    pub(super) left: f64,
+    pub(super) top: f64,
+    pub(super) right: f64,
+    pub(super) bottom: f64,
+}
+
+impl Area {
+    fn around([x, y]: [f64; 2], half: f64) -> Self {
+        Area { left: x - half, top: y - half, right: x + half, bottom: y + half }
+    }
+
+    /// The area that two boxes share.
+    fn shared(&self, other: &Area) -> f64 {
+        let width = self.right.min(other.right) - self.left.max(other.left);
+        let height = self.bottom.min(other.bottom) - self.top.max(other.top);
+        width.max(0.0) * height.max(0.0)
+    }
+
+    /// The area that is outside of another box.
+    fn outside(&self, other: &Area) -> f64 {
+        (self.right - self.left) * (self.bottom - self.top) - self.shared(other)
+    }
+
+    /// Whether a segment goes through: whether what is left of it between the sides is anything.
+    fn is_crossed(&self, from: [f64; 2], to: [f64; 2]) -> bool {
+        let sides = [(self.left, self.right), (self.top, self.bottom)];
+        let (mut first, mut last) = (0.0_f64, 1.0_f64);
+        for (axis, (low, high)) in sides.into_iter().enumerate() {
+            let (start, way) = (from[axis], to[axis] - from[axis]);
+            if way == 0.0 {
+                if start <= low || start >= high {
+                    return false;
+                }
+                continue;
+            }
+            let (a, b) = ((low - start) / way, (high - start) / way);
+            (first, last) = (first.max(a.min(b)), last.min(a.max(b)));
+        }
+        first < last
+    }
+}
+
+/// Where a name stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// The base line of its text.
+    pub(super) text: [f64; 2],
+    pub(super) anchor: Anchor,
+    /// The end of the thread to its mark.
+    pub(super) thread: Option<[f64; 2]>,
+}
+
+/// A panel on which names are placed one after the other.
+pub(super) struct Names {
+    bounds: Area,
+    marks: Vec<[f64; 2]>,
+    taken: Vec<Area>,
+    lines: Vec<[[f64; 2]; 2]>,
+    threads: Vec<[[f64; 2]; 2]>,
+}
+
+impl Names {
+    /// With these marks, boxes that are taken by something else, and lines that are better not covered.
+    pub(super) fn new(bounds: Area, marks: &[[f64; 2]], taken: Vec<Area>, lines: Vec<[[f64; 2]; 2]>) -> Self {
+        Names { bounds, marks: marks.to_vec(), taken, lines, threads: Vec::new() }
+    }
+
+    /// The best place for a name of a width.
+    pub(super) fn place(&mut self, mark: [f64; 2], width: f64) -> Place {
+        let candidates = DISTANCES.iter().flat_map(|&distance| {
+            DIRECTIONS.iter().enumerate().map(move |(rank, &direction)| {
+                let cost = distance + 0.4 * rank as f64;
+                (candidate(mark, distance, direction, width), cost)
+            })
+        });
+        let scored =
+            candidates.map(|((place, area), cost)| (cost + self.obstacles(mark, &place, &area), place, area));
+        let best = scored.min_by(|a, b| a.0.total_cmp(&b.0));
+        let (_, place, area) = best.expect("there are candidates");
+        self.taken.push(area);
+        self.threads.extend(place.thread.map(|end| [mark, end]));
+        place
+    }
+
+    /// What stands in the way of a name and of its thread.
+    fn obstacles(&self, mark: [f64; 2], place: &Place, area: &Area) -> f64 {
+        let marks = || self.marks.iter().map(|&at| Area::around(at, MARK));
+        let covered: f64 = marks().chain(self.taken.iter().copied()).map(|other| area.shared(&other)).sum();
+        let mut cost = OVERLAP * (covered + 4.0 * area.outside(&self.bounds));
+        let crossings = |lines: &[[[f64; 2]; 2]]| {
+            lines.iter().filter(|[from, to]| area.is_crossed(*from, *to)).count() as f64
+        };
+        cost += CROSSING * crossings(&self.threads) + OVER_A_LINE * crossings(&self.lines);
+        let Some(end) = place.thread else { return cost };
+        let others = self.marks.iter().filter(|&&other| (other[0] - mark[0]).hypot(other[1] - mark[1]) > 2.0);
+        let in_the_way = others
+            .map(|&other| Area::around(other, MARK))
+            .chain(self.taken.iter().copied())
+            .filter(|other| other.is_crossed(mark, end));
+        cost += CROSSING * in_the_way.count() as f64;
+        cost + CROSSING * self.threads.iter().filter(|[from, to]| meet(*from, *to, mark, end)).count() as f64
+    }
+}
+
+/// A name at a distance and in a direction, in degrees, and the box it takes.
+fn candidate(mark: [f64; 2], distance: f64, direction: f64, width: f64) -> (Place, Area) {
+    let (sine, cosine) = direction.to_radians().sin_cos();
+    let end = [mark[0] + distance * cosine, mark[1] + distance * sine];
+    let (anchor, left) = match cosine {
+        c if c > 0.3 => (Anchor::Start, end[0]),
+        c if c < -0.3 => (Anchor::End, end[0] - width),
+        _ => (Anchor::Middle, end[0] - width / 2.0),
+    };
+    // above and below the thread ends at the rim of the name
+    let middle = if anchor == Anchor::Middle { end[1] + sine.signum() * HALF_HEIGHT } else { end[1] };
+    let area = Area { left, top: middle - HALF_HEIGHT, right: left + width, bottom: middle + HALF_HEIGHT };
+    let thread = (distance > NEAR).then_some(end);
+    (Place { text: [end[0], middle + 4.0], anchor, thread }, area)
+}
+
+/// Whether two segments cross.
+fn meet(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> bool {
+    let side =
+        |p: [f64; 2], q: [f64; 2], r: [f64; 2]| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_crowded_marks_are_apart_and_inside() {
+        let bounds = Area { left: 0.0, top: 0.0, right: 400.0, bottom: 300.0 };
+        let marks: Vec<[f64; 2]> = (0..9).map(|n| [180.0 + 4.0 * f64::from(n), 150.0]).collect();
+        let mut names = Names::new(bounds, &marks, Vec::new(), Vec::new());
+        for &mark in &marks {
+            names.place(mark, 90.0);
+        }
+        for (place, area) in names.taken.iter().enumerate() {
+            assert_eq!(area.outside(&bounds), 0.0, "{area:?}");
+            assert!(marks.iter().all(|&mark| area.shared(&Area::around(mark, 2.0)) == 0.0), "{area:?}");
+            assert!(names.taken[..place].iter().all(|other| area.shared(other) == 0.0), "{area:?}");
+        }
+    }
+
+    #[test]
+    fn a_mark_alone_has_its_name_at_its_right_without_a_thread() {
+        let bounds = Area { left: 0.0, top: 0.0, right: 400.0, bottom: 300.0 };
+        let mark = [100.0, 100.0];
+        let place = Names::new(bounds, &[mark], Vec::new(), Vec::new()).place(mark, 60.0);
+        assert!(place.thread.is_none() && place.anchor == Anchor::Start && place.text == [111.0, 104.0]);
+    }
+}

@@ -1,0 +1,176 @@
+//! A panel: right digits of a result over the time of one value, a mark with its name for each variant, and the Pareto front.
+
+use super::names::{Area, Names};
+use super::svg::{Anchor, Drawing, GRID, INK, QUIET, Style, width};
+use super::{FRONT, colour, marker};
+use crate::commands::accuracy::report::{Report, Row};
+use forms::core::accuracy::{Arithmetic, Score};
+
+/// Digits at the upper end of the axis.
+const MOST_DIGITS: f64 = 34.0;
+
+/// Decades narrower than this have a number at their beginning only.
+const NARROW_DECADE: f64 = 105.0;
+
+/// The size of names.
+const NAME: f64 = 11.0;
+
+/// The digits that each arithmetic has.
+const LEVELS: [(Arithmetic, &str, f64); 3] = [
+    (Arithmetic::Single, "all of f32: 24 bits", 24.0),
+    (Arithmetic::Double, "all of f64: 53 bits", 53.0),
+    (Arithmetic::DoubleDouble, "all of dd: 106 bits", 106.0),
+];
+
+/// Powers of ten of nanoseconds that hold the times of a report.
+#[derive(Clone, Copy)]
+pub(super) struct Times {
+    from: f64,
+    to: f64,
+}
+
+impl Times {
+    /// Of what was timed; nothing if nothing was.
+    pub(super) fn of(report: &Report) -> Option<Self> {
+        let times = || report.rows.iter().filter_map(|row| row.nanoseconds);
+        let (least, most) = (times().reduce(f64::min)?.log10(), times().reduce(f64::max)?.log10());
+        let margin = 0.06 * (most - least).max(0.5);
+        Some(Times { from: least - margin, to: most + margin })
+    }
+}
+
+/// Where a panel is, and what it shows.
+pub(super) struct Panel<'a> {
+    pub(super) area: Area,
+    pub(super) times: Times,
+    pub(super) title: &'a str,
+    /// The score of a variant that is shown.
+    pub(super) score: fn(&Row) -> Option<&Score>,
+    /// Whether the axis of digits has its numbers.
+    pub(super) numbered: bool,
+}
+
+impl Panel<'_> {
+    pub(super) fn draw(&self, drawing: &mut Drawing, report: &Report) {
+        let taken = self.frame(drawing);
+        let rows: Vec<(&Row, [f64; 2])> = report
+            .rows
+            .iter()
+            .filter_map(|row| {
+                let lost = (self.score)(row)?.bits.mean;
+                Some((row, [self.x(row.nanoseconds?), self.y(row.correct_bits(lost))]))
+            })
+            .collect();
+        let marks: Vec<[f64; 2]> = rows.iter().map(|(_, mark)| *mark).collect();
+        let stairs = self.front(&marks);
+        drawing.path(&stairs, FRONT, 3.0);
+        let levels = LEVELS
+            .iter()
+            .map(|level| [[self.area.left, self.y(level.2)], [self.area.right, self.y(level.2)]]);
+        let lines = stairs.windows(2).map(|step| [step[0], step[1]]).chain(levels).collect();
+        let mut names = Names::new(self.area, &marks, taken, lines);
+        for (row, mark) in &rows {
+            let name = row.variant().name();
+            let place = names.place(*mark, width(&name, NAME));
+            if let Some(end) = place.thread {
+                drawing.line(*mark, end, colour(row.variant().arithmetic), 0.7);
+            }
+            let style = Style::of(NAME, colour(row.variant().arithmetic)).anchored(place.anchor);
+            drawing.text_over_lines(place.text, style, &name);
+        }
+        rows.iter().for_each(|(row, mark)| marker(drawing, *mark, row.variant()));
+    }
+
+    fn x(&self, nanoseconds: f64) -> f64 {
+        let part = (nanoseconds.log10() - self.times.from) / (self.times.to - self.times.from);
+        self.area.left + part * (self.area.right - self.area.left)
+    }
+
+    fn y(&self, bits: f64) -> f64 {
+        let part = bits * std::f64::consts::LOG10_2 / MOST_DIGITS;
+        self.area.bottom - part * (self.area.bottom - self.area.top)
+    }
+
+    /// Axes and levels; gives the boxes that their texts take.
+    fn frame(&self, drawing: &mut Drawing) -> Vec<Area> {
+        let Area { left, top, right, bottom } = self.area;
+        drawing.text([left, top - 10.0], Style::of(13.0, INK).bold(), self.title);
+        for digits in (0..=32).step_by(4) {
+            let y = self.y(f64::from(digits) / std::f64::consts::LOG10_2);
+            drawing.line([left, y], [right, y], GRID, 1.0);
+            if self.numbered {
+                let style = Style::of(12.0, INK).anchored(Anchor::End);
+                drawing.text([left - 8.0, y + 4.0], style, &digits.to_string());
+            }
+        }
+        self.time_axis(drawing);
+        let mut taken = Vec::new();
+        for (arithmetic, name, bits) in LEVELS {
+            let y = self.y(bits);
+            drawing.line([left, y], [right, y], colour(arithmetic), 0.9);
+            let style = Style::of(NAME, QUIET).anchored(Anchor::End);
+            drawing.text_over_lines([right - 4.0, y - 4.0], style, name);
+            let start = right - 4.0 - width(name, NAME);
+            taken.push(Area { left: start, top: y - 14.0, right, bottom: y });
+        }
+        drawing.line([left, bottom], [right, bottom], INK, 1.0);
+        drawing.line([left, top], [left, bottom], INK, 1.0);
+        taken
+    }
+
+    fn time_axis(&self, drawing: &mut Drawing) {
+        let Area { left, top, right, bottom } = self.area;
+        let decade = (right - left) / (self.times.to - self.times.from);
+        let steps: &[f64] = if decade < NARROW_DECADE { &[1.0] } else { &[1.0, 2.0, 5.0] };
+        let powers = self.times.from.floor() as i32..=self.times.to.ceil() as i32;
+        for (power, &step) in powers.flat_map(|power| steps.iter().map(move |step| (power, step))) {
+            let x = self.x(step * 10f64.powi(power));
+            if !(left - 0.5..=right + 0.5).contains(&x) {
+                continue;
+            }
+            drawing.line([x, top], [x, bottom], GRID, 1.0);
+            let style = Style::of(12.0, INK).anchored(Anchor::Middle);
+            drawing.text([x, bottom + 17.0], style, &tick(step, power));
+        }
+        let style = Style::of(12.0, INK).anchored(Anchor::Middle);
+        drawing.text([(left + right) / 2.0, bottom + 35.0], style, "time of one value [ns], logarithmic");
+    }
+
+    /// The stairs of what no other variant beats in both time and digits.
+    fn front(&self, marks: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        let mut sorted = marks.to_vec();
+        sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+        let mut stairs: Vec<[f64; 2]> = Vec::new();
+        for mark in sorted {
+            match stairs.last().copied() {
+                None => stairs.push(mark),
+                Some(last) if mark[1] < last[1] - 0.5 => stairs.extend([[mark[0], last[1]], mark]),
+                Some(_) => {}
+            }
+        }
+        let end = stairs.last().map(|last| [self.area.right, last[1]]);
+        stairs.extend(end);
+        stairs
+    }
+}
+
+/// step · 10^power as it stands at an axis; long numbers as powers of ten.
+fn tick(step: f64, power: i32) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    match usize::try_from(power) {
+        Ok(power @ 5..=9) if step == 1.0 => format!("10{}", RAISED[power]),
+        Ok(power @ 4..=9) if step != 1.0 => format!("{step}·10{}", RAISED[power]),
+        _ => ((step * 10f64.powi(power + 3)).round() / 1e3).to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::tick;
+
+    #[test]
+    fn ticks_are_short() {
+        let found = [(1.0, -2), (5.0, -1), (2.0, 3), (1.0, 4), (5.0, 4), (1.0, 6)].map(|(s, p)| tick(s, p));
+        assert_eq!(found, ["0.01", "0.5", "2000", "10000", "5·10⁴", "10⁶"]);
+    }
+}
