@@ -117,7 +117,7 @@ fn choices_between_what_cannot_be_compared_are_nan() {
     }
 }
 
-/// One of two lanes, by a comparison of two others.
+/// A choice by a comparison of its first two operands.
 type Choice = fn(Lane64<false>, Lane64<false>, Lane64<false>, Lane64<false>) -> Lane64<false>;
 
 #[test]
