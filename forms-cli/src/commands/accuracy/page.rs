@@ -97,7 +97,7 @@ impl Page<'_> {
 /// One line a kernel: bits lost in `f64` as written and by the stable form, and the times of that form.
 fn overview(page: &mut String, reports: &[Report]) {
     page.push_str(
-        "| kernel | bits lost in f64 as written: mean, hardest regime | by the stable form: mean, hardest regime | ns a value: f64 | f64 in a batch | dd |\n\
+        "| kernel | bits lost in f64 as written: mean, hardest regime | in f64 by the stable form: mean, hardest regime | its time, ns | in a batch, ns | in dd, ns |\n\
          |---|---|---|---|---|---|\n",
     );
     for report in reports {
