@@ -72,15 +72,19 @@ fn from_rest<W: Word>(k: W, r: Pair<W>) -> W {
     scaled(W::literal(1.0) + sum, k)
 }
 
-/// eˣ − 1 = 2^k (r + r² P(r)) + (2^k − 1), of which the last is exact where it matters. Gives up where eˣ is no normal
-/// number.
+/// eˣ − 1 = 2^k (r + r² P(r)) + (2^k − 1), of which the last is exact where it matters, with what rounding r leaves. Gives up
+/// where eˣ is no normal number. The steps to P(r) are those of [`exp`], so that where both are asked for they are done once.
 #[inline(always)]
 pub(super) fn exp_m1<W: Word>(x: W) -> W {
-    let low = W::literal(-f64::from(W::PRECISION));
-    let (k, r) = reduce(if x < low { low } else { x });
-    let change = r.head + (r.head * r.head).fused(r.head.polynomial(W::TABLE.exp), r.tail);
-    let scale = k.power_of_two();
-    let value = scale.fused(change, scale - W::literal(1.0)).with_sign(x);
+    let multiple = (x * W::of(W::TABLE.log2_e)).shifted();
+    let (k, scale) = (multiple.unshifted(), multiple.power_of_two_of_shifted());
+    let rest = k.fused(-W::of(W::TABLE.ln_2[0]), x);
+    let r = k.fused(-W::of(W::TABLE.ln_2[1]), rest);
+    let tail = k.fused(-W::of(W::TABLE.ln_2[1]), rest - r);
+    let change = r + (r * r).fused(r.polynomial(W::TABLE.exp), tail);
+    let one = W::literal(1.0);
+    let value = scale.fused(change, scale - one).with_sign(x);
+    let value = if x < W::literal(-f64::from(W::PRECISION)) { -one } else { value };
     if x <= reach() { value } else { W::not_a_number() }
 }
 

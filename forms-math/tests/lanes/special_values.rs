@@ -117,10 +117,13 @@ fn choices_between_what_cannot_be_compared_are_nan() {
     }
 }
 
+/// A choice by a comparison of its first two operands.
+type Choice = fn(Lane64<false>, Lane64<false>, Lane64<false>, Lane64<false>) -> Lane64<false>;
+
 #[test]
 fn choices_that_are_followed_by_nan_in_any_case_compare_once() {
     let (one, two, nan) = (Lane64::<false>(1.0), Lane64(2.0), Lane64(f64::NAN));
-    let choices: [[fn(Lane64<false>, Lane64<false>, Lane64<false>, Lane64<false>) -> Lane64<false>; 2]; 3] = [
+    let choices: [[Choice; 2]; 3] = [
         [Lane64::if_less, Lane64::either_if_less],
         [Lane64::if_less_equal, Lane64::either_if_less_equal],
         [Lane64::if_equal, Lane64::either_if_equal],
