@@ -6,7 +6,7 @@ use crate::integral::Offered;
 use crate::metric::Metric;
 use crate::tokens::{Reader, Token};
 use crate::{Stop, malformed, rejected, uncovered};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 /// The most coordinates and params of a file: each coordinate is a bit of a blade.
 const MOST_VARIABLES: usize = 128;
@@ -93,6 +93,8 @@ pub(crate) struct Theory {
     pub(crate) domains: HashMap<&'static str, Vec<Condition>>,
     pub(crate) charts: Vec<Chart>,
     statements: HashMap<String, Reader>,
+    /// Statements that follow from warps.
+    of_warps: HashSet<String>,
     pub(crate) scope: Scope,
     /// Whether `*` between 1-forms is the symmetric product.
     pub(crate) in_metric: bool,
@@ -134,6 +136,9 @@ impl Theory {
 
     /// Derives both sides of a statement.
     pub(crate) fn statement(&mut self, name: &str) -> Result<Statement, Stop> {
+        if self.of_warps.contains(name) {
+            return uncovered("what follows from a warp");
+        }
         let Some(mut reader) = self.statements.get(name).cloned() else {
             return rejected("the file has no such statement");
         };
@@ -214,6 +219,12 @@ impl Theory {
             return self.parameters(reader);
         }
         let (name, start) = (reader.name()?, reader.place);
+        if keyword == "warp" {
+            reader.pass_item();
+            self.of_warps.extend(["density", "inverse"].map(|what| format!("{name}_{what}")));
+            self.names.insert(name, Named::Uncovered("a warp".into()));
+            return Ok(());
+        }
         let named = match keyword.as_str() {
             "chart" => self.chart(reader),
             "fn" => self.unknown_function(&name, reader),

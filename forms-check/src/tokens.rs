@@ -146,12 +146,12 @@ impl Reader {
         }
     }
 
-    /// Goes past the end of an item, semicolons within braces passed over.
+    /// Goes past the end of an item, semicolons within brackets passed over.
     pub(crate) fn pass_item(&mut self) {
         let mut open = 0_usize;
         while let Some(token) = self.peek() {
-            open += usize::from(*token == Token::Sign("{"));
-            open = open.saturating_sub(usize::from(*token == Token::Sign("}")));
+            open += usize::from(["{", "("].iter().any(|bracket| *token == Token::Sign(bracket)));
+            open -= usize::from(["}", ")"].iter().any(|bracket| *token == Token::Sign(bracket))).min(open);
             let ends = open == 0 && *token == Token::Sign(";");
             self.place += 1;
             if ends {

@@ -48,3 +48,12 @@ fn of_these_case_files_nested_roots_and_relations_of_arcs_are_not_covered() {
     let found: Vec<_> = open.iter().map(|(name, _)| (*name, not_covered(&case_file(name)))).collect();
     assert_eq!(found, open.map(|(name, list)| (name, list.into_iter().map(String::from).collect())));
 }
+
+#[test]
+fn what_follows_from_a_warp_is_not_covered_and_what_stands_beside_it_is() {
+    let source = "chart Line(t) where t > 0;
+        warp flight(sigma; u) = (-log1p(-u)/sigma) onto Line density sigma*exp(-sigma*t) of dt
+            inverse (-expm1(-sigma*t)) where sigma > 0;
+        prove beside: d(t**2) == 2*t*dt;";
+    assert_eq!(not_covered(source), ["flight_density", "flight_inverse"]);
+}

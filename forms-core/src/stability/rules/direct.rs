@@ -3,7 +3,7 @@
 //! Of all rules these are the ones whose result is not less accurate than what it stands for at any argument, and is
 //! defined wherever that is. Each step is proved by itself: both sides are equal wherever both are defined.
 
-use super::{Rewriting, exponential, factors, fractions, radical, sums, trigonometric};
+use super::{Rewriting, exponential, factors, fractions, is_short, radical, sums, trigonometric};
 use crate::decide::{Effort, Equations, Finding};
 use crate::expression::{Condition, Expr, Node, Operation, Pool};
 use crate::resolve::Kernel;
@@ -11,6 +11,9 @@ use rustc_hash::FxHashMap;
 
 /// Both sides of a step are small, and a step that takes more to prove is not made.
 const EFFORT: Effort = Effort { work: 200_000, candidates: 24, points: 4 };
+
+/// What is written with more operations is left as it is: a step has to be found and proved while a macro expands.
+const LONGEST: usize = 80;
 
 /// Forms are gone through at most so many times: one step may make room for another.
 const ROUNDS: usize = 6;
@@ -62,6 +65,9 @@ fn round(pool: &mut Pool, conditions: &[Condition], form: &[Expr]) -> Vec<Expr> 
 
 /// The first result of a direct rule that is proved.
 fn step(pool: &mut Pool, conditions: &[Condition], before: Expr) -> Option<Expr> {
+    if !is_short(pool, before, LONGEST) {
+        return None;
+    }
     let mut rewriting = Rewriting::new(pool, conditions);
     let found = DIRECT.iter().find_map(|(rule, is_never_worse)| {
         let proposed = rule(&mut rewriting, before);

@@ -87,16 +87,22 @@ impl<'a> Rewriting<'a> {
         if let Some(&known) = self.simple.get(&expression) {
             return known;
         }
-        let before = self.pool.text(expression).len();
         let mut simple = expression;
-        if before <= LONGEST {
+        if let Some(before) = self.short_text(expression) {
             let proposed = simplified_where(self.pool, self.conditions, expression);
-            if self.pool.text(proposed).len() < before {
+            if self.short_text(proposed).is_some_and(|after| after < before) {
                 simple = proposed;
             }
         }
         self.simple.insert(expression, simple);
         simple
+    }
+
+    /// The length of an expression's text, unless it is too long. No text is made of what has more parts than that has
+    /// characters: of shared parts it could be endless.
+    fn short_text(&self, expression: Expr) -> Option<usize> {
+        let may_be = is_short(self.pool, expression, LONGEST);
+        may_be.then(|| self.pool.text(expression).len()).filter(|&length| length <= LONGEST)
     }
 
     /// a − b, simplified
@@ -205,6 +211,20 @@ impl<'a> Rewriting<'a> {
         let number = if negative { self.pool.negate(number) } else { number };
         (number, factors::quotient(self.pool, &above, &below))
     }
+}
+
+/// Whether an expression is written with at most so many operations, variables and numbers; shared ones count wherever
+/// they are written.
+fn is_short(pool: &Pool, expression: Expr, most: usize) -> bool {
+    let (mut open, mut count) = (vec![expression], 0);
+    while let Some(part) = open.pop() {
+        count += 1;
+        if count > most {
+            return false;
+        }
+        pool.node(part).for_each_operand(|operand| open.push(operand));
+    }
+    true
 }
 
 /// The normal form, where it is shorter: common factors cancel, and what is hidden by cancellation appears.

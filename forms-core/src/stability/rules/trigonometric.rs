@@ -11,6 +11,10 @@ pub(super) fn versine(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Ex
     for (constant, wave) in [(first, second), (second, first)] {
         let (above, below, negative) = factors(rewriting.pool, wave);
         for (place, &factor) in above.iter().enumerate() {
+            let base = rewriting.squared(factor).unwrap_or(factor);
+            if !matches!(rewriting.pool.node(base), Node::Apply(Operation::Sin | Operation::Cos, _)) {
+                continue;
+            }
             let mut others = above.clone();
             others.remove(place);
             let rest = super::factors::quotient(rewriting.pool, &others, &below);
