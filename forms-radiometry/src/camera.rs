@@ -8,8 +8,6 @@ pub(crate) const MAXIMAL_RESOLUTION: usize = 8192;
 /// A pinhole camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
-    /// Its name.
-    pub name: String,
     /// Where the pinhole is.
     pub origin: Vector,
     /// Width and height of the picture in pixels.
@@ -27,14 +25,7 @@ impl Camera {
     /// The camera at `origin` that looks at `target`, with `up` upright in the picture and a vertical field
     /// of view of `fov` degrees. None if target and origin coincide, if `up` lies along the line of sight, or
     /// if the field of view is not between 0 and 180 degrees.
-    pub fn new(
-        name: String,
-        origin: Vector,
-        target: Vector,
-        up: Vector,
-        fov: f64,
-        resolution: [usize; 2],
-    ) -> Option<Self> {
+    pub fn new(origin: Vector, target: Vector, up: Vector, fov: f64, resolution: [usize; 2]) -> Option<Self> {
         let forward = (target - origin).unit()?;
         let right = forward.cross(up.unit()?);
         let right = right.unit().filter(|_| right.length() > 1e-9)?;
@@ -44,7 +35,7 @@ impl Camera {
         }
         let half_width = half_height * resolution[0] as f64 / resolution[1] as f64;
         let up = half_height * right.cross(forward);
-        Some(Self { name, origin, resolution, forward, right: half_width * right, up })
+        Some(Self { origin, resolution, forward, right: half_width * right, up })
     }
 
     /// The direction, not of unit length, in which the film point (x, y) looks; x runs from 0 at the left
@@ -64,7 +55,7 @@ mod tests {
     fn the_corners_of_the_film_lie_at_the_field_of_view() {
         let (origin, target, up) =
             (Vector::new(1.0, 2.0, 3.0), Vector::new(1.0, 2.0, 8.0), Vector::new(0.0, 1.0, 1.0));
-        let camera = Camera::new("wide".to_owned(), origin, target, up, 90.0, [200, 100]).unwrap();
+        let camera = Camera::new(origin, target, up, 90.0, [200, 100]).unwrap();
         let cases = [
             ("middle", (100.0, 50.0), Vector::new(0.0, 0.0, 1.0)),
             ("upper left", (0.0, 0.0), Vector::new(2.0, 1.0, 1.0)),
@@ -84,7 +75,7 @@ mod tests {
             ("no upright", z, o, 40.0),
             ("no field of view", z, Vector::new(0.0, 1.0, 0.0), 0.0),
         ] {
-            assert!(Camera::new(name.to_owned(), o, target, up, fov, [4, 4]).is_none(), "{name}");
+            assert!(Camera::new(o, target, up, fov, [4, 4]).is_none(), "{name}");
         }
     }
 }

@@ -5,12 +5,16 @@ mod clip;
 mod cone;
 mod form_factor;
 mod luminaire;
+mod mesh;
 mod polygon;
+mod round;
 mod triangulation;
 mod vector;
 
 pub(crate) use cone::Cone;
 pub use form_factor::form_factor;
 pub(crate) use luminaire::{Luminaire, Workspace, resolution};
+pub use mesh::{FaceError, Mesh, MeshError};
 pub use polygon::{Polygon, PolygonError};
+pub use round::{Disk, Sphere};
 pub use vector::Vector;

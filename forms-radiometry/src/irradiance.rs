@@ -6,12 +6,12 @@
 
 use crate::geometry::{Luminaire, Vector, Workspace, resolution};
 use crate::kernels::irradiance;
-use crate::scene::{Receiver, Scene};
+use crate::scene::{DiffuseScene, ReceiverKind, Scene, SceneError};
 
 /// A scene prepared for direct light.
 #[derive(Clone, Debug)]
 pub struct DirectLight<'s> {
-    scene: &'s Scene,
+    scene: DiffuseScene<'s>,
     /// Luminaires, each with the index of the surface that it belongs to.
     luminaires: Vec<(usize, Luminaire)>,
 }
@@ -28,30 +28,37 @@ pub struct ReceiverResult {
 }
 
 /// The direct irradiance of every point receiver of a scene, in the order of the file. Light that surfaces
-/// pass on to each other is not part of it. A camera's answer is a picture.
-pub fn simulate_direct(scene: &Scene) -> Vec<ReceiverResult> {
-    let light = DirectLight::new(scene);
+/// pass on to each other is not part of it. A camera's answer is a picture. A scene that asks for what is not
+/// simulated is refused with all of it.
+pub fn simulate_direct(scene: &Scene) -> Result<Vec<ReceiverResult>, Vec<SceneError>> {
+    let light = DirectLight::new(scene)?;
     let mut work = Workspace::default();
     let mut results = Vec::new();
     for receiver in &scene.receivers {
-        let Receiver::Point(point) = receiver else { continue };
+        let ReceiverKind::Point { position, normal } = receiver.kind else { continue };
         let mut unoccluded = vec![0.0; scene.band_count()];
-        light.add_unoccluded(point.position, point.normal, &mut work, &mut unoccluded);
-        let irradiance = light.irradiance(point.position, point.normal);
-        results.push(ReceiverResult { receiver: point.name.clone(), irradiance, unoccluded });
+        light.add_unoccluded(position, normal, &mut work, &mut unoccluded);
+        let irradiance = light.irradiance(position, normal);
+        results.push(ReceiverResult { receiver: receiver.name.clone(), irradiance, unoccluded });
     }
-    results
+    Ok(results)
 }
 
 impl<'s> DirectLight<'s> {
-    /// Prepares a scene: for each side of each lamp, the surfaces that can come before it are kept.
-    pub fn new(scene: &'s Scene) -> Self {
-        let polygons = scene.surfaces.iter().map(|surface| &surface.polygon);
+    /// Prepares a scene: for each side of each lamp, the surfaces that can come before it are kept. A scene that
+    /// asks for what is not simulated is refused with all of it.
+    pub fn new(scene: &'s Scene) -> Result<Self, Vec<SceneError>> {
+        DiffuseScene::of(scene).map(Self::of)
+    }
+
+    pub(crate) fn of(scene: DiffuseScene<'s>) -> Self {
+        let polygons = scene.polygons.iter().copied();
         let resolution = resolution(polygons.clone());
         let mut luminaires = Vec::new();
-        for (index, surface) in scene.surfaces.iter().enumerate().filter(|(_, surface)| surface.emits()) {
+        for (index, surface) in scene.scene.surfaces.iter().enumerate().filter(|(_, surface)| surface.emits())
+        {
             for &front in if surface.two_sided { &[true, false][..] } else { &[true] } {
-                let sides = Luminaire::of(&surface.polygon, front, polygons.clone(), resolution);
+                let sides = Luminaire::of(scene.polygons[index], front, polygons.clone(), resolution);
                 luminaires.extend(sides.into_iter().map(|luminaire| (index, luminaire)));
             }
         }
@@ -61,8 +68,8 @@ impl<'s> DirectLight<'s> {
     /// The irradiance at a point in W/m², per band, on the side to which `normal` points. The normal need not
     /// be a unit vector; if it is zero, the irradiance is not a number.
     pub fn irradiance(&self, position: Vector, normal: Vector) -> Vec<f64> {
-        let Some(normal) = normal.unit() else { return vec![f64::NAN; self.scene.band_count()] };
-        let mut sum = vec![0.0; self.scene.band_count()];
+        let Some(normal) = normal.unit() else { return vec![f64::NAN; self.scene.scene.band_count()] };
+        let mut sum = vec![0.0; self.scene.scene.band_count()];
         self.add_irradiance(position, normal, &mut Workspace::default(), &mut sum);
         sum
     }
@@ -88,7 +95,7 @@ impl<'s> DirectLight<'s> {
 
     fn add(&self, surface: usize, form_factor: f64, sum: &mut [f64]) {
         if form_factor != 0.0 {
-            for (sum, &radiance) in sum.iter_mut().zip(&self.scene.surfaces[surface].radiance) {
+            for (sum, &radiance) in sum.iter_mut().zip(&self.scene.scene.surfaces[surface].radiance) {
                 *sum += irradiance(form_factor, radiance);
             }
         }

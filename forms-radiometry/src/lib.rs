@@ -2,11 +2,11 @@
 //! stands before them become form factors, and these become the irradiance of receivers or a picture.
 //!
 //! What is computed is direct light from Lambertian polygons, with occlusion, exactly: the only error is
-//! rounding.
+//! rounding. Scenes may say more than that ([`scene`]); what is not simulated yet is refused with its place.
 //!
 //! ```
 //! let scene = forms_radiometry::scene::read(forms_radiometry::CORNELL_BOX, "cornell_box.toml").unwrap();
-//! let results = forms_radiometry::simulate_direct(&scene);
+//! let results = forms_radiometry::simulate_direct(&scene).unwrap();
 //! let total: f64 = results[2].irradiance.iter().sum();
 //! assert_eq!(results[2].receiver, "short_top_centre");
 //! assert!((total - 11.468_003).abs() < 1e-6, "W/m²");

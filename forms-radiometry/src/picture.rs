@@ -6,7 +6,7 @@
 //! another one's samples: the picture is the same, to the last bit, for any number of threads.
 
 use crate::camera::Camera;
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneError};
 use crate::sight::{Sample, Sight, Tracing};
 use crate::spectrum::{Colour, add_scaled, luminance};
 use crate::tone::{Exposure, differ, encode};
@@ -27,10 +27,11 @@ pub struct Picture {
 /// black.
 ///
 /// The exposure comes from the picture: the 99th percentile of the luminance of what reflects light is shown
-/// at 0.8 of the screen's white. The light of the lamps counts as white.
-pub fn picture(scene: &Scene, camera: &Camera) -> Picture {
+/// at 0.8 of the screen's white. The light of the lamps counts as white. A scene that asks for what is not
+/// simulated is refused with all of it.
+pub fn picture(scene: &Scene, camera: &Camera) -> Result<Picture, Vec<SceneError>> {
     let [width, height] = camera.resolution;
-    let sight = Sight::new(scene, camera);
+    let sight = Sight::new(scene, camera)?;
     let corners: Vec<Sample> = (0..(width + 1) * (height + 1))
         .into_par_iter()
         .with_min_len(width + 1)
@@ -49,7 +50,7 @@ pub fn picture(scene: &Scene, camera: &Camera) -> Picture {
             pixel.copy_from_slice(&colour.map(encode));
         }
     });
-    Picture { width, height, pixels }
+    Ok(Picture { width, height, pixels })
 }
 
 fn exposure(sight: &Sight, samples: &[Sample]) -> Exposure {

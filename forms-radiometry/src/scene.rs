@@ -1,15 +1,29 @@
 //! Scenes: the text of a scene file is read, checked as a whole, and becomes a model, or the list of all that
-//! is wrong with it.
+//! is wrong with it. What a model asks of a solver that the solver cannot do is told by [`not_simulated`].
 
 mod element;
 mod error;
+mod light;
+mod material;
+mod medium;
+mod mesh_file;
+mod mitsuba;
 mod model;
+mod place;
 mod read;
 mod receiver;
+mod regions;
+mod simulated;
 mod solve;
 mod surface;
 mod value;
 
 pub use error::SceneError;
-pub use model::{Band, LengthUnit, Material, PointReceiver, Receiver, Scene, Surface};
-pub use read::read;
+pub use model::{
+    Ambient, Band, Effect, Force, ForcedEffect, LengthUnit, Light, LightKind, Material, MaterialKind, Medium,
+    Receiver, ReceiverKind, Scene, Shape, Solve, Surface, TimeBins,
+};
+pub use place::Place;
+pub use read::{open, read, read_with_files};
+pub(crate) use simulated::DiffuseScene;
+pub use simulated::not_simulated;

@@ -3,13 +3,13 @@
 use crate::camera::Camera;
 use crate::geometry::{Cone, Vector, Workspace, resolution};
 use crate::irradiance::DirectLight;
-use crate::scene::{Scene, Surface};
+use crate::scene::{DiffuseScene, Scene, SceneError};
 use crate::spectrum::{Colour, add_scaled, band_colours};
 use std::f64::consts::PI;
 
 /// A scene as seen by a camera.
 pub(crate) struct Sight<'s> {
-    scene: &'s Scene,
+    scene: DiffuseScene<'s>,
     camera: &'s Camera,
     light: DirectLight<'s>,
     views: Vec<View>,
@@ -48,22 +48,23 @@ pub(crate) struct Tracing {
 }
 
 impl<'s> Sight<'s> {
-    pub(crate) fn new(scene: &'s Scene, camera: &'s Camera) -> Self {
-        let resolution = resolution(scene.surfaces.iter().map(|surface| &surface.polygon));
+    pub(crate) fn new(scene: &'s Scene, camera: &'s Camera) -> Result<Self, Vec<SceneError>> {
+        let scene = DiffuseScene::of(scene)?;
+        let resolution = resolution(scene.polygons.iter().copied());
         let mut views = Vec::new();
-        for (index, surface) in scene.surfaces.iter().enumerate() {
-            for piece in surface.polygon.convex_pieces() {
+        for (index, polygon) in scene.polygons.iter().enumerate() {
+            for piece in polygon.convex_pieces() {
                 let relative: Vec<Vector> = piece.iter().map(|&v| v - camera.origin).collect();
-                let distance = -surface.polygon.normal().dot(relative[0]);
+                let distance = -polygon.normal().dot(relative[0]);
                 if distance.abs() > resolution {
                     let cone = Cone::over(&relative, distance > 0.0);
                     views.push(View { surface: index, cone, distance });
                 }
             }
         }
-        let bands = band_colours(scene);
-        let paints = scene.surfaces.iter().map(|surface| Paint::new(scene, surface, &bands)).collect();
-        Self { scene, camera, light: DirectLight::new(scene), views, paints }
+        let bands = band_colours(scene.scene);
+        let paints = (0..scene.polygons.len()).map(|surface| Paint::new(&scene, surface, &bands)).collect();
+        Ok(Self { light: DirectLight::of(scene.clone()), scene, camera, views, paints })
     }
 
     /// What the film point (x, y) sees: L = Lₑ + ρ E/π on a diffuse surface, nothing outside the scene.
@@ -72,14 +73,13 @@ impl<'s> Sight<'s> {
         let Some((view, along)) = self.first(direction) else {
             return Sample { surface: None, colour: [0.0; 3] };
         };
-        let surface = &self.scene.surfaces[view.surface];
+        let polygon = self.scene.polygons[view.surface];
         let mut colour = [0.0; 3];
-        if view.distance > 0.0 || surface.two_sided {
-            let normal =
-                if view.distance > 0.0 { surface.polygon.normal() } else { -surface.polygon.normal() };
+        if view.distance > 0.0 || self.scene.scene.surfaces[view.surface].two_sided {
+            let normal = if view.distance > 0.0 { polygon.normal() } else { -polygon.normal() };
             let position = self.camera.origin + along * direction;
             tracing.irradiance.clear();
-            tracing.irradiance.resize(self.scene.band_count(), 0.0);
+            tracing.irradiance.resize(self.scene.scene.band_count(), 0.0);
             self.light.add_irradiance(position, normal, &mut tracing.work, &mut tracing.irradiance);
             let paint = &self.paints[view.surface];
             colour = paint.emitted;
@@ -92,14 +92,14 @@ impl<'s> Sight<'s> {
 
     /// Whether a surface emits light.
     pub(crate) fn emits(&self, surface: usize) -> bool {
-        self.scene.surfaces[surface].emits()
+        self.scene.scene.surfaces[surface].emits()
     }
 
     /// The first piece in a direction d from the camera, and the t at which t d lies in it.
     fn first(&self, direction: Vector) -> Option<(&View, f64)> {
         let mut first: Option<(&View, f64)> = None;
         for view in self.views.iter().filter(|view| view.cone.contains(direction)) {
-            let normal = self.scene.surfaces[view.surface].polygon.normal();
+            let normal = self.scene.polygons[view.surface].normal();
             let along = -view.distance / normal.dot(direction);
             if along > 0.0 && first.is_none_or(|(_, nearest)| along < nearest) {
                 first = Some((view, along));
@@ -110,13 +110,13 @@ impl<'s> Sight<'s> {
 }
 
 impl Paint {
-    fn new(scene: &Scene, surface: &Surface, bands: &[Colour]) -> Self {
+    fn new(scene: &DiffuseScene, surface: usize, bands: &[Colour]) -> Self {
         let mut emitted = [0.0; 3];
-        for (&radiance, &band) in surface.radiance.iter().zip(bands) {
+        for (&radiance, &band) in scene.scene.surfaces[surface].radiance.iter().zip(bands) {
             add_scaled(&mut emitted, radiance, band);
         }
-        let reflectance = &scene.materials[surface.material].reflectance;
-        let reflected = reflectance.iter().zip(bands).map(|(rho, band)| band.map(|weight| rho / PI * weight));
+        let reflectance = scene.reflectances[surface].iter();
+        let reflected = reflectance.zip(bands).map(|(rho, band)| band.map(|weight| rho / PI * weight));
         Self { emitted, reflected: reflected.collect() }
     }
 }
@@ -124,7 +124,7 @@ impl Paint {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Receiver, read};
+    use crate::scene::{ReceiverKind, read};
 
     /// A floor, a lamp above its left half, and a two-sided screen beside it that hangs lower, without bands.
     const SCENE: &str = r#"
@@ -167,16 +167,15 @@ mod tests {
     /// The brightness that the camera of this name sees in the direction of a point, and the index of the surface.
     fn seen(camera: &str, x: f64, y: f64) -> (Option<usize>, f64) {
         let scene = read(SCENE, "sight.toml").unwrap();
-        let Some(Receiver::Camera(camera)) = scene.receivers.iter().find(|r| r.name() == camera) else {
-            panic!("{camera} is a camera")
-        };
-        let sample = Sight::new(&scene, camera).sample(x, y, &mut Tracing::default());
+        let receiver = scene.receivers.iter().find(|r| r.name == camera).unwrap();
+        let ReceiverKind::Camera(camera) = &receiver.kind else { panic!("{camera} is a camera") };
+        let sample = Sight::new(&scene, camera).unwrap().sample(x, y, &mut Tracing::default());
         (sample.surface, sample.colour[0])
     }
 
     fn irradiance(position: Vector, normal: Vector) -> f64 {
         let scene = read(SCENE, "sight.toml").unwrap();
-        DirectLight::new(&scene).irradiance(position, normal)[0]
+        DirectLight::new(&scene).unwrap().irradiance(position, normal)[0]
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //! θ′/r² V over the lamp's area, with visibility V by rays against triangles (Möller and Trumbore 1997).
 
 use forms_radiometry::geometry::{Polygon, Vector};
-use forms_radiometry::scene::{self, PointReceiver, Receiver, Scene};
+use forms_radiometry::scene::{self, Place, Receiver, ReceiverKind, Scene, Shape, Surface};
 use forms_radiometry::{CORNELL_BOX, simulate_direct};
 
 /// Nodes and weights of the Gauss–Legendre rule of order five on [0, 1].
@@ -103,12 +103,16 @@ fn blocks([a, b, c]: &[Vector; 3], origin: Vector, ray: Vector) -> bool {
     beta >= 0.0 && gamma >= 0.0 && beta + gamma <= 1.0 && along > 1e-9 && along < 1.0 - 1e-9
 }
 
+fn polygon_of(surface: &Surface) -> &Polygon {
+    surface.shape.as_polygon().expect("the scene is made of polygons")
+}
+
 fn triangles(scene: &Scene) -> Vec<[Vector; 3]> {
     let fan = |vertices: &[Vector]| {
         let first = vertices[0];
         vertices[1..].windows(2).map(|edge| [first, edge[0], edge[1]]).collect::<Vec<_>>()
     };
-    scene.surfaces.iter().flat_map(|surface| fan(surface.polygon.vertices())).collect()
+    scene.surfaces.iter().flat_map(|surface| fan(polygon_of(surface).vertices())).collect()
 }
 
 /// The Cornell box with more point receivers: a grid on the floor, some on the green wall, and the middle of
@@ -128,10 +132,15 @@ fn box_with_more_points() -> Scene {
     }
     for surface in scene.surfaces.iter().filter(|s| s.name.starts_with("short") || s.name.starts_with("tall"))
     {
-        let [a, b, c, d] = surface.polygon.vertices() else { panic!("a face has four corners") };
-        points.push((surface.name.clone(), 0.25 * ((*a + *b) + (*c + *d)), surface.polygon.normal()));
+        let [a, b, c, d] = polygon_of(surface).vertices() else { panic!("a face has four corners") };
+        points.push((surface.name.clone(), 0.25 * ((*a + *b) + (*c + *d)), polygon_of(surface).normal()));
     }
-    let receiver = |(name, position, normal)| Receiver::Point(PointReceiver { name, position, normal });
+    let receiver = |(name, position, normal)| Receiver {
+        name,
+        kind: ReceiverKind::Point { position, normal },
+        time: None,
+        place: Place::default(),
+    };
     scene.receivers.extend(points.into_iter().map(receiver));
     scene
 }
@@ -141,16 +150,15 @@ fn box_with_more_points() -> Scene {
 fn for_every_point(mut check: impl FnMut(&str, f64, f64, &Integration)) {
     let scene = box_with_more_points();
     let lamp = &scene.surfaces[0];
-    let [a, b, _, d] = lamp.polygon.vertices() else { panic!("the lamp has four corners") };
+    let [a, b, _, d] = polygon_of(lamp).vertices() else { panic!("the lamp has four corners") };
     let triangles = triangles(&scene);
-    let points = scene.receivers.iter().filter_map(|receiver| match receiver {
-        Receiver::Point(point) => Some(point),
-        Receiver::Camera(_) => None,
+    let points = scene.receivers.iter().filter_map(|receiver| match receiver.kind {
+        ReceiverKind::Point { position, normal } => Some((&receiver.name, position, normal)),
+        _ => None,
     });
-    let results = simulate_direct(&scene);
+    let results = simulate_direct(&scene).unwrap();
     assert_eq!(results.len(), 30);
-    for (point, result) in points.zip(&results) {
-        let (position, normal) = (point.position, point.normal);
+    for ((name, position, normal), result) in points.zip(&results) {
         let integration = Integration {
             corner: *a,
             u: *b - *a,
@@ -162,7 +170,7 @@ fn for_every_point(mut check: impl FnMut(&str, f64, f64, &Integration)) {
             depth: 12,
         };
         let per_radiance = |irradiance: &[f64]| irradiance[5] / lamp.radiance[5];
-        check(&point.name, per_radiance(&result.irradiance), per_radiance(&result.unoccluded), &integration);
+        check(name, per_radiance(&result.irradiance), per_radiance(&result.unoccluded), &integration);
     }
 }
 
@@ -197,12 +205,12 @@ fn with_occlusion_the_irradiance_is_the_integral_over_what_is_visible() {
 fn moved(scene: &Scene, scale: f64, shift: Vector) -> Scene {
     let mut scene = scene.clone();
     for surface in &mut scene.surfaces {
-        let vertices = surface.polygon.vertices().iter().map(|&v| scale * v + shift).collect();
-        surface.polygon = Polygon::new(vertices).unwrap();
+        let vertices = polygon_of(surface).vertices().iter().map(|&v| scale * v + shift).collect();
+        surface.shape = Shape::Polygon(Polygon::new(vertices).unwrap());
     }
     for receiver in &mut scene.receivers {
-        if let Receiver::Point(point) = receiver {
-            point.position = scale * point.position + shift;
+        if let ReceiverKind::Point { position, .. } = &mut receiver.kind {
+            *position = scale * *position + shift;
         }
     }
     scene
@@ -211,7 +219,7 @@ fn moved(scene: &Scene, scale: f64, shift: Vector) -> Scene {
 #[test]
 fn the_irradiance_depends_neither_on_the_unit_of_length_nor_on_the_origin() {
     let scene = box_with_more_points();
-    let expected = simulate_direct(&scene);
+    let expected = simulate_direct(&scene).unwrap();
     let cases = [
         ("metres", 1e-3, Vector::default(), 1e-13),
         ("very small", 1e-30, Vector::default(), 1e-13),
@@ -220,7 +228,8 @@ fn the_irradiance_depends_neither_on_the_unit_of_length_nor_on_the_origin() {
         ("far away", 1.0, Vector::new(1e7, -3e7, 2e7), 1e-6),
     ];
     for (name, scale, shift, tolerance) in cases {
-        for (found, expected) in simulate_direct(&moved(&scene, scale, shift)).iter().zip(&expected) {
+        for (found, expected) in simulate_direct(&moved(&scene, scale, shift)).unwrap().iter().zip(&expected)
+        {
             let difference = (found.irradiance[5] - expected.irradiance[5]).abs();
             assert!(
                 difference <= tolerance * expected.unoccluded[5],
@@ -239,7 +248,7 @@ fn lamps_add_up_and_the_back_of_a_one_sided_lamp_is_dark() {
              [[receiver]]\nname = \"up\"\nkind = \"point\"\nposition = [0.2, 0.3, 0]\nnormal = [0, 0, 1]\n"
         );
         let scene = scene::read(&text, "lamps.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
-        simulate_direct(&scene)[0].irradiance[0]
+        simulate_direct(&scene).unwrap()[0].irradiance[0]
     };
     let lamp = |name: &str, polygon: &str, two_sided: bool| {
         format!(
@@ -295,9 +304,13 @@ fn behind_random_triangles_the_irradiance_is_the_integral_over_what_is_visible()
     let mut partly = 0;
     for i in 0..40 {
         let scene = scene::read(&random_scene(&mut random), "random.toml").unwrap();
-        let [Receiver::Point(point)] = &scene.receivers[..] else { panic!("there is one point") };
-        let [a, b, _, d] = scene.surfaces[0].polygon.vertices() else { panic!("the lamp has four corners") };
-        let (position, normal, triangles) = (point.position, point.normal, triangles(&scene));
+        let ReceiverKind::Point { position, normal } = scene.receivers[0].kind else {
+            panic!("a point is asked for")
+        };
+        let [a, b, _, d] = polygon_of(&scene.surfaces[0]).vertices() else {
+            panic!("the lamp has four corners")
+        };
+        let triangles = triangles(&scene);
         let (u, v) = (*b - *a, *d - *a);
         let integration = Integration {
             corner: *a,
@@ -310,7 +323,7 @@ fn behind_random_triangles_the_irradiance_is_the_integral_over_what_is_visible()
             depth: 10,
         };
         let Estimate { value, error } = integration.occluded(0.0, 0.0, 1.0, 0);
-        let result = &simulate_direct(&scene)[0];
+        let result = &simulate_direct(&scene).unwrap()[0];
         let (found, whole) = (result.irradiance[0], result.unoccluded[0]);
         assert!((found - value).abs() <= error + 2e-3 * whole, "scene {i}: {found} and {value} ± {error}");
         partly += usize::from(found > 0.01 * whole && found < 0.99 * whole);

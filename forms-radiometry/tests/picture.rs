@@ -1,7 +1,7 @@
 //! The picture of the Cornell box: what is where, in which colour, and that threads do not matter.
 
 use forms_radiometry::camera::Camera;
-use forms_radiometry::scene::{self, Receiver, Scene};
+use forms_radiometry::scene::{self, ReceiverKind, Scene};
 use forms_radiometry::{CORNELL_BOX, Picture, picture};
 
 const SIDE: usize = 64;
@@ -12,9 +12,9 @@ fn small_box() -> (Scene, Camera) {
     let cameras: Vec<Camera> = scene
         .receivers
         .iter()
-        .filter_map(|receiver| match receiver {
-            Receiver::Camera(camera) => Some(camera.clone()),
-            Receiver::Point(_) => None,
+        .filter_map(|receiver| match &receiver.kind {
+            ReceiverKind::Camera(camera) => Some(camera.clone()),
+            _ => None,
         })
         .collect();
     let [camera] = &cameras[..] else { panic!("the box has one camera") };
@@ -30,7 +30,7 @@ fn at(picture: &Picture, x: f64, y: f64) -> [u8; 3] {
 #[test]
 fn the_red_wall_is_on_the_left_the_green_on_the_right_and_the_lamp_white_in_a_black_ceiling() {
     let (scene, camera) = small_box();
-    let picture = picture(&scene, &camera);
+    let picture = picture(&scene, &camera).unwrap();
     let [r, g, b] = at(&picture, 0.12, 0.3);
     assert!(r > 2 * g && r > 2 * b, "left: {r} {g} {b}");
     let [r, g, b] = at(&picture, 0.88, 0.3);
@@ -47,7 +47,7 @@ fn the_picture_is_the_same_for_any_number_of_threads() {
     let (scene, camera) = small_box();
     let with_threads = |count| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build().unwrap();
-        pool.install(|| picture(&scene, &camera))
+        pool.install(|| picture(&scene, &camera).unwrap())
     };
     let one = with_threads(1);
     for count in [2, 3, 7] {
@@ -58,7 +58,7 @@ fn the_picture_is_the_same_for_any_number_of_threads() {
 #[test]
 fn the_png_file_holds_the_pixels() {
     let (scene, camera) = small_box();
-    let picture = picture(&scene, &camera);
+    let picture = picture(&scene, &camera).unwrap();
     let file = picture.png().unwrap();
     let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];

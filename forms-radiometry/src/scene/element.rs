@@ -1,7 +1,8 @@
 //! Elements: a table of the file becomes an element whose keys are all known.
 
 use super::error::Report;
-use super::value::{Value, one_of, text};
+use super::value::{Domain, Value, direction, number, one_of, spectrum, text, vector};
+use crate::geometry::Vector;
 use std::collections::HashMap;
 use std::ops::Range;
 use toml::de::DeTable;
@@ -33,13 +34,26 @@ impl<'a, 't> Element<'a, 't> {
         elements
     }
 
-    /// Reports every key that is not known. Those in `later` are part of the format, but not simulated.
-    pub(super) fn check_keys(&self, report: &mut Report, known: &[&str], later: &[&str]) {
+    /// The element of a key whose value is a table.
+    pub(super) fn single(
+        report: &mut Report,
+        value: &'a Value<'t>,
+        kind: &'static str,
+        what: &str,
+        expected: &str,
+    ) -> Option<Self> {
+        let Some(table) = value.get_ref().as_table() else {
+            report.error(value.span(), format!("{what} is not a table"), expected);
+            return None;
+        };
+        Some(Self { kind, table, place: value.span() })
+    }
+
+    /// Reports every key that is not known.
+    pub(super) fn check_keys(&self, report: &mut Report, known: &[&str]) {
         for key in self.table.keys() {
             let name: &str = key.get_ref();
-            if later.contains(&name) {
-                report.error(key.span(), format!("`{name}` of a {} is not supported yet", self.kind), "");
-            } else if !known.contains(&name) {
+            if !known.contains(&name) {
                 let expected = one_of(known.iter().copied());
                 report.error(key.span(), format!("unknown key `{name}` in a {}", self.kind), expected);
             }
@@ -68,6 +82,98 @@ impl<'a, 't> Element<'a, 't> {
         let value = self.required(report, key, expected)?;
         Some((text(report, value, &format!("`{key}`"))?, value.span()))
     }
+
+    /// The point of a required key.
+    pub(super) fn point(&self, report: &mut Report, key: &str) -> Option<Vector> {
+        let value = self.required(report, key, &format!("{key} = [x, y, z]"))?;
+        vector(report, value, &format!("`{key}`"))
+    }
+
+    /// The direction of a required key, as a unit vector.
+    pub(super) fn direction(&self, report: &mut Report, key: &str) -> Option<Vector> {
+        let value = self.required(report, key, &format!("{key} = [x, y, z]"))?;
+        direction(report, value, &format!("`{key}`"))
+    }
+
+    /// The number of a required key.
+    pub(super) fn number(&self, report: &mut Report, key: &str, domain: &Domain) -> Option<f64> {
+        let value = self.required(report, key, domain.expected)?;
+        number(report, value, &format!("`{key}`"), domain)
+    }
+
+    /// The optical numbers of a required key, one a band.
+    pub(super) fn spectrum(
+        &self,
+        report: &mut Report,
+        key: &str,
+        domain: &Domain,
+        bands: Option<usize>,
+    ) -> Option<Vec<f64>> {
+        let value = self.required(report, key, &format!("{}, or one a band", domain.expected))?;
+        spectrum(report, value, &format!("`{key}`"), domain, bands)
+    }
+
+    /// The same of a key that may be left out, with the value it has then.
+    pub(super) fn spectrum_or(
+        &self,
+        report: &mut Report,
+        key: &str,
+        default: f64,
+        domain: &Domain,
+        bands: Option<usize>,
+    ) -> Option<Vec<f64>> {
+        match self.optional(key) {
+            None => Some(vec![default; bands.unwrap_or(1)]),
+            Some(value) => spectrum(report, value, &format!("`{key}`"), domain, bands),
+        }
+    }
+
+    /// The index that a required key names.
+    pub(super) fn reference(
+        &self,
+        report: &mut Report,
+        key: &str,
+        expected: &str,
+        what: &str,
+        known: &Indices,
+    ) -> Option<usize> {
+        let (name, place) = self.text(report, key, expected)?;
+        known.find(report, place, what, name)
+    }
+}
+
+/// The indices of the elements of one kind by name. An element with an error in it keeps its name, so that the
+/// error is not repeated wherever the element is used.
+#[derive(Default)]
+pub(super) struct Indices {
+    indices: HashMap<String, usize>,
+}
+
+impl Indices {
+    pub(super) fn insert(&mut self, name: &str, index: usize) {
+        self.indices.insert(name.to_owned(), index);
+    }
+
+    /// The index of a name, reported if there is none.
+    pub(super) fn find(
+        &self,
+        report: &mut Report,
+        place: Range<usize>,
+        what: &str,
+        name: &str,
+    ) -> Option<usize> {
+        let index = self.indices.get(name).copied();
+        if index.is_none() {
+            let mut known: Vec<&str> = self.indices.keys().map(String::as_str).collect();
+            known.sort_unstable();
+            let expected = match known[..] {
+                [] => format!("a {what} of the scene, which has none"),
+                _ => one_of(known.into_iter()),
+            };
+            report.error(place, format!("no {what} is named `{name}`"), expected);
+        }
+        index
+    }
 }
 
 /// The names given so far to one kind of element, each with the byte where it was given.
@@ -80,10 +186,20 @@ impl Names {
     /// The name of an element, reported if it is missing or was given before.
     pub(super) fn name(&mut self, report: &mut Report, element: &Element) -> Option<String> {
         let (name, place) = element.text(report, "name", "name = \"…\"")?;
+        self.give(report, element.kind, name, place)
+    }
+
+    /// A name that is given at this place, reported if it was given before.
+    pub(super) fn give(
+        &mut self,
+        report: &mut Report,
+        kind: &str,
+        name: &str,
+        place: Range<usize>,
+    ) -> Option<String> {
         if let Some(&first) = self.given.get(name) {
             let line = report.line(first);
-            let message =
-                format!("the {} `{name}` has the name of an earlier one, in line {line}", element.kind);
+            let message = format!("the {kind} `{name}` has the name of an earlier one, in line {line}");
             report.error(place, message, "a name of its own");
             return None;
         }

@@ -1,16 +1,18 @@
-//! Errors in scene files: a place in the text becomes a message that quotes the line.
+//! Errors in scene files: a place in a text becomes a message that quotes the line.
 
+use super::place::{Place, Source};
 use std::fmt;
 use std::ops::Range;
+use std::sync::Arc;
 
-/// One thing that is wrong with a scene file.
+/// One thing that is wrong with a scene file, or with a file that it names.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SceneError {
-    /// The file, as it was named by the caller.
+    /// The file, as it was named by the caller; empty for what did not come from a file.
     pub file: String,
-    /// The line, counted from one.
+    /// The line, counted from one; zero where the whole file is meant.
     pub line: usize,
-    /// The column in characters, counted from one.
+    /// The column in characters, counted from one; zero where the whole file is meant.
     pub column: usize,
     /// What is wrong.
     pub message: String,
@@ -20,17 +22,43 @@ pub struct SceneError {
     marked: usize,
 }
 
+impl SceneError {
+    /// An error at a place.
+    pub fn new(place: &Place, message: impl Into<String>, expected: impl Into<String>) -> Self {
+        let located = place.located();
+        Self {
+            file: located.file.to_owned(),
+            line: located.line,
+            column: located.column,
+            message: message.into(),
+            expected: expected.into(),
+            quoted: located.quoted.to_owned(),
+            marked: located.marked,
+        }
+    }
+
+    /// An error of a file as a whole.
+    pub(super) fn of_file(file: &str, message: impl Into<String>) -> Self {
+        Self { file: file.to_owned(), ..Self::new(&Place::default(), message, "") }
+    }
+}
+
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { file, line, column, message, expected, quoted, marked } = self;
         let number = line.to_string();
         let margin = " ".repeat(number.len());
-        let indent: String =
-            quoted.chars().take(column - 1).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
-        writeln!(f, "{file}:{line}:{column}: {message}")?;
-        writeln!(f, "{margin} |")?;
-        writeln!(f, "{number} | {quoted}")?;
-        write!(f, "{margin} | {indent}{}", "^".repeat(*marked))?;
+        if *line == 0 {
+            let separator = if file.is_empty() { "" } else { ": " };
+            write!(f, "{file}{separator}{message}")?;
+        } else {
+            let before = quoted.chars().take(column - 1);
+            let indent: String = before.map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
+            writeln!(f, "{file}:{line}:{column}: {message}")?;
+            writeln!(f, "{margin} |")?;
+            writeln!(f, "{number} | {quoted}")?;
+            write!(f, "{margin} | {indent}{}", "^".repeat(*marked))?;
+        }
         if !expected.is_empty() {
             write!(f, "\n{margin} = expected {expected}")?;
         }
@@ -40,59 +68,71 @@ impl fmt::Display for SceneError {
 
 impl std::error::Error for SceneError {}
 
-/// The errors found so far in one text.
-pub(super) struct Report<'t> {
-    file: &'t str,
-    text: &'t str,
+/// The errors found so far in one text, and in the files that it names.
+pub(super) struct Report {
+    source: Arc<Source>,
+    /// Each with the byte of the text that brought it up.
     errors: Vec<(usize, SceneError)>,
 }
 
-impl<'t> Report<'t> {
-    pub(super) fn new(file: &'t str, text: &'t str) -> Self {
-        Self { file, text, errors: Vec::new() }
+impl Report {
+    pub(super) fn new(source: &Arc<Source>) -> Self {
+        Self { source: Arc::clone(source), errors: Vec::new() }
+    }
+
+    /// A range of bytes of the text.
+    pub(super) fn place(&self, range: Range<usize>) -> Place {
+        Place::new(&self.source, range)
     }
 
     /// Records an error at a range of bytes of the text.
     pub(super) fn error(
         &mut self,
-        place: Range<usize>,
+        range: Range<usize>,
         message: impl Into<String>,
         expected: impl Into<String>,
     ) {
-        let start = self.boundary(place.start);
-        let line_start = self.text[..start].rfind('\n').map_or(0, |newline| newline + 1);
-        let line_end = self.text[start..].find('\n').map_or(self.text.len(), |newline| start + newline);
-        let end = self.boundary(place.end).clamp(start, line_end);
-        let error = SceneError {
-            file: self.file.to_owned(),
-            line: self.line(start),
-            column: self.text[line_start..start].chars().count() + 1,
-            message: message.into(),
-            expected: expected.into(),
-            quoted: self.text[line_start..line_end].trim_end().to_owned(),
-            marked: self.text[start..end].trim_end().chars().count().max(1),
-        };
-        self.errors.push((start, error));
+        let error = SceneError::new(&self.place(range.clone()), message, expected);
+        self.errors.push((range.start, error));
+    }
+
+    /// Records an error at a place of the text.
+    pub(super) fn error_at(
+        &mut self,
+        place: &Place,
+        message: impl Into<String>,
+        expected: impl Into<String>,
+    ) {
+        self.errors.push((place.start(), SceneError::new(place, message, expected)));
+    }
+
+    /// Records the errors of a file that the text names at this byte.
+    pub(super) fn include(&mut self, byte: usize, errors: Vec<SceneError>) {
+        self.errors.extend(errors.into_iter().map(|error| (byte, error)));
     }
 
     /// The line of a byte of the text, counted from one.
     pub(super) fn line(&self, byte: usize) -> usize {
-        self.text[..self.boundary(byte)].matches('\n').count() + 1
+        self.place(byte..byte).located().line
+    }
+
+    /// The name of the file.
+    pub(super) fn file(&self) -> &str {
+        &self.source.file
     }
 
     pub(super) fn is_empty(&self) -> bool {
         self.errors.is_empty()
     }
 
+    /// How many errors there are so far.
+    pub(super) fn count(&self) -> usize {
+        self.errors.len()
+    }
+
     /// All errors, in the order of the text.
     pub(super) fn into_errors(mut self) -> Vec<SceneError> {
         self.errors.sort_by_key(|(start, _)| *start);
         self.errors.into_iter().map(|(_, error)| error).collect()
-    }
-
-    /// The last start of a character at or before this byte.
-    fn boundary(&self, byte: usize) -> usize {
-        let byte = byte.min(self.text.len());
-        (0..=byte).rev().find(|&i| self.text.is_char_boundary(i)).unwrap_or(0)
     }
 }

@@ -1,47 +1,159 @@
 //! Reading: the text of a scene file becomes a [`Scene`]; every error of the text is collected on the way.
 
-use super::element::{Element, Names};
+use super::element::{Element, Indices, Names};
 use super::error::Report;
-use super::model::{Band, LengthUnit, Material, Scene};
-use super::value::{Domain, Value, array, choice, number, spectrum, text};
-use super::{SceneError, receiver, solve, surface};
-use std::collections::HashMap;
+use super::mesh_file::MeshFiles;
+use super::model::{Ambient, Band, LengthUnit, Scene};
+use super::place::Source;
+use super::value::{Domain, NOT_NEGATIVE, Value, array, choice, number, text};
+use super::{SceneError, light, material, medium, mitsuba, receiver, regions, solve, surface};
+use std::collections::HashSet;
+use std::io;
+use std::path::Path;
 use toml::de::DeTable;
 
-const KEYS: &[&str] = &["name", "unit", "bands", "material", "surface", "receiver", "solve"];
-const KEYS_NOT_SIMULATED: &[&str] = &["medium", "light", "ambient"];
+const KEYS: &[&str] =
+    &["name", "unit", "bands", "medium", "material", "surface", "light", "receiver", "ambient", "solve"];
 const WAVELENGTH: Domain = Domain { expected: "a wavelength in nm, above 0", contains: |x| x > 0.0 };
-const FRACTION: Domain = Domain { expected: "a number from 0 to 1", contains: |x| (0.0..=1.0).contains(&x) };
 
-/// Reads a scene. `file_name` appears in the errors; nothing is opened. A scene that asks for something the
-/// format knows but this crate does not simulate is refused, so that an answer is never silently that of
-/// another scene.
+/// Reads the scene in a file, and the meshes that it names, whose paths are relative to the folder of the file.
+///
+/// A name that ends in `.xml` is a scene of Mitsuba 3, any other a scene in TOML.
+pub fn open(path: &Path) -> Result<Scene, Vec<SceneError>> {
+    let name = path.to_string_lossy();
+    let whole = |message: String| vec![SceneError::of_file(&name, message)];
+    let bytes = std::fs::read(path).map_err(|error| whole(format!("the file cannot be read: {error}")))?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let line =
+            error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|&&b| b == b'\n').count();
+        whole(format!("the file is not text in UTF-8, from line {} on", line + 1))
+    })?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    read_with_files(&text, &name, &|file| std::fs::read(folder.join(file)))
+}
+
+/// Reads a scene that names no files. `file_name` appears in the errors; nothing is opened.
 pub fn read(text: &str, file_name: &str) -> Result<Scene, Vec<SceneError>> {
-    let mut report = Report::new(file_name, text);
+    read_with_files(text, file_name, &|_| {
+        Err(io::Error::other("a scene that is read from a text has no folder"))
+    })
+}
+
+/// Reads a scene, and the files that it names by asking for their bytes.
+pub fn read_with_files(
+    text: &str,
+    file_name: &str,
+    files: &dyn Fn(&str) -> io::Result<Vec<u8>>,
+) -> Result<Scene, Vec<SceneError>> {
+    let source = Source::new(file_name, text);
+    let mut report = Report::new(&source);
+    let mut files = MeshFiles::new(file_name, files);
+    let is_xml = Path::new(file_name).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("xml"));
+    let scene = if is_xml {
+        mitsuba::read(&mut report, &source.text, &mut files)
+    } else {
+        read_toml(&mut report, &source.text, &mut files)
+    };
+    match scene {
+        Some(scene) if report.is_empty() => {
+            regions::check(&mut report, &scene);
+            if report.is_empty() { Ok(scene) } else { Err(report.into_errors()) }
+        }
+        _ => Err(report.into_errors()),
+    }
+}
+
+fn read_toml(report: &mut Report, text: &str, files: &mut MeshFiles) -> Option<Scene> {
     let (root, syntax_errors) = DeTable::parse_recoverable(text);
     for error in syntax_errors {
         report.error(error.span().unwrap_or(0..0), error.message(), "");
     }
-    if !report.is_empty() {
-        return Err(report.into_errors());
-    }
-    let scene = read_root(&mut report, root.get_ref());
-    if report.is_empty() { Ok(scene) } else { Err(report.into_errors()) }
+    report.is_empty().then(|| read_root(report, root.get_ref(), files))
 }
 
-fn read_root(report: &mut Report, root: &DeTable) -> Scene {
+/// What the elements of a scene refer to.
+pub(super) struct Known {
+    /// How many bands there are; unknown where the bands themselves are in error.
+    pub(super) bands: Option<usize>,
+    pub(super) media: Indices,
+    pub(super) materials: Indices,
+    /// The materials that are dielectrics.
+    pub(super) dielectrics: HashSet<usize>,
+    pub(super) surfaces: Indices,
+}
+
+fn read_root(report: &mut Report, root: &DeTable, files: &mut MeshFiles) -> Scene {
     let element = Element { kind: "scene", table: root, place: 0..0 };
-    element.check_keys(report, KEYS, KEYS_NOT_SIMULATED);
+    element.check_keys(report, KEYS);
     let name = element.optional("name").and_then(|value| text(report, value, "`name`")).unwrap_or_default();
     let unit = element.optional("unit").and_then(|value| unit(report, value)).unwrap_or(LengthUnit::Metre);
     let bands = element.optional("bands").and_then(|value| bands(report, value)).unwrap_or_default();
     let bands_are_known = !bands.is_empty() || element.optional("bands").is_none();
-    let band_count = bands_are_known.then_some(bands.len().max(1));
-    let (materials, material_names) = materials(report, root, band_count);
-    let surfaces = surface::read(report, root, &material_names, band_count);
-    let receivers = receiver::read(report, root);
-    solve::check(report, root);
-    Scene { name: name.to_owned(), unit, bands, materials, surfaces, receivers }
+    let mut known = Known {
+        bands: bands_are_known.then_some(bands.len().max(1)),
+        media: Indices::default(),
+        materials: Indices::default(),
+        dielectrics: HashSet::new(),
+        surfaces: Indices::default(),
+    };
+    let media = each(report, root, "medium", |report, element, names, index| {
+        medium::read(report, element, names, &mut known, index)
+    });
+    let materials = each(report, root, "material", |report, element, names, index| {
+        material::read(report, element, names, &mut known, index)
+    });
+    let surfaces = each(report, root, "surface", |report, element, names, index| {
+        surface::read(report, element, names, &mut known, index, files)
+    });
+    let lights = each(report, root, "light", |report, element, names, _| {
+        light::read(report, element, names, known.bands)
+    });
+    let receivers = each(report, root, "receiver", |report, element, names, _| {
+        receiver::read(report, element, names, &known)
+    });
+    let ambient = ambient(report, root, &known);
+    let solve = solve::read(report, root);
+    Scene {
+        name: name.to_owned(),
+        unit,
+        bands,
+        media,
+        materials,
+        surfaces,
+        lights,
+        receivers,
+        ambient,
+        solve,
+    }
+}
+
+/// The elements of a `[[key]]` list, each read with the names before it and the index that it gets.
+fn each<T>(
+    report: &mut Report,
+    root: &DeTable,
+    key: &'static str,
+    mut read: impl FnMut(&mut Report, &Element, &mut Names, usize) -> Option<T>,
+) -> Vec<T> {
+    let mut names = Names::default();
+    let mut read_so_far = Vec::new();
+    for element in Element::list(report, root, key) {
+        read_so_far.extend(read(report, &element, &mut names, read_so_far.len()));
+    }
+    read_so_far
+}
+
+fn ambient(report: &mut Report, root: &DeTable, known: &Known) -> Ambient {
+    let nothing = Ambient { radiance: vec![0.0; known.bands.unwrap_or(1)], ..Ambient::default() };
+    let Some(value) = root.get("ambient") else { return nothing };
+    let Some(element) = Element::single(report, value, "table [ambient]", "`ambient`", "[ambient]") else {
+        return nothing;
+    };
+    element.check_keys(report, &["medium", "radiance"]);
+    let medium = element
+        .optional("medium")
+        .and_then(|_| element.reference(report, "medium", "the name of a medium", "medium", &known.media));
+    let radiance = element.spectrum_or(report, "radiance", 0.0, &NOT_NEGATIVE, known.bands);
+    Ambient { medium, radiance: radiance.unwrap_or_default(), place: report.place(element.place.clone()) }
 }
 
 fn unit(report: &mut Report, value: &Value) -> Option<LengthUnit> {
@@ -70,35 +182,4 @@ fn band(report: &mut Report, value: &Value) -> Option<Band> {
         return None;
     }
     Some(Band { low, high })
-}
-
-/// The indices of the materials by name. A material with an error in it keeps its name, so that the error is
-/// not repeated wherever the material is used.
-pub(super) type MaterialNames = HashMap<String, usize>;
-
-fn materials(report: &mut Report, root: &DeTable, bands: Option<usize>) -> (Vec<Material>, MaterialNames) {
-    let (mut names, mut indices, mut materials) = (Names::default(), MaterialNames::new(), Vec::new());
-    for element in Element::list(report, root, "material") {
-        let Some(name) = names.name(report, &element) else { continue };
-        indices.insert(name.clone(), materials.len());
-        let reflectance = reflectance(report, &element, bands).unwrap_or_default();
-        materials.push(Material { name, reflectance });
-    }
-    (materials, indices)
-}
-
-fn reflectance(report: &mut Report, material: &Element, bands: Option<usize>) -> Option<Vec<f64>> {
-    let kinds = [("diffuse", true), ("mirror", false), ("dielectric", false), ("conductor", false)];
-    let (kind, place) = material.text(report, "kind", "kind = \"diffuse\"")?;
-    if !choice(report, place.clone(), kind, "the kind of material", &kinds)? {
-        report.error(
-            place,
-            format!("a material of kind `{kind}` is not supported yet"),
-            "kind = \"diffuse\"",
-        );
-        return None;
-    }
-    material.check_keys(report, &["name", "kind", "reflectance"], &[]);
-    let value = material.required(report, "reflectance", "a number from 0 to 1, or one a band")?;
-    spectrum(report, value, "`reflectance`", &FRACTION, bands)
 }

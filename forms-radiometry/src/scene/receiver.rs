@@ -1,77 +1,92 @@
-//! Receivers: each `[[receiver]]` of the file becomes a point or a camera.
+//! Receivers: each `[[receiver]]` of the file becomes something asked for.
 
 use super::element::{Element, Names};
 use super::error::Report;
-use super::model::{PointReceiver, Receiver};
-use super::value::{Domain, Value, array, choice, direction, number, vector};
-use crate::camera::{Camera, MAXIMAL_RESOLUTION};
-use toml::de::DeTable;
+use super::model::{Receiver, ReceiverKind, TimeBins};
+use super::read::Known;
+use super::value::{ANY, Domain, FIELD_OF_VIEW, POSITIVE, Value, choice, pixels};
+use crate::camera::Camera;
 
-const POINT_KEYS: &[&str] = &["name", "kind", "position", "normal"];
-const CAMERA_KEYS: &[&str] = &["name", "kind", "origin", "target", "up", "fov", "resolution"];
-const KEYS_NOT_SIMULATED: &[&str] = &["time"];
-const FIELD_OF_VIEW: Domain =
-    Domain { expected: "an angle in degrees, above 0 and below 180", contains: |x| x > 0.0 && x < 180.0 };
-const PIXELS: Domain = Domain {
-    expected: "a whole number of pixels from 1 to 8192",
-    contains: |x| x.fract() == 0.0 && (1.0..=MAXIMAL_RESOLUTION as f64).contains(&x),
+const BINS: Domain = Domain {
+    expected: "a whole number from 1 to 1000000",
+    contains: |x| x.fract() == 0.0 && (1.0..=1e6).contains(&x),
 };
 
 #[derive(Clone, Copy)]
 enum Kind {
     Point,
+    Surface,
+    Ray,
     Camera,
-    NotSimulated,
+    Sphere,
 }
 
-pub(super) fn read(report: &mut Report, root: &DeTable) -> Vec<Receiver> {
-    let mut names = Names::default();
-    let elements = Element::list(report, root, "receiver");
-    elements.iter().filter_map(|element| receiver(report, element, &mut names)).collect()
-}
+const KINDS: [(&str, Kind); 5] = [
+    ("point", Kind::Point),
+    ("surface", Kind::Surface),
+    ("ray", Kind::Ray),
+    ("camera", Kind::Camera),
+    ("sphere", Kind::Sphere),
+];
 
-fn receiver(report: &mut Report, element: &Element, names: &mut Names) -> Option<Receiver> {
-    let kinds = [
-        ("point", Kind::Point),
-        ("camera", Kind::Camera),
-        ("surface", Kind::NotSimulated),
-        ("ray", Kind::NotSimulated),
-        ("sphere", Kind::NotSimulated),
-    ];
+pub(super) fn read(
+    report: &mut Report,
+    element: &Element,
+    names: &mut Names,
+    known: &Known,
+) -> Option<Receiver> {
     let name = names.name(report, element);
-    let (kind, place) = element.text(report, "kind", "kind = \"point\" or kind = \"camera\"")?;
-    match choice(report, place.clone(), kind, "the kind of receiver", &kinds)? {
-        Kind::Point => point(report, element, name).map(Receiver::Point),
-        Kind::Camera => camera(report, element, name).map(Receiver::Camera),
-        Kind::NotSimulated => {
-            let message = format!("a receiver of kind `{kind}` is not supported yet");
-            report.error(place, message, "`point` or `camera`");
-            None
-        }
-    }
-}
-
-fn point(report: &mut Report, element: &Element, name: Option<String>) -> Option<PointReceiver> {
-    element.check_keys(report, POINT_KEYS, KEYS_NOT_SIMULATED);
-    let position = element.required(report, "position", "position = [x, y, z]");
-    let position = position.and_then(|value| vector(report, value, "`position`"));
-    let normal = element.required(report, "normal", "normal = [x, y, z]");
-    let normal = normal.and_then(|value| direction(report, value, "`normal`"));
-    Some(PointReceiver { name: name?, position: position?, normal: normal? })
-}
-
-fn camera(report: &mut Report, element: &Element, name: Option<String>) -> Option<Camera> {
-    element.check_keys(report, CAMERA_KEYS, KEYS_NOT_SIMULATED);
-    let mut point = |key: &'static str| {
-        let value = element.required(report, key, &format!("{key} = [x, y, z]"))?;
-        vector(report, value, &format!("`{key}`"))
+    let expected = "kind = \"point\", \"surface\", \"ray\", \"camera\" or \"sphere\"";
+    let (kind, place) = element.text(report, "kind", expected)?;
+    let kind = choice(report, place.clone(), kind, "the kind of receiver", &KINDS)?;
+    let own: &[&str] = match kind {
+        Kind::Point => &["name", "kind", "position", "normal", "time"],
+        Kind::Surface => &["name", "kind", "surface", "grid", "time"],
+        Kind::Ray => &["name", "kind", "origin", "direction", "time"],
+        Kind::Camera => &["name", "kind", "origin", "target", "up", "fov", "resolution", "time"],
+        Kind::Sphere => &["name", "kind", "position", "time"],
     };
-    let (origin, target, up) = (point("origin"), point("target"), point("up"));
-    let fov = element.required(report, "fov", "fov = …, the vertical field of view in degrees");
-    let fov = fov.and_then(|value| number(report, value, "`fov`", &FIELD_OF_VIEW));
+    element.check_keys(report, own);
+    let question = match kind {
+        Kind::Point => point(report, element),
+        Kind::Surface => surface(report, element, known),
+        Kind::Ray => ray(report, element),
+        Kind::Camera => camera(report, element).map(ReceiverKind::Camera),
+        Kind::Sphere => element.point(report, "position").map(|position| ReceiverKind::Sphere { position }),
+    };
+    let time = match element.optional("time") {
+        None => Some(None),
+        Some(value) => time(report, value).map(Some),
+    };
+    Some(Receiver { name: name?, kind: question?, time: time?, place: report.place(place) })
+}
+
+fn point(report: &mut Report, element: &Element) -> Option<ReceiverKind> {
+    let (position, normal) = (element.point(report, "position"), element.direction(report, "normal"));
+    Some(ReceiverKind::Point { position: position?, normal: normal? })
+}
+
+fn ray(report: &mut Report, element: &Element) -> Option<ReceiverKind> {
+    let (origin, direction) = (element.point(report, "origin"), element.direction(report, "direction"));
+    Some(ReceiverKind::Ray { origin: origin?, direction: direction? })
+}
+
+fn surface(report: &mut Report, element: &Element, known: &Known) -> Option<ReceiverKind> {
+    let surface = element.reference(report, "surface", "the name of a surface", "surface", &known.surfaces);
+    let grid = match element.optional("grid") {
+        None => Some(None),
+        Some(value) => pixels(report, value, "`grid`", "grid = [columns, rows]").map(Some),
+    };
+    Some(ReceiverKind::Surface { surface: surface?, grid: grid? })
+}
+
+fn camera(report: &mut Report, element: &Element) -> Option<Camera> {
+    let [origin, target, up] = ["origin", "target", "up"].map(|key| element.point(report, key));
+    let fov = element.number(report, "fov", &FIELD_OF_VIEW);
     let resolution = element.required(report, "resolution", "resolution = [width, height]");
-    let resolution = resolution.and_then(|value| pixels(report, value));
-    let camera = Camera::new(name?, origin?, target?, up?, fov?, resolution?);
+    let resolution =
+        resolution.and_then(|value| pixels(report, value, "`resolution`", "resolution = [width, height]"));
+    let camera = Camera::new(origin?, target?, up?, fov?, resolution?);
     if camera.is_none() {
         let place = element.optional("up").map_or(element.place.clone(), |value| value.span());
         let expected = "a target apart from the origin, and an `up` across the line of sight";
@@ -80,9 +95,12 @@ fn camera(report: &mut Report, element: &Element, name: Option<String>) -> Optio
     camera
 }
 
-fn pixels(report: &mut Report, value: &Value) -> Option<[usize; 2]> {
-    let sides = array(report, value, "`resolution`", 2, "resolution = [width, height]")?;
-    let mut numbers = sides.iter().map(|side| number(report, side, "`resolution`", &PIXELS));
-    let (width, height) = (numbers.next()?, numbers.next()?);
-    Some([width? as usize, height? as usize])
+fn time(report: &mut Report, value: &Value) -> Option<TimeBins> {
+    const EXPECTED: &str = "time = { start = 0, width = 1e-9, bins = 100 }, in seconds";
+    let element = Element::single(report, value, "`time`", "`time`", EXPECTED)?;
+    element.check_keys(report, &["start", "width", "bins"]);
+    let start = element.number(report, "start", &ANY);
+    let width = element.number(report, "width", &POSITIVE);
+    let bins = element.number(report, "bins", &BINS);
+    Some(TimeBins { start: start?, width: width?, bins: bins? as usize, place: report.place(value.span()) })
 }

@@ -1,82 +1,74 @@
-//! What a scene asks of the solver: checked, so that nothing asked for is silently left out.
-//!
-//! Direct light is computed exactly and without random numbers, so it keeps to any tolerance and any seed.
+//! What a scene asks of the solver: `[solve]` of the file becomes a tolerance, a seed and forced effects.
 
 use super::element::Element;
 use super::error::Report;
-use super::value::{Domain, Value, number};
+use super::model::{Effect, Force, ForcedEffect, Solve};
+use super::value::{Domain, LARGEST_WHOLE, Value, number};
 use toml::de::{DeTable, DeValue};
 
 const TOLERANCE: Domain =
     Domain { expected: "a number above 0 and below 1", contains: |x| x > 0.0 && x < 1.0 };
-const SEED: Domain =
-    Domain { expected: "a whole number of at least 0", contains: |x| x >= 0.0 && x.fract() == 0.0 };
+const SEED: Domain = Domain {
+    expected: "a whole number from 0 to 2^53",
+    contains: |x| x.fract() == 0.0 && (0.0..=LARGEST_WHOLE).contains(&x),
+};
 const ORDERS: Domain = Domain {
     expected: "\"on\", \"off\", or a whole number of orders",
-    contains: |x| x >= 0.0 && x.fract() == 0.0,
+    contains: |x| x.fract() == 0.0 && (0.0..=1e9).contains(&x),
 };
 
-/// The effects that a scene file can force, and whether they are simulated.
-const EFFECTS: [(&str, bool); 8] = [
-    ("direct", true),
-    ("occlusion", true),
-    ("interreflection", false),
-    ("scattering", false),
-    ("absorption", false),
-    ("mirror", false),
-    ("refraction", false),
-    ("dispersion", false),
-];
-
-pub(super) fn check(report: &mut Report, root: &DeTable) {
-    let Some(value) = root.get("solve") else { return };
-    let Some(table) = value.get_ref().as_table() else {
-        report.error(value.span(), "`solve` is not a table", "[solve]");
-        return;
+pub(super) fn read(report: &mut Report, root: &DeTable) -> Solve {
+    let mut solve = Solve::default();
+    let Some(value) = root.get("solve") else { return solve };
+    let Some(element) = Element::single(report, value, "table [solve]", "`solve`", "[solve]") else {
+        return solve;
     };
-    let element = Element { kind: "solve", table, place: value.span() };
-    element.check_keys(report, &["tolerance", "seed", "effects"], &[]);
-    for (key, domain) in [("tolerance", TOLERANCE), ("seed", SEED)] {
-        if let Some(value) = element.optional(key) {
-            number(report, value, &format!("`{key}`"), &domain);
-        }
+    element.check_keys(report, &["tolerance", "seed", "effects"]);
+    let mut checked = |key: &str, domain: &Domain| {
+        element.optional(key).and_then(|value| number(report, value, &format!("`{key}`"), domain))
+    };
+    if let Some(tolerance) = checked("tolerance", &TOLERANCE) {
+        solve.tolerance = tolerance;
+    }
+    if let Some(seed) = checked("seed", &SEED) {
+        solve.seed = seed as u64;
     }
     if let Some(value) = element.optional("effects") {
-        effects(report, value);
+        solve.forced = effects(report, value);
     }
+    solve
 }
 
-fn effects(report: &mut Report, value: &Value) {
-    let Some(table) = value.get_ref().as_table() else {
-        report.error(value.span(), "`effects` is not a table", "effects = { interreflection = \"off\" }");
-        return;
+fn effects(report: &mut Report, value: &Value) -> Vec<ForcedEffect> {
+    const EXPECTED: &str = "effects = { interreflection = \"off\" }";
+    let Some(element) = Element::single(report, value, "table of effects", "`effects`", EXPECTED) else {
+        return Vec::new();
     };
-    let element = Element { kind: "table of effects", table, place: value.span() };
-    element.check_keys(report, &EFFECTS.map(|(name, _)| name), &[]);
-    for (name, simulated) in EFFECTS {
-        let Some(value) = element.optional(name) else { continue };
-        let Some(on) = forced(report, value, name) else { continue };
-        if on && !simulated {
-            report.error(value.span(), format!("the effect `{name}` is not supported yet"), "\"off\"");
-        } else if !on && simulated {
-            report.error(
-                value.span(),
-                format!("leaving out the effect `{name}` is not supported yet"),
-                "\"on\"",
-            );
-        }
-    }
+    element.check_keys(report, &Effect::ALL.map(|(name, _)| name));
+    let forced = |(name, effect): (&str, Effect)| {
+        let value = element.optional(name)?;
+        let force = force(report, value, name, effect)?;
+        Some(ForcedEffect { effect, force, place: report.place(value.span()) })
+    };
+    Effect::ALL.into_iter().filter_map(forced).collect()
 }
 
-/// Whether an effect is forced on.
-fn forced(report: &mut Report, value: &Value, name: &str) -> Option<bool> {
+fn force(report: &mut Report, value: &Value, name: &str, effect: Effect) -> Option<Force> {
+    let expected = if effect.has_orders() { ORDERS.expected } else { "\"on\" or \"off\"" };
     match value.get_ref() {
-        DeValue::String(text) if text == "on" => Some(true),
-        DeValue::String(text) if text == "off" => Some(false),
+        DeValue::String(text) if text == "on" => Some(Force::On),
+        DeValue::String(text) if text == "off" => Some(Force::Off),
         DeValue::String(text) => {
-            report.error(value.span(), format!("the effect `{name}` cannot be `{text}`"), ORDERS.expected);
+            report.error(value.span(), format!("the effect `{name}` cannot be `{text}`"), expected);
             None
         }
-        _ => number(report, value, &format!("the effect `{name}`"), &ORDERS).map(|orders| orders > 0.0),
+        DeValue::Integer(_) | DeValue::Float(_) if !effect.has_orders() => {
+            report.error(value.span(), format!("the effect `{name}` has no orders"), expected);
+            None
+        }
+        _ => number(report, value, &format!("the effect `{name}`"), &ORDERS).map(|orders| match orders {
+            0.0 => Force::Off,
+            _ => Force::Orders(orders as u32),
+        }),
     }
 }

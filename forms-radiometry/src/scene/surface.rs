@@ -1,74 +1,84 @@
-//! Surfaces: each `[[surface]]` of the file becomes a polygon with a material and, for a lamp, a radiance.
+//! Surfaces: each `[[surface]]` of the file becomes a shape with a material and, for a lamp, a radiance.
 
 use super::element::{Element, Names};
 use super::error::Report;
-use super::model::Surface;
-use super::read::MaterialNames;
-use super::value::{Domain, Value, boolean, one_of, spectrum, vector};
-use crate::geometry::{Polygon, Vector};
-use toml::de::DeTable;
+use super::mesh_file::MeshFiles;
+use super::model::{Shape, Surface};
+use super::read::Known;
+use super::value::{LENGTH, NOT_NEGATIVE, Value, boolean, one_of, spectrum, text, vector};
+use crate::geometry::{Disk, Polygon, Sphere, Vector};
+use std::ops::Range;
 
-const KEYS: &[&str] = &["name", "material", "polygon", "radiance", "exitance", "two_sided"];
-const SHAPES_NOT_SIMULATED: &[&str] = &["mesh", "sphere", "disk"];
-const NOT_NEGATIVE: Domain = Domain { expected: "a number of at least 0", contains: |x| x >= 0.0 };
+const KEYS: &[&str] =
+    &["name", "material", "polygon", "mesh", "sphere", "disk", "radiance", "exitance", "two_sided"];
+const SHAPES: [&str; 4] = ["polygon", "mesh", "sphere", "disk"];
 
 pub(super) fn read(
     report: &mut Report,
-    root: &DeTable,
-    materials: &MaterialNames,
-    bands: Option<usize>,
-) -> Vec<Surface> {
-    let mut names = Names::default();
-    let elements = Element::list(report, root, "surface");
-    elements.iter().filter_map(|element| surface(report, element, &mut names, materials, bands)).collect()
-}
-
-fn surface(
-    report: &mut Report,
     element: &Element,
     names: &mut Names,
-    materials: &MaterialNames,
-    bands: Option<usize>,
+    known: &mut Known,
+    index: usize,
+    files: &mut MeshFiles,
 ) -> Option<Surface> {
-    element.check_keys(report, KEYS, SHAPES_NOT_SIMULATED);
+    element.check_keys(report, KEYS);
     let name = names.name(report, element);
-    let material = material(report, element, materials);
-    let polygon = polygon(report, element);
-    let radiance = radiance(report, element, bands);
-    let two_sided = match element.optional("two_sided") {
-        None => Some(false),
-        Some(value) => boolean(report, value, "`two_sided`"),
-    };
+    if let Some(name) = &name {
+        known.surfaces.insert(name, index);
+    }
+    let material =
+        element.reference(report, "material", "the name of a material", "material", &known.materials);
+    let shape = shape(report, element, files);
+    let radiance = radiance(report, element, known.bands);
+    let two_sided = two_sided(report, element, known, material);
+    let (shape, place) = shape?;
     Some(Surface {
         name: name?,
         material: material?,
-        polygon: polygon?,
+        shape,
         radiance: radiance?,
         two_sided: two_sided?,
+        place: report.place(place),
     })
 }
 
-fn material(report: &mut Report, element: &Element, materials: &MaterialNames) -> Option<usize> {
-    let (name, place) = element.text(report, "material", "the name of a material")?;
-    let index = materials.get(name).copied();
-    if index.is_none() {
-        let mut known: Vec<&str> = materials.keys().map(String::as_str).collect();
-        known.sort_unstable();
-        let expected = match known[..] {
-            [] => "a material of the scene, which has none".to_owned(),
-            _ => one_of(known.into_iter()),
+/// The one shape of a surface, and its place.
+fn shape(report: &mut Report, element: &Element, files: &mut MeshFiles) -> Option<(Shape, Range<usize>)> {
+    const EXPECTED: &str = "polygon = [[x, y, z], …], counter-clockwise seen from the front, or a `mesh`, a `sphere` or a `disk`";
+    let given: Vec<&str> = SHAPES.into_iter().filter(|shape| element.optional(shape).is_some()).collect();
+    let [key] = given[..] else {
+        let Some(&second) = given.get(1) else {
+            report.error(element.place.clone(), "this surface has no shape", EXPECTED);
+            return None;
         };
-        report.error(place, format!("no material is named `{name}`"), expected);
-    }
-    index
+        let place = element.optional(second).map_or(element.place.clone(), |value| value.span());
+        let found = one_of(given.into_iter()).replace(" or ", " and ");
+        report.error(place, format!("the surface has more than one shape: {found}"), "one of them");
+        return None;
+    };
+    let value = element.optional(key)?;
+    let shape = match key {
+        "polygon" => polygon(report, value).map(Shape::Polygon),
+        "mesh" => mesh(report, value, files),
+        "sphere" => sphere(report, value).map(Shape::Sphere),
+        _ => disk(report, value).map(Shape::Disk),
+    };
+    Some((shape?, value.span()))
 }
 
-fn polygon(report: &mut Report, element: &Element) -> Option<Polygon> {
-    const EXPECTED: &str = "polygon = [[x, y, z], …], counter-clockwise seen from the front";
-    if SHAPES_NOT_SIMULATED.iter().any(|shape| element.optional(shape).is_some()) {
+fn two_sided(report: &mut Report, element: &Element, known: &Known, material: Option<usize>) -> Option<bool> {
+    let Some(value) = element.optional("two_sided") else { return Some(false) };
+    let two_sided = boolean(report, value, "`two_sided`")?;
+    if two_sided && material.is_some_and(|material| known.dielectrics.contains(&material)) {
+        let message = "a dielectric has a medium behind it, so its sides are not alike";
+        report.error(value.span(), message, "two_sided = false");
         return None;
     }
-    let value = element.required(report, "polygon", EXPECTED)?;
+    Some(two_sided)
+}
+
+fn polygon(report: &mut Report, value: &Value) -> Option<Polygon> {
+    const EXPECTED: &str = "polygon = [[x, y, z], …], counter-clockwise seen from the front";
     let vertices = vertices(report, value, EXPECTED)?;
     match Polygon::new(vertices) {
         Ok(polygon) => Some(polygon),
@@ -86,6 +96,32 @@ fn vertices(report: &mut Report, value: &Value, expected: &str) -> Option<Vec<Ve
     };
     let vertices: Vec<Option<Vector>> = list.iter().map(|item| vector(report, item, "a vertex")).collect();
     vertices.into_iter().collect()
+}
+
+fn mesh(report: &mut Report, value: &Value, files: &mut MeshFiles) -> Option<Shape> {
+    let name = text(report, value, "`mesh`")?;
+    files.mesh(report, value.span(), name).map(Shape::Mesh)
+}
+
+fn sphere(report: &mut Report, value: &Value) -> Option<Sphere> {
+    const EXPECTED: &str = "sphere = { center = [x, y, z], radius = … }";
+    let element = Element::single(report, value, "`sphere`", "`sphere`", EXPECTED)?;
+    element.check_keys(report, &["center", "radius", "inward"]);
+    let (center, radius) = (element.point(report, "center"), element.number(report, "radius", &LENGTH));
+    let inward = match element.optional("inward") {
+        None => Some(false),
+        Some(value) => boolean(report, value, "`inward`"),
+    };
+    Some(Sphere { center: center?, radius: radius?, inward: inward? })
+}
+
+fn disk(report: &mut Report, value: &Value) -> Option<Disk> {
+    const EXPECTED: &str = "disk = { center = [x, y, z], normal = [x, y, z], radius = … }";
+    let element = Element::single(report, value, "`disk`", "`disk`", EXPECTED)?;
+    element.check_keys(report, &["center", "normal", "radius"]);
+    let (center, normal) = (element.point(report, "center"), element.direction(report, "normal"));
+    let radius = element.number(report, "radius", &LENGTH);
+    Some(Disk { center: center?, normal: normal?, radius: radius? })
 }
 
 /// The radiance of a surface, given as such or as its exitance M = π L.

@@ -1,6 +1,7 @@
 //! Typed values: a TOML value becomes a number, a vector, a spectrum or a text, or an error at its place.
 
 use super::error::Report;
+use crate::camera::MAXIMAL_RESOLUTION;
 use crate::geometry::Vector;
 use std::ops::Range;
 use toml::Spanned;
@@ -17,7 +18,28 @@ pub(super) struct Domain {
 }
 
 /// Coordinates whose fourth powers, which form factors are made of, do not overflow.
-const COORDINATE: Domain = Domain { expected: "a number from -1e70 to 1e70", contains: |x| x.abs() <= 1e70 };
+pub(super) const COORDINATE: Domain =
+    Domain { expected: "a number from -1e70 to 1e70", contains: |x| x.abs() <= 1e70 };
+/// Lengths of which the same holds.
+pub(super) const LENGTH: Domain =
+    Domain { expected: "a number from 1e-70 to 1e70", contains: |x| (1e-70..=1e70).contains(&x) };
+pub(super) const FRACTION: Domain =
+    Domain { expected: "a number from 0 to 1", contains: |x| (0.0..=1.0).contains(&x) };
+pub(super) const NOT_NEGATIVE: Domain = Domain { expected: "a number of at least 0", contains: |x| x >= 0.0 };
+pub(super) const POSITIVE: Domain = Domain { expected: "a number above 0", contains: |x| x > 0.0 };
+pub(super) const ANY: Domain = Domain { expected: "a number", contains: |_| true };
+/// Mean cosines of phase functions.
+pub(super) const MEAN_COSINE: Domain =
+    Domain { expected: "a number above -1 and below 1", contains: |x| x.abs() < 1.0 };
+pub(super) const FIELD_OF_VIEW: Domain =
+    Domain { expected: "an angle in degrees, above 0 and below 180", contains: |x| x > 0.0 && x < 180.0 };
+pub(super) const PIXELS: Domain = Domain {
+    expected: "a whole number of pixels from 1 to 8192",
+    contains: |x| x.fract() == 0.0 && (1.0..=MAXIMAL_RESOLUTION as f64).contains(&x),
+};
+
+/// 2⁵³: up to here every whole number is an `f64`.
+pub(super) const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
 
 fn wrong_kind(report: &mut Report, value: &Value, what: &str, expected: &str) {
     let found = value.get_ref().type_str();
@@ -50,12 +72,23 @@ pub(super) fn number(report: &mut Report, value: &Value, what: &str, domain: &Do
         wrong_kind(report, value, what, domain.expected);
         return None;
     };
+    within(report, value.span(), what, found, domain)
+}
+
+/// The number, reported if it is not finite or not of the domain.
+pub(super) fn within(
+    report: &mut Report,
+    place: Range<usize>,
+    what: &str,
+    found: f64,
+    domain: &Domain,
+) -> Option<f64> {
     if !found.is_finite() {
-        report.error(value.span(), format!("{what} is not finite"), domain.expected);
+        report.error(place, format!("{what} is not finite"), domain.expected);
         return None;
     }
     if !(domain.contains)(found) {
-        report.error(value.span(), format!("{what} is out of range"), domain.expected);
+        report.error(place, format!("{what} is out of range"), domain.expected);
         return None;
     }
     Some(found)
@@ -108,6 +141,14 @@ pub(super) fn direction(report: &mut Report, value: &Value, what: &str) -> Optio
         report.error(value.span(), format!("{what} has length zero"), "a vector with a direction");
     }
     unit
+}
+
+/// Two whole numbers of pixels or cells.
+pub(super) fn pixels(report: &mut Report, value: &Value, what: &str, expected: &str) -> Option<[usize; 2]> {
+    let sides = array(report, value, what, 2, expected)?;
+    let mut numbers = sides.iter().map(|side| number(report, side, what, &PIXELS));
+    let (width, height) = (numbers.next()?, numbers.next()?);
+    Some([width? as usize, height? as usize])
 }
 
 /// One number for all bands, or one a band. Where the bands themselves are in error, their number is not

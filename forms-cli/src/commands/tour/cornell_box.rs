@@ -5,10 +5,11 @@ use crate::commands::refuse;
 use crate::layout::{duration, wrap};
 use crate::palette::Palette;
 use crate::status::Status;
-use forms_radiometry::scene::{self, Receiver, Scene};
-use forms_radiometry::{CORNELL_BOX, picture, simulate_direct};
+use forms_radiometry::scene::{self, ReceiverKind, SceneError};
+use forms_radiometry::{CORNELL_BOX, Picture, ReceiverResult, picture, simulate_direct};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 use std::time::Instant;
 
 /// Where pictures are put, in the folder the program is called from.
@@ -18,13 +19,6 @@ const PICTURE: &str = "cornell_box.png";
 
 /// Lights the scene, prints the irradiance at its points and writes its picture.
 pub(super) fn light(palette: Palette, output: &mut dyn Write) -> io::Result<Status> {
-    let scene = match scene::read(CORNELL_BOX, "cornell_box.toml") {
-        Ok(scene) => scene,
-        Err(errors) => {
-            errors.iter().for_each(|error| eprintln!("error: {error}"));
-            return Ok(Status::Error);
-        }
-    };
     heading(3, "The Cornell box, lit", palette, output)?;
     let about = "Direct light of the lamp in closed form, its shadows cut out of it exactly; light between the \
                  walls is not part of it.";
@@ -32,15 +26,16 @@ pub(super) fn light(palette: Palette, output: &mut dyn Write) -> io::Result<Stat
         writeln!(output, "{line}")?;
     }
     writeln!(output)?;
-    points(&scene, palette, output)?;
-    let camera = scene.receivers.iter().find_map(|receiver| match receiver {
-        Receiver::Camera(camera) => Some(camera),
-        Receiver::Point(_) => None,
-    });
-    let Some(camera) = camera else { return Ok(Status::AsStated) };
-    let start = Instant::now();
-    let picture = picture(&scene, camera);
-    let time = duration(start.elapsed());
+    let (results, picture) = match lit() {
+        Ok(lit) => lit,
+        Err(errors) => {
+            errors.iter().for_each(|error| eprintln!("error: {error}"));
+            return Ok(Status::Error);
+        }
+    };
+    points(&results, palette, output)?;
+    let Some((picture, time)) = picture else { return Ok(Status::AsStated) };
+    let time = duration(time);
     let written = picture.png().map_err(io::Error::other).and_then(|png| write(&png));
     match written {
         Ok(path) => {
@@ -55,11 +50,24 @@ pub(super) fn light(palette: Palette, output: &mut dyn Write) -> io::Result<Stat
     }
 }
 
+/// The answers at the points of the scene, and the picture of its camera with the time that it took.
+fn lit() -> Result<(Vec<ReceiverResult>, Option<(Picture, Duration)>), Vec<SceneError>> {
+    let scene = scene::read(CORNELL_BOX, "cornell_box.toml")?;
+    let results = simulate_direct(&scene)?;
+    let camera = scene.receivers.iter().find_map(|receiver| match &receiver.kind {
+        ReceiverKind::Camera(camera) => Some(camera),
+        _ => None,
+    });
+    let start = Instant::now();
+    let picture = camera.map(|camera| picture(&scene, camera)).transpose()?;
+    Ok((results, picture.map(|picture| (picture, start.elapsed()))))
+}
+
 /// Irradiance, summed over the bands, and the part of the lamp's light that reaches the point.
-fn points(scene: &Scene, palette: Palette, output: &mut dyn Write) -> io::Result<()> {
+fn points(results: &[ReceiverResult], palette: Palette, output: &mut dyn Write) -> io::Result<()> {
     let title = format!("  {:30} {:>16} {:>12}", "", "irradiance", "unshadowed");
     writeln!(output, "{}", palette.quiet(&title))?;
-    for result in simulate_direct(scene) {
+    for result in results {
         let [total, open]: [f64; 2] =
             [&result.irradiance, &result.unoccluded].map(|bands| bands.iter().sum());
         let share = if open > 0.0 { format!("{:.1} %", 100.0 * total / open) } else { "–".to_string() };

@@ -1,0 +1,155 @@
+//! Meshes: vertices and the faces that index them are checked face by face and become a surface of planar
+//! polygons.
+
+use super::{Polygon, PolygonError, Vector};
+use std::fmt;
+
+/// A surface of planar polygons that share their vertices.
+///
+/// A face may have any number of vertices, but it has to be a [`Polygon`]: planar, without area zero, not
+/// crossing itself. A face that is not planar has no one triangulation, and each of them is another surface;
+/// so it is refused instead of being cut.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    vertices: Vec<Vector>,
+    /// The vertices of all faces, one face after the other.
+    corners: Vec<u32>,
+    /// Where each face ends among the corners.
+    ends: Vec<usize>,
+}
+
+/// A face that is none.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshError {
+    /// The face, counted from zero.
+    pub face: usize,
+    /// What is wrong with it.
+    pub reason: FaceError,
+}
+
+/// Why indices are no face.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FaceError {
+    /// There are fewer vertices than this index, which counts from zero, asks for.
+    NoVertex(u32),
+    /// The vertices are no polygon.
+    Polygon(PolygonError),
+}
+
+impl fmt::Display for MeshError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "face {}: ", self.face + 1)?;
+        match &self.reason {
+            FaceError::NoVertex(index) => write!(f, "there is no vertex {}", u64::from(*index) + 1),
+            FaceError::Polygon(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for MeshError {}
+
+impl Mesh {
+    /// The mesh of these faces, each a list of indices of vertices, counter-clockwise seen from its front; or
+    /// everything that is wrong with them.
+    pub fn new(vertices: Vec<Vector>, faces: &[Vec<u32>]) -> Result<Self, Vec<MeshError>> {
+        let error =
+            |(face, indices)| polygon(&vertices, indices).err().map(|reason| MeshError { face, reason });
+        let errors: Vec<MeshError> = faces.iter().map(Vec::as_slice).enumerate().filter_map(error).collect();
+        if !errors.is_empty() {
+            return Err(errors);
+        }
+        let ends = faces.iter().scan(0, |end, face| {
+            *end += face.len();
+            Some(*end)
+        });
+        let ends = ends.collect();
+        Ok(Self { vertices, corners: faces.concat(), ends })
+    }
+
+    /// The vertices, which faces refer to by index.
+    pub fn vertices(&self) -> &[Vector] {
+        &self.vertices
+    }
+
+    /// The indices of the vertices of each face, counter-clockwise seen from its front.
+    pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+        (0..self.ends.len()).map(|face| {
+            let start = if face == 0 { 0 } else { self.ends[face - 1] };
+            &self.corners[start..self.ends[face]]
+        })
+    }
+
+    /// The faces as polygons.
+    pub fn polygons(&self) -> impl Iterator<Item = Polygon> {
+        self.faces().map(|face| {
+            polygon(&self.vertices, face).expect("every face was a polygon when the mesh was made")
+        })
+    }
+
+    /// The mesh with its vertices moved; its faces may cease to be polygons on the way. With `reversed`, front and back
+    /// of every face change places.
+    pub fn moved(&self, reversed: bool, image: impl Fn(Vector) -> Vector) -> Result<Self, Vec<MeshError>> {
+        let vertices = self.vertices.iter().map(|&v| image(v)).collect();
+        let turned = |face: &[u32]| {
+            let mut face = face.to_vec();
+            if reversed {
+                face.reverse();
+            }
+            face
+        };
+        let faces: Vec<Vec<u32>> = self.faces().map(turned).collect();
+        Self::new(vertices, &faces)
+    }
+}
+
+fn polygon(vertices: &[Vector], face: &[u32]) -> Result<Polygon, FaceError> {
+    let vertex = |&index: &u32| vertices.get(index as usize).copied().ok_or(FaceError::NoVertex(index));
+    let corners: Vec<Vector> = face.iter().map(vertex).collect::<Result<_, _>>()?;
+    Polygon::new(corners).map_err(FaceError::Polygon)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn corners() -> Vec<Vector> {
+        let bit = |i: u32, axis: u32| f64::from(i >> axis & 1);
+        (0..8).map(|i| Vector::new(bit(i, 0), bit(i, 1), bit(i, 2))).collect()
+    }
+
+    const FACES: [[u32; 4]; 6] =
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+
+    fn cube() -> Mesh {
+        Mesh::new(corners(), &FACES.map(|face| face.to_vec())).unwrap()
+    }
+
+    /// The volume by the divergence theorem: ⅓ Σ A n·x over the faces.
+    fn volume(mesh: &Mesh) -> f64 {
+        let pieces = mesh.polygons().flat_map(|polygon| polygon.convex_pieces().to_vec());
+        let tetrahedron = |a: Vector, b: Vector, c: Vector| a.dot(b.cross(c)) / 6.0;
+        let piece = |p: Vec<Vector>| (1..p.len() - 1).map(|i| tetrahedron(p[0], p[i], p[i + 1])).sum::<f64>();
+        pieces.map(piece).sum()
+    }
+
+    #[test]
+    fn the_faces_of_a_cube_enclose_its_volume_and_reversed_the_outside() {
+        assert_eq!(volume(&cube()), 1.0);
+        assert_eq!(volume(&cube().moved(false, |v| 2.0 * v).unwrap()), 8.0);
+        assert_eq!(volume(&cube().moved(true, |v| v).unwrap()), -1.0);
+    }
+
+    #[test]
+    fn each_face_that_is_none_is_named_with_its_reason() {
+        let mut vertices = corners();
+        vertices[7].z = 2.0;
+        let faces = [vec![0, 1, 8], vec![0, 2, 3, 1], vec![4, 5, 7, 6], vec![0, 1], vec![0, 1, 1]];
+        let errors = Mesh::new(vertices, &faces).unwrap_err();
+        let shown: Vec<String> = errors.iter().map(ToString::to_string).collect();
+        assert_eq!(shown.len(), 4);
+        assert_eq!(shown[0], "face 1: there is no vertex 9");
+        assert!(shown[1].starts_with("face 3: the polygon is not planar: vertex "), "{}", shown[1]);
+        assert_eq!(shown[2], "face 4: a polygon needs three vertices or more, found 2");
+        assert_eq!(shown[3], "face 5: vertex 2 and the one after it coincide");
+    }
+}

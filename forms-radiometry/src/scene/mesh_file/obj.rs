@@ -1,0 +1,88 @@
+//! Wavefront OBJ: vertices and faces of the text are kept; normals, texture coordinates, groups and materials
+//! are read over, since a surface of a scene is flat between its edges and has one material.
+
+use super::words::{Word, extent, lines, words};
+use super::{Fault, Parts};
+use crate::geometry::{Mesh, Vector};
+use crate::scene::SceneError;
+use crate::scene::place::Source;
+
+/// Statements that say nothing about the shape: texture coordinates, normals, names, and how the shape is shown.
+const WITHOUT_SHAPE: &[&str] =
+    &["vt", "vn", "o", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "lod"];
+
+pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Mesh, Vec<SceneError>> {
+    let source = Source::new(file, &String::from_utf8_lossy(bytes));
+    let mut parts = Parts::default();
+    let mut statement: Vec<Word> = Vec::new();
+    for (start, line) in lines(&source.text, 0) {
+        let before_comment = line.split('#').next().unwrap_or_default();
+        let (line, continues) = match before_comment.trim_end().strip_suffix('\\') {
+            Some(line) => (line, true),
+            None => (before_comment, false),
+        };
+        statement.extend(words(start, line));
+        if !continues {
+            parts.add(&statement);
+            statement.clear();
+        }
+    }
+    parts.add(&statement);
+    parts.mesh(&source)
+}
+
+impl Parts {
+    fn add(&mut self, statement: &[Word]) {
+        let Some((keyword, arguments)) = statement.split_first() else { return };
+        let added = match keyword.text {
+            "v" => vertex(keyword, arguments).map(|vertex| self.vertices.push(vertex)),
+            "f" => face(arguments, self.vertices.len()).map(|face| {
+                self.faces.push(face);
+                self.face_places.push(extent(statement));
+            }),
+            word if WITHOUT_SHAPE.contains(&word) => Ok(()),
+            word => {
+                let message = format!("`{word}` is not a vertex or a face of a mesh");
+                Err(Fault::new(keyword.range.clone(), message, "a mesh of `v` and `f`"))
+            }
+        };
+        self.faults.extend(added.err());
+    }
+}
+
+/// `v x y z`, with a weight of one or a colour behind it.
+fn vertex(keyword: &Word, arguments: &[Word]) -> Result<Vector, Fault> {
+    let numbers: Vec<f64> = arguments.iter().map(Word::coordinate).collect::<Result<_, _>>()?;
+    match numbers[..] {
+        [x, y, z] | [x, y, z, 1.0] | [x, y, z, _, _, _] => Ok(Vector::new(x, y, z)),
+        [_, _, _, _] => Err(Fault::new(arguments[3].range.clone(), "the vertex has a weight", "x y z")),
+        _ => {
+            let message = format!("a vertex has {} numbers", numbers.len());
+            Err(Fault::new(keyword.range.clone(), message, "x y z"))
+        }
+    }
+}
+
+/// `f a b c …`, where each of them is `vertex`, `vertex/texture`, `vertex/texture/normal` or `vertex//normal`.
+fn face(arguments: &[Word], vertices: usize) -> Result<Vec<u32>, Fault> {
+    arguments.iter().map(|word| corner(word, vertices)).collect()
+}
+
+/// Vertices are counted from 1; from −1 backwards from the last one before the face.
+fn corner(word: &Word, vertices: usize) -> Result<u32, Fault> {
+    const EXPECTED: &str = "the number of a vertex, as in 7, 7/1, 7/1/3 or 7//3";
+    let mut numbers = word.text.split('/');
+    let index = numbers.next().and_then(|number| number.parse::<i64>().ok());
+    let others: Vec<&str> = numbers.collect();
+    let are_numbers = others.iter().all(|number| number.is_empty() || number.parse::<i64>().is_ok());
+    let Some(index) = index.filter(|_| others.len() <= 2 && are_numbers) else {
+        return Err(Fault::new(
+            word.range.clone(),
+            format!("`{}` is no corner of a face", word.text),
+            EXPECTED,
+        ));
+    };
+    let from_zero = if index < 0 { vertices as i64 + index } else { index - 1 };
+    u32::try_from(from_zero)
+        .map_err(|_| Fault::new(word.range.clone(), format!("there is no vertex {index}"), EXPECTED))
+}

@@ -1,0 +1,135 @@
+//! PLY: the vertices and the faces of a file, as text or as bytes, are kept; other elements and properties are
+//! read over.
+
+use super::ply_header::{Element, Format, Header, Property};
+use super::ply_rows::{ByteRows, Rows, Stop, TextRows};
+use super::words::{coordinate, lines};
+use super::{Fault, Parts, told};
+use crate::geometry::{Mesh, Vector};
+use crate::scene::SceneError;
+use crate::scene::place::Source;
+
+const HEADER_END: &[u8] = b"\nend_header";
+
+pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Mesh, Vec<SceneError>> {
+    let body = bytes.windows(HEADER_END.len()).position(|window| window == HEADER_END);
+    let body = body.map_or(bytes.len(), |position| {
+        let rest = &bytes[position + 1..];
+        position + 1 + rest.iter().position(|&byte| byte == b'\n').map_or(rest.len(), |newline| newline + 1)
+    });
+    let head = Source::new(file, &String::from_utf8_lossy(&bytes[..body]));
+    let header = Header::read(&head.text).and_then(shape_of).map_err(|fault| told(&head, vec![fault]))?;
+    let mut parts = Parts::default();
+    if header.format == Format::Ascii {
+        let source = Source::new(file, &String::from_utf8_lossy(bytes));
+        let mut rows = TextRows::new(lines(&source.text, header.end), source.text.len());
+        parts.read(&header, &mut rows);
+        return parts.mesh(&source);
+    }
+    parts.read(&header, &mut ByteRows::new(bytes, body, header.format));
+    parts.mesh(&head)
+}
+
+/// The header, if it declares the coordinates of vertices and the corners of faces.
+fn shape_of(header: Header) -> Result<Header, Fault> {
+    let element = |name: &str| {
+        let found = header.elements.iter().find(|element| element.name == name);
+        let end = header.end.saturating_sub(1);
+        found.ok_or_else(|| {
+            Fault::new(end..end, format!("there is no element `{name}`"), "vertices and faces")
+        })
+    };
+    let vertex = element("vertex")?;
+    for axis in ["x", "y", "z"] {
+        if !vertex.properties.iter().any(|property| property.name == axis && property.count.is_none()) {
+            let message = format!("the vertices have no `{axis}`");
+            return Err(Fault::new(vertex.place.clone(), message, "property float x, y and z"));
+        }
+    }
+    let face = element("face")?;
+    if !face.properties.iter().any(|property| is_corners(property)) {
+        let expected = "property list uchar int vertex_indices";
+        return Err(Fault::new(face.place.clone(), "the faces have no vertices", expected));
+    }
+    Ok(header)
+}
+
+fn is_corners(property: &Property) -> bool {
+    property.count.is_some() && matches!(&*property.name, "vertex_indices" | "vertex_index")
+}
+
+impl Parts {
+    fn read(&mut self, header: &Header, rows: &mut impl Rows) {
+        for element in &header.elements {
+            for row in 0..element.rows {
+                if let Err(stop) = self.row(element, row, rows) {
+                    self.faults.push(stop.fault);
+                    if stop.for_good {
+                        return;
+                    }
+                }
+            }
+        }
+    }
+
+    fn row(&mut self, element: &Element, row: u64, rows: &mut impl Rows) -> Result<(), Stop> {
+        rows.begin(element, row)?;
+        let (mut vertex, mut corners) = (Vector::default(), Vec::new());
+        for property in &element.properties {
+            let Some(count) = property.count else {
+                let number = rows.number(property.scalar)?;
+                if element.name == "vertex" {
+                    place_coordinate(&mut vertex, property, number, rows)?;
+                }
+                continue;
+            };
+            for _ in 0..rows.number(count)?.max(0.0) as u64 {
+                let number = rows.number(property.scalar)?;
+                if element.name == "face" && is_corners(property) {
+                    corners.push(corner(number, rows)?);
+                }
+            }
+        }
+        rows.end()?;
+        match &*element.name {
+            "vertex" => self.vertices.push(vertex),
+            "face" => {
+                self.faces.push(corners);
+                self.face_places.push(rows.row_place());
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+fn place_coordinate(
+    vertex: &mut Vector,
+    property: &Property,
+    number: f64,
+    rows: &impl Rows,
+) -> Result<(), Stop> {
+    let axis = match &*property.name {
+        "x" => &mut vertex.x,
+        "y" => &mut vertex.y,
+        "z" => &mut vertex.z,
+        _ => return Ok(()),
+    };
+    *axis = coordinate(rows.place(), number).map_err(|fault| passing(fault, rows))?;
+    Ok(())
+}
+
+fn corner(number: f64, rows: &impl Rows) -> Result<u32, Stop> {
+    if number.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&number) {
+        return Ok(number as u32);
+    }
+    let fault =
+        Fault::new(rows.place(), format!("there is no vertex {number}"), "vertices are counted from 0");
+    Err(passing(fault, rows))
+}
+
+/// A fault of one number: rows of text are read on behind it, and of bytes the rest of the row would be missed.
+fn passing(fault: Fault, rows: &impl Rows) -> Stop {
+    let prefix = rows.prefix();
+    Stop { for_good: !prefix.is_empty(), fault: Fault { message: prefix + &fault.message, ..fault } }
+}

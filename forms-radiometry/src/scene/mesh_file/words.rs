@@ -1,0 +1,71 @@
+//! Words: a line of a mesh file becomes its words, each with its place, and words become numbers.
+
+use super::Fault;
+use crate::scene::value::COORDINATE;
+use std::ops::Range;
+
+/// What stands between spaces.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Word<'t> {
+    pub(super) text: &'t str,
+    /// Its bytes in the file.
+    pub(super) range: Range<usize>,
+}
+
+/// The lines of a text from a byte on, each with the byte it starts at.
+pub(super) fn lines(text: &str, from: usize) -> impl Iterator<Item = (usize, &str)> {
+    let mut start = from;
+    text[from..].split_inclusive('\n').map(move |line| {
+        let begin = start;
+        start += line.len();
+        (begin, line)
+    })
+}
+
+/// The words of a line that starts at this byte.
+pub(super) fn words(start: usize, line: &str) -> impl Iterator<Item = Word<'_>> {
+    line.split_whitespace().map(move |text| {
+        let begin = start + text.as_ptr() as usize - line.as_ptr() as usize;
+        Word { text, range: begin..begin + text.len() }
+    })
+}
+
+/// The bytes that some words cover.
+pub(super) fn extent(words: &[Word]) -> Range<usize> {
+    match words {
+        [] => 0..0,
+        [first, .., last] | [first @ last] => first.range.start..last.range.end,
+    }
+}
+
+impl Word<'_> {
+    /// A coordinate.
+    pub(super) fn coordinate(&self) -> Result<f64, Fault> {
+        self.float().and_then(|x| coordinate(self.range.clone(), x))
+    }
+
+    /// Any number.
+    pub(super) fn float(&self) -> Result<f64, Fault> {
+        let wrong = |_| Fault::new(self.range.clone(), format!("`{}` is no number", self.text), "a number");
+        self.text.parse().map_err(wrong)
+    }
+
+    /// A whole number.
+    pub(super) fn whole(&self) -> Result<i64, Fault> {
+        let wrong = |_| {
+            Fault::new(self.range.clone(), format!("`{}` is no whole number", self.text), "a whole number")
+        };
+        self.text.parse().map_err(wrong)
+    }
+}
+
+/// A number that may be a coordinate.
+pub(super) fn coordinate(range: Range<usize>, x: f64) -> Result<f64, Fault> {
+    if !x.is_finite() {
+        return Err(Fault::new(range, "a coordinate is not finite", COORDINATE.expected));
+    }
+    if !(COORDINATE.contains)(x) {
+        return Err(Fault::new(range, "a coordinate is out of range", COORDINATE.expected));
+    }
+    Ok(x)
+}

@@ -1,0 +1,89 @@
+//! Places: a range of a text and the file it comes from, from which an error is told later.
+
+use std::fmt;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// A text, with the name of its file as the caller gave it.
+#[derive(Debug)]
+pub(super) struct Source {
+    pub(super) file: String,
+    pub(super) text: String,
+}
+
+impl Source {
+    pub(super) fn new(file: &str, text: &str) -> Arc<Self> {
+        Arc::new(Self { file: file.to_owned(), text: text.to_owned() })
+    }
+}
+
+/// Where a file says something. What did not come from a file has a place as well, the default one, which is
+/// nowhere.
+#[derive(Clone, Default)]
+pub struct Place {
+    source: Option<Arc<Source>>,
+    start: usize,
+    end: usize,
+}
+
+/// A place as lines and columns.
+pub(super) struct Located<'p> {
+    pub(super) file: &'p str,
+    /// Counted from one, in characters; zero where a whole file is meant.
+    pub(super) line: usize,
+    pub(super) column: usize,
+    /// The line itself, and how many characters of it are meant.
+    pub(super) quoted: &'p str,
+    pub(super) marked: usize,
+}
+
+impl Place {
+    /// A range of bytes of a text; what is beyond its end or within a character is moved to the character before.
+    pub(super) fn new(source: &Arc<Source>, range: Range<usize>) -> Self {
+        Self { source: Some(Arc::clone(source)), start: range.start, end: range.end }
+    }
+
+    /// The first byte.
+    pub(super) fn start(&self) -> usize {
+        self.start
+    }
+
+    /// The file, the line and the column, counted from one, if it came from a file.
+    pub fn position(&self) -> Option<(&str, usize, usize)> {
+        let located = self.located();
+        self.source.as_ref().map(|_| (located.file, located.line, located.column))
+    }
+
+    pub(super) fn located(&self) -> Located<'_> {
+        let Some(source) = &self.source else {
+            return Located { file: "", line: 0, column: 0, quoted: "", marked: 0 };
+        };
+        let text = &source.text;
+        let start = boundary(text, self.start);
+        let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
+        let line_end = text[start..].find('\n').map_or(text.len(), |newline| start + newline);
+        let end = boundary(text, self.end).clamp(start, line_end);
+        Located {
+            file: &source.file,
+            line: text[..start].matches('\n').count() + 1,
+            column: text[line_start..start].chars().count() + 1,
+            quoted: text[line_start..line_end].trim_end(),
+            marked: text[start..end].trim_end().chars().count().max(1),
+        }
+    }
+}
+
+impl fmt::Debug for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.position() {
+            Some((file, line, column)) => write!(f, "{file}:{line}:{column}"),
+            None => write!(f, "nowhere"),
+        }
+    }
+}
+
+/// The last start of a character at or before this byte.
+fn boundary(text: &str, byte: usize) -> usize {
+    let byte = byte.min(text.len());
+    (0..=byte).rev().find(|&i| text.is_char_boundary(i)).unwrap_or(0)
+}

@@ -1,0 +1,150 @@
+//! Edges: the faces that share a stretch of a line are put in order around it, and the sides that face each
+//! other there are told.
+
+use super::sheets::{Piece, Sheet, Side};
+use crate::geometry::Vector;
+use std::collections::HashMap;
+use std::f64::consts::TAU;
+
+/// A stretch of a line along which faces end.
+pub(super) struct Edge {
+    pub(super) ends: [Vector; 2],
+    /// The faces in the order of their angle around the line.
+    around: Vec<Wing>,
+}
+
+/// A face that ends at an edge.
+#[derive(Clone, Copy)]
+struct Wing {
+    sheet: usize,
+    /// Whether the face runs along the edge from its first end to its second.
+    forward: bool,
+    angle: f64,
+}
+
+impl Wing {
+    /// The side that looks to larger angles, and the one that looks to smaller ones. A face that runs forward has
+    /// its inside on the left, seen from its front: its normal points to larger angles.
+    fn sides(self) -> [Side; 2] {
+        let sides = [Side::Front(self.sheet), Side::Back(self.sheet)];
+        if self.forward { sides } else { [sides[1], sides[0]] }
+    }
+}
+
+impl Edge {
+    /// Sides that bound one region here: neighbours in the order of angles.
+    pub(super) fn facing(&self) -> impl Iterator<Item = (Side, Side)> {
+        let count = self.around.len();
+        (0..count).map(move |i| (self.around[i].sides()[0], self.around[(i + 1) % count].sides()[1]))
+    }
+
+    /// Two faces that go the same way from here, and so lie upon each other.
+    pub(super) fn overlapping(&self) -> Option<(usize, usize)> {
+        let mut neighbours = self.around.windows(2);
+        let pair = neighbours.find(|pair| pair[1].angle - pair[0].angle < 1e-9)?;
+        Some((pair[0].sheet, pair[1].sheet))
+    }
+
+    /// Whether one face alone ends here.
+    pub(super) fn is_free(&self) -> bool {
+        self.around.len() == 1
+    }
+
+    /// One of its faces.
+    pub(super) fn first(&self) -> usize {
+        self.around[0].sheet
+    }
+
+    pub(super) fn sheets(&self) -> impl Iterator<Item = usize> {
+        self.around.iter().map(|wing| wing.sheet)
+    }
+}
+
+/// Vertices by number, the smaller one first.
+type Ends = (usize, usize);
+
+/// The edges of all faces. An edge that one face alone has is split at the ends of other such edges on it.
+pub(super) fn edges(sheets: &[Sheet], vertices: &[Vector]) -> Vec<Edge> {
+    let mut by_ends: HashMap<Ends, Vec<(usize, bool)>> = HashMap::new();
+    for (index, sheet) in sheets.iter().enumerate() {
+        let Piece::Face(_, numbers) = &sheet.shape else { continue };
+        for (i, &a) in numbers.iter().enumerate() {
+            let b = numbers[(i + 1) % numbers.len()];
+            if a != b {
+                by_ends.entry((a.min(b), a.max(b))).or_default().push((index, a < b));
+            }
+        }
+    }
+    split_free(&mut by_ends, vertices);
+    let mut edges: Vec<(Ends, Edge)> = by_ends
+        .into_iter()
+        .map(|(ends, faces)| (ends, edge(sheets, [vertices[ends.0], vertices[ends.1]], &faces)))
+        .collect();
+    edges.sort_by_key(|(ends, _)| *ends);
+    edges.into_iter().map(|(_, edge)| edge).collect()
+}
+
+/// Splits edges of one face at the ends of others.
+fn split_free(by_ends: &mut HashMap<Ends, Vec<(usize, bool)>>, vertices: &[Vector]) {
+    let free: Vec<Ends> =
+        by_ends.iter().filter(|(_, faces)| faces.len() == 1).map(|(&ends, _)| ends).collect();
+    let mut candidates: Vec<usize> = free.iter().flat_map(|&(a, b)| [a, b]).collect();
+    candidates.sort_by(|&i, &j| vertices[i].x.total_cmp(&vertices[j].x));
+    candidates.dedup();
+    for ends in free {
+        let on_it = vertices_on(ends, vertices, &candidates);
+        if on_it.is_empty() {
+            continue;
+        }
+        let Some(faces) = by_ends.remove(&ends) else { continue };
+        let stops: Vec<usize> = [ends.0].into_iter().chain(on_it).chain([ends.1]).collect();
+        for pair in stops.windows(2) {
+            let (a, b) = (pair[0], pair[1]);
+            let faces = faces.iter().map(|&(face, forward)| (face, forward == (a < b)));
+            by_ends.entry((a.min(b), a.max(b))).or_default().extend(faces);
+        }
+    }
+}
+
+/// The candidates inside an edge, in their order along it.
+fn vertices_on((a, b): Ends, vertices: &[Vector], candidates: &[usize]) -> Vec<usize> {
+    let (from, along) = (vertices[a], vertices[b] - vertices[a]);
+    let length = along.length();
+    let tolerance = 1e-9 * length;
+    let (low, high) =
+        (vertices[a].x.min(vertices[b].x) - tolerance, vertices[a].x.max(vertices[b].x) + tolerance);
+    let first = candidates.partition_point(|&i| vertices[i].x < low);
+    let near = candidates[first..].iter().take_while(|&&i| vertices[i].x <= high);
+    let position = |i: usize| (1.0 / length / length) * along.dot(vertices[i] - from);
+    let mut on_it: Vec<usize> = near
+        .copied()
+        .filter(|&i| {
+            let t = position(i);
+            i != a && i != b && t > 0.0 && t < 1.0 && (vertices[i] - from - t * along).length() <= tolerance
+        })
+        .collect();
+    on_it.sort_by(|&i, &j| position(i).total_cmp(&position(j)));
+    on_it.dedup();
+    on_it
+}
+
+fn edge(sheets: &[Sheet], ends: [Vector; 2], faces: &[(usize, bool)]) -> Edge {
+    let axis = (ends[1] - ends[0]).unit().unwrap_or_default();
+    let into = |sheet: usize, forward: bool| match &sheets[sheet].shape {
+        Piece::Face(polygon, _) if forward => polygon.normal().cross(axis),
+        Piece::Face(polygon, _) => axis.cross(polygon.normal()),
+        Piece::Sphere(_) | Piece::Disk(_) => Vector::default(),
+    };
+    let zero = faces.first().map_or(Vector::default(), |&(sheet, forward)| into(sheet, forward));
+    let quarter = axis.cross(zero);
+    let wing = |&(sheet, forward): &(usize, bool)| {
+        let into = into(sheet, forward);
+        let angle = into.dot(quarter).atan2(into.dot(zero));
+        // What rounding puts just below zero would come last.
+        let angle = if angle < -1e-9 { angle + TAU } else { angle };
+        Wing { sheet, forward, angle }
+    };
+    let mut around: Vec<Wing> = faces.iter().map(wing).collect();
+    around.sort_by(|a, b| a.angle.total_cmp(&b.angle));
+    Edge { ends, around }
+}

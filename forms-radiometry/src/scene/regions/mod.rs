@@ -1,0 +1,182 @@
+//! Regions: the surfaces of a scene divide space; a region that a dielectric opens has to be closed, and one
+//! medium has to fill it.
+//!
+//! ```text
+//! polygons, meshes, spheres, disks ─ sheets ─┬─ sides that meet at an edge ──────┐
+//!                                            └─ sides that see each other ───────┴─ regions ─ media
+//! ```
+//! Every face has two sides. Around an edge the sides that face each other bound one region; at an edge that
+//! no other face shares these are the two sides of one face. Bodies that share no edge are joined along a ray.
+//! What lies behind a dielectric is known, and what is outside of everything is the ambient medium. A medium is
+//! entered and never left if the two sides of a dielectric bound one region.
+
+mod edges;
+mod rays;
+mod sheets;
+
+use super::error::Report;
+use super::model::{Material, MaterialKind, Scene, Surface};
+use edges::{Edge, edges};
+use sheets::{Sheet, Side, sheets};
+use std::collections::HashMap;
+
+/// A medium by its index, or vacuum.
+type Filling = Option<usize>;
+
+/// Reports media that are entered and never left, and regions that two media are said to fill.
+pub(super) fn check(report: &mut Report, scene: &Scene) {
+    if !scene.surfaces.iter().any(|surface| inside(scene, surface).is_some()) {
+        return;
+    }
+    let (sheets, vertices) = sheets(scene);
+    let edges = edges(&sheets, &vertices);
+    if overlaps(report, scene, &sheets, &edges) {
+        return;
+    }
+    let mut regions = Regions::new(sheets.len());
+    for edge in &edges {
+        for (a, b) in edge.facing() {
+            regions.join(a, b);
+        }
+    }
+    for sheet in (0..sheets.len()).filter(|&sheet| sheets[sheet].has_rim()) {
+        regions.join(Side::Front(sheet), Side::Back(sheet));
+    }
+    let is_dielectric = |sheet: &Sheet| inside(scene, &scene.surfaces[sheet.surface]).is_some();
+    for (a, b) in rays::seen(&sheets, &edges, is_dielectric) {
+        regions.join(a, b);
+    }
+    let open = open_boundaries(report, scene, &sheets, &edges, &mut regions);
+    if !open {
+        conflicts(report, scene, &sheets, &mut regions);
+    }
+}
+
+/// The medium behind a surface, if it is the boundary of one.
+fn inside(scene: &Scene, surface: &Surface) -> Option<usize> {
+    match scene.materials[surface.material] {
+        Material { kind: MaterialKind::Dielectric { inside }, .. } => Some(inside),
+        _ => None,
+    }
+}
+
+/// Reports boundaries of media that lie upon another surface, between which there is no telling the order; whether
+/// there was one.
+fn overlaps(report: &mut Report, scene: &Scene, sheets: &[Sheet], edges: &[Edge]) -> bool {
+    let mut told = vec![false; scene.surfaces.len()];
+    for (a, b) in edges.iter().filter_map(Edge::overlapping) {
+        let (a, b) = (sheets[a].surface, sheets[b].surface);
+        let [first, second] = [&scene.surfaces[a.min(b)], &scene.surfaces[a.max(b)]];
+        let concerns_media = inside(scene, first).is_some() || inside(scene, second).is_some();
+        if concerns_media && !std::mem::replace(&mut told[a.max(b)], true) {
+            let message = format!("`{}` lies upon `{}`", second.name, first.name);
+            report.error_at(&second.place, message, "one surface between two media");
+        }
+    }
+    told.contains(&true)
+}
+
+/// Reports each surface with the same region on both sides; whether there was one.
+fn open_boundaries(
+    report: &mut Report,
+    scene: &Scene,
+    sheets: &[Sheet],
+    edges: &[Edge],
+    regions: &mut Regions,
+) -> bool {
+    const EXPECTED: &str =
+        "surfaces that meet edge to edge around the medium, split where another one ends on them";
+    let mut told = vec![false; scene.surfaces.len()];
+    for (index, sheet) in sheets.iter().enumerate() {
+        let surface = &scene.surfaces[sheet.surface];
+        let Some(medium) = inside(scene, surface).filter(|_| !told[sheet.surface]) else { continue };
+        let region = regions.of(Side::Back(index));
+        if regions.of(Side::Front(index)) != region {
+            continue;
+        }
+        told[sheet.surface] = true;
+        let mut free = edges.iter().filter(|edge| edge.is_free());
+        let mut own = free.clone().filter(|edge| sheets[edge.first()].surface == sheet.surface);
+        let nearest = own.next().or_else(|| free.find(|edge| regions.of(Side::Back(edge.first())) == region));
+        let gap = nearest.map_or(String::new(), |edge| {
+            let of = &scene.surfaces[sheets[edge.first()].surface].name;
+            let [a, b] = edge.ends.map(|v| format!("[{}, {}, {}]", v.x, v.y, v.z));
+            format!(": the edge of `{of}` from {a} to {b} meets no other surface")
+        });
+        let medium = &scene.media[medium].name;
+        let message = format!("`{medium}` is entered through `{}` and never left{gap}", surface.name);
+        report.error_at(&surface.place, message, EXPECTED);
+    }
+    told.contains(&true)
+}
+
+/// Reports regions that are filled twice, and boundaries of a medium with itself.
+fn conflicts(report: &mut Report, scene: &Scene, sheets: &[Sheet], regions: &mut Regions) {
+    const EXPECTED: &str = "faces that run counter-clockwise seen from outside of the medium behind them";
+    let named = |filling: Filling| match filling {
+        Some(medium) => format!("`{}`", scene.media[medium].name),
+        None => "vacuum".to_owned(),
+    };
+    let mut fillings: HashMap<usize, (Filling, String)> = HashMap::new();
+    fillings.insert(regions.of(Side::Outside), (scene.ambient.medium, "around the scene".to_owned()));
+    let mut told = vec![false; scene.surfaces.len()];
+    let boundaries = |sheet: &Sheet| inside(scene, &scene.surfaces[sheet.surface]);
+    for (index, sheet) in sheets.iter().enumerate() {
+        let Some(medium) = boundaries(sheet).filter(|_| !told[sheet.surface]) else { continue };
+        let surface = &scene.surfaces[sheet.surface];
+        let own = (Some(medium), format!("behind `{}`", surface.name));
+        let (filling, from) = fillings.entry(regions.of(Side::Back(index))).or_insert(own);
+        if *filling != Some(medium) {
+            told[sheet.surface] = true;
+            let (own, other) = (named(Some(medium)), named(*filling));
+            let message =
+                format!("{own} behind `{}` would fill the same space as {other} {from}", surface.name);
+            report.error_at(&surface.place, message, EXPECTED);
+        }
+    }
+    for (index, sheet) in sheets.iter().enumerate() {
+        let Some(medium) = boundaries(sheet).filter(|_| !told[sheet.surface]) else { continue };
+        let front = fillings.get(&regions.of(Side::Front(index)));
+        if front.is_some_and(|(filling, _)| *filling == Some(medium)) {
+            told[sheet.surface] = true;
+            let surface = &scene.surfaces[sheet.surface];
+            let message = format!("{} is on both sides of `{}`", named(Some(medium)), surface.name);
+            report.error_at(&surface.place, message, EXPECTED);
+        }
+    }
+}
+
+/// Sets of sides that bound one region: a forest, where every tree is a set.
+struct Regions {
+    parents: Vec<usize>,
+}
+
+impl Regions {
+    /// Every side of so many sheets, and the outside, for itself.
+    fn new(sheets: usize) -> Self {
+        Self { parents: (0..=2 * sheets).collect() }
+    }
+
+    fn index(&self, side: Side) -> usize {
+        match side {
+            Side::Front(sheet) => 2 * sheet,
+            Side::Back(sheet) => 2 * sheet + 1,
+            Side::Outside => self.parents.len() - 1,
+        }
+    }
+
+    /// The region that a side bounds.
+    fn of(&mut self, side: Side) -> usize {
+        let mut node = self.index(side);
+        while self.parents[node] != node {
+            self.parents[node] = self.parents[self.parents[node]];
+            node = self.parents[node];
+        }
+        node
+    }
+
+    fn join(&mut self, a: Side, b: Side) {
+        let (a, b) = (self.of(a), self.of(b));
+        self.parents[a] = b;
+    }
+}

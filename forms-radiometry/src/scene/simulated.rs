@@ -1,0 +1,144 @@
+//! What is simulated of a scene: direct light between diffuse polygons. A scene that asks for more is refused
+//! here, with the place of each thing that is asked for, so that an answer is never silently that of another
+//! scene.
+//!
+//! Reading knows nothing of this list. What a solver learns leaves it.
+
+use super::error::SceneError;
+use super::model::{Effect, Force, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Shape, Surface};
+use super::place::Place;
+use crate::geometry::Polygon;
+
+/// A scene of diffuse polygons: what the solver of direct light takes.
+#[derive(Clone, Debug)]
+pub(crate) struct DiffuseScene<'s> {
+    pub(crate) scene: &'s Scene,
+    /// The shape of each surface.
+    pub(crate) polygons: Vec<&'s Polygon>,
+    /// The reflectance of each surface, per band.
+    pub(crate) reflectances: Vec<&'s [f64]>,
+}
+
+impl<'s> DiffuseScene<'s> {
+    /// The scene as diffuse polygons, or all that it asks for beyond them.
+    pub(crate) fn of(scene: &'s Scene) -> Result<Self, Vec<SceneError>> {
+        let refused = not_simulated(scene);
+        let polygons: Option<Vec<&Polygon>> =
+            scene.surfaces.iter().map(|surface| surface.shape.as_polygon()).collect();
+        let reflectances = scene.surfaces.iter().map(|surface| reflectance(scene, surface)).collect();
+        match (polygons, reflectances) {
+            (Some(polygons), Some(reflectances)) if refused.is_empty() => {
+                Ok(Self { scene, polygons, reflectances })
+            }
+            _ => Err(refused),
+        }
+    }
+}
+
+fn reflectance<'s>(scene: &'s Scene, surface: &Surface) -> Option<&'s [f64]> {
+    match &scene.materials[surface.material].kind {
+        MaterialKind::Diffuse { reflectance } => Some(reflectance),
+        MaterialKind::Mirror { .. } | MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => {
+            None
+        }
+    }
+}
+
+/// Everything that a scene asks for and that is not simulated, in the order of its file. A scene for which this
+/// list is empty is simulated as it stands.
+pub fn not_simulated(scene: &Scene) -> Vec<SceneError> {
+    let mut refused = Refusals::default();
+    refused.materials(scene);
+    refused.surfaces(scene);
+    refused.surroundings(scene);
+    scene.receivers.iter().for_each(|receiver| refused.receiver(receiver));
+    refused.effects(scene);
+    refused.errors.sort_by_key(|(start, _)| *start);
+    refused.errors.into_iter().map(|(_, error)| error).collect()
+}
+
+#[derive(Default)]
+struct Refusals {
+    errors: Vec<(usize, SceneError)>,
+}
+
+impl Refusals {
+    fn refuse(&mut self, place: &Place, what: &str, simulated: &str) {
+        let message = format!("{what} is not simulated yet");
+        self.errors.push((place.start(), SceneError::new(place, message, simulated)));
+    }
+
+    fn materials(&mut self, scene: &Scene) {
+        for material in &scene.materials {
+            let kind = match material.kind {
+                MaterialKind::Diffuse { .. } => continue,
+                MaterialKind::Mirror { .. } => "mirror",
+                MaterialKind::Dielectric { .. } => "dielectric",
+                MaterialKind::Conductor { .. } => "conductor",
+            };
+            let what = format!("the material `{}` of kind `{kind}`", material.name);
+            self.refuse(&material.place, &what, "a material of kind `diffuse`");
+        }
+    }
+
+    fn surfaces(&mut self, scene: &Scene) {
+        for surface in &scene.surfaces {
+            let shape = match surface.shape {
+                Shape::Polygon(_) => continue,
+                Shape::Mesh(_) => "a mesh",
+                Shape::Sphere(_) => "a sphere",
+                Shape::Disk(_) => "a disk",
+            };
+            self.refuse(&surface.place, &format!("the surface `{}`, {shape},", surface.name), "a polygon");
+        }
+    }
+
+    fn surroundings(&mut self, scene: &Scene) {
+        for light in &scene.lights {
+            let kind = match light.kind {
+                LightKind::Point { .. } => "a point light",
+                LightKind::Distant { .. } => "a distant light",
+            };
+            self.refuse(&light.place, kind, "a surface with a radiance");
+        }
+        let ambient = &scene.ambient;
+        if let Some(medium) = ambient.medium.map(|medium| &scene.media[medium]).filter(|m| !m.is_vacuum()) {
+            self.refuse(&ambient.place, &format!("a scene filled with `{}`", medium.name), "vacuum");
+        }
+        if ambient.radiance.iter().any(|&radiance| radiance > 0.0) {
+            self.refuse(&ambient.place, "light from outside", "radiance = 0");
+        }
+    }
+
+    fn receiver(&mut self, receiver: &Receiver) {
+        let kind = match receiver.kind {
+            ReceiverKind::Point { .. } | ReceiverKind::Camera(_) => None,
+            ReceiverKind::Surface { .. } => Some("surface"),
+            ReceiverKind::Ray { .. } => Some("ray"),
+            ReceiverKind::Sphere { .. } => Some("sphere"),
+        };
+        if let Some(kind) = kind {
+            let what = format!("the receiver `{}` of kind `{kind}`", receiver.name);
+            self.refuse(&receiver.place, &what, "a receiver of kind `point` or `camera`");
+        }
+        if let Some(time) = &receiver.time {
+            self.refuse(&time.place, "the time that light takes", "a receiver without `time`");
+        }
+    }
+
+    /// Direct light with its occlusion is simulated in every band and cannot be left out; nothing else is.
+    fn effects(&mut self, scene: &Scene) {
+        for forced in &scene.solve.forced {
+            let simulated = matches!(forced.effect, Effect::Direct | Effect::Occlusion | Effect::Bands);
+            let name =
+                Effect::ALL.iter().find(|(_, effect)| *effect == forced.effect).map_or("", |(name, _)| name);
+            match (simulated, forced.force) {
+                (true, Force::On) | (false, Force::Off) => {}
+                (true, _) => {
+                    self.refuse(&forced.place, &format!("a scene without the effect `{name}`"), "\"on\"")
+                }
+                (false, _) => self.refuse(&forced.place, &format!("the effect `{name}`"), "\"off\""),
+            }
+        }
+    }
+}
