@@ -26,7 +26,18 @@ impl Camera {
     /// of view of `fov` degrees. None if target and origin coincide, if `up` lies along the line of sight, or
     /// if the field of view is not between 0 and 180 degrees.
     pub fn new(origin: Vector, target: Vector, up: Vector, fov: f64, resolution: [usize; 2]) -> Option<Self> {
-        let forward = (target - origin).unit()?;
+        Self::looking(origin, target - origin, up, fov, resolution)
+    }
+
+    /// The same camera by the direction in which it looks, of any length.
+    pub fn looking(
+        origin: Vector,
+        direction: Vector,
+        up: Vector,
+        fov: f64,
+        resolution: [usize; 2],
+    ) -> Option<Self> {
+        let forward = direction.unit()?;
         let right = forward.cross(up.unit()?);
         let right = right.unit().filter(|_| right.length() > 1e-9)?;
         let half_height = (0.5 * fov.to_radians()).tan();

@@ -116,18 +116,8 @@ impl Report {
         self.place(byte..byte).located().line
     }
 
-    /// The name of the file.
-    pub(super) fn file(&self) -> &str {
-        &self.source.file
-    }
-
     pub(super) fn is_empty(&self) -> bool {
         self.errors.is_empty()
-    }
-
-    /// How many errors there are so far.
-    pub(super) fn count(&self) -> usize {
-        self.errors.len()
     }
 
     /// All errors, in the order of the text.

@@ -135,11 +135,9 @@ fn each<T>(
     mut read: impl FnMut(&mut Report, &Element, &mut Names, usize) -> Option<T>,
 ) -> Vec<T> {
     let mut names = Names::default();
-    let mut read_so_far = Vec::new();
-    for element in Element::list(report, root, key) {
-        read_so_far.extend(read(report, &element, &mut names, read_so_far.len()));
-    }
-    read_so_far
+    let elements = Element::list(report, root, key);
+    let elements = elements.iter().enumerate();
+    elements.filter_map(|(index, element)| read(report, element, &mut names, index)).collect()
 }
 
 fn ambient(report: &mut Report, root: &DeTable, known: &Known) -> Ambient {

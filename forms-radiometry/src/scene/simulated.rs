@@ -135,7 +135,7 @@ impl Refusals {
             match (simulated, forced.force) {
                 (true, Force::On) | (false, Force::Off) => {}
                 (true, _) => {
-                    self.refuse(&forced.place, &format!("a scene without the effect `{name}`"), "\"on\"")
+                    self.refuse(&forced.place, &format!("a scene without the effect `{name}`"), "\"on\"");
                 }
                 (false, _) => self.refuse(&forced.place, &format!("the effect `{name}`"), "\"off\""),
             }

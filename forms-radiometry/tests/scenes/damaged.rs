@@ -1,6 +1,6 @@
 //! No text whatever makes the readers of scenes and meshes panic, and every error they give has a place.
 
-use crate::{EVERYTHING, PART_OBJ, read};
+use crate::{EVERYTHING, PART_OBJ, mitsuba, read};
 use forms_radiometry::scene::{SceneError, read_with_files};
 use forms_radiometry::{CORNELL_BOX, simulate_direct};
 
@@ -101,9 +101,14 @@ fn check(text: &str, errors: &[SceneError]) {
 fn no_mutation_of_a_scene_makes_the_reader_or_the_solver_panic() {
     let mut sequence = Sequence::new();
     let (mut right, mut wrong) = (0, 0);
-    for i in 0..3000 {
-        let text = mutate(if i % 4 == 0 { CORNELL_BOX } else { EVERYTHING }, &mut sequence);
-        match read(&text, "mutant.toml") {
+    for i in 0..4000 {
+        let (text, name) = match i % 4 {
+            0 => (CORNELL_BOX, "mutant.toml"),
+            1 => (mitsuba::EVERYTHING, "mutant.xml"),
+            _ => (EVERYTHING, "mutant.toml"),
+        };
+        let text = mutate(text, &mut sequence);
+        match read(&text, name) {
             Ok(scene) => {
                 right += 1;
                 for result in simulate_direct(&scene).unwrap_or_default() {
@@ -116,7 +121,7 @@ fn no_mutation_of_a_scene_makes_the_reader_or_the_solver_panic() {
             }
         }
     }
-    assert!(right > 100 && wrong > 1000, "{right} right, {wrong} wrong");
+    assert!(right > 200 && wrong > 2000, "{right} right, {wrong} wrong");
 }
 
 /// A square of two triangles, as PLY: text, and bytes in both orders.

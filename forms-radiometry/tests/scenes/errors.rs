@@ -48,7 +48,11 @@ const OF_OPTICS: &[(&str, &str, &str)] = &[
     ("[0.2, 0.3]", "[0.2, 0.3, 0.4]", "`sigma_s` has 3 values"),
     ("g = -0.5", "g = -1", "`g` is out of range"),
     ("n = 1\n", "n = 0\n", "`n` is out of range"),
-    ("name = \"glass\"", "name = \"haze\"", "the medium `haze` has the name of an earlier one, in line 7"),
+    (
+        "[[medium]]\nname = \"glass\"",
+        "[[medium]]\nname = \"haze\"\n[[medium]]\nname = \"glass\"",
+        "the medium `haze` has the name of an earlier one, in line 7",
+    ),
     ("\"diffuse\"", "\"matt\"", "the kind of material `matt` is unknown"),
     ("reflectance = 0.75", "reflectance = -0.1", "`reflectance` is out of range"),
     ("reflectance = 0.75", "reflectance = 1.000001", "`reflectance` is out of range"),
@@ -61,8 +65,8 @@ const OF_OPTICS: &[(&str, &str, &str)] = &[
     ("k = 2", "k = -2", "`k` is out of range"),
     ("k = 2", "k = 2\nreflectance = 1", "unknown key `reflectance` in a material"),
     (
-        "name = \"gold\"",
-        "name = \"white\"",
+        "[[material]]\nname = \"gold\"",
+        "[[material]]\nname = \"white\"\nkind = \"diffuse\"\nreflectance = 0\n[[material]]\nname = \"gold\"",
         "the material `white` has the name of an earlier one, in line 17",
     ),
     ("kind = \"point\"\nposition = [0, 0, 2]", "kind = \"lamp\"", "the kind of light `lamp` is unknown"),
@@ -138,7 +142,7 @@ const OF_RECEIVERS: &[(&str, &str, &str)] = &[
 #[test]
 fn each_error_is_reported_in_its_line_with_its_own_message() {
     for cases in [OF_THE_SCENE, OF_OPTICS, OF_SHAPES, OF_RECEIVERS] {
-        check_each(EVERYTHING, FILE, cases);
+        check_each(EVERYTHING, FILE, cases, 0);
     }
 }
 

@@ -4,6 +4,10 @@
 mod damaged;
 mod elements;
 mod errors;
+mod media;
+mod meshes;
+mod mitsuba;
+mod mitsuba_errors;
 
 use forms_radiometry::scene::{Scene, SceneError, read_with_files};
 use std::io;
@@ -151,15 +155,18 @@ pub(crate) fn shown(errors: &[SceneError]) -> String {
     errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }
 
-/// Checks that each replacement in a text leads to one error, in the lines of the replacement.
-pub(crate) fn check_each(text: &str, name: &str, cases: &[(&str, &str, &str)]) {
+/// Checks that each replacement in a text leads to one error, in the lines of the replacement or up to so many before.
+pub(crate) fn check_each(text: &str, name: &str, cases: &[(&str, &str, &str)], before: usize) {
+    let mut wrong = Vec::new();
     for &(from, to, message) in cases {
         let start = text.find(from).unwrap_or_else(|| panic!("{from} is not in the text"));
         let found = errors(&text.replacen(from, to, 1), name);
-        let messages: Vec<&str> = found.iter().map(|error| error.message.as_str()).collect();
-        assert_eq!(messages, [message], "{from} → {to}");
         let first = text[..start].matches('\n').count() + 1;
-        let lines = first..=first + to.matches('\n').count();
-        assert!(lines.contains(&found[0].line), "{from} → {to}: line {}", found[0].line);
+        let lines = first.saturating_sub(before)..=first + to.matches('\n').count();
+        match &found[..] {
+            [error] if error.message == message && lines.contains(&error.line) => {}
+            _ => wrong.push(format!("{from} → {to}, {message}, lines {lines:?}:\n{}", shown(&found))),
+        }
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
 }

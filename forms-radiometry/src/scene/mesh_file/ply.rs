@@ -47,7 +47,7 @@ fn shape_of(header: Header) -> Result<Header, Fault> {
         }
     }
     let face = element("face")?;
-    if !face.properties.iter().any(|property| is_corners(property)) {
+    if !face.properties.iter().any(is_corners) {
         let expected = "property list uchar int vertex_indices";
         return Err(Fault::new(face.place.clone(), "the faces have no vertices", expected));
     }

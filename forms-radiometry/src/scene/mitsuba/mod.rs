@@ -1,7 +1,205 @@
-//! stub
+//! Scenes of Mitsuba 3: the elements of the XML become the model, as far as it can say what they say.
+//!
+//! ```text
+//! text ─ roxmltree ─ objects ─┬─ bsdf, medium ──┐
+//!                             ├─ shape ─────────┼─ surfaces, media, receivers
+//!                             ├─ emitter ───────┤  lights, ambient
+//!                             └─ sensor, integrator: receivers, effects
+//! ```
+//! Whatever is left of an object when what is known has been taken from it is an error that names it. After
+//! an error reading goes on with a default in the place of what was wrong, since the scene is refused anyway.
+
+mod bsdf;
+mod emitter;
+mod integrator;
+mod media;
+mod object;
+mod sensor;
+mod shape;
+mod transform;
+mod values;
+
+use super::element::Names;
 use super::error::Report;
 use super::mesh_file::MeshFiles;
-use super::model::Scene;
-pub(super) fn read(_: &mut Report, _: &str, _: &mut MeshFiles) -> Option<Scene> {
-    None
+use super::model::{Ambient, Band, LengthUnit, Light, Material, Receiver, Scene, Solve, Surface};
+use integrator::Integrator;
+use media::Media;
+use object::Object;
+use std::collections::HashMap;
+use std::ops::Range;
+
+type Node<'a> = roxmltree::Node<'a, 'a>;
+
+/// The bands of red, green and blue, in this order: thirds of the visible range that are easy to name.
+const RGB: [Band; 3] =
+    [Band { low: 600.0, high: 700.0 }, Band { low: 500.0, high: 600.0 }, Band { low: 400.0, high: 500.0 }];
+
+/// What has been read so far.
+struct Reader<'a, 'r, 'f> {
+    report: &'r mut Report,
+    files: &'r mut MeshFiles<'f>,
+    /// Values of `<default>`, which `$name` stands for.
+    parameters: HashMap<String, String>,
+    ids: HashMap<&'a str, Node<'a>>,
+    /// One, or three where a colour is given as red, green and blue.
+    bands: usize,
+    names: Names,
+    media: Media<'a>,
+    /// Elements that were read before, by their numbers in the document.
+    bsdfs: HashMap<usize, bsdf::Bsdf>,
+    materials: Vec<Material>,
+    /// The materials of elements that were read before.
+    known_materials: HashMap<bsdf::Key, usize>,
+    surfaces: Vec<Surface>,
+    lights: Vec<Light>,
+    receivers: Vec<Receiver>,
+    ambient_radiance: Option<Vec<f64>>,
+    ambient_place: Range<usize>,
+    integrator: Option<Integrator>,
+}
+
+pub(super) fn read(report: &mut Report, text: &str, files: &mut MeshFiles) -> Option<Scene> {
+    let document = match roxmltree::Document::parse(text) {
+        Ok(document) => document,
+        Err(error) => {
+            let position = error.pos();
+            let byte = byte_at(text, position);
+            let message = error.to_string();
+            let message = message.strip_suffix(&format!(" at {position}")).unwrap_or(&message).to_owned();
+            report.error(byte..byte, message, "");
+            return None;
+        }
+    };
+    let root: Node = document.root_element();
+    let has_colours = root.descendants().any(|node| node.has_tag_name("rgb"));
+    let mut reader = Reader {
+        report,
+        files,
+        parameters: HashMap::new(),
+        ids: HashMap::new(),
+        bands: if has_colours { 3 } else { 1 },
+        names: Names::default(),
+        media: Media::default(),
+        bsdfs: HashMap::new(),
+        materials: Vec::new(),
+        known_materials: HashMap::new(),
+        surfaces: Vec::new(),
+        lights: Vec::new(),
+        receivers: Vec::new(),
+        ambient_radiance: None,
+        ambient_place: 0..0,
+        integrator: None,
+    };
+    reader.root(root);
+    Some(reader.scene(has_colours))
+}
+
+/// The byte of a row and a column, both counted from one.
+fn byte_at(text: &str, position: roxmltree::TextPos) -> usize {
+    let line = text.split_inclusive('\n').take((position.row as usize).saturating_sub(1));
+    let start: usize = line.map(str::len).sum();
+    let columns = text[start.min(text.len())..].chars().take((position.col as usize).saturating_sub(1));
+    start + columns.map(char::len_utf8).sum::<usize>()
+}
+
+impl<'a> Reader<'a, '_, '_> {
+    fn root(&mut self, root: Node<'a>) {
+        if !root.has_tag_name("scene") {
+            self.error(root, format!("the root is `{}`", root.tag_name().name()), "`scene`");
+            return;
+        }
+        self.attributes(root, &["version"]);
+        let version = root.attribute("version").unwrap_or_default();
+        if version != "3" && !version.starts_with("3.") {
+            let place = root.attribute_node("version").map_or(root.range(), |version| version.range_value());
+            self.report.error(
+                place,
+                format!("the scene is of version `{version}`"),
+                "version=\"3.0.0\", or 3.x",
+            );
+        }
+        self.parameters(root);
+        self.collect_ids(root);
+        for child in self.elements(root) {
+            self.top(child);
+        }
+    }
+
+    /// An element of the scene.
+    fn top(&mut self, node: Node<'a>) {
+        match node.tag_name().name() {
+            "default" => {}
+            "bsdf" => {
+                bsdf::Bsdf::read(self, node);
+            }
+            "medium" => {
+                self.medium(node);
+            }
+            "shape" => self.shape(node),
+            "emitter" => self.emitter(node),
+            "sensor" => self.sensor(node),
+            "integrator" => self.integrator(node),
+            other => {
+                let expected = "`default`, `bsdf`, `medium`, `shape`, `emitter`, `sensor` or `integrator`";
+                self.error(node, format!("`{other}` cannot be said of a scene"), expected);
+            }
+        }
+    }
+
+    fn parameters(&mut self, root: Node<'a>) {
+        for node in root.children().filter(|child| child.has_tag_name("default")) {
+            self.attributes(node, &["name", "value"]);
+            let name = node.attribute("name").unwrap_or_default();
+            if name.is_empty() || name.contains(|c: char| !c.is_ascii_alphanumeric() && c != '_') {
+                self.error(node, "the default has no name", "name=\"…\" of letters, digits and _");
+                continue;
+            }
+            let value = self.attribute(node, "value").map_or(String::new(), |(value, _)| value);
+            self.parameters.entry(name.to_owned()).or_insert(value);
+        }
+    }
+
+    fn collect_ids(&mut self, root: Node<'a>) {
+        let named = root.descendants().filter(|node| !node.has_tag_name("ref"));
+        for (node, id) in named.filter_map(|node| Some((node, node.attribute_node("id")?))) {
+            self.names.give(self.report, "id", id.value(), id.range_value());
+            self.ids.entry(id.value()).or_insert(node);
+        }
+    }
+
+    /// The id of an object, or a name made of what it is and how many of it there are.
+    fn name(&mut self, object: &Object<'a>, what: &str, count: usize) -> String {
+        let own = object.node.attribute("id").map(str::to_owned);
+        own.unwrap_or_else(|| {
+            let candidates = (count + 1..).map(|number| format!("{what} {number}"));
+            candidates.into_iter().find(|name| !self.ids.contains_key(&**name)).unwrap_or_default()
+        })
+    }
+
+    fn error(&mut self, node: Node<'a>, message: impl Into<String>, expected: impl Into<String>) {
+        self.report.error(node.range(), message, expected);
+    }
+
+    fn scene(mut self, has_colours: bool) -> Scene {
+        let solve = Solve { forced: self.forced(), ..Solve::default() };
+        let (media, medium) = self.fill();
+        let ambient = Ambient {
+            medium,
+            radiance: self.ambient_radiance.unwrap_or_else(|| vec![0.0; self.bands]),
+            place: self.report.place(self.ambient_place),
+        };
+        Scene {
+            name: String::new(),
+            unit: LengthUnit::Metre,
+            bands: if has_colours { RGB.to_vec() } else { Vec::new() },
+            media,
+            materials: self.materials,
+            surfaces: self.surfaces,
+            lights: self.lights,
+            receivers: self.receivers,
+            ambient,
+            solve,
+        }
+    }
 }

@@ -1,0 +1,214 @@
+//! Materials: `<bsdf>` becomes a law of reflection; a boundary of media becomes a material together with the
+//! medium that a shape has inside.
+
+use super::object::Object;
+use super::{Node, Reader};
+use crate::scene::model::{Material, MaterialKind};
+use crate::scene::value::{FRACTION, NOT_NEGATIVE, POSITIVE, one_of};
+use std::ops::Range;
+
+/// A `<bsdf>`, read.
+#[derive(Clone, Debug)]
+pub(super) struct Bsdf {
+    pub(super) law: Law,
+    pub(super) two_sided: bool,
+    name: String,
+    key: usize,
+    place: Range<usize>,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Law {
+    /// One that does not depend on the shape.
+    Opaque(MaterialKind),
+    /// A boundary between media of these indices.
+    Dielectric { inside: f64, outside: f64, outside_place: Range<usize> },
+    /// A boundary without a change of index.
+    Null,
+    /// One that was reported.
+    Wrong,
+}
+
+/// What a material was made of: an element, and the medium behind it.
+pub(super) type Key = (usize, Option<usize>);
+
+/// The keys of the materials of shapes without a `<bsdf>`.
+const DEFAULT_KEY: usize = usize::MAX;
+const BLACK_KEY: usize = usize::MAX - 1;
+
+/// Indices of refraction by name, as in Mitsuba’s table, whose source is Hecht, *Optics*, 4th edition: at 589 nm
+/// and 0 to 20 °C.
+const INDICES: [(&str, f64); 23] = [
+    ("vacuum", 1.0),
+    ("helium", 1.000_036),
+    ("hydrogen", 1.000_132),
+    ("air", 1.000_277),
+    ("carbon dioxide", 1.000_45),
+    ("water", 1.333),
+    ("acetone", 1.36),
+    ("ethanol", 1.361),
+    ("carbon tetrachloride", 1.461),
+    ("glycerol", 1.4729),
+    ("benzene", 1.501),
+    ("silicone oil", 1.520_45),
+    ("bromine", 1.661),
+    ("water ice", 1.31),
+    ("fused quartz", 1.458),
+    ("pyrex", 1.47),
+    ("acrylic glass", 1.49),
+    ("polypropylene", 1.49),
+    ("bk7", 1.5046),
+    ("sodium chloride", 1.544),
+    ("amber", 1.55),
+    ("pet", 1.575),
+    ("diamond", 2.419),
+];
+
+const KINDS: [&str; 5] = ["diffuse", "conductor", "dielectric", "twosided", "null"];
+
+impl Bsdf {
+    /// Reads a `<bsdf>`, once however often it is referred to.
+    pub(super) fn read<'a>(reader: &mut Reader<'a, '_, '_>, node: Node<'a>) -> Self {
+        let key = node.id().get_usize();
+        if let Some(bsdf) = reader.bsdfs.get(&key) {
+            return bsdf.clone();
+        }
+        let object = reader.object(node);
+        let count = reader.bsdfs.len();
+        let name = reader.name(&object, "material", count);
+        let mut bsdf = Self { law: Law::Null, two_sided: false, name, key, place: node.range() };
+        if object.kind == "twosided" {
+            bsdf.two_sided = true;
+            bsdf.law = two_sided(reader, object);
+        } else {
+            bsdf.law = one_sided(reader, object);
+        }
+        reader.bsdfs.insert(key, bsdf.clone());
+        bsdf
+    }
+
+    /// What Mitsuba takes for a shape without a `<bsdf>`: grey, but black where the shape emits.
+    pub(super) fn default(bands: usize, emits: bool, place: Range<usize>) -> Self {
+        let (key, name, reflectance) =
+            if emits { (BLACK_KEY, "black", 0.0) } else { (DEFAULT_KEY, "grey", 0.5) };
+        let law = Law::Opaque(MaterialKind::Diffuse { reflectance: vec![reflectance; bands] });
+        Self { law, two_sided: false, name: name.to_owned(), key, place }
+    }
+
+    /// The index of the material that this is with a medium behind it.
+    pub(super) fn material(&self, reader: &mut Reader, kind: MaterialKind) -> usize {
+        let inside = match kind {
+            MaterialKind::Dielectric { inside } => Some(inside),
+            _ => None,
+        };
+        let next = reader.materials.len();
+        let index = *reader.known_materials.entry((self.key, inside)).or_insert(next);
+        if index == next {
+            let taken =
+                reader.materials.iter().filter(|material| material.name.starts_with(&self.name)).count();
+            let name = if taken == 0 { self.name.clone() } else { format!("{} ({})", self.name, taken + 1) };
+            let place = reader.report.place(self.place.clone());
+            reader.materials.push(Material { name, kind, place });
+        }
+        index
+    }
+}
+
+/// The law of the `<bsdf>` within a `twosided`, which cannot be another one nor a boundary of media.
+fn two_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
+    let node = object.node;
+    let inner = reader.take_object(&mut object, "bsdf");
+    reader.finish(object, &["bsdf"]);
+    let Some(inner) = inner else {
+        reader.error(node, "this bsdf of type `twosided` has no bsdf inside", "one bsdf");
+        return Law::Wrong;
+    };
+    let kind = inner.attribute("type").unwrap_or_default();
+    if !matches!(kind, "diffuse" | "conductor") {
+        let message = format!("a bsdf of type `{kind}` cannot be two-sided");
+        reader.error(inner, message, "`diffuse` or `conductor`");
+        return Law::Wrong;
+    }
+    Bsdf::read(reader, inner).law
+}
+
+fn one_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
+    match &*object.kind {
+        "diffuse" => {
+            let grey = vec![0.5; reader.bands];
+            let reflectance = reader.colour(&mut object, "reflectance", &FRACTION).unwrap_or(grey);
+            reader.finish(object, &["reflectance"]);
+            Law::Opaque(MaterialKind::Diffuse { reflectance })
+        }
+        "conductor" => conductor(reader, object),
+        "dielectric" => {
+            let (inside, _) = index(reader, &mut object, "int_ior", "bk7");
+            let (outside, outside_place) = index(reader, &mut object, "ext_ior", "air");
+            reader.finish(object, &["int_ior", "ext_ior"]);
+            Law::Dielectric { inside, outside, outside_place }
+        }
+        "null" => {
+            reader.finish(object, &[]);
+            Law::Null
+        }
+        _ => {
+            reader.unknown(&object, &KINDS);
+            Law::Wrong
+        }
+    }
+}
+
+/// A metal of index η + ik; without one, or of the material `none`, a perfect mirror.
+fn conductor<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
+    if let Some((name, place)) = reader.string(&mut object, "material")
+        && name != "none"
+    {
+        let expected = "`eta` and `k`, or the material `none`";
+        reader.report.error(place, format!("the index of the metal `{name}` is not known here"), expected);
+    }
+    let eta = reader.colour(&mut object, "eta", &POSITIVE);
+    let k = reader.colour(&mut object, "k", &NOT_NEGATIVE);
+    let reflectance = reader.colour(&mut object, "specular_reflectance", &FRACTION);
+    let node = object.node;
+    reader.finish(object, &["material", "eta", "k", "specular_reflectance"]);
+    match (eta, k, reflectance) {
+        (None, None, reflectance) => {
+            let reflectance = reflectance.unwrap_or_else(|| vec![1.0; reader.bands]);
+            Law::Opaque(MaterialKind::Mirror { reflectance })
+        }
+        (Some(eta), Some(k), reflectance) => {
+            if reflectance.is_some_and(|reflectance| reflectance.iter().any(|&r| r != 1.0)) {
+                let message = "a metal whose reflectance is not that of its index cannot be said";
+                reader.error(node, message, "no `specular_reflectance`");
+            }
+            Law::Opaque(MaterialKind::Conductor { eta, k })
+        }
+        (eta, _, _) => {
+            let (given, missing) = if eta.is_some() { ("eta", "k") } else { ("k", "eta") };
+            reader.error(node, format!("this conductor has `{given}` and no `{missing}`"), "both or neither");
+            Law::Opaque(MaterialKind::Mirror { reflectance: vec![1.0; reader.bands] })
+        }
+    }
+}
+
+/// An index of refraction, as a number or by name, and its place.
+fn index<'a>(
+    reader: &mut Reader<'a, '_, '_>,
+    object: &mut Object<'a>,
+    key: &str,
+    default: &str,
+) -> (f64, Range<usize>) {
+    let named = |name: &str| INDICES.iter().find(|(known, _)| *known == name.to_lowercase()).map(|&(_, n)| n);
+    let given = object.left().find(|node| node.attribute("name") == Some(key));
+    let place = given.map_or(object.node.range(), |node| node.range());
+    if !given.is_some_and(|node| node.has_tag_name("string")) {
+        return (reader.float(object, key, named(default).unwrap_or(1.0), &POSITIVE), place);
+    }
+    let Some((name, place)) = reader.string(object, key) else { return (1.0, place) };
+    let n = named(&name);
+    if n.is_none() {
+        let expected = one_of(INDICES.iter().map(|(name, _)| *name));
+        reader.report.error(place.clone(), format!("the index of `{name}` is not known"), expected);
+    }
+    (n.unwrap_or(1.0), place)
+}

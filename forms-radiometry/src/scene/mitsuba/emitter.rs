@@ -1,0 +1,49 @@
+//! Emitters of the scene: `<emitter>` becomes a point light, a distant light, or light from outside.
+
+use super::{Node, Reader};
+use crate::geometry::Vector;
+use crate::scene::model::{Light, LightKind};
+use crate::scene::value::NOT_NEGATIVE;
+
+impl<'a> Reader<'a, '_, '_> {
+    pub(super) fn emitter(&mut self, node: Node<'a>) {
+        let mut object = self.object(node);
+        let to_world = self.transform(&mut object);
+        let kind = match &*object.kind {
+            "point" => {
+                let position = self.vector(&mut object, "position");
+                let position = position.unwrap_or_else(|| to_world.point(Vector::default()));
+                let intensity = self.required_colour(&mut object, "intensity", &NOT_NEGATIVE);
+                Some(LightKind::Point { position, intensity })
+            }
+            "directional" => {
+                let direction = self.vector(&mut object, "direction");
+                let direction = direction.unwrap_or_else(|| to_world.vector(Vector::new(0.0, 0.0, 1.0)));
+                let irradiance = self.required_colour(&mut object, "irradiance", &NOT_NEGATIVE);
+                match direction.unit() {
+                    Some(direction) => Some(LightKind::Distant { direction, irradiance }),
+                    None => {
+                        self.error(node, "the direction has length zero", "a vector with a direction");
+                        None
+                    }
+                }
+            }
+            "constant" => {
+                let radiance = self.required_colour(&mut object, "radiance", &NOT_NEGATIVE);
+                if self.ambient_radiance.replace(radiance).is_some() {
+                    self.error(node, "there is a second emitter of type `constant`", "one");
+                }
+                self.ambient_place = node.range();
+                None
+            }
+            _ => {
+                self.unknown(&object, &["point", "directional", "constant"]);
+                return;
+            }
+        };
+        let name = node.attribute("id").unwrap_or_default().to_owned();
+        self.finish(object, &["to_world", "position", "intensity", "direction", "irradiance", "radiance"]);
+        let place = self.report.place(node.range());
+        self.lights.extend(kind.map(|kind| Light { name, kind, place }));
+    }
+}

@@ -1,0 +1,65 @@
+//! Integrators: how many bounces of light an `<integrator>` follows becomes an effect that is forced.
+
+use super::{Node, Reader};
+use crate::scene::model::{Effect, Force, ForcedEffect, MaterialKind};
+use crate::scene::value::Domain;
+use std::ops::Range;
+
+const KINDS: [&str; 4] = ["path", "direct", "volpath", "volpathmis"];
+/// What only changes how long the integrator takes to come to its answer.
+const IGNORED: [&str; 4] = ["rr_depth", "shading_samples", "emitter_samples", "bsdf_samples"];
+const DEPTH: Domain = Domain {
+    expected: "-1 for no limit, or a whole number of at least 2",
+    contains: |x| x.fract() == 0.0 && (x == -1.0 || (2.0..=1e9).contains(&x)),
+};
+
+/// What an integrator leaves out.
+pub(super) struct Integrator {
+    /// The longest paths, from the lamp to the eye; none if they have no limit.
+    depth: Option<u32>,
+    follows_media: bool,
+    place: Range<usize>,
+}
+
+impl<'a> Reader<'a, '_, '_> {
+    pub(super) fn integrator(&mut self, node: Node<'a>) {
+        let mut object = self.object(node);
+        if !KINDS.contains(&&*object.kind) {
+            self.unknown(&object, &KINDS);
+            return;
+        }
+        if self.integrator.is_some() {
+            self.error(node, "there is a second integrator", "one");
+        }
+        let default = if object.kind == "direct" { 2.0 } else { -1.0 };
+        let depth = self.float(&mut object, "max_depth", default, &DEPTH);
+        if self.boolean(&mut object, "hide_emitters", false, false) {
+            self.error(node, "lamps that light but are not seen cannot be said", "hide_emitters = false");
+        }
+        object.ignore(&IGNORED);
+        let follows_media = object.kind.starts_with("volpath");
+        self.finish(object, &["max_depth", "rr_depth", "hide_emitters"]);
+        let depth = (depth > 0.0).then_some(depth as u32);
+        self.integrator = Some(Integrator { depth, follows_media, place: node.range() });
+    }
+
+    /// Paths of depth d have d − 2 reflections before the last one, if all reflections are diffuse.
+    pub(super) fn forced(&mut self) -> Vec<ForcedEffect> {
+        let Some(Integrator { depth, follows_media, place }) = self.integrator.take() else {
+            return Vec::new();
+        };
+        if self.has_media() && !follows_media {
+            let message = "this integrator leaves the media of the scene out";
+            self.report.error(place.clone(), message, "an integrator of type `volpath`");
+        }
+        let Some(depth) = depth else { return Vec::new() };
+        let is_diffuse = |kind: &MaterialKind| matches!(kind, MaterialKind::Diffuse { .. });
+        if self.has_media() || !self.materials.iter().all(|material| is_diffuse(&material.kind)) {
+            let message = "a limit of depth that counts more than diffuse reflections cannot be said";
+            self.report.error(place, message, "max_depth = -1");
+            return Vec::new();
+        }
+        let force = if depth == 2 { Force::Off } else { Force::Orders(depth - 2) };
+        vec![ForcedEffect { effect: Effect::Interreflection, force, place: self.report.place(place) }]
+    }
+}

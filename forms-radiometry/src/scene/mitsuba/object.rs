@@ -1,0 +1,165 @@
+//! Objects: an element with a type, from whose children what is known is taken one by one; what is left is an
+//! error.
+
+use super::{Node, Reader};
+use crate::scene::value::one_of;
+use std::ops::Range;
+
+/// An element such as `<shape type="sphere">`.
+pub(super) struct Object<'a> {
+    pub(super) node: Node<'a>,
+    /// Its type.
+    pub(super) kind: String,
+    left: Vec<Node<'a>>,
+}
+
+impl<'a> Object<'a> {
+    /// Takes the property of this name.
+    pub(super) fn take(&mut self, name: &str) -> Option<Node<'a>> {
+        let is_it = |node: &Node<'a>| node.attribute("name") == Some(name);
+        self.left.iter().position(is_it).map(|place| self.left.remove(place))
+    }
+
+    /// Takes the first child with this tag.
+    pub(super) fn take_tag(&mut self, tag: &str) -> Option<Node<'a>> {
+        let is_it = |node: &Node<'a>| node.has_tag_name(tag);
+        self.left.iter().position(is_it).map(|place| self.left.remove(place))
+    }
+
+    /// Whether a property of this name has not been taken yet.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.left.iter().any(|node| node.attribute("name") == Some(name))
+    }
+
+    /// What has not been taken yet.
+    pub(super) fn left(&self) -> impl Iterator<Item = Node<'a>> {
+        self.left.iter().copied()
+    }
+
+    /// Drops the properties of these names, which do not bear on the answer.
+    pub(super) fn ignore(&mut self, names: &[&str]) {
+        for name in names {
+            self.take(name);
+        }
+    }
+}
+
+impl<'a> Reader<'a, '_, '_> {
+    /// An element as an object.
+    pub(super) fn object(&mut self, node: Node<'a>) -> Object<'a> {
+        self.attributes(node, &["type", "id", "name"]);
+        let kind = self.attribute(node, "type").map_or(String::new(), |(kind, _)| kind);
+        if kind.is_empty() && !node.has_attribute("type") {
+            self.error(node, format!("this {} has no `type`", node.tag_name().name()), "type=\"…\"");
+        }
+        let left = self.elements(node);
+        Object { node, kind, left }
+    }
+
+    /// Reports what is left of an object. `known` is all that could have been there.
+    pub(super) fn finish(&mut self, object: Object<'a>, known: &[&str]) {
+        let whole = described(object.node, &object.kind);
+        for node in object.left {
+            let Some(node) = self.resolved(node) else { continue };
+            let tag = node.tag_name().name();
+            if let Some(name) = node.attribute("name").filter(|name| known.contains(name)) {
+                self.error(node, format!("`{name}` is said twice of {whole}"), "one of them");
+                continue;
+            }
+            let found = match (node.attribute("name"), node.attribute("type")) {
+                (Some(name), _) => format!("`{tag}` named `{name}`"),
+                (None, Some(kind)) => format!("`{tag}` of type `{kind}`"),
+                (None, None) => format!("`{tag}`"),
+            };
+            self.error(node, format!("{found} cannot be said of {whole}"), one_of(known.iter().copied()));
+        }
+    }
+
+    /// Reports a type that is not known.
+    pub(super) fn unknown(&mut self, object: &Object<'a>, known: &[&str]) {
+        let place = object.node.attribute_node("type").map_or(object.node.range(), |kind| kind.range_value());
+        let message = format!("{} cannot be said", described(object.node, &object.kind));
+        self.report.error(place, message, one_of(known.iter().copied()));
+    }
+
+    /// The children that are elements; text between them is an error.
+    pub(super) fn elements(&mut self, node: Node<'a>) -> Vec<Node<'a>> {
+        for child in node.children().filter(Node::is_text) {
+            let text = child.text().unwrap_or_default();
+            if !text.trim().is_empty() {
+                let start = child.range().start + text.len() - text.trim_start().len();
+                self.report.error(start..child.range().end, "text has no meaning here", "elements");
+            }
+        }
+        node.children().filter(Node::is_element).collect()
+    }
+
+    /// Reports attributes other than these; whether there are none.
+    pub(super) fn attributes(&mut self, node: Node<'a>, known: &[&str]) -> bool {
+        let mut unknown = node.attributes().filter(|attribute| !known.contains(&attribute.name())).peekable();
+        let are_known = unknown.peek().is_none();
+        for attribute in unknown {
+            let message = format!("unknown attribute `{}` of `{}`", attribute.name(), node.tag_name().name());
+            self.report.error(attribute.range(), message, one_of(known.iter().copied()));
+        }
+        are_known
+    }
+
+    /// The value of an attribute, with parameters put in, and its place. It has none if a parameter is missing.
+    pub(super) fn attribute(&mut self, node: Node<'a>, name: &str) -> Option<(String, Range<usize>)> {
+        let attribute = node.attribute_node(name)?;
+        let mut parts = attribute.value().split('$');
+        let mut value = parts.next().unwrap_or_default().to_owned();
+        for part in parts {
+            let end = part.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(part.len());
+            let (parameter, rest) = part.split_at(end);
+            let Some(put_in) = self.parameters.get(parameter) else {
+                let message = format!("there is no parameter `{parameter}`");
+                let expected = format!("<default name=\"{parameter}\" value=\"…\"/>");
+                self.report.error(attribute.range_value(), message, expected);
+                return None;
+            };
+            value = value + put_in + rest;
+        }
+        Some((value, attribute.range_value()))
+    }
+
+    /// The object that a `ref` names, or the node itself.
+    pub(super) fn resolved(&mut self, node: Node<'a>) -> Option<Node<'a>> {
+        if !node.has_tag_name("ref") {
+            return Some(node);
+        }
+        self.attributes(node, &["id", "name"]);
+        let (id, place) = self.attribute(node, "id")?;
+        let target = self.ids.get(&*id).copied();
+        if target.is_none() {
+            self.report.error(
+                place,
+                format!("nothing has the id `{id}`"),
+                "the id of an element of the scene",
+            );
+        }
+        target
+    }
+
+    /// Takes the first child that is, or refers to, an element with this tag.
+    pub(super) fn take_object(&mut self, object: &mut Object<'a>, tag: &str) -> Option<Node<'a>> {
+        let is_it = |reader: &Self, node: &Node<'a>| {
+            let target = if node.has_tag_name("ref") {
+                node.attribute("id").and_then(|id| reader.ids.get(id).copied())
+            } else {
+                Some(*node)
+            };
+            target.is_some_and(|target| target.has_tag_name(tag))
+        };
+        let place = object.left.iter().position(|node| is_it(self, node))?;
+        let node = object.left.remove(place);
+        self.resolved(node)
+    }
+}
+
+fn described(node: Node, kind: &str) -> String {
+    let tag = node.tag_name().name();
+    let article = if tag.starts_with(['e', 'i']) { "an" } else { "a" };
+    format!("{article} {tag} of type `{kind}`")
+}

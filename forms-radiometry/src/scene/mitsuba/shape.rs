@@ -1,0 +1,228 @@
+//! Shapes: `<shape>` becomes a surface with its material, what it emits, and what is measured on it.
+
+use super::bsdf::{Bsdf, Law};
+use super::media::Index;
+use super::object::Object;
+use super::transform::Transform;
+use super::{Node, Reader};
+use crate::geometry::{Disk, Mesh, MeshError, Polygon, Sphere, Vector};
+use crate::scene::model::{MaterialKind, Shape, Surface};
+use crate::scene::value::{LENGTH, NOT_NEGATIVE};
+use std::sync::Arc;
+
+const KINDS: [&str; 6] = ["rectangle", "cube", "sphere", "disk", "obj", "ply"];
+const PARTS: [&str; 8] =
+    ["to_world", "flip_normals", "bsdf", "emitter", "sensor", "medium", "filename", "face_normals"];
+
+impl<'a> Reader<'a, '_, '_> {
+    pub(super) fn shape(&mut self, node: Node<'a>) {
+        let mut object = self.object(node);
+        let count = self.surfaces.len();
+        let name = self.name(&object, "shape", count);
+        let shape = self.geometry(&mut object);
+        let emitter = self.take_object(&mut object, "emitter");
+        let radiance = emitter.map(|emitter| self.area_emitter(emitter));
+        let bsdf = match self.take_object(&mut object, "bsdf") {
+            Some(bsdf) => Bsdf::read(self, bsdf),
+            None => Bsdf::default(self.bands, radiance.is_some(), node.range()),
+        };
+        let material = self.material_of(&mut object, &bsdf);
+        let radiance = radiance.unwrap_or_else(|| vec![0.0; self.bands]);
+        self.check_sides(node, &bsdf, &radiance);
+        if let Some(sensor) = self.take_object(&mut object, "sensor") {
+            self.irradiance_meter(sensor, self.surfaces.len(), &name);
+        }
+        let place = node.attribute_node("type").map_or(node.range(), |kind| kind.range_value());
+        self.finish(object, &PARTS);
+        let Some(shape) = shape else { return };
+        let place = self.report.place(place);
+        self.surfaces.push(Surface { name, material, shape, radiance, two_sided: bsdf.two_sided, place });
+    }
+
+    /// In Mitsuba the back of a two-sided surface reflects but does not emit; here it does what the front does.
+    fn check_sides(&mut self, node: Node<'a>, bsdf: &Bsdf, radiance: &[f64]) {
+        let emits = radiance.iter().any(|&radiance| radiance > 0.0);
+        if bsdf.two_sided && emits {
+            let message = "a surface that reflects from two sides and emits from one cannot be said";
+            self.error(node, message, "a bsdf that is not `twosided` for a shape with an emitter");
+        }
+    }
+
+    /// The material of a shape: what its bsdf is, with the media inside and outside of the shape.
+    fn material_of(&mut self, object: &mut Object<'a>, bsdf: &Bsdf) -> usize {
+        let inside = self.named_medium(object, "interior");
+        let outside = self.named_medium(object, "exterior");
+        let node = object.node;
+        let index = match &bsdf.law {
+            Law::Opaque(kind) => {
+                if inside.is_some() || outside.is_some() {
+                    let message = "a medium beside an opaque surface cannot be said";
+                    self.error(node, message, "a bsdf of type `dielectric` or `null`");
+                }
+                return bsdf.material(self, kind.clone());
+            }
+            Law::Dielectric { inside, outside, outside_place } => {
+                self.surrounded_by_index(*outside, outside_place.clone());
+                Index::Given(inside.to_bits())
+            }
+            Law::Null => Index::Surrounding,
+            Law::Wrong => return 0,
+        };
+        if matches!(bsdf.law, Law::Null) && inside.is_none() {
+            self.error(
+                node,
+                "a bsdf of type `null` without a medium behind it is nothing",
+                "an interior medium",
+            );
+        }
+        self.surrounded_by(outside, node.range());
+        let inside = self.filled(inside, index, node.range());
+        bsdf.material(self, MaterialKind::Dielectric { inside })
+    }
+
+    /// Takes the medium that is named `interior` or `exterior`.
+    fn named_medium(&mut self, object: &mut Object<'a>, name: &str) -> Option<Node<'a>> {
+        let node = object.take(name)?;
+        let medium = self.resolved(node)?;
+        if !medium.has_tag_name("medium") {
+            let message = format!("`{name}` cannot be a `{}`", medium.tag_name().name());
+            self.error(node, message, "`medium`");
+            return None;
+        }
+        self.medium(medium);
+        Some(medium)
+    }
+
+    fn geometry(&mut self, object: &mut Object<'a>) -> Option<Shape> {
+        let to_world = self.transform(object);
+        let flipped = self.boolean(object, "flip_normals", false, false);
+        match &*object.kind {
+            "rectangle" => self.rectangle(object.node, &to_world, flipped),
+            "cube" => self.moved(object.node, cube(), &to_world, flipped),
+            "sphere" => self.sphere(object, &to_world, flipped),
+            "disk" => self.disk(object.node, &to_world, flipped),
+            "obj" | "ply" => self.mesh(object, &to_world, flipped),
+            _ => {
+                self.unknown(object, &KINDS);
+                None
+            }
+        }
+    }
+
+    /// The square [−1, 1]² of the plane z = 0, seen from above. Its normal goes with the inverse transpose of
+    /// the transform, so a reflection keeps its front on the same side.
+    fn rectangle(&mut self, node: Node<'a>, to_world: &Transform, flipped: bool) -> Option<Shape> {
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+        let mut vertices = corners.map(|(x, y)| to_world.point(Vector::new(x, y, 0.0))).to_vec();
+        if flipped != to_world.mirrors() {
+            vertices.reverse();
+        }
+        let polygon =
+            Polygon::new(vertices).map_err(|error| self.error(node, error.to_string(), "a rectangle"));
+        polygon.ok().map(Shape::Polygon)
+    }
+
+    fn sphere(&mut self, object: &mut Object<'a>, to_world: &Transform, flipped: bool) -> Option<Shape> {
+        let center = self.vector(object, "center").unwrap_or_default();
+        let radius = self.float(object, "radius", 1.0, &LENGTH);
+        let Some(scale) = to_world.scale(3) else {
+            let message = "a sphere that is scaled differently along its axes cannot be said";
+            self.error(object.node, message, "one scale for all axes");
+            return None;
+        };
+        Some(Shape::Sphere(Sphere {
+            center: to_world.point(center),
+            radius: scale * radius,
+            inward: flipped,
+        }))
+    }
+
+    /// The unit disk of the plane z = 0, seen from above.
+    fn disk(&mut self, node: Node<'a>, to_world: &Transform, flipped: bool) -> Option<Shape> {
+        let [u, v] =
+            [Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 1.0, 0.0)].map(|axis| to_world.vector(axis));
+        let (Some(radius), Some(normal)) = (to_world.scale(2), u.cross(v).unit()) else {
+            let message = "a disk that is scaled differently along its axes cannot be said";
+            self.error(node, message, "one scale for both axes");
+            return None;
+        };
+        let normal = if flipped == to_world.mirrors() { normal } else { -normal };
+        Some(Shape::Disk(Disk { center: to_world.point(Vector::default()), normal, radius }))
+    }
+
+    fn mesh(&mut self, object: &mut Object<'a>, to_world: &Transform, flipped: bool) -> Option<Shape> {
+        let node = object.node;
+        let has_flat_faces = self.boolean(object, "face_normals", false, true);
+        object.ignore(&["flip_tex_coords"]);
+        let Some((name, place)) = self.string(object, "filename") else {
+            self.error(node, format!("this shape of type `{}` has no `filename`", object.kind), "a string");
+            return None;
+        };
+        if !has_flat_faces {
+            let message = format!("`{name}` would be shaded with normals that vary over its faces");
+            self.error(node, message, "<boolean name=\"face_normals\" value=\"true\"/>");
+        }
+        if !name.to_lowercase().ends_with(&format!(".{}", object.kind)) {
+            self.report.error(
+                place,
+                format!("`{name}` is not of the type `{}`", object.kind),
+                "its own type",
+            );
+            return None;
+        }
+        let mesh = self.files.mesh(self.report, place, &name)?;
+        if *to_world == Transform::IDENTITY && !flipped {
+            return Some(Shape::Mesh(mesh));
+        }
+        self.moved(node, Ok((*mesh).clone()), to_world, flipped)
+    }
+
+    fn moved(
+        &mut self,
+        node: Node<'a>,
+        mesh: Result<Mesh, Vec<MeshError>>,
+        to_world: &Transform,
+        flipped: bool,
+    ) -> Option<Shape> {
+        if to_world.mirrors() {
+            let message = "a transform that mirrors would turn the faces of this shape inside out";
+            self.error(node, message, "a transform without reflection, or `flip_normals`");
+            return None;
+        }
+        match mesh.and_then(|mesh| mesh.moved(flipped, |v| to_world.point(v))) {
+            Ok(mesh) => Some(Shape::Mesh(Arc::new(mesh))),
+            Err(errors) => {
+                for error in errors.iter().take(1) {
+                    self.error(
+                        node,
+                        format!("after its transform, {error}"),
+                        "a transform that keeps planes",
+                    );
+                }
+                None
+            }
+        }
+    }
+
+    /// The radiance of an area emitter.
+    fn area_emitter(&mut self, node: Node<'a>) -> Vec<f64> {
+        let mut object = self.object(node);
+        if object.kind != "area" {
+            self.unknown(&object, &["area"]);
+            return vec![0.0; self.bands];
+        }
+        let radiance = self.required_colour(&mut object, "radiance", &NOT_NEGATIVE);
+        self.finish(object, &["radiance"]);
+        radiance
+    }
+}
+
+/// The cube [−1, 1]³, seen from outside.
+fn cube() -> Result<Mesh, Vec<MeshError>> {
+    let corner = |i: u32| {
+        let at = |axis: u32| if i >> axis & 1 == 1 { 1.0 } else { -1.0 };
+        Vector::new(at(0), at(1), at(2))
+    };
+    let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    Mesh::new((0..8).map(corner).collect(), &faces.map(|face| face.to_vec()))
+}

@@ -1,0 +1,192 @@
+//! Values: a property of an object becomes a number, a point, a colour or a text.
+
+use super::object::Object;
+use super::{Node, Reader};
+use crate::geometry::Vector;
+use crate::scene::value::{COORDINATE, Domain, one_of, within};
+use std::ops::Range;
+
+impl<'a> Reader<'a, '_, '_> {
+    /// The value of a property of one of these tags, and its place.
+    fn property(&mut self, node: Node<'a>, tags: &[&str]) -> Option<(String, Range<usize>)> {
+        let tag = node.tag_name().name();
+        if !tags.contains(&tag) {
+            let name = node.attribute("name").unwrap_or_default();
+            let expected = one_of(tags.iter().copied());
+            self.error(node, format!("`{name}` cannot be a `{tag}`"), expected);
+            return None;
+        }
+        let known: &[&str] = if matches!(tag, "point" | "vector") {
+            &["name", "value", "x", "y", "z"]
+        } else {
+            &["name", "value"]
+        };
+        let are_known = self.attributes(node, known);
+        for child in self.elements(node) {
+            self.error(
+                child,
+                format!("`{}` cannot be said of a `{tag}`", child.tag_name().name()),
+                "a value",
+            );
+        }
+        if known.len() > 2 && node.attribute("value").is_none() {
+            let mut coordinates =
+                ["x", "y", "z"].map(|axis| self.attribute(node, axis).map(|(value, _)| value));
+            let text =
+                coordinates.each_mut().map(|value| value.take().unwrap_or_else(|| "0".to_owned())).join(",");
+            return Some((text, node.range()));
+        }
+        let value = self.attribute(node, "value");
+        if are_known && !node.has_attribute("value") {
+            self.error(node, format!("this {tag} has no `value`"), "value=\"…\"");
+        }
+        value
+    }
+
+    /// Numbers between commas or spaces; none if one of them is wrong.
+    pub(super) fn numbers(
+        &mut self,
+        text: &str,
+        place: &Range<usize>,
+        what: &str,
+        domain: &Domain,
+    ) -> Vec<f64> {
+        let words = text.split(|c: char| c == ',' || c.is_whitespace()).filter(|word| !word.is_empty());
+        let mut numbers = Vec::new();
+        for word in words {
+            let Ok(number) = word.parse() else {
+                self.report.error(place.clone(), format!("`{word}` is no number"), domain.expected);
+                return Vec::new();
+            };
+            let Some(number) = within(self.report, place.clone(), what, number, domain) else {
+                return Vec::new();
+            };
+            numbers.push(number);
+        }
+        if numbers.is_empty() && text.trim().is_empty() {
+            self.report.error(place.clone(), format!("{what} is empty"), domain.expected);
+        }
+        numbers
+    }
+
+    /// The one number of a text.
+    fn one(&mut self, text: &str, place: &Range<usize>, what: &str, domain: &Domain) -> Option<f64> {
+        match self.numbers(text, place, what, domain)[..] {
+            [number] => Some(number),
+            [] => None,
+            ref numbers => {
+                let message = format!("{what} has {} values", numbers.len());
+                self.report.error(place.clone(), message, domain.expected);
+                None
+            }
+        }
+    }
+
+    pub(super) fn float(
+        &mut self,
+        object: &mut Object<'a>,
+        name: &str,
+        default: f64,
+        domain: &Domain,
+    ) -> f64 {
+        let Some(node) = object.take(name) else { return default };
+        let Some((text, place)) = self.property(node, &["float", "integer"]) else { return default };
+        self.one(&text, &place, &format!("`{name}`"), domain).unwrap_or(default)
+    }
+
+    /// Whether a property says `true`; something else where it is wrong.
+    pub(super) fn boolean(
+        &mut self,
+        object: &mut Object<'a>,
+        name: &str,
+        default: bool,
+        if_wrong: bool,
+    ) -> bool {
+        let Some(node) = object.take(name) else { return default };
+        let Some((text, place)) = self.property(node, &["boolean"]) else { return if_wrong };
+        match &*text {
+            "true" => true,
+            "false" => false,
+            _ => {
+                self.report.error(place, format!("`{name}` cannot be `{text}`"), "true or false");
+                if_wrong
+            }
+        }
+    }
+
+    /// A text and its place.
+    pub(super) fn string(&mut self, object: &mut Object<'a>, name: &str) -> Option<(String, Range<usize>)> {
+        let node = object.take(name)?;
+        self.property(node, &["string"])
+    }
+
+    /// A point or vector.
+    pub(super) fn vector(&mut self, object: &mut Object<'a>, name: &str) -> Option<Vector> {
+        let node = object.take(name)?;
+        let (text, place) = self.property(node, &["point", "vector"])?;
+        self.triple(&text, &place, &format!("`{name}`"))
+    }
+
+    /// Three coordinates.
+    pub(super) fn triple(&mut self, text: &str, place: &Range<usize>, what: &str) -> Option<Vector> {
+        match self.numbers(text, place, &format!("a coordinate of {what}"), &COORDINATE)[..] {
+            [x, y, z] => Some(Vector::new(x, y, z)),
+            [] => None,
+            ref numbers => {
+                let message = format!("{what} has {} values", numbers.len());
+                self.report.error(place.clone(), message, "three coordinates x, y, z");
+                None
+            }
+        }
+    }
+
+    /// A colour with one number a band; `None` if the object has none of this name.
+    pub(super) fn colour(
+        &mut self,
+        object: &mut Object<'a>,
+        name: &str,
+        domain: &Domain,
+    ) -> Option<Vec<f64>> {
+        let node = object.take(name)?;
+        let black = vec![0.0; self.bands];
+        let Some((text, place)) = self.property(node, &["rgb", "spectrum", "float"]) else {
+            return Some(black);
+        };
+        let what = format!("`{name}`");
+        if text.contains(':') {
+            let expected = "one value for all wavelengths, or an `rgb`";
+            self.report.error(place, format!("{what}, a spectrum by wavelengths, cannot be said"), expected);
+            return Some(black);
+        }
+        let numbers = self.numbers(&text, &place, &what, domain);
+        match numbers[..] {
+            [value] => Some(vec![value; self.bands]),
+            [_, _, _] if node.has_tag_name("rgb") => Some(numbers),
+            [] => Some(black),
+            _ => {
+                let expected =
+                    if node.has_tag_name("rgb") { "one value, or red, green and blue" } else { "one value" };
+                self.report.error(place, format!("{what} has {} values", numbers.len()), expected);
+                Some(black)
+            }
+        }
+    }
+
+    /// A colour that has to be there.
+    pub(super) fn required_colour(
+        &mut self,
+        object: &mut Object<'a>,
+        name: &str,
+        domain: &Domain,
+    ) -> Vec<f64> {
+        self.colour(object, name, domain).unwrap_or_else(|| {
+            let expected = format!("an `rgb`, `spectrum` or `float` named `{name}`");
+            self.error(
+                object.node,
+                format!("this {} has no `{name}`", object.node.tag_name().name()),
+                expected,
+            );
+            vec![0.0; self.bands]
+        })
+    }
+}

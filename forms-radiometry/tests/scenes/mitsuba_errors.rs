@@ -1,0 +1,213 @@
+//! What a scene of Mitsuba 3 says and this library cannot is named with its line.
+
+use crate::mitsuba::EVERYTHING;
+use crate::{check_each, errors};
+
+const FILE: &str = "box.xml";
+
+/// What is replaced, by what, and the message that follows.
+const CASES: &[(&str, &str, &str)] = &[
+    ("version=\"3.5.0\"", "version=\"2.0.0\"", "the scene is of version `2.0.0`"),
+    (
+        "<default name=\"width\" value=\"8\"/>",
+        "<default name=\"\" value=\"8\"/><default name=\"width\" value=\"8\"/>",
+        "the default has no name",
+    ),
+    ("value=\"$n\"", "value=\"$m\"", "there is no parameter `m`"),
+    ("    <bsdf type=\"twosided\"", "text <bsdf type=\"twosided\"", "text has no meaning here"),
+    (
+        "<bsdf type=\"conductor\" id=\"mirror\"/>",
+        "<bsdf type=\"conductor\" id=\"mirror\"/><texture type=\"bitmap\"/>",
+        "`texture` cannot be said of a scene",
+    ),
+    (
+        "<bsdf type=\"conductor\" id=\"mirror\"/>",
+        "<bsdf type=\"conductor\" id=\"mirror\" x=\"1\"/>",
+        "unknown attribute `x` of `bsdf`",
+    ),
+    ("type=\"volpath\"", "type=\"bdpt\"", "an integrator of type `bdpt` cannot be said"),
+    ("type=\"volpath\"", "type=\"path\"", "this integrator leaves the media of the scene out"),
+    ("value=\"-1\"", "value=\"1\"", "`max_depth` is out of range"),
+    (
+        "value=\"-1\"",
+        "value=\"4\"",
+        "a limit of depth that counts more than diffuse reflections cannot be said",
+    ),
+    (
+        "<integer name=\"rr_depth\" value=\"10\"/>",
+        "<boolean name=\"hide_emitters\" value=\"true\"/>",
+        "lamps that light but are not seen cannot be said",
+    ),
+    (
+        "<integer name=\"rr_depth\" value=\"10\"/>",
+        "<integer name=\"samples\" value=\"1\"/>",
+        "`integer` named `samples` cannot be said of an integrator of type `volpath`",
+    ),
+    ("<bsdf type=\"diffuse\">", "<bsdf type=\"plastic\">", "a bsdf of type `plastic` cannot be two-sided"),
+    (
+        "<rgb name=\"reflectance\" value=\"0.7, 0.6, 0.5\"/>",
+        "<texture name=\"reflectance\" type=\"bitmap\"/>",
+        "`reflectance` cannot be a `texture`",
+    ),
+    ("0.7, 0.6, 0.5", "0.7, 0.6, 1.5", "`reflectance` is out of range"),
+    ("0.7, 0.6, 0.5", "0.7, 0.6", "`reflectance` has 2 values"),
+    ("0.7, 0.6, 0.5", "0.7, 0.6, red", "`red` is no number"),
+    ("0.7, 0.6, 0.5", "", "`reflectance` is empty"),
+    (
+        "<spectrum name=\"k\" value=\"2\"/>",
+        "<spectrum name=\"k\" value=\"400:2, 700:3\"/>",
+        "`k`, a spectrum by wavelengths, cannot be said",
+    ),
+    (
+        "<spectrum name=\"k\" value=\"2\"/>",
+        "<spectrum name=\"k\" filename=\"k.spd\"/>",
+        "unknown attribute `filename` of `spectrum`",
+    ),
+    ("<spectrum name=\"k\" value=\"2\"/>", "", "this conductor has `eta` and no `k`"),
+    (
+        "id=\"mirror\"/>",
+        "id=\"mirror\"><string name=\"material\" value=\"Au\"/></bsdf>",
+        "the index of the metal `Au` is not known here",
+    ),
+    (
+        "<float name=\"int_ior\" value=\"$n\"/>",
+        "<string name=\"int_ior\" value=\"glas\"/>",
+        "the index of `glas` is not known",
+    ),
+    (
+        "<float name=\"int_ior\" value=\"$n\"/>",
+        "<float name=\"roughness\" value=\"$n\"/>",
+        "`float` named `roughness` cannot be said of a bsdf of type `dielectric`",
+    ),
+    (
+        "type=\"dielectric\" id=\"glass\"",
+        "type=\"roughdielectric\" id=\"glass\"",
+        "a bsdf of type `roughdielectric` cannot be said",
+    ),
+    ("type=\"homogeneous\"", "type=\"heterogeneous\"", "a medium of type `heterogeneous` cannot be said"),
+    ("0.5, 0.75, 1", "0.5, 0.75, 1.25", "`albedo` is out of range"),
+    ("type=\"hg\"", "type=\"rayleigh\"", "a phase of type `rayleigh` cannot be said"),
+    ("value=\"-0.25\"", "value=\"-1\"", "`g` is out of range"),
+    ("id=\"lamp\"", "id=\"floor\"", "the id `floor` has the name of an earlier one, in line 31"),
+    ("<ref id=\"gold\"/>", "<ref id=\"silver\"/>", "nothing has the id `silver`"),
+    ("type=\"cube\"", "type=\"cylinder\"", "a shape of type `cylinder` cannot be said"),
+    ("<scale x=\"2\" y=\"3\"/>", "<scale x=\"2\" y=\"0\"/>", "the transform has no inverse"),
+    ("<scale x=\"2\" y=\"3\"/>", "<shear x=\"2\"/>", "`shear` cannot be said of a transform"),
+    ("<rotate x=\"1\" angle=\"180\"/>", "<rotate x=\"1\"/>", "this rotate has no `angle`"),
+    ("<rotate x=\"1\" angle=\"180\"/>", "<rotate angle=\"180\"/>", "the axis has length zero"),
+    ("value=\"0, 0, 10\"", "value=\"0, 10\"", "`value` has 2 values"),
+    ("0 0 0 1\"", "0 0 1 1\"", "the matrix is not affine"),
+    ("0 0 0 1\"", "\"", "the matrix has 12 values"),
+    ("0 0 2 0", "0 0 -2 0", "a transform that mirrors would turn the faces of this shape inside out"),
+    (
+        "<scale value=\"2\"/>",
+        "<scale x=\"2\"/>",
+        "a sphere that is scaled differently along its axes cannot be said",
+    ),
+    (
+        "<float name=\"radius\" value=\"0.5\"/>",
+        "<float name=\"radius\" value=\"0\"/>",
+        "`radius` is out of range",
+    ),
+    (
+        "<lookat origin=\"0, 9, 0\" target=\"0, 8, 0\" up=\"1, 0, 0\"/>",
+        "<scale x=\"2\"/>",
+        "a disk that is scaled differently along its axes cannot be said",
+    ),
+    ("up=\"1, 0, 0\"", "up=\"0, 1, 0\"", "the lookat has no direction or no upright"),
+    ("up=\"1, 0, 0\"", "", "this lookat has no `up`"),
+    ("<bsdf type=\"null\"/>", "", "a medium beside an opaque surface cannot be said"),
+    (
+        "<boolean name=\"face_normals\" value=\"true\"/>",
+        "",
+        "`part.obj` would be shaded with normals that vary over its faces",
+    ),
+    (
+        "<boolean name=\"face_normals\" value=\"true\"/>",
+        "<boolean name=\"face_normals\" value=\"yes\"/>",
+        "`face_normals` cannot be `yes`",
+    ),
+    ("value=\"part.obj\"", "value=\"parts.obj\"", "there is no file `parts.obj`"),
+    ("value=\"part.obj\"", "value=\"part.ply\"", "`part.ply` is not of the type `obj`"),
+    (
+        "<emitter type=\"area\">",
+        "<emitter type=\"directionalarea\">",
+        "an emitter of type `directionalarea` cannot be said",
+    ),
+    ("<rgb name=\"radiance\" value=\"18, 11, 3\"/>", "", "this emitter has no `radiance`"),
+    ("type=\"point\"", "type=\"spot\"", "an emitter of type `spot` cannot be said"),
+    ("z=\"-2\"", "z=\"0\"", "the direction has length zero"),
+    (
+        "<emitter type=\"constant\">",
+        "<emitter type=\"constant\"><float name=\"radiance\" value=\"1\"/></emitter><emitter type=\"constant\">",
+        "there is a second emitter of type `constant`",
+    ),
+    ("type=\"perspective\"", "type=\"thinlens\"", "a sensor of type `thinlens` cannot be said"),
+    (
+        "<float name=\"fov\" value=\"90\"/>",
+        "<float name=\"fov\" value=\"90\"/><float name=\"fov\" value=\"90\"/>",
+        "`fov` is said twice of a sensor of type `perspective`",
+    ),
+    ("<float name=\"fov\" value=\"90\"/>", "", "this sensor has no `fov`"),
+    ("<float name=\"fov\" value=\"90\"/>", "<float name=\"fov\" value=\"180\"/>", "`fov` is out of range"),
+    ("fov_axis\" value=\"x\"", "fov_axis\" value=\"z\"", "`fov_axis` cannot be `z`"),
+    (
+        "<float name=\"near_clip\" value=\"0.1\"/>",
+        "<float name=\"focal_length\" value=\"50\"/>",
+        "`float` named `focal_length` cannot be said of a sensor of type `perspective`",
+    ),
+    ("value=\"$width\"", "value=\"0\"", "`width` is out of range"),
+    (
+        "<integer name=\"height\" value=\"1\"/>",
+        "<integer name=\"height\" value=\"2\"/>",
+        "an irradiance meter of more than one pixel cannot be said",
+    ),
+    ("type=\"irradiancemeter\"", "type=\"radiancemeter\"", "a sensor of type `radiancemeter` cannot be said"),
+];
+
+#[test]
+fn what_cannot_be_said_is_named_with_its_line() {
+    // What is missing from an element, or wrong with it as a whole, is told at its head.
+    check_each(EVERYTHING, FILE, CASES, 6);
+}
+
+#[test]
+fn a_two_sided_lamp_cannot_be_said() {
+    let text = EVERYTHING.replace("<emitter type=\"area\">", "<ref id=\"white\"/><emitter type=\"area\">");
+    let found = errors(&text, FILE);
+    assert_eq!(found[0].message, "a surface that reflects from two sides and emits from one cannot be said");
+}
+
+#[test]
+fn boundaries_with_different_surroundings_cannot_be_said() {
+    let text = EVERYTHING.replace(
+        "<shape type=\"disk\"",
+        "<shape type=\"sphere\"><point name=\"center\" value=\"0, 50, 0\"/><bsdf type=\"dielectric\"/></shape><shape type=\"disk\"",
+    );
+    let found = errors(&text, FILE);
+    assert_eq!(found[0].message, "the index 1.000277 around this boundary is not 1, as around the first one");
+}
+
+#[test]
+fn a_text_that_is_not_xml_is_an_error_with_its_place() {
+    let cases = [
+        ("<scene version=\"3.0.0\">\n  <shape></scene>", 2),
+        ("<scene version=\"3.0.0\">\n  <shape type=\"a\" type=\"b\"/></scene>", 2),
+        ("", 1),
+        ("<!DOCTYPE a [<!ENTITY b 'c'>]><scene version=\"3.0.0\"/>", 1),
+        ("<box/>", 1),
+    ];
+    for (text, line) in cases {
+        assert_eq!(errors(text, FILE)[0].line, line, "{text}");
+    }
+    let deep = format!("<scene version=\"3.0.0\">{}", "<shape>".repeat(100_000));
+    assert!(!errors(&deep, FILE).is_empty());
+    let deep = format!("{}{}", "<shape type=\"a\">".repeat(100_000), "</shape>".repeat(100_000));
+    assert!(!errors(&format!("<scene version=\"3.0.0\">{deep}</scene>"), FILE).is_empty());
+}
+
+#[test]
+fn references_in_a_circle_are_an_error() {
+    let text = "<scene version=\"3.0.0\"><bsdf type=\"twosided\" id=\"a\"><ref id=\"a\"/></bsdf></scene>";
+    assert_eq!(errors(text, FILE)[0].message, "a bsdf of type `twosided` cannot be two-sided");
+}
