@@ -56,7 +56,7 @@ impl fmt::Display for SceneError {
             let indent: String = before.map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
             writeln!(f, "{file}:{line}:{column}: {message}")?;
             writeln!(f, "{margin} |")?;
-            writeln!(f, "{number} | {quoted}")?;
+            writeln!(f, "{}", format!("{number} | {quoted}").trim_end())?;
             write!(f, "{margin} | {indent}{}", "^".repeat(*marked))?;
         }
         if !expected.is_empty() {

@@ -72,6 +72,7 @@ fn read_toml(report: &mut Report, text: &str, files: &mut MeshFiles) -> Option<S
 }
 
 /// What the elements of a scene refer to.
+#[derive(Default)]
 pub(super) struct Known {
     /// How many bands there are; unknown where the bands themselves are in error.
     pub(super) bands: Option<usize>,
@@ -87,15 +88,9 @@ fn read_root(report: &mut Report, root: &DeTable, files: &mut MeshFiles) -> Scen
     element.check_keys(report, KEYS);
     let name = element.optional("name").and_then(|value| text(report, value, "`name`")).unwrap_or_default();
     let unit = element.optional("unit").and_then(|value| unit(report, value)).unwrap_or(LengthUnit::Metre);
-    let bands = element.optional("bands").and_then(|value| bands(report, value)).unwrap_or_default();
-    let bands_are_known = !bands.is_empty() || element.optional("bands").is_none();
-    let mut known = Known {
-        bands: bands_are_known.then_some(bands.len().max(1)),
-        media: Indices::default(),
-        materials: Indices::default(),
-        dielectrics: HashSet::new(),
-        surfaces: Indices::default(),
-    };
+    let bands = element.optional("bands").map_or(Some(Vec::new()), |value| bands(report, value));
+    let mut known = Known { bands: bands.as_ref().map(|bands| bands.len().max(1)), ..Known::default() };
+    let bands = bands.unwrap_or_default();
     let media = each(report, root, "medium", |report, element, names, index| {
         medium::read(report, element, names, &mut known, index)
     });

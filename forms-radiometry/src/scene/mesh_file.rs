@@ -10,7 +10,7 @@ mod words;
 use super::SceneError;
 use super::error::Report;
 use super::place::{Place, Source};
-use crate::geometry::{Mesh, Vector};
+use crate::geometry::{FaceError, Mesh, MeshError, PolygonError, Vector};
 use std::collections::HashMap;
 use std::io;
 use std::ops::Range;
@@ -109,18 +109,30 @@ impl Parts {
             ));
         }
         if self.faults.is_empty() {
+            let vertices = self.vertices.len();
             match Mesh::new(self.vertices, &self.faces) {
                 Ok(mesh) => return Ok(mesh),
                 Err(errors) => {
-                    let expected = "a simple planar polygon; what is not planar has to be cut into triangles";
-                    let fault = |error: crate::geometry::MeshError| {
-                        Fault::new(self.face_places[error.face].clone(), error.to_string(), expected)
+                    let fault = |error: MeshError| {
+                        let place = self.face_places[error.face].clone();
+                        Fault::new(place, error.to_string(), expected(&error.reason, vertices))
                     };
                     self.faults.extend(errors.into_iter().map(fault));
                 }
             }
         }
         Err(told(source, self.faults))
+    }
+}
+
+/// What a face should have been.
+fn expected(reason: &FaceError, vertices: usize) -> String {
+    match reason {
+        FaceError::NoVertex(_) => format!("one of the {vertices} vertices"),
+        FaceError::Polygon(PolygonError::NotPlanar { .. }) => {
+            "a planar polygon, or the triangles it is made of".to_owned()
+        }
+        FaceError::Polygon(_) => "a simple planar polygon".to_owned(),
     }
 }
 
