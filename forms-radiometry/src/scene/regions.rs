@@ -42,14 +42,14 @@ pub(super) fn check(report: &mut Report, scene: &Scene) {
     for sheet in (0..sheets.len()).filter(|&sheet| sheets[sheet].has_rim()) {
         regions.join(Side::Front(sheet), Side::Back(sheet));
     }
+    if open_boundaries(report, scene, &sheets, &edges, &mut regions) {
+        return;
+    }
     let is_dielectric = |sheet: &Sheet| inside(scene, &scene.surfaces[sheet.surface]).is_some();
     for (a, b) in rays::seen(&sheets, &edges, is_dielectric) {
         regions.join(a, b);
     }
-    let open = open_boundaries(report, scene, &sheets, &edges, &mut regions);
-    if !open {
-        conflicts(report, scene, &sheets, &mut regions);
-    }
+    conflicts(report, scene, &sheets, &mut regions);
 }
 
 /// The medium behind a surface, if it is the boundary of one.
@@ -86,6 +86,11 @@ fn open_boundaries(
 ) -> bool {
     const EXPECTED: &str =
         "surfaces that meet edge to edge around the medium, split where another one ends on them";
+    let (mut of_surfaces, mut of_regions) = (HashMap::new(), HashMap::new());
+    for edge in edges.iter().filter(|edge| edge.is_free()) {
+        of_surfaces.entry(sheets[edge.first()].surface).or_insert(edge);
+        of_regions.entry(regions.of(Side::Back(edge.first()))).or_insert(edge);
+    }
     let mut told = vec![false; scene.surfaces.len()];
     for (index, sheet) in sheets.iter().enumerate() {
         let surface = &scene.surfaces[sheet.surface];
@@ -95,9 +100,7 @@ fn open_boundaries(
             continue;
         }
         told[sheet.surface] = true;
-        let mut free = edges.iter().filter(|edge| edge.is_free());
-        let mut own = free.clone().filter(|edge| sheets[edge.first()].surface == sheet.surface);
-        let nearest = own.next().or_else(|| free.find(|edge| regions.of(Side::Back(edge.first())) == region));
+        let nearest = of_surfaces.get(&sheet.surface).or_else(|| of_regions.get(&region));
         let gap = nearest.map_or(String::new(), |edge| {
             let of = &scene.surfaces[sheets[edge.first()].surface].name;
             let [a, b] = edge.ends.map(|v| format!("[{}, {}, {}]", v.x, v.y, v.z));

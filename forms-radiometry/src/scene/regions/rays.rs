@@ -14,21 +14,20 @@ pub(super) fn seen(
     edges: &[Edge],
     is_asked_for: impl Fn(&Sheet) -> bool,
 ) -> Vec<(Side, Side)> {
-    let bodies = bodies(sheets.len(), edges);
-    let mut done = vec![false; sheets.len()];
-    let mut seen = Vec::new();
-    for (index, sheet) in sheets.iter().enumerate().filter(|(_, sheet)| is_asked_for(sheet)) {
-        if std::mem::replace(&mut done[bodies[index]], true) {
-            continue;
-        }
-        seen.extend(first_sight(sheets, sheet, |other| bodies[other] == bodies[index]));
-    }
-    seen
+    let bodies = bodies(sheets, edges);
+    let asked_for = |body: &&Body| body.sheets.iter().any(|&sheet| is_asked_for(&sheets[sheet]));
+    bodies.iter().filter(asked_for).filter_map(|body| first_sight(sheets, &bodies, body)).collect()
 }
 
-/// The body that each sheet belongs to: sheets that share an edge belong to one.
-fn bodies(sheets: usize, edges: &[Edge]) -> Vec<usize> {
-    let mut neighbours = vec![Vec::new(); sheets];
+/// Sheets that are joined by edges, and a ball around them.
+struct Body {
+    sheets: Vec<usize>,
+    middle: Vector,
+    radius: f64,
+}
+
+fn bodies(sheets: &[Sheet], edges: &[Edge]) -> Vec<Body> {
+    let mut neighbours = vec![Vec::new(); sheets.len()];
     for edge in edges {
         let first = edge.first();
         for sheet in edge.sheets().filter(|&sheet| sheet != first) {
@@ -36,32 +35,58 @@ fn bodies(sheets: usize, edges: &[Edge]) -> Vec<usize> {
             neighbours[sheet].push(first);
         }
     }
-    let mut bodies: Vec<Option<usize>> = vec![None; sheets];
-    for start in 0..sheets {
-        let mut reached = vec![start];
+    let mut is_reached = vec![false; sheets.len()];
+    let mut bodies = Vec::new();
+    for start in 0..sheets.len() {
+        let (mut members, mut reached) = (Vec::new(), vec![start]);
         while let Some(sheet) = reached.pop() {
-            if bodies[sheet].is_none() {
-                bodies[sheet] = Some(start);
+            if !std::mem::replace(&mut is_reached[sheet], true) {
+                members.push(sheet);
                 reached.extend(&neighbours[sheet]);
             }
         }
+        if !members.is_empty() {
+            bodies.push(Body::of(sheets, members));
+        }
     }
-    bodies.into_iter().map(Option::unwrap_or_default).collect()
+    bodies
+}
+
+impl Body {
+    fn of(all: &[Sheet], sheets: Vec<usize>) -> Self {
+        let middle = middle(&all[sheets[0]].shape);
+        let reach = |sheet: &usize| match &all[*sheet].shape {
+            Piece::Face(polygon, _) => {
+                polygon.vertices().iter().map(|&v| (v - middle).length()).fold(0.0, f64::max)
+            }
+            Piece::Sphere(sphere) => (sphere.center - middle).length() + sphere.radius,
+            Piece::Disk(disk) => (disk.center - middle).length() + disk.radius,
+        };
+        let radius = sheets.iter().map(reach).fold(0.0, f64::max);
+        Self { sheets, middle, radius }
+    }
+
+    /// Whether the line through a point comes near, with a margin for rounding.
+    fn is_near(&self, through: Vector) -> bool {
+        let o = self.middle - through;
+        let along = (o.dot(DIRECTION) / DIRECTION.dot(DIRECTION)) * DIRECTION;
+        (o - along).length() <= (1.0 + 1e-6) * self.radius
+    }
 }
 
 /// The first side of a body on a ray through one of its sheets, and the side before it.
-fn first_sight(sheets: &[Sheet], target: &Sheet, is_body: impl Fn(usize) -> bool) -> Option<(Side, Side)> {
-    let through = middle(&target.shape);
+fn first_sight(sheets: &[Sheet], bodies: &[Body], body: &Body) -> Option<(Side, Side)> {
+    let through = body.middle;
     let mut hits: Vec<Hit> = Vec::new();
-    for (index, sheet) in sheets.iter().enumerate() {
-        hits.extend(crossings(&sheet.shape, through).into_iter().map(|(at, from_front)| Hit {
-            at,
-            index,
-            from_front,
-        }));
+    for other in bodies.iter().filter(|other| other.is_near(through)) {
+        let is_body = std::ptr::eq(other, body);
+        for &index in &other.sheets {
+            let crossings = crossings(&sheets[index].shape, through).into_iter();
+            hits.extend(crossings.map(|(at, from_front)| Hit { at, index, from_front, is_body }));
+        }
     }
     hits.sort_by(|a, b| a.at.total_cmp(&b.at));
-    let first = hits.iter().position(|hit| is_body(hit.index))?;
+    let first = hits.iter().position(|hit| hit.is_body)?;
     let before = first.checked_sub(1).map_or(Side::Outside, |before| hits[before].left());
     Some((hits[first].met(), before))
 }
@@ -72,6 +97,7 @@ struct Hit {
     at: f64,
     index: usize,
     from_front: bool,
+    is_body: bool,
 }
 
 impl Hit {
