@@ -16,6 +16,7 @@ mod media;
 mod object;
 mod sensor;
 mod shape;
+mod surroundings;
 mod transform;
 mod values;
 
@@ -28,6 +29,7 @@ use media::Media;
 use object::Object;
 use std::collections::HashMap;
 use std::ops::Range;
+pub(super) use surroundings::Surroundings;
 
 type Node<'a> = roxmltree::Node<'a, 'a>;
 
@@ -45,7 +47,8 @@ struct Reader<'a, 'r, 'f> {
     /// One, or three where a colour is given as red, green and blue.
     bands: usize,
     names: Names,
-    media: Media<'a>,
+    media: Media,
+    surroundings: Surroundings,
     /// Elements that were read before, by their numbers in the document.
     bsdfs: HashMap<usize, bsdf::Bsdf>,
     materials: Vec<Material>,
@@ -59,7 +62,8 @@ struct Reader<'a, 'r, 'f> {
     integrator: Option<Integrator>,
 }
 
-pub(super) fn read(report: &mut Report, text: &str, files: &mut MeshFiles) -> Option<Scene> {
+/// The scene, and what it says of its surroundings, which is to be compared with the regions of the scene.
+pub(super) fn read(report: &mut Report, text: &str, files: &mut MeshFiles) -> Option<(Scene, Surroundings)> {
     let document = match roxmltree::Document::parse(text) {
         Ok(document) => document,
         Err(error) => {
@@ -81,6 +85,7 @@ pub(super) fn read(report: &mut Report, text: &str, files: &mut MeshFiles) -> Op
         bands: if has_colours { 3 } else { 1 },
         names: Names::default(),
         media: Media::default(),
+        surroundings: Surroundings::default(),
         bsdfs: HashMap::new(),
         materials: Vec::new(),
         known_materials: HashMap::new(),
@@ -181,15 +186,17 @@ impl<'a> Reader<'a, '_, '_> {
         self.report.error(node.range(), message, expected);
     }
 
-    fn scene(mut self, has_colours: bool) -> Scene {
+    fn scene(mut self, has_colours: bool) -> (Scene, Surroundings) {
         let solve = Solve { forced: self.forced(), ..Solve::default() };
-        let (media, medium) = self.fill();
+        let medium = self.ambient_medium();
+        let (media, elements) = self.all_media();
+        let surroundings = self.all_surroundings(elements);
         let ambient = Ambient {
             medium,
             radiance: self.ambient_radiance.unwrap_or_else(|| vec![0.0; self.bands]),
             place: self.report.place(self.ambient_place),
         };
-        Scene {
+        let scene = Scene {
             name: String::new(),
             unit: LengthUnit::Metre,
             bands: if has_colours { RGB.to_vec() } else { Vec::new() },
@@ -200,6 +207,7 @@ impl<'a> Reader<'a, '_, '_> {
             receivers: self.receivers,
             ambient,
             solve,
-        }
+        };
+        (scene, surroundings)
     }
 }

@@ -49,18 +49,31 @@ pub fn read_with_files(
     let mut report = Report::new(&source);
     let mut files = MeshFiles::new(file_name, files);
     let is_xml = Path::new(file_name).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("xml"));
-    let scene = if is_xml {
-        mitsuba::read(&mut report, &source.text, &mut files)
-    } else {
-        read_toml(&mut report, &source.text, &mut files)
-    };
-    match scene {
-        Some(scene) if report.is_empty() => {
-            regions::check(&mut report, &scene);
-            if report.is_empty() { Ok(scene) } else { Err(report.into_errors()) }
-        }
-        _ => Err(report.into_errors()),
+    if is_xml {
+        let read = mitsuba::read(&mut report, &source.text, &mut files);
+        return finished(report, read, |report, (mut scene, surroundings)| {
+            let fronts = regions::check(report, &scene);
+            if report.is_empty() {
+                surroundings.settle(report, &mut scene, &fronts);
+            }
+            scene
+        });
     }
+    let read = read_toml(&mut report, &source.text, &mut files);
+    finished(report, read, |report, scene| {
+        regions::check(report, &scene);
+        scene
+    })
+}
+
+/// The scene that was read, after a last check if nothing was wrong so far.
+fn finished<T>(
+    mut report: Report,
+    read: Option<T>,
+    check: impl FnOnce(&mut Report, T) -> Scene,
+) -> Result<Scene, Vec<SceneError>> {
+    let scene = read.filter(|_| report.is_empty()).map(|read| check(&mut report, read));
+    scene.filter(|_| report.is_empty()).ok_or_else(|| report.into_errors())
 }
 
 fn read_toml(report: &mut Report, text: &str, files: &mut MeshFiles) -> Option<Scene> {

@@ -21,35 +21,42 @@ use sheets::{Sheet, Side, sheets};
 use std::collections::HashMap;
 
 /// A medium by its index, or vacuum.
-type Filling = Option<usize>;
+pub(super) type Filling = Option<usize>;
 
-/// Reports media that are entered and never left, and regions that two media are said to fill.
-pub(super) fn check(report: &mut Report, scene: &Scene) {
+/// What is before the front of a boundary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Front {
+    /// The index of the surface.
+    pub(super) surface: usize,
+    pub(super) filling: Filling,
+}
+
+/// Reports media that are entered and never left, and regions that two media are said to fill. Where there are none,
+/// what is before each boundary.
+pub(super) fn check(report: &mut Report, scene: &Scene) -> Vec<Front> {
     if !scene.surfaces.iter().any(|surface| inside(scene, surface).is_some()) {
-        return;
+        return Vec::new();
     }
     let (sheets, vertices) = sheets(scene);
     let edges = edges(&sheets, &vertices);
     if overlaps(report, scene, &sheets, &edges) {
-        return;
+        return Vec::new();
     }
     let mut regions = Regions::new(sheets.len());
-    for edge in &edges {
-        for (a, b) in edge.facing() {
-            regions.join(a, b);
-        }
+    for (a, b) in edges.iter().flat_map(Edge::facing) {
+        regions.join(a, b);
     }
     for sheet in (0..sheets.len()).filter(|&sheet| sheets[sheet].has_rim()) {
         regions.join(Side::Front(sheet), Side::Back(sheet));
     }
     if open_boundaries(report, scene, &sheets, &edges, &mut regions) {
-        return;
+        return Vec::new();
     }
     let is_dielectric = |sheet: &Sheet| inside(scene, &scene.surfaces[sheet.surface]).is_some();
     for (a, b) in rays::seen(&sheets, &edges, is_dielectric) {
         regions.join(a, b);
     }
-    conflicts(report, scene, &sheets, &mut regions);
+    fill(report, scene, &sheets, &mut regions)
 }
 
 /// The medium behind a surface, if it is the boundary of one.
@@ -113,40 +120,47 @@ fn open_boundaries(
     told.contains(&true)
 }
 
-/// Reports regions that are filled twice, and boundaries of a medium with itself.
-fn conflicts(report: &mut Report, scene: &Scene, sheets: &[Sheet], regions: &mut Regions) {
+/// Fills every region, and reports those that are filled twice and boundaries of a medium with itself. A region
+/// that no boundary fills is filled by the ambient medium.
+fn fill(report: &mut Report, scene: &Scene, sheets: &[Sheet], regions: &mut Regions) -> Vec<Front> {
     const EXPECTED: &str = "faces that run counter-clockwise seen from outside of the medium behind them";
-    let named = |filling: Filling| match filling {
-        Some(medium) => format!("`{}`", scene.media[medium].name),
-        None => "vacuum".to_owned(),
-    };
     let mut fillings: HashMap<usize, (Filling, String)> = HashMap::new();
     fillings.insert(regions.of(Side::Outside), (scene.ambient.medium, "around the scene".to_owned()));
+    let boundaries = || {
+        let boundary = |(index, sheet): (usize, &Sheet)| {
+            inside(scene, &scene.surfaces[sheet.surface]).map(|medium| (index, sheet.surface, medium))
+        };
+        sheets.iter().enumerate().filter_map(boundary)
+    };
     let mut told = vec![false; scene.surfaces.len()];
-    let boundaries = |sheet: &Sheet| inside(scene, &scene.surfaces[sheet.surface]);
-    for (index, sheet) in sheets.iter().enumerate() {
-        let Some(medium) = boundaries(sheet).filter(|_| !told[sheet.surface]) else { continue };
-        let surface = &scene.surfaces[sheet.surface];
-        let own = (Some(medium), format!("behind `{}`", surface.name));
+    for (index, surface, medium) in boundaries() {
+        let name = &scene.surfaces[surface].name;
+        let own = (Some(medium), format!("behind `{name}`"));
         let (filling, from) = fillings.entry(regions.of(Side::Back(index))).or_insert(own);
-        if *filling != Some(medium) {
-            told[sheet.surface] = true;
-            let (own, other) = (named(Some(medium)), named(*filling));
-            let message =
-                format!("{own} behind `{}` would fill the same space as {other} {from}", surface.name);
-            report.error_at(&surface.place, message, EXPECTED);
+        if *filling != Some(medium) && !std::mem::replace(&mut told[surface], true) {
+            let (own, other) = (named(scene, Some(medium)), named(scene, *filling));
+            let message = format!("{own} behind `{name}` would fill the same space as {other} {from}");
+            report.error_at(&scene.surfaces[surface].place, message, EXPECTED);
         }
     }
-    for (index, sheet) in sheets.iter().enumerate() {
-        let Some(medium) = boundaries(sheet).filter(|_| !told[sheet.surface]) else { continue };
+    let mut fronts = Vec::new();
+    for (index, surface, medium) in boundaries() {
         let front = fillings.get(&regions.of(Side::Front(index)));
-        if front.is_some_and(|(filling, _)| *filling == Some(medium)) {
-            told[sheet.surface] = true;
-            let surface = &scene.surfaces[sheet.surface];
-            let message = format!("{} is on both sides of `{}`", named(Some(medium)), surface.name);
-            report.error_at(&surface.place, message, EXPECTED);
+        let filling = front.map_or(scene.ambient.medium, |(filling, _)| *filling);
+        if filling == Some(medium) && !std::mem::replace(&mut told[surface], true) {
+            let message =
+                format!("{} is on both sides of `{}`", named(scene, filling), scene.surfaces[surface].name);
+            report.error_at(&scene.surfaces[surface].place, message, EXPECTED);
         }
+        fronts.push(Front { surface, filling });
     }
+    fronts.sort_unstable();
+    fronts.dedup();
+    fronts
+}
+
+fn named(scene: &Scene, filling: Filling) -> String {
+    filling.map_or("vacuum".to_owned(), |medium| format!("`{}`", scene.media[medium].name))
 }
 
 /// Sets of sides that bound one region: a forest, where every tree is a set.

@@ -8,6 +8,7 @@ mod media;
 mod meshes;
 mod mitsuba;
 mod mitsuba_errors;
+mod mitsuba_media;
 mod page;
 
 use forms_radiometry::scene::{Scene, SceneError, read_with_files};

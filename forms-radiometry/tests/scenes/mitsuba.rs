@@ -1,6 +1,6 @@
 //! Scenes of Mitsuba 3: each element that can be said comes to the model as it is meant, and each that cannot is named.
 
-use crate::{errors, read, scene, shown};
+use crate::{read, scene, shown};
 use forms_radiometry::geometry::{Mesh, Sphere, Vector};
 use forms_radiometry::scene::{
     Effect, Force, LightKind, MaterialKind, ReceiverKind, Scene, Shape, not_simulated,
@@ -146,50 +146,6 @@ fn materials_are_those_of_the_elements_and_what_has_none_is_black_if_it_emits_an
     assert_eq!(kind("lid").0, &MaterialKind::Mirror { reflectance: vec![1.0; 3] });
     assert_eq!(kind("block").0, &MaterialKind::Conductor { eta: vec![0.2, 0.4, 1.4], k: vec![2.0; 3] });
     assert!(matches!(kind("ball").0, MaterialKind::Dielectric { .. }));
-}
-
-#[test]
-fn a_medium_is_told_by_albedo_extinction_and_scale_and_takes_its_index_from_its_boundary() {
-    let scene = everything();
-    let inside = |name: &str| {
-        let surface = scene.surfaces.iter().find(|surface| surface.name == name).unwrap();
-        match scene.materials[surface.material].kind {
-            MaterialKind::Dielectric { inside } => &scene.media[inside],
-            _ => panic!("{name} is a boundary"),
-        }
-    };
-    for (name, n) in [("ball", 1.5), ("cloud", 1.0)] {
-        let medium = inside(name);
-        assert_eq!((&medium.absorption, &medium.scattering), (&vec![4.0, 2.0, 0.0], &vec![4.0, 6.0, 8.0]));
-        assert_eq!((&medium.asymmetry, &medium.index), (&vec![-0.25; 3], &vec![n; 3]), "{name}");
-    }
-    assert_eq!(scene.ambient.medium, None);
-}
-
-#[test]
-fn the_index_around_all_boundaries_is_that_of_the_ambient_medium() {
-    let scene = scene(&EVERYTHING.replace("value=\"vacuum\"", "value=\"air\""), FILE);
-    let ambient = &scene.media[scene.ambient.medium.unwrap()];
-    assert_eq!(ambient.index, [1.000277; 3]);
-    assert!(ambient.absorption == [0.0; 3] && ambient.scattering == [0.0; 3]);
-}
-
-#[test]
-fn what_is_outside_of_every_boundary_and_around_the_sensors_fills_the_scene() {
-    let text = r#"<scene version="3.0.0">
-        <medium type="homogeneous" id="haze"><float name="sigma_t" value="0.1"/></medium>
-        <shape type="sphere">
-            <bsdf type="dielectric"><float name="ext_ior" value="1"/></bsdf>
-            <ref name="exterior" id="haze"/>
-        </shape>
-        <sensor type="perspective"><float name="fov" value="40"/><ref id="haze"/></sensor>
-    </scene>"#;
-    let scene = scene(text, FILE);
-    let ambient = &scene.media[scene.ambient.medium.unwrap()];
-    assert_eq!((&*ambient.name, &ambient.index), ("haze", &vec![1.0]));
-    assert!((ambient.scattering[0] - 0.075).abs() < 1e-16 && (ambient.absorption[0] - 0.025).abs() < 1e-16);
-    let found = errors(&text.replace("<ref id=\"haze\"/></sensor>", "</sensor>"), FILE);
-    assert_eq!(found[0].message, "what surrounds this is not what surrounds the first sensor or boundary");
 }
 
 fn vertices(scene: &Scene, name: &str) -> (Vec<Vector>, Vector) {

@@ -185,7 +185,7 @@ fn boundaries_with_different_surroundings_cannot_be_said() {
         "<shape type=\"sphere\"><point name=\"center\" value=\"0, 50, 0\"/><bsdf type=\"dielectric\"/></shape><shape type=\"disk\"",
     );
     let found = errors(&text, FILE);
-    assert_eq!(found[0].message, "the index 1.000277 around this boundary is not 1, as around the first one");
+    assert_eq!(found[0].message, "the index 1.000277 outside is not 1, as of the first boundary there");
 }
 
 #[test]

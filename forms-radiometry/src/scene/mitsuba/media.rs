@@ -1,5 +1,4 @@
-//! Media: `<medium>` becomes coefficients; with the index that a boundary gives it, a medium of the model. What
-//! shapes and sensors say of their surroundings becomes the ambient medium.
+//! Media: `<medium>` becomes coefficients; with the index that a boundary gives it, a medium of the model.
 
 use super::{Node, Reader};
 use crate::scene::model::Medium;
@@ -7,26 +6,27 @@ use crate::scene::value::{FRACTION, MEAN_COSINE, NOT_NEGATIVE};
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// The index of a medium: that of a boundary, or the one of what surrounds the scene.
+/// The index of a medium.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Index {
-    /// By the bits of the number.
+    /// That of a boundary, by the bits of the number.
     Given(u64),
-    Surrounding,
+    /// The same as in front of its boundary.
+    OfFront,
+    /// That of the ambient medium.
+    Ambient,
 }
 
-/// The media so far, and what is said of the surroundings.
+/// The media so far.
 #[derive(Default)]
-pub(super) struct Media<'a> {
+pub(super) struct Media {
     /// Elements that were read, by their numbers in the document.
     read: HashMap<usize, Coefficients>,
     /// The media of the scene by what they are made of.
     indices: HashMap<(Option<usize>, Index), usize>,
     list: Vec<Medium>,
-    /// What lies around shapes and sensors: an element, or vacuum.
-    around: Vec<(Option<Node<'a>>, Range<usize>)>,
-    /// The index around shapes.
-    around_index: Vec<(f64, Range<usize>)>,
+    /// The element of each, by its number in the document.
+    pub(super) elements: Vec<Option<usize>>,
 }
 
 #[derive(Clone, Debug)]
@@ -104,17 +104,19 @@ impl<'a> Reader<'a, '_, '_> {
     }
 
     /// The medium of the scene that an element is with an index; without an element, a clear one.
-    pub(super) fn filled(&mut self, node: Option<Node<'a>>, index: Index, place: Range<usize>) -> usize {
-        let key = node.map(|node| self.medium(node));
+    pub(super) fn filled(&mut self, key: Option<usize>, index: Index, place: Range<usize>) -> usize {
         let next = self.media.list.len();
         let found = *self.media.indices.entry((key, index)).or_insert(next);
         if found == next {
             let n = match index {
                 Index::Given(bits) => f64::from_bits(bits),
-                Index::Surrounding => 1.0,
+                Index::OfFront | Index::Ambient => 1.0,
             };
             let clear = Coefficients {
-                name: format!("clear medium of index {n}"),
+                name: match index {
+                    Index::Given(_) => format!("clear medium of index {n}"),
+                    Index::OfFront | Index::Ambient => "ambient medium".to_owned(),
+                },
                 absorption: vec![0.0; self.bands],
                 scattering: vec![0.0; self.bands],
                 asymmetry: vec![0.0; self.bands],
@@ -122,6 +124,7 @@ impl<'a> Reader<'a, '_, '_> {
             let Coefficients { name, absorption, scattering, asymmetry } =
                 key.and_then(|key| self.media.read.get(&key).cloned()).unwrap_or(clear);
             let place = self.report.place(place);
+            self.media.elements.push(key);
             self.media.list.push(Medium {
                 name,
                 absorption,
@@ -134,16 +137,6 @@ impl<'a> Reader<'a, '_, '_> {
         found
     }
 
-    /// Notes what lies around a shape or a sensor.
-    pub(super) fn surrounded_by(&mut self, node: Option<Node<'a>>, place: Range<usize>) {
-        self.media.around.push((node, place));
-    }
-
-    /// Notes the index around a shape.
-    pub(super) fn surrounded_by_index(&mut self, n: f64, place: Range<usize>) {
-        self.media.around_index.push((n, place));
-    }
-
     /// Whether there is a medium that does anything on the way of light.
     pub(super) fn has_media(&self) -> bool {
         let acts =
@@ -151,33 +144,8 @@ impl<'a> Reader<'a, '_, '_> {
         self.media.list.iter().any(acts)
     }
 
-    /// The media of the scene, and which of them is the ambient one. All that is said of the surroundings has to
-    /// agree.
-    pub(super) fn fill(&mut self) -> (Vec<Medium>, Option<usize>) {
-        let n = self.media.around_index.first().map_or(1.0, |(n, _)| *n);
-        for (other, place) in std::mem::take(&mut self.media.around_index) {
-            if other != n {
-                let message =
-                    format!("the index {other} around this boundary is not {n}, as around the first one");
-                self.report.error(place, message, "one index around all boundaries, as `ext_ior`");
-            }
-        }
-        let around = std::mem::take(&mut self.media.around);
-        let (first, place) = around.first().cloned().unwrap_or((None, 0..0));
-        for (_, place) in around.into_iter().filter(|(other, _)| *other != first) {
-            let message = "what surrounds this is not what surrounds the first sensor or boundary";
-            self.report.error(place, message, "one medium around all sensors and boundaries, as `exterior`");
-        }
-        let ambient = if first.is_some() || n != 1.0 {
-            Some(self.filled(first, Index::Surrounding, place))
-        } else {
-            None
-        };
-        for (&(_, index), &medium) in &self.media.indices {
-            if index == Index::Surrounding {
-                self.media.list[medium].index = vec![n; self.bands];
-            }
-        }
-        (std::mem::take(&mut self.media.list), ambient)
+    /// The media of the scene, and the element of each.
+    pub(super) fn all_media(&mut self) -> (Vec<Medium>, Vec<Option<usize>>) {
+        (std::mem::take(&mut self.media.list), std::mem::take(&mut self.media.elements))
     }
 }

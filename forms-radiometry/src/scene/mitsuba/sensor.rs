@@ -21,11 +21,8 @@ impl<'a> Reader<'a, '_, '_> {
         let count = self.receivers.len();
         let name = self.name(&object, "sensor", count);
         let camera = self.camera(&mut object);
-        let medium = self.take_object(&mut object, "medium");
-        if let Some(medium) = medium {
-            self.medium(medium);
-        }
-        self.surrounded_by(medium, node.range());
+        let medium = self.take_object(&mut object, "medium").map(|medium| self.medium(medium));
+        self.sensor_in(node, medium);
         object.take_tag("sampler");
         object.ignore(&["near_clip", "far_clip"]);
         self.finish(

@@ -53,7 +53,7 @@ impl<'a> Reader<'a, '_, '_> {
         let inside = self.named_medium(object, "interior");
         let outside = self.named_medium(object, "exterior");
         let node = object.node;
-        let index = match &bsdf.law {
+        let (index, n) = match &bsdf.law {
             Law::Opaque(kind) => {
                 if inside.is_some() || outside.is_some() {
                     let message = "a medium beside an opaque surface cannot be said";
@@ -62,10 +62,9 @@ impl<'a> Reader<'a, '_, '_> {
                 return bsdf.material(self, kind.clone());
             }
             Law::Dielectric { inside, outside, outside_place } => {
-                self.surrounded_by_index(*outside, outside_place.clone());
-                Index::Given(inside.to_bits())
+                (Index::Given(inside.to_bits()), Some((*outside, outside_place.clone())))
             }
-            Law::Null => Index::Surrounding,
+            Law::Null => (Index::OfFront, None),
             Law::Wrong => return 0,
         };
         if matches!(bsdf.law, Law::Null) && inside.is_none() {
@@ -75,13 +74,13 @@ impl<'a> Reader<'a, '_, '_> {
                 "an interior medium",
             );
         }
-        self.surrounded_by(outside, node.range());
         let inside = self.filled(inside, index, node.range());
+        self.boundary(node, inside, n, outside);
         bsdf.material(self, MaterialKind::Dielectric { inside })
     }
 
-    /// Takes the medium that is named `interior` or `exterior`.
-    fn named_medium(&mut self, object: &mut Object<'a>, name: &str) -> Option<Node<'a>> {
+    /// Takes the medium that is named `interior` or `exterior`; its number in the document.
+    fn named_medium(&mut self, object: &mut Object<'a>, name: &str) -> Option<usize> {
         let node = object.take(name)?;
         let medium = self.resolved(node)?;
         if !medium.has_tag_name("medium") {
@@ -89,8 +88,7 @@ impl<'a> Reader<'a, '_, '_> {
             self.error(node, message, "`medium`");
             return None;
         }
-        self.medium(medium);
-        Some(medium)
+        Some(self.medium(medium))
     }
 
     fn geometry(&mut self, object: &mut Object<'a>) -> Option<Shape> {

@@ -1,0 +1,147 @@
+//! Surroundings: in Mitsuba every boundary says what is outside of it, and every sensor where it is; here space is
+//! divided by surfaces and the rest is the ambient medium. What was said has to be what is there.
+
+use super::media::Index;
+use super::{Node, Reader};
+use crate::scene::error::Report;
+use crate::scene::model::Scene;
+use crate::scene::place::Place;
+use crate::scene::regions::{Filling, Front};
+use std::ops::Range;
+
+/// What a boundary says of its outside.
+struct Boundary {
+    /// The index of its surface, and of the medium behind it.
+    surface: usize,
+    inside: usize,
+    /// The index outside and where it is said; without one it is the same on both sides.
+    n: Option<(f64, Place)>,
+    /// The number of the element that is outside; none for a clear medium.
+    exterior: Option<usize>,
+    place: Place,
+}
+
+/// What a scene says of the outside of its boundaries and of its sensors.
+#[derive(Default)]
+pub(in crate::scene) struct Surroundings {
+    boundaries: Vec<Boundary>,
+    /// The element that each sensor is in.
+    sensors: Vec<(Option<usize>, Place)>,
+    /// The element of each medium.
+    elements: Vec<Option<usize>>,
+}
+
+impl<'a> Reader<'a, '_, '_> {
+    /// Notes what a boundary says, before its surface is added.
+    pub(super) fn boundary(
+        &mut self,
+        node: Node<'a>,
+        inside: usize,
+        n: Option<(f64, Range<usize>)>,
+        exterior: Option<usize>,
+    ) {
+        let n = n.map(|(n, place)| (n, self.report.place(place)));
+        let (surface, place) = (self.surfaces.len(), self.report.place(node.range()));
+        self.surroundings.boundaries.push(Boundary { surface, inside, n, exterior, place });
+    }
+
+    /// Notes where a sensor is.
+    pub(super) fn sensor_in(&mut self, node: Node<'a>, medium: Option<usize>) {
+        let place = self.report.place(node.range());
+        self.surroundings.sensors.push((medium, place));
+    }
+
+    /// The ambient medium: what the first sensor is in, or else what is outside of the first boundary that names
+    /// something. Its index is not known before the regions are.
+    pub(super) fn ambient_medium(&mut self) -> Option<usize> {
+        let Surroundings { boundaries, sensors, .. } = &self.surroundings;
+        if boundaries.is_empty() && sensors.iter().all(|(medium, _)| medium.is_none()) {
+            return None;
+        }
+        let of_boundaries = || boundaries.iter().find_map(|boundary| boundary.exterior);
+        let element = sensors.first().map_or_else(of_boundaries, |(medium, _)| *medium);
+        Some(self.filled(element, Index::Ambient, 0..0))
+    }
+
+    /// What was noted, with the media that it speaks of.
+    pub(super) fn all_surroundings(&mut self, elements: Vec<Option<usize>>) -> Surroundings {
+        Surroundings { elements, ..std::mem::take(&mut self.surroundings) }
+    }
+}
+
+impl Surroundings {
+    /// Compares what was said with what is in front of each boundary, and gives the media their indices.
+    pub(in crate::scene) fn settle(self, report: &mut Report, scene: &mut Scene, fronts: &[Front]) {
+        let Some(ambient) = scene.ambient.medium else { return };
+        for (medium, place) in &self.sensors {
+            if *medium != self.elements[ambient] {
+                let message =
+                    format!("this sensor is not in `{}`, which fills the scene", scene.media[ambient].name);
+                report.error_at(place, message, "the medium of the first sensor");
+            }
+        }
+        let pairs: Vec<(&Boundary, usize)> = fronts
+            .iter()
+            .filter_map(|front| {
+                let boundary = self.boundaries.iter().find(|boundary| boundary.surface == front.surface)?;
+                Some((boundary, front.filling?))
+            })
+            .collect();
+        self.ambient_index(report, scene, ambient, &pairs);
+        self.indices_of_fronts(scene, &pairs);
+        for (boundary, front) in &pairs {
+            self.compare(report, scene, boundary, *front);
+        }
+        let is_nothing = self.elements[ambient].is_none() && scene.media[ambient].is_vacuum();
+        if is_nothing && ambient + 1 == scene.media.len() {
+            scene.media.pop();
+            scene.ambient.medium = None;
+        }
+    }
+
+    /// The ambient medium has the index that the first boundary in it says.
+    fn ambient_index(
+        &self,
+        report: &mut Report,
+        scene: &mut Scene,
+        ambient: usize,
+        pairs: &[(&Boundary, usize)],
+    ) {
+        let in_it = pairs.iter().filter(|(_, front)| *front == ambient);
+        let mut said = in_it.filter_map(|(boundary, _)| boundary.n.as_ref());
+        let Some((n, _)) = said.next() else { return };
+        scene.media[ambient].index.fill(*n);
+        for (other, place) in said.filter(|(other, _)| other != n) {
+            let message = format!("the index {other} outside is not {n}, as of the first boundary there");
+            report.error_at(place, message, format!("{n}"));
+        }
+    }
+
+    /// A boundary without indices has the index of its front behind it, which may be another such medium.
+    fn indices_of_fronts(&self, scene: &mut Scene, pairs: &[(&Boundary, usize)]) {
+        for _ in 0..pairs.len() {
+            for (boundary, front) in pairs.iter().filter(|(boundary, _)| boundary.n.is_none()) {
+                scene.media[boundary.inside].index = scene.media[*front].index.clone();
+            }
+        }
+    }
+
+    fn compare(&self, report: &mut Report, scene: &Scene, boundary: &Boundary, front: usize) {
+        let (medium, name) = (&scene.media[front], &scene.surfaces[boundary.surface].name);
+        if boundary.exterior != self.elements[front] {
+            let message = format!("what `{name}` has outside is not `{}`, which is there", medium.name);
+            report.error_at(&boundary.place, message, "as `exterior` what is before the front");
+        }
+        let own = boundary.n.as_ref().map_or(scene.media[boundary.inside].index[0], |(n, _)| *n);
+        if front_differs(scene.ambient.medium, front, own, medium.index[0]) {
+            let place = boundary.n.as_ref().map_or(&boundary.place, |(_, place)| place);
+            let message = format!("the index {own} outside of `{name}` is not that of `{}`", medium.name);
+            report.error_at(place, message, format!("{}", medium.index[0]));
+        }
+    }
+}
+
+/// Whether an index is not that of the medium in front; of the ambient one this was told before.
+fn front_differs(ambient: Filling, front: usize, own: f64, there: f64) -> bool {
+    ambient != Some(front) && own != there
+}
