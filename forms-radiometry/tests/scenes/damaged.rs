@@ -1,6 +1,6 @@
 //! No text whatever makes the readers of scenes and meshes panic, and every error they give has a place.
 
-use crate::{EVERYTHING, PART_OBJ, mitsuba, read};
+use crate::{EVERYTHING, PART_OBJ, media, mitsuba, read};
 use forms_radiometry::scene::{SceneError, read_with_files};
 use forms_radiometry::{CORNELL_BOX, simulate_direct};
 
@@ -101,10 +101,12 @@ fn check(text: &str, errors: &[SceneError]) {
 fn no_mutation_of_a_scene_makes_the_reader_or_the_solver_panic() {
     let mut sequence = Sequence::new();
     let (mut right, mut wrong) = (0, 0);
-    for i in 0..4000 {
-        let (text, name) = match i % 4 {
+    let water = media::text(&media::glass_of_water(), "");
+    for i in 0..5000 {
+        let (text, name) = match i % 5 {
             0 => (CORNELL_BOX, "mutant.toml"),
             1 => (mitsuba::EVERYTHING, "mutant.xml"),
+            2 => (&*water, "mutant.toml"),
             _ => (EVERYTHING, "mutant.toml"),
         };
         let text = mutate(text, &mut sequence);

@@ -4,6 +4,7 @@
 mod damaged;
 mod elements;
 mod errors;
+mod files;
 mod media;
 mod meshes;
 mod mitsuba;

@@ -5,7 +5,7 @@ use crate::{errors, read, shown};
 use forms_radiometry::geometry::Vector;
 
 /// A list of polygons, with the material of each.
-type Body = Vec<(String, &'static str, Vec<Vector>)>;
+pub(crate) type Body = Vec<(String, &'static str, Vec<Vector>)>;
 
 /// The faces of a box, counter-clockwise seen from outside: bottom, top, front, back, left, right.
 fn cuboid(name: &str, material: &'static str, low: [f64; 3], high: [f64; 3]) -> Body {
@@ -24,7 +24,7 @@ fn reversed(mut body: Body) -> Body {
 }
 
 /// A scene of the bodies, and of what else is said.
-fn text(bodies: &[Body], rest: &str) -> String {
+pub(crate) fn text(bodies: &[Body], rest: &str) -> String {
     let mut text = String::from(
         "[[medium]]\nname = \"glass\"\nn = 1.5\n[[medium]]\nname = \"water\"\nn = 1.33\n\
          [[material]]\nname = \"glass\"\nkind = \"dielectric\"\ninside = \"glass\"\n\
@@ -93,7 +93,7 @@ fn bodies_may_lie_in_each_other() {
 }
 
 /// Water up to z = 0.5 in a glass: walls from x = 0 to 1, water between 0.25 and 0.75, open at the top.
-fn glass_of_water() -> Vec<Body> {
+pub(crate) fn glass_of_water() -> Vec<Body> {
     let corners = |x: [f64; 2], y: [f64; 2], z: f64| {
         [[x[0], y[0], z], [x[1], y[0], z], [x[1], y[1], z], [x[0], y[1], z]]
             .map(|[x, y, z]| Vector::new(x, y, z))

@@ -207,6 +207,16 @@ fn a_text_that_is_not_xml_is_an_error_with_its_place() {
 }
 
 #[test]
+fn parameters_that_double_each_other_end_in_an_error() {
+    let mut text = String::from("<scene version=\"3.0.0\"><default name=\"p0\" value=\"1, 1\"/>");
+    for i in 0..64 {
+        text += &format!("<default name=\"p{}\" value=\"$p{i}, $p{i}\"/>", i + 1);
+    }
+    let found = errors(&(text + "</scene>"), FILE);
+    assert_eq!(found[0].message, "with its parameters the value is too long");
+}
+
+#[test]
 fn references_in_a_circle_are_an_error() {
     let text = "<scene version=\"3.0.0\"><bsdf type=\"twosided\" id=\"a\"><ref id=\"a\"/></bsdf></scene>";
     assert_eq!(errors(text, FILE)[0].message, "a bsdf of type `twosided` cannot be two-sided");

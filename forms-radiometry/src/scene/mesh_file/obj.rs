@@ -12,7 +12,8 @@ const WITHOUT_SHAPE: &[&str] =
     &["vt", "vn", "o", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "lod"];
 
 pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Mesh, Vec<SceneError>> {
-    let source = Source::new(file, &String::from_utf8_lossy(bytes));
+    let text = String::from_utf8_lossy(bytes);
+    let source = Source::new(file, text.strip_prefix('\u{feff}').unwrap_or(&text));
     let mut parts = Parts::default();
     let mut statement: Vec<Word> = Vec::new();
     for (start, line) in lines(&source.text, 0) {

@@ -1,7 +1,7 @@
 //! Materials: `<bsdf>` becomes a law of reflection; a boundary of media becomes a material together with the
 //! medium that a shape has inside.
 
-use super::object::Object;
+use super::object::{Object, unique};
 use super::{Node, Reader};
 use crate::scene::model::{Material, MaterialKind};
 use crate::scene::value::{FRACTION, NOT_NEGATIVE, POSITIVE, one_of};
@@ -104,9 +104,7 @@ impl Bsdf {
         let next = reader.materials.len();
         let index = *reader.known_materials.entry((self.key, inside)).or_insert(next);
         if index == next {
-            let taken =
-                reader.materials.iter().filter(|material| material.name.starts_with(&self.name)).count();
-            let name = if taken == 0 { self.name.clone() } else { format!("{} ({})", self.name, taken + 1) };
+            let name = unique(&self.name, reader.materials.iter().map(|material| &*material.name));
             let place = reader.report.place(self.place.clone());
             reader.materials.push(Material { name, kind, place });
         }

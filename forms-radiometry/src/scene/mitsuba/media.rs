@@ -1,5 +1,6 @@
 //! Media: `<medium>` becomes coefficients; with the index that a boundary gives it, a medium of the model.
 
+use super::object::unique;
 use super::{Node, Reader};
 use crate::scene::model::Medium;
 use crate::scene::value::{FRACTION, MEAN_COSINE, NOT_NEGATIVE};
@@ -123,6 +124,7 @@ impl<'a> Reader<'a, '_, '_> {
             };
             let Coefficients { name, absorption, scattering, asymmetry } =
                 key.and_then(|key| self.media.read.get(&key).cloned()).unwrap_or(clear);
+            let name = unique(&name, self.media.list.iter().map(|medium| &*medium.name));
             let place = self.report.place(place);
             self.media.elements.push(key);
             self.media.list.push(Medium {

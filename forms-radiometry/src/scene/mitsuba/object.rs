@@ -5,6 +5,9 @@ use super::{Node, Reader};
 use crate::scene::value::one_of;
 use std::ops::Range;
 
+/// How long a value with parameters may become: they may stand for each other.
+const LONGEST_VALUE: usize = 10_000;
+
 /// An element such as `<shape type="sphere">`.
 pub(super) struct Object<'a> {
     pub(super) node: Node<'a>,
@@ -120,6 +123,15 @@ impl<'a> Reader<'a, '_, '_> {
                 return None;
             };
             value = value + put_in + rest;
+            if value.len() > LONGEST_VALUE {
+                let expected = format!("at most {LONGEST_VALUE} characters");
+                self.report.error(
+                    attribute.range_value(),
+                    "with its parameters the value is too long",
+                    expected,
+                );
+                return None;
+            }
         }
         Some((value, attribute.range_value()))
     }
@@ -162,4 +174,12 @@ fn described(node: Node, kind: &str) -> String {
     let tag = node.tag_name().name();
     let article = if tag.starts_with(['e', 'i']) { "an" } else { "a" };
     format!("{article} {tag} of type `{kind}`")
+}
+
+/// The name, with a number behind it if it is taken: one element may become several parts of a scene.
+pub(super) fn unique<'n>(name: &str, taken: impl Iterator<Item = &'n str> + Clone) -> String {
+    let is_free = |candidate: &String| !taken.clone().any(|taken| taken == candidate);
+    let numbered = (2..).map(|number| format!("{name} ({number})"));
+    let mut candidates = [name.to_owned()].into_iter().chain(numbered);
+    candidates.find(is_free).unwrap_or_default()
 }
