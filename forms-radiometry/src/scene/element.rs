@@ -150,8 +150,17 @@ pub(super) struct Indices {
 }
 
 impl Indices {
-    pub(super) fn insert(&mut self, name: &str, index: usize) {
-        self.indices.insert(name.to_owned(), index);
+    /// The name of an element, which refers to this index from now on.
+    pub(super) fn name(
+        &mut self,
+        report: &mut Report,
+        element: &Element,
+        names: &mut Names,
+        index: usize,
+    ) -> Option<String> {
+        let name = names.name(report, element)?;
+        self.indices.insert(name.clone(), index);
+        Some(name)
     }
 
     /// The index of a name, reported if there is none.

@@ -28,10 +28,7 @@ pub(super) fn read(
     known: &mut Known,
     index: usize,
 ) -> Option<Material> {
-    let name = names.name(report, element);
-    if let Some(name) = &name {
-        known.materials.insert(name, index);
-    }
+    let name = known.materials.name(report, element, names, index);
     let expected = "kind = \"diffuse\", \"mirror\", \"dielectric\" or \"conductor\"";
     let (kind, place) = element.text(report, "kind", expected)?;
     let kind = choice(report, place.clone(), kind, "the kind of material", &KINDS)?;

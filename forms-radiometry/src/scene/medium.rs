@@ -16,10 +16,7 @@ pub(super) fn read(
     index: usize,
 ) -> Option<Medium> {
     element.check_keys(report, KEYS);
-    let name = names.name(report, element);
-    if let Some(name) = &name {
-        known.media.insert(name, index);
-    }
+    let name = known.media.name(report, element, names, index);
     let absorption = element.spectrum_or(report, "sigma_a", 0.0, &NOT_NEGATIVE, known.bands);
     let scattering = element.spectrum_or(report, "sigma_s", 0.0, &NOT_NEGATIVE, known.bands);
     let asymmetry = element.spectrum_or(report, "g", 0.0, &MEAN_COSINE, known.bands);

@@ -22,10 +22,7 @@ pub(super) fn read(
     files: &mut MeshFiles,
 ) -> Option<Surface> {
     element.check_keys(report, KEYS);
-    let name = names.name(report, element);
-    if let Some(name) = &name {
-        known.surfaces.insert(name, index);
-    }
+    let name = known.surfaces.name(report, element, names, index);
     let material =
         element.reference(report, "material", "the name of a material", "material", &known.materials);
     let shape = shape(report, element, files);

@@ -1,6 +1,6 @@
 //! Scenes of Mitsuba 3: each element that can be said comes to the model as it is meant, and each that cannot is named.
 
-use crate::{read, scene, shown};
+use crate::{errors, read, scene, shown};
 use forms_radiometry::geometry::{Mesh, Sphere, Vector};
 use forms_radiometry::scene::{
     Effect, Force, LightKind, MaterialKind, ReceiverKind, Scene, Shape, not_simulated,
@@ -260,19 +260,26 @@ fn the_field_of_view_is_along_the_axis_that_is_named() {
 
 #[test]
 fn a_limit_of_depth_is_a_limit_of_interreflection() {
-    let forced = |integrator: &str| {
-        let scene = scene(&format!("<scene version=\"3.0.0\">{integrator}</scene>"), FILE);
+    const CAMERA: &str = "<sensor type=\"perspective\"><float name=\"fov\" value=\"40\"/></sensor>";
+    const METER: &str = "<shape type=\"rectangle\"><sensor type=\"irradiancemeter\"><film type=\"hdrfilm\">\
+        <integer name=\"width\" value=\"1\"/><integer name=\"height\" value=\"1\"/></film></sensor></shape>";
+    let text =
+        |integrator: &str, sensors: &str| format!("<scene version=\"3.0.0\">{integrator}{sensors}</scene>");
+    let forced = |integrator: &str, sensors: &str| {
+        let scene = scene(&text(integrator, sensors), FILE);
         scene.solve.forced.iter().map(|forced| (forced.effect, forced.force)).collect::<Vec<_>>()
     };
     let path = |depth: i32| {
-        forced(&format!(
-            "<integrator type=\"path\"><integer name=\"max_depth\" value=\"{depth}\"/></integrator>"
-        ))
+        format!("<integrator type=\"path\"><integer name=\"max_depth\" value=\"{depth}\"/></integrator>")
     };
-    assert_eq!(path(-1), []);
-    assert_eq!(path(2), [(Effect::Interreflection, Force::Off)]);
-    assert_eq!(path(5), [(Effect::Interreflection, Force::Orders(3))]);
-    assert_eq!(forced("<integrator type=\"direct\"/>"), [(Effect::Interreflection, Force::Off)]);
+    assert_eq!(forced(&path(-1), CAMERA), []);
+    assert_eq!(forced(&path(2), CAMERA), [(Effect::Interreflection, Force::Off)]);
+    assert_eq!(forced(&path(5), CAMERA), [(Effect::Interreflection, Force::Orders(3))]);
+    assert_eq!(forced(&path(5), METER), [(Effect::Interreflection, Force::Orders(4))]);
+    assert_eq!(forced("<integrator type=\"direct\"/>", CAMERA), [(Effect::Interreflection, Force::Off)]);
+    let found = errors(&text(&path(5), &format!("{CAMERA}{METER}")), FILE);
+    let message = "a limit of depth means one reflection less to a camera than to an irradiance meter";
+    assert_eq!(found[0].message, message);
 }
 
 #[test]

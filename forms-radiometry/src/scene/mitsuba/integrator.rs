@@ -1,7 +1,7 @@
 //! Integrators: how many bounces of light an `<integrator>` follows becomes an effect that is forced.
 
 use super::{Node, Reader};
-use crate::scene::model::{Effect, Force, ForcedEffect, MaterialKind};
+use crate::scene::model::{Effect, Force, ForcedEffect, MaterialKind, Receiver, ReceiverKind};
 use crate::scene::value::Domain;
 use std::ops::Range;
 
@@ -43,7 +43,8 @@ impl<'a> Reader<'a, '_, '_> {
         self.integrator = Some(Integrator { depth, follows_media, place: node.range() });
     }
 
-    /// Paths of depth d have d − 2 reflections before the last one, if all reflections are diffuse.
+    /// A path of depth d from a lamp to a camera is reflected d − 1 times, the last time towards the camera; to an
+    /// irradiance meter, which is a surface itself, d − 1 times before it. All reflections have to be diffuse.
     pub(super) fn forced(&mut self) -> Vec<ForcedEffect> {
         let Some(Integrator { depth, follows_media, place }) = self.integrator.take() else {
             return Vec::new();
@@ -59,7 +60,16 @@ impl<'a> Reader<'a, '_, '_> {
             self.report.error(place, message, "max_depth = -1");
             return Vec::new();
         }
-        let force = if depth == 2 { Force::Off } else { Force::Orders(depth - 2) };
+        let is_camera = |receiver: &Receiver| matches!(receiver.kind, ReceiverKind::Camera(_));
+        let cameras = self.receivers.iter().filter(|receiver| is_camera(receiver)).count();
+        if 0 < cameras && cameras < self.receivers.len() {
+            let message =
+                "a limit of depth means one reflection less to a camera than to an irradiance meter";
+            self.report.error(place, message, "max_depth = -1, or sensors of one kind");
+            return Vec::new();
+        }
+        let orders = if cameras == self.receivers.len() { depth - 2 } else { depth - 1 };
+        let force = if orders == 0 { Force::Off } else { Force::Orders(orders) };
         vec![ForcedEffect { effect: Effect::Interreflection, force, place: self.report.place(place) }]
     }
 }
