@@ -179,12 +179,8 @@ fn over_blocks<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
 ) {
     let kernel = instructions.kernel::<M, E, A, O>();
     let length = length::of(&columns, &outputs);
-    if length == 0 {
-        return;
-    }
     if length < BLOCK {
-        let filled = columns.map(block::filled);
-        return copied(method, kernel, &filled.each_ref(), &mut outputs, 0, length);
+        return few_rows(method, kernel, columns, &mut outputs, length);
     }
     let mut blocks = [E::ZEROS; A];
     for start in (0..length).step_by(BLOCK) {
@@ -202,7 +198,24 @@ fn over_blocks<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     }
 }
 
+/// Fewer rows than a block. A function of its own: its copies of the columns are many pages of the stack, which larger batches
+/// need not touch.
+#[inline(never)]
+fn few_rows<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
+    method: M,
+    kernel: Kernel<M, E, A, O>,
+    columns: [&[E]; A],
+    outputs: &mut [&mut [E]; O],
+    length: usize,
+) {
+    if length > 0 {
+        let filled = columns.map(block::filled);
+        copied(method, kernel, &filled.each_ref(), outputs, 0, length);
+    }
+}
+
 /// Values of the columns, of which the first `count` go to the outputs from `start` on.
+#[inline(never)]
 fn copied<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     method: M,
     kernel: Kernel<M, E, A, O>,
