@@ -18,11 +18,8 @@ use quote::{format_ident, quote};
 pub(crate) const MATH: &str = "::forms::math";
 
 /// `mod NAME { … }`, or why Rust cannot read what was generated.
-pub(crate) fn module(
-    generated: &Generated,
-    within: Option<f64>,
-) -> Result<TokenStream, proc_macro2::LexError> {
-    let program = &generated.optimised;
+pub(crate) fn module(generated: &Generated) -> Result<TokenStream, proc_macro2::LexError> {
+    let (program, within) = (&generated.optimised, generated.within);
     let formula = |program: &Program, name: &str| emit_formula(program, name, MATH).parse::<TokenStream>();
     let plain = formula(&generated.written, "Plain")?;
     let stable = if generated.written == *program {
