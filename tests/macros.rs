@@ -97,6 +97,33 @@ fn one_third_times_three(three: forms::math::DoubleDouble) -> forms::math::Doubl
 }
 
 #[test]
+fn batches_on_all_processors_and_over_rows_are_the_same_and_keep_what_is_promised() {
+    let columns =
+        [0.0, 1.0].map(|shift| (0..9000).map(|i| shift + f64::from(i) / 4096.0).collect::<Vec<_>>());
+    let [u, v] = columns.each_ref().map(|column| &column[..]);
+    let [mut serial, mut parallel] = [vec![0.0; u.len()], vec![0.0; u.len()]];
+    radiometry::density::batch(u, v, &mut serial).expect("equal lengths");
+    radiometry::density::batch_parallel(u, v, &mut parallel).expect("equal lengths");
+    assert_eq!(serial, parallel);
+
+    let arguments = ndarray::Array2::from_shape_fn((u.len(), 2), |(row, column)| columns[column][row]);
+    let mut rows = ndarray::Array2::zeros((u.len(), 1));
+    radiometry::density::batch_rows(arguments.view(), rows.view_mut()).expect("as many rows");
+    assert_eq!(rows.column(0).to_vec(), serial);
+    let narrow = arguments.slice(ndarray::s![.., ..1]);
+    assert!(radiometry::density::batch_rows(narrow, rows.view_mut()).is_err());
+
+    let small: Vec<f64> = (1..9000).map(|i| f64::from(i) * 1e-12).collect();
+    let mut halves = vec![0.0; small.len()];
+    radiometry::versine_ratio::batch_parallel(&small, &mut halves).expect("equal lengths");
+    assert_eq!(halves, vec![0.5; small.len()]);
+    let mut halves = ndarray::Array2::zeros((small.len(), 1));
+    let small = ndarray::Array2::from_shape_vec((small.len(), 1), small).expect("one column");
+    radiometry::versine_ratio::batch_rows(small.view(), halves.view_mut()).expect("as many rows");
+    assert!(halves.iter().all(|&half: &f64| half == 0.5));
+}
+
+#[test]
 fn a_bound_is_kept_by_more_digits_and_a_stable_form_is_what_is_computed() {
     assert_eq!(radiometry::versine_ratio(1e-10), 0.5);
     assert_eq!(radiometry::versine_ratio::plain(1e-10), 0.0);

@@ -145,7 +145,7 @@ def table(form):
 def emit():
     tables = [list(table(form)) for form in FORMATS]
     print("//! The polynomials and constants of the functions of lanes; computed by `coefficients/lane.py`.")
-    print("#![allow(clippy::approx_constant)]\n")
+    print('#![allow(clippy::approx_constant, reason = "coefficients are as the search found them")]\n')
     print("/// The numbers of one floating-point format; polynomials have their constant term first.")
     print("pub(crate) struct Coefficients<W: 'static> {")
     for name, meaning, value in tables[0]:

@@ -23,7 +23,7 @@ pub use instructions::Instructions;
 pub use length::{Column, LengthMismatch};
 use method::{Element, Method, Plain, Within};
 #[cfg(feature = "ndarray")]
-pub use rows::{RowsMismatch, batch_rows};
+pub use rows::{RowsMismatch, batch_rows, batch_rows_within};
 
 /// The values of a formula in `f64`, one row at each position of the columns.
 ///
@@ -147,6 +147,23 @@ pub fn batch_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
     let length = length::common(&columns, &outputs)?;
     parallel::over_shares(columns, outputs, length, &|columns, outputs| {
         over_blocks(Plain::<F>::new(), Instructions::best(), columns, outputs);
+    });
+    Ok(())
+}
+
+/// [`batch_within`] on all processors.
+///
+/// # Errors
+/// Where a column's length is not that of the first.
+#[cfg(feature = "rayon")]
+pub fn batch_within_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
+    columns: [&[f64]; A],
+    outputs: [&mut [f64]; O],
+    within: f64,
+) -> Result<(), LengthMismatch> {
+    let length = length::common(&columns, &outputs)?;
+    parallel::over_shares(columns, outputs, length, &|columns, outputs| {
+        over_blocks(Within::<F>::new(within), Instructions::best(), columns, outputs);
     });
     Ok(())
 }

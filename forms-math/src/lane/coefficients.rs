@@ -1,5 +1,5 @@
 //! The polynomials and constants of the functions of lanes; computed by `coefficients/lane.py`.
-#![allow(clippy::approx_constant)]
+#![allow(clippy::approx_constant, reason = "coefficients are as the search found them")]
 
 /// The numbers of one floating-point format; polynomials have their constant term first.
 pub(crate) struct Coefficients<W: 'static> {
