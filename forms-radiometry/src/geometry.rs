@@ -12,7 +12,7 @@ mod triangulation;
 mod vector;
 
 pub(crate) use cone::Cone;
-pub use exchange::{Exchange, exchange, view_factor};
+pub use exchange::{Exchange, exchange, view_factor, visible_exchange};
 pub use form_factor::form_factor;
 pub(crate) use luminaire::{Luminaire, Workspace, resolution};
 pub use polygon::{Polygon, PolygonError};

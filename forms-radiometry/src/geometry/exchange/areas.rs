@@ -18,7 +18,7 @@ const ORDERS: [usize; 4] = [2, 3, 5, 8];
 type Node = [f64; 2];
 
 /// The Gauss–Legendre rule on [0, 1] with this many points, by Newton's method on the Legendre polynomial.
-fn gauss(count: usize) -> &'static [Node] {
+pub(super) fn gauss(count: usize) -> &'static [Node] {
     static RULES: [OnceLock<Vec<Node>>; 9] = [const { OnceLock::new() }; 9];
     RULES[count].get_or_init(|| {
         let legendre = |x: f64| {
@@ -42,29 +42,57 @@ fn gauss(count: usize) -> &'static [Node] {
     })
 }
 
-/// Points of a convex outline, each with its area.
-fn points(outline: &Outline, count: usize) -> Vec<(Vector, f64)> {
-    let mut points = Vec::new();
+/// A patch with four corners, of which the last two may be one: x(s, t) is bilinear, dA = |∂ₛx × ∂ₜx| ds dt.
+#[derive(Clone, Copy)]
+pub(super) struct Patch([Vector; 4]);
+
+/// The patches of a convex outline.
+pub(super) fn patches(outline: &Outline) -> Vec<Patch> {
+    let mut patches = Vec::new();
     let mut next = 1;
     while next + 1 < outline.len() {
         let last = (next + 2).min(outline.len() - 1);
-        patch([outline[0], outline[next], outline[next + 1], outline[last]], count, &mut points);
+        patches.push(Patch([outline[0], outline[next], outline[next + 1], outline[last]]));
         next = last;
     }
-    points
+    patches
 }
 
-/// Points of a patch with these corners, of which the last two may be one: with x(s, t) bilinear, dA = |∂ₛx × ∂ₜx| ds dt.
-fn patch([a, b, c, d]: [Vector; 4], count: usize, points: &mut Vec<(Vector, f64)>) {
-    let (along, across, twist) = (b - a, d - a, (a - b) + (c - d));
-    for &[s, of_s] in gauss(count) {
-        for &[t, of_t] in gauss(count) {
-            let by_s = along + t * twist;
-            let by_t = across + s * twist;
-            let area = by_s.cross(by_t).length();
-            points.push((a + s * along + t * (across + s * twist), of_s * of_t * area));
+impl Patch {
+    /// The point of these coordinates, and dA/(ds dt) there.
+    pub(super) fn at(&self, s: f64, t: f64) -> (Vector, f64) {
+        let Patch([a, b, c, d]) = *self;
+        let (along, across, twist) = (b - a, d - a, (a - b) + (c - d));
+        let by_t = across + s * twist;
+        (a + s * along + t * by_t, (along + t * twist).cross(by_t).length())
+    }
+
+    /// Its area: that density is linear in each coordinate.
+    pub(super) fn area(&self) -> f64 {
+        self.at(0.5, 0.5).1
+    }
+
+    /// The patches that halving each coordinate gives.
+    pub(super) fn quarters(&self) -> [Patch; 4] {
+        let corner = |s: f64, t: f64| self.at(s, t).0;
+        [(0.0, 0.0), (0.5, 0.0), (0.0, 0.5), (0.5, 0.5)].map(|(s, t)| {
+            Patch([(s, t), (s + 0.5, t), (s + 0.5, t + 0.5), (s, t + 0.5)].map(|(s, t)| corner(s, t)))
+        })
+    }
+}
+
+/// Points of a convex outline, each with its area.
+fn points(outline: &Outline, count: usize) -> Vec<(Vector, f64)> {
+    let mut points = Vec::new();
+    for patch in patches(outline) {
+        for &[s, of_s] in gauss(count) {
+            for &[t, of_t] in gauss(count) {
+                let (point, density) = patch.at(s, t);
+                points.push((point, of_s * of_t * density));
+            }
         }
     }
+    points
 }
 
 /// The sum over the points of both outlines.

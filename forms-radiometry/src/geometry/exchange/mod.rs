@@ -4,12 +4,16 @@
 //! polygons ─ convex pieces, each cut by the plane of the other ─▶ outlines that lie in front of each other
 //!     ├─ far apart ─▶ areas: cos cos'/(π r²) at Gauss points of both
 //!     └─ else ─────▶ contour: integrals over pairs of edges, in f64, and in double-double where their sum cancels
+//! with something in between ─▶ obstructed: what points of the first see of the second, integrated over the first
 //! ```
 //! What is used is decided by the errors that the ways themselves state.
 
 mod areas;
 mod contour;
 mod kronrod;
+mod obstructed;
+
+pub use obstructed::visible_exchange;
 
 use super::clip::split;
 use super::{Polygon, Vector};

@@ -192,3 +192,28 @@ fn a_polygon_across_the_plane_of_the_other_counts_as_far_as_it_is_in_front() {
     let [whole, upper] = [whole, upper].map(|to| exchange(&from, &to, 1e-13).area);
     assert!((whole - upper).abs() <= 1e-12 * upper && upper > 0.01, "{whole} and {upper}");
 }
+
+#[test]
+fn a_square_between_two_squares_hides_what_its_shadow_covers() {
+    // F₁₂ = ∫ (F − F of the shadow): from (x, y, 0) the square [0, ½]² at half the height hides [0, 1 − x] × [0, 1 − y]
+    let screen = polygon(&[[0.0, 0.0, 0.5], [0.5, 0.0, 0.5], [0.5, 0.5, 0.5], [0.0, 0.5, 0.5]]);
+    let found = visible_exchange(&floor(1.0, 1.0), &ceiling(1.0, 1.0, 1.0), [&screen].into_iter(), 1e-6);
+    let expected = 0.149_868_671_773_790_54;
+    let error = (found.area - expected).abs();
+    assert!(
+        error <= found.error && found.error <= 2e-6 * expected,
+        "off by {error:e}, said {:e}",
+        found.error
+    );
+}
+
+#[test]
+fn what_is_beside_or_behind_does_not_change_an_exchange() {
+    let [from, to] = [floor(1.0, 1.0), ceiling(1.0, 1.0, 1.0)];
+    let beside = polygon(&[[2.0, 0.0, 0.2], [3.0, 0.0, 0.2], [3.0, 1.0, 0.7], [2.0, 1.0, 0.7]]);
+    let below = polygon(&[[0.0, 0.0, -0.2], [1.0, 0.0, -0.2], [1.0, 1.0, -0.2], [0.0, 1.0, -0.2]]);
+    let found = visible_exchange(&from, &to, [&from, &to, &beside, &below].into_iter(), 1e-13);
+    assert_eq!(found, exchange(&from, &to, 1e-13));
+    let all = ceiling(1.0, 1.0, 0.5);
+    assert_eq!(visible_exchange(&from, &to, [&all].into_iter(), 1e-6).area, 0.0);
+}
