@@ -187,3 +187,59 @@ fn forms_are_evaluated_and_simplified() {
     let signs = forms::form! { chart Plane(x, y); (x + y)*dx - dy };
     assert_eq!(signs.text, "(x + y)*dx - dy");
 }
+
+mod effects {
+    forms::forms! {
+        /// What is left of a beam behind a path through a medium that absorbs, scatters and shines.
+        pub kernel beam(radiance, emitted, sigma_a, sigma_s, length) =
+            radiance*exp(-(sigma_a + sigma_s)*length)
+            + emitted*(1 - exp(-(sigma_a + sigma_s)*length))/(sigma_a + sigma_s)
+            effects { absorption: sigma_a = 0; scattering: sigma_s = 0; emission: emitted = 0; }
+            where sigma_a >= 0, sigma_s >= 0, length >= 0;
+
+        /// Reflectance for light at right angles.
+        pub kernel normal_reflectance(n1, n2) = (n1 - n2)**2/(n1 + n2)**2
+            effects { index: n2 = n1; } where n1 > 0, n2 > 0;
+    }
+}
+
+#[test]
+fn a_kernel_without_an_effect_is_the_full_kernel_where_the_effect_vanishes() {
+    use effects::beam::{Effects, batch_with, with};
+    let point = [2.0, 0.5, 0.25, 0.125, 3.0];
+    for bits in 0..8 {
+        let on = |bit: usize| bits >> bit & 1 == 1;
+        let [radiance, mut emitted, mut sigma_a, mut sigma_s, length] = point;
+        let effects = Effects { absorption: on(0), scattering: on(1), emission: on(2) };
+        (sigma_a, sigma_s) = (if on(0) { sigma_a } else { 0.0 }, if on(1) { sigma_s } else { 0.0 });
+        emitted = if on(2) { emitted } else { 0.0 };
+        assert_eq!(Effects::of(radiance, emitted, sigma_a, sigma_s, length), effects);
+        let sigma = sigma_a + sigma_s;
+        let path = if sigma > 0.0 { (1.0 - (-sigma * length).exp()) / sigma } else { length };
+        let expected = radiance * (-sigma * length).exp() + emitted * path;
+        assert_close(with(effects)(radiance, emitted, sigma_a, sigma_s, length), expected);
+        let mut value = [0.0; 2];
+        let columns = [radiance, emitted, sigma_a, sigma_s, length].map(|argument| [argument; 2]);
+        let [radiance, emitted, sigma_a, sigma_s, length] = columns;
+        batch_with(effects)(&radiance, &emitted, &sigma_a, &sigma_s, &length, &mut value)
+            .expect("one length");
+        assert_close(value[1], expected);
+    }
+    // the limit: what shines along the path adds up
+    assert_eq!(
+        with(Effects { absorption: false, scattering: false, emission: true })(2.0, 0.5, 0.0, 0.0, 3.0),
+        3.5
+    );
+}
+
+#[test]
+fn what_an_effect_takes_is_not_in_the_code_of_a_kernel_without_it() {
+    use effects::beam::Effects;
+    let counts =
+        [Effects::NONE, Effects { emission: true, ..Effects::NONE }, Effects::ALL].map(Effects::operations);
+    assert_eq!(counts[0], 0);
+    assert_eq!(counts[1], 2, "a product and a sum");
+    assert!(counts[2] >= 8, "{counts:?}");
+    assert_eq!(effects::normal_reflectance::Effects::NONE.operations(), 0);
+    assert_eq!(effects::normal_reflectance::with(effects::normal_reflectance::Effects::NONE)(1.5, 1.5), 0.0);
+}

@@ -5,6 +5,7 @@
 //!                                   └─ kernels ─ generate, emit ─▶ errors, or documented functions
 //! ```
 
+use crate::lattice;
 use crate::report::{Origin, warned};
 use crate::tiers;
 use crate::tokens::Body;
@@ -174,7 +175,8 @@ fn function(
         vec![Diagnostic::new(kernel.span, message)]
     };
     let mut items = source.parse::<TokenStream>().map_err(unreadable)?;
-    items.extend(tiers::module(&generated).map_err(unreadable)?);
+    let lattice = lattice::items(&mut theory.pool, kernel, &generated)?;
+    items.extend(tiers::module(&generated, &lattice).map_err(unreadable)?);
     items.extend(warning(theory, kernel));
     Ok(named_at(items, &kernel.name, origin.place(kernel.span).0))
 }

@@ -17,8 +17,11 @@ use quote::{format_ident, quote};
 /// Where the arithmetic is found from wherever a macro is used.
 pub(crate) const MATH: &str = "::forms::math";
 
-/// `mod NAME { … }`, or why Rust cannot read what was generated.
-pub(crate) fn module(generated: &Generated) -> Result<TokenStream, proc_macro2::LexError> {
+/// `mod NAME { … }` with the tiers and what else belongs to the kernel, or why Rust cannot read what was generated.
+pub(crate) fn module(
+    generated: &Generated,
+    more: &TokenStream,
+) -> Result<TokenStream, proc_macro2::LexError> {
     let (program, within) = (&generated.optimised, generated.within);
     let formula = |program: &Program, name: &str| emit_formula(program, name, MATH).parse::<TokenStream>();
     let plain = formula(&generated.written, "Plain")?;
@@ -52,6 +55,7 @@ pub(crate) fn module(generated: &Generated) -> Result<TokenStream, proc_macro2::
             #[doc = " The form that the kernel is computed by, for any number."]
             #stable
             #(#functions)*
+            #more
         }
     };
     Ok(module)
@@ -107,14 +111,14 @@ fn batches(within: Option<f64>) -> Vec<Batch<'static>> {
 }
 
 /// What the wrappers of one kernel have in common.
-struct Tiers {
-    name: Ident,
-    arguments: Vec<Ident>,
-    outputs: usize,
+pub(crate) struct Tiers {
+    pub(crate) name: Ident,
+    pub(crate) arguments: Vec<Ident>,
+    pub(crate) outputs: usize,
 }
 
 impl Tiers {
-    fn of(program: &Program) -> Self {
+    pub(crate) fn of(program: &Program) -> Self {
         let identifier = |name: &String| Ident::new(name, Span::call_site());
         Tiers {
             name: format_ident!("{}", program.name()),
@@ -169,10 +173,7 @@ impl Tiers {
         let within = within.map(|within| quote!(, #within));
         // an argument may have this name
         let output = format_ident!("{}", self.unused("output"));
-        let (column, columns) = match outputs {
-            1 => (quote!(&mut [#number]), quote!([#output])),
-            _ => (quote!([&mut [#number]; #outputs]), quote!(#output)),
-        };
+        let (column, columns) = self.output_columns(&output, &quote!(#number));
         quote! {
             #[doc = #docs]
             ///
@@ -213,8 +214,16 @@ impl Tiers {
         }
     }
 
+    /// The type of the columns of outputs, and an array of them.
+    pub(crate) fn output_columns(&self, output: &Ident, number: &TokenStream) -> (TokenStream, TokenStream) {
+        match self.outputs {
+            1 => (quote!(&mut [#number]), quote!([#output])),
+            outputs => (quote!([&mut [#number]; #outputs]), quote!(#output)),
+        }
+    }
+
     /// A name that no argument has.
-    fn unused(&self, name: &str) -> String {
+    pub(crate) fn unused(&self, name: &str) -> String {
         let mut name = name.to_owned();
         while self.arguments.iter().any(|argument| argument == &name) {
             name.push('_');
@@ -232,17 +241,30 @@ impl Tiers {
 
     /// A function of numbers of one type, by an array of the outputs.
     fn function(&self, docs: &str, name: &Ident, number: &TokenStream, value: TokenStream) -> TokenStream {
-        let (arguments, outputs) = (&self.arguments, self.outputs);
-        let (result, body) = match outputs {
-            1 => (quote!(#number), quote!(let [value] = #value; value)),
-            _ => (quote!([#number; #outputs]), value),
-        };
+        let arguments = &self.arguments;
+        let (result, body) = (self.result(number), self.body(value));
         quote! {
             #[doc = #docs]
             #[inline]
             pub fn #name(#(#arguments: #number),*) -> #result {
                 #body
             }
+        }
+    }
+
+    /// The type of what a function gives: a number, or an array of several.
+    pub(crate) fn result(&self, number: &TokenStream) -> TokenStream {
+        match self.outputs {
+            1 => number.clone(),
+            outputs => quote!([#number; #outputs]),
+        }
+    }
+
+    /// What it gives, of an array of the outputs.
+    pub(crate) fn body(&self, value: TokenStream) -> TokenStream {
+        match self.outputs {
+            1 => quote!(let [value] = #value; value),
+            _ => value,
         }
     }
 }

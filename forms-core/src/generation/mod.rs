@@ -10,6 +10,7 @@
 
 mod boundary;
 mod cuts;
+mod effects;
 mod limit;
 mod opaque;
 mod pieces;
@@ -18,6 +19,7 @@ mod residue;
 mod seam;
 mod translation;
 
+pub use effects::{Specialisation, specialisations};
 pub use translation::Translation;
 
 use crate::diagnostic::Diagnostic;
