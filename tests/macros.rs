@@ -97,6 +97,33 @@ fn one_third_times_three(three: forms::math::DoubleDouble) -> forms::math::Doubl
 }
 
 #[test]
+fn batches_on_all_processors_and_over_rows_are_the_same_and_keep_what_is_promised() {
+    let columns =
+        [0.0, 1.0].map(|shift| (0..9000).map(|i| shift + f64::from(i) / 4096.0).collect::<Vec<_>>());
+    let [u, v] = columns.each_ref().map(|column| &column[..]);
+    let [mut serial, mut parallel] = [vec![0.0; u.len()], vec![0.0; u.len()]];
+    radiometry::density::batch(u, v, &mut serial).expect("equal lengths");
+    radiometry::density::batch_parallel(u, v, &mut parallel).expect("equal lengths");
+    assert_eq!(serial, parallel);
+
+    let arguments = ndarray::Array2::from_shape_fn((u.len(), 2), |(row, column)| columns[column][row]);
+    let mut rows = ndarray::Array2::zeros((u.len(), 1));
+    radiometry::density::batch_rows(arguments.view(), rows.view_mut()).expect("as many rows");
+    assert_eq!(rows.column(0).to_vec(), serial);
+    let narrow = arguments.slice(ndarray::s![.., ..1]);
+    assert!(radiometry::density::batch_rows(narrow, rows.view_mut()).is_err());
+
+    let small: Vec<f64> = (1..9000).map(|i| f64::from(i) * 1e-12).collect();
+    let mut halves = vec![0.0; small.len()];
+    radiometry::versine_ratio::batch_parallel(&small, &mut halves).expect("equal lengths");
+    assert_eq!(halves, vec![0.5; small.len()]);
+    let mut halves = ndarray::Array2::zeros((small.len(), 1));
+    let small = ndarray::Array2::from_shape_vec((small.len(), 1), small).expect("one column");
+    radiometry::versine_ratio::batch_rows(small.view(), halves.view_mut()).expect("as many rows");
+    assert!(halves.iter().all(|&half: &f64| half == 0.5));
+}
+
+#[test]
 fn a_bound_is_kept_by_more_digits_and_a_stable_form_is_what_is_computed() {
     assert_eq!(radiometry::versine_ratio(1e-10), 0.5);
     assert_eq!(radiometry::versine_ratio::plain(1e-10), 0.0);
@@ -159,4 +186,60 @@ fn forms_are_evaluated_and_simplified() {
     assert_eq!((zero.degree, zero.terms.len(), zero.text), (2, 0, "0"));
     let signs = forms::form! { chart Plane(x, y); (x + y)*dx - dy };
     assert_eq!(signs.text, "(x + y)*dx - dy");
+}
+
+mod effects {
+    forms::forms! {
+        /// What is left of a beam behind a path through a medium that absorbs, scatters and shines.
+        pub kernel beam(radiance, emitted, sigma_a, sigma_s, length) =
+            radiance*exp(-(sigma_a + sigma_s)*length)
+            + emitted*(1 - exp(-(sigma_a + sigma_s)*length))/(sigma_a + sigma_s)
+            effects { absorption: sigma_a = 0; scattering: sigma_s = 0; emission: emitted = 0; }
+            where sigma_a >= 0, sigma_s >= 0, length >= 0;
+
+        /// Reflectance for light at right angles.
+        pub kernel normal_reflectance(n1, n2) = (n1 - n2)**2/(n1 + n2)**2
+            effects { index: n2 = n1; } where n1 > 0, n2 > 0;
+    }
+}
+
+#[test]
+fn a_kernel_without_an_effect_is_the_full_kernel_where_the_effect_vanishes() {
+    use effects::beam::{Effects, batch_with, with};
+    let point = [2.0, 0.5, 0.25, 0.125, 3.0];
+    for bits in 0..8 {
+        let on = |bit: usize| bits >> bit & 1 == 1;
+        let [radiance, mut emitted, mut sigma_a, mut sigma_s, length] = point;
+        let effects = Effects { absorption: on(0), scattering: on(1), emission: on(2) };
+        (sigma_a, sigma_s) = (if on(0) { sigma_a } else { 0.0 }, if on(1) { sigma_s } else { 0.0 });
+        emitted = if on(2) { emitted } else { 0.0 };
+        assert_eq!(Effects::of(radiance, emitted, sigma_a, sigma_s, length), effects);
+        let sigma = sigma_a + sigma_s;
+        let path = if sigma > 0.0 { (1.0 - (-sigma * length).exp()) / sigma } else { length };
+        let expected = radiance * (-sigma * length).exp() + emitted * path;
+        assert_close(with(effects)(radiance, emitted, sigma_a, sigma_s, length), expected);
+        let mut value = [0.0; 2];
+        let columns = [radiance, emitted, sigma_a, sigma_s, length].map(|argument| [argument; 2]);
+        let [radiance, emitted, sigma_a, sigma_s, length] = columns;
+        batch_with(effects)(&radiance, &emitted, &sigma_a, &sigma_s, &length, &mut value)
+            .expect("one length");
+        assert_close(value[1], expected);
+    }
+    // the limit: what shines along the path adds up
+    assert_eq!(
+        with(Effects { absorption: false, scattering: false, emission: true })(2.0, 0.5, 0.0, 0.0, 3.0),
+        3.5
+    );
+}
+
+#[test]
+fn what_an_effect_takes_is_not_in_the_code_of_a_kernel_without_it() {
+    use effects::beam::Effects;
+    let counts =
+        [Effects::NONE, Effects { emission: true, ..Effects::NONE }, Effects::ALL].map(Effects::operations);
+    assert_eq!(counts[0], 0);
+    assert_eq!(counts[1], 2, "a product and a sum");
+    assert!(counts[2] >= 8, "{counts:?}");
+    assert_eq!(effects::normal_reflectance::Effects::NONE.operations(), 0);
+    assert_eq!(effects::normal_reflectance::with(effects::normal_reflectance::Effects::NONE)(1.5, 1.5), 0.0);
 }

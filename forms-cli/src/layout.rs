@@ -10,15 +10,21 @@ const FIGURES: usize = 12;
 
 /// Lines of at most [`WIDTH`] columns with an indent, broken at spaces; a longer word stands alone.
 pub(crate) fn wrap(text: &str, indent: usize) -> Vec<String> {
+    let fits = |line: &str, word: &str| indent + line.chars().count() + 1 + word.chars().count() <= WIDTH;
     let margin = " ".repeat(indent);
+    filled(text, fits).into_iter().map(|line| margin.clone() + &line).collect()
+}
+
+/// A text broken at spaces into lines, each with as many words as fit in it, and one at least.
+pub(crate) fn filled(text: &str, fits: impl Fn(&str, &str) -> bool) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
         match lines.last_mut() {
-            Some(line) if line.chars().count() + 1 + word.chars().count() <= WIDTH => {
+            Some(line) if fits(line, word) => {
                 line.push(' ');
                 line.push_str(word);
             }
-            _ => lines.push(format!("{margin}{word}")),
+            _ => lines.push(word.to_string()),
         }
     }
     lines

@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 const LARGEST_FILE: u64 = 16 << 20;
 
 /// A file without errors.
+#[derive(Clone)]
 pub(crate) struct TheoryFile {
     pub(crate) source: Source,
     pub(crate) theory: Theory,

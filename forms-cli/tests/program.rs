@@ -315,6 +315,22 @@ fn emitted_source_compiles_as_it_stands() {
 }
 
 #[test]
+fn a_kernel_is_emitted_without_each_set_of_its_effects_too() {
+    let beam = "kernel beam(e, a, s, t) = e*(1 - exp(-(a + s)*t))/(a + s) effects { absorption: a = 0; scattering: s = 0; };";
+    let folder = Folder::with(&[("beam.forms", beam)]);
+    for (target, function) in [("rust", "pub fn "), ("c", "double "), ("cuda", "double ")] {
+        let run = forms(&folder, &["emit", "beam.forms", "--target", target]);
+        assert_eq!(run.status, 0, "{}", run.errors);
+        for absent in ["", "_without_absorption", "_without_scattering", "_without_absorption_scattering"] {
+            assert!(run.output.contains(&format!("{function}beam{absent}(")), "{absent}: {}", run.output);
+        }
+        assert!(run.output.contains("e*t") || run.output.contains("e * t"), "{}", run.output);
+    }
+    let rust = forms(&folder, &["emit", "beam.forms", "--target", "rust"]).output;
+    assert!(process::compiles(&folder, &rust), "{rust}");
+}
+
+#[test]
 fn a_reader_that_goes_away_is_no_failure() {
     let many: String = (0..3000).map(|i| format!("prove p{i}: x + {i} == {i} + x;\n")).collect();
     let folder = Folder::with(&[("many.forms", &format!("chart L(x);\n{many}"))]);

@@ -5,6 +5,7 @@
 //!                                   └─ kernels ─ generate, emit ─▶ errors, or documented functions
 //! ```
 
+use crate::lattice;
 use crate::report::{Origin, warned};
 use crate::tiers;
 use crate::tokens::Body;
@@ -13,7 +14,8 @@ use forms_core::check::{decide_all, objection, resolve_parsed};
 use forms_core::decide::Verdict;
 use forms_core::diagnostic::{Diagnostic, Span};
 use forms_core::generation::{Generated, generate};
-use forms_core::kernel::{Constant, KernelDocs, emit_rust, emit_rust_within};
+use forms_core::kernel::{KernelDocs, emit_rust, emit_rust_within};
+use forms_core::notation::results;
 use forms_core::resolve::{Kernel, Theory};
 use forms_core::stability::by_rules;
 use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
@@ -173,8 +175,8 @@ fn function(
         vec![Diagnostic::new(kernel.span, message)]
     };
     let mut items = source.parse::<TokenStream>().map_err(unreadable)?;
-    let within = kernel.within.as_ref().map(|within| Constant::rational(within.clone()).to_f64());
-    items.extend(tiers::module(&generated, within).map_err(unreadable)?);
+    let lattice = lattice::items(&mut theory.pool, kernel, &generated)?;
+    items.extend(tiers::module(&generated, &lattice).map_err(unreadable)?);
     items.extend(warning(theory, kernel));
     Ok(named_at(items, &kernel.name, origin.place(kernel.span).0))
 }
@@ -204,16 +206,12 @@ fn documentation(
 ) -> KernelDocs {
     let arguments: Vec<&str> =
         kernel.arguments.iter().map(|&argument| theory.pool.symbol_name(argument)).collect();
-    let value = match kernel.formula.as_slice() {
-        [single] => single.clone(),
-        several => format!("({})", several.join(", ")),
-    };
     let is_proved = |name: &&String| {
         let mut decided = theory.statements.iter().zip(verdicts);
         decided.any(|(statement, verdict)| statement.name == **name && matches!(verdict, Verdict::Proved(_)))
     };
     KernelDocs {
-        formula: format!("{}({}) = {value}", kernel.name, arguments.join(", ")),
+        formula: format!("{}({}) = {}", kernel.name, arguments.join(", "), results(&kernel.formula)),
         statements: kernel.statements.iter().filter(is_proved).cloned().collect(),
         conditions: kernel.domain.iter().map(|condition| condition.text(&theory.pool)).collect(),
         units: forms_core::units::sentence(theory, kernel).unwrap_or_default(),

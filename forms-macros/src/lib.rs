@@ -10,6 +10,7 @@
 mod expand;
 mod form;
 mod include;
+mod lattice;
 mod proof_tests;
 mod report;
 mod tiers;

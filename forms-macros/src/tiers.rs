@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! written ─ emit_formula ─▶ Plain ──┬─▶ plain
-//! optimised ─ emit_formula ▶ Stable ┴─▶ f32, dd, batch, batch_f32, batch_parallel; unguarded, batch_unguarded
+//! optimised ─ emit_formula ▶ Stable ┴─▶ f32, dd, batch, batch_f32, batch_parallel, batch_rows; unguarded, batch_unguarded
 //! ```
 //! The batch of a kernel that promises an accuracy keeps the promise; what it is without is `unguarded`.
 //!
@@ -17,12 +17,12 @@ use quote::{format_ident, quote};
 /// Where the arithmetic is found from wherever a macro is used.
 pub(crate) const MATH: &str = "::forms::math";
 
-/// `mod NAME { … }`, or why Rust cannot read what was generated.
+/// `mod NAME { … }` with the tiers and what else belongs to the kernel, or why Rust cannot read what was generated.
 pub(crate) fn module(
     generated: &Generated,
-    within: Option<f64>,
+    more: &TokenStream,
 ) -> Result<TokenStream, proc_macro2::LexError> {
-    let program = &generated.optimised;
+    let (program, within) = (&generated.optimised, generated.within);
     let formula = |program: &Program, name: &str| emit_formula(program, name, MATH).parse::<TokenStream>();
     let plain = formula(&generated.written, "Plain")?;
     let stable = if generated.written == *program {
@@ -34,19 +34,13 @@ pub(crate) fn module(
         quote!(pub enum Stable {} #stable)
     };
     let tiers = Tiers::of(program);
-    let mut functions = vec![tiers.plain(), tiers.f32(), tiers.dd(within.is_some()), tiers.batch_f32()];
-    match within {
-        Some(within) => functions.extend([
-            tiers.unguarded(),
-            tiers.batch(Batch {
-                name: "batch",
-                function: "batch_within",
-                number: "f64",
-                within: Some(within),
-            }),
-            tiers.batch(Batch { name: "batch_unguarded", function: "batch", number: "f64", within: None }),
-        ]),
-        None => functions.extend(batches_of(&tiers)),
+    let mut functions = vec![tiers.plain(), tiers.f32(), tiers.dd(within.is_some())];
+    if within.is_some() {
+        functions.push(tiers.unguarded());
+    }
+    functions.extend(batches(within).into_iter().map(|batch| tiers.batch(batch)));
+    if cfg!(feature = "ndarray") {
+        functions.push(tiers.batch_rows(within));
     }
     let (name, attributes) = (&tiers.name, attributes(program));
     let public = program.is_public().then(|| quote!(pub));
@@ -61,6 +55,7 @@ pub(crate) fn module(
             #[doc = " The form that the kernel is computed by, for any number."]
             #stable
             #(#functions)*
+            #more
         }
     };
     Ok(module)
@@ -95,22 +90,35 @@ struct Batch<'a> {
     within: Option<f64>,
 }
 
-/// The batches of a kernel that promises nothing.
-fn batches_of(tiers: &Tiers) -> Vec<TokenStream> {
-    let names = if cfg!(feature = "rayon") { &["batch", "batch_parallel"][..] } else { &["batch"][..] };
-    let batch = |&name: &&str| tiers.batch(Batch { name, function: name, number: "f64", within: None });
-    names.iter().map(batch).collect()
+/// The batches of a kernel that promises this.
+fn batches(within: Option<f64>) -> Vec<Batch<'static>> {
+    let batch = |name, function, within| Batch { name, function, number: "f64", within };
+    let [one, all] = match within {
+        Some(_) => ["batch_within", "batch_within_parallel"],
+        None => ["batch", "batch_parallel"],
+    };
+    let mut batches = vec![
+        batch("batch", one, within),
+        Batch { name: "batch_f32", function: "batch_f32", number: "f32", within: None },
+    ];
+    if cfg!(feature = "rayon") {
+        batches.push(batch("batch_parallel", all, within));
+    }
+    if within.is_some() {
+        batches.push(batch("batch_unguarded", "batch", None));
+    }
+    batches
 }
 
 /// What the wrappers of one kernel have in common.
-struct Tiers {
-    name: Ident,
-    arguments: Vec<Ident>,
-    outputs: usize,
+pub(crate) struct Tiers {
+    pub(crate) name: Ident,
+    pub(crate) arguments: Vec<Ident>,
+    pub(crate) outputs: usize,
 }
 
 impl Tiers {
-    fn of(program: &Program) -> Self {
+    pub(crate) fn of(program: &Program) -> Self {
         let identifier = |name: &String| Ident::new(name, Span::call_site());
         Tiers {
             name: format_ident!("{}", program.name()),
@@ -152,10 +160,6 @@ impl Tiers {
         self.scalar(&docs, &format_ident!("unguarded"), &quote!(f64), &quote!(Stable))
     }
 
-    fn batch_f32(&self) -> TokenStream {
-        self.batch(Batch { name: "batch_f32", function: "batch_f32", number: "f32", within: None })
-    }
-
     /// A function of columns, by a function of `forms_math`.
     fn batch(&self, Batch { name, function, number, within }: Batch) -> TokenStream {
         let (arguments, count, outputs) = (&self.arguments, self.arguments.len(), self.outputs);
@@ -169,10 +173,7 @@ impl Tiers {
         let within = within.map(|within| quote!(, #within));
         // an argument may have this name
         let output = format_ident!("{}", self.unused("output"));
-        let (column, columns) = match outputs {
-            1 => (quote!(&mut [#number]), quote!([#output])),
-            _ => (quote!([&mut [#number]; #outputs]), quote!(#output)),
-        };
+        let (column, columns) = self.output_columns(&output, &quote!(#number));
         quote! {
             #[doc = #docs]
             ///
@@ -188,8 +189,41 @@ impl Tiers {
         }
     }
 
+    /// A function of the rows of matrices.
+    fn batch_rows(&self, within: Option<f64>) -> TokenStream {
+        let (count, outputs) = (self.arguments.len(), self.outputs);
+        let docs = format!(
+            " `{}` of each row of a matrix, its columns the arguments; the values are the columns of the other.",
+            self.name
+        );
+        let function = if within.is_some() { "batch_rows_within" } else { "batch_rows" };
+        let function = format_ident!("{function}");
+        let within = within.map(|within| quote!(, #within));
+        quote! {
+            #[doc = #docs]
+            ///
+            /// # Errors
+            /// Where the matrices have other numbers of columns, or not the same number of rows.
+            #[inline]
+            pub fn batch_rows(
+                arguments: ::forms::math::ndarray::ArrayView2<'_, f64>,
+                outputs: ::forms::math::ndarray::ArrayViewMut2<'_, f64>,
+            ) -> ::core::result::Result<(), ::forms::math::RowsMismatch> {
+                ::forms::math::#function::<Stable, #count, #outputs>(arguments, outputs #within)
+            }
+        }
+    }
+
+    /// The type of the columns of outputs, and an array of them.
+    pub(crate) fn output_columns(&self, output: &Ident, number: &TokenStream) -> (TokenStream, TokenStream) {
+        match self.outputs {
+            1 => (quote!(&mut [#number]), quote!([#output])),
+            outputs => (quote!([&mut [#number]; #outputs]), quote!(#output)),
+        }
+    }
+
     /// A name that no argument has.
-    fn unused(&self, name: &str) -> String {
+    pub(crate) fn unused(&self, name: &str) -> String {
         let mut name = name.to_owned();
         while self.arguments.iter().any(|argument| argument == &name) {
             name.push('_');
@@ -207,17 +241,30 @@ impl Tiers {
 
     /// A function of numbers of one type, by an array of the outputs.
     fn function(&self, docs: &str, name: &Ident, number: &TokenStream, value: TokenStream) -> TokenStream {
-        let (arguments, outputs) = (&self.arguments, self.outputs);
-        let (result, body) = match outputs {
-            1 => (quote!(#number), quote!(let [value] = #value; value)),
-            _ => (quote!([#number; #outputs]), value),
-        };
+        let arguments = &self.arguments;
+        let (result, body) = (self.result(number), self.body(value));
         quote! {
             #[doc = #docs]
             #[inline]
             pub fn #name(#(#arguments: #number),*) -> #result {
                 #body
             }
+        }
+    }
+
+    /// The type of what a function gives: a number, or an array of several.
+    pub(crate) fn result(&self, number: &TokenStream) -> TokenStream {
+        match self.outputs {
+            1 => number.clone(),
+            outputs => quote!([#number; #outputs]),
+        }
+    }
+
+    /// What it gives, of an array of the outputs.
+    pub(crate) fn body(&self, value: TokenStream) -> TokenStream {
+        match self.outputs {
+            1 => quote!(let [value] = #value; value),
+            _ => value,
         }
     }
 }

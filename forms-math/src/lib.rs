@@ -30,9 +30,9 @@ pub use batch::{
     batch_within_by, row_within,
 };
 #[cfg(feature = "ndarray")]
-pub use batch::{RowsMismatch, batch_rows};
+pub use batch::{RowsMismatch, batch_rows, batch_rows_within};
 #[cfg(feature = "rayon")]
-pub use batch::{batch_f32_parallel, batch_parallel};
+pub use batch::{batch_f32_parallel, batch_parallel, batch_within_parallel};
 pub use double_double::DoubleDouble;
 pub use escalate::{
     Computation, Tier, escalate, escalate_computation, escalate_double_double,
@@ -41,6 +41,9 @@ pub use escalate::{
 pub use formula::Formula;
 pub use guarded::{Bound, Guardable, Guarded, Magnitude, Units};
 pub use lane::{Lane32, Lane64};
+/// The matrices of [`batch_rows`].
+#[cfg(feature = "ndarray")]
+pub use ndarray;
 pub use real::Real;
 pub use scalar::Scalar;
 pub use source::{crate_files, source};

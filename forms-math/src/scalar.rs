@@ -49,7 +49,26 @@ macro_rules! standard_functions {
     )* };
 }
 
-/// Choices of a type whose numbers are ordered by the hardware.
+/// Choices by one comparison, of a type whose numbers are ordered by the hardware.
+macro_rules! either_choices {
+    () => {
+        #[inline(always)]
+        fn either_if_less(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
+            if left < right { then } else { otherwise }
+        }
+        #[inline(always)]
+        fn either_if_less_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
+            if left <= right { then } else { otherwise }
+        }
+        #[inline(always)]
+        fn either_if_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
+            if left == right { then } else { otherwise }
+        }
+    };
+}
+pub(crate) use either_choices;
+
+/// All choices of such a type.
 macro_rules! choices {
     () => {
         #[inline(always)]
@@ -82,18 +101,7 @@ macro_rules! choices {
                 Self::nan()
             }
         }
-        #[inline(always)]
-        fn either_if_less(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
-            if left < right { then } else { otherwise }
-        }
-        #[inline(always)]
-        fn either_if_less_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
-            if left <= right { then } else { otherwise }
-        }
-        #[inline(always)]
-        fn either_if_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
-            if left == right { then } else { otherwise }
-        }
+        $crate::scalar::either_choices!();
     };
 }
 pub(crate) use choices;

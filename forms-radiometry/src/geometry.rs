@@ -1,8 +1,10 @@
 //! Geometry of light: vertices become polygons, polygons seen from a point become cones of directions, and
-//! what is left of one cone after others have been cut out of it is what the point sees.
+//! what is left of one cone after others have been cut out of it is what the point sees. Two polygons exchange light by an
+//! area that is a sum over their edges.
 
 mod clip;
 mod cone;
+mod exchange;
 mod form_factor;
 mod luminaire;
 mod mesh;
@@ -12,6 +14,7 @@ mod triangulation;
 mod vector;
 
 pub(crate) use cone::Cone;
+pub use exchange::{Exchange, exchange, view_factor, visible_exchange};
 pub use form_factor::form_factor;
 pub(crate) use luminaire::{Luminaire, Workspace, resolution};
 pub use mesh::{FaceError, Mesh, MeshError};

@@ -13,6 +13,7 @@ forms::include_forms!("kernels/linear_luminaire.forms");
 forms::include_forms!("kernels/rectangle_view_factor.forms");
 forms::include_forms!("kernels/disk_view_factor.forms");
 forms::include_forms!("kernels/sphere_view_factor.forms");
+forms::include_forms!("kernels/exchange.forms");
 forms::include_forms!("kernels/reflection.forms");
 forms::include_forms!("kernels/reconnection.forms");
 forms::include_forms!("kernels/transport.forms");

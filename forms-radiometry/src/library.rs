@@ -75,6 +75,7 @@ pub fn library() -> &'static [TheoryFile] {
         kernel_file!("rectangle_view_factor.forms"),
         kernel_file!("disk_view_factor.forms"),
         kernel_file!("sphere_view_factor.forms"),
+        kernel_file!("exchange.forms"),
         kernel_file!("reflection.forms"),
         kernel_file!("reconnection.forms"),
         kernel_file!("transport.forms"),

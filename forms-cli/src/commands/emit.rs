@@ -3,7 +3,8 @@
 use crate::commands::refuse;
 use crate::kernel::{LIBRARY, files, find, generated};
 use crate::status::Status;
-use crate::theory_file::{TheoryFile, complain};
+use crate::theory_file::{FileError, TheoryFile, complain};
+use forms::core::generation::{Specialisation, specialisations};
 use forms::core::kernel::{self, KernelDocs, Precision, Source, Target};
 use forms::core::resolve::Kernel;
 use forms::core::units::sentence;
@@ -38,9 +39,10 @@ pub(crate) fn emit(
     if chosen.is_empty() {
         return Ok(refuse(&format!("there is no kernel in {file}")));
     }
-    let sources: Result<Vec<Source>, _> = chosen.iter().map(|(file, kernel)| source(file, kernel)).collect();
-    let sources = match sources {
-        Ok(sources) => sources,
+    let sources: Result<Vec<Vec<Source>>, _> =
+        chosen.iter().map(|(file, kernel)| sources(file, kernel)).collect();
+    let sources: Vec<Source> = match sources {
+        Ok(sources) => sources.into_iter().flatten().collect(),
         Err(errors) => {
             complain(&errors);
             return Ok(Status::Error);
@@ -83,7 +85,28 @@ fn formula(file: &TheoryFile, kernel: &Kernel) -> String {
     written.lines().map(str::trim_end).collect::<Vec<_>>().join("\n")
 }
 
-fn source(file: &TheoryFile, kernel: &Kernel) -> Result<Source, Vec<crate::theory_file::FileError>> {
+/// A kernel, and what is left of it without each set of its effects: `NAME_without_absorption`.
+fn sources(file: &TheoryFile, kernel: &Kernel) -> Result<Vec<Source>, Vec<FileError>> {
+    let mut file = file.clone();
+    let mut kernels = vec![kernel.clone()];
+    let found = specialisations(&mut file.theory.pool, kernel).map_err(|errors| {
+        errors.iter().map(|error| FileError::at(&file.source, error)).collect::<Vec<_>>()
+    })?;
+    for Specialisation { present, kernel: mut specialised } in found {
+        let absent = kernel.effects.iter().zip(present).filter(|(_, present)| !present);
+        let absent: Vec<&str> = absent.map(|(effect, _)| effect.name.as_str()).collect();
+        specialised.name = format!("{}_without_{}", kernel.name, absent.join("_"));
+        specialised.docs.push(format!(
+            "Without {}, proved equal to `{}` there.",
+            absent.join(" and "),
+            kernel.name
+        ));
+        kernels.push(specialised);
+    }
+    kernels.iter().map(|kernel| source(&file, kernel)).collect()
+}
+
+fn source(file: &TheoryFile, kernel: &Kernel) -> Result<Source, Vec<FileError>> {
     let generated = generated(file, kernel)?;
     let docs = KernelDocs {
         formula: formula(file, kernel),

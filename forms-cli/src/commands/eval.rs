@@ -3,7 +3,7 @@
 use crate::arguments::Tier;
 use crate::commands::exact::Exact;
 use crate::commands::refuse;
-use crate::commands::rounded::{Promised, PromisedDigits, Rounded};
+use crate::commands::rounded::Rounded;
 use crate::kernel::{files, find, generated};
 use crate::status::Status;
 use crate::theory_file::complain;
@@ -43,7 +43,7 @@ pub(crate) fn eval(
         return table(&Exact::new(file, kernel), io::stdin().lock(), output);
     }
     let (program, within) = match generated(file, kernel) {
-        Ok(generated) if tier == Tier::Stable => (generated.optimised, kernel.within.as_ref()),
+        Ok(generated) if tier == Tier::Stable => (generated.optimised, generated.within),
         Ok(generated) => (generated.written, None),
         Err(errors) => {
             complain(&errors);
@@ -54,9 +54,9 @@ pub(crate) fn eval(
     match (precision, within) {
         ("f32", _) => table(&Rounded::<f32>::new(&program), input, output),
         ("dd", None) => table(&Rounded::<DoubleDouble>::new(&program), input, output),
-        ("dd", Some(_)) => table(&PromisedDigits(&program), input, output),
+        ("dd", Some(_)) => table(&Rounded::to_29_digits(&program), input, output),
         (_, None) => table(&Rounded::<f64>::new(&program), input, output),
-        (_, Some(within)) => table(&Promised::new(&program, within), input, output),
+        (_, Some(within)) => table(&Rounded::within(&program, within), input, output),
     }
 }
 

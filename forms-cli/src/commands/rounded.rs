@@ -3,8 +3,7 @@
 use super::eval::Evaluation;
 use crate::decimal;
 use forms::core::accuracy::{Format, Rounded as Text};
-use forms::core::expression::Rational;
-use forms::core::kernel::{Constant, Interpreter, Program};
+use forms::core::kernel::{Constant, Program};
 use forms::math::{DoubleDouble, Real};
 use num_rational::BigRational;
 
@@ -64,15 +63,34 @@ impl Number for DoubleDouble {
     }
 }
 
-/// A program with its numbers rounded to one precision.
+/// How outputs are computed from arguments.
+type Compute<'a, T> = Box<dyn Fn(&[T]) -> Vec<T> + 'a>;
+
+/// A program with its numbers read and written in one precision, and computed in that or in more.
 pub(super) struct Rounded<'a, T> {
     program: &'a Program,
-    interpreter: Interpreter<'a, T>,
+    compute: Compute<'a, T>,
 }
 
-impl<'a, T: Number> Rounded<'a, T> {
+impl<'a, T: Number + 'a> Rounded<'a, T> {
+    /// Computed in that precision.
     pub(super) fn new(program: &'a Program) -> Self {
-        Rounded { program, interpreter: program.interpreter() }
+        let interpreter = program.interpreter();
+        Rounded { program, compute: Box::new(move |arguments| interpreter.values(arguments)) }
+    }
+}
+
+impl<'a> Rounded<'a, f64> {
+    /// With values as near to the exact ones as a kernel promises, in units of 2⁻⁵³.
+    pub(super) fn within(program: &'a Program, within: f64) -> Self {
+        Rounded { program, compute: Box::new(move |arguments| program.interpret_within(arguments, within)) }
+    }
+}
+
+impl<'a> Rounded<'a, DoubleDouble> {
+    /// With values of 29 digits at least.
+    pub(super) fn to_29_digits(program: &'a Program) -> Self {
+        Rounded { program, compute: Box::new(|arguments| program.interpret_double_double(arguments)) }
     }
 }
 
@@ -96,83 +114,10 @@ impl<T: Number> Evaluation for Rounded<'_, T> {
     }
 
     fn values(&self, arguments: &[T]) -> Vec<String> {
-        self.interpreter.values(arguments).into_iter().map(T::digits).collect()
+        (self.compute)(arguments).into_iter().map(T::digits).collect()
     }
 
     fn written(&self, argument: &T) -> String {
-        argument.digits()
-    }
-}
-
-/// A program whose `f64` values are as near to the exact ones as its kernel promises.
-pub(super) struct Promised<'a> {
-    program: &'a Program,
-    within: f64,
-}
-
-impl<'a> Promised<'a> {
-    /// With the bound behind `within`, in units of 2⁻⁵³.
-    pub(super) fn new(program: &'a Program, within: &Rational) -> Self {
-        Promised { program, within: Constant::rational(within.clone()).to_f64() }
-    }
-}
-
-impl Evaluation for Promised<'_> {
-    type Number = f64;
-
-    fn name(&self) -> &str {
-        self.program.name()
-    }
-
-    fn arguments(&self) -> &[String] {
-        self.program.arguments()
-    }
-
-    fn outputs(&self) -> usize {
-        self.program.outputs().len()
-    }
-
-    fn read(&self, text: &str) -> Option<f64> {
-        f64::read(text)
-    }
-
-    fn values(&self, arguments: &[f64]) -> Vec<String> {
-        let values = self.program.interpret_within(arguments, self.within);
-        values.into_iter().map(f64::digits).collect()
-    }
-
-    fn written(&self, argument: &f64) -> String {
-        argument.digits()
-    }
-}
-
-/// A program whose double-double values have 29 digits at least.
-pub(super) struct PromisedDigits<'a>(pub(super) &'a Program);
-
-impl Evaluation for PromisedDigits<'_> {
-    type Number = DoubleDouble;
-
-    fn name(&self) -> &str {
-        self.0.name()
-    }
-
-    fn arguments(&self) -> &[String] {
-        self.0.arguments()
-    }
-
-    fn outputs(&self) -> usize {
-        self.0.outputs().len()
-    }
-
-    fn read(&self, text: &str) -> Option<DoubleDouble> {
-        DoubleDouble::read(text)
-    }
-
-    fn values(&self, arguments: &[DoubleDouble]) -> Vec<String> {
-        self.0.interpret_double_double(arguments).into_iter().map(DoubleDouble::digits).collect()
-    }
-
-    fn written(&self, argument: &DoubleDouble) -> String {
         argument.digits()
     }
 }

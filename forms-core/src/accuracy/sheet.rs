@@ -6,7 +6,7 @@ use super::sample::{Samples, sample};
 use super::score::Score;
 use crate::expression::Pool;
 use crate::generation::Generated;
-use crate::kernel::{Program, nearest_f64};
+use crate::kernel::Program;
 use crate::resolve::Kernel;
 use forms_math::{DoubleDouble, Lane32, Lane64, Real};
 
@@ -102,7 +102,7 @@ pub fn sheet(pool: &Pool, kernel: &Kernel, generated: &Generated, count: usize, 
     let line = |variant: Variant| {
         let program = if variant.stable { &generated.optimised } else { &generated.written };
         let samples = if variant.width() == Width::Single { &single } else { &double };
-        let within = kernel.within.as_ref().filter(|_| variant.stable).map(nearest_f64);
+        let within = generated.within.filter(|_| variant.stable);
         Line { variant, scores: scores(program, within, variant, samples) }
     };
     Variant::ALL.into_iter().map(line).collect()

@@ -180,16 +180,11 @@ fn met(pool: &Pool, sides: [Expr; 2], values: &FxHashMap<Expr, (Expr, bool)>) ->
 
 /// The sides with the values of sums in their place.
 fn images(pool: &mut Pool, sides: [Expr; 2], values: &FxHashMap<Expr, (Expr, bool)>) -> [Expr; 2] {
-    let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
-    for part in pool.reachable(&sides) {
-        let image = match values.get(&part) {
-            Some(&(variable, true)) => pool.negate(variable),
-            Some(&(variable, false)) => variable,
-            None => pool.image(part, pool.node(part).clone(), &images),
-        };
-        images.insert(part, image);
-    }
-    sides.map(|side| images[&side])
+    let value = |(&sum, &(variable, is_negative)): (&Expr, &(Expr, bool))| {
+        (sum, if is_negative { pool.negate(variable) } else { variable })
+    };
+    let values: FxHashMap<Expr, Expr> = values.iter().map(value).collect();
+    sides.map(|side| pool.replace(side, &values))
 }
 
 fn are_equal_as_they_stand(pool: &mut Pool, [left, right]: [Expr; 2]) -> bool {

@@ -82,7 +82,7 @@ pub(super) fn follow(pool: &mut Pool, conditions: &[Condition], known: &[Conditi
 }
 
 /// Whether a condition follows from others: they contradict its opposite.
-fn holds(pool: &mut Pool, condition: &Condition, known: &[Condition]) -> bool {
+pub(super) fn holds(pool: &mut Pool, condition: &Condition, known: &[Condition]) -> bool {
     if let Some(decided) = condition.decided(pool) {
         return decided;
     }

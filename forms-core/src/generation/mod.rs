@@ -10,6 +10,7 @@
 
 mod boundary;
 mod cuts;
+mod effects;
 mod limit;
 mod opaque;
 mod pieces;
@@ -18,11 +19,13 @@ mod residue;
 mod seam;
 mod translation;
 
+pub use effects::{Specialisation, specialisations};
 pub use translation::Translation;
 
 use crate::diagnostic::Diagnostic;
-use crate::expression::Pool;
-use crate::kernel::{KernelSource, Program, lower};
+use crate::expression::{Expr, Pool};
+use crate::kernel::{KernelSource, Program, lower, nearest_f64};
+use crate::notation::results;
 use crate::resolve::Kernel;
 
 /// A kernel as programs.
@@ -37,6 +40,8 @@ pub struct Generated {
     pub translation: Translation,
     /// The form that rules gave each output, where it is what the kernel is computed by.
     pub rewritten: Vec<String>,
+    /// How far the kernel's `f64` value may be from the exact one, in units of 2⁻⁵³; none where nothing is promised.
+    pub within: Option<f64>,
 }
 
 /// Longer forms are not quoted.
@@ -45,11 +50,10 @@ const LONGEST_FORM: usize = 200;
 impl Generated {
     /// What the program is beside the formula, in sentences.
     pub fn account(&self) -> String {
-        let form = match &self.rewritten[..] {
-            [] => return self.translation.to_string(),
-            [single] => single.clone(),
-            several => format!("({})", several.join(", ")),
-        };
+        if self.rewritten.is_empty() {
+            return self.translation.to_string();
+        }
+        let form = results(&self.rewritten);
         let form = if form.len() <= LONGEST_FORM { format!(": `{form}`") } else { String::new() };
         format!("{} Computed by an equal form that rules alone give{form}.", self.translation)
     }
@@ -90,7 +94,7 @@ pub fn generate(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagn
     if !faults.is_empty() {
         return Err(faults);
     }
-    let form = by_form(kernel).or_else(|| by_rules(kernel));
+    let form = with_form(kernel, &kernel.computed).or_else(|| with_form(kernel, &kernel.rewritten));
     let computed = form.as_ref().unwrap_or(kernel);
     let program = lowered(pool, &KernelSource { outputs: computed.outputs.clone(), ..source })?;
     // a form that was chosen keeps the order of its sums and products, on which its rounding depends
@@ -102,8 +106,9 @@ pub fn generate(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagn
     match translation.objection(kernel) {
         Some(objection) => Err(vec![objection]),
         None => {
-            let rewritten = if kernel.has_form() { Vec::new() } else { pool.texts(&kernel.rewritten) };
-            Ok(Generated { written, optimised, translation, rewritten })
+            let (rewritten, within) =
+                (pool.texts(&kernel.rewritten), kernel.within.as_ref().map(nearest_f64));
+            Ok(Generated { written, optimised, translation, rewritten, within })
         }
     }
 }
@@ -111,22 +116,15 @@ pub fn generate(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagn
 /// What is to be said of the form that a kernel is computed by: pieces that do not agree where they meet, or a form that is
 /// not proved equal to the formula. Nothing where there is no form.
 pub(crate) fn form_faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Diagnostic> {
-    let Some(form) = by_form(kernel) else { return Vec::new() };
+    let Some(form) = with_form(kernel, &kernel.computed) else { return Vec::new() };
     let faults = seam::faults(pool, &form);
     if faults.is_empty() { translation::of_form(pool, kernel).into_iter().collect() } else { faults }
 }
 
-/// The kernel with the form that rules give for its formula, if there is one and it promises nothing.
-fn by_rules(kernel: &Kernel) -> Option<Kernel> {
-    let is_used = !kernel.rewritten.is_empty() && !kernel.has_form();
-    let mut form = is_used.then(|| kernel.clone())?;
-    form.outputs = std::mem::take(&mut form.rewritten);
-    Some(form)
-}
-
-/// The kernel with the form behind `by` for its formula, if there is one.
-fn by_form(kernel: &Kernel) -> Option<Kernel> {
-    let mut form = (!kernel.computed.is_empty()).then(|| kernel.clone())?;
-    form.outputs = std::mem::take(&mut form.computed);
-    Some(form)
+/// The kernel with this form for its formula, if there is one.
+fn with_form(kernel: &Kernel, form: &[Expr]) -> Option<Kernel> {
+    let mut with_form = (!form.is_empty()).then(|| kernel.clone())?;
+    with_form.outputs = form.to_vec();
+    (with_form.computed, with_form.rewritten) = (Vec::new(), Vec::new());
+    Some(with_form)
 }

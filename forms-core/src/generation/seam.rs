@@ -217,7 +217,7 @@ impl Choice {
 }
 
 /// Whether some of these conditions fail wherever the others hold, and there is such a place.
-fn is_excluded(pool: &mut Pool, conditions: &[Condition], known: &[Condition]) -> bool {
+pub(super) fn is_excluded(pool: &mut Pool, conditions: &[Condition], known: &[Condition]) -> bool {
     let open: Vec<Condition> =
         conditions.iter().filter(|condition| condition.decided(pool) != Some(true)).copied().collect();
     if open.is_empty() {

@@ -116,7 +116,7 @@ pub(super) fn of_form(pool: &mut Pool, kernel: &Kernel) -> Option<Diagnostic> {
 
 /// Whether the sides of each pair are equal under the conditions: without a look inside choices or at least inside functions,
 /// which is enough for most programs and costs little, or else with one.
-fn equality(
+pub(super) fn equality(
     pool: &mut Pool,
     pairs: &[(Expr, Expr)],
     conditions: &[Condition],

@@ -16,5 +16,5 @@ mod written;
 
 pub use latex::{latex, latex_of_expression, latex_of_name, latex_of_relation};
 pub use simplify::{simplify, simplify_expression};
-pub use text::text;
+pub use text::{results, text};
 pub use written::{latex_as_written, latex_of_condition};

@@ -4,6 +4,14 @@ use super::sum::{Coefficient, Term, joined, terms};
 use crate::calculus::Coordinate;
 use crate::resolve::{Theory, Value};
 
+/// The results of a kernel as the language writes them: one as it is, several in brackets.
+pub fn results(formulas: &[String]) -> String {
+    match formulas {
+        [single] => single.clone(),
+        several => format!("({})", several.join(", ")),
+    }
+}
+
 /// A value as the language writes it: `4/(u**2 + v**2 + 1)**2*du^dv`.
 pub fn text(theory: &Theory, value: &Value) -> String {
     let basis = |coordinates: &[Coordinate]| {

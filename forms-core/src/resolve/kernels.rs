@@ -3,7 +3,7 @@
 use super::evaluation::{Evaluated, Evaluator};
 use super::items::Resolver;
 use super::names::describe;
-use super::theory::{Kernel, KernelUnits, Named};
+use super::theory::{Effect, Kernel, KernelUnits, Named};
 use super::value::Value;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Condition, Expr, Node, Rational, Symbol, SymbolKind};
@@ -12,7 +12,8 @@ use num_traits::Signed;
 
 impl Resolver {
     pub(super) fn kernel(&mut self, item: &Item) -> Evaluated<()> {
-        let ItemKind::Kernel { name, arguments, outputs, computed, conditions, within, .. } = &item.kind
+        let ItemKind::Kernel { name, arguments, outputs, computed, conditions, within, effects, .. } =
+            &item.kind
         else {
             return Ok(());
         };
@@ -27,10 +28,11 @@ impl Resolver {
             check_count(&values, &computed, name, item.span)?;
             let domain = self.kernel_domain(conditions, &symbols)?;
             let within = within.as_ref().map(|within| self.positive_number(within)).transpose()?;
-            Ok((symbols, (values, computed), (mentioned, domain, within)))
+            let effects = self.kernel_effects(effects, &symbols)?;
+            Ok((symbols, (values, computed), (mentioned, domain), (within, effects)))
         });
         self.forget(locals);
-        let (arguments, (outputs, computed), (mentioned, domain, within)) = result?;
+        let (arguments, (outputs, computed), (mentioned, domain), (within, effects)) = result?;
         let formula = self.theory.pool.texts(&outputs);
         self.theory.kernels.push(Kernel {
             name: name.text.clone(),
@@ -43,6 +45,7 @@ impl Resolver {
             rewritten: Vec::new(),
             domain,
             within,
+            effects,
             formula,
             units: KernelUnits::default(),
             statements: Vec::new(),
@@ -91,6 +94,7 @@ impl Resolver {
             computed,
             rewritten: Vec::new(),
             within: None,
+            effects: Vec::new(),
             formula,
             units: KernelUnits::default(),
             statements: Vec::new(),
@@ -161,6 +165,48 @@ impl Resolver {
             Ok(domain)
         })?;
         Ok(domain)
+    }
+}
+
+/// More effects of one kernel are an error: each doubles the number of its specialisations.
+const MOST_EFFECTS: usize = 6;
+
+impl Resolver {
+    /// What stands between the braces of `effects`.
+    fn kernel_effects(&mut self, effects: &[ast::Effect], arguments: &[Symbol]) -> Evaluated<Vec<Effect>> {
+        let mut resolved: Vec<Effect> = Vec::new();
+        for ast::Effect { name, variable, value } in effects {
+            let span = name.span.to(value.span);
+            if resolved.len() == MOST_EFFECTS {
+                return Err(Diagnostic::new(span, format!("a kernel has at most {MOST_EFFECTS} effects"))
+                    .with_help("each of them doubles the number of its specialisations"));
+            }
+            if resolved.iter().any(|effect| effect.name == name.text) {
+                return Err(Diagnostic::new(name.span, format!("the effect `{}` occurs twice", name.text)));
+            }
+            let named = |symbol: &&Symbol| self.theory.pool.symbol_name(**symbol) == variable.text;
+            let Some(&symbol) = arguments.iter().find(named) else {
+                let message = format!("`{}` is not an argument of the kernel", variable.text);
+                return Err(Diagnostic::new(variable.span, message).with_help(
+                    "an effect is switched off by the value of an argument, as in `sigma_a = 0`",
+                ));
+            };
+            if resolved.iter().any(|effect| effect.variable == symbol) {
+                let message = format!("`{}` switches another effect off already", variable.text);
+                return Err(Diagnostic::new(variable.span, message));
+            }
+            let ((value, is_own), _, _) = self.evaluate(|evaluator| {
+                let found = evaluator.scalar(value)?;
+                evaluator.check_free(&[found], arguments, value.span)?;
+                Ok((found, evaluator.theory.pool.symbols_in(&[found]).contains(&symbol)))
+            })?;
+            if is_own {
+                let message = format!("the value of `{}` cannot depend on itself", variable.text);
+                return Err(Diagnostic::new(span, message));
+            }
+            resolved.push(Effect { name: name.text.clone(), variable: symbol, value, span });
+        }
+        Ok(resolved)
     }
 }
 

@@ -32,5 +32,7 @@ pub use evaluation::Trace;
 pub use items::{resolve, resolve_traced};
 pub(crate) use metric::METRIC_OPERATIONS;
 pub(crate) use theory::Integration;
-pub use theory::{Chart, Kernel, KernelUnits, Map, Named, NamedMetric, Object, Statement, Theory, Warp};
+pub use theory::{
+    Chart, Effect, Kernel, KernelUnits, Map, Named, NamedMetric, Object, Statement, Theory, Warp,
+};
 pub use value::Value;

@@ -121,12 +121,14 @@ pub struct Kernel {
     /// What it is computed by, an equal form of each output; empty where that is the formula itself.
     pub computed: Vec<Expr>,
     /// What it is computed by where nobody chose a form: an equal form of each output that rules alone give, each step of
-    /// which is proved ([`crate::stability::by_rules`]); empty where that is the formula itself.
+    /// which is proved ([`crate::stability::by_rules`]); empty where that is the formula itself or a form was chosen.
     pub rewritten: Vec<Expr>,
     /// Its stated domain; outside, the value is NaN.
     pub domain: Vec<Condition>,
     /// How far its `f64` value may be from the exact one, in units of 2⁻⁵³ of that; none where nothing is promised.
     pub within: Option<Rational>,
+    /// The effects that it is specialised to be without.
+    pub effects: Vec<Effect>,
     /// The formula as it was written.
     pub formula: Vec<String>,
     /// The units of its arguments and outputs, as far as they are known.
@@ -142,6 +144,19 @@ impl Kernel {
     pub fn has_form(&self) -> bool {
         !self.computed.is_empty() || self.within.is_some()
     }
+}
+
+/// An effect of a kernel, which vanishes where an argument has a value: `absorption: sigma_a = 0`.
+#[derive(Clone, Debug)]
+pub struct Effect {
+    /// Its name.
+    pub name: String,
+    /// The argument that switches it off …
+    pub variable: Symbol,
+    /// … where it has this value.
+    pub value: Expr,
+    /// The effect in its source.
+    pub span: Span,
 }
 
 /// The units of a kernel's arguments and outputs in the language's notation; none where nothing states them. Both lists

@@ -255,6 +255,7 @@ impl Resolver {
             rewritten: Vec::new(),
             domain,
             within,
+            effects: Vec::new(),
             formula,
             units: KernelUnits::default(),
             statements: Vec::new(),

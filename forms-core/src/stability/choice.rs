@@ -12,6 +12,7 @@ use super::search::{Form, Found};
 use crate::check::read_theory;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expr, Pool, Rational, Symbol, TABLE};
+use crate::notation::results;
 use crate::resolve::{Kernel, Theory};
 use rustc_hash::FxHashMap;
 use std::fmt::Write;
@@ -82,11 +83,7 @@ fn is_open(form: &Form) -> bool {
 
 fn entry(pool: &Pool, kernel: &Kernel, found: &Found, form: &Form, text: &mut String) {
     let arguments: Vec<&str> = kernel.arguments.iter().map(|&argument| pool.symbol_name(argument)).collect();
-    let formulas = pool.texts(&form.outputs);
-    let formula = match &formulas[..] {
-        [single] => single.clone(),
-        several => format!("({})", several.join(", ")),
-    };
+    let formula = results(&pool.texts(&form.outputs));
     let (key, before, after) = (key(pool, kernel), found.written.loss, form.loss);
     let promise = if is_open(form) { format!("\n    within {WITHIN}") } else { String::new() };
     let _ = write!(
@@ -135,14 +132,9 @@ impl Choices {
 
     /// What is to be said of entries that fit no kernel: those of the kernels that changed since. Nothing where all fit.
     pub fn objection(&self, theory: &Theory) -> Option<String> {
-        let fits = |entry: &Kernel| {
-            let told = told_key(entry);
-            theory
-                .kernels
-                .iter()
-                .any(|kernel| kernel.name == entry.name && told == Some(key(&theory.pool, kernel).as_str()))
-        };
-        let stale = self.theory.kernels.iter().filter(|entry| !fits(entry));
+        let fits_none =
+            |entry: &&Kernel| !theory.kernels.iter().any(|kernel| fits(entry, &theory.pool, kernel));
+        let stale = self.theory.kernels.iter().filter(fits_none);
         let names: Vec<String> = stale.map(|entry| format!("`{}`", entry.name)).collect();
         (!names.is_empty()).then(|| {
             format!(
@@ -155,13 +147,7 @@ impl Choices {
 
     /// The form that an entry gives for a kernel, as expressions of the kernel's pool, and what it promises.
     fn form_of(&self, pool: &mut Pool, kernel: &Kernel) -> Option<(Vec<Expr>, Option<Rational>)> {
-        let entry = self.theory.kernels.iter().find(|entry| entry.name == kernel.name)?;
-        let fits = entry.arguments.len() == kernel.arguments.len()
-            && entry.outputs.len() == kernel.outputs.len()
-            && told_key(entry)? == key(pool, kernel);
-        if !fits {
-            return None;
-        }
+        let entry = self.theory.kernels.iter().find(|entry| fits(entry, pool, kernel))?;
         let symbols = entry.arguments.iter().zip(&kernel.arguments);
         let variables: FxHashMap<Symbol, Expr> =
             symbols.map(|(&entry, &own)| (entry, pool.symbol(own))).collect();
@@ -170,9 +156,13 @@ impl Choices {
     }
 }
 
-/// The key that an entry says it was made for.
-fn told_key(entry: &Kernel) -> Option<&str> {
-    entry.docs.first()?.split_whitespace().next()
+/// Whether an entry was made for a kernel as it stands: it says so by the key.
+fn fits(entry: &Kernel, pool: &Pool, kernel: &Kernel) -> bool {
+    let told = entry.docs.first().and_then(|line| line.split_whitespace().next());
+    entry.name == kernel.name
+        && entry.arguments.len() == kernel.arguments.len()
+        && entry.outputs.len() == kernel.outputs.len()
+        && told == Some(key(pool, kernel).as_str())
 }
 
 #[cfg(test)]

@@ -16,6 +16,18 @@ pub(super) type Values<E, const O: usize> = [[E; BLOCK]; O];
 pub(super) type Kernel<M, E, const A: usize, const O: usize> =
     unsafe fn(M, &Arguments<'_, E, A>, &mut Values<E, O>) -> bool;
 
+/// Has the function that this is inlined into align its frame to the widest vector. The compiler does so for a local that asks for
+/// it, and not for vectors that registers have no room for: those would be loaded and stored across two lines of the cache,
+/// depending on where the stack happens to begin. Without functions a formula needs few registers.
+#[inline(always)]
+fn align_frame() {
+    #[repr(align(64))]
+    struct Vector {
+        _byte: u8,
+    }
+    std::hint::black_box(&mut Vector { _byte: 0 });
+}
+
 /// The method in every row. The values are one parameter, so that the compiler knows that they are not also arguments.
 #[inline(always)]
 pub(super) fn rows_of<M: Method<E, A, O>, E: Element, const FMA: bool, const A: usize, const O: usize>(
@@ -23,6 +35,9 @@ pub(super) fn rows_of<M: Method<E, A, O>, E: Element, const FMA: bool, const A: 
     columns: &Arguments<'_, E, A>,
     values: &mut Values<E, O>,
 ) -> bool {
+    if M::MAY_GIVE_UP {
+        align_frame();
+    }
     for row in 0..BLOCK {
         let mut arguments = [E::default(); A];
         for (argument, column) in arguments.iter_mut().zip(columns) {

@@ -23,7 +23,7 @@ pub use instructions::Instructions;
 pub use length::{Column, LengthMismatch};
 use method::{Element, Method, Plain, Within};
 #[cfg(feature = "ndarray")]
-pub use rows::{RowsMismatch, batch_rows};
+pub use rows::{RowsMismatch, batch_rows, batch_rows_within};
 
 /// The values of a formula in `f64`, one row at each position of the columns.
 ///
@@ -151,6 +151,23 @@ pub fn batch_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
     Ok(())
 }
 
+/// [`batch_within`] on all processors.
+///
+/// # Errors
+/// Where a column's length is not that of the first.
+#[cfg(feature = "rayon")]
+pub fn batch_within_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
+    columns: [&[f64]; A],
+    outputs: [&mut [f64]; O],
+    within: f64,
+) -> Result<(), LengthMismatch> {
+    let length = length::common(&columns, &outputs)?;
+    parallel::over_shares(columns, outputs, length, &|columns, outputs| {
+        over_blocks(Within::<F>::new(within), Instructions::best(), columns, outputs);
+    });
+    Ok(())
+}
+
 /// [`batch_f32`] on all processors.
 ///
 /// # Errors
@@ -179,12 +196,8 @@ fn over_blocks<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
 ) {
     let kernel = instructions.kernel::<M, E, A, O>();
     let length = length::of(&columns, &outputs);
-    if length == 0 {
-        return;
-    }
     if length < BLOCK {
-        let filled = columns.map(block::filled);
-        return copied(method, kernel, &filled.each_ref(), &mut outputs, 0, length);
+        return few_rows(method, kernel, columns, &mut outputs, length);
     }
     let mut blocks = [E::ZEROS; A];
     for start in (0..length).step_by(BLOCK) {
@@ -202,7 +215,24 @@ fn over_blocks<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     }
 }
 
+/// Fewer rows than a block. A function of its own: its copies of the columns are many pages of the stack, which larger batches
+/// need not touch.
+#[inline(never)]
+fn few_rows<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
+    method: M,
+    kernel: Kernel<M, E, A, O>,
+    columns: [&[E]; A],
+    outputs: &mut [&mut [E]; O],
+    length: usize,
+) {
+    if length > 0 {
+        let filled = columns.map(block::filled);
+        copied(method, kernel, &filled.each_ref(), outputs, 0, length);
+    }
+}
+
 /// Values of the columns, of which the first `count` go to the outputs from `start` on.
+#[inline(never)]
 fn copied<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     method: M,
     kernel: Kernel<M, E, A, O>,

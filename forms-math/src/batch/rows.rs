@@ -1,6 +1,6 @@
 //! Batches over the rows of a matrix.
 
-use super::{LengthMismatch, batch};
+use super::{LengthMismatch, batch, batch_within};
 use crate::Formula;
 use ndarray::{ArrayView2, ArrayViewMut2};
 
@@ -12,7 +12,28 @@ use ndarray::{ArrayView2, ArrayViewMut2};
 /// Where the matrices have not the formula's number of columns, or not the same number of rows.
 pub fn batch_rows<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: ArrayView2<'_, f64>,
+    outputs: ArrayViewMut2<'_, f64>,
+) -> Result<(), RowsMismatch> {
+    over_columns(arguments, outputs, batch::<F, A, O>)
+}
+
+/// [`batch_within`] over rows, as [`batch_rows`] has them.
+///
+/// # Errors
+/// Where the matrices have not the formula's number of columns, or not the same number of rows.
+pub fn batch_rows_within<F: Formula<A, O>, const A: usize, const O: usize>(
+    arguments: ArrayView2<'_, f64>,
+    outputs: ArrayViewMut2<'_, f64>,
+    within: f64,
+) -> Result<(), RowsMismatch> {
+    over_columns(arguments, outputs, |columns, outputs| batch_within::<F, A, O>(columns, outputs, within))
+}
+
+/// A batch of the columns of matrices.
+fn over_columns<const A: usize, const O: usize>(
+    arguments: ArrayView2<'_, f64>,
     mut outputs: ArrayViewMut2<'_, f64>,
+    batch: impl Fn([&[f64]; A], [&mut [f64]; O]) -> Result<(), LengthMismatch>,
 ) -> Result<(), RowsMismatch> {
     let found = [arguments.ncols(), outputs.ncols()];
     if found != [A, O] {
@@ -20,11 +41,8 @@ pub fn batch_rows<F: Formula<A, O>, const A: usize, const O: usize>(
     }
     let columns: [_; A] = std::array::from_fn(|index| column(arguments.column(index)));
     let mut values: [Vec<f64>; O] = std::array::from_fn(|_| vec![0.0; outputs.nrows()]);
-    batch::<F, A, O>(
-        columns.each_ref().map(|column| &column[..]),
-        values.each_mut().map(|value| &mut value[..]),
-    )
-    .map_err(RowsMismatch::Rows)?;
+    batch(columns.each_ref().map(|column| &column[..]), values.each_mut().map(|value| &mut value[..]))
+        .map_err(RowsMismatch::Rows)?;
     for (mut output, values) in outputs.columns_mut().into_iter().zip(values) {
         output.assign(&ndarray::ArrayView1::from(&values));
     }

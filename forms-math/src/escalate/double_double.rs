@@ -69,11 +69,10 @@ fn take<T: Guardable>(
     };
     let values = computation.values(&arguments.iter().map(exact).collect::<Vec<_>>());
     for (output, value) in outputs.iter_mut().zip(values).filter(|(output, _)| output.is_none()) {
-        let may_vanish = value.error().is_finite() && value.value().size_down() <= value.error();
         if is_within(value) {
             *output = Some(in_two_words(value.value()));
         } else if is_last {
-            *output = Some(if may_vanish { DoubleDouble::ZERO } else { in_two_words(value.value()) });
+            *output = Some(if value.may_vanish() { DoubleDouble::ZERO } else { in_two_words(value.value()) });
         }
     }
     outputs.iter().all(Option::is_some)

@@ -114,8 +114,7 @@ fn settle<T: Guardable>(values: &[Guarded<T>], within: f64, tier: Tier, outputs:
         if output.1 != Tier::Undecided {
             continue;
         }
-        let may_vanish = value.error().is_finite() && value.value().size_down() <= value.error();
-        output.0 = if may_vanish { 0.0 } else { value.to_f64() };
+        output.0 = if value.may_vanish() { 0.0 } else { value.to_f64() };
         if is_within(value, units) {
             output.1 = tier;
         }

@@ -1,9 +1,13 @@
-//! eˣ, eˣ − 1 and the hyperbolic functions: x = k ln 2 + r with |r| ≤ (ln 2)/2, and a polynomial of r.
+//! eˣ, eˣ − 1 and the hyperbolic functions: x = k ln 2 + r, and a polynomial of r.
 
 use super::pair::{Pair, fast_two_sum, pair, quotient, two_product, two_sum};
 use super::word::Word;
+use std::hint::select_unpredictable;
 
-/// (k, r) with x = k ln 2 + r, and r as a pair.
+/// log₂ 3
+const LOG2_3: f64 = 1.584_962_500_721_156_2;
+
+/// (k, r) with x = k ln 2 + r and |r| ≤ (ln 2)/2, and r as a pair.
 #[inline(always)]
 fn reduce<W: Word>(x: W) -> (W, Pair<W>) {
     let multiple = (x * W::of(W::TABLE.log2_e)).shifted().unshifted();
@@ -13,11 +17,12 @@ fn reduce<W: Word>(x: W) -> (W, Pair<W>) {
     (multiple, pair(head, (rest - head) - tail))
 }
 
-/// x where it is within ±bound, else the nearer bound: beyond it the function has its limit.
+/// x where it is between the bounds, else the nearer one: beyond them the function has its limit. Both choices are made in
+/// any case, each by an instruction; branches would be merged.
 #[inline(always)]
 fn clamped<W: Word>(x: W, low: f64, high: f64) -> W {
-    let x = if x < W::literal(low) { W::literal(low) } else { x };
-    if x > W::literal(high) { W::literal(high) } else { x }
+    let x = select_unpredictable(x < W::literal(low), W::literal(low), x);
+    select_unpredictable(x > W::literal(high), W::literal(high), x)
 }
 
 /// The exponents of two whose exponentials are 0 and ∞ for certain, times ln 2.
@@ -30,6 +35,13 @@ fn limits<W: Word>() -> (f64, f64) {
     )
 }
 
+/// Arguments whose power [`parts`] has as 0, and as ∞ with r < 0.
+#[inline(always)]
+fn ends<W: Word>() -> (f64, f64) {
+    let (least, largest) = (W::LARGEST_EXPONENT + W::PRECISION, W::LARGEST_EXPONENT + 1 - W::PRECISION);
+    (-f64::from(least) * std::f64::consts::LN_2, (f64::from(largest) - 0.25) * std::f64::consts::LN_2)
+}
+
 /// y 2^k in two steps, so that k may be out of the range of exponents and the last step alone rounds.
 #[inline(always)]
 pub(super) fn scaled<W: Word>(y: W, k: W) -> W {
@@ -37,23 +49,25 @@ pub(super) fn scaled<W: Word>(y: W, k: W) -> W {
     y * half.power_of_two() * (k - half).power_of_two()
 }
 
-/// Beyond this size of x, e^x is no normal number, or nearly so.
+/// (2^k, 1 − eʳ) of x = k ln 2 + r with ¾ ≤ eʳ < 3/2: k = 0 wherever eˣ − 1 is small, which is then no difference. Far below the
+/// logarithm of the least number 2^k is 0; near overflow it is ∞ with r < 0, of which both functions are NaN.
 #[inline(always)]
-fn reach<W: Word>() -> W {
-    W::literal(f64::from(W::LARGEST_EXPONENT - 1) * std::f64::consts::LN_2)
+fn parts<W: Word>(x: W) -> (W, W) {
+    let (low, high) = ends::<W>();
+    let x = clamped(x, low, high);
+    let centred = x.fused(W::of(W::TABLE.log2_e), W::literal(1.5 - LOG2_3));
+    let (opposite, power) = centred.opposite_exponent_and_power();
+    let opposite_r = opposite.fused(-W::of(W::TABLE.ln_2[0]), -x);
+    let opposite_r = opposite.fused(-W::of(W::TABLE.ln_2[1]), opposite_r);
+    let square = opposite_r * opposite_r;
+    (power, (-square).fused((-opposite_r).polynomial(W::TABLE.exp), opposite_r))
 }
 
-/// eˣ = 2^k (1 + r + r² P(r)). Gives up where it is no normal number and not 0.
+/// eˣ = 2^k − 2^k (1 − eʳ). Gives up near overflow.
 #[inline(always)]
 pub(super) fn exp<W: Word>(x: W) -> W {
-    let multiple = (x * W::of(W::TABLE.log2_e)).shifted();
-    let (k, scale) = (multiple.unshifted(), multiple.power_of_two_of_shifted());
-    let r = k.fused(-W::of(W::TABLE.ln_2[1]), k.fused(-W::of(W::TABLE.ln_2[0]), x));
-    let sum = (r * r).fused(r.polynomial(W::TABLE.exp), r);
-    let value = scale.fused(sum, scale);
-    let (low, _) = limits::<W>();
-    let beyond = if x < W::literal(low) { W::literal(0.0) } else { W::not_a_number() };
-    if x.magnitude() <= reach() { value } else { beyond }
+    let (power, complement) = parts(x);
+    (-power).fused(complement, power)
 }
 
 /// eˣ of a pair.
@@ -72,20 +86,12 @@ fn from_rest<W: Word>(k: W, r: Pair<W>) -> W {
     scaled(W::literal(1.0) + sum, k)
 }
 
-/// eˣ − 1 = 2^k (r + r² P(r)) + (2^k − 1), of which the last is exact where it matters, with what rounding r leaves. Gives up
-/// where eˣ is no normal number. The steps to P(r) are those of [`exp`], so that where both are asked for they are done once.
+/// eˣ − 1 = −2^k (1 − eʳ) − (1 − 2^k): the signs are such that the function of −0 is −0. Gives up near overflow. The steps to
+/// the sum are those of [`exp`], so that where both are asked for they are done once.
 #[inline(always)]
 pub(super) fn exp_m1<W: Word>(x: W) -> W {
-    let multiple = (x * W::of(W::TABLE.log2_e)).shifted();
-    let (k, scale) = (multiple.unshifted(), multiple.power_of_two_of_shifted());
-    let rest = k.fused(-W::of(W::TABLE.ln_2[0]), x);
-    let r = k.fused(-W::of(W::TABLE.ln_2[1]), rest);
-    let tail = k.fused(-W::of(W::TABLE.ln_2[1]), rest - r);
-    let change = r + (r * r).fused(r.polynomial(W::TABLE.exp), tail);
-    let one = W::literal(1.0);
-    let value = scale.fused(change, scale - one).with_sign(x);
-    let value = if x < W::literal(-f64::from(W::PRECISION)) { -one } else { value };
-    if x <= reach() { value } else { W::not_a_number() }
+    let (power, complement) = parts(x);
+    (-power).fused(complement, -(W::literal(1.0) - power))
 }
 
 /// 2^−k, or its limit 0 where it is far below a rounding error of 1.

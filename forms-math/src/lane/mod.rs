@@ -9,7 +9,7 @@
 //!
 //! A function that gives up on an argument, because it is rare and would cost all others, has the value NaN there:
 //! [`batch`](crate::batch) computes such values again by the functions of single numbers. These are angles beyond 2²⁰ right
-//! angles (2¹² in `f32`), exponentials near overflow and underflow, points at the origin or near overflow, powers whose
+//! angles (2¹² in `f32`), exponentials near overflow, points at the origin or near overflow, powers whose
 //! intermediate values leave the range of pairs, and everywhere the functions that
 //! lanes do not have: exponential integrals, the dilogarithm, Clausen's function and quadratures.
 //!

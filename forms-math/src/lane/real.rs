@@ -87,18 +87,7 @@ macro_rules! real {
                 let otherwise = if ordered { otherwise } else { Self::nan() };
                 if left == right { then } else { otherwise }
             }
-            #[inline(always)]
-            fn either_if_less(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
-                if left < right { then } else { otherwise }
-            }
-            #[inline(always)]
-            fn either_if_less_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
-                if left <= right { then } else { otherwise }
-            }
-            #[inline(always)]
-            fn either_if_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
-                if left == right { then } else { otherwise }
-            }
+            $crate::scalar::either_choices!();
             #[inline(always)]
             fn atan2(self, x: Self) -> Self {
                 inverse::atan2(self, x)

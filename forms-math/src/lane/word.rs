@@ -57,8 +57,9 @@ pub(crate) trait Word:
     fn unshifted(self) -> Self;
     /// 2^k of an integer k in the range of exponents of normal numbers.
     fn power_of_two(self) -> Self;
-    /// 2^k of such an integer, from the sum that `shifted` gives.
-    fn power_of_two_of_shifted(self) -> Self;
+    /// (−k, 2^k) of the nearest integer k from −(b + p) to b + 1 − p, b being the largest exponent: the power may be below the
+    /// normal numbers, of the first it is 0, and of the last it stands as ∞.
+    fn opposite_exponent_and_power(self) -> (Self, Self);
     /// (k, m) with x = m 2^k and √½ ≤ m < √2, of a positive normal number.
     fn split(self) -> (Self, Self);
     /// `odd` where the shifted integer is odd, `even` where it is even.
@@ -118,6 +119,10 @@ macro_rules! word {
             /// A number whose low bits are those of an integer, when these are set.
             const INTEGER: $raw = (1u64 << ($precision - 1)) as $raw;
             const BIAS: $raw = (1.0 as $raw).to_bits() as f64 as $raw / (1u64 << ($precision - 1)) as $raw;
+            /// Added to an integer k, this makes the low bits of the sum the exponent of 2^(k + p) as formats store it.
+            const EXPONENT_SHIFT: $raw = Self::SHIFT + ($raw::MAX_EXP - 1 + $precision) as $raw;
+            /// 2^−p
+            const UNIT_ROUNDOFF: $raw = 1.0 / (1u64 << $precision) as $raw;
             const SIGN: $bits = 1 << ($bits::BITS - 1);
         }
 
@@ -173,12 +178,14 @@ macro_rules! word {
             }
             #[inline(always)]
             fn power_of_two(self) -> Self {
-                self.shifted().power_of_two_of_shifted()
+                let exponent = self.shifted().0.to_bits() << ($precision - 1);
+                Self($raw::from_bits(exponent.wrapping_add((1.0 as $raw).to_bits())))
             }
             #[inline(always)]
-            fn power_of_two_of_shifted(self) -> Self {
-                let exponent = self.0.to_bits() << ($precision - 1);
-                Self($raw::from_bits(exponent.wrapping_add((1.0 as $raw).to_bits())))
+            fn opposite_exponent_and_power(self) -> (Self, Self) {
+                let shifted = self.0 + Self::EXPONENT_SHIFT;
+                let above = $raw::from_bits(shifted.to_bits() << ($precision - 1));
+                (Self(Self::EXPONENT_SHIFT - shifted), Self(above * Self::UNIT_ROUNDOFF))
             }
             #[inline(always)]
             fn split(self) -> (Self, Self) {

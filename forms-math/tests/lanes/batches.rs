@@ -121,6 +121,14 @@ fn a_batch_on_all_processors_is_the_same() {
     let places = outputs.each_mut().map(|output| &mut output[..]);
     forms_math::batch_parallel::<Spiral, 2, 3>([&angles, &growths], places).expect("columns have one length");
     assert_eq!(serial, outputs);
+    let mut promised = [(); 3].map(|()| vec![0.0; angles.len()]);
+    let mut all = promised.clone();
+    let places = promised.each_mut().map(|output| &mut output[..]);
+    forms_math::batch_within::<Spiral, 2, 3>([&angles, &growths], places, 4.0).expect("one length");
+    let places = all.each_mut().map(|output| &mut output[..]);
+    forms_math::batch_within_parallel::<Spiral, 2, 3>([&angles, &growths], places, 4.0).expect("one length");
+    assert_eq!(promised, all);
+    assert!(serial != promised, "a promise costs nothing here");
 }
 
 #[cfg(feature = "ndarray")]

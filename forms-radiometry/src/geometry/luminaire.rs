@@ -46,18 +46,20 @@ impl Plane {
 /// The distance from a plane below which a point counts as lying in it: 10⁻⁹ of the extent of the scene, or
 /// the rounding of its coordinates where they are far from the origin.
 pub(crate) fn resolution<'a>(polygons: impl Iterator<Item = &'a Polygon>) -> f64 {
-    let mut largest: f64 = 0.0;
-    let mut corners: Option<(Vector, Vector)> = None;
-    for &v in polygons.flat_map(Polygon::vertices) {
-        largest = largest.max(v.largest());
+    let Some((low, high)) = corners(polygons.flat_map(Polygon::vertices).copied()) else { return 0.0 };
+    let largest = low.largest().max(high.largest());
+    (1e-9 * (high - low).largest()).max(16.0 * f64::EPSILON * largest)
+}
+
+/// The least and the largest corner of the box around points.
+fn corners(points: impl Iterator<Item = Vector>) -> Option<(Vector, Vector)> {
+    points.fold(None, |corners, v| {
         let (low, high) = corners.unwrap_or((v, v));
-        corners = Some((
+        Some((
             Vector::new(low.x.min(v.x), low.y.min(v.y), low.z.min(v.z)),
             Vector::new(high.x.max(v.x), high.y.max(v.y), high.z.max(v.z)),
-        ));
-    }
-    let extent = corners.map_or(0.0, |(low, high)| (high - low).largest());
-    (1e-9 * extent).max(16.0 * f64::EPSILON * largest)
+        ))
+    })
 }
 
 impl Luminaire {
@@ -83,6 +85,36 @@ impl Luminaire {
             Self { vertices, plane, occluders, resolution }
         };
         emitter.convex_pieces().iter().map(piece_to_luminaire).collect()
+    }
+
+    /// The same luminaire for receivers in a convex outline that look to one side of it, with what cannot come between left out.
+    pub(crate) fn seen_from(&self, receivers: &[Vector], normal: Vector) -> Self {
+        let ground = Plane::through(receivers[0], normal);
+        let hull = || receivers.iter().chain(&self.vertices).copied();
+        let (low, high) = corners(hull()).unwrap_or_default();
+        let may_hide = |occluder: &&Occluder| {
+            let above_ground = occluder.vertices.iter().any(|&v| ground.distance(v) > self.resolution);
+            let from_front = receivers.iter().any(|&v| occluder.plane.distance(v) > self.resolution);
+            let from_behind = receivers.iter().any(|&v| occluder.plane.distance(v) < -self.resolution);
+            let parts =
+                (from_front && occluder.luminaire_behind) || (from_behind && occluder.luminaire_in_front);
+            let near = corners(occluder.vertices.iter().copied()).is_some_and(|(other_low, other_high)| {
+                let meets = |low: f64, high: f64| low <= high + self.resolution;
+                [(low.x, other_high.x), (low.y, other_high.y), (low.z, other_high.z)]
+                    .iter()
+                    .all(|&(a, b)| meets(a, b))
+                    && [(other_low.x, high.x), (other_low.y, high.y), (other_low.z, high.z)]
+                        .iter()
+                        .all(|&(a, b)| meets(a, b))
+            });
+            above_ground && parts && near
+        };
+        Self { occluders: self.occluders.iter().filter(may_hide).cloned().collect(), ..self.clone() }
+    }
+
+    /// Whether nothing can come before it.
+    pub(crate) fn is_free(&self) -> bool {
+        self.occluders.is_empty()
     }
 
     /// The form factor from a receiver (unit normal) to this luminaire, were nothing in between.

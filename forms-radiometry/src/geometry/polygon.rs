@@ -93,6 +93,13 @@ impl Polygon {
         self.normal
     }
 
+    /// The area: ½ n·Σ (vᵢ − v₀) × (vᵢ₊₁ − v₀).
+    pub fn area(&self) -> f64 {
+        let about = self.vertices[0];
+        let corner = |pair: &[Vector]| (pair[0] - about).cross(pair[1] - about);
+        0.5 * self.vertices.windows(2).map(corner).map(|twice| self.normal.dot(twice)).sum::<f64>()
+    }
+
     /// Convex polygons that cover this one without overlap: itself, or triangles. Each runs as this one does.
     pub fn convex_pieces(&self) -> &[Vec<Vector>] {
         &self.pieces

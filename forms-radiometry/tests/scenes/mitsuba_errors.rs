@@ -138,6 +138,11 @@ const CASES: &[(&str, &str, &str)] = &[
     ("type=\"point\"", "type=\"spot\"", "an emitter of type `spot` cannot be said"),
     ("z=\"-2\"", "z=\"0\"", "the direction has length zero"),
     (
+        "<emitter type=\"directional\" id=\"sun\">",
+        "<emitter type=\"directional\" id=\"sun\"><transform name=\"to_world\"/>",
+        "this emitter has both `direction` and `to_world`",
+    ),
+    (
         "<emitter type=\"constant\">",
         "<emitter type=\"constant\"><float name=\"radiance\" value=\"1\"/></emitter><emitter type=\"constant\">",
         "there is a second emitter of type `constant`",

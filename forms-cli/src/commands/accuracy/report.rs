@@ -3,7 +3,7 @@
 use super::timing::Workshop;
 use crate::kernel::generated;
 use crate::theory_file::{FileError, TheoryFile};
-use forms::core::accuracy::{Line, Score, Variant, Width, sheet};
+use forms::core::accuracy::{Arithmetic, Line, Score, Variant, sheet};
 use forms::core::resolve::Kernel;
 
 /// The seed of the arguments: sheets of equal kernels are equal.
@@ -58,10 +58,10 @@ impl Row {
 
     /// The bits of a result that are right on the mean over these scores.
     pub(super) fn correct_bits(&self, lost: f64) -> f64 {
-        let mantissa = match (self.variant().width(), self.variant().name().as_str()) {
-            (_, "dd") => 106.0,
-            (Width::Single, _) => 24.0,
-            (Width::Double, _) => 53.0,
+        let mantissa = match self.variant().arithmetic {
+            Arithmetic::Single => 24.0,
+            Arithmetic::Double => 53.0,
+            Arithmetic::DoubleDouble => 106.0,
         };
         (mantissa - lost).max(0.0)
     }

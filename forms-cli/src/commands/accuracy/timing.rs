@@ -9,7 +9,7 @@
 use forms::core::accuracy::{Arithmetic, Regime, Variant, Width, sample};
 use forms::core::expression::Pool;
 use forms::core::generation::Generated;
-use forms::core::kernel::{Constant, emit_formula};
+use forms::core::kernel::emit_formula;
 use forms::core::resolve::Kernel;
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -116,9 +116,9 @@ fn harness(kernel: &Kernel, programs: &Generated, rows: &[&[f64]]) -> String {
             .replace("MOST", &RUNS[1].to_string()),
     );
     text.push_str("fn main() {\n");
-    let within = kernel.within.as_ref().map(|within| Constant::rational(within.clone()).to_f64());
     for variant in Variant::ALL {
-        let call = call(variant, &format!("{arguments}, {outputs}"), within.filter(|_| variant.stable));
+        let call =
+            call(variant, &format!("{arguments}, {outputs}"), programs.within.filter(|_| variant.stable));
         let _ = writeln!(text, "    println!(\"{} {{}}\", {call});", variant.name());
     }
     text.push_str("}\n");

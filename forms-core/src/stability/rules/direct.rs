@@ -36,8 +36,12 @@ const DIRECT: &[Direct] = &[
     (fractions::over_one_denominator, has_a_number_above),
 ];
 
-/// The form that rules alone give each output of a kernel; empty if that is the formula.
+/// The form that rules alone give each output of a kernel; empty if that is the formula, or if the kernel says itself how it
+/// is computed.
 pub fn by_rules(pool: &mut Pool, kernel: &Kernel) -> Vec<Expr> {
+    if kernel.has_form() {
+        return Vec::new();
+    }
     let mut form = kernel.outputs.clone();
     for _ in 0..ROUNDS {
         let next = round(pool, &kernel.domain, &form);

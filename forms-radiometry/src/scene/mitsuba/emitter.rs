@@ -8,6 +8,11 @@ use crate::scene::value::NOT_NEGATIVE;
 impl<'a> Reader<'a, '_, '_> {
     pub(super) fn emitter(&mut self, node: Node<'a>) {
         let mut object = self.object(node);
+        for key in ["position", "direction"] {
+            if object.has(key) && object.has("to_world") {
+                self.error(node, format!("this emitter has both `{key}` and `to_world`"), "one of the two");
+            }
+        }
         let to_world = self.transform(&mut object);
         let kind = match &*object.kind {
             "point" => {

@@ -19,6 +19,8 @@ use strip::{HEAD, ROW, Strip};
 use svg::{Anchor, Drawing, INK, QUIET, Style, wrapped};
 
 const WIDTH: f64 = 960.0;
+/// Where texts begin, and where the panels do.
+const EDGE: f64 = 28.0;
 const LEFT: f64 = 62.0;
 const RIGHT: f64 = 940.0;
 /// Between the panels.
@@ -39,14 +41,14 @@ pub(super) fn svg(report: &Report, machine: &str) -> String {
         panels(&mut drawing, report, times, y + ABOVE_PANEL);
         y += ABOVE_PANEL + PANEL + BELOW_PANEL;
     }
-    Strip { left: LEFT - 34.0, right: RIGHT, top: y }.draw(&mut drawing, report);
+    Strip { left: EDGE, right: RIGHT, top: y }.draw(&mut drawing, report);
     y += HEAD + ROW * report.rows.len() as f64 + 24.0;
     key(&mut drawing, y);
     y += 22.0;
     let [least, most] = RUNS;
     let times = format!("Times are medians of {least} to {most} runs on typical arguments: {machine}.");
-    for line in wrapped(&times, 11.5, RIGHT - LEFT + 34.0) {
-        drawing.text([LEFT - 34.0, y], Style::of(11.5, QUIET), &line);
+    for line in wrapped(&times, 11.5, RIGHT - EDGE) {
+        drawing.text([EDGE, y], Style::of(11.5, QUIET), &line);
         y += 16.0;
     }
     drawing.finish(WIDTH, y, &format!("{}: accuracy and time of every variant", report.kernel))
@@ -54,16 +56,15 @@ pub(super) fn svg(report: &Report, machine: &str) -> String {
 
 /// The name of the kernel and what it computes; gives where that ends.
 fn head(drawing: &mut Drawing, report: &Report) -> f64 {
-    let left = LEFT - 34.0;
-    drawing.text([left, 30.0], Style::of(19.0, INK).bold(), &report.kernel);
+    drawing.text([EDGE, 30.0], Style::of(19.0, INK).bold(), &report.kernel);
     let mut y = 34.0;
     let (summary, formula) = (report.summary(), format!("{} = {}", report.kernel, report.formula));
     let with_formula = format!("{summary} {formula}");
     // the formula too where both have room in one line
-    let has_room = summary != formula && svg::width(&with_formula, 13.0) <= RIGHT - left;
-    for line in wrapped(if has_room { &with_formula } else { &summary }, 13.0, RIGHT - left) {
+    let has_room = summary != formula && svg::width(&with_formula, 13.0) <= RIGHT - EDGE;
+    for line in wrapped(if has_room { &with_formula } else { &summary }, 13.0, RIGHT - EDGE) {
         y += 17.0;
-        drawing.text([left, y], Style::of(13.0, QUIET), &line);
+        drawing.text([EDGE, y], Style::of(13.0, QUIET), &line);
     }
     y
 }
@@ -87,7 +88,7 @@ fn panels(drawing: &mut Drawing, report: &Report, times: Times, top: f64) {
         numbered: false,
     }
     .draw(drawing, report);
-    drawing.upright([LEFT - 34.0, top + PANEL / 2.0], 12.0, "correct decimal digits, mean");
+    drawing.upright([EDGE, top + PANEL / 2.0], 12.0, "correct decimal digits, mean");
 }
 
 fn colour(arithmetic: Arithmetic) -> &'static str {
@@ -119,7 +120,7 @@ fn key(drawing: &mut Drawing, y: f64) {
         (variant(false, true), "as written, batch"),
         (variant(true, true), "stable form, batch"),
     ];
-    let mut x = LEFT - 26.0;
+    let mut x = EDGE + 8.0;
     for (variant, name) in marks {
         marker(drawing, [x, y - 4.0], variant);
         drawing.text([x + 12.0, y], Style::of(11.5, INK), name);

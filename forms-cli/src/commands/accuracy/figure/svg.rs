@@ -1,5 +1,6 @@
 //! Marks on a drawing: text, lines, boxes and dots, as SVG.
 
+use crate::layout::filled;
 use std::fmt::Write;
 
 /// The colour of text and of what is measured.
@@ -60,17 +61,7 @@ pub(super) fn width(content: &str, size: f64) -> f64 {
 
 /// The lines of a text that are no wider than this.
 pub(super) fn wrapped(content: &str, size: f64, widest: f64) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in content.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if width(line, size) + width(word, size) + size * CHARACTER <= widest => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_string()),
-        }
-    }
-    lines
+    filled(content, |line, word| width(line, size) + width(word, size) + size * CHARACTER <= widest)
 }
 
 /// A drawing on a white ground, which is as readable on a dark page as on a light one.

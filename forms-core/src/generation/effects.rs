@@ -1,0 +1,271 @@
+//! Effects: a kernel becomes the lattice of kernels that are left where some of its effects vanish.
+//!
+//! ```text
+//! kernel ─ an argument gets its value ─ choices that this decides are made ─▶ defined there: the formula with the value
+//!                                                                        └─▶ not defined: its limit, from series
+//!        ─ simplified, where that is less and proved equal ─▶ kernel without the effect ─ the next effect ─▶ …
+//! ```
+//! A specialised kernel has the arguments of the full one, so that one can be chosen for the other when a program runs. What
+//! it computes is proved equal to the full formula under the conditions, or is its limit there; what cannot be shown is an
+//! error, never a kernel.
+
+use super::boundary::replaced;
+use super::limit::{follow, holds, limit};
+use super::seam::is_excluded;
+use super::translation::equality;
+use super::with_form;
+use crate::decide::{Effort, contradiction, simplified};
+use crate::diagnostic::Diagnostic;
+use crate::expression::{Condition, Expr, Node, Pool};
+use crate::kernel::{KernelSource, lower};
+use crate::resolve::{Effect, Kernel};
+
+/// A kernel is specialised inside the compiler of whoever uses it.
+const EFFORT: Effort = Effort { work: 2_000_000, candidates: 100, points: 12 };
+
+/// A kernel without some of its effects.
+#[derive(Clone, Debug)]
+pub struct Specialisation {
+    /// For each effect of the full kernel whether it is still there.
+    pub present: Vec<bool>,
+    /// What is left: a kernel of the same arguments, without effects of its own.
+    pub kernel: Kernel,
+}
+
+/// What is left of a kernel without each set of its effects but the empty one, the fewest left out first. Nothing for a kernel
+/// without effects.
+///
+/// # Errors
+/// If an effect vanishes nowhere in the kernel's domain, or the kernel is neither defined nor shown to have a limit there.
+pub fn specialisations(pool: &mut Pool, kernel: &Kernel) -> Result<Vec<Specialisation>, Vec<Diagnostic>> {
+    let full = Specialisation { present: vec![true; kernel.effects.len()], kernel: kernel.clone() };
+    let (mut found, mut faults) = (vec![full], Vec::new());
+    for (place, effect) in kernel.effects.iter().enumerate() {
+        let mut fault = None;
+        for known in 0..found.len() {
+            let mut present = found[known].present.clone();
+            present[place] = false;
+            match without(pool, &found[known].kernel, effect) {
+                Ok(kernel) => found.push(Specialisation { present, kernel }),
+                Err(diagnostic) => fault = fault.or(Some(diagnostic)),
+            }
+        }
+        faults.extend(fault);
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    found.remove(0);
+    found.iter_mut().for_each(|specialisation| specialisation.kernel.effects.clear());
+    found.sort_by_key(|specialisation| specialisation.present.iter().filter(|present| !**present).count());
+    Ok(found)
+}
+
+/// The kernel where an effect vanishes.
+fn without(pool: &mut Pool, kernel: &Kernel, effect: &Effect) -> Result<Kernel, Diagnostic> {
+    // effects that are left out before have values of their own, which this one may mention
+    let effect = &kernel.effects.iter().find(|own| own.variable == effect.variable).unwrap_or(effect).clone();
+    let (variable, value) = (pool.symbol(effect.variable), effect.value);
+    let condition = format!("{} = {}", pool.symbol_name(effect.variable), pool.text(value));
+    let (_, domain) = replaced(pool, (variable, value), &[], &kernel.domain);
+    if let Some(reason) = contradiction(pool, &domain) {
+        let message = format!("`{}` is not defined at {condition}: {reason}", kernel.name);
+        return Err(Diagnostic::new(effect.span, message)
+            .with_help(format!("the effect `{}` cannot vanish on the domain behind `where`", effect.name)));
+    }
+    let mut outputs = Vec::new();
+    for &output in &kernel.outputs {
+        let Some(value) = value_at(pool, output, (variable, value), &domain) else {
+            let message =
+                format!("`{}` is neither defined nor shown to have a limit at {condition}", kernel.name);
+            return Err(Diagnostic::new(effect.span, message)
+                .with_help("an effect has to leave a formula where it vanishes"));
+        };
+        outputs.push(value);
+    }
+    let computed: Vec<Expr> = kernel
+        .computed
+        .iter()
+        .map_while(|&form| defined_at(pool, form, (variable, value), &domain))
+        .collect();
+    let computed = if computed.len() == outputs.len() { computed } else { Vec::new() };
+    let mut effects = kernel.effects.clone();
+    effects.retain(|other| other.variable != effect.variable);
+    for other in &mut effects {
+        other.value = replaced(pool, (variable, value), &[other.value], &[]).0[0];
+    }
+    let domain = domain.into_iter().filter(|condition| condition.decided(pool) != Some(true)).collect();
+    let mut without = kernel.clone();
+    (without.outputs, without.computed, without.rewritten) = (outputs, computed, Vec::new());
+    (without.domain, without.effects) = (domain, effects);
+    let mut without = at_less_cost(pool, without);
+    without.formula = pool.texts(&without.outputs);
+    Ok(without)
+}
+
+/// The value of an expression where a variable has a value: what it is there, or its limit.
+fn value_at(
+    pool: &mut Pool,
+    expression: Expr,
+    (variable, value): (Expr, Expr),
+    known: &[Condition],
+) -> Option<Expr> {
+    if let Some(defined) = defined_at(pool, expression, (variable, value), known) {
+        return Some(defined);
+    }
+    let Node::Symbol(symbol) = *pool.node(variable) else { return None };
+    let chosen = with_choices_made(pool, expression, (variable, value), known);
+    limit(pool, chosen, (symbol, value), known)
+}
+
+/// The same where it is defined as it is written: 0·(1/0) is not, although it is 0 once the value is put in.
+fn defined_at(pool: &mut Pool, expression: Expr, put_in: (Expr, Expr), known: &[Condition]) -> Option<Expr> {
+    let chosen = with_choices_made(pool, expression, put_in, known);
+    let domain = pool.domain(&[chosen]);
+    let (_, domain) = replaced(pool, put_in, &[], &domain);
+    if is_excluded(pool, &domain, known) {
+        return None;
+    }
+    Some(replaced(pool, put_in, &[chosen], &[]).0[0])
+}
+
+/// The expression with every choice made that a variable's value decides.
+fn with_choices_made(pool: &mut Pool, expression: Expr, put_in: (Expr, Expr), known: &[Condition]) -> Expr {
+    let mut decided = Vec::new();
+    for part in pool.reachable(&[expression]) {
+        let Node::Select { left, relation, right, .. } = *pool.node(part) else { continue };
+        let (_, there) = replaced(pool, put_in, &[], &[Condition { left, relation, right }]);
+        let opposite = super::pieces::negated(&there[0]);
+        if holds(pool, &there[0], known) {
+            decided.push((part, true));
+        } else if follow(pool, &opposite, known) && opposite.len() == 1 {
+            decided.push((part, false));
+        }
+    }
+    let nodes: Vec<(Node, bool)> =
+        decided.into_iter().map(|(part, holds)| (pool.node(part).clone(), holds)).collect();
+    pool.replace_all(&[expression], |node, images| match node {
+        Node::Select { then, otherwise, .. } => {
+            let (_, holds) = nodes.iter().find(|(decided, _)| decided == node)?;
+            Some(images[if *holds { then } else { otherwise }])
+        }
+        _ => None,
+    })[0]
+}
+
+/// The kernel by its simplified formula, if that takes fewer operations and is proved equal to the formula.
+fn at_less_cost(pool: &mut Pool, kernel: Kernel) -> Kernel {
+    let outputs: Vec<Expr> = kernel.outputs.iter().map(|&output| simplified(pool, output)).collect();
+    let Some(simple) = with_form(&kernel, &outputs) else { return kernel };
+    let pairs: Vec<(Expr, Expr)> = outputs.into_iter().zip(kernel.outputs.iter().copied()).collect();
+    let is_less = cost(pool, &simple) < cost(pool, &kernel);
+    if is_less && equality(pool, &pairs, &kernel.domain, EFFORT).is_proved() { simple } else { kernel }
+}
+
+/// What the kernel's formula costs; all there is, if it is no kernel.
+fn cost(pool: &Pool, kernel: &Kernel) -> u32 {
+    let source = KernelSource {
+        name: kernel.name.clone(),
+        arguments: kernel.arguments.clone(),
+        outputs: kernel.outputs.clone(),
+        ..KernelSource::default()
+    };
+    lower(pool, &source).map_or(u32::MAX, |program| program.optimise().cost())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::read_theory;
+    use crate::decide::{Equations, Finding};
+    use crate::resolve::Theory;
+
+    fn theory(source: &str) -> Theory {
+        let (theory, errors) = read_theory(source);
+        assert!(errors.is_empty(), "{source}: {errors:?}");
+        theory
+    }
+
+    /// The formulas of the specialisations of the only kernel.
+    fn formulas(source: &str) -> Vec<(Vec<bool>, String)> {
+        let mut theory = theory(source);
+        let kernel = theory.kernels[0].clone();
+        let found = specialisations(&mut theory.pool, &kernel).unwrap_or_else(|errors| panic!("{errors:?}"));
+        found.into_iter().map(|one| (one.present, one.kernel.formula.join("; "))).collect()
+    }
+
+    #[test]
+    fn a_kernel_without_an_effect_is_its_value_or_its_limit_there() {
+        let without = |source: &str| formulas(source)[0].1.clone();
+        for (what, source, expected) in [
+            ("a value", "kernel k(a, t) = t*exp(-a*t) effects { e: a = 0; };", "t"),
+            ("a limit", "kernel k(a, t) = (1 - exp(-a*t))/a effects { e: a = 0; };", "t"),
+            ("0 times a pole", "kernel k(a, t) = a*(1/a)*t effects { e: a = 0; };", "t"),
+            (
+                "another argument",
+                "kernel k(a, b) = (a - b)/(a + b) + a effects { e: b = a; } where a > 0;",
+                "a",
+            ),
+            ("a choice", "kernel k(a, t) = if a > 0 { sin(a*t)/a } else { t } effects { e: a = 0; };", "t"),
+            ("a simpler formula", "kernel k(a, x) = sin(x)**2 + cos(x + a)**2 effects { e: a = 0; };", "1"),
+            ("its form", "kernel k(a, t) = exp(a*t) - 1 by expm1(a*t) effects { e: a = 1; };", "exp(t) - 1"),
+        ] {
+            assert_eq!(without(source), expected, "{what}");
+        }
+    }
+
+    #[test]
+    fn each_set_of_effects_is_left_out_in_any_order() {
+        let source = "kernel k(a, b, c) = a + b*c effects { first: a = b; second: b = 0; third: c = 1; };";
+        let found = formulas(source);
+        let of = |present: [bool; 3]| {
+            let place = found.iter().position(|one| one.0 == present).expect("each set has its kernel");
+            (place, found[place].1.as_str())
+        };
+        assert_eq!(found.len(), 7);
+        assert_eq!(of([false, true, true]).1, "b + b*c");
+        assert_eq!(of([true, false, false]).1, "a");
+        assert_eq!(of([false, false, true]), (3, "0"), "a is what b is");
+        assert_eq!(of([false, false, false]).0, 6, "the fewest left out first");
+    }
+
+    #[test]
+    fn a_specialised_kernel_equals_the_full_one_where_the_effect_vanishes() {
+        for source in [
+            "kernel k(a, x, y) = (x*cos(a) + y*sin(a))**2/(x**2 + y**2) effects { turn: a = 0; };",
+            "kernel k(a, x, y) = sqrt(x**2 + 2*a*x*y + y**2) effects { skew: a = 1; };",
+            "kernel k(n, c) = ((n*c - sqrt(1 - (1 - c**2)/n**2))/(n*c + sqrt(1 - (1 - c**2)/n**2)))**2
+             effects { index: n = 1; } where 0 < c, c < 1, n >= 1;",
+        ] {
+            let mut theory = theory(source);
+            let kernel = theory.kernels[0].clone();
+            let found = specialisations(&mut theory.pool, &kernel).expect("it has a value there");
+            let effect = &kernel.effects[0];
+            let variable = theory.pool.symbol(effect.variable);
+            let put_in = (variable, effect.value);
+            let (full, domain) = replaced(&mut theory.pool, put_in, &kernel.outputs, &kernel.domain);
+            let sides: Vec<(Expr, Expr)> = full.into_iter().zip(found[0].kernel.outputs.clone()).collect();
+            let equations = Equations { sides: &sides, conditions: &domain };
+            assert!(matches!(equations.decide(&mut theory.pool, EFFORT), Finding::Equal { .. }), "{source}");
+        }
+    }
+
+    #[test]
+    fn an_effect_that_leaves_no_kernel_is_an_error() {
+        for (source, said) in [
+            (
+                "kernel k(a) = 1/a effects { e: a = 0; };",
+                "neither defined nor shown to have a limit at a = 0",
+            ),
+            ("kernel k(a) = abs(a)/a effects { e: a = 0; };", "neither defined nor shown to have a limit"),
+            ("kernel k(a) = a effects { e: a = 0; } where a > 0;", "is not defined at a = 0"),
+            ("kernel k(a, b) = 1/a + 1/b effects { e: a = 0; f: b = 0; };", "a limit at a = 0"),
+        ] {
+            let mut theory = theory(source);
+            let kernel = theory.kernels[0].clone();
+            let faults = specialisations(&mut theory.pool, &kernel).expect_err(source);
+            assert!(faults[0].message.contains(said), "{source}: {faults:?}");
+            assert_eq!(faults.len(), kernel.effects.len(), "one for each effect");
+        }
+    }
+}

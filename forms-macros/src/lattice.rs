@@ -1,0 +1,279 @@
+//! The lattice of a kernel with effects: the same kernel without some of them, chosen when the program runs.
+//!
+//! ```text
+//! kernel ─ specialisations ─ rules ─ generate ─▶ With<false, true>, … ─▶ Effects::of, with, batch_with
+//! ```
+//! Each member is compiled by itself: what it is without is not in its code.
+
+use crate::tiers::{MATH, Tiers};
+use forms_core::diagnostic::Diagnostic;
+use forms_core::expression::Pool;
+use forms_core::generation::{Generated, generate, specialisations};
+use forms_core::kernel::{KernelSource, Program, emit_formula, lower};
+use forms_core::notation::results;
+use forms_core::resolve::Kernel;
+use forms_core::stability::by_rules;
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{format_ident, quote};
+
+/// A member of the lattice.
+struct Member {
+    /// For each effect whether it is there.
+    present: Vec<bool>,
+    formula: String,
+    generated: Generated,
+}
+
+/// The items for a kernel's module; none for a kernel without effects.
+///
+/// # Errors
+/// If a specialisation cannot be made, or is no kernel.
+pub(crate) fn items(
+    pool: &mut Pool,
+    kernel: &Kernel,
+    full: &Generated,
+) -> Result<TokenStream, Vec<Diagnostic>> {
+    if kernel.effects.is_empty() {
+        return Ok(TokenStream::new());
+    }
+    let all = vec![true; kernel.effects.len()];
+    let mut members =
+        vec![Member { present: all, formula: results(&kernel.formula), generated: full.clone() }];
+    for mut specialisation in specialisations(pool, kernel)? {
+        let special = &mut specialisation.kernel;
+        special.rewritten = by_rules(pool, special);
+        let generated = generate(pool, special)?;
+        members.push(Member {
+            present: specialisation.present,
+            formula: results(&special.formula),
+            generated,
+        });
+    }
+    let unreadable = |error: proc_macro2::LexError| {
+        let message =
+            format!("the kernels generated for the effects of `{}` cannot be read: {error}", kernel.name);
+        vec![Diagnostic::new(kernel.span, message)]
+    };
+    let conditions = conditions(pool, kernel).map_err(|diagnostic| vec![diagnostic])?;
+    let conditions = emit_formula(&conditions, "Conditions", MATH).parse().map_err(unreadable)?;
+    let lattice = Lattice { kernel, tiers: Tiers::of(&full.optimised), members };
+    Ok(lattice.items(conditions, lattice.formulas().map_err(unreadable)?))
+}
+
+/// What vanishes where each effect does: the argument that switches it off, less the value at which it does.
+fn conditions(pool: &mut Pool, kernel: &Kernel) -> Result<Program, Diagnostic> {
+    let difference = |effect: &forms_core::resolve::Effect| {
+        let variable = pool.symbol(effect.variable);
+        pool.subtract(variable, effect.value)
+    };
+    let outputs = kernel.effects.iter().map(difference).collect();
+    let source = KernelSource {
+        name: kernel.name.clone(),
+        arguments: kernel.arguments.clone(),
+        outputs,
+        ..KernelSource::default()
+    };
+    lower(pool, &source).map_err(|error| Diagnostic::new(kernel.span, error.to_string()))
+}
+
+struct Lattice<'a> {
+    kernel: &'a Kernel,
+    tiers: Tiers,
+    members: Vec<Member>,
+}
+
+impl Lattice<'_> {
+    fn items(&self, conditions: TokenStream, formulas: TokenStream) -> TokenStream {
+        let effects = self.effects();
+        let (with, choice) = (self.with(), [self.choice(), self.batch_choice()]);
+        quote! {
+            #effects
+            enum Conditions {}
+            #conditions
+            #with
+            #formulas
+            #(#choice)*
+        }
+    }
+
+    /// The name of an effect as a field.
+    fn fields(&self) -> Vec<Ident> {
+        self.kernel.effects.iter().map(|effect| identifier(&effect.name)).collect()
+    }
+
+    /// The names of the effects as parameters of a type.
+    fn parameters(&self) -> Vec<Ident> {
+        self.kernel.effects.iter().map(|effect| format_ident!("{}", effect.name.to_uppercase())).collect()
+    }
+
+    /// `struct Effects`
+    fn effects(&self) -> TokenStream {
+        let (fields, arguments) = (self.fields(), &self.tiers.arguments);
+        let (count, kinds) = (arguments.len(), fields.len());
+        let docs = format!(" The effects of `{}`, each on or off.", self.kernel.name);
+        let field_docs =
+            self.kernel.effects.iter().map(|effect| format!(" Whether `{}` is on.", effect.name));
+        let patterns = self.members.iter().map(|member| &member.present);
+        let operations = self
+            .members
+            .iter()
+            .map(|member| Literal::usize_unsuffixed(operations(&member.generated.optimised)));
+        let patterns: Vec<TokenStream> = patterns.map(|present| quote!((#(#present,)*))).collect();
+        let differences: Vec<Ident> = (0..kinds).map(|place| format_ident!("difference{place}")).collect();
+        quote! {
+            #[doc = #docs]
+            #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+            pub struct Effects {
+                #(#[doc = #field_docs] pub #fields: bool,)*
+            }
+            impl Effects {
+                /// All effects on.
+                pub const ALL: Self = Self { #(#fields: true,)* };
+                /// No effect on.
+                pub const NONE: Self = Self { #(#fields: false,)* };
+                /// The effects that these arguments call for: an effect is off where the kernel is the same without.
+                #[inline]
+                pub fn of(#(#arguments: f64),*) -> Self {
+                    let [#(#differences),*] =
+                        <Conditions as ::forms::math::Formula<#count, #kinds>>::value([#(#arguments),*]);
+                    Self { #(#fields: #differences != 0.0,)* }
+                }
+                /// How many operations a value takes with these effects.
+                pub const fn operations(self) -> usize {
+                    match (#(self.#fields,)*) {
+                        #(#patterns => #operations,)*
+                    }
+                }
+            }
+        }
+    }
+
+    /// The type of the members.
+    fn with(&self) -> TokenStream {
+        let parameters = self.parameters();
+        let docs = self.members.iter().map(|member| format!(" - {}", self.account(member)));
+        let head = format!(" `{}` with some of its effects, for any number:", self.kernel.name);
+        quote! {
+            #[doc = #head]
+            #[doc = ""]
+            #(#[doc = #docs])*
+            pub enum With<#(const #parameters: bool),*> {}
+        }
+    }
+
+    /// What a member is, in a line.
+    fn account(&self, member: &Member) -> String {
+        let absent: Vec<String> = self
+            .kernel
+            .effects
+            .iter()
+            .zip(&member.present)
+            .filter(|(_, present)| !**present)
+            .map(|(effect, _)| format!("`{}`", effect.name))
+            .collect();
+        let what = if absent.is_empty() {
+            "with all effects".to_string()
+        } else {
+            format!("without {}", absent.join(" and "))
+        };
+        let (formula, count) = (&member.formula, member.generated.optimised.operations());
+        format!("{what}: `{formula}`; {count}. {}", member.generated.account())
+    }
+
+    /// The members as formulas.
+    fn formulas(&self) -> Result<TokenStream, proc_macro2::LexError> {
+        let mut formulas = TokenStream::new();
+        for member in &self.members {
+            let present: Vec<String> = member.present.iter().map(bool::to_string).collect();
+            let name = format!("With<{}>", present.join(", "));
+            formulas.extend(emit_formula(&member.generated.optimised, &name, MATH).parse::<TokenStream>()?);
+        }
+        Ok(formulas)
+    }
+
+    /// `fn with`: the function of one value.
+    fn choice(&self) -> TokenStream {
+        let Tiers { name, arguments, outputs } = &self.tiers;
+        let (count, result) = (arguments.len(), self.tiers.result(&quote!(f64)));
+        let docs = format!(" `{name}` with these effects: what is off is not in the function's code.");
+        let parameters = self.parameters();
+        let number = quote!(f64);
+        let types = vec![number.clone(); count];
+        let value = match self.members[0].generated.within {
+            Some(within) => {
+                quote!(::forms::math::escalate::<With<#(#parameters),*>, #count, #outputs>([#(#arguments),*], #within))
+            }
+            None => {
+                quote!(<With<#(#parameters),*> as ::forms::math::Formula<#count, #outputs>>::value([#(#arguments),*]))
+            }
+        };
+        let body = self.tiers.body(value);
+        let (fields, choices) = (self.fields(), self.choices("value"));
+        quote! {
+            #[doc = #docs]
+            #[inline]
+            pub fn with(effects: Effects) -> fn(#(#types),*) -> #result {
+                fn value<#(const #parameters: bool),*>(#(#arguments: #number),*) -> #result
+                where
+                    With<#(#parameters),*>: ::forms::math::Formula<#count, #outputs>,
+                {
+                    #body
+                }
+                match (#(effects.#fields,)*) { #choices }
+            }
+        }
+    }
+
+    /// `fn batch_with`: the function of columns.
+    fn batch_choice(&self) -> TokenStream {
+        let Tiers { name, arguments, outputs } = &self.tiers;
+        let count = arguments.len();
+        let docs = format!(" `{name}` of each row of columns with these effects.");
+        let parameters = self.parameters();
+        let output = format_ident!("{}", self.tiers.unused("output"));
+        let (column, columns) = self.tiers.output_columns(&output, &quote!(f64));
+        let error = quote!(::core::result::Result<(), ::forms::math::LengthMismatch>);
+        let inputs = vec![quote!(&[f64]); count];
+        let (function, within) = match self.members[0].generated.within {
+            Some(within) => (quote!(batch_within), quote!(, #within)),
+            None => (quote!(batch), quote!()),
+        };
+        let (fields, choices) = (self.fields(), self.choices("values"));
+        quote! {
+            #[doc = #docs]
+            #[inline]
+            pub fn batch_with(effects: Effects) -> fn(#(#inputs,)* #column) -> #error {
+                fn values<#(const #parameters: bool),*>(#(#arguments: &[f64],)* #output: #column) -> #error
+                where
+                    With<#(#parameters),*>: ::forms::math::Formula<#count, #outputs>,
+                {
+                    ::forms::math::#function::<With<#(#parameters),*>, #count, #outputs>(
+                        [#(#arguments),*], #columns #within
+                    )
+                }
+                match (#(effects.#fields,)*) { #choices }
+            }
+        }
+    }
+
+    /// The arms that choose a function of the effects.
+    fn choices(&self, function: &str) -> TokenStream {
+        let function = format_ident!("{function}");
+        let arms = self.members.iter().map(|member| {
+            let present = &member.present;
+            quote!((#(#present,)*) => #function::<#(#present),*>,)
+        });
+        quote!(#(#arms)*)
+    }
+}
+
+/// All operations of a program.
+fn operations(program: &Program) -> usize {
+    let count = program.operations();
+    count.arithmetic() + count.function_calls + count.selects
+}
+
+/// A name of the language as one of Rust, which has more words of its own.
+fn identifier(name: &str) -> Ident {
+    syn::parse_str::<Ident>(name).unwrap_or_else(|_| Ident::new_raw(name, Span::call_site()))
+}

@@ -1,0 +1,135 @@
+//! Exchange by the areas: polygons as patches of four corners, and the density of exchange at Gauss points of both.
+//!
+//! ```text
+//! A₁F₁₂ = ∫∫ cos cos'/(π r²) dA dA'
+//! ```
+//! Nothing cancels, and far apart few points will do: the integrand is analytic up to where its nearest pole is, and the rule's
+//! error falls like the square of the distance in sizes with every point.
+
+use super::{Exchange, Outline};
+use crate::geometry::Vector;
+use crate::kernels::exchange_density;
+use std::sync::OnceLock;
+
+/// The rules that are tried, by their points along each side; the difference of two is the estimate of the error of the first.
+const ORDERS: [usize; 4] = [2, 3, 5, 8];
+
+/// A node in [0, 1] and its weight.
+type Node = [f64; 2];
+
+/// The Gauss–Legendre rule on [0, 1] with this many points, by Newton's method on the Legendre polynomial.
+pub(super) fn gauss(count: usize) -> &'static [Node] {
+    static RULES: [OnceLock<Vec<Node>>; 9] = [const { OnceLock::new() }; 9];
+    RULES[count].get_or_init(|| {
+        let legendre = |x: f64| {
+            let (mut low, mut high) = (1.0, x);
+            for k in 2..=count {
+                let k = k as f64;
+                (low, high) = (high, ((2.0 * k - 1.0) * x * high - (k - 1.0) * low) / k);
+            }
+            (high, count as f64 * (x * high - low) / (x * x - 1.0))
+        };
+        let node = |place: usize| {
+            let mut x = -(std::f64::consts::PI * (place as f64 + 0.75) / (count as f64 + 0.5)).cos();
+            for _ in 0..8 {
+                let (value, slope) = legendre(x);
+                x -= value / slope;
+            }
+            let (_, slope) = legendre(x);
+            [0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope)]
+        };
+        (0..count).map(node).collect()
+    })
+}
+
+/// A patch with four corners, of which the last two may be one: x(s, t) is bilinear, dA = |∂ₛx × ∂ₜx| ds dt.
+#[derive(Clone, Copy)]
+pub(super) struct Patch([Vector; 4]);
+
+/// The patches of a convex outline.
+pub(super) fn patches(outline: &Outline) -> Vec<Patch> {
+    let mut patches = Vec::new();
+    let mut next = 1;
+    while next + 1 < outline.len() {
+        let last = (next + 2).min(outline.len() - 1);
+        patches.push(Patch([outline[0], outline[next], outline[next + 1], outline[last]]));
+        next = last;
+    }
+    patches
+}
+
+impl Patch {
+    /// The point of these coordinates, and dA/(ds dt) there.
+    pub(super) fn at(&self, s: f64, t: f64) -> (Vector, f64) {
+        let Patch([a, b, c, d]) = *self;
+        let (along, across, twist) = (b - a, d - a, (a - b) + (c - d));
+        let by_t = across + s * twist;
+        (a + s * along + t * by_t, (along + t * twist).cross(by_t).length())
+    }
+
+    /// Its area: that density is linear in each coordinate.
+    pub(super) fn area(&self) -> f64 {
+        self.at(0.5, 0.5).1
+    }
+
+    /// The patches that halving each coordinate gives.
+    pub(super) fn quarters(&self) -> [Patch; 4] {
+        let corner = |s: f64, t: f64| self.at(s, t).0;
+        [(0.0, 0.0), (0.5, 0.0), (0.0, 0.5), (0.5, 0.5)].map(|(s, t)| {
+            Patch([(s, t), (s + 0.5, t), (s + 0.5, t + 0.5), (s, t + 0.5)].map(|(s, t)| corner(s, t)))
+        })
+    }
+}
+
+/// Points of a convex outline, each with its area.
+fn points(outline: &Outline, count: usize) -> Vec<(Vector, f64)> {
+    let mut points = Vec::new();
+    for patch in patches(outline) {
+        for &[s, of_s] in gauss(count) {
+            for &[t, of_t] in gauss(count) {
+                let (point, density) = patch.at(s, t);
+                points.push((point, of_s * of_t * density));
+            }
+        }
+    }
+    points
+}
+
+/// The sum over the points of both outlines.
+fn sum(here: &Outline, there: &Outline, [n, m]: [Vector; 2], count: usize) -> f64 {
+    let (here, there) = (points(here, count), points(there, count));
+    let rows = here.len() * there.len();
+    let mut ways: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::with_capacity(rows));
+    let mut weights = Vec::with_capacity(rows);
+    for &(x, of_x) in &here {
+        for &(y, of_y) in &there {
+            let way = y - x;
+            ways.iter_mut().zip([way.x, way.y, way.z]).for_each(|(column, value)| column.push(value));
+            weights.push(of_x * of_y);
+        }
+    }
+    let normals = [n.x, n.y, n.z, m.x, m.y, m.z].map(|value| vec![value; rows]);
+    let [rx, ry, rz] = &ways;
+    let [nx, ny, nz, mx, my, mz] = &normals;
+    let mut densities = vec![0.0; rows];
+    exchange_density::batch(rx, ry, rz, nx, ny, nz, mx, my, mz, &mut densities)
+        .expect("columns grow together");
+    weights.iter().zip(densities).map(|(weight, density)| weight * density).sum()
+}
+
+/// The exchange area of two convex outlines with these unit normals, by the first rule that is within a relative tolerance;
+/// the last one, with its error, if none is.
+pub(super) fn exchange(here: &Outline, there: &Outline, normals: [Vector; 2], tolerance: f64) -> Exchange {
+    let mut before = sum(here, there, normals, ORDERS[0]);
+    let mut found = Exchange { area: before, error: f64::INFINITY };
+    for &order in &ORDERS[1..] {
+        let area = sum(here, there, normals, order);
+        let rounding = 64.0 * f64::EPSILON * area.abs();
+        found = Exchange { area, error: (area - before).abs() + rounding };
+        if found.error <= tolerance * area.abs() {
+            break;
+        }
+        before = area;
+    }
+    found
+}

@@ -1,0 +1,214 @@
+//! Exchange by the outlines: pairs of edges become integrals of the logarithm of the distance, and these the exchange area.
+//!
+//! ```text
+//! A₁F₁₂ = 1/(2π) ∮∮ ln r dx·dy = 1/(2π) Σᵢⱼ eᵢ·fⱼ ∫ (∫ ln r dt) ds      (Stokes, twice: kernels/exchange.forms)
+//! ```
+//! The inner integral is the kernel `edge_potential`, exact also where edges touch; the outer one is taken over the shorter
+//! edge of the two by the rule of Gauss and Kronrod, halved where it is slow. Constants in ln r fall out of closed outlines,
+//! so that any unit of length will do; near to the distance of the polygons, it keeps the logarithms small.
+
+use super::kronrod::{self, Integral, POINTS};
+use super::{Exchange, Outline};
+use crate::kernels::edge_potential;
+use forms::math::{DoubleDouble, Real};
+
+/// What rounding leaves of a sum of terms, in units of their magnitudes, for numbers of this precision.
+const ROUNDINGS: f64 = 8.0;
+
+/// Rounds of halving: a rule that is slow at a point comes within 2⁻⁶⁰ of it.
+const MOST_ROUNDS: usize = 60;
+
+/// More parts are not made: what is left of the error is said.
+const MOST_PARTS: usize = 4096;
+
+/// Numbers in which the integral is taken.
+pub(super) trait Number: Real {
+    /// The relative error of a function's value.
+    const EPSILON: f64;
+    /// The potential of edges, row by row.
+    fn potentials(rows: &Rows<Self>) -> Vec<Self>;
+}
+
+/// For each point the start of an edge as it is seen from there, the edge's direction and its length.
+pub(super) struct Rows<T> {
+    columns: [Vec<T>; 7],
+}
+
+impl<T: Real> Rows<T> {
+    fn with_capacity(count: usize) -> Self {
+        Rows { columns: std::array::from_fn(|_| Vec::with_capacity(count)) }
+    }
+
+    fn push(&mut self, start: [T; 3], edge: &Edge<T>) {
+        let [x, y, z] = start;
+        let [u, v, w] = edge.direction;
+        for (column, value) in self.columns.iter_mut().zip([x, y, z, u, v, w, edge.length]) {
+            column.push(value);
+        }
+    }
+}
+
+impl Number for f64 {
+    const EPSILON: f64 = f64::EPSILON;
+
+    fn potentials(Rows { columns: [x, y, z, u, v, w, length] }: &Rows<f64>) -> Vec<f64> {
+        let mut values = vec![0.0; x.len()];
+        edge_potential::batch(x, y, z, u, v, w, length, &mut values).expect("columns grow together");
+        values
+    }
+}
+
+impl Number for DoubleDouble {
+    // a few bits of what double-doubles hold are lost in a function
+    const EPSILON: f64 = 16.0 * f64::EPSILON * f64::EPSILON;
+
+    fn potentials(Rows { columns: [x, y, z, u, v, w, length] }: &Rows<DoubleDouble>) -> Vec<DoubleDouble> {
+        (0..x.len()).map(|i| edge_potential::dd(x[i], y[i], z[i], u[i], v[i], w[i], length[i])).collect()
+    }
+}
+
+/// An edge of an outline.
+struct Edge<T> {
+    start: [T; 3],
+    direction: [T; 3],
+    length: T,
+}
+
+impl<T: Number> Edge<T> {
+    /// The edges of an outline, those without length left out.
+    fn of(outline: &Outline) -> Vec<Self> {
+        let points: Vec<[T; 3]> =
+            outline.iter().map(|point| [point.x, point.y, point.z].map(T::from_f64)).collect();
+        let edge = |place: usize| {
+            let (start, end) = (points[place], points[(place + 1) % points.len()]);
+            let way = subtracted(end, start);
+            let length = dot(way, way).sqrt();
+            let is_point = length.to_f64() == 0.0;
+            (!is_point).then(|| Edge { start, direction: way.map(|x| x / length), length })
+        };
+        (0..points.len()).filter_map(edge).collect()
+    }
+
+    fn at(&self, place: T) -> [T; 3] {
+        std::array::from_fn(|axis| place.mul_add(self.direction[axis], self.start[axis]))
+    }
+}
+
+fn dot<T: Real>([a, b, c]: [T; 3], [u, v, w]: [T; 3]) -> T {
+    a * u + b * v + c * w
+}
+
+fn subtracted<T: Real>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+    std::array::from_fn(|axis| a[axis] - b[axis])
+}
+
+/// A part of the outer edge of a pair.
+struct Part<'e, T> {
+    outer: &'e Edge<T>,
+    inner: &'e Edge<T>,
+    cosine: T,
+    middle: T,
+    half: T,
+}
+
+impl<T: Number> Part<'_, T> {
+    fn halves(&self) -> [Self; 2] {
+        let half = T::from_f64(0.5) * self.half;
+        [self.middle - half, self.middle + half].map(|middle| Self { middle, half, ..*self })
+    }
+
+    fn points(&self, rows: &mut Rows<T>) {
+        for place in kronrod::places(self.middle, self.half) {
+            rows.push(subtracted(self.inner.start, self.outer.at(place)), self.inner);
+        }
+    }
+}
+
+/// The parts with their integrals.
+fn integrated<T: Number>(parts: &[Part<'_, T>]) -> Vec<Integral<T>> {
+    let mut rows = Rows::with_capacity(POINTS * parts.len());
+    parts.iter().for_each(|part| part.points(&mut rows));
+    let values = T::potentials(&rows);
+    let integral = |(part, values): (&Part<'_, T>, &[T])| {
+        let Integral { value, magnitude, error } = kronrod::integral(values, part.half);
+        let weight = part.cosine.to_f64().abs();
+        Integral { value: part.cosine * value, magnitude: weight * magnitude, error: weight * error }
+    };
+    parts.iter().zip(values.chunks_exact(POINTS)).map(integral).collect()
+}
+
+/// The exchange area of two outlines that lie in front of each other, to a relative tolerance or as far as rounding lets it.
+pub(super) fn exchange<T: Number>(here: &Outline, there: &Outline, tolerance: f64) -> Exchange {
+    let (here, there) = (Edge::<T>::of(here), Edge::<T>::of(there));
+    let mut parts: Vec<Part<'_, T>> = Vec::new();
+    for a in &here {
+        for b in &there {
+            let (outer, inner) = if a.length.to_f64() <= b.length.to_f64() { (a, b) } else { (b, a) };
+            let cosine = dot(outer.direction, inner.direction);
+            if cosine.to_f64() != 0.0 {
+                let half = T::from_f64(0.5) * outer.length;
+                parts.push(Part { outer, inner, cosine, middle: half, half });
+            }
+        }
+    }
+    let mut integrals = integrated(&parts);
+    for _ in 0..MOST_ROUNDS {
+        let sum = Sum::of(&integrals);
+        let accepted = (tolerance * sum.value.to_f64().abs()).max(sum.rounding);
+        if sum.error <= accepted {
+            break;
+        }
+        let share = 0.5 * accepted / integrals.len() as f64;
+        let slow = |place: &usize| {
+            let Integral { magnitude, error, .. } = integrals[*place];
+            error > share.max(rounding::<T>(magnitude))
+        };
+        let slow: Vec<usize> = (0..parts.len()).filter(slow).collect();
+        if slow.is_empty() || parts.len() + slow.len() > MOST_PARTS {
+            break;
+        }
+        let halves: Vec<Part<'_, T>> = slow.iter().flat_map(|&place| parts[place].halves()).collect();
+        let mut found = integrated(&halves).into_iter();
+        for (place, halves) in slow.into_iter().zip(pairs(halves)) {
+            let [first, second] = halves;
+            parts[place] = first;
+            parts.push(second);
+            let next = "there are two integrals for each part";
+            integrals[place] = found.next().expect(next);
+            integrals.push(found.next().expect(next));
+        }
+    }
+    let sum = Sum::of(&integrals);
+    let scale = 1.0 / (2.0 * std::f64::consts::PI);
+    Exchange { area: scale * sum.value.to_f64(), error: scale * (sum.error + sum.rounding) }
+}
+
+/// What rounding leaves of an integral of absolute values of this size.
+fn rounding<T: Number>(magnitude: f64) -> f64 {
+    ROUNDINGS * T::EPSILON * magnitude
+}
+
+/// The elements of a list of an even length, two by two.
+fn pairs<P>(list: Vec<P>) -> impl Iterator<Item = [P; 2]> {
+    let mut list = list.into_iter();
+    std::iter::from_fn(move || Some([list.next()?, list.next()?]))
+}
+
+/// What the parts add up to.
+struct Sum<T> {
+    value: T,
+    error: f64,
+    rounding: f64,
+}
+
+impl<T: Number> Sum<T> {
+    fn of(integrals: &[Integral<T>]) -> Self {
+        let mut sum = Sum { value: T::from_f64(0.0), error: 0.0, rounding: 0.0 };
+        for integral in integrals {
+            sum.value = sum.value + integral.value;
+            sum.error += integral.error;
+            sum.rounding += rounding::<T>(integral.magnitude);
+        }
+        sum
+    }
+}

@@ -1,0 +1,138 @@
+//! Exchange: two polygons become the area A₁F₁₂ by which they exchange light, with an estimate of its error.
+//!
+//! ```text
+//! polygons ─ convex pieces, each cut by the plane of the other ─▶ outlines that lie in front of each other
+//!     ├─ far apart ─▶ areas: cos cos'/(π r²) at Gauss points of both
+//!     └─ else ─────▶ contour: integrals over pairs of edges, in f64, and in double-double where their sum cancels
+//! with something in between ─▶ obstructed: what points of the first see of the second, integrated over the first
+//! ```
+//! What is used is decided by the errors that the ways themselves state.
+
+mod areas;
+mod contour;
+mod kronrod;
+mod obstructed;
+
+pub use obstructed::visible_exchange;
+
+use super::clip::split;
+use super::{Polygon, Vector};
+use forms::math::DoubleDouble;
+
+/// The corners of a planar polygon in order.
+type Outline = [Vector];
+
+/// The least tolerance: what rounding leaves of the best of sums.
+const LEAST_TOLERANCE: f64 = 1e-15;
+
+/// Polygons that are as many sizes apart are tried by their areas first.
+const FAR: f64 = 3.0;
+
+/// The rounding of a distance from a plane, in units of 2⁻⁵² of the distance from a point of it.
+const CUT: f64 = 16.0;
+
+/// An exchange area A₁F₁₂ = A₂F₂₁, in the square of the unit of lengths.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Exchange {
+    /// The area.
+    pub area: f64,
+    /// An estimate of its error, in the same unit.
+    pub error: f64,
+}
+
+/// The exchange area of the fronts of two polygons with nothing in between, to a relative tolerance of its own.
+///
+/// ```text
+/// A₁F₁₂ = ∫∫ cos cos'/(π r²) dA dA'
+/// ```
+///
+/// over the parts that face each other. It is symmetric, and zero for polygons in one plane.
+pub fn exchange(here: &Polygon, there: &Polygon, tolerance: f64) -> Exchange {
+    let mut sum = Exchange::default();
+    for a in here.convex_pieces() {
+        for b in there.convex_pieces() {
+            let normals = [here.normal(), there.normal()];
+            let Exchange { area, error } = between(a, b, normals, tolerance.max(LEAST_TOLERANCE));
+            sum.area += area;
+            sum.error += error;
+        }
+    }
+    sum
+}
+
+/// The view factor F₁₂ from the front of a polygon to that of another with nothing in between, and an estimate of its error:
+/// the fraction of what the first sends out that arrives at the second.
+pub fn view_factor(from: &Polygon, to: &Polygon, tolerance: f64) -> Exchange {
+    let Exchange { area, error } = exchange(from, to, tolerance);
+    let whole = from.area();
+    Exchange { area: area / whole, error: error / whole }
+}
+
+/// The exchange area of two convex outlines with these normals.
+fn between(here: &Outline, there: &Outline, [n, m]: [Vector; 2], tolerance: f64) -> Exchange {
+    // differences first: what is far from the origin is no less exact
+    let origin = here[0];
+    let [here, there] = [here, there].map(|outline| outline.iter().map(|&v| v - origin).collect::<Vec<_>>());
+    let Some((here, of_here)) = in_front(&here, there[0], m) else { return Exchange::default() };
+    let Some((there, of_there)) = in_front(&there, here[0], n) else { return Exchange::default() };
+    let [(a, size_a), (b, size_b)] = [&here, &there].map(|outline| ball(outline));
+    let (distance, size) = ((b - a).length(), size_a + size_b);
+    // a power of two, so that nothing is rounded
+    let unit = distance.max(size).log2().round().exp2();
+    let scaled = |outline: Vec<Vector>| outline.into_iter().map(|v| unit.recip() * v).collect::<Vec<_>>();
+    let [here, there] = [here, there].map(scaled);
+    let is_far = distance > FAR * size;
+    let Exchange { area, error } = in_near_units(&here, &there, [n, m], is_far, tolerance);
+    let error = error + (of_here + of_there) * area.abs();
+    Exchange { area: unit * unit * area, error: unit * unit * error }
+}
+
+/// The part of an outline in front of a plane, if there is any, and the relative error that cutting it there makes: the cut is
+/// off by the rounding of its distance from the plane, and what lies low over the plane is off by much of itself.
+fn in_front(outline: &Outline, point: Vector, normal: Vector) -> Option<(Vec<Vector>, f64)> {
+    let (mut front, mut behind) = (Vec::new(), Vec::new());
+    let height = |x: &Vector| normal.dot(*x - point);
+    split(outline, |x| height(&x), &mut front, &mut behind);
+    let highest = front.iter().map(height).fold(0.0, f64::max);
+    if behind.is_empty() || highest <= 0.0 {
+        return (highest > 0.0).then_some((front, 0.0));
+    }
+    let extent = outline.iter().map(|&x| (x - point).length()).fold(0.0, f64::max);
+    Some((front, CUT * f64::EPSILON * extent / highest))
+}
+
+/// The exchange area of outlines that lie in front of each other, with lengths not far from 1.
+fn in_near_units(
+    here: &Outline,
+    there: &Outline,
+    normals: [Vector; 2],
+    is_far: bool,
+    tolerance: f64,
+) -> Exchange {
+    let is_enough = |found: &Exchange| found.error <= tolerance * found.area.abs();
+    let mut best = Exchange { area: f64::NAN, error: f64::INFINITY };
+    if is_far {
+        best = areas::exchange(here, there, normals, tolerance);
+    }
+    if !is_enough(&best) {
+        best = better(best, contour::exchange::<f64>(here, there, tolerance));
+    }
+    if !is_enough(&best) {
+        best = better(best, contour::exchange::<DoubleDouble>(here, there, tolerance));
+    }
+    best
+}
+
+fn better(a: Exchange, b: Exchange) -> Exchange {
+    if b.error < a.error { b } else { a }
+}
+
+/// A ball around an outline: its middle and its radius.
+fn ball(outline: &Outline) -> (Vector, f64) {
+    let sum = outline.iter().fold(Vector::default(), |sum, &v| sum + v);
+    let middle = (1.0 / outline.len() as f64) * sum;
+    (middle, outline.iter().fold(0.0, |radius: f64, &v| radius.max((v - middle).length())))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,132 @@
+//! Exchange with something in between: what the points of one polygon see of the other, integrated over the first.
+//!
+//! ```text
+//! A₁F₁₂ = ∫ F(x) dA,   F(x) Lambert's sum over what is left of the second polygon as x sees it
+//! ```
+//! F is exact at a point, whatever hides the other polygon. It has kinks where a shadow begins; patches are halved both ways
+//! where a rule on the whole and on the parts disagrees, worst first.
+
+use super::areas::{Patch, gauss, patches};
+use super::{Exchange, exchange};
+use crate::geometry::luminaire::{Luminaire, Workspace};
+use crate::geometry::{Polygon, Vector};
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+/// Points of the rule along each side of a patch.
+const ORDER: usize = 3;
+
+/// More patches than this are not looked at; what is left of the error is said.
+const MOST_PATCHES: usize = 200_000;
+
+/// The rounding of a form factor at a point, in units of 2⁻⁵².
+const ROUNDING: f64 = 16.0;
+
+/// The exchange area of the fronts of two polygons among others, to a relative tolerance or as far as many patches lead.
+///
+/// Where nothing can come between it is [`exchange`]. The error is the sum of what the last halving of each patch changed.
+pub fn visible_exchange<'a>(
+    here: &'a Polygon,
+    there: &'a Polygon,
+    others: impl Iterator<Item = &'a Polygon> + Clone,
+    tolerance: f64,
+) -> Exchange {
+    let resolution = crate::geometry::resolution(others.clone().chain([here, there]));
+    let luminaires = Luminaire::of(there, true, others, resolution);
+    let mut sum = Exchange::default();
+    for piece in here.convex_pieces() {
+        let seen: Vec<Luminaire> =
+            luminaires.iter().map(|luminaire| luminaire.seen_from(piece, here.normal())).collect();
+        let Exchange { area, error } = if seen.iter().all(Luminaire::is_free) {
+            let piece = Polygon::new(piece.clone()).expect("a piece of a polygon is one");
+            exchange(&piece, there, tolerance)
+        } else {
+            View { seen: &seen, normal: here.normal() }.integral(piece, tolerance)
+        };
+        sum.area += area;
+        sum.error += error;
+    }
+    sum
+}
+
+/// What points of one side of a plane see.
+struct View<'l> {
+    seen: &'l [Luminaire],
+    normal: Vector,
+}
+
+/// A patch with the integral over it, and by how much that changed when it was made from the patch before.
+struct Part {
+    patch: Patch,
+    area: f64,
+    error: f64,
+}
+
+impl View<'_> {
+    fn integral(&self, outline: &[Vector], tolerance: f64) -> Exchange {
+        let mut work = Workspace::default();
+        let mut queue: BinaryHeap<Part> = BinaryHeap::new();
+        for patch in patches(outline) {
+            let whole = self.over(&patch, &mut work);
+            queue.extend(self.quarters(&patch, whole, &mut work));
+        }
+        let sums = |queue: &BinaryHeap<Part>| {
+            queue.iter().fold((0.0, 0.0), |(area, error), part| (area + part.area, error + part.error))
+        };
+        let (mut area, mut error) = sums(&queue);
+        while error > tolerance * area.abs() && queue.len() < MOST_PATCHES {
+            let Some(worst) = queue.pop() else { break };
+            let quarters = self.quarters(&worst.patch, worst.area, &mut work);
+            area += quarters.iter().map(|part| part.area).sum::<f64>() - worst.area;
+            error += quarters.iter().map(|part| part.error).sum::<f64>() - worst.error;
+            queue.extend(quarters);
+        }
+        // the running sums have gathered roundings
+        let (area, error) = sums(&queue);
+        let size: f64 = queue.iter().map(|part| part.patch.area()).sum();
+        Exchange { area, error: error + ROUNDING * f64::EPSILON * size }
+    }
+
+    /// The integral by the rule on one patch.
+    fn over(&self, patch: &Patch, work: &mut Workspace) -> f64 {
+        let mut sum = 0.0;
+        for &[s, of_s] in gauss(ORDER) {
+            for &[t, of_t] in gauss(ORDER) {
+                let (position, density) = patch.at(s, t);
+                let seen = |luminaire: &Luminaire| luminaire.visible_form_factor(position, self.normal, work);
+                let form_factor: f64 = self.seen.iter().map(seen).sum();
+                sum += of_s * of_t * density * form_factor;
+            }
+        }
+        sum
+    }
+
+    /// The quarters of a patch that has this integral, each with its share of what they change.
+    fn quarters(&self, patch: &Patch, whole: f64, work: &mut Workspace) -> Vec<Part> {
+        let mut parts: Vec<Part> = patch
+            .quarters()
+            .into_iter()
+            .map(|patch| Part { area: self.over(&patch, work), patch, error: 0.0 })
+            .collect();
+        let change = parts.iter().map(|part| part.area).sum::<f64>() - whole;
+        parts.iter_mut().for_each(|part| part.error = 0.25 * change.abs());
+        parts
+    }
+}
+
+impl PartialEq for Part {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+impl Eq for Part {}
+impl PartialOrd for Part {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl Ord for Part {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.error.total_cmp(&other.error)
+    }
+}
