@@ -26,7 +26,7 @@ pub(super) fn light(palette: Palette, output: &mut dyn Write) -> io::Result<Stat
         writeln!(output, "{line}")?;
     }
     writeln!(output)?;
-    let (results, picture) = match lit() {
+    let Lit { points: results, picture } = match lit() {
         Ok(lit) => lit,
         Err(errors) => {
             errors.iter().for_each(|error| eprintln!("error: {error}"));
@@ -50,17 +50,24 @@ pub(super) fn light(palette: Palette, output: &mut dyn Write) -> io::Result<Stat
     }
 }
 
-/// The answers at the points of the scene, and the picture of its camera with the time that it took.
-fn lit() -> Result<(Vec<ReceiverResult>, Option<(Picture, Duration)>), Vec<SceneError>> {
+/// The scene by direct light.
+struct Lit {
+    /// The answers at its points.
+    points: Vec<ReceiverResult>,
+    /// The picture of its camera, with the time that it took.
+    picture: Option<(Picture, Duration)>,
+}
+
+fn lit() -> Result<Lit, Vec<SceneError>> {
     let scene = scene::read(CORNELL_BOX, "cornell_box.toml")?;
-    let results = simulate_direct(&scene)?;
+    let points = simulate_direct(&scene)?;
     let camera = scene.receivers.iter().find_map(|receiver| match &receiver.kind {
         ReceiverKind::Camera(camera) => Some(camera),
         _ => None,
     });
     let start = Instant::now();
     let picture = camera.map(|camera| picture(&scene, camera)).transpose()?;
-    Ok((results, picture.map(|picture| (picture, start.elapsed()))))
+    Ok(Lit { points, picture: picture.map(|picture| (picture, start.elapsed())) })
 }
 
 /// Irradiance, summed over the bands, and the part of the lamp's light that reaches the point.
