@@ -118,7 +118,7 @@ pub(super) fn array<'a, 't>(
         return None;
     };
     if array.len() != length {
-        report.error(value.span(), format!("{what} has {} values", array.len()), expected);
+        report.error(value.span(), format!("{what} has {}", values(array.len())), expected);
         return None;
     }
     Some(array)
@@ -168,7 +168,7 @@ pub(super) fn spectrum(
             Some(bands) if bands > 1 => format!("one number, or {bands} (one a band)"),
             _ => "one number".to_owned(),
         };
-        report.error(value.span(), format!("{what} has {} values", array.len()), expected);
+        report.error(value.span(), format!("{what} has {}", values(array.len())), expected);
         return None;
     }
     let numbers: Vec<Option<f64>> = array.iter().map(|value| number(report, value, what, domain)).collect();
@@ -192,6 +192,12 @@ pub(super) fn choice<T: Copy>(
         );
     }
     chosen
+}
+
+/// "1 value", "2 values".
+pub(super) fn values(count: usize) -> String {
+    let ending = if count == 1 { "" } else { "s" };
+    format!("{count} value{ending}")
 }
 
 /// "`a`, `b` or `c`".

@@ -24,7 +24,7 @@ const OF_THE_SCENE: &[(&str, &str, &str)] = &[
     ("unit = \"m\"", "unti = \"m\"", "unknown key `unti` in a scene"),
     ("unit = \"m\"", "unit = 3", "`unit` is of the wrong kind: found a value of type integer"),
     ("[500, 600]", "[600, 500]", "the band ends before it begins"),
-    ("[500, 600]", "[500]", "a band has 1 values"),
+    ("[500, 600]", "[500]", "a band has 1 value"),
     ("[500, 600]", "[0, 600]", "the end of a band is out of range"),
     ("medium = \"haze\"", "medium = \"mist\"", "no medium is named `mist`"),
     ("radiance = 0.25", "radiance = [1, 2, 3]", "`radiance` has 3 values"),

@@ -128,7 +128,7 @@ const OBJ: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 
 /// What is replaced in the OBJ file, by what, its place and the message.
 const OF_OBJ: &[(&str, &str, (usize, usize), &str)] = &[
-    ("v 1 1 0", "v 1 1", (3, 1), "a vertex has 2 numbers"),
+    ("v 1 1 0", "v 1 1", (3, 1), "a vertex has 2 values"),
     ("v 1 1 0", "v 1 1 O", (3, 7), "`O` is no number"),
     ("v 1 1 0", "v 1 1 nan", (3, 7), "a coordinate is not finite"),
     ("v 1 1 0", "v 1 1 1e71", (3, 7), "a coordinate is out of range"),

@@ -6,6 +6,7 @@ use super::{Fault, Parts};
 use crate::geometry::{Mesh, Vector};
 use crate::scene::SceneError;
 use crate::scene::place::Source;
+use crate::scene::value::values;
 
 /// Statements that say nothing about the shape: texture coordinates, normals, names, and how the shape is shown.
 const WITHOUT_SHAPE: &[&str] =
@@ -58,7 +59,7 @@ fn vertex(keyword: &Word, arguments: &[Word]) -> Result<Vector, Fault> {
         [x, y, z] | [x, y, z, 1.0] | [x, y, z, _, _, _] => Ok(Vector::new(x, y, z)),
         [_, _, _, _] => Err(Fault::new(arguments[3].range.clone(), "the vertex has a weight", "x y z")),
         _ => {
-            let message = format!("a vertex has {} numbers", numbers.len());
+            let message = format!("a vertex has {}", values(numbers.len()));
             Err(Fault::new(keyword.range.clone(), message, "x y z"))
         }
     }

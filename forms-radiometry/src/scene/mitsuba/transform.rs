@@ -3,7 +3,7 @@
 use super::object::Object;
 use super::{Node, Reader};
 use crate::geometry::Vector;
-use crate::scene::value::{ANY, COORDINATE};
+use crate::scene::value::{ANY, COORDINATE, values};
 
 /// How far angles and lengths may be off where a map has to be a rotation with one scale.
 const SIMILARITY: f64 = 1e-6;
@@ -190,7 +190,7 @@ impl<'a> Reader<'a, '_, '_> {
             }
             0 => None,
             count => {
-                self.report.error(place, format!("the matrix has {count} values"), "16, row by row");
+                self.report.error(place, format!("the matrix has {}", values(count)), "16, row by row");
                 None
             }
         }

@@ -3,7 +3,7 @@
 use super::object::Object;
 use super::{Node, Reader};
 use crate::geometry::Vector;
-use crate::scene::value::{COORDINATE, Domain, one_of, within};
+use crate::scene::value::{COORDINATE, Domain, one_of, values, within};
 use std::ops::Range;
 
 impl<'a> Reader<'a, '_, '_> {
@@ -75,7 +75,7 @@ impl<'a> Reader<'a, '_, '_> {
             [number] => Some(number),
             [] => None,
             ref numbers => {
-                let message = format!("{what} has {} values", numbers.len());
+                let message = format!("{what} has {}", values(numbers.len()));
                 self.report.error(place.clone(), message, domain.expected);
                 None
             }
@@ -133,7 +133,7 @@ impl<'a> Reader<'a, '_, '_> {
             [x, y, z] => Some(Vector::new(x, y, z)),
             [] => None,
             ref numbers => {
-                let message = format!("{what} has {} values", numbers.len());
+                let message = format!("{what} has {}", values(numbers.len()));
                 self.report.error(place.clone(), message, "three coordinates x, y, z");
                 None
             }
@@ -166,7 +166,7 @@ impl<'a> Reader<'a, '_, '_> {
             _ => {
                 let expected =
                     if node.has_tag_name("rgb") { "one value, or red, green and blue" } else { "one value" };
-                self.report.error(place, format!("{what} has {} values", numbers.len()), expected);
+                self.report.error(place, format!("{what} has {}", values(numbers.len())), expected);
                 Some(black)
             }
         }
