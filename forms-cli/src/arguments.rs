@@ -120,6 +120,17 @@ pub(crate) enum Command {
         #[arg(long)]
         no_times: bool,
     },
+    /// Print the view factors between the surfaces of a scene as CSV
+    ///
+    /// A row holds the fractions of what one surface sends that arrive at each of the others, and their sum, which is 1 where
+    /// nothing leaves the scene. A two-sided surface sends from both sides.
+    ViewFactors {
+        /// A scene, in TOML or of Mitsuba 3 (.xml)
+        scene: String,
+        /// One JSON object a line, with the error of each factor
+        #[arg(long)]
+        json: bool,
+    },
     /// List the kernels of the library with their arguments, units and formulas
     Kernels,
 }

@@ -8,6 +8,7 @@
 //!                        ├─ eval     ─▶ numbers        (decimal, kernel)
 //!                        ├─ emit     ─▶ Rust source
 //!                        ├─ kernels  ─▶ the library
+//!                        ├─ view-factors ─▶ the matrix of a scene
 //!                        └─ tour     ─▶ all of it, shown
 //! ```
 //! Answers go to standard output, errors to standard error (with `--json` to standard output). Nothing is

@@ -331,6 +331,32 @@ fn a_kernel_is_emitted_without_each_set_of_its_effects_too() {
 }
 
 #[test]
+fn view_factors_of_a_scene_are_a_matrix_with_sums_or_lines_with_errors() {
+    let squares = "[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5
+        [[surface]]\nname = \"floor\"\nmaterial = \"grey\"\npolygon = [[0,0,0], [1,0,0], [1,1,0], [0,1,0]]
+        [[surface]]\nname = \"lamp\"\nmaterial = \"grey\"\npolygon = [[0,0,1], [0,1,1], [1,1,1], [1,0,1]]\n";
+    let folder =
+        Folder::with(&[("squares.toml", squares), ("broken.toml", "[[surface]]\nname = \"floor\"\n")]);
+    let run = forms(&folder, &["view-factors", "squares.toml"]);
+    assert_eq!(run.status, 0, "{}", run.errors);
+    let lines: Vec<&str> = run.output.lines().collect();
+    assert_eq!(lines[0], "from,floor,lamp,sum");
+    let row: Vec<f64> = lines[1].split(',').skip(1).map(|value| value.parse().expect("a number")).collect();
+    assert!(row[0] == 0.0 && (row[1] - 0.199_824_895_698_387).abs() < 1e-14 && row[2] == row[1], "{row:?}");
+    assert!(run.errors.contains("A1 F12 - A2 F21"), "{}", run.errors);
+    let json = forms(&folder, &["view-factors", "squares.toml", "--json"]).output;
+    assert!(
+        json.lines()
+            .nth(1)
+            .is_some_and(|line| line.starts_with("{\"from\":\"floor\",\"to\":\"lamp\",\"value\":0.1998")),
+        "{json}"
+    );
+    let broken = forms(&folder, &["view-factors", "broken.toml"]);
+    assert_eq!((broken.status, broken.output.as_str()), (2, ""));
+    assert!(broken.errors.contains("broken.toml:1:1: this surface has no `material`"), "{}", broken.errors);
+}
+
+#[test]
 fn a_reader_that_goes_away_is_no_failure() {
     let many: String = (0..3000).map(|i| format!("prove p{i}: x + {i} == {i} + x;\n")).collect();
     let folder = Folder::with(&[("many.forms", &format!("chart L(x);\n{many}"))]);

@@ -14,6 +14,7 @@ mod triangulation;
 mod vector;
 
 pub(crate) use cone::Cone;
+pub(crate) use exchange::exchange_with;
 pub use exchange::{Exchange, exchange, view_factor, visible_exchange};
 pub use form_factor::form_factor;
 pub(crate) use luminaire::{Luminaire, Workspace, resolution};

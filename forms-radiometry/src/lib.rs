@@ -22,10 +22,12 @@ pub mod scene;
 mod sight;
 mod spectrum;
 mod tone;
+mod view_factors;
 
 pub use irradiance::{ReceiverResult, simulate_direct};
 pub use library::{RADIANCE, TheoryFile, library, theory};
 pub use picture::{Picture, picture};
+pub use view_factors::{ViewFactor, ViewFactors, view_factors};
 
 /// The scene file of the Cornell box, as measured at the Cornell University Program of Computer Graphics.
 pub const CORNELL_BOX: &str = include_str!("../scenes/cornell_box.toml");

@@ -12,6 +12,7 @@ mod rounded;
 mod show;
 mod topology;
 mod tour;
+mod view_factors;
 
 use crate::arguments::{Arguments, Command};
 use crate::status::Status;
@@ -46,6 +47,7 @@ pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<S
             };
             accuracy::accuracy(&request, output)
         }
+        Some(Command::ViewFactors { scene, json }) => view_factors::view_factors(scene, *json, output),
         Some(Command::Kernels) => kernels::kernels(output),
     }
 }

@@ -93,6 +93,17 @@ impl Polygon {
         self.normal
     }
 
+    /// The same polygon that looks to the other side.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        let turned = |outline: &Vec<Vector>| outline.iter().rev().copied().collect();
+        Self {
+            vertices: turned(&self.vertices),
+            normal: -self.normal,
+            pieces: self.pieces.iter().map(turned).collect(),
+        }
+    }
+
     /// The area: ½ n·Σ (vᵢ − v₀) × (vᵢ₊₁ − v₀).
     pub fn area(&self) -> f64 {
         let about = self.vertices[0];

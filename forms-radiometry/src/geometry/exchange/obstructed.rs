@@ -33,6 +33,17 @@ pub fn visible_exchange<'a>(
 ) -> Exchange {
     let resolution = crate::geometry::resolution(others.clone().chain([here, there]));
     let luminaires = Luminaire::of(there, true, others, resolution);
+    exchange_with(here, there, &luminaires, [tolerance, 0.0])
+}
+
+/// The same with the luminaires that the front of the second polygon makes among all, to a tolerance relative to the exchange
+/// area or to this area, whichever is larger.
+pub(crate) fn exchange_with(
+    here: &Polygon,
+    there: &Polygon,
+    luminaires: &[Luminaire],
+    [tolerance, least]: [f64; 2],
+) -> Exchange {
     let mut sum = Exchange::default();
     for piece in here.convex_pieces() {
         let seen: Vec<Luminaire> =
@@ -41,7 +52,7 @@ pub fn visible_exchange<'a>(
             let piece = Polygon::new(piece.clone()).expect("a piece of a polygon is one");
             exchange(&piece, there, tolerance)
         } else {
-            View { seen: &seen, normal: here.normal() }.integral(piece, tolerance)
+            View { seen: &seen, normal: here.normal() }.integral(piece, [tolerance, least])
         };
         sum.area += area;
         sum.error += error;
@@ -63,7 +74,7 @@ struct Part {
 }
 
 impl View<'_> {
-    fn integral(&self, outline: &[Vector], tolerance: f64) -> Exchange {
+    fn integral(&self, outline: &[Vector], [tolerance, least]: [f64; 2]) -> Exchange {
         let mut work = Workspace::default();
         let mut queue: BinaryHeap<Part> = BinaryHeap::new();
         for patch in patches(outline) {
@@ -74,7 +85,7 @@ impl View<'_> {
             queue.iter().fold((0.0, 0.0), |(area, error), part| (area + part.area, error + part.error))
         };
         let (mut area, mut error) = sums(&queue);
-        while error > tolerance * area.abs() && queue.len() < MOST_PATCHES {
+        while error > tolerance * area.abs().max(least) && queue.len() < MOST_PATCHES {
             let Some(worst) = queue.pop() else { break };
             let quarters = self.quarters(&worst.patch, worst.area, &mut work);
             area += quarters.iter().map(|part| part.area).sum::<f64>() - worst.area;
