@@ -1,5 +1,6 @@
 //! Emitters of the scene: `<emitter>` becomes a point light, a distant light, or light from outside.
 
+use super::object::Object;
 use super::{Node, Reader};
 use crate::geometry::Vector;
 use crate::scene::model::{Light, LightKind};
@@ -8,11 +9,7 @@ use crate::scene::value::NOT_NEGATIVE;
 impl<'a> Reader<'a, '_, '_> {
     pub(super) fn emitter(&mut self, node: Node<'a>) {
         let mut object = self.object(node);
-        for key in ["position", "direction"] {
-            if object.has(key) && object.has("to_world") {
-                self.error(node, format!("this emitter has both `{key}` and `to_world`"), "one of the two");
-            }
-        }
+        self.placed_once(&object);
         let to_world = self.transform(&mut object);
         let kind = match &*object.kind {
             "point" => {
@@ -34,11 +31,7 @@ impl<'a> Reader<'a, '_, '_> {
                 }
             }
             "constant" => {
-                let radiance = self.required_colour(&mut object, "radiance", &NOT_NEGATIVE);
-                if self.ambient_radiance.replace(radiance).is_some() {
-                    self.error(node, "there is a second emitter of type `constant`", "one");
-                }
-                self.ambient_place = node.range();
+                self.constant(&mut object);
                 None
             }
             _ => {
@@ -50,5 +43,23 @@ impl<'a> Reader<'a, '_, '_> {
         self.finish(object, &["to_world", "position", "intensity", "direction", "irradiance", "radiance"]);
         let place = self.report.place(node.range());
         self.lights.extend(kind.map(|kind| Light { name, kind, place }));
+    }
+
+    /// A place is a point or direction, or comes from a transform.
+    fn placed_once(&mut self, object: &Object<'a>) {
+        for key in ["position", "direction"] {
+            if object.has(key) && object.has("to_world") {
+                let message = format!("this emitter has both `{key}` and `to_world`");
+                self.error(object.node, message, "one of the two");
+            }
+        }
+    }
+
+    fn constant(&mut self, object: &mut Object<'a>) {
+        let radiance = self.required_colour(object, "radiance", &NOT_NEGATIVE);
+        if self.ambient_radiance.replace(radiance).is_some() {
+            self.error(object.node, "there is a second emitter of type `constant`", "one");
+        }
+        self.ambient_place = object.node.range();
     }
 }
