@@ -334,7 +334,8 @@ fn a_kernel_is_emitted_without_each_set_of_its_effects_too() {
 fn view_factors_of_a_scene_are_a_matrix_with_sums_or_lines_with_errors() {
     let squares = "[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5
         [[surface]]\nname = \"floor\"\nmaterial = \"grey\"\npolygon = [[0,0,0], [1,0,0], [1,1,0], [0,1,0]]
-        [[surface]]\nname = \"lamp\"\nmaterial = \"grey\"\npolygon = [[0,0,1], [0,1,1], [1,1,1], [1,0,1]]\n";
+        [[surface]]\nname = \"lamp\"\nmaterial = \"grey\"\npolygon = [[0,0,1], [0,1,1], [1,1,1], [1,0,1]]
+        [solve]\ntolerance = 1e-12\n";
     let folder =
         Folder::with(&[("squares.toml", squares), ("broken.toml", "[[surface]]\nname = \"floor\"\n")]);
     let run = forms(&folder, &["view-factors", "squares.toml"]);

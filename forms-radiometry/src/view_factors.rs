@@ -152,7 +152,7 @@ mod tests {
 
     #[test]
     fn the_faces_of_a_cube_send_all_to_each_other_and_the_same_both_ways() {
-        let found = view_factors(&scene("")).expect("polygons");
+        let found = view_factors(&scene("[solve]\ntolerance = 1e-13\n")).expect("polygons");
         for surface in 0..6 {
             assert!((found.sum(surface) - 1.0).abs() < 1e-12, "{}", found.names[surface]);
             assert_eq!(found.rows[surface][surface], ViewFactor::default());
