@@ -3,6 +3,7 @@
 use super::report::{Report, Row};
 use crate::json::write_record;
 use forms::core::accuracy::{Score, Statistics};
+use forms::core::rounding::ErrorBound;
 use std::io::{self, Write};
 
 #[derive(serde::Serialize)]
@@ -11,7 +12,17 @@ struct KernelRecord<'a> {
     name: &'a str,
     domain: &'a [String],
     stable_form: Option<&'a str>,
+    bounds: Option<Vec<BoundRecord>>,
+    unbounded: Option<String>,
     variants: Vec<VariantRecord>,
+}
+
+/// What the error of an output in `f64` does not exceed, anywhere on the domain; relative to the value in units of 2⁻⁵³, where
+/// that is kept away from 0.
+#[derive(serde::Serialize)]
+struct BoundRecord {
+    absolute: f64,
+    units: Option<f64>,
 }
 
 #[derive(serde::Serialize)]
@@ -46,9 +57,15 @@ pub(super) fn write(report: &Report, output: &mut dyn Write) -> io::Result<()> {
         name: &report.kernel,
         domain: &report.domain,
         stable_form: report.form.as_deref(),
+        bounds: report.bounds.as_ref().ok().map(|bounds| bounds.iter().map(bound).collect()),
+        unbounded: report.bounds.as_ref().err().map(ToString::to_string),
         variants: report.rows.iter().map(variant).collect(),
     };
     write_record(output, &record)
+}
+
+fn bound(bound: &ErrorBound) -> BoundRecord {
+    BoundRecord { absolute: bound.absolute, units: bound.units() }
 }
 
 fn variant(row: &Row) -> VariantRecord {

@@ -4,13 +4,19 @@ use super::timing::Workshop;
 use crate::kernel::generated;
 use crate::theory_file::{FileError, TheoryFile};
 use forms::core::accuracy::{Arithmetic, Line, Score, Variant, sheet};
+use forms::core::expression::Pool;
+use forms::core::generation::Generated;
 use forms::core::resolve::Kernel;
+use forms::core::rounding::{ErrorBound, Unbounded};
 
 /// The seed of the arguments: sheets of equal kernels are equal.
 const SEED: u64 = 1;
 
 /// Correct bits that a dearer variant has to add to be worth its time.
 const STEP: f64 = 0.05;
+
+/// Boxes that the domain is split into for a bound of the error.
+const BOXES: usize = 256;
 
 /// A kernel in every variant.
 pub(super) struct Report {
@@ -26,6 +32,8 @@ pub(super) struct Report {
     pub(super) domain: Vec<String>,
     /// The form it is computed by, where that is not the formula.
     pub(super) form: Option<String>,
+    /// A bound of each output's error in `f64` that no argument exceeds, or why there is none.
+    pub(super) bounds: Result<Vec<ErrorBound>, Unbounded>,
     /// The variants.
     pub(super) rows: Vec<Row>,
 }
@@ -78,6 +86,13 @@ impl Row {
     }
 }
 
+/// The form that a kernel says it is computed by, or that rules gave.
+fn form(pool: &Pool, kernel: &Kernel, programs: &Generated) -> Option<String> {
+    let forms =
+        if kernel.computed.is_empty() { programs.rewritten.clone() } else { pool.texts(&kernel.computed) };
+    (!forms.is_empty()).then(|| forms.join(", "))
+}
+
 impl Report {
     pub(super) fn of(
         file: &TheoryFile,
@@ -99,7 +114,8 @@ impl Report {
             docs: kernel.docs.clone(),
             formula: kernel.formula.join(", "),
             domain: kernel.domain.iter().map(|condition| condition.text(pool)).collect(),
-            form: (!kernel.computed.is_empty()).then(|| pool.texts(&kernel.computed).join(", ")),
+            form: form(pool, kernel, &programs),
+            bounds: programs.optimised.error_bound(BOXES),
             rows: rows.collect(),
         };
         report.mark();

@@ -53,7 +53,8 @@ impl Number for f64 {
 
     fn potentials(Rows { columns: [x, y, z, u, v, w, length] }: &Rows<f64>) -> Vec<f64> {
         let mut values = vec![0.0; x.len()];
-        edge_potential::batch_unguarded(x, y, z, u, v, w, length, &mut values).expect("columns grow together");
+        edge_potential::batch_unguarded(x, y, z, u, v, w, length, &mut values)
+            .expect("columns grow together");
         values
     }
 }

@@ -157,6 +157,7 @@ mod tests {
             formula: "x".into(),
             domain: Vec::new(),
             form: None,
+            bounds: Ok(Vec::new()),
             rows: rows.collect(),
         }
     }
