@@ -1,6 +1,7 @@
 //! Kernels: what they cost, and that every way of computing them gives the same value.
 
 mod counts;
+mod device;
 mod emitted;
 mod formula;
 mod targets;

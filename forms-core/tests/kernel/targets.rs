@@ -21,7 +21,7 @@ fn sources(programs: &[Program]) -> Vec<Source> {
     programs.iter().map(source).collect()
 }
 
-fn emitted(target: Target, precision: Precision) -> String {
+pub(crate) fn emitted(target: Target, precision: Precision) -> String {
     emit(&sources(&kernels()), target, precision).expect("every kernel can be said")
 }
 
@@ -138,7 +138,7 @@ fn distance(a: f64, b: f64, precision: Precision) -> i64 {
     if a.is_nan() || b.is_nan() { i64::MAX } else { (ordinal(a) - ordinal(b)).abs() }
 }
 
-fn has_functions(program: &Program) -> bool {
+pub(crate) fn has_functions(program: &Program) -> bool {
     let is_function = |i: &Instruction| {
         use Instruction::{Call, DifferenceOfProducts, Power, SumOfProducts};
         matches!(i, Call(..) | Power(..) | DifferenceOfProducts(_) | SumOfProducts(_))
