@@ -11,17 +11,16 @@
 
 use super::boundary::replaced;
 use super::limit::{follow, holds, limit};
+use super::pieces::negated;
 use super::seam::is_excluded;
-use super::translation::equality;
+use super::translation::{EFFORT, equality};
 use super::with_form;
-use crate::decide::{Effort, contradiction, simplified};
+use crate::decide::{contradiction, simplified};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Condition, Expr, Node, Pool};
 use crate::kernel::{KernelSource, lower};
 use crate::resolve::{Effect, Kernel};
-
-/// A kernel is specialised inside the compiler of whoever uses it.
-const EFFORT: Effort = Effort { work: 2_000_000, candidates: 100, points: 12 };
+use rustc_hash::FxHashMap;
 
 /// A kernel without some of its effects.
 #[derive(Clone, Debug)]
@@ -86,7 +85,10 @@ fn without(pool: &mut Pool, kernel: &Kernel, effect: &Effect) -> Result<Kernel, 
     let computed: Vec<Expr> = kernel
         .computed
         .iter()
-        .map_while(|&form| defined_at(pool, form, (variable, value), &domain))
+        .map_while(|&form| {
+            let chosen = with_choices_made(pool, form, (variable, value), &domain);
+            defined_at(pool, chosen, (variable, value), &domain)
+        })
         .collect();
     let computed = if computed.len() == outputs.len() { computed } else { Vec::new() };
     let mut effects = kernel.effects.clone();
@@ -110,44 +112,37 @@ fn value_at(
     (variable, value): (Expr, Expr),
     known: &[Condition],
 ) -> Option<Expr> {
-    if let Some(defined) = defined_at(pool, expression, (variable, value), known) {
+    let chosen = with_choices_made(pool, expression, (variable, value), known);
+    if let Some(defined) = defined_at(pool, chosen, (variable, value), known) {
         return Some(defined);
     }
     let Node::Symbol(symbol) = *pool.node(variable) else { return None };
-    let chosen = with_choices_made(pool, expression, (variable, value), known);
     limit(pool, chosen, (symbol, value), known)
 }
 
 /// The same where it is defined as it is written: 0·(1/0) is not, although it is 0 once the value is put in.
 fn defined_at(pool: &mut Pool, expression: Expr, put_in: (Expr, Expr), known: &[Condition]) -> Option<Expr> {
-    let chosen = with_choices_made(pool, expression, put_in, known);
-    let domain = pool.domain(&[chosen]);
-    let (_, domain) = replaced(pool, put_in, &[], &domain);
-    if is_excluded(pool, &domain, known) {
-        return None;
-    }
-    Some(replaced(pool, put_in, &[chosen], &[]).0[0])
+    let domain = pool.domain(&[expression]);
+    let (values, domain) = replaced(pool, put_in, &[expression], &domain);
+    (!is_excluded(pool, &domain, known)).then(|| values[0])
 }
 
 /// The expression with every choice made that a variable's value decides.
 fn with_choices_made(pool: &mut Pool, expression: Expr, put_in: (Expr, Expr), known: &[Condition]) -> Expr {
-    let mut decided = Vec::new();
+    let mut decided: FxHashMap<Node, bool> = FxHashMap::default();
     for part in pool.reachable(&[expression]) {
         let Node::Select { left, relation, right, .. } = *pool.node(part) else { continue };
         let (_, there) = replaced(pool, put_in, &[], &[Condition { left, relation, right }]);
-        let opposite = super::pieces::negated(&there[0]);
+        let opposite = negated(&there[0]);
         if holds(pool, &there[0], known) {
-            decided.push((part, true));
-        } else if follow(pool, &opposite, known) && opposite.len() == 1 {
-            decided.push((part, false));
+            decided.insert(pool.node(part).clone(), true);
+        } else if opposite.len() == 1 && follow(pool, &opposite, known) {
+            decided.insert(pool.node(part).clone(), false);
         }
     }
-    let nodes: Vec<(Node, bool)> =
-        decided.into_iter().map(|(part, holds)| (pool.node(part).clone(), holds)).collect();
     pool.replace_all(&[expression], |node, images| match node {
         Node::Select { then, otherwise, .. } => {
-            let (_, holds) = nodes.iter().find(|(decided, _)| decided == node)?;
-            Some(images[if *holds { then } else { otherwise }])
+            decided.get(node).map(|&holds| images[if holds { then } else { otherwise }])
         }
         _ => None,
     })[0]

@@ -17,7 +17,7 @@ use crate::syntax::ast::Relation;
 use std::fmt;
 
 /// A kernel is generated inside the compiler of whoever uses it: less is spent on it than on a statement.
-const EFFORT: Effort = Effort { work: 2_000_000, candidates: 100, points: 12 };
+pub(super) const EFFORT: Effort = Effort { work: 2_000_000, candidates: 100, points: 12 };
 
 /// A form behind `by` is a claim of its author like a statement.
 const FORM: Effort = Effort { work: 20_000_000, candidates: 300, points: 20 };

@@ -50,13 +50,22 @@ pub struct Exchange {
 /// over the parts that face each other. It is symmetric, and zero for polygons in one plane.
 pub fn exchange(here: &Polygon, there: &Polygon, tolerance: f64) -> Exchange {
     let mut sum = Exchange::default();
-    for a in here.convex_pieces() {
-        for b in there.convex_pieces() {
-            let normals = [here.normal(), there.normal()];
-            let Exchange { area, error } = between(a, b, normals, tolerance.max(LEAST_TOLERANCE));
-            sum.area += area;
-            sum.error += error;
-        }
+    for piece in here.convex_pieces() {
+        let Exchange { area, error } = of_piece(piece, here.normal(), there, tolerance);
+        sum.area += area;
+        sum.error += error;
+    }
+    sum
+}
+
+/// The same of one convex piece of a polygon with this normal.
+fn of_piece(piece: &Outline, normal: Vector, there: &Polygon, tolerance: f64) -> Exchange {
+    let mut sum = Exchange::default();
+    for other in there.convex_pieces() {
+        let Exchange { area, error } =
+            between(piece, other, [normal, there.normal()], tolerance.max(LEAST_TOLERANCE));
+        sum.area += area;
+        sum.error += error;
     }
     sum
 }

@@ -7,7 +7,7 @@
 //! where a rule on the whole and on the parts disagrees, worst first.
 
 use super::areas::{Patch, gauss, patches};
-use super::{Exchange, exchange};
+use super::{Exchange, of_piece};
 use crate::geometry::luminaire::{Luminaire, Workspace};
 use crate::geometry::{Polygon, Vector};
 use std::cmp::Ordering;
@@ -24,7 +24,7 @@ const ROUNDING: f64 = 16.0;
 
 /// The exchange area of the fronts of two polygons among others, to a relative tolerance or as far as many patches lead.
 ///
-/// Where nothing can come between it is [`exchange`]. The error is the sum of what the last halving of each patch changed.
+/// Where nothing can come between it is [`exchange`](super::exchange). The error is the sum of what the last halving of each patch changed.
 pub fn visible_exchange<'a>(
     here: &'a Polygon,
     there: &'a Polygon,
@@ -49,8 +49,7 @@ pub(crate) fn exchange_with(
         let seen: Vec<Luminaire> =
             luminaires.iter().map(|luminaire| luminaire.seen_from(piece, here.normal())).collect();
         let Exchange { area, error } = if seen.iter().all(Luminaire::is_free) {
-            let piece = Polygon::new(piece.clone()).expect("a piece of a polygon is one");
-            exchange(&piece, there, tolerance)
+            of_piece(piece, here.normal(), there, tolerance)
         } else {
             View { seen: &seen, normal: here.normal() }.integral(piece, [tolerance, least])
         };
