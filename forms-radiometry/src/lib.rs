@@ -19,6 +19,7 @@ pub mod kernels;
 mod library;
 pub mod picture;
 pub mod scene;
+pub mod simulation;
 mod sight;
 mod spectrum;
 mod tone;

@@ -1,0 +1,12 @@
+//! Simulation: a scene becomes a plan of the effects that it calls for, and these become answers with their errors.
+//!
+//! ```text
+//! scene ─▶ plan (which effects, why, what dropping them can change) ─▶ answers and maps, refined until they are exact enough
+//! ```
+//! Who watches is told of progress, and can stop the work: what is there by then is returned.
+
+mod answer;
+mod watch;
+
+pub use answer::{Answer, ErrorKind, Map, Moment, Plan, PlannedEffect, Quantity, Simulation};
+pub use watch::{Unwatched, Watch};

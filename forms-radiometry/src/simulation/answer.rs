@@ -1,0 +1,139 @@
+//! What a simulation says: the plan, and values with their errors.
+
+use crate::scene::Effect;
+
+/// Which effects are simulated.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// Every effect, in the order of [`Effect::ALL`].
+    pub effects: Vec<PlannedEffect>,
+}
+
+/// What a plan decides about one effect.
+#[derive(Clone, Debug)]
+pub struct PlannedEffect {
+    /// The effect.
+    pub effect: Effect,
+    /// Whether it is simulated.
+    pub on: bool,
+    /// How many orders of it are simulated; all, if none is said.
+    pub orders: Option<u32>,
+    /// Why: what in the scene triggers it, or that nothing does.
+    pub why: String,
+    /// What leaving it out, or its higher orders, can change in an answer, in the answer's unit; none where no bound is known.
+    pub bound: Option<f64>,
+}
+
+/// What is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// Power per area, W/m²; of a surface its mean.
+    Irradiance,
+    /// Power that arrives at a surface, W.
+    Flux,
+    /// Power per area and solid angle, W/(m² sr).
+    Radiance,
+    /// The integral of radiance over all directions, W/m².
+    FluenceRate,
+    /// A component of the integral of radiance times direction of travel, W/m²: 0, 1 or 2 for x, y or z.
+    VectorIrradiance(usize),
+}
+
+/// What an error means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ErrorKind {
+    /// A deterministic estimate of the error, meant not to be exceeded.
+    Bound,
+    /// One standard error.
+    Sigma,
+}
+
+/// One number that was asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// The receiver's name.
+    pub receiver: String,
+    /// What was measured.
+    pub quantity: Quantity,
+    /// The band, from 0; none where the scene has a single one.
+    pub band: Option<usize>,
+    /// The value.
+    pub value: f64,
+    /// Its error, in the same unit.
+    pub error: f64,
+    /// What the error means.
+    pub kind: ErrorKind,
+    /// The time that the receiver took, in seconds; what all receivers share is not part of it.
+    pub seconds: f64,
+}
+
+/// The irradiance of a surface, cell by cell.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Map {
+    /// The receiver's name.
+    pub receiver: String,
+    /// What was measured.
+    pub quantity: Quantity,
+    /// How many cells there are along each side, [columns, rows].
+    pub size: [usize; 2],
+    /// For each band the value of each cell, row by row.
+    pub values: Vec<Vec<f64>>,
+    /// For each band the error of each cell, row by row.
+    pub errors: Vec<Vec<f64>>,
+}
+
+/// How exact the answers were at some time of the work.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment {
+    /// Seconds since the work began.
+    pub seconds: f64,
+    /// The largest error of an answer, relative to it.
+    pub error: f64,
+}
+
+/// What was found.
+#[derive(Clone, Debug)]
+pub struct Simulation {
+    /// The numbers, in the order of the receivers, then of quantities, then of bands. A map has its mean among them.
+    pub answers: Vec<Answer>,
+    /// The maps, in the order of the receivers.
+    pub maps: Vec<Map>,
+    /// How the error fell in time.
+    pub history: Vec<Moment>,
+    /// Whether the work was stopped before it was done: then receivers may be missing, or be less exact than was asked for.
+    pub stopped: bool,
+}
+
+impl Quantity {
+    /// Its name, as in the program's output.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Irradiance => "irradiance",
+            Self::Flux => "flux",
+            Self::Radiance => "radiance",
+            Self::FluenceRate => "fluence_rate",
+            Self::VectorIrradiance(0) => "vector_irradiance_x",
+            Self::VectorIrradiance(1) => "vector_irradiance_y",
+            Self::VectorIrradiance(_) => "vector_irradiance_z",
+        }
+    }
+
+    /// Its unit.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Irradiance | Self::FluenceRate | Self::VectorIrradiance(_) => "W/m²",
+            Self::Flux => "W",
+            Self::Radiance => "W/(m² sr)",
+        }
+    }
+}
+
+impl ErrorKind {
+    /// Its name, as in the program's output.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Bound => "bound",
+            Self::Sigma => "sigma",
+        }
+    }
+}

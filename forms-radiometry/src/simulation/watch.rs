@@ -1,0 +1,22 @@
+//! Who watches a simulation.
+
+/// Is told how far the work is, and says whether to go on. Called from several threads.
+pub trait Watch: Sync {
+    /// What is being done, and which fraction of it is.
+    fn progress(&self, stage: &str, fraction: f64);
+
+    /// Whether to stop as soon as there is something to return.
+    fn is_stopped(&self) -> bool;
+}
+
+/// Nobody watches, and nothing is stopped.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Unwatched;
+
+impl Watch for Unwatched {
+    fn progress(&self, _stage: &str, _fraction: f64) {}
+
+    fn is_stopped(&self) -> bool {
+        false
+    }
+}
