@@ -12,13 +12,16 @@ mod polygon;
 mod round;
 mod triangulation;
 mod vector;
+mod visibility;
 
 pub(crate) use cone::Cone;
 pub(crate) use exchange::exchange_with;
 pub use exchange::{Exchange, exchange, view_factor, visible_exchange};
+pub(crate) use form_factor::edge_sum;
 pub use form_factor::form_factor;
 pub(crate) use luminaire::{Luminaire, Workspace, resolution};
 pub use mesh::{FaceError, Mesh, MeshError};
 pub use polygon::{Polygon, PolygonError};
 pub use round::{Disk, Sphere};
 pub use vector::Vector;
+pub(crate) use visibility::{Between, Face, Hit, Screens};

@@ -13,14 +13,15 @@
 //! ```
 
 pub mod camera;
+mod faces;
 pub mod geometry;
 pub mod irradiance;
 pub mod kernels;
 mod library;
 pub mod picture;
 pub mod scene;
-pub mod simulation;
 mod sight;
+pub mod simulation;
 mod spectrum;
 mod tone;
 mod view_factors;

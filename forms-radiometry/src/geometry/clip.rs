@@ -71,6 +71,13 @@ impl Pieces {
         self.ends.is_empty()
     }
 
+    /// The one that was pushed last; none is the empty list.
+    pub(super) fn last(&self) -> &[Vector] {
+        let [.., end] = self.ends[..] else { return &[] };
+        let start = if let [.., start, _] = self.ends[..] { start } else { 0 };
+        &self.points[start..end]
+    }
+
     pub(super) fn iter(&self) -> impl Iterator<Item = &[Vector]> {
         let starts = std::iter::once(0).chain(self.ends.iter().copied());
         starts.zip(&self.ends).map(|(start, &end)| &self.points[start..end])

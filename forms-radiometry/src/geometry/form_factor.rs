@@ -32,7 +32,7 @@ pub fn form_factor(position: Vector, normal: Vector, polygon: &Polygon) -> f64 {
 }
 
 /// The sum over the edges of a polygon that lies above the horizon and faces the receiver, relative to it.
-pub(super) fn edge_sum(polygon: &[Vector], n: Vector) -> f64 {
+pub(crate) fn edge_sum(polygon: &[Vector], n: Vector) -> f64 {
     let Some(&last) = polygon.last() else { return 0.0 };
     let mut a = last;
     let mut sum = 0.0;

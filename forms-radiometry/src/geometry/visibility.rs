@@ -1,0 +1,121 @@
+//! Visibility: faces become screens in a tree of boxes, and these answer what a point sees of a luminaire, which screens can come
+//! between two outlines, and what a ray meets first.
+//!
+//! ```text
+//! faces ─▶ screens in a tree ─┬─ between: outlines of receivers and of a luminaire ─▶ the screens that may hide some of it
+//!                             ├─ visible: a point, a luminaire and these screens ─▶ convex pieces that the point sees
+//!                             └─ first, hides: a ray ─▶ what it meets
+//! ```
+//! What is seen is exact up to rounding: every screen is a cone of directions that is cut out of the luminaire's. A point that lies
+//! in the plane of a screen sees it edge-on: so a surface hides nothing from its own points.
+
+mod between;
+mod bounds;
+mod ray;
+mod shaft;
+mod tree;
+mod visible;
+
+pub(crate) use between::Between;
+pub(crate) use ray::Hit;
+pub(crate) use visible::Workspace;
+
+use super::{Polygon, Vector};
+use bounds::Bounds;
+use tree::Tree;
+
+/// One convex planar piece of one side of a surface that sends, reflects or only stops light.
+#[derive(Clone, Debug)]
+pub(crate) struct Face {
+    /// The index of the surface.
+    pub(crate) surface: usize,
+    /// Whether it is the surface's back.
+    pub(crate) is_back: bool,
+    /// The vertices, counter-clockwise seen from the side that it looks to.
+    pub(crate) vertices: Vec<Vector>,
+    /// The unit normal to that side.
+    pub(crate) normal: Vector,
+    /// The area.
+    pub(crate) area: f64,
+}
+
+impl Face {
+    /// The faces of a polygon: each convex piece's front, followed by its back.
+    pub(crate) fn of(surface: usize, polygon: &Polygon) -> impl Iterator<Item = Self> {
+        let normal = polygon.normal();
+        polygon.convex_pieces().iter().flat_map(move |piece| Self::sides(surface, piece.clone(), normal))
+    }
+
+    /// Front and back of a convex outline with this unit normal.
+    pub(crate) fn sides(surface: usize, vertices: Vec<Vector>, normal: Vector) -> [Self; 2] {
+        let about = vertices[0];
+        let twice = |pair: &[Vector]| normal.dot((pair[0] - about).cross(pair[1] - about));
+        let area = 0.5 * vertices.windows(2).map(twice).sum::<f64>();
+        let back = vertices.iter().rev().copied().collect();
+        [
+            Self { surface, is_back: false, vertices, normal, area },
+            Self { surface, is_back: true, vertices: back, normal: -normal, area },
+        ]
+    }
+}
+
+/// The plane through a point with this unit normal.
+#[derive(Clone, Copy, Debug)]
+struct Plane {
+    point: Vector,
+    normal: Vector,
+}
+
+impl Plane {
+    /// The distance of a point, above zero on the side to which the normal points.
+    fn distance(self, point: Vector) -> f64 {
+        self.normal.dot(point - self.point)
+    }
+}
+
+/// One convex piece of a surface that light cannot pass.
+#[derive(Clone, Debug)]
+struct Screen {
+    vertices: Vec<Vector>,
+    plane: Plane,
+    /// The indices of its front and of its back among the faces.
+    sides: [usize; 2],
+}
+
+/// The screens of a scene.
+#[derive(Clone, Debug)]
+pub(crate) struct Screens {
+    screens: Vec<Screen>,
+    tree: Tree,
+    /// A point that is nearer to a plane than this counts as lying in it: 10⁻⁹ of the extent of the scene, or the rounding of its
+    /// coordinates where they are far from the origin.
+    resolution: f64,
+    /// What rounding leaves of a distance in the scene.
+    rounding: f64,
+}
+
+impl Screens {
+    /// The screens that faces make. Each front is followed by its back, if that is among the faces at all.
+    pub(crate) fn of(faces: &[Face]) -> Self {
+        let screen = |(index, face): (usize, &Face)| {
+            let back = faces.get(index + 1).filter(|next| next.is_back);
+            let plane = Plane { point: face.vertices[0], normal: face.normal };
+            let sides = [index, if back.is_some() { index + 1 } else { index }];
+            (!face.is_back).then(|| Screen { vertices: face.vertices.clone(), plane, sides })
+        };
+        let screens: Vec<Screen> = faces.iter().enumerate().filter_map(screen).collect();
+        let all = Bounds::of(screens.iter().flat_map(|screen| &screen.vertices).copied());
+        let (extent, largest) = if screens.is_empty() { (0.0, 0.0) } else { (all.extent(), all.largest()) };
+        let rounding = 16.0 * f64::EPSILON * extent.max(largest);
+        let resolution = (1e-9 * extent).max(16.0 * f64::EPSILON * largest);
+        let boxes: Vec<Bounds> = screens
+            .iter()
+            .map(|screen| Bounds::of(screen.vertices.iter().copied()).wider(resolution))
+            .collect();
+        let tree = Tree::of(&boxes);
+        Self { screens, tree, resolution, rounding }
+    }
+}
+
+#[cfg(test)]
+mod tests;

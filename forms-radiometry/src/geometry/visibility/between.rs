@@ -1,0 +1,143 @@
+//! What can come between receivers and a luminaire: of all screens those that some segment between the two outlines gets through.
+//!
+//! A screen can hide something only if it is above the receivers' horizon, in front of the luminaire, has a receiver and a part of the
+//! luminaire on different sides, and if no plane parts it from the shaft between them. The shaft cuts the screen's plane in the
+//! convex hull of the points where segments between corners on different sides pass through: if the screen holds all of these,
+//! it hides everything; if they lie beyond one of its edges, it hides nothing.
+
+use super::bounds::Bounds;
+use super::shaft::Shaft;
+use super::tree::Query;
+use super::{Plane, Screen, Screens, Vector};
+use std::ops::ControlFlow;
+
+/// How much of a luminaire is hidden.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Between {
+    /// Nothing can be hidden.
+    Nothing,
+    /// Something may be hidden.
+    Some,
+    /// Everything is hidden from everywhere by one screen.
+    All,
+}
+
+struct Search<'s> {
+    screens: &'s Screens,
+    shaft: Shaft<'s>,
+    /// Where segments get through a screen's plane, reused from screen to screen.
+    passages: Vec<Vector>,
+    found: &'s mut Vec<u32>,
+    all: bool,
+}
+
+impl Query for Search<'_> {
+    fn may_be_in(&self, bounds: &Bounds) -> bool {
+        self.shaft.may_meet(bounds)
+    }
+
+    fn at(&mut self, leaf: usize) -> ControlFlow<()> {
+        let screen = &self.screens.screens[leaf];
+        let between =
+            if self.shaft.may_hold(&screen.vertices) { self.hidden_by(screen) } else { Between::Nothing };
+        match between {
+            Between::Nothing => return ControlFlow::Continue(()),
+            Between::Some => {}
+            Between::All => {
+                self.all = true;
+                self.found.clear();
+            }
+        }
+        self.found.push(u32::try_from(leaf).expect("the tree counts screens in u32"));
+        if self.all { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+impl Search<'_> {
+    fn hidden_by(&mut self, screen: &Screen) -> Between {
+        let [receivers, luminaire] =
+            self.shaft.outlines.map(|outline| self.screens.sides(outline, screen.plane));
+        let parts = (receivers.in_front && luminaire.behind) || (receivers.behind && luminaire.in_front);
+        if !parts {
+            return Between::Nothing;
+        }
+        self.find_passages(screen.plane);
+        let rounding = self.screens.rounding;
+        let mut holds_all = receivers.in_front != receivers.behind && luminaire.in_front != luminaire.behind;
+        for edge in edges(screen) {
+            let mut all_beyond = true;
+            for &passage in &self.passages {
+                let inside = edge.distance(passage);
+                all_beyond &= inside <= rounding;
+                holds_all &= inside >= -rounding;
+            }
+            if all_beyond {
+                return Between::Nothing;
+            }
+        }
+        if holds_all { Between::All } else { Between::Some }
+    }
+
+    /// The corners of the part of a plane that is in the shaft, among others that are inside.
+    fn find_passages(&mut self, plane: Plane) {
+        self.passages.clear();
+        let [receivers, luminaire] = self.shaft.outlines;
+        let corners = || receivers.iter().chain(luminaire).map(|&v| (v, plane.distance(v)));
+        for (a, alpha) in corners().filter(|(_, alpha)| *alpha >= 0.0) {
+            for (b, beta) in corners().filter(|(_, beta)| *beta <= 0.0) {
+                let share = if alpha > 0.0 { alpha / (alpha - beta) } else { 0.0 };
+                self.passages.push(a + share * (b - a));
+            }
+        }
+    }
+}
+
+/// The planes through a screen's edges at right angles to it, with normals to its inside.
+fn edges(screen: &Screen) -> impl Iterator<Item = Plane> {
+    let Screen { vertices, plane, .. } = screen;
+    (0..vertices.len()).filter_map(|place| {
+        let (a, b) = (vertices[place], vertices[(place + 1) % vertices.len()]);
+        Some(Plane { point: a, normal: plane.normal.cross(b - a).unit()? })
+    })
+}
+
+/// On which sides of a plane there are points.
+struct Sides {
+    in_front: bool,
+    behind: bool,
+}
+
+impl Screens {
+    /// Which screens can come between receivers in a convex outline, which look to the side of `normal` if there is one, and a convex
+    /// luminaire; `found` gets their indices.
+    pub(crate) fn between(
+        &self,
+        receivers: &[Vector],
+        normal: Option<Vector>,
+        luminaire: &[Vector],
+        luminaire_normal: Vector,
+        found: &mut Vec<u32>,
+    ) -> Between {
+        found.clear();
+        let mut shaft = Shaft::new([receivers, luminaire], self.rounding);
+        shaft.cut(Plane { point: luminaire[0], normal: luminaire_normal }, self.resolution);
+        if let Some(normal) = normal {
+            shaft.cut(Plane { point: receivers[0], normal }, self.resolution);
+        }
+        let mut search = Search { screens: self, shaft, passages: Vec::new(), found, all: false };
+        let _ = self.tree.walk(&mut search);
+        match (search.all, found.is_empty()) {
+            (true, _) => Between::All,
+            (false, true) => Between::Nothing,
+            (false, false) => Between::Some,
+        }
+    }
+
+    fn sides(&self, points: &[Vector], plane: Plane) -> Sides {
+        let is = |on_that_side: &dyn Fn(f64) -> bool| points.iter().any(|&v| on_that_side(plane.distance(v)));
+        Sides {
+            in_front: is(&|distance| distance > self.resolution),
+            behind: is(&|distance| distance < -self.resolution),
+        }
+    }
+}

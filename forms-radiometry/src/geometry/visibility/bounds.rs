@@ -1,0 +1,81 @@
+//! Boxes: points become the least box with sides along the axes that holds them.
+
+use super::Vector;
+
+/// A box with sides along the axes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    pub(super) low: Vector,
+    pub(super) high: Vector,
+}
+
+/// A function of both, coordinate by coordinate.
+fn zipped(a: Vector, b: Vector, of: impl Fn(f64, f64) -> f64) -> Vector {
+    Vector::new(of(a.x, b.x), of(a.y, b.y), of(a.z, b.z))
+}
+
+impl Bounds {
+    /// The box that holds nothing.
+    pub(super) const NOTHING: Self = {
+        let most = f64::INFINITY;
+        Self { low: Vector::new(most, most, most), high: Vector::new(-most, -most, -most) }
+    };
+
+    /// The box of points.
+    pub(super) fn of(points: impl Iterator<Item = Vector>) -> Self {
+        points.fold(Self::NOTHING, |all, point| all.with(Self { low: point, high: point }))
+    }
+
+    /// The box of both.
+    pub(super) fn with(self, other: Self) -> Self {
+        Self { low: zipped(self.low, other.low, f64::min), high: zipped(self.high, other.high, f64::max) }
+    }
+
+    /// The box that reaches farther by this much on every side.
+    pub(super) fn wider(self, by: f64) -> Self {
+        let by = Vector::new(by, by, by);
+        Self { low: self.low - by, high: self.high + by }
+    }
+
+    /// Its longest side.
+    pub(super) fn extent(self) -> f64 {
+        (self.high - self.low).largest()
+    }
+
+    /// The largest absolute value of a coordinate in it.
+    pub(super) fn largest(self) -> f64 {
+        self.low.largest().max(self.high.largest())
+    }
+
+    /// Whether two boxes have a point in common.
+    pub(super) fn meets(&self, other: &Self) -> bool {
+        let Self { low, high } = other;
+        self.low.x <= high.x
+            && low.x <= self.high.x
+            && self.low.y <= high.y
+            && low.y <= self.high.y
+            && self.low.z <= high.z
+            && low.z <= self.high.z
+    }
+
+    /// The point of the box that is farthest in a direction.
+    pub(super) fn farthest(&self, direction: Vector) -> Vector {
+        let reach = |along: f64, low: f64, high: f64| if along > 0.0 { high } else { low };
+        Vector::new(
+            reach(direction.x, self.low.x, self.high.x),
+            reach(direction.y, self.low.y, self.high.y),
+            reach(direction.z, self.low.z, self.high.z),
+        )
+    }
+
+    /// Where a ray enters the box, in units of 1/`inverse`, if it passes through it farther than its origin. `inverse` has the inverses
+    /// of the direction's coordinates: an infinite one stands for a ray along a side, for which 0 · ∞ constrains nothing.
+    pub(super) fn entered(&self, origin: Vector, inverse: Vector) -> Option<f64> {
+        let [to_low, to_high] =
+            [self.low, self.high].map(|corner| zipped(corner - origin, inverse, |a, b| a * b));
+        let (first, last) = (zipped(to_low, to_high, f64::min), zipped(to_low, to_high, f64::max));
+        let enter = first.x.max(first.y).max(first.z).max(0.0);
+        let leave = last.x.min(last.y).min(last.z);
+        (enter <= leave * (1.0 + 4.0 * f64::EPSILON)).then_some(enter)
+    }
+}

@@ -1,0 +1,100 @@
+//! Rays: an origin and a direction become the first screen that is met, or whether there is one.
+
+use super::bounds::Bounds;
+use super::tree::Query;
+use super::{Screen, Screens, Vector};
+use std::ops::ControlFlow;
+
+/// What a ray meets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Hit {
+    /// The index of the face, front or back, among those that the screens are made of.
+    pub(crate) face: usize,
+    /// The distance from the ray's origin, in lengths of its direction.
+    pub(crate) distance: f64,
+}
+
+/// A ray on its way through the tree: what it has met first so far, up to a farthest distance.
+struct Ray<'s> {
+    screens: &'s Screens,
+    origin: Vector,
+    direction: Vector,
+    inverse: Vector,
+    /// How far the ray goes.
+    reach: f64,
+    /// The least distance of the end of the ray from the plane of what it meets.
+    beyond: f64,
+    /// Whether anything that is met will do.
+    any: bool,
+    first: Option<Hit>,
+}
+
+impl Query for Ray<'_> {
+    fn may_be_in(&self, bounds: &Bounds) -> bool {
+        bounds.entered(self.origin, self.inverse).is_some_and(|distance| distance <= self.reach)
+    }
+
+    fn at(&mut self, leaf: usize) -> ControlFlow<()> {
+        let screen = &self.screens.screens[leaf];
+        if let Some(hit) = self.met(screen) {
+            self.reach = hit.distance;
+            self.first = Some(hit);
+            if self.any {
+                return ControlFlow::Break(());
+            }
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+impl Ray<'_> {
+    /// Where the ray meets a screen, if it is farther than `resolution` from the screen's plane and gets through it within its reach.
+    fn met(&self, screen: &Screen) -> Option<Hit> {
+        let height = screen.plane.distance(self.origin);
+        let along = screen.plane.normal.dot(self.direction);
+        if height.abs() <= self.screens.resolution || (height > 0.0) == (along >= 0.0) {
+            return None;
+        }
+        let distance = -height / along;
+        let gets_through = distance < self.reach && (self.reach - distance) * along.abs() > self.beyond;
+        let hit = Hit { face: screen.sides[usize::from(height < 0.0)], distance };
+        (gets_through && self.is_inside(screen, height > 0.0)).then_some(hit)
+    }
+
+    /// Whether the ray's direction lies in the cone over the screen, as [`Cone`](crate::geometry::cone::Cone) has it.
+    fn is_inside(&self, screen: &Screen, from_front: bool) -> bool {
+        let relative = |v: Vector| v - self.origin;
+        let Some(&last) = screen.vertices.last() else { return false };
+        let mut a = relative(last);
+        screen.vertices.iter().all(|&v| {
+            let b = relative(v);
+            let side = if from_front { b.cross(a) } else { a.cross(b) };
+            a = b;
+            side.dot(self.direction) >= 0.0
+        })
+    }
+}
+
+impl Screens {
+    /// The first screen that a ray meets, beyond the resolution of the scene.
+    pub(crate) fn first(&self, origin: Vector, direction: Vector) -> Option<Hit> {
+        self.along(origin, direction, [f64::INFINITY, 0.0], false)
+    }
+
+    /// Whether something stands between two points: a screen that has them on different sides.
+    pub(crate) fn hides(&self, from: Vector, to: Vector) -> bool {
+        self.along(from, to - from, [1.0, self.resolution], true).is_some()
+    }
+
+    /// Whether something is met in a direction from a point.
+    pub(crate) fn hides_direction(&self, from: Vector, direction: Vector) -> bool {
+        self.along(from, direction, [f64::INFINITY, 0.0], true).is_some()
+    }
+
+    fn along(&self, origin: Vector, direction: Vector, [reach, beyond]: [f64; 2], any: bool) -> Option<Hit> {
+        let inverse = Vector::new(1.0 / direction.x, 1.0 / direction.y, 1.0 / direction.z);
+        let mut ray = Ray { screens: self, origin, direction, inverse, reach, beyond, any, first: None };
+        let _ = self.tree.walk(&mut ray);
+        ray.first
+    }
+}
