@@ -2,20 +2,31 @@
 //!
 //! ```text
 //! polygon ─▶ its convex pieces          mesh ─▶ those of its polygons
+//! disk ─▶ a regular polygon             sphere ─▶ the triangles of a closed polyhedron          both of the same area
 //! ```
 
 use crate::geometry::Face;
 use crate::scene::{Scene, Shape};
 
 /// The faces of all surfaces, each front followed by its back. A surface with one side has a back too: it is black, and stops light.
-pub(crate) fn faces(scene: &Scene, _fineness: usize) -> Vec<Face> {
+/// Each step of fineness doubles the number of edges round a disk or a sphere.
+pub(crate) fn faces(scene: &Scene, fineness: usize) -> Vec<Face> {
     let mut faces = Vec::new();
     for (index, surface) in scene.surfaces.iter().enumerate() {
         match &surface.shape {
             Shape::Polygon(polygon) => faces.extend(Face::of(index, polygon)),
             Shape::Mesh(mesh) => mesh.polygons().for_each(|polygon| faces.extend(Face::of(index, &polygon))),
-            Shape::Sphere(_) | Shape::Disk(_) => {}
+            Shape::Disk(disk) => faces.extend(Face::sides(index, disk.polygon(fineness), disk.normal)),
+            Shape::Sphere(sphere) => {
+                let triangles = sphere.triangles(fineness).into_iter();
+                faces.extend(triangles.flat_map(|triangle| Face::of_triangle(index, triangle)));
+            }
         }
     }
     faces
+}
+
+/// Whether the faces of a scene stand for round shapes, so that they depend on their fineness.
+pub(crate) fn is_round(scene: &Scene) -> bool {
+    scene.surfaces.iter().any(|surface| matches!(surface.shape, Shape::Sphere(_) | Shape::Disk(_)))
 }

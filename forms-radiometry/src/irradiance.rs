@@ -4,7 +4,8 @@
 //! The only error is rounding: form factors are Lambert's closed form, and what hides a lamp is cut out of
 //! it.
 
-use crate::geometry::{Luminaire, Vector, Workspace, resolution};
+use crate::faces::faces;
+use crate::geometry::{Between, Face, Screens, Vector, Workspace, form_factor_of_pieces};
 use crate::kernels::irradiance;
 use crate::scene::{DiffuseScene, ReceiverKind, Scene, SceneError};
 
@@ -12,8 +13,10 @@ use crate::scene::{DiffuseScene, ReceiverKind, Scene, SceneError};
 #[derive(Clone, Debug)]
 pub struct DirectLight<'s> {
     scene: DiffuseScene<'s>,
-    /// Luminaires, each with the index of the surface that it belongs to.
-    luminaires: Vec<(usize, Luminaire)>,
+    faces: Vec<Face>,
+    screens: Screens,
+    /// The indices of the faces that emit.
+    luminaires: Vec<usize>,
 }
 
 /// The direct irradiance of a point receiver.
@@ -27,17 +30,24 @@ pub struct ReceiverResult {
     pub unoccluded: Vec<f64>,
 }
 
+/// Lists that are reused from receiver to receiver.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Receiving {
+    between: Vec<u32>,
+    work: Workspace,
+}
+
 /// The direct irradiance of every point receiver of a scene, in the order of the file. Light that surfaces
 /// pass on to each other is not part of it. A camera's answer is a picture. A scene that asks for what is not
 /// simulated is refused with all of it.
 pub fn simulate_direct(scene: &Scene) -> Result<Vec<ReceiverResult>, Vec<SceneError>> {
     let light = DirectLight::new(scene)?;
-    let mut work = Workspace::default();
+    let mut lists = Receiving::default();
     let mut results = Vec::new();
     for receiver in &scene.receivers {
         let ReceiverKind::Point { position, normal } = receiver.kind else { continue };
         let mut unoccluded = vec![0.0; scene.band_count()];
-        light.add_unoccluded(position, normal, &mut work, &mut unoccluded);
+        light.add_unoccluded(position, normal, &mut lists, &mut unoccluded);
         let irradiance = light.irradiance(position, normal);
         results.push(ReceiverResult { receiver: receiver.name.clone(), irradiance, unoccluded });
     }
@@ -45,24 +55,30 @@ pub fn simulate_direct(scene: &Scene) -> Result<Vec<ReceiverResult>, Vec<SceneEr
 }
 
 impl<'s> DirectLight<'s> {
-    /// Prepares a scene: for each side of each lamp, the surfaces that can come before it are kept. A scene that
-    /// asks for what is not simulated is refused with all of it.
+    /// Prepares a scene: its lamps become faces, and what may come before them screens. A scene that asks for what is not
+    /// simulated is refused with all of it.
     pub fn new(scene: &'s Scene) -> Result<Self, Vec<SceneError>> {
         DiffuseScene::of(scene).map(Self::of)
     }
 
     pub(crate) fn of(scene: DiffuseScene<'s>) -> Self {
-        let polygons = scene.polygons.iter().copied();
-        let resolution = resolution(polygons.clone());
-        let mut luminaires = Vec::new();
-        for (index, surface) in scene.scene.surfaces.iter().enumerate().filter(|(_, surface)| surface.emits())
-        {
-            for &front in if surface.two_sided { &[true, false][..] } else { &[true] } {
-                let sides = Luminaire::of(scene.polygons[index], front, polygons.clone(), resolution);
-                luminaires.extend(sides.into_iter().map(|luminaire| (index, luminaire)));
-            }
-        }
-        Self { scene, luminaires }
+        let faces = faces(scene.scene, 0);
+        let emits = |face: &Face| {
+            let surface = &scene.scene.surfaces[face.surface];
+            surface.emits() && (surface.two_sided || !face.is_back)
+        };
+        let luminaires = (0..faces.len()).filter(|&index| emits(&faces[index])).collect();
+        Self { screens: Screens::of(&faces), luminaires, faces, scene }
+    }
+
+    /// What stands in the scene.
+    pub(crate) fn screens(&self) -> &Screens {
+        &self.screens
+    }
+
+    /// A face of the scene.
+    pub(crate) fn face(&self, index: usize) -> &Face {
+        &self.faces[index]
     }
 
     /// The irradiance at a point in W/m², per band, on the side to which `normal` points. The normal need not
@@ -70,7 +86,7 @@ impl<'s> DirectLight<'s> {
     pub fn irradiance(&self, position: Vector, normal: Vector) -> Vec<f64> {
         let Some(normal) = normal.unit() else { return vec![f64::NAN; self.scene.scene.band_count()] };
         let mut sum = vec![0.0; self.scene.scene.band_count()];
-        self.add_irradiance(position, normal, &mut Workspace::default(), &mut sum);
+        self.add_irradiance(position, normal, &mut Receiving::default(), &mut sum);
         sum
     }
 
@@ -79,18 +95,27 @@ impl<'s> DirectLight<'s> {
         &self,
         position: Vector,
         normal: Vector,
-        work: &mut Workspace,
+        Receiving { between, work }: &mut Receiving,
         sum: &mut [f64],
     ) {
-        for (surface, luminaire) in &self.luminaires {
-            self.add(*surface, luminaire.visible_form_factor(position, normal, work), sum);
+        for Face { surface, vertices, normal: facing, .. } in self.luminaires() {
+            let hidden = self.screens.between(&[position], Some(normal), vertices, *facing, between);
+            if hidden != Between::All {
+                let seen = self.screens.visible(position, Some(normal), vertices, *facing, between, work);
+                self.add(*surface, form_factor_of_pieces(seen, normal), sum);
+            }
         }
     }
 
-    fn add_unoccluded(&self, position: Vector, normal: Vector, work: &mut Workspace, sum: &mut [f64]) {
-        for (surface, luminaire) in &self.luminaires {
-            self.add(*surface, luminaire.unoccluded_form_factor(position, normal, work), sum);
+    fn add_unoccluded(&self, position: Vector, normal: Vector, lists: &mut Receiving, sum: &mut [f64]) {
+        for Face { surface, vertices, normal: facing, .. } in self.luminaires() {
+            let all = self.screens.visible(position, Some(normal), vertices, *facing, &[], &mut lists.work);
+            self.add(*surface, form_factor_of_pieces(all, normal), sum);
         }
+    }
+
+    fn luminaires(&self) -> impl Iterator<Item = &Face> {
+        self.luminaires.iter().map(|&index| &self.faces[index])
     }
 
     fn add(&self, surface: usize, form_factor: f64, sum: &mut [f64]) {

@@ -1,8 +1,8 @@
 //! Sight: a ray of a camera becomes the surface that it meets and the colour that it brings.
 
 use crate::camera::Camera;
-use crate::geometry::{Cone, Vector, Workspace, resolution};
-use crate::irradiance::DirectLight;
+use crate::geometry::{Face, Hit};
+use crate::irradiance::{DirectLight, Receiving};
 use crate::scene::{DiffuseScene, Scene, SceneError};
 use crate::spectrum::{Colour, add_scaled, band_colours};
 use std::f64::consts::PI;
@@ -12,16 +12,7 @@ pub(crate) struct Sight<'s> {
     scene: DiffuseScene<'s>,
     camera: &'s Camera,
     light: DirectLight<'s>,
-    views: Vec<View>,
     paints: Vec<Paint>,
-}
-
-/// A convex piece of a surface seen from the camera.
-struct View {
-    surface: usize,
-    cone: Cone,
-    /// The camera's distance from the piece's plane; negative behind it.
-    distance: f64,
 }
 
 /// The colours of a surface.
@@ -43,69 +34,43 @@ pub(crate) struct Sample {
 /// Lists that are reused from ray to ray.
 #[derive(Default)]
 pub(crate) struct Tracing {
-    work: Workspace,
+    lists: Receiving,
     irradiance: Vec<f64>,
 }
 
 impl<'s> Sight<'s> {
     pub(crate) fn new(scene: &'s Scene, camera: &'s Camera) -> Result<Self, Vec<SceneError>> {
         let scene = DiffuseScene::of(scene)?;
-        let resolution = resolution(scene.polygons.iter().copied());
-        let mut views = Vec::new();
-        for (index, polygon) in scene.polygons.iter().enumerate() {
-            for piece in polygon.convex_pieces() {
-                let relative: Vec<Vector> = piece.iter().map(|&v| v - camera.origin).collect();
-                let distance = -polygon.normal().dot(relative[0]);
-                if distance.abs() > resolution {
-                    let cone = Cone::over(&relative, distance > 0.0);
-                    views.push(View { surface: index, cone, distance });
-                }
-            }
-        }
         let bands = band_colours(scene.scene);
         let paints = (0..scene.polygons.len()).map(|surface| Paint::new(&scene, surface, &bands)).collect();
-        Ok(Self { light: DirectLight::of(scene.clone()), scene, camera, views, paints })
+        Ok(Self { light: DirectLight::of(scene.clone()), scene, camera, paints })
     }
 
     /// What the film point (x, y) sees: L = Lₑ + ρ E/π on a diffuse surface, nothing outside the scene.
     pub(crate) fn sample(&self, x: f64, y: f64, tracing: &mut Tracing) -> Sample {
         let direction = self.camera.direction(x, y);
-        let Some((view, along)) = self.first(direction) else {
+        let Some(Hit { face, distance }) = self.light.screens().first(self.camera.origin, direction) else {
             return Sample { surface: None, colour: [0.0; 3] };
         };
-        let polygon = self.scene.polygons[view.surface];
+        let &Face { surface, is_back, normal, .. } = self.light.face(face);
         let mut colour = [0.0; 3];
-        if view.distance > 0.0 || self.scene.scene.surfaces[view.surface].two_sided {
-            let normal = if view.distance > 0.0 { polygon.normal() } else { -polygon.normal() };
-            let position = self.camera.origin + along * direction;
+        if !is_back || self.scene.scene.surfaces[surface].two_sided {
+            let position = self.camera.origin + distance * direction;
             tracing.irradiance.clear();
             tracing.irradiance.resize(self.scene.scene.band_count(), 0.0);
-            self.light.add_irradiance(position, normal, &mut tracing.work, &mut tracing.irradiance);
-            let paint = &self.paints[view.surface];
+            self.light.add_irradiance(position, normal, &mut tracing.lists, &mut tracing.irradiance);
+            let paint = &self.paints[surface];
             colour = paint.emitted;
             for (&irradiance, &reflected) in tracing.irradiance.iter().zip(&paint.reflected) {
                 add_scaled(&mut colour, irradiance, reflected);
             }
         }
-        Sample { surface: Some(view.surface), colour }
+        Sample { surface: Some(surface), colour }
     }
 
     /// Whether a surface emits light.
     pub(crate) fn emits(&self, surface: usize) -> bool {
         self.scene.scene.surfaces[surface].emits()
-    }
-
-    /// The first piece in a direction d from the camera, and the t at which t d lies in it.
-    fn first(&self, direction: Vector) -> Option<(&View, f64)> {
-        let mut first: Option<(&View, f64)> = None;
-        for view in self.views.iter().filter(|view| view.cone.contains(direction)) {
-            let normal = self.scene.polygons[view.surface].normal();
-            let along = -view.distance / normal.dot(direction);
-            if along > 0.0 && first.is_none_or(|(_, nearest)| along < nearest) {
-                first = Some((view, along));
-            }
-        }
-        first
     }
 }
 
@@ -124,6 +89,7 @@ impl Paint {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Vector;
     use crate::scene::{ReceiverKind, read};
 
     /// A floor, a lamp above its left half, and a two-sided screen beside it that hangs lower, without bands.

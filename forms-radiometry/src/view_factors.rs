@@ -1,13 +1,14 @@
 //! View factors: the surfaces of a scene become the matrix of the fractions of light that they send to each other.
 //!
 //! ```text
-//! scene ─▶ sides of polygons ─ each with the luminaires it makes ─▶ exchange areas of all pairs ─▶ F = AF/A by surfaces
+//! scene ─▶ faces that send light ─ with what may come between ─▶ exchange areas of all pairs ─▶ F = AF/A by surfaces
 //! ```
 //! A surface sends from its front, and a two-sided one from both sides. Rows are computed independently of each other: how far
 //! A₁F₁₂ is from A₂F₂₁ is a check of both.
 
-use crate::geometry::{Exchange, Luminaire, Polygon, exchange_with, resolution};
-use crate::scene::{Scene, SceneError, Shape, Surface};
+use crate::faces::{faces, is_round};
+use crate::geometry::{Exchange, Face, Screens, exchange_with};
+use crate::scene::Scene;
 use rayon::prelude::*;
 
 /// View factors below this are computed to the absolute error of one of this size.
@@ -33,38 +34,33 @@ pub struct ViewFactor {
     pub error: f64,
 }
 
-/// One side of a polygon.
-struct Side {
-    surface: usize,
-    polygon: Polygon,
-    is_back: bool,
+/// The view factors between the surfaces of a scene, to its tolerance. Where flat pieces stand for round shapes, what twice as many edges
+/// round them change is part of the errors.
+pub fn view_factors(scene: &Scene) -> ViewFactors {
+    let coarse = with_fineness(scene, 0);
+    if !is_round(scene) {
+        return coarse;
+    }
+    let mut fine = with_fineness(scene, 1);
+    for (fine, coarse) in fine.rows.iter_mut().flatten().zip(coarse.rows.iter().flatten()) {
+        fine.error += (fine.value - coarse.value).abs();
+    }
+    fine
 }
 
-/// The view factors between the surfaces of a scene, to its tolerance.
-///
-/// # Errors
-/// Where a surface is neither a polygon nor a mesh.
-pub fn view_factors(scene: &Scene) -> Result<ViewFactors, Vec<SceneError>> {
-    let sides = sides(scene)?;
-    let polygons = || {
-        let fronts = sides.iter().filter(|side| !side.is_back);
-        fronts.map(|side| &side.polygon)
-    };
-    let resolution = resolution(polygons());
-    let luminaires: Vec<Vec<Luminaire>> =
-        sides.par_iter().map(|side| Luminaire::of(&side.polygon, true, polygons(), resolution)).collect();
+/// The same with this fineness of round shapes.
+fn with_fineness(scene: &Scene, fineness: usize) -> ViewFactors {
+    let all = faces(scene, fineness);
+    let screens = Screens::of(&all);
+    let is_side = |face: &&Face| !face.is_back || scene.surfaces[face.surface].two_sided;
+    let sides: Vec<&Face> = all.iter().filter(is_side).collect();
     let count = scene.surfaces.len();
     let mut areas = vec![0.0; count];
-    sides.iter().for_each(|side| areas[side.surface] += side.polygon.area());
-    let row = |from: &Side| {
+    sides.iter().for_each(|side| areas[side.surface] += side.area);
+    let row = |from: &&Face| {
         let mut row = vec![Exchange::default(); count];
-        let least = LEAST * from.polygon.area();
-        for (to, luminaires) in sides.iter().zip(&luminaires) {
-            let Exchange { area, error } =
-                exchange_with(&from.polygon, &to.polygon, luminaires, [scene.solve.tolerance, least]);
-            row[to.surface].area += area;
-            row[to.surface].error += error;
-        }
+        let tolerances = [scene.solve.tolerance, LEAST * from.area];
+        sides.iter().for_each(|to| row[to.surface] += exchange_with(from, to, &screens, tolerances));
         row
     };
     let of_sides: Vec<Vec<Exchange>> = sides.par_iter().map(row).collect();
@@ -76,7 +72,7 @@ pub fn view_factors(scene: &Scene) -> Result<ViewFactors, Vec<SceneError>> {
         }
     }
     let names = scene.surfaces.iter().map(|surface| surface.name.clone()).collect();
-    Ok(ViewFactors { names, areas, rows })
+    ViewFactors { names, areas, rows }
 }
 
 impl ViewFactors {
@@ -99,38 +95,10 @@ impl ViewFactors {
     }
 }
 
-fn sides(scene: &Scene) -> Result<Vec<Side>, Vec<SceneError>> {
-    let (mut sides, mut errors) = (Vec::new(), Vec::new());
-    for (index, surface) in scene.surfaces.iter().enumerate() {
-        match polygons(surface) {
-            Ok(polygons) => {
-                for polygon in polygons {
-                    if surface.two_sided {
-                        sides.push(Side { surface: index, polygon: polygon.reversed(), is_back: true });
-                    }
-                    sides.push(Side { surface: index, polygon, is_back: false });
-                }
-            }
-            Err(error) => errors.push(error),
-        }
-    }
-    if errors.is_empty() { Ok(sides) } else { Err(errors) }
-}
-
-fn polygons(surface: &Surface) -> Result<Vec<Polygon>, SceneError> {
-    let shape = match &surface.shape {
-        Shape::Polygon(polygon) => return Ok(vec![polygon.clone()]),
-        Shape::Mesh(mesh) => return Ok(mesh.polygons().collect()),
-        Shape::Sphere(_) => "a sphere",
-        Shape::Disk(_) => "a disk",
-    };
-    let message = format!("view factors of the surface `{}`, {shape}, are not computed yet", surface.name);
-    Err(SceneError::new(&surface.place, message, "a polygon or a mesh"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::kernels::{view_factor_coaxial_disks, view_factor_sphere_disk, view_factor_spheres};
     use crate::scene::read;
 
     const CUBE: [(&str, &str); 6] = [
@@ -152,7 +120,7 @@ mod tests {
 
     #[test]
     fn the_faces_of_a_cube_send_all_to_each_other_and_the_same_both_ways() {
-        let found = view_factors(&scene("[solve]\ntolerance = 1e-13\n")).expect("polygons");
+        let found = view_factors(&scene("[solve]\ntolerance = 1e-13\n"));
         for surface in 0..6 {
             assert!((found.sum(surface) - 1.0).abs() < 1e-12, "{}", found.names[surface]);
             assert_eq!(found.rows[surface][surface], ViewFactor::default());
@@ -166,7 +134,7 @@ mod tests {
     fn a_screen_with_two_sides_takes_what_it_hides() {
         let screen = "[[surface]]\nname = \"screen\"\nmaterial = \"grey\"\ntwo_sided = true
             polygon = [[0.25,0.25,0.5], [0.75,0.25,0.5], [0.75,0.75,0.5], [0.25,0.75,0.5]]\n";
-        let found = view_factors(&scene(screen)).expect("polygons");
+        let found = view_factors(&scene(screen));
         assert!((found.areas[6] - 0.5).abs() < 1e-15, "both sides");
         for surface in 0..7 {
             let error: f64 = found.rows[surface].iter().map(|factor| factor.error).sum();
@@ -181,14 +149,47 @@ mod tests {
         assert!(found.reciprocity_residual() < 1e-3);
     }
 
+    /// A scene of these surfaces, given as name, shape and sides.
+    fn only(surfaces: &[(&str, &str, bool)]) -> Scene {
+        let mut text = "[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5\n".to_string();
+        for (name, shape, two_sided) in surfaces {
+            text += &format!(
+                "[[surface]]\nname = \"{name}\"\nmaterial = \"grey\"\n{shape}\ntwo_sided = {two_sided}\n"
+            );
+        }
+        read(&text, "round.toml").unwrap_or_else(|errors| panic!("{}", errors[0]))
+    }
+
     #[test]
-    fn a_sphere_is_refused_at_its_place() {
-        let sphere = "[[surface]]\nname = \"ball\"\nmaterial = \"grey\"\nsphere = { center = [0.5,0.5,0.5], radius = 0.1 }\n";
-        let errors = view_factors(&scene(sphere)).expect_err("a sphere");
-        assert!(
-            errors[0]
-                .to_string()
-                .contains("view factors of the surface `ball`, a sphere, are not computed yet")
-        );
+    fn disks_and_spheres_are_as_in_the_catalogue_within_what_is_said() {
+        let disk = |height: f64, up: f64, radius: f64| {
+            format!("disk = {{ center = [0.1,0.2,{height:?}], normal = [0,0,{up:?}], radius = {radius:?} }}")
+        };
+        let ball = |height: f64, radius: f64| {
+            format!("sphere = {{ center = [0.1,0.2,{height:?}], radius = {radius:?} }}")
+        };
+        let cases = [
+            (
+                "coaxial disks",
+                disk(0.0, 1.0, 1.0),
+                disk(2.0, -1.0, 0.5),
+                view_factor_coaxial_disks(1.0, 0.5, 2.0),
+            ),
+            (
+                "near disks",
+                disk(0.0, 1.0, 1.0),
+                disk(0.3, -1.0, 1.0),
+                view_factor_coaxial_disks(1.0, 1.0, 0.3),
+            ),
+            ("sphere to disk", ball(0.0, 0.5), disk(1.5, -1.0, 1.0), view_factor_sphere_disk(1.0, 1.5)),
+            ("spheres", ball(0.0, 1.0), ball(3.0, 0.5), view_factor_spheres(1.0, 0.5, 3.0)),
+        ];
+        for (name, from, to, expected) in cases {
+            let found = view_factors(&only(&[("from", &from, false), ("to", &to, false)]));
+            let ViewFactor { value, error } = found.rows[0][1];
+            let off = (value - expected).abs();
+            assert!(off <= error, "{name}: off by {off:e}, said {error:e}");
+            assert!(error < 0.02 * expected, "{name}: said {error:e} of {expected}");
+        }
     }
 }

@@ -9,7 +9,7 @@ use std::path::Path;
 
 /// Prints the view factors of the scene in a file.
 pub(crate) fn view_factors(file: &str, json: bool, output: &mut dyn Write) -> io::Result<Status> {
-    let found = scene::open(Path::new(file)).and_then(|scene| factors(&scene));
+    let found = scene::open(Path::new(file)).map(|scene| factors(&scene));
     let found = match found {
         Ok(found) => found,
         Err(errors) => {

@@ -11,32 +11,15 @@ use super::clip::{Pieces, split};
 /// edge share its plane to the last bit, because the cross product is antisymmetric in floating point too: no
 /// direction slips between them.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Cone {
+pub(super) struct Cone {
     sides: Vec<Vector>,
 }
 
 impl Cone {
-    /// The cone over a polygon whose vertices are relative to the apex.
-    pub(crate) fn over(polygon: &[Vector], seen_from_front: bool) -> Self {
-        let mut cone = Self::default();
-        cone.set(polygon, seen_from_front);
-        cone
-    }
-
-    /// Makes this the cone over another polygon.
+    /// Makes this the cone over another polygon, whose vertices are relative to the apex.
     pub(super) fn set(&mut self, polygon: &[Vector], seen_from_front: bool) {
         self.sides.clear();
-        let Some(&last) = polygon.last() else { return };
-        let mut a = last;
-        for &b in polygon {
-            self.sides.push(if seen_from_front { b.cross(a) } else { a.cross(b) });
-            a = b;
-        }
-    }
-
-    /// Whether the direction lies in the cone or on its boundary.
-    pub(crate) fn contains(&self, direction: Vector) -> bool {
-        self.sides.iter().all(|side| side.dot(direction) >= 0.0)
+        self.sides.extend(sides(polygon.iter().copied(), seen_from_front));
     }
 
     /// Whether some side of the cone has all points beyond it or on it: then the cone does not meet their
@@ -61,6 +44,18 @@ impl Cone {
             std::mem::swap(&mut scratch.whole, &mut scratch.inside);
         }
     }
+}
+
+/// The normals to the inside of the planes through the apex and each edge of a polygon whose vertices are relative to the apex.
+pub(super) fn sides(
+    polygon: impl DoubleEndedIterator<Item = Vector> + Clone,
+    seen_from_front: bool,
+) -> impl Iterator<Item = Vector> {
+    let mut last = polygon.clone().next_back();
+    polygon.filter_map(move |b| {
+        let a = last.replace(b)?;
+        Some(if seen_from_front { b.cross(a) } else { a.cross(b) })
+    })
 }
 
 /// Lists of points that are reused from cut to cut.

@@ -31,8 +31,13 @@ pub fn form_factor(position: Vector, normal: Vector, polygon: &Polygon) -> f64 {
     sum
 }
 
+/// The form factor of convex pieces that a receiver with a unit normal sees, relative to it and above its horizon.
+pub(crate) fn form_factor_of_pieces<'p>(pieces: impl Iterator<Item = &'p [Vector]>, normal: Vector) -> f64 {
+    pieces.fold(0.0, |sum, piece| sum + edge_sum(piece, normal))
+}
+
 /// The sum over the edges of a polygon that lies above the horizon and faces the receiver, relative to it.
-pub(crate) fn edge_sum(polygon: &[Vector], n: Vector) -> f64 {
+fn edge_sum(polygon: &[Vector], n: Vector) -> f64 {
     let Some(&last) = polygon.last() else { return 0.0 };
     let mut a = last;
     let mut sum = 0.0;

@@ -1,6 +1,17 @@
-//! Round shapes: centre, radius and side of a sphere or a disk.
+//! Round shapes: centre, radius and side of a sphere or a disk, and the flat pieces of the same area that stand for them.
+//!
+//! ```text
+//! disk ─▶ regular polygon of 24·2ᵏ edges          sphere ─▶ icosahedron, its triangles quartered k + 1 times
+//! ```
+//! A regular polygon of the disk's area is as far outside of the circle as inside: what is linear in the deviation averages out, also for a
+//! receiver at the side, up to the harmonic of N turns, which is (R/d)ᴺ. A closed convex polyhedron of the sphere's area has the sphere's
+//! projected area in the mean over all directions, a quarter of it (Cauchy 1832).
 
 use super::Vector;
+use std::f64::consts::PI;
+
+/// The edges of the coarsest polygon that stands for a disk.
+const EDGES: usize = 24;
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,4 +33,75 @@ pub struct Disk {
     pub normal: Vector,
     /// Its radius, above zero.
     pub radius: f64,
+}
+
+impl Disk {
+    /// A regular polygon of the disk's area, counter-clockwise seen from its front. Each step of fineness doubles its edges.
+    ///
+    /// A polygon of N edges with its corners at the distance ρ has the area N/2 ρ² sin(2π/N).
+    pub(crate) fn polygon(&self, fineness: usize) -> Vec<Vector> {
+        let count = EDGES << fineness;
+        let step = 2.0 * PI / count as f64;
+        let reach = self.radius * (step / step.sin()).sqrt();
+        let [u, v] = across(self.normal);
+        let corner = |place: usize| {
+            let (sine, cosine) = (step * place as f64).sin_cos();
+            self.center + (reach * cosine) * u + (reach * sine) * v
+        };
+        (0..count).map(corner).collect()
+    }
+}
+
+/// Unit vectors u and v for which u, v and this unit vector are right-handed.
+fn across(normal: Vector) -> [Vector; 2] {
+    let Vector { x, y, z } = normal;
+    let least = x.abs().min(y.abs()).min(z.abs());
+    let axis = [x, y, z].map(|c| f64::from(u8::from(c.abs() == least)));
+    let u = Vector::new(axis[0], axis[1], axis[2]).cross(normal).unit();
+    let u = u.expect("an axis at a right angle, or nearly so, to a unit vector");
+    [u, normal.cross(u)]
+}
+
+impl Sphere {
+    /// The triangles of a closed polyhedron of the sphere's area, each counter-clockwise seen from the sphere's front. Each step of fineness
+    /// quarters them.
+    pub(crate) fn triangles(&self, fineness: usize) -> Vec<[Vector; 3]> {
+        let mut triangles = icosahedron();
+        for _ in 0..=fineness {
+            triangles = triangles.into_iter().flat_map(quarters).collect();
+        }
+        let area: f64 = triangles.iter().map(|&[a, b, c]| 0.5 * (b - a).cross(c - a).length()).sum();
+        let reach = self.radius * (4.0 * PI / area).sqrt();
+        let placed = |[a, b, c]: [Vector; 3]| {
+            let outward = [a, b, c].map(|corner| self.center + reach * corner);
+            let [a, b, c] = outward;
+            if self.inward { [a, c, b] } else { outward }
+        };
+        triangles.into_iter().map(placed).collect()
+    }
+}
+
+/// The triangles of the regular icosahedron with corners at the distance 1, counter-clockwise seen from outside: corners at the poles and on two
+/// circles of latitude ±atan ½.
+fn icosahedron() -> Vec<[Vector; 3]> {
+    let pole = |up: f64| Vector::new(0.0, 0.0, up);
+    let height = 0.2_f64.sqrt();
+    let corner = |tenth: usize| {
+        let (sine, cosine) = (PI / 5.0 * (tenth % 10) as f64).sin_cos();
+        let up = if tenth.is_multiple_of(2) { height } else { -height };
+        Vector::new(2.0 * height * cosine, 2.0 * height * sine, up)
+    };
+    let of_sector = |fifth: usize| {
+        let [a, b, c, d] = [0, 1, 2, 3].map(|tenth| corner(2 * fifth + tenth));
+        [[pole(1.0), a, c], [a, b, c], [b, d, c], [pole(-1.0), d, b]]
+    };
+    (0..5).flat_map(of_sector).collect()
+}
+
+/// The triangles that halving each edge of a triangle on the unit sphere gives, with all corners on the sphere.
+fn quarters([a, b, c]: [Vector; 3]) -> [[Vector; 3]; 4] {
+    let middle =
+        |a: Vector, b: Vector| (a + b).unit().expect("corners of an edge are not opposite each other");
+    let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+    [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
 }

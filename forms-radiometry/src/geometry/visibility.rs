@@ -24,6 +24,9 @@ use super::{Polygon, Vector};
 use bounds::Bounds;
 use tree::Tree;
 
+/// What rounding leaves of a distance, in units of the largest coordinate.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// One convex planar piece of one side of a surface that sends, reflects or only stops light.
 #[derive(Clone, Debug)]
 pub(crate) struct Face {
@@ -44,6 +47,12 @@ impl Face {
     pub(crate) fn of(surface: usize, polygon: &Polygon) -> impl Iterator<Item = Self> {
         let normal = polygon.normal();
         polygon.convex_pieces().iter().flat_map(move |piece| Self::sides(surface, piece.clone(), normal))
+    }
+
+    /// Front and back of a triangle that is not too narrow to have a normal.
+    pub(crate) fn of_triangle(surface: usize, [a, b, c]: [Vector; 3]) -> impl Iterator<Item = Self> {
+        let normal = (b - a).cross(c - a).unit();
+        normal.into_iter().flat_map(move |normal| Self::sides(surface, vec![a, b, c], normal))
     }
 
     /// Front and back of a convex outline with this unit normal.
@@ -87,8 +96,7 @@ struct Screen {
 pub(crate) struct Screens {
     screens: Vec<Screen>,
     tree: Tree,
-    /// A point that is nearer to a plane than this counts as lying in it: 10⁻⁹ of the extent of the scene, or the rounding of its
-    /// coordinates where they are far from the origin.
+    /// A point that is nearer to a plane than this counts as lying in it.
     resolution: f64,
     /// What rounding leaves of a distance in the scene.
     rounding: f64,
@@ -104,10 +112,9 @@ impl Screens {
             (!face.is_back).then(|| Screen { vertices: face.vertices.clone(), plane, sides })
         };
         let screens: Vec<Screen> = faces.iter().enumerate().filter_map(screen).collect();
-        let all = Bounds::of(screens.iter().flat_map(|screen| &screen.vertices).copied());
-        let (extent, largest) = if screens.is_empty() { (0.0, 0.0) } else { (all.extent(), all.largest()) };
-        let rounding = 16.0 * f64::EPSILON * extent.max(largest);
-        let resolution = (1e-9 * extent).max(16.0 * f64::EPSILON * largest);
+        let all = Bounds::of(corners(&screens));
+        let rounding = ROUNDING * if screens.is_empty() { 0.0 } else { all.extent().max(all.largest()) };
+        let resolution = resolution(corners(&screens));
         let boxes: Vec<Bounds> = screens
             .iter()
             .map(|screen| Bounds::of(screen.vertices.iter().copied()).wider(resolution))
@@ -115,6 +122,20 @@ impl Screens {
         let tree = Tree::of(&boxes);
         Self { screens, tree, resolution, rounding }
     }
+}
+
+fn corners(screens: &[Screen]) -> impl Iterator<Item = Vector> {
+    screens.iter().flat_map(|screen| &screen.vertices).copied()
+}
+
+/// The distance from a plane below which a point counts as lying in it: 10⁻⁹ of the extent of all points, or
+/// the rounding of their coordinates where they are far from the origin.
+pub(crate) fn resolution(points: impl Iterator<Item = Vector>) -> f64 {
+    let bounds = Bounds::of(points);
+    if bounds.low.x > bounds.high.x {
+        return 0.0;
+    }
+    (1e-9 * bounds.extent()).max(ROUNDING * bounds.largest())
 }
 
 #[cfg(test)]

@@ -19,6 +19,7 @@ pub use obstructed::visible_exchange;
 use super::clip::split;
 use super::{Polygon, Vector};
 use forms::math::DoubleDouble;
+use std::ops::AddAssign;
 
 /// The corners of a planar polygon in order.
 type Outline = [Vector];
@@ -51,23 +52,19 @@ pub struct Exchange {
 pub fn exchange(here: &Polygon, there: &Polygon, tolerance: f64) -> Exchange {
     let mut sum = Exchange::default();
     for piece in here.convex_pieces() {
-        let Exchange { area, error } = of_piece(piece, here.normal(), there, tolerance);
-        sum.area += area;
-        sum.error += error;
+        for other in there.convex_pieces() {
+            let normals = [here.normal(), there.normal()];
+            sum += between(piece, other, normals, tolerance.max(LEAST_TOLERANCE));
+        }
     }
     sum
 }
 
-/// The same of one convex piece of a polygon with this normal.
-fn of_piece(piece: &Outline, normal: Vector, there: &Polygon, tolerance: f64) -> Exchange {
-    let mut sum = Exchange::default();
-    for other in there.convex_pieces() {
-        let Exchange { area, error } =
-            between(piece, other, [normal, there.normal()], tolerance.max(LEAST_TOLERANCE));
-        sum.area += area;
-        sum.error += error;
+impl AddAssign for Exchange {
+    fn add_assign(&mut self, other: Self) {
+        self.area += other.area;
+        self.error += other.error;
     }
-    sum
 }
 
 /// The view factor F₁₂ from the front of a polygon to that of another with nothing in between, and an estimate of its error:

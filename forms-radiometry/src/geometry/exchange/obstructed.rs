@@ -7,9 +7,8 @@
 //! where a rule on the whole and on the parts disagrees, worst first.
 
 use super::areas::{Patch, gauss, patches};
-use super::{Exchange, of_piece};
-use crate::geometry::luminaire::{Luminaire, Workspace};
-use crate::geometry::{Polygon, Vector};
+use super::{Exchange, LEAST_TOLERANCE, between};
+use crate::geometry::{Between, Face, Polygon, Screens, Vector, Workspace, form_factor_of_pieces};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -28,40 +27,45 @@ const ROUNDING: f64 = 16.0;
 pub fn visible_exchange<'a>(
     here: &'a Polygon,
     there: &'a Polygon,
-    others: impl Iterator<Item = &'a Polygon> + Clone,
+    others: impl Iterator<Item = &'a Polygon>,
     tolerance: f64,
 ) -> Exchange {
-    let resolution = crate::geometry::resolution(others.clone().chain([here, there]));
-    let luminaires = Luminaire::of(there, true, others, resolution);
-    exchange_with(here, there, &luminaires, [tolerance, 0.0])
-}
-
-/// The same with the luminaires that the front of the second polygon makes among all, to a tolerance relative to the exchange
-/// area or to this area, whichever is larger.
-pub(crate) fn exchange_with(
-    here: &Polygon,
-    there: &Polygon,
-    luminaires: &[Luminaire],
-    [tolerance, least]: [f64; 2],
-) -> Exchange {
+    let fronts = |polygon| Face::of(0, polygon).filter(|face| !face.is_back);
+    let all: Vec<Face> = others.chain([here, there]).flat_map(fronts).collect();
+    let screens = Screens::of(&all);
     let mut sum = Exchange::default();
-    for piece in here.convex_pieces() {
-        let seen: Vec<Luminaire> =
-            luminaires.iter().map(|luminaire| luminaire.seen_from(piece, here.normal())).collect();
-        let Exchange { area, error } = if seen.iter().all(Luminaire::is_free) {
-            of_piece(piece, here.normal(), there, tolerance)
-        } else {
-            View { seen: &seen, normal: here.normal() }.integral(piece, [tolerance, least])
-        };
-        sum.area += area;
-        sum.error += error;
+    for from in fronts(here) {
+        for to in fronts(there) {
+            sum += exchange_with(&from, &to, &screens, [tolerance, 0.0]);
+        }
     }
     sum
 }
 
-/// What points of one side of a plane see.
-struct View<'l> {
-    seen: &'l [Luminaire],
+/// The exchange area of two faces among screens, to a tolerance relative to itself or to this area, whichever is larger.
+pub(crate) fn exchange_with(
+    here: &Face,
+    there: &Face,
+    screens: &Screens,
+    [tolerance, least]: [f64; 2],
+) -> Exchange {
+    let mut found = Vec::new();
+    match screens.between(&here.vertices, Some(here.normal), &there.vertices, there.normal, &mut found) {
+        Between::All => Exchange::default(),
+        Between::Nothing => {
+            let normals = [here.normal, there.normal];
+            between(&here.vertices, &there.vertices, normals, tolerance.max(LEAST_TOLERANCE))
+        }
+        Between::Some => View { screens, between: &found, there, normal: here.normal }
+            .integral(&here.vertices, [tolerance, least]),
+    }
+}
+
+/// What points of one side of a plane see of a face with these screens in between.
+struct View<'s> {
+    screens: &'s Screens,
+    between: &'s [u32],
+    there: &'s Face,
     normal: Vector,
 }
 
@@ -103,12 +107,16 @@ impl View<'_> {
         for &[s, of_s] in gauss(ORDER) {
             for &[t, of_t] in gauss(ORDER) {
                 let (position, density) = patch.at(s, t);
-                let seen = |luminaire: &Luminaire| luminaire.visible_form_factor(position, self.normal, work);
-                let form_factor: f64 = self.seen.iter().map(seen).sum();
-                sum += of_s * of_t * density * form_factor;
+                sum += of_s * of_t * density * self.form_factor(position, work);
             }
         }
         sum
+    }
+
+    fn form_factor(&self, position: Vector, work: &mut Workspace) -> f64 {
+        let Face { vertices, normal, .. } = self.there;
+        let seen = self.screens.visible(position, Some(self.normal), vertices, *normal, self.between, work);
+        form_factor_of_pieces(seen, self.normal)
     }
 
     /// The quarters of a patch that has this integral, each with its share of what they change.

@@ -109,7 +109,7 @@ struct Sides {
 
 impl Screens {
     /// Which screens can come between receivers in a convex outline, which look to the side of `normal` if there is one, and a convex
-    /// luminaire; `found` gets their indices.
+    /// luminaire; `found` gets their indices. Nothing can be hidden where the luminaire is not seen from anywhere.
     pub(crate) fn between(
         &self,
         receivers: &[Vector],
@@ -119,11 +119,15 @@ impl Screens {
         found: &mut Vec<u32>,
     ) -> Between {
         found.clear();
-        let mut shaft = Shaft::new([receivers, luminaire], self.rounding);
-        shaft.cut(Plane { point: luminaire[0], normal: luminaire_normal }, self.resolution);
-        if let Some(normal) = normal {
-            shaft.cut(Plane { point: receivers[0], normal }, self.resolution);
+        let facing = Plane { point: luminaire[0], normal: luminaire_normal };
+        let ground = normal.map(|normal| Plane { point: receivers[0], normal });
+        let sees = self.sides(receivers, facing).in_front
+            && ground.is_none_or(|ground| self.sides(luminaire, ground).in_front);
+        if !sees {
+            return Between::Nothing;
         }
+        let mut shaft = Shaft::new([receivers, luminaire], self.rounding);
+        [Some(facing), ground].into_iter().flatten().for_each(|plane| shaft.cut(plane, self.resolution));
         let mut search = Search { screens: self, shaft, passages: Vec::new(), found, all: false };
         let _ = self.tree.walk(&mut search);
         match (search.all, found.is_empty()) {
@@ -134,10 +138,12 @@ impl Screens {
     }
 
     fn sides(&self, points: &[Vector], plane: Plane) -> Sides {
-        let is = |on_that_side: &dyn Fn(f64) -> bool| points.iter().any(|&v| on_that_side(plane.distance(v)));
-        Sides {
-            in_front: is(&|distance| distance > self.resolution),
-            behind: is(&|distance| distance < -self.resolution),
+        let mut sides = Sides { in_front: false, behind: false };
+        for &point in points {
+            let distance = plane.distance(point);
+            sides.in_front |= distance > self.resolution;
+            sides.behind |= distance < -self.resolution;
         }
+        sides
     }
 }

@@ -3,6 +3,7 @@
 use super::bounds::Bounds;
 use super::tree::Query;
 use super::{Screen, Screens, Vector};
+use crate::geometry::cone::sides;
 use std::ops::ControlFlow;
 
 /// What a ray meets.
@@ -52,7 +53,8 @@ impl Ray<'_> {
     fn met(&self, screen: &Screen) -> Option<Hit> {
         let height = screen.plane.distance(self.origin);
         let along = screen.plane.normal.dot(self.direction);
-        if height.abs() <= self.screens.resolution || (height > 0.0) == (along >= 0.0) {
+        let comes_nearer = if height > 0.0 { along < 0.0 } else { along > 0.0 };
+        if height.abs() <= self.screens.resolution || !comes_nearer {
             return None;
         }
         let distance = -height / along;
@@ -61,17 +63,10 @@ impl Ray<'_> {
         (gets_through && self.is_inside(screen, height > 0.0)).then_some(hit)
     }
 
-    /// Whether the ray's direction lies in the cone over the screen, as [`Cone`](crate::geometry::cone::Cone) has it.
+    /// Whether the ray's direction lies in the cone over the screen or on its boundary.
     fn is_inside(&self, screen: &Screen, from_front: bool) -> bool {
-        let relative = |v: Vector| v - self.origin;
-        let Some(&last) = screen.vertices.last() else { return false };
-        let mut a = relative(last);
-        screen.vertices.iter().all(|&v| {
-            let b = relative(v);
-            let side = if from_front { b.cross(a) } else { a.cross(b) };
-            a = b;
-            side.dot(self.direction) >= 0.0
-        })
+        let relative = screen.vertices.iter().map(|&v| v - self.origin);
+        sides(relative, from_front).all(|side| side.dot(self.direction) >= 0.0)
     }
 }
 

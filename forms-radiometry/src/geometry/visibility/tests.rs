@@ -1,7 +1,7 @@
 //! Laws of visibility: what a point in a closed scene sees of all faces fills its hemisphere, wherever and however large the scene is.
 
 use super::*;
-use crate::geometry::edge_sum;
+use crate::geometry::form_factor_of_pieces;
 
 /// Numbers in [0, 1) that look random.
 struct Numbers(u64);
@@ -86,7 +86,7 @@ fn seen(screens: &Screens, face: &Face, position: Vector, normal: Vector) -> f64
     let Face { vertices, normal: m, .. } = face;
     let between = screens.between(&[position], Some(normal), vertices, *m, &mut found);
     let pieces = screens.visible(position, Some(normal), vertices, *m, &found, &mut work);
-    let sum: f64 = pieces.map(|piece| edge_sum(piece, normal)).sum();
+    let sum = form_factor_of_pieces(pieces, normal);
     assert!(between != Between::All || sum.abs() < 1e-14, "all is hidden, and still {sum} is seen");
     sum
 }

@@ -50,7 +50,7 @@ pub(super) fn sheets(scene: &Scene) -> (Vec<Sheet>, Vec<Vector>) {
         Piece::Face(polygon, _) => Some(polygon),
         Piece::Sphere(_) | Piece::Disk(_) => None,
     });
-    let mut welded = Welded::new(resolution(polygons));
+    let mut welded = Welded::new(resolution(polygons.flat_map(Polygon::vertices).copied()));
     for (_, piece) in &mut pieces {
         if let Piece::Face(polygon, numbers) = piece {
             numbers.extend(polygon.vertices().iter().map(|&v| welded.number(v)));
