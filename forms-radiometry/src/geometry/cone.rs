@@ -18,8 +18,18 @@ pub(super) struct Cone {
 impl Cone {
     /// Makes this the cone over another polygon, whose vertices are relative to the apex.
     pub(super) fn set(&mut self, polygon: &[Vector], seen_from_front: bool) {
+        self.set_sides(sides(polygon.iter().copied(), seen_from_front));
+    }
+
+    /// Makes this the cone with these normals to the inside of its sides.
+    pub(super) fn set_sides(&mut self, sides: impl Iterator<Item = Vector>) {
         self.sides.clear();
-        self.sides.extend(sides(polygon.iter().copied(), seen_from_front));
+        self.sides.extend(sides);
+    }
+
+    /// The normals to the inside of its sides.
+    pub(super) fn sides(&self) -> &[Vector] {
+        &self.sides
     }
 
     /// Whether some side of the cone has all points beyond it or on it: then the cone does not meet their

@@ -10,6 +10,7 @@
 //! in the plane of a screen sees it edge-on: so a surface hides nothing from its own points.
 
 mod between;
+mod body;
 mod bounds;
 mod ray;
 mod shaft;
@@ -21,6 +22,7 @@ pub(crate) use ray::Hit;
 pub(crate) use visible::Workspace;
 
 use super::{Polygon, Vector};
+use body::{Body, bodies};
 use bounds::Bounds;
 use tree::Tree;
 
@@ -91,10 +93,23 @@ struct Screen {
     sides: [usize; 2],
 }
 
+impl Screen {
+    /// Its edges from each vertex to the next.
+    fn edges(&self) -> impl Iterator<Item = [Vector; 2]> {
+        let next = self.vertices.iter().cycle().skip(1);
+        self.vertices.iter().zip(next).map(|(&a, &b)| [a, b])
+    }
+}
+
 /// The screens of a scene.
 #[derive(Clone, Debug)]
 pub(crate) struct Screens {
     screens: Vec<Screen>,
+    /// The convex bodies that some of the screens bound. What is between a point and a luminaire is given by indices of screens and, from
+    /// the number of screens on, of bodies.
+    bodies: Vec<Body>,
+    /// The body that each screen belongs to.
+    body_of: Vec<Option<u32>>,
     tree: Tree,
     /// A point that is nearer to a plane than this counts as lying in it.
     resolution: f64,
@@ -120,7 +135,8 @@ impl Screens {
             .map(|screen| Bounds::of(screen.vertices.iter().copied()).wider(resolution))
             .collect();
         let tree = Tree::of(&boxes);
-        Self { screens, tree, resolution, rounding }
+        let (bodies, body_of) = bodies(&screens, resolution, rounding);
+        Self { screens, bodies, body_of, tree, resolution, rounding }
     }
 }
 

@@ -94,11 +94,9 @@ impl Search<'_> {
 
 /// The planes through a screen's edges at right angles to it, with normals to its inside.
 fn edges(screen: &Screen) -> impl Iterator<Item = Plane> {
-    let Screen { vertices, plane, .. } = screen;
-    (0..vertices.len()).filter_map(|place| {
-        let (a, b) = (vertices[place], vertices[(place + 1) % vertices.len()]);
-        Some(Plane { point: a, normal: plane.normal.cross(b - a).unit()? })
-    })
+    let plane =
+        |[a, b]: [Vector; 2]| Some(Plane { point: a, normal: screen.plane.normal.cross(b - a).unit()? });
+    screen.edges().filter_map(plane)
 }
 
 /// On which sides of a plane there are points.
@@ -130,11 +128,35 @@ impl Screens {
         [Some(facing), ground].into_iter().flatten().for_each(|plane| shaft.cut(plane, self.resolution));
         let mut search = Search { screens: self, shaft, passages: Vec::new(), found, all: false };
         let _ = self.tree.walk(&mut search);
-        match (search.all, found.is_empty()) {
-            (true, _) => Between::All,
-            (false, true) => Between::Nothing,
-            (false, false) => Between::Some,
+        if search.all {
+            return Between::All;
         }
+        self.join_bodies(facing, found);
+        if found.is_empty() { Between::Nothing } else { Between::Some }
+    }
+
+    /// Takes bodies for their screens, where there are two or more of one and all of it is in front of the luminaire.
+    fn join_bodies(&self, luminaire: Plane, found: &mut Vec<u32>) {
+        let first_body = self.screens.len() as u32;
+        found.sort_unstable_by_key(|&screen| (self.body_of[screen as usize], screen));
+        let mut kept = 0;
+        let mut place = 0;
+        while let Some(&screen) = found.get(place) {
+            let body = self.body_of[screen as usize];
+            let count =
+                found[place..].iter().take_while(|&&other| self.body_of[other as usize] == body).count();
+            let joined = body
+                .filter(|&body| count > 1 && self.bodies[body as usize].is_before(luminaire, self.rounding));
+            if let Some(body) = joined {
+                found[kept] = first_body + body;
+                kept += 1;
+            } else {
+                found.copy_within(place..place + count, kept);
+                kept += count;
+            }
+            place += count;
+        }
+        found.truncate(kept);
     }
 
     fn sides(&self, points: &[Vector], plane: Plane) -> Sides {

@@ -3,6 +3,7 @@
 //!
 //! Each screen in front of the luminaire's plane is a cone of directions that is cut out. Pieces are relative to the point.
 
+use super::bounds::Bounds;
 use super::{Screen, Screens, Vector};
 use crate::geometry::clip::{Pieces, split};
 use crate::geometry::cone::{Cone, Scratch};
@@ -14,6 +15,7 @@ pub(crate) struct Workspace {
     screen: Vec<Vector>,
     luminaire_cone: Cone,
     screen_cone: Cone,
+    seen: Vec<bool>,
     scratch: Scratch,
     visible: Pieces,
     rest: Pieces,
@@ -48,8 +50,8 @@ impl Screens {
             work.begin(luminaire, view);
             if !work.visible.is_empty() && !screens.is_empty() {
                 work.luminaire_cone.set(work.visible.last(), true);
-                for &screen in screens {
-                    self.hide(&self.screens[screen as usize], view, work);
+                for &index in screens {
+                    self.hide_any(index as usize, view, work);
                     if work.visible.is_empty() {
                         break;
                     }
@@ -57,6 +59,25 @@ impl Screens {
             }
         }
         work.visible.iter()
+    }
+
+    /// Cuts a screen or a body out of what is visible.
+    fn hide_any(&self, index: usize, view: View, work: &mut Workspace) {
+        if let Some(screen) = self.screens.get(index) {
+            self.hide(screen, view, work);
+            return;
+        }
+        let body = &self.bodies[index - self.screens.len()];
+        if work.is_beside(&body.bounds, view) {
+            return;
+        }
+        let Workspace { screen_cone, seen, .. } = &mut *work;
+        let shadow = body.shadow(view.position, self.resolution, seen);
+        if shadow.map(|sides| screen_cone.set_sides(sides)).is_some() {
+            work.cut();
+        } else {
+            body.screens.iter().for_each(|&screen| self.hide(&self.screens[screen as usize], view, work));
+        }
     }
 
     /// Cuts a screen out of what is visible, if it has the receiver and a part of the luminaire on different sides.
@@ -116,6 +137,17 @@ impl Workspace {
             return;
         }
         self.screen_cone.set(&self.screen, from_front);
+        self.cut();
+    }
+
+    /// Whether a box is below the horizon or beside the luminaire, as far as that is easily seen.
+    fn is_beside(&self, bounds: &Bounds, view: View) -> bool {
+        let is_beyond = |side: Vector| side.dot(bounds.farthest(side) - view.position) <= 0.0;
+        view.horizon.is_some_and(is_beyond) || self.luminaire_cone.sides().iter().any(|&side| is_beyond(side))
+    }
+
+    /// Cuts the screen's cone out of what is visible.
+    fn cut(&mut self) {
         self.rest.clear();
         for piece in self.visible.iter() {
             self.screen_cone.cut_from(piece, &mut self.scratch, &mut self.rest);

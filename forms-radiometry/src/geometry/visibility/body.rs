@@ -1,0 +1,179 @@
+//! Convex bodies: screens that share edges become one body, whose shadow is cut out at once.
+//!
+//! ```text
+//! screens ─ joined at convex edges ─▶ groups ─ convex, closed but for one plane ─▶ bodies
+//! ```
+//! From a point outside of a convex body, the edges between sides that are seen and sides that are not are the outline of its
+//! shadow. A body may be open in one plane, as a box without a bottom is: from behind that plane it looks as if it were closed.
+
+use super::bounds::Bounds;
+use super::{Plane, Screen, Vector};
+use std::collections::HashMap;
+
+/// Groups of more screens are not looked at as bodies: each corner is compared with each plane.
+const MOST_SCREENS: usize = 1 << 14;
+
+/// Screens that bound a convex body, with their fronts to the outside.
+#[derive(Clone, Debug)]
+pub(super) struct Body {
+    /// The indices of its screens.
+    pub(super) screens: Vec<u32>,
+    planes: Vec<Plane>,
+    edges: Vec<Edge>,
+    /// The plane in which it is open.
+    lid: Option<Plane>,
+    corners: Vec<Vector>,
+    pub(super) bounds: Bounds,
+}
+
+/// An edge of a body, from a to b as the first of its sides runs.
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    ends: [Vector; 2],
+    side: usize,
+    /// The side beyond it; none where the body is open.
+    beyond: Option<usize>,
+}
+
+/// The screens beyond the edges of each, in the order of its vertices.
+type Neighbours = Vec<Vec<Option<usize>>>;
+
+/// Bodies, and for each screen the one that it belongs to, if any.
+pub(super) fn bodies(screens: &[Screen], resolution: f64, rounding: f64) -> (Vec<Body>, Vec<Option<u32>>) {
+    let neighbours = neighbours(screens, rounding);
+    let mut bodies = Vec::new();
+    let mut of_screen = vec![None; screens.len()];
+    for group in groups(&neighbours) {
+        if let Some(body) = Body::of(&group, screens, &neighbours, [resolution, rounding]) {
+            group.iter().for_each(|&screen| of_screen[screen] = Some(bodies.len() as u32));
+            bodies.push(body);
+        }
+    }
+    (bodies, of_screen)
+}
+
+/// For each edge the screen that has the same edge the other way round, if the two enclose less than half a turn.
+fn neighbours(screens: &[Screen], rounding: f64) -> Neighbours {
+    let key = |[a, b]: [Vector; 2]| [a.x, a.y, a.z, b.x, b.y, b.z].map(|c| (c + 0.0).to_bits());
+    let mut owners = HashMap::new();
+    for (index, screen) in screens.iter().enumerate() {
+        screen.edges().for_each(|edge| _ = owners.insert(key(edge), index));
+    }
+    let is_convex = |screen: &Screen, other: usize| {
+        let corners = &screens[other].vertices;
+        corners.iter().all(|&corner| screen.plane.distance(corner) <= rounding)
+    };
+    let beyond = |screen: &Screen| {
+        let neighbour =
+            |[a, b]: [Vector; 2]| owners.get(&key([b, a])).copied().filter(|&other| is_convex(screen, other));
+        screen.edges().map(neighbour).collect()
+    };
+    screens.iter().map(beyond).collect()
+}
+
+/// The screens that neighbours join.
+fn groups(neighbours: &Neighbours) -> Vec<Vec<usize>> {
+    let mut is_known = vec![false; neighbours.len()];
+    let mut groups = Vec::new();
+    for start in 0..neighbours.len() {
+        if std::mem::replace(&mut is_known[start], true) {
+            continue;
+        }
+        let mut group = vec![start];
+        let mut place = 0;
+        while let Some(&screen) = group.get(place) {
+            for &other in neighbours[screen].iter().flatten() {
+                if !std::mem::replace(&mut is_known[other], true) {
+                    group.push(other);
+                }
+            }
+            place += 1;
+        }
+        groups.push(group);
+    }
+    groups
+}
+
+impl Body {
+    /// The body that a group of screens bounds, if it does.
+    fn of(
+        group: &[usize],
+        screens: &[Screen],
+        neighbours: &Neighbours,
+        [resolution, rounding]: [f64; 2],
+    ) -> Option<Self> {
+        if group.len() < 2 || group.len() > MOST_SCREENS {
+            return None;
+        }
+        let place: HashMap<usize, usize> =
+            group.iter().enumerate().map(|(place, &screen)| (screen, place)).collect();
+        let edges_of = |(side, &screen): (usize, &usize)| {
+            let beyond = neighbours[screen].iter().map(|other| other.map(|other| place[&other]));
+            let edge = move |(ends, beyond)| Edge { ends, side, beyond };
+            screens[screen].edges().zip(beyond).map(edge).collect::<Vec<_>>()
+        };
+        let edges: Vec<Edge> = group.iter().enumerate().flat_map(edges_of).collect();
+        let corners: Vec<Vector> = edges.iter().map(|edge| edge.ends[0]).collect();
+        let planes: Vec<Plane> = group.iter().map(|&screen| screens[screen].plane).collect();
+        let lid = lid(&edges, &corners, rounding)?;
+        let is_behind = |plane: &Plane| corners.iter().all(|&corner| plane.distance(corner) <= rounding);
+        let is_solid = corners.iter().any(|&corner| planes[0].distance(corner) < -resolution);
+        if !is_solid || !planes.iter().chain(&lid).all(is_behind) {
+            return None;
+        }
+        let once = |edge: &Edge| edge.beyond.is_none_or(|beyond| edge.side < beyond);
+        let screens = group.iter().map(|&screen| screen as u32).collect();
+        let bounds = Bounds::of(corners.iter().copied());
+        Some(Self { screens, planes, edges: edges.into_iter().filter(once).collect(), lid, corners, bounds })
+    }
+
+    /// Whether all of it is in front of a plane or in it.
+    pub(super) fn is_before(&self, plane: Plane, rounding: f64) -> bool {
+        self.corners.iter().all(|&corner| plane.distance(corner) >= -rounding)
+    }
+
+    /// The normals to the inside of the planes through a point and each edge of the body's outline, as it is seen from there; none where
+    /// the point is not outside of the body, and behind its opening. `seen` is a list for which sides are seen.
+    pub(super) fn shadow<'b>(
+        &'b self,
+        apex: Vector,
+        resolution: f64,
+        seen: &'b mut Vec<bool>,
+    ) -> Option<impl Iterator<Item = Vector> + 'b> {
+        if self.lid.is_some_and(|lid| lid.distance(apex) > 0.0) {
+            return None;
+        }
+        let mut is_outside = false;
+        seen.clear();
+        seen.extend(self.planes.iter().map(|plane| {
+            let distance = plane.distance(apex);
+            is_outside |= distance > resolution;
+            distance > 0.0
+        }));
+        let side = move |edge: &Edge| {
+            let [a, b] = edge.ends.map(|end| end - apex);
+            match (seen[edge.side], edge.beyond.is_some_and(|beyond| seen[beyond])) {
+                (true, false) => Some(b.cross(a)),
+                (false, true) => Some(a.cross(b)),
+                _ => None,
+            }
+        };
+        is_outside.then(|| self.edges.iter().filter_map(side))
+    }
+}
+
+/// The plane of all edges that have nothing beyond, with its normal away from the corners; nothing within if there are no such edges, and
+/// none if they lie in no plane.
+#[expect(clippy::option_option, reason = "open in no plane is not the same as not open")]
+fn lid(edges: &[Edge], corners: &[Vector], rounding: f64) -> Option<Option<Plane>> {
+    let open: Vec<[Vector; 2]> =
+        edges.iter().filter(|edge| edge.beyond.is_none()).map(|edge| edge.ends).collect();
+    let Some(&[point, _]) = open.first() else { return Some(None) };
+    // edges run round the opening as their sides do: against the sense in which a lid would
+    let twice = open.iter().fold(Vector::default(), |sum, &[a, b]| sum + (b - point).cross(a - point));
+    let plane = Plane { point, normal: twice.unit()? };
+    let is_in_plane = |&[a, _]: &[Vector; 2]| plane.distance(a).abs() <= rounding;
+    let is_lid =
+        open.iter().all(is_in_plane) && corners.iter().all(|&corner| plane.distance(corner) <= rounding);
+    is_lid.then_some(Some(plane))
+}
