@@ -12,6 +12,7 @@ mod round;
 mod triangulation;
 mod vector;
 mod visibility;
+mod weld;
 
 pub(crate) use exchange::exchange_with;
 pub use exchange::{Exchange, exchange, view_factor, visible_exchange};
@@ -22,3 +23,4 @@ pub use polygon::{Polygon, PolygonError};
 pub use round::{Disk, Sphere};
 pub use vector::Vector;
 pub(crate) use visibility::{Between, Face, Hit, Screens, Workspace, resolution};
+pub(crate) use weld::Welded;

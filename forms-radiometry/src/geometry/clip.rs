@@ -16,13 +16,24 @@ pub(super) fn split(
     inside: &mut Vec<Vector>,
     outside: &mut Vec<Vector>,
 ) {
+    split_beyond(polygon, side, 0.0, inside, outside);
+}
+
+/// The same where distances below `least` count as none too.
+pub(super) fn split_beyond(
+    polygon: &[Vector],
+    side: impl Fn(Vector) -> f64,
+    least: f64,
+    inside: &mut Vec<Vector>,
+    outside: &mut Vec<Vector>,
+) {
     inside.clear();
     outside.clear();
     let (low, high) = polygon.iter().fold((0.0, 0.0), |(low, high): (f64, f64), &v| {
         let distance = side(v);
         (low.min(distance), high.max(distance))
     });
-    let rounding = ROUNDING * high.max(-low);
+    let rounding = least.max(ROUNDING * high.max(-low));
     if low >= -rounding || high <= rounding {
         let whole = if high > rounding { inside } else { outside };
         if high > rounding || low < -rounding {

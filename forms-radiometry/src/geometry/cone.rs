@@ -1,7 +1,10 @@
 //! Cones: the directions in which a convex polygon is seen from a point.
 
 use super::Vector;
-use super::clip::{Pieces, split};
+use super::clip::{Pieces, split_beyond};
+
+/// What rounding leaves of the scalar product of two vectors, in units of their largest coordinates.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// The directions from an apex that meet a convex polygon.
 ///
@@ -46,8 +49,10 @@ impl Cone {
         }
         scratch.whole.clear();
         scratch.whole.extend_from_slice(polygon);
+        let reach = polygon.iter().fold(0.0, |reach: f64, &v| reach.max(v.largest()));
         for side in &self.sides {
-            split(&scratch.whole, |x| side.dot(x), &mut scratch.inside, &mut scratch.outside);
+            let Scratch { whole, inside, outside } = scratch;
+            split_beyond(whole, |x| side.dot(x), ROUNDING * side.largest() * reach, inside, outside);
             if !scratch.outside.is_empty() {
                 rest.push(&scratch.outside);
             }

@@ -105,3 +105,6 @@ fn quarters([a, b, c]: [Vector; 3]) -> [[Vector; 3]; 4] {
     let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
     [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
 }
+
+#[cfg(test)]
+mod tests;

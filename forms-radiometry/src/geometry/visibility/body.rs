@@ -8,6 +8,7 @@
 
 use super::bounds::Bounds;
 use super::{Plane, Screen, Vector};
+use crate::geometry::Welded;
 use std::collections::HashMap;
 
 /// Groups of more screens are not looked at as bodies: each corner is compared with each plane.
@@ -40,7 +41,7 @@ type Neighbours = Vec<Vec<Option<usize>>>;
 
 /// Bodies, and for each screen the one that it belongs to, if any.
 pub(super) fn bodies(screens: &[Screen], resolution: f64, rounding: f64) -> (Vec<Body>, Vec<Option<u32>>) {
-    let neighbours = neighbours(screens, rounding);
+    let neighbours = neighbours(screens, [resolution, rounding]);
     let mut bodies = Vec::new();
     let mut of_screen = vec![None; screens.len()];
     for group in groups(&neighbours) {
@@ -52,23 +53,32 @@ pub(super) fn bodies(screens: &[Screen], resolution: f64, rounding: f64) -> (Vec
     (bodies, of_screen)
 }
 
-/// For each edge the screen that has the same edge the other way round, if the two enclose less than half a turn.
-fn neighbours(screens: &[Screen], rounding: f64) -> Neighbours {
-    let key = |[a, b]: [Vector; 2]| [a.x, a.y, a.z, b.x, b.y, b.z].map(|c| (c + 0.0).to_bits());
-    let mut owners = HashMap::new();
-    for (index, screen) in screens.iter().enumerate() {
-        screen.edges().for_each(|edge| _ = owners.insert(key(edge), index));
+/// For each edge the screen that has the same edge the other way round, if the two enclose less than half a turn; of several the one that
+/// encloses the least, for where bodies touch there are others. A screen that lies back to back with it encloses nothing.
+fn neighbours(screens: &[Screen], [resolution, rounding]: [f64; 2]) -> Neighbours {
+    let mut welded = Welded::new(resolution);
+    let mut numbers = |edge: [Vector; 2]| edge.map(|end| welded.number(end));
+    let edges = screens.iter().map(|screen| screen.edges().map(&mut numbers).collect());
+    let edges: Vec<Vec<[usize; 2]>> = edges.collect();
+    let mut owners: HashMap<[usize; 2], Vec<usize>> = HashMap::new();
+    for (index, edges) in edges.iter().enumerate() {
+        edges.iter().for_each(|&edge| owners.entry(edge).or_default().push(index));
     }
-    let is_convex = |screen: &Screen, other: usize| {
-        let corners = &screens[other].vertices;
-        corners.iter().all(|&corner| screen.plane.distance(corner) <= rounding)
+    let encloses = |plane: Plane, other: &Screen| {
+        let is_behind = other.vertices.iter().all(|&corner| plane.distance(corner) <= rounding);
+        let is_solid = other.vertices.iter().any(|&corner| plane.distance(corner) < -resolution);
+        is_behind && (is_solid || plane.normal.dot(other.plane.normal) > 0.0)
     };
-    let beyond = |screen: &Screen| {
-        let neighbour =
-            |[a, b]: [Vector; 2]| owners.get(&key([b, a])).copied().filter(|&other| is_convex(screen, other));
-        screen.edges().map(neighbour).collect()
+    let beyond = |(screen, edges): (&Screen, &Vec<[usize; 2]>)| {
+        let turn = |other: &usize| screen.plane.normal.dot(screens[*other].plane.normal);
+        let neighbour = |&[a, b]: &[usize; 2]| {
+            let others = owners.get(&[b, a]).into_iter().flatten().copied();
+            let convex = others.filter(|&other| encloses(screen.plane, &screens[other]));
+            convex.min_by(|one, other| turn(one).total_cmp(&turn(other)))
+        };
+        edges.iter().map(neighbour).collect()
     };
-    screens.iter().map(beyond).collect()
+    screens.iter().zip(&edges).map(beyond).collect()
 }
 
 /// The screens that neighbours join.

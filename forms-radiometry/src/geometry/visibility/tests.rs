@@ -1,12 +1,20 @@
 //! Laws of visibility: what a point in a closed scene sees of all faces fills its hemisphere, wherever and however large the scene is.
 
+mod searches;
+
 use super::*;
-use crate::geometry::form_factor_of_pieces;
+use crate::geometry::{Disk, Sphere, form_factor_of_pieces};
+use crate::kernels::solid_angle_triangle;
+use std::f64::consts::PI;
 
 /// Numbers in [0, 1) that look random.
 struct Numbers(u64);
 
 impl Numbers {
+    fn new(seed: u64) -> Self {
+        Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15))
+    }
+
     fn next(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -23,6 +31,9 @@ impl Numbers {
         (self.vector() - centre).unit().expect("no direction is exactly the middle")
     }
 }
+
+const ORIGIN: Vector = Vector::new(0.0, 0.0, 0.0);
+const UP: Vector = Vector::new(0.0, 0.0, 1.0);
 
 /// A parallelepiped from a corner along three edges that are right-handed, with its faces to the outside or to the inside.
 fn parallelepiped(o: Vector, [u, v, w]: [Vector; 3], outward: bool) -> Vec<Polygon> {
@@ -67,12 +78,16 @@ fn furnished() -> Vec<Polygon> {
     all
 }
 
-/// The boxes in the furnished room, which no receiver is in.
+/// Whether a point of the room is outside of all that stands or hangs in it.
 fn is_free(point: Vector) -> bool {
     let within = |low: [f64; 3], high: [f64; 3]| {
         point.x > low[0] && point.x < high[0] && point.y > low[1] && point.y < high[1] && point.z < high[2]
     };
-    let leaning = (point - Vector::new(0.67, 0.28, 0.68)).length() < 0.2;
+    let within_ball = |middle: [f64; 3], radius: f64| {
+        let [x, y, z] = middle;
+        (point - Vector::new(x, y, z)).length() < radius
+    };
+    let leaning = within_ball([0.67, 0.28, 0.68], 0.2) || within_ball([0.35, 0.8, 0.88], 0.11);
     !within([0.2, 0.3, 0.0], [0.5, 0.5, 0.5]) && !within([0.75, 0.75, 0.0], [1.0, 1.0, 0.6]) && !leaning
 }
 
@@ -84,11 +99,9 @@ fn faces_of(polygons: &[Polygon]) -> Vec<Face> {
 fn seen(screens: &Screens, face: &Face, position: Vector, normal: Vector) -> f64 {
     let (mut found, mut work) = (Vec::new(), Workspace::default());
     let Face { vertices, normal: m, .. } = face;
-    let between = screens.between(&[position], Some(normal), vertices, *m, &mut found);
+    screens.between(&[position], Some(normal), vertices, *m, &mut found);
     let pieces = screens.visible(position, Some(normal), vertices, *m, &found, &mut work);
-    let sum = form_factor_of_pieces(pieces, normal);
-    assert!(between != Between::All || sum.abs() < 1e-14, "all is hidden, and still {sum} is seen");
-    sum
+    form_factor_of_pieces(pieces, normal)
 }
 
 /// The sum over all faces.
@@ -96,18 +109,222 @@ fn closure(screens: &Screens, faces: &[Face], position: Vector, normal: Vector) 
     faces.iter().map(|face| seen(screens, face, position, normal)).sum()
 }
 
+/// The same faces, each corner moved.
+fn moved(faces: &[Face], image: impl Fn(Vector) -> Vector) -> Vec<Face> {
+    let moved =
+        |face: &Face| Face { vertices: face.vertices.iter().map(|&v| image(v)).collect(), ..face.clone() };
+    faces.iter().map(moved).collect()
+}
+
+/// A point in the furnished room.
+fn free_point(numbers: &mut Numbers) -> Vector {
+    std::iter::repeat_with(|| numbers.vector()).find(|&point| is_free(point)).expect("numbers never end")
+}
+
+/// The furnished room with a ball under the ceiling and a disk before a wall.
+fn with_round_shapes() -> Vec<Face> {
+    let mut faces = faces_of(&furnished());
+    let ball = Sphere { center: Vector::new(0.35, 0.8, 0.88), radius: 0.1, inward: false };
+    let triangles = ball.triangles(0).into_iter();
+    faces.extend(triangles.flat_map(|triangle| Face::of_triangle(90, triangle)));
+    let disk = Disk { center: Vector::new(0.5, 0.05, 0.5), normal: Vector::new(0.0, 0.6, 0.8), radius: 0.05 };
+    faces.extend(Face::sides(91, disk.polygon(0), disk.normal));
+    faces
+}
+
 #[test]
 fn what_a_point_in_a_closed_room_sees_fills_its_hemisphere() {
-    let faces = faces_of(&furnished());
-    let screens = Screens::of(&faces);
-    let mut numbers = Numbers(0x9e37_79b9_7f4a_7c15);
-    let mut points = 0;
-    while points < 1000 {
-        let (position, normal) = (numbers.vector(), numbers.direction());
-        if is_free(position) {
-            points += 1;
+    let mut turned = with_round_shapes();
+    let (u, v) = (Vector::new(0.48, 0.6, -0.64), Vector::new(0.8, 0.0, 0.6));
+    let turn = |x: Vector| x.x * u + x.y * v + x.z * u.cross(v);
+    turned = moved(&turned, turn);
+    turned.iter_mut().for_each(|face| face.normal = turn(face.normal));
+    let no_turn = |x: Vector| x;
+    let cases: [(&str, Vec<Face>, &dyn Fn(Vector) -> Vector, usize); 4] = [
+        ("empty", faces_of(&room()), &no_turn, 1000),
+        ("furnished", faces_of(&furnished()), &no_turn, 1000),
+        ("with round shapes", with_round_shapes(), &no_turn, 200),
+        ("turned", turned, &turn, 200),
+    ];
+    for (name, faces, turn, count) in cases {
+        let screens = Screens::of(&faces);
+        let mut numbers = Numbers::new(1);
+        for _ in 0..count {
+            let position = free_point(&mut numbers);
+            let (position, normal) = (turn(position), numbers.direction());
             let sum = closure(&screens, &faces, position, normal);
-            assert!((sum - 1.0).abs() < 1e-12, "{position:?} {normal:?}: {:e}", sum - 1.0);
+            assert!((sum - 1.0).abs() < 1e-12, "{name}: {position:?} {normal:?}: {:e}", sum - 1.0);
         }
     }
+}
+
+#[test]
+fn what_points_on_surfaces_see_fills_their_hemisphere() {
+    let faces = with_round_shapes();
+    let screens = Screens::of(&faces);
+    let mut numbers = Numbers::new(3);
+    for face in faces.iter().filter(|face| face.surface >= 6) {
+        let [a, b, c] = [0, 1, 2].map(|corner| face.vertices[corner]);
+        let (s, t) = (0.1 + 0.4 * numbers.next(), 0.1 + 0.4 * numbers.next());
+        let position = a + s * (b - a) + t * (c - a);
+        // the backs of the room, and what stands on the floor or at a wall, are in no closed scene
+        let is_inside = [position.x, position.y, position.z].iter().all(|&c| c > 1e-6 && c < 1.0 - 1e-6);
+        let sees_out = face.is_back && (face.surface < 24 || face.surface == 90);
+        if is_inside && !sees_out {
+            let sum = closure(&screens, &faces, position, face.normal);
+            assert!((sum - 1.0).abs() < 1e-12, "{face:?} {position:?}: {:e}", sum - 1.0);
+        }
+    }
+}
+
+#[test]
+fn without_a_horizon_all_directions_are_seen() {
+    let faces = with_round_shapes();
+    let screens = Screens::of(&faces);
+    let (mut numbers, mut found, mut work) = (Numbers::new(5), Vec::new(), Workspace::default());
+    for _ in 0..100 {
+        let position = free_point(&mut numbers);
+        let mut whole = 0.0;
+        for Face { vertices, normal, .. } in &faces {
+            screens.between(&[position], None, vertices, *normal, &mut found);
+            for piece in screens.visible(position, None, vertices, *normal, &found, &mut work) {
+                let triangles = piece[1..].windows(2).map(|pair| [piece[0], pair[0], pair[1]]);
+                whole += triangles.map(solid_angle).sum::<f64>();
+            }
+        }
+        assert!((whole / (4.0 * PI) - 1.0).abs() < 1e-12, "{position:?}: {whole}");
+    }
+}
+
+/// The solid angle of a triangle relative to the apex.
+fn solid_angle([a, b, c]: [Vector; 3]) -> f64 {
+    solid_angle_triangle(0.0, 0.0, 0.0, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z).abs()
+}
+
+#[test]
+fn what_is_visible_does_not_depend_on_the_unit_of_length() {
+    let faces = with_round_shapes();
+    let screens = Screens::of(&faces);
+    for exponent in [-200, -1, 40, 200] {
+        let unit = 2.0_f64.powi(exponent);
+        let scaled = moved(&faces, |v| unit * v);
+        let scaled_screens = Screens::of(&scaled);
+        let mut numbers = Numbers::new(7);
+        for _ in 0..3 {
+            let (position, normal) = (free_point(&mut numbers), numbers.direction());
+            for (face, scaled) in faces.iter().zip(&scaled) {
+                let expected = seen(&screens, face, position, normal);
+                let found = seen(&scaled_screens, scaled, unit * position, normal);
+                assert!((found - expected).abs() <= 1e-15, "2^{exponent}, {face:?}: {found} and {expected}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_visible_does_not_depend_on_the_place_beyond_the_rounding_of_coordinates() {
+    let faces = with_round_shapes();
+    let screens = Screens::of(&faces);
+    for distance in [1e3, 1e6, 1e8] {
+        let shift = Vector::new(distance, -0.7 * distance, 0.3 * distance);
+        let shifted = moved(&faces, |v| v + shift);
+        let shifted_screens = Screens::of(&shifted);
+        let mut numbers = Numbers::new(11);
+        for _ in 0..10 {
+            let (position, normal) = (free_point(&mut numbers), numbers.direction());
+            let mut sum = 0.0;
+            for (face, shifted) in faces.iter().zip(&shifted) {
+                let expected = seen(&screens, face, position, normal);
+                let found = seen(&shifted_screens, shifted, position + shift, normal);
+                // a coordinate is off by its rounding, beside lengths of a tenth and more
+                let tolerance = 100.0 * f64::EPSILON * distance;
+                assert!(
+                    (found - expected).abs() <= tolerance,
+                    "{distance}, {face:?}: {found} and {expected}"
+                );
+                sum += found;
+            }
+            assert!((sum - 1.0).abs() <= 1000.0 * f64::EPSILON * distance, "{distance}: {sum}");
+        }
+    }
+}
+
+/// What screens leave of the form factor of the lamp [−1, 1]² at height 2, seen from the origin.
+fn visible_fraction(others: &[Polygon]) -> f64 {
+    let lamp = rectangle((-1.0, 1.0), (-1.0, 1.0), 2.0);
+    let all: Vec<Polygon> = others.iter().cloned().chain([lamp]).collect();
+    let faces = faces_of(&all);
+    let lamp = &faces[faces.len() - 2];
+    let visible = seen(&Screens::of(&faces), lamp, ORIGIN, UP);
+    visible / seen(&Screens::of(&faces[faces.len() - 2..]), lamp, ORIGIN, UP)
+}
+
+/// A rectangle that looks down.
+fn rectangle(x: (f64, f64), y: (f64, f64), height: f64) -> Polygon {
+    let corners = [(x.0, y.0), (x.0, y.1), (x.1, y.1), (x.1, y.0)];
+    polygon(&corners.map(|(x, y)| [x, y, height]))
+}
+
+#[test]
+fn screens_leave_what_symmetry_says() {
+    let half = || rectangle((0.0, 9.0), (-9.0, 9.0), 1.0);
+    let wall = |x: f64| polygon(&[[x, -9.0, 1.0], [x, 9.0, 1.0], [x, 9.0, -1.0], [x, -9.0, -1.0]]);
+    // The plane through the lamp's plane at x = x₀ that leans by `slope`.
+    let leaning = |x: f64, slope: f64| {
+        let corners = [(-9.0, -3.0), (9.0, -3.0), (9.0, 3.0), (-9.0, 3.0)];
+        polygon(&corners.map(|(y, z)| [x + slope * z, y, 2.0 + z]))
+    };
+    let sliver = |x: f64| polygon(&[[x, -9.0, 1.0], [x + 1e-8, 0.0, 1.0], [x, 9.0, 1.0]]);
+    let block = |bottom: bool| {
+        let mut all = upright([0.0, -9.0, 0.5], [9.0, 18.0, 0.5], true);
+        all.retain(|side| bottom || side.normal().z > -0.5);
+        all
+    };
+    let cases = [
+        ("nothing in between", vec![], 1.0),
+        ("all hidden", vec![rectangle((-9.0, 9.0), (-9.0, 9.0), 1.0)], 0.0),
+        ("just hidden", vec![rectangle((-0.5, 0.5), (-0.5, 0.5), 1.0)], 0.0),
+        ("half hidden", vec![half()], 0.5),
+        ("the same half twice", vec![half(), rectangle((0.0, 9.0), (-9.0, 9.0), 0.5)], 0.5),
+        ("the same polygon twice", vec![half(), half()], 0.5),
+        (
+            "overlapping polygons in one plane",
+            vec![half(), rectangle((-9.0, 4.0), (-9.0, 0.0), 1.0), half()],
+            0.25,
+        ),
+        ("a quarter left", vec![half(), rectangle((-9.0, 9.0), (0.0, 9.0), 0.5)], 0.25),
+        ("two halves", vec![half(), rectangle((-9.0, 0.0), (-9.0, 9.0), 0.5)], 0.0),
+        ("two halves that touch", vec![half(), rectangle((-9.0, 0.0), (-9.0, 9.0), 1.0)], 0.0),
+        ("a block before one half", block(true), 0.5),
+        ("a block without a bottom", block(false), 0.5),
+        ("beside the lamp", vec![rectangle((0.5, 9.0), (-9.0, 9.0), 1.0)], 1.0),
+        ("beyond the lamp", vec![rectangle((-9.0, 9.0), (-9.0, 9.0), 3.0)], 1.0),
+        ("in the lamp's plane", vec![rectangle((-9.0, 9.0), (-9.0, 9.0), 2.0)], 1.0),
+        ("behind the receiver", vec![rectangle((-9.0, 9.0), (-9.0, 9.0), -1.0)], 1.0),
+        ("under the receiver's feet", vec![rectangle((-9.0, 9.0), (-9.0, 9.0), 0.0)], 1.0),
+        ("edge-on", vec![wall(0.0)], 1.0),
+        ("nearly edge-on", vec![wall(1e-6)], 0.5),
+        ("leaning away from the lamp's edge", vec![leaning(1.0, -1.0)], 1.0),
+        ("leaning from the lamp's edge over the receiver", vec![leaning(1.0, 1.0)], 0.0),
+        ("leaning through the lamp's middle", vec![leaning(0.0, 1.0)], 0.5),
+    ];
+    for (name, others, expected) in cases {
+        let found = visible_fraction(&others);
+        let tolerance = if name == "nearly edge-on" { 1e-5 } else { 1e-14 };
+        assert!((found - expected).abs() < tolerance, "{name}: {found}");
+    }
+    // the more of a narrow triangle there is before the lamp, the more it hides
+    let hidden = [-0.3, 0.0, 0.2].map(|x| 1.0 - visible_fraction(&[sliver(x)]));
+    assert!(hidden.iter().all(|&hidden| hidden > 1e-9 && hidden < 2e-8), "{hidden:?}");
+}
+
+#[test]
+fn the_back_of_a_face_is_the_mirror_image_of_its_front() {
+    let faces = faces_of(&[rectangle((-1.0, 1.0), (-0.5, 2.0), 1.0)]);
+    let screens = Screens::of(&faces);
+    let from =
+        |face: usize, z: f64, normal: Vector| seen(&screens, &faces[face], Vector::new(0.3, 0.2, z), normal);
+    assert!(from(0, 0.0, UP) > 0.1);
+    assert_eq!(from(1, 0.0, UP), 0.0);
+    assert!((from(0, 0.0, UP) - from(1, 2.0, -UP)).abs() < 1e-15);
 }

@@ -1,8 +1,7 @@
 //! Sheets: every surface becomes faces with two sides, whose vertices are shared where they coincide.
 
-use crate::geometry::{Disk, Polygon, Sphere, Vector, resolution};
+use crate::geometry::{Disk, Polygon, Sphere, Vector, Welded, resolution};
 use crate::scene::model::{Scene, Shape};
-use std::collections::HashMap;
 
 /// A piece of a surface.
 pub(super) struct Sheet {
@@ -58,39 +57,4 @@ pub(super) fn sheets(scene: &Scene) -> (Vec<Sheet>, Vec<Vector>) {
     }
     let sheets = pieces.into_iter().map(|(surface, shape)| Sheet { surface, shape }).collect();
     (sheets, welded.vertices)
-}
-
-/// Vertices by number, where those within the resolution of the scene are one.
-struct Welded {
-    vertices: Vec<Vector>,
-    resolution: f64,
-    cells: HashMap<[i64; 3], Vec<usize>>,
-}
-
-impl Welded {
-    fn new(resolution: f64) -> Self {
-        Self { vertices: Vec::new(), resolution, cells: HashMap::new() }
-    }
-
-    /// A vertex within the resolution lies in the cell of the point or in one beside it.
-    fn number(&mut self, point: Vector) -> usize {
-        let cell = |x: f64| (x / (2.0 * self.resolution)).floor() as i64;
-        let [x, y, z] = [cell(point.x), cell(point.y), cell(point.z)];
-        let around = |i: i64| [i.saturating_sub(1), i, i.saturating_add(1)];
-        for key in around(x)
-            .into_iter()
-            .flat_map(|x| around(y).map(|y| (x, y)))
-            .flat_map(|(x, y)| around(z).map(|z| [x, y, z]))
-        {
-            let near = self.cells.get(&key).into_iter().flatten();
-            let mut near = near.filter(|&&other| (self.vertices[other] - point).length() <= self.resolution);
-            if let Some(&number) = near.next() {
-                return number;
-            }
-        }
-        let number = self.vertices.len();
-        self.vertices.push(point);
-        self.cells.entry([x, y, z]).or_default().push(number);
-        number
-    }
 }

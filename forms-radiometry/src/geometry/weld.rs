@@ -1,0 +1,41 @@
+//! Welding: vertices that coincide within a distance get one number.
+
+use super::Vector;
+use std::collections::HashMap;
+
+/// Vertices by number, where those within the resolution of the scene are one.
+pub(crate) struct Welded {
+    /// The vertices, each as it was first met.
+    pub(crate) vertices: Vec<Vector>,
+    resolution: f64,
+    cells: HashMap<[i64; 3], Vec<usize>>,
+}
+
+impl Welded {
+    /// No vertices yet.
+    pub(crate) fn new(resolution: f64) -> Self {
+        Self { vertices: Vec::new(), resolution, cells: HashMap::new() }
+    }
+
+    /// The number of a vertex. One within the resolution lies in a cell that the box of this half width around the point meets.
+    pub(crate) fn number(&mut self, point: Vector) -> usize {
+        let cell = |x: f64| (x / (4.0 * self.resolution)).floor() as i64;
+        let around = |x: f64| cell(x - self.resolution)..=cell(x + self.resolution);
+        for x in around(point.x) {
+            for y in around(point.y) {
+                for z in around(point.z) {
+                    let mut near = self.cells.get(&[x, y, z]).into_iter().flatten();
+                    let is_same =
+                        |other: &&usize| (self.vertices[**other] - point).length() <= self.resolution;
+                    if let Some(&number) = near.find(is_same) {
+                        return number;
+                    }
+                }
+            }
+        }
+        let number = self.vertices.len();
+        self.vertices.push(point);
+        self.cells.entry([point.x, point.y, point.z].map(cell)).or_default().push(number);
+        number
+    }
+}
