@@ -3,7 +3,7 @@
 //! A screen can hide something only if it is above the receivers' horizon, in front of the luminaire, has a receiver and a part of the
 //! luminaire on different sides, and if no plane parts it from the shaft between them. The shaft cuts the screen's plane in the
 //! convex hull of the points where segments between corners on different sides pass through: if the screen holds all of these,
-//! it hides everything; if they lie beyond one of its edges, it hides nothing.
+//! it hides everything; if they lie beyond one of its edges, it hides nothing. Screens of a convex body are taken together.
 
 use super::bounds::Bounds;
 use super::shaft::Shaft;
@@ -18,7 +18,7 @@ pub(crate) enum Between {
     Nothing,
     /// Something may be hidden.
     Some,
-    /// Everything is hidden from everywhere by one screen.
+    /// Everything is hidden from everywhere by one screen or one body.
     All,
 }
 
@@ -107,7 +107,7 @@ struct Sides {
 
 impl Screens {
     /// Which screens can come between receivers in a convex outline, which look to the side of `normal` if there is one, and a convex
-    /// luminaire; `found` gets their indices. Nothing can be hidden where the luminaire is not seen from anywhere.
+    /// luminaire; `found` gets their indices, of one that hides everything only this. Nothing can be hidden where the luminaire is not seen from anywhere.
     pub(crate) fn between(
         &self,
         receivers: &[Vector],
@@ -131,32 +131,42 @@ impl Screens {
         if search.all {
             return Between::All;
         }
-        self.join_bodies(facing, found);
+        if self.join_bodies([receivers, luminaire], facing, found) {
+            return Between::All;
+        }
         if found.is_empty() { Between::Nothing } else { Between::Some }
     }
 
-    /// Takes bodies for their screens, where there are two or more of one and all of it is in front of the luminaire.
-    fn join_bodies(&self, luminaire: Plane, found: &mut Vec<u32>) {
+    /// Takes bodies for their screens, where there are two or more of one and all of it is in front of the luminaire; whether one of them
+    /// hides everything.
+    fn join_bodies(&self, outlines: [&[Vector]; 2], luminaire: Plane, found: &mut Vec<u32>) -> bool {
         let first_body = self.screens.len() as u32;
-        found.sort_unstable_by_key(|&screen| (self.body_of[screen as usize], screen));
-        let mut kept = 0;
-        let mut place = 0;
+        let body_of = |screen: u32| self.body_of[screen as usize];
+        found.sort_unstable_by_key(|&screen| (body_of(screen), screen));
+        let (mut kept, mut place) = (0, 0);
         while let Some(&screen) = found.get(place) {
-            let body = self.body_of[screen as usize];
-            let count =
-                found[place..].iter().take_while(|&&other| self.body_of[other as usize] == body).count();
-            let joined = body
-                .filter(|&body| count > 1 && self.bodies[body as usize].is_before(luminaire, self.rounding));
-            if let Some(body) = joined {
-                found[kept] = first_body + body;
-                kept += 1;
-            } else {
-                found.copy_within(place..place + count, kept);
-                kept += count;
+            let index = body_of(screen);
+            let count = found[place..].iter().take_while(|&&other| body_of(other) == index).count();
+            let body = index.map(|index| (index, &self.bodies[index as usize]));
+            match body.filter(|(_, body)| count > 1 && body.is_before(luminaire, self.rounding)) {
+                Some((index, body)) if body.hides_all(outlines) => {
+                    found.clear();
+                    found.push(first_body + index);
+                    return true;
+                }
+                Some((index, _)) => {
+                    found[kept] = first_body + index;
+                    kept += 1;
+                }
+                None => {
+                    found.copy_within(place..place + count, kept);
+                    kept += count;
+                }
             }
             place += count;
         }
         found.truncate(kept);
+        false
     }
 
     fn sides(&self, points: &[Vector], plane: Plane) -> Sides {

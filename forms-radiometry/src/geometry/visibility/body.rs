@@ -142,6 +142,28 @@ impl Body {
         self.corners.iter().all(|&corner| plane.distance(corner) >= -rounding)
     }
 
+    /// Whether it stands between all points of one outline and all of another. What it hides of a point is convex, and so is what of a
+    /// point's surroundings is hidden: corners are enough.
+    pub(super) fn hides_all(&self, [here, there]: [&[Vector]; 2]) -> bool {
+        here.iter().all(|&from| there.iter().all(|&to| self.is_between(from, to)))
+    }
+
+    /// Whether the segment between two points outside enters the body and leaves it again.
+    fn is_between(&self, from: Vector, to: Vector) -> bool {
+        let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+        for plane in self.planes.iter().chain(&self.lid) {
+            let (start, end) = (plane.distance(from), plane.distance(to));
+            if start > end {
+                enter = enter.max(start / (start - end));
+            } else if start < end {
+                leave = leave.min(start / (start - end));
+            } else if start >= 0.0 {
+                return false;
+            }
+        }
+        0.0 <= enter && enter < leave && leave <= 1.0
+    }
+
     /// The normals to the inside of the planes through a point and each edge of the body's outline, as it is seen from there; none where
     /// the point is not outside of the body, and behind its opening. `seen` is a list for which sides are seen.
     pub(super) fn shadow<'b>(

@@ -62,6 +62,19 @@ fn what_cannot_come_between_hides_nothing() {
     assert!(counts.iter().all(|&count| count > 30), "{counts:?}");
 }
 
+/// A roof over the floor, of which neither side hides all.
+fn wedge() -> Vec<Polygon> {
+    let [a, b] = [[-2.0, -1.0, 0.2], [3.0, -1.0, 0.2]];
+    let [c, d] = [[3.0, 2.0, 0.2], [-2.0, 2.0, 0.2]];
+    let [left, right] = [[-2.0, 0.5, 0.8], [3.0, 0.5, 0.8]];
+    vec![
+        polygon(&[a, b, right, left]),
+        polygon(&[c, d, left, right]),
+        polygon(&[a, left, d]),
+        polygon(&[b, c, right]),
+    ]
+}
+
 #[test]
 fn a_screen_is_left_out_or_hides_all_by_where_the_shaft_passes() {
     let [floor, lamp] = [
@@ -80,6 +93,8 @@ fn a_screen_is_left_out_or_hides_all_by_where_the_shaft_passes() {
         ("leaning away, with its box across", vec![leaning(0.95)], Between::Some),
         ("leaning and beside", vec![leaning(1.0)], Between::Nothing),
         ("a block on the floor beside", upright([1.0, 0.2, 0.0], [0.3, 0.3, 0.9], true), Between::Nothing),
+        ("a block that fills the room", upright([0.0, 0.0, 0.3], [1.0, 1.0, 0.4], true), Between::All),
+        ("a wedge through the room", wedge(), Between::All),
         ("a block on the floor", upright([0.2, 0.2, 0.0], [0.3, 0.3, 0.9], true), Between::Some),
     ];
     for (name, others, expected) in cases {
