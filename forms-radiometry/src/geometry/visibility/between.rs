@@ -61,13 +61,18 @@ impl Search<'_> {
         if !parts {
             return Between::Nothing;
         }
+        self.shaft.complete();
+        if !self.shaft.may_hold(&screen.vertices) {
+            return Between::Nothing;
+        }
         self.find_passages(screen.plane);
-        let rounding = self.screens.rounding;
         let mut holds_all = receivers.in_front != receivers.behind && luminaire.in_front != luminaire.behind;
-        for edge in edges(screen) {
+        for [a, b] in screen.edges() {
+            let inward = screen.plane.normal.cross(b - a);
+            let rounding = self.screens.rounding * inward.largest();
             let mut all_beyond = true;
             for &passage in &self.passages {
-                let inside = edge.distance(passage);
+                let inside = inward.dot(passage - a);
                 all_beyond &= inside <= rounding;
                 holds_all &= inside >= -rounding;
             }
@@ -90,13 +95,6 @@ impl Search<'_> {
             }
         }
     }
-}
-
-/// The planes through a screen's edges at right angles to it, with normals to its inside.
-fn edges(screen: &Screen) -> impl Iterator<Item = Plane> {
-    let plane =
-        |[a, b]: [Vector; 2]| Some(Plane { point: a, normal: screen.plane.normal.cross(b - a).unit()? });
-    screen.edges().filter_map(plane)
 }
 
 /// On which sides of a plane there are points.

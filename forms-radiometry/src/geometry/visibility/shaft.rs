@@ -15,20 +15,27 @@ pub(super) struct Shaft<'o> {
     bounds: Bounds,
     /// Planes with normals to the outside.
     planes: Vec<Plane>,
+    /// Whether the planes about the edges of the outlines are among them.
+    is_complete: bool,
     /// A point that is nearer to a plane counts as outside of it.
     rounding: f64,
 }
 
 impl<'o> Shaft<'o> {
-    /// The shaft between two outlines.
+    /// The shaft between two outlines, as far as their box and cuts say.
     pub(super) fn new(outlines: [&'o [Vector]; 2], rounding: f64) -> Self {
         let [here, there] = outlines;
         let bounds = Bounds::of(here.iter().chain(there).copied()).wider(rounding);
-        let planes = Vec::with_capacity(2 + here.len() + there.len());
-        let mut shaft = Self { outlines, bounds, planes, rounding };
-        shaft.add_planes_about_edges(here, there);
-        shaft.add_planes_about_edges(there, here);
-        shaft
+        Self { outlines, bounds, planes: Vec::new(), is_complete: false, rounding }
+    }
+
+    /// Adds the planes about the edges of the outlines, which only some searches need.
+    pub(super) fn complete(&mut self) {
+        if !std::mem::replace(&mut self.is_complete, true) {
+            let [here, there] = self.outlines;
+            self.add_planes_about_edges(here, there);
+            self.add_planes_about_edges(there, here);
+        }
     }
 
     /// Cuts off what is behind a plane, or nearer to it than this.
@@ -45,12 +52,11 @@ impl<'o> Shaft<'o> {
             let (a, b) = (edges[place], edges[(place + 1) % edges.len()]);
             for turn in [1.0, -1.0] {
                 let Some(normal) = first_met(a, turn * (b - a), vertices) else { continue };
-                let plane = Plane { point: a, normal };
-                let is_around =
-                    |outline: &[Vector]| outline.iter().all(|&v| plane.distance(v) <= self.rounding);
-                if self.outlines.into_iter().all(is_around) {
-                    self.planes.push(plane);
-                }
+                let is_around = |plane: &Plane| {
+                    let outlines = self.outlines.into_iter().flatten();
+                    outlines.into_iter().all(|&v| plane.distance(v) <= self.rounding)
+                };
+                self.planes.extend(Some(Plane { point: a, normal }).filter(is_around));
             }
         }
     }
@@ -74,8 +80,8 @@ fn first_met(a: Vector, direction: Vector, vertices: &[Vector]) -> Option<Vector
     let mut first: Option<Vector> = None;
     for &vertex in vertices {
         let to_vertex = vertex - a;
-        let is_before = first.is_none_or(|first| direction.cross(to_vertex).dot(first) > 0.0);
-        if is_before && direction.cross(to_vertex).unit().is_some() {
+        let ahead = direction.cross(to_vertex);
+        if ahead != Vector::default() && first.is_none_or(|first| ahead.dot(first) > 0.0) {
             first = Some(to_vertex);
         }
     }
