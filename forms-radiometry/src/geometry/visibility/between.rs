@@ -28,7 +28,21 @@ struct Search<'s> {
     /// Where segments get through a screen's plane, reused from screen to screen.
     passages: Vec<Vector>,
     found: &'s mut Vec<u32>,
+    luminaire: Plane,
+    /// The bodies of screens that were found.
+    bodies: Vec<(u32, Part)>,
     all: bool,
+}
+
+/// What was found of a body.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Part {
+    /// One screen, at this place of the list.
+    One(usize),
+    /// Screens that hide by themselves, since not all of the body is in front of the luminaire.
+    Several,
+    /// The body, which stands for all of its screens.
+    Whole,
 }
 
 impl Query for Search<'_> {
@@ -37,23 +51,54 @@ impl Query for Search<'_> {
     }
 
     fn at(&mut self, leaf: usize) -> ControlFlow<()> {
-        let screen = &self.screens.screens[leaf];
-        let between =
-            if self.shaft.may_hold(&screen.vertices) { self.hidden_by(screen) } else { Between::Nothing };
-        match between {
-            Between::Nothing => return ControlFlow::Continue(()),
-            Between::Some => {}
-            Between::All => {
-                self.all = true;
-                self.found.clear();
-            }
+        let body = self.screens.body_of[leaf];
+        let place = body.and_then(|body| self.bodies.iter().position(|(known, _)| *known == body));
+        if place.is_some_and(|place| self.bodies[place].1 == Part::Whole) {
+            return ControlFlow::Continue(());
         }
-        self.found.push(u32::try_from(leaf).expect("the tree counts screens in u32"));
-        if self.all { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        match self.hidden_by(&self.screens.screens[leaf]) {
+            Between::Nothing => ControlFlow::Continue(()),
+            Between::Some => self.take(leaf as u32, body, place),
+            Between::All => self.hide_all(leaf as u32),
+        }
     }
 }
 
 impl Search<'_> {
+    fn hide_all(&mut self, index: u32) -> ControlFlow<()> {
+        self.all = true;
+        self.found.clear();
+        self.found.push(index);
+        ControlFlow::Break(())
+    }
+
+    /// Takes a screen that may hide something; if it is the second of its body and all of that is in front of the luminaire, the body for
+    /// both and for the rest. `place` is where the body is known.
+    fn take(&mut self, screen: u32, body: Option<u32>, place: Option<usize>) -> ControlFlow<()> {
+        let (Some(index), Some(place)) = (body, place) else {
+            self.bodies.extend(body.map(|body| (body, Part::One(self.found.len()))));
+            self.found.push(screen);
+            return ControlFlow::Continue(());
+        };
+        let body = &self.screens.bodies[index as usize];
+        let part = &mut self.bodies[place].1;
+        match *part {
+            Part::One(first) if body.is_before(self.luminaire, self.screens.rounding) => {
+                *part = Part::Whole;
+                let index = self.screens.screens.len() as u32 + index;
+                self.found[first] = index;
+                if body.hides_all(self.shaft.outlines) {
+                    return self.hide_all(index);
+                }
+            }
+            _ => {
+                *part = Part::Several;
+                self.found.push(screen);
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
     fn hidden_by(&mut self, screen: &Screen) -> Between {
         let [receivers, luminaire] =
             self.shaft.outlines.map(|outline| self.screens.sides(outline, screen.plane));
@@ -105,7 +150,8 @@ struct Sides {
 
 impl Screens {
     /// Which screens can come between receivers in a convex outline, which look to the side of `normal` if there is one, and a convex
-    /// luminaire; `found` gets their indices, of one that hides everything only this. Nothing can be hidden where the luminaire is not seen from anywhere.
+    /// luminaire; `found` gets their indices, of one that hides everything only this. Nothing can be hidden where the luminaire is not
+    /// seen from anywhere.
     pub(crate) fn between(
         &self,
         receivers: &[Vector],
@@ -124,47 +170,15 @@ impl Screens {
         }
         let mut shaft = Shaft::new([receivers, luminaire], self.rounding);
         [Some(facing), ground].into_iter().flatten().for_each(|plane| shaft.cut(plane, self.resolution));
-        let mut search = Search { screens: self, shaft, passages: Vec::new(), found, all: false };
+        let (passages, bodies) = (Vec::new(), Vec::new());
+        let mut search =
+            Search { screens: self, shaft, passages, found, luminaire: facing, bodies, all: false };
         let _ = self.tree.walk(&mut search);
-        if search.all {
-            return Between::All;
+        match (search.all, found.is_empty()) {
+            (true, _) => Between::All,
+            (false, true) => Between::Nothing,
+            (false, false) => Between::Some,
         }
-        if self.join_bodies([receivers, luminaire], facing, found) {
-            return Between::All;
-        }
-        if found.is_empty() { Between::Nothing } else { Between::Some }
-    }
-
-    /// Takes bodies for their screens, where there are two or more of one and all of it is in front of the luminaire; whether one of them
-    /// hides everything.
-    fn join_bodies(&self, outlines: [&[Vector]; 2], luminaire: Plane, found: &mut Vec<u32>) -> bool {
-        let first_body = self.screens.len() as u32;
-        let body_of = |screen: u32| self.body_of[screen as usize];
-        found.sort_unstable_by_key(|&screen| (body_of(screen), screen));
-        let (mut kept, mut place) = (0, 0);
-        while let Some(&screen) = found.get(place) {
-            let index = body_of(screen);
-            let count = found[place..].iter().take_while(|&&other| body_of(other) == index).count();
-            let body = index.map(|index| (index, &self.bodies[index as usize]));
-            match body.filter(|(_, body)| count > 1 && body.is_before(luminaire, self.rounding)) {
-                Some((index, body)) if body.hides_all(outlines) => {
-                    found.clear();
-                    found.push(first_body + index);
-                    return true;
-                }
-                Some((index, _)) => {
-                    found[kept] = first_body + index;
-                    kept += 1;
-                }
-                None => {
-                    found.copy_within(place..place + count, kept);
-                    kept += count;
-                }
-            }
-            place += count;
-        }
-        found.truncate(kept);
-        false
     }
 
     fn sides(&self, points: &[Vector], plane: Plane) -> Sides {
