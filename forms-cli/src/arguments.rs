@@ -123,7 +123,8 @@ pub(crate) enum Command {
     /// Print the view factors between the surfaces of a scene as CSV
     ///
     /// A row holds the fractions of what one surface sends that arrive at each of the others, and their sum, which is 1 where
-    /// nothing leaves the scene. A two-sided surface sends from both sides.
+    /// nothing leaves the scene. A two-sided surface sends from both sides. Flat pieces stand for disks and spheres: what half
+    /// as many edges round them would change is part of the errors.
     ViewFactors {
         /// A scene, in TOML or of Mitsuba 3 (.xml)
         scene: String,

@@ -149,6 +149,23 @@ mod tests {
         assert!(found.reciprocity_residual() < 1e-3);
     }
 
+    #[test]
+    fn what_a_ball_in_a_cube_hides_arrives_at_the_ball() {
+        let ball = "[[surface]]\nname = \"ball\"\nmaterial = \"grey\"
+            sphere = { center = [0.5,0.5,0.5], radius = 0.3 }\n[solve]\ntolerance = 0.01\n";
+        let found = view_factors(&scene(ball));
+        for surface in 0..7 {
+            let error: f64 = found.rows[surface].iter().map(|factor| factor.error).sum();
+            let residual = (found.sum(surface) - 1.0).abs();
+            assert!(residual <= error && error < 0.05, "{surface}: {residual:e}, said {error:e}");
+        }
+        // what a ball sends, it sends to the cube, a sixth to each face
+        let ViewFactor { value, error } = found.rows[6][0];
+        let off = (value - 1.0 / 6.0).abs();
+        assert!(off <= error && found.rows[6][6].value == 0.0, "off by {off:e}, said {error:e}");
+        assert!(found.rows[0][1].value < 0.1, "the ball hides half of the opposite face");
+    }
+
     /// A scene of these surfaces, given as name, shape and sides.
     fn only(surfaces: &[(&str, &str, bool)]) -> Scene {
         let mut text = "[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5\n".to_string();

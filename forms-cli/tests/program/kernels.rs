@@ -211,6 +211,22 @@ fn view_factors_of_a_scene_are_a_matrix_with_sums_or_lines_with_errors() {
 }
 
 #[test]
+fn view_factors_of_disks_and_spheres_come_with_what_finer_pieces_change() {
+    let scene = "[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5
+        [[surface]]\nname = \"disk\"\nmaterial = \"grey\"\ndisk = { center = [0,0,0], normal = [0,0,1], radius = 1 }
+        [[surface]]\nname = \"ball\"\nmaterial = \"grey\"\nsphere = { center = [0,0,1.5], radius = 0.5 }
+        [solve]\ntolerance = 1e-3\n";
+    let folder = Folder::with(&[("round.toml", scene)]);
+    let json = forms(&folder, &["view-factors", "round.toml", "--json"]).output;
+    let from_ball: serde_json::Value =
+        serde_json::from_str(json.lines().nth(2).expect("four lines")).expect("JSON");
+    let [value, error] = ["value", "error"].map(|key| from_ball[key].as_f64().expect("a number"));
+    // Howell's catalogue, a sphere to a coaxial disk: (1 - h/sqrt(h² + r²))/2
+    let expected = 0.5 * (1.0 - 1.5 / 1.5_f64.hypot(1.0));
+    assert!((value - expected).abs() <= error && error < 0.01 * expected, "{value}, {error} and {expected}");
+}
+
+#[test]
 fn a_sheet_says_what_every_variant_loses_and_what_no_argument_exceeds() {
     let kernels = "kernel half_root(x) = sqrt(x)/3 where 1 <= x <= 4; kernel less_one(x) = exp(x) - 1;";
     let folder = Folder::with(&[("k.forms", kernels)]);

@@ -49,8 +49,12 @@ pub(crate) fn exchange_with(
     screens: &Screens,
     [tolerance, least]: [f64; 2],
 ) -> Exchange {
+    let (outline, normal) = (&here.vertices, Some(here.normal));
+    if !screens.face_each_other(outline, normal, &there.vertices, there.normal) {
+        return Exchange::default();
+    }
     let mut found = Vec::new();
-    match screens.between(&here.vertices, Some(here.normal), &there.vertices, there.normal, &mut found) {
+    match screens.between(outline, normal, &there.vertices, there.normal, &mut found) {
         Between::All => Exchange::default(),
         Between::Nothing => {
             let normals = [here.normal, there.normal];

@@ -161,13 +161,11 @@ impl Screens {
         found: &mut Vec<u32>,
     ) -> Between {
         found.clear();
-        let facing = Plane { point: luminaire[0], normal: luminaire_normal };
-        let ground = normal.map(|normal| Plane { point: receivers[0], normal });
-        let sees = self.sides(receivers, facing).in_front
-            && ground.is_none_or(|ground| self.sides(luminaire, ground).in_front);
-        if !sees {
+        if !self.face_each_other(receivers, normal, luminaire, luminaire_normal) {
             return Between::Nothing;
         }
+        let facing = Plane { point: luminaire[0], normal: luminaire_normal };
+        let ground = normal.map(|normal| Plane { point: receivers[0], normal });
         let mut shaft = Shaft::new([receivers, luminaire], self.rounding);
         [Some(facing), ground].into_iter().flatten().for_each(|plane| shaft.cut(plane, self.resolution));
         let (passages, bodies) = (Vec::new(), Vec::new());
@@ -179,6 +177,22 @@ impl Screens {
             (false, true) => Between::Nothing,
             (false, false) => Between::Some,
         }
+    }
+
+    /// Whether some receiver is in front of a luminaire, and some of that above the receivers' horizon, if there is one: beyond what
+    /// counts as lying in a plane.
+    pub(crate) fn face_each_other(
+        &self,
+        receivers: &[Vector],
+        normal: Option<Vector>,
+        luminaire: &[Vector],
+        luminaire_normal: Vector,
+    ) -> bool {
+        let is_in_front = |points: &[Vector], point: Vector, normal: Vector| {
+            points.iter().any(|&v| Plane { point, normal }.distance(v) > self.resolution)
+        };
+        is_in_front(receivers, luminaire[0], luminaire_normal)
+            && normal.is_none_or(|normal| is_in_front(luminaire, receivers[0], normal))
     }
 
     fn sides(&self, points: &[Vector], plane: Plane) -> Sides {
