@@ -109,6 +109,9 @@ fn closure(screens: &Screens, faces: &[Face], position: Vector, normal: Vector) 
     faces.iter().map(|face| seen(screens, face, position, normal)).sum()
 }
 
+/// Where a point is moved to.
+type Image<'i> = &'i dyn Fn(Vector) -> Vector;
+
 /// The same faces, each corner moved.
 fn moved(faces: &[Face], image: impl Fn(Vector) -> Vector) -> Vec<Face> {
     let moved =
@@ -140,7 +143,7 @@ fn what_a_point_in_a_closed_room_sees_fills_its_hemisphere() {
     turned = moved(&turned, turn);
     turned.iter_mut().for_each(|face| face.normal = turn(face.normal));
     let no_turn = |x: Vector| x;
-    let cases: [(&str, Vec<Face>, &dyn Fn(Vector) -> Vector, usize); 4] = [
+    let cases: [(&str, Vec<Face>, Image, usize); 4] = [
         ("empty", faces_of(&room()), &no_turn, 1000),
         ("furnished", faces_of(&furnished()), &no_turn, 1000),
         ("with round shapes", with_round_shapes(), &no_turn, 200),

@@ -1,6 +1,9 @@
 //! Searches leave screens out, join them into bodies and stop at the first that is met: what they find is the same as looking at all of them.
 
 use super::*;
+use crate::CORNELL_BOX;
+use crate::faces::faces;
+use crate::scene::read;
 
 /// Convex outlines: corners of a triangle or a parallelogram, or one point.
 fn outline(numbers: &mut Numbers) -> Vec<Vector> {
@@ -131,6 +134,8 @@ fn convex_groups_of_screens_are_bodies_even_if_one_plane_is_open() {
     for (name, polygons, expected) in cases {
         assert_eq!(Screens::of(&faces_of(&polygons)).bodies.len(), expected, "{name}");
     }
+    let cornell_box = read(CORNELL_BOX, "cornell_box.toml").expect("a scene");
+    assert_eq!(Screens::of(&faces(&cornell_box, 0)).bodies.len(), 2, "its blocks");
 }
 
 #[test]
