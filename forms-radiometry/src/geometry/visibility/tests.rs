@@ -268,57 +268,75 @@ fn rectangle(x: (f64, f64), y: (f64, f64), height: f64) -> Polygon {
     polygon(&corners.map(|(x, y)| [x, y, height]))
 }
 
+/// The rectangle before the lamp's half at positive x.
+fn half() -> Polygon {
+    rectangle((0.0, 9.0), (-9.0, 9.0), 1.0)
+}
+
+/// A plane that meets the lamp's plane at this x, and leans by `slope`.
+fn leaning(x: f64, slope: f64) -> Polygon {
+    let corners = [(-9.0, -3.0), (9.0, -3.0), (9.0, 3.0), (-9.0, 3.0)];
+    polygon(&corners.map(|(y, z)| [x + slope * z, y, 2.0 + z]))
+}
+
+/// A wall at right angles to the lamp, up to half its height.
+fn wall(x: f64) -> Polygon {
+    polygon(&[[x, -9.0, 1.0], [x, 9.0, 1.0], [x, 9.0, -1.0], [x, -9.0, -1.0]])
+}
+
 #[test]
 fn screens_leave_what_symmetry_says() {
-    let half = || rectangle((0.0, 9.0), (-9.0, 9.0), 1.0);
-    let wall = |x: f64| polygon(&[[x, -9.0, 1.0], [x, 9.0, 1.0], [x, 9.0, -1.0], [x, -9.0, -1.0]]);
-    // The plane through the lamp's plane at x = x₀ that leans by `slope`.
-    let leaning = |x: f64, slope: f64| {
-        let corners = [(-9.0, -3.0), (9.0, -3.0), (9.0, 3.0), (-9.0, 3.0)];
-        polygon(&corners.map(|(y, z)| [x + slope * z, y, 2.0 + z]))
-    };
-    let sliver = |x: f64| polygon(&[[x, -9.0, 1.0], [x + 1e-8, 0.0, 1.0], [x, 9.0, 1.0]]);
     let block = |bottom: bool| {
         let mut all = upright([0.0, -9.0, 0.5], [9.0, 18.0, 0.5], true);
         all.retain(|side| bottom || side.normal().z > -0.5);
         all
     };
+    let at = |x: (f64, f64), y: (f64, f64), height: f64| rectangle(x, y, height);
     let cases = [
-        ("nothing in between", vec![], 1.0),
-        ("all hidden", vec![rectangle((-9.0, 9.0), (-9.0, 9.0), 1.0)], 0.0),
-        ("just hidden", vec![rectangle((-0.5, 0.5), (-0.5, 0.5), 1.0)], 0.0),
+        ("all hidden", vec![at((-9.0, 9.0), (-9.0, 9.0), 1.0)], 0.0),
+        ("just hidden", vec![at((-0.5, 0.5), (-0.5, 0.5), 1.0)], 0.0),
         ("half hidden", vec![half()], 0.5),
-        ("the same half twice", vec![half(), rectangle((0.0, 9.0), (-9.0, 9.0), 0.5)], 0.5),
+        ("the same half twice", vec![half(), at((0.0, 9.0), (-9.0, 9.0), 0.5)], 0.5),
         ("the same polygon twice", vec![half(), half()], 0.5),
-        (
-            "overlapping polygons in one plane",
-            vec![half(), rectangle((-9.0, 4.0), (-9.0, 0.0), 1.0), half()],
-            0.25,
-        ),
-        ("a quarter left", vec![half(), rectangle((-9.0, 9.0), (0.0, 9.0), 0.5)], 0.25),
-        ("two halves", vec![half(), rectangle((-9.0, 0.0), (-9.0, 9.0), 0.5)], 0.0),
-        ("two halves that touch", vec![half(), rectangle((-9.0, 0.0), (-9.0, 9.0), 1.0)], 0.0),
+        ("overlapping in one plane", vec![half(), at((-9.0, 4.0), (-9.0, 0.0), 1.0), half()], 0.25),
+        ("a quarter left", vec![half(), at((-9.0, 9.0), (0.0, 9.0), 0.5)], 0.25),
+        ("two halves", vec![half(), at((-9.0, 0.0), (-9.0, 9.0), 0.5)], 0.0),
+        ("two halves that touch", vec![half(), at((-9.0, 0.0), (-9.0, 9.0), 1.0)], 0.0),
         ("a block before one half", block(true), 0.5),
         ("a block without a bottom", block(false), 0.5),
-        ("beside the lamp", vec![rectangle((0.5, 9.0), (-9.0, 9.0), 1.0)], 1.0),
-        ("beyond the lamp", vec![rectangle((-9.0, 9.0), (-9.0, 9.0), 3.0)], 1.0),
-        ("in the lamp's plane", vec![rectangle((-9.0, 9.0), (-9.0, 9.0), 2.0)], 1.0),
-        ("behind the receiver", vec![rectangle((-9.0, 9.0), (-9.0, 9.0), -1.0)], 1.0),
-        ("under the receiver's feet", vec![rectangle((-9.0, 9.0), (-9.0, 9.0), 0.0)], 1.0),
-        ("edge-on", vec![wall(0.0)], 1.0),
-        ("nearly edge-on", vec![wall(1e-6)], 0.5),
-        ("leaning away from the lamp's edge", vec![leaning(1.0, -1.0)], 1.0),
         ("leaning from the lamp's edge over the receiver", vec![leaning(1.0, 1.0)], 0.0),
         ("leaning through the lamp's middle", vec![leaning(0.0, 1.0)], 0.5),
     ];
     for (name, others, expected) in cases {
         let found = visible_fraction(&others);
-        let tolerance = if name == "nearly edge-on" { 1e-5 } else { 1e-14 };
-        assert!((found - expected).abs() < tolerance, "{name}: {found}");
+        assert!((found - expected).abs() < 1e-14, "{name}: {found}");
     }
-    // the more of a narrow triangle there is before the lamp, the more it hides
-    let hidden = [-0.3, 0.0, 0.2].map(|x| 1.0 - visible_fraction(&[sliver(x)]));
-    assert!(hidden.iter().all(|&hidden| hidden > 1e-9 && hidden < 2e-8), "{hidden:?}");
+    let nearly_edge_on = visible_fraction(&[wall(1e-6)]);
+    assert!((nearly_edge_on - 0.5).abs() < 1e-5, "{nearly_edge_on}");
+}
+
+#[test]
+fn what_is_not_in_between_hides_nothing_and_a_sliver_hardly_anything() {
+    let sheet = |height: f64| rectangle((-9.0, 9.0), (-9.0, 9.0), height);
+    let cases = [
+        ("nothing", vec![]),
+        ("beside the lamp", vec![rectangle((0.5, 9.0), (-9.0, 9.0), 1.0)]),
+        ("beyond the lamp", vec![sheet(3.0)]),
+        ("in the lamp's plane", vec![sheet(2.0)]),
+        ("behind the receiver", vec![sheet(-1.0)]),
+        ("under the receiver's feet", vec![sheet(0.0)]),
+        ("edge-on", vec![wall(0.0)]),
+        ("leaning away from the lamp's edge", vec![leaning(1.0, -1.0)]),
+    ];
+    for (name, others) in cases {
+        let found = visible_fraction(&others);
+        assert!((found - 1.0).abs() < 1e-14, "{name}: {found}");
+    }
+    for x in [-0.3, 0.0, 0.2] {
+        let sliver = polygon(&[[x, -9.0, 1.0], [x + 1e-8, 0.0, 1.0], [x, 9.0, 1.0]]);
+        let hidden = 1.0 - visible_fraction(&[sliver]);
+        assert!(hidden > 1e-9 && hidden < 2e-8, "{x}: {hidden:e}");
+    }
 }
 
 #[test]
