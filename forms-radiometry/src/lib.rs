@@ -18,6 +18,7 @@ pub mod geometry;
 pub mod irradiance;
 pub mod kernels;
 mod library;
+pub mod output;
 pub mod picture;
 pub mod scene;
 mod sight;

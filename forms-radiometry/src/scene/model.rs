@@ -348,6 +348,12 @@ impl Effect {
         ("time", Self::Time),
     ];
 
+    /// Its name in scene files.
+    pub fn name(self) -> &'static str {
+        let named = Self::ALL.iter().find(|(_, effect)| *effect == self);
+        named.map_or("", |(name, _)| name)
+    }
+
     /// Whether there are orders of it: light takes part in it several times.
     pub fn has_orders(self) -> bool {
         matches!(self, Self::Interreflection | Self::Scattering)

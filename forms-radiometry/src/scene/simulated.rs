@@ -130,8 +130,7 @@ impl Refusals {
     fn effects(&mut self, scene: &Scene) {
         for forced in &scene.solve.forced {
             let simulated = matches!(forced.effect, Effect::Direct | Effect::Occlusion | Effect::Bands);
-            let name =
-                Effect::ALL.iter().find(|(_, effect)| *effect == forced.effect).map_or("", |(name, _)| name);
+            let name = forced.effect.name();
             match (simulated, forced.force) {
                 (true, Force::On) | (false, Force::Off) => {}
                 (true, _) => {

@@ -1,0 +1,31 @@
+//! Files: what a simulation found becomes the bytes of tables and pictures. Nothing is written to a disk here.
+//!
+//! ```text
+//! Simulation ─┬─ csv ─▶ results.csv: every number, every cell of every map
+//!             └─ Map ─┬─ exr ─▶ the values as they are, a channel for each band
+//!                     └─ png ─▶ a picture on a scale of colours
+//! ```
+//! The pictures show a surface as it is seen from its front, with the first edge of its polygon below: the last row of
+//! a map is the first one of a picture.
+
+mod csv;
+mod exr;
+mod names;
+mod png;
+
+pub use csv::csv;
+pub use exr::exr;
+pub use names::file_names;
+pub use png::png;
+
+use crate::simulation::Map;
+
+/// The cells of a map in the order of a picture: row by row from above.
+fn from_above<'v>(map: &Map, values: &'v [f64]) -> impl DoubleEndedIterator<Item = &'v [f64]> {
+    values.chunks_exact(map.size[0]).rev()
+}
+
+/// For each cell the sum of all bands.
+fn total(map: &Map) -> Vec<f64> {
+    (0..map.size[0] * map.size[1]).map(|cell| map.values.iter().map(|band| band[cell]).sum()).collect()
+}

@@ -1,0 +1,58 @@
+//! A map as OpenEXR: linear values in 32 bits, a pixel for each cell.
+
+use super::{from_above, total};
+use crate::scene::Scene;
+use crate::simulation::Map;
+use crate::spectrum::{Colour, add_scaled, band_colours};
+use ::exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, Image, WritableImage};
+use std::io::{self, Cursor};
+
+/// The file of a map of this scene.
+///
+/// A single band is the channel `Y`. Of several the channels are `band0`, `band1`, … and what viewers show: `R`, `G` and
+/// `B`, the colour in linear sRGB under which the lamps are white, or, where no band is visible, `Y`, the sum of all.
+/// Cells outside of the polygon are NaN. Values beyond the range of `f32` are infinite or zero.
+pub fn exr(map: &Map, scene: &Scene) -> io::Result<Vec<u8>> {
+    let channels = match &map.values[..] {
+        [values] => vec![channel(map, "Y", values)],
+        bands => {
+            let raw = |(band, values): (usize, &Vec<f64>)| channel(map, &format!("band{band}"), values);
+            bands.iter().enumerate().map(raw).chain(shown(map, scene)).collect()
+        }
+    };
+    let channels = AnyChannels::sort(channels.into());
+    let size = (map.size[0], map.size[1]);
+    let mut image = Image::from_encoded_channels(size, Encoding::SMALL_LOSSLESS, channels);
+    let comment = format!("{} in {}", map.quantity.name(), map.quantity.unit());
+    image.layer_data.attributes.comments = Some(comment.as_str().into());
+    image.layer_data.attributes.software_name = Some("forms".into());
+    let mut file = Cursor::new(Vec::new());
+    image.write().to_buffered(&mut file).map_err(io::Error::other)?;
+    Ok(file.into_inner())
+}
+
+type Channel = AnyChannel<FlatSamples>;
+
+fn channel(map: &Map, name: &str, values: &[f64]) -> Channel {
+    let samples = from_above(map, values).flatten().map(|&value| value as f32).collect();
+    AnyChannel::new(name, FlatSamples::F32(samples))
+}
+
+/// What a viewer shows of several bands.
+fn shown(map: &Map, scene: &Scene) -> Vec<Channel> {
+    let colours = band_colours(scene);
+    if colours.iter().flatten().all(|&component| component == 0.0) {
+        return vec![channel(map, "Y", &total(map))];
+    }
+    let colour = |cell: usize| {
+        let mut sum = Colour::default();
+        map.values.iter().zip(&colours).for_each(|(band, &colour)| add_scaled(&mut sum, band[cell], colour));
+        sum
+    };
+    let cells: Vec<Colour> = (0..map.size[0] * map.size[1]).map(colour).collect();
+    let component = |(place, name): (usize, &&str)| {
+        let values: Vec<f64> = cells.iter().map(|cell| cell[place]).collect();
+        channel(map, name, &values)
+    };
+    ["R", "G", "B"].iter().enumerate().map(component).collect()
+}

@@ -1,0 +1,81 @@
+//! A map as a picture: values become colours of a scale along which equal steps look equal.
+
+use super::{from_above, total};
+use crate::simulation::Map;
+use colorous::VIRIDIS;
+use std::io;
+
+/// The longer side of the picture has this many pixels or more.
+const SIDE: usize = 256;
+
+/// The file of a map's picture.
+///
+/// The value of a cell is the sum of its bands, and a cell is a square of pixels. The colours are those of viridis, from
+/// dark at 0 to bright at the greatest value; the text `Description` of the file says which value that is. Cells outside
+/// of the polygon are transparent.
+pub fn png(map: &Map) -> io::Result<Vec<u8>> {
+    let values = total(map);
+    let greatest = values.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);
+    let scale = enlargement(map.size);
+    let mut pixels = Vec::with_capacity(4 * values.len() * scale * scale);
+    for row in from_above(map, &values) {
+        let colours = row.iter().map(|&value| colour(value, greatest));
+        let line: Vec<u8> = colours.flat_map(|colour| std::iter::repeat_n(colour, scale)).flatten().collect();
+        (0..scale).for_each(|_| pixels.extend_from_slice(&line));
+    }
+    let mut file = Vec::new();
+    let [width, height] = map.size.map(|cells| (cells * scale) as u32);
+    let mut encoder = ::png::Encoder::new(&mut file, width, height);
+    encoder.set_color(::png::ColorType::Rgba);
+    encoder.set_depth(::png::BitDepth::Eight);
+    encoder.set_source_srgb(::png::SrgbRenderingIntent::Perceptual);
+    encoder.add_itxt_chunk("Description".to_owned(), description(map, greatest))?;
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&pixels)?;
+    writer.finish()?;
+    Ok(file)
+}
+
+/// How many pixels wide and high a cell is.
+fn enlargement([columns, rows]: [usize; 2]) -> usize {
+    SIDE.div_ceil(columns.max(rows))
+}
+
+fn colour(value: f64, greatest: f64) -> [u8; 4] {
+    if value.is_nan() {
+        return [0; 4];
+    }
+    let share = if greatest > 0.0 { value / greatest } else { 0.0 };
+    let colour = VIRIDIS.eval_continuous(share);
+    [colour.r, colour.g, colour.b, 255]
+}
+
+fn description(map: &Map, greatest: f64) -> String {
+    let bands = if map.values.len() == 1 { "" } else { ", all bands together" };
+    let (quantity, unit) = (map.quantity.name(), map.quantity.unit());
+    format!("{quantity} of {}{bands}, from 0 (dark) to {greatest:?} {unit} (bright)", map.receiver)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_has_256_pixels_or_more_on_its_longer_side() {
+        for (size, scale) in [([1, 1], 256), ([64, 64], 4), ([100, 10], 3), ([10, 257], 1), ([256, 1], 1)] {
+            assert_eq!(enlargement(size), scale, "{size:?}");
+        }
+    }
+
+    #[test]
+    fn the_scale_goes_from_dark_to_bright_and_leaves_out_what_is_no_number() {
+        let luminance = |share: f64| {
+            let [r, g, b, alpha] = colour(3.0 * share, 3.0);
+            assert_eq!(alpha, 255);
+            2 * u32::from(r) + 7 * u32::from(g) + u32::from(b)
+        };
+        assert!((1..=20).all(|i| luminance(f64::from(i) / 20.0) > luminance(f64::from(i - 1) / 20.0)));
+        assert_eq!(colour(f64::NAN, 3.0)[3], 0);
+        assert_eq!(colour(0.0, 0.0), colour(0.0, 3.0));
+    }
+}
