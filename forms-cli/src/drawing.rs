@@ -1,21 +1,25 @@
-//! Marks on a drawing: text, lines, boxes and dots, as SVG.
+//! Drawings: text, lines, boxes and dots become an SVG file.
+
+mod axis;
+
+pub(crate) use axis::Axis;
 
 use crate::layout::filled;
 use std::fmt::Write;
 
 /// The colour of text and of what is measured.
-pub(super) const INK: &str = "#1f2328";
+pub(crate) const INK: &str = "#1f2328";
 /// The colour of what explains.
-pub(super) const QUIET: &str = "#57606a";
+pub(crate) const QUIET: &str = "#57606a";
 /// The colour of the lines behind.
-pub(super) const GRID: &str = "#e3e6e9";
+pub(crate) const GRID: &str = "#e3e6e9";
 
 /// The mean width of a character, in font sizes: names, figures and short sentences of Helvetica and its like.
 const CHARACTER: f64 = 0.5;
 
 /// The part of a text that stands at its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Anchor {
+pub(crate) enum Anchor {
     Start,
     Middle,
     End,
@@ -33,49 +37,49 @@ impl Anchor {
 
 /// How a text is written.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Style {
-    pub(super) anchor: Anchor,
-    pub(super) size: f64,
-    pub(super) colour: &'static str,
-    pub(super) bold: bool,
+pub(crate) struct Style {
+    pub(crate) anchor: Anchor,
+    pub(crate) size: f64,
+    pub(crate) colour: &'static str,
+    pub(crate) bold: bool,
 }
 
 impl Style {
-    pub(super) fn of(size: f64, colour: &'static str) -> Self {
+    pub(crate) fn of(size: f64, colour: &'static str) -> Self {
         Style { anchor: Anchor::Start, size, colour, bold: false }
     }
 
-    pub(super) fn anchored(self, anchor: Anchor) -> Self {
+    pub(crate) fn anchored(self, anchor: Anchor) -> Self {
         Style { anchor, ..self }
     }
 
-    pub(super) fn bold(self) -> Self {
+    pub(crate) fn bold(self) -> Self {
         Style { bold: true, ..self }
     }
 }
 
 /// The width of a text, estimated.
-pub(super) fn width(content: &str, size: f64) -> f64 {
+pub(crate) fn width(content: &str, size: f64) -> f64 {
     content.chars().count() as f64 * size * CHARACTER
 }
 
 /// The lines of a text that are no wider than this.
-pub(super) fn wrapped(content: &str, size: f64, widest: f64) -> Vec<String> {
+pub(crate) fn wrapped(content: &str, size: f64, widest: f64) -> Vec<String> {
     filled(content, |line, word| width(line, size) + width(word, size) + size * CHARACTER <= widest)
 }
 
 /// A drawing on a white ground, which is as readable on a dark page as on a light one.
-pub(super) struct Drawing {
+pub(crate) struct Drawing {
     body: String,
 }
 
 impl Drawing {
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Drawing { body: String::new() }
     }
 
     /// The drawing as a file.
-    pub(super) fn finish(self, width: f64, height: f64, title: &str) -> String {
+    pub(crate) fn finish(self, width: f64, height: f64, title: &str) -> String {
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height:.0}\" width=\"{width}\" \
              height=\"{height:.0}\" role=\"img\" font-family=\"Helvetica, Arial, Liberation Sans, sans-serif\">\n\
@@ -85,7 +89,7 @@ impl Drawing {
         )
     }
 
-    pub(super) fn text(&mut self, [x, y]: [f64; 2], style: Style, content: &str) {
+    pub(crate) fn text(&mut self, [x, y]: [f64; 2], style: Style, content: &str) {
         let Style { anchor, size, colour, bold } = style;
         let weight = if bold { " font-weight=\"bold\"" } else { "" };
         let _ = writeln!(
@@ -97,7 +101,7 @@ impl Drawing {
     }
 
     /// Text with a white rim, readable over lines.
-    pub(super) fn text_over_lines(&mut self, [x, y]: [f64; 2], style: Style, content: &str) {
+    pub(crate) fn text_over_lines(&mut self, [x, y]: [f64; 2], style: Style, content: &str) {
         let Style { anchor, size, colour, .. } = style;
         let _ = writeln!(
             self.body,
@@ -109,7 +113,7 @@ impl Drawing {
     }
 
     /// Text upwards, its middle at the place.
-    pub(super) fn upright(&mut self, [x, y]: [f64; 2], size: f64, content: &str) {
+    pub(crate) fn upright(&mut self, [x, y]: [f64; 2], size: f64, content: &str) {
         let _ = writeln!(
             self.body,
             "<text transform=\"translate({x:.1} {y:.1}) rotate(-90)\" text-anchor=\"middle\" font-size=\"{size}\" \
@@ -118,7 +122,7 @@ impl Drawing {
         );
     }
 
-    pub(super) fn line(&mut self, from: [f64; 2], to: [f64; 2], colour: &str, width: f64) {
+    pub(crate) fn line(&mut self, from: [f64; 2], to: [f64; 2], colour: &str, width: f64) {
         let _ = writeln!(
             self.body,
             "<line x1=\"{:.1}\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\" stroke=\"{colour}\" stroke-width=\"{width}\"/>",
@@ -126,7 +130,17 @@ impl Drawing {
         );
     }
 
-    pub(super) fn path(&mut self, points: &[[f64; 2]], colour: &str, width: f64) {
+    /// A line of dashes.
+    pub(crate) fn dashes(&mut self, from: [f64; 2], to: [f64; 2], colour: &str, width: f64) {
+        let _ = writeln!(
+            self.body,
+            "<line x1=\"{:.1}\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\" stroke=\"{colour}\" stroke-width=\"{width}\" \
+             stroke-dasharray=\"6 4\"/>",
+            from[0], from[1], to[0], to[1]
+        );
+    }
+
+    pub(crate) fn path(&mut self, points: &[[f64; 2]], colour: &str, width: f64) {
         let points: Vec<String> = points.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
         let _ = writeln!(
             self.body,
@@ -135,7 +149,7 @@ impl Drawing {
         );
     }
 
-    pub(super) fn square(&mut self, [x, y]: [f64; 2], half: f64, fill: &str, stroke: &str) {
+    pub(crate) fn square(&mut self, [x, y]: [f64; 2], half: f64, fill: &str, stroke: &str) {
         let (left, top, side) = (x - half, y - half, 2.0 * half);
         let _ = writeln!(
             self.body,
@@ -144,7 +158,7 @@ impl Drawing {
         );
     }
 
-    pub(super) fn circle(&mut self, [x, y]: [f64; 2], radius: f64, fill: &str, stroke: &str) {
+    pub(crate) fn circle(&mut self, [x, y]: [f64; 2], radius: f64, fill: &str, stroke: &str) {
         let _ = writeln!(
             self.body,
             "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius}\" fill=\"{fill}\" stroke=\"{stroke}\" stroke-width=\"1.8\"/>"
@@ -152,7 +166,7 @@ impl Drawing {
     }
 
     /// A filled box with an outline of its own colour or another.
-    pub(super) fn cell(
+    pub(crate) fn cell(
         &mut self,
         [x, y]: [f64; 2],
         [width, height]: [f64; 2],

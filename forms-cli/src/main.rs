@@ -8,6 +8,7 @@
 //!                        ├─ eval     ─▶ numbers        (decimal, kernel)
 //!                        ├─ emit     ─▶ Rust source
 //!                        ├─ kernels  ─▶ the library
+//!                        ├─ simulate ─▶ the plan, numbers and pictures of a scene (drawing)
 //!                        ├─ view-factors ─▶ the matrix of a scene
 //!                        └─ tour     ─▶ all of it, shown
 //! ```
@@ -19,6 +20,7 @@ mod certificate;
 mod commands;
 mod decimal;
 mod decisions;
+mod drawing;
 mod json;
 mod kernel;
 mod layout;

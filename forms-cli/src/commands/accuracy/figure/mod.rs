@@ -8,15 +8,14 @@
 mod names;
 mod panel;
 mod strip;
-mod svg;
 
 use super::report::Report;
 use super::timing::RUNS;
+use crate::drawing::{Anchor, Drawing, INK, QUIET, Style, width, wrapped};
 use forms::core::accuracy::{Arithmetic, Variant};
 use names::Area;
 use panel::{Panel, Times};
 use strip::{HEAD, ROW, Strip};
-use svg::{Anchor, Drawing, INK, QUIET, Style, wrapped};
 
 const WIDTH: f64 = 960.0;
 /// Where texts begin, and where the panels do.
@@ -61,7 +60,7 @@ fn head(drawing: &mut Drawing, report: &Report) -> f64 {
     let (summary, formula) = (report.summary(), format!("{} = {}", report.kernel, report.formula));
     let with_formula = format!("{summary} {formula}");
     // the formula too where both have room in one line
-    let has_room = summary != formula && svg::width(&with_formula, 13.0) <= RIGHT - EDGE;
+    let has_room = summary != formula && width(&with_formula, 13.0) <= RIGHT - EDGE;
     for line in wrapped(if has_room { &with_formula } else { &summary }, 13.0, RIGHT - EDGE) {
         y += 17.0;
         drawing.text([EDGE, y], Style::of(13.0, QUIET), &line);
@@ -124,7 +123,7 @@ fn key(drawing: &mut Drawing, y: f64) {
     for (variant, name) in marks {
         marker(drawing, [x, y - 4.0], variant);
         drawing.text([x + 12.0, y], Style::of(11.5, INK), name);
-        x += 30.0 + svg::width(name, 11.5);
+        x += 30.0 + width(name, 11.5);
     }
     drawing.line([x - 4.0, y - 4.0], [x + 20.0, y - 4.0], FRONT, 3.0);
     let front = "Pareto front; up and to the left is better";
@@ -177,7 +176,7 @@ mod tests {
         for text in texts.iter().filter(|text| !text.contains("rotate")) {
             let number = |name| attribute(text, name).parse::<f64>().expect("a number");
             let content = text.split_once('>').expect("a tag").1.split_once('<').expect("its end").0;
-            let wide = svg::width(content, number("font-size"));
+            let wide = width(content, number("font-size"));
             let left = number("x")
                 - match attribute(text, "text-anchor") {
                     "start" => 0.0,

@@ -1,6 +1,6 @@
 //! Names placed beside their marks: none covers a mark or another name, and a thread leads to a mark that is not near.
 
-use super::svg::Anchor;
+use crate::drawing::Anchor;
 
 /// How far from its mark a name may stand.
 const DISTANCES: [f64; 9] = [11.0, 20.0, 32.0, 46.0, 62.0, 80.0, 100.0, 122.0, 146.0];

@@ -1,16 +1,16 @@
 //! A panel: right digits of a result over the time of one value, a mark with its name for each variant, and the Pareto front.
 
 use super::names::{Area, Names};
-use super::svg::{Anchor, Drawing, GRID, INK, QUIET, Style, width};
 use super::{FRONT, colour, marker};
 use crate::commands::accuracy::report::{Report, Row};
+use crate::drawing::{Anchor, Axis, Drawing, GRID, INK, QUIET, Style, width};
 use forms::core::accuracy::{Arithmetic, Score};
 
 /// Digits at the upper end of the axis.
 const MOST_DIGITS: f64 = 34.0;
 
-/// Decades narrower than this have a number at their beginning only.
-const NARROW_DECADE: f64 = 105.0;
+/// Numbers along the axis of times stand this far apart or farther.
+const APART: f64 = 31.0;
 
 /// The size of names.
 const NAME: f64 = 11.0;
@@ -53,12 +53,13 @@ pub(super) struct Panel<'a> {
 impl Panel<'_> {
     pub(super) fn draw(&self, drawing: &mut Drawing, report: &Report) {
         let taken = self.frame(drawing);
+        let times = self.times();
         let rows: Vec<(&Row, [f64; 2])> = report
             .rows
             .iter()
             .filter_map(|row| {
                 let lost = (self.score)(row)?.bits.mean;
-                Some((row, [self.x(row.nanoseconds?), self.y(row.correct_bits(lost))]))
+                Some((row, [times.place(row.nanoseconds?), self.y(row.correct_bits(lost))]))
             })
             .collect();
         let marks: Vec<[f64; 2]> = rows.iter().map(|(_, mark)| *mark).collect();
@@ -81,9 +82,8 @@ impl Panel<'_> {
         rows.iter().for_each(|(row, mark)| marker(drawing, *mark, row.variant()));
     }
 
-    fn x(&self, nanoseconds: f64) -> f64 {
-        let part = (nanoseconds.log10() - self.times.from) / (self.times.to - self.times.from);
-        self.area.left + part * (self.area.right - self.area.left)
+    fn times(&self) -> Axis {
+        Axis { powers: [self.times.from, self.times.to], paper: [self.area.left, self.area.right] }
     }
 
     fn y(&self, bits: f64) -> f64 {
@@ -120,17 +120,10 @@ impl Panel<'_> {
 
     fn time_axis(&self, drawing: &mut Drawing) {
         let Area { left, top, right, bottom } = self.area;
-        let decade = (right - left) / (self.times.to - self.times.from);
-        let steps: &[f64] = if decade < NARROW_DECADE { &[1.0] } else { &[1.0, 2.0, 5.0] };
-        let powers = self.times.from.floor() as i32..=self.times.to.ceil() as i32;
-        for (power, &step) in powers.flat_map(|power| steps.iter().map(move |step| (power, step))) {
-            let x = self.x(step * 10f64.powi(power));
-            if !(left - 0.5..=right + 0.5).contains(&x) {
-                continue;
-            }
+        for (x, number) in self.times().ticks(APART) {
             drawing.line([x, top], [x, bottom], GRID, 1.0);
             let style = Style::of(12.0, INK).anchored(Anchor::Middle);
-            drawing.text([x, bottom + 17.0], style, &tick(step, power));
+            drawing.text([x, bottom + 17.0], style, &number);
         }
         let style = Style::of(12.0, INK).anchored(Anchor::Middle);
         drawing.text([(left + right) / 2.0, bottom + 35.0], style, "time of one value [ns], logarithmic");
@@ -151,26 +144,5 @@ impl Panel<'_> {
         let end = stairs.last().map(|last| [self.area.right, last[1]]);
         stairs.extend(end);
         stairs
-    }
-}
-
-/// step · 10^power as it stands at an axis; long numbers as powers of ten.
-fn tick(step: f64, power: i32) -> String {
-    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    match usize::try_from(power) {
-        Ok(power @ 5..=9) if step == 1.0 => format!("10{}", RAISED[power]),
-        Ok(power @ 4..=9) if step != 1.0 => format!("{step}·10{}", RAISED[power]),
-        _ => ((step * 10f64.powi(power + 3)).round() / 1e3).to_string(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::tick;
-
-    #[test]
-    fn ticks_are_short() {
-        let found = [(1.0, -2), (5.0, -1), (2.0, 3), (1.0, 4), (5.0, 4), (1.0, 6)].map(|(s, p)| tick(s, p));
-        assert_eq!(found, ["0.01", "0.5", "2000", "10000", "5·10⁴", "10⁶"]);
     }
 }

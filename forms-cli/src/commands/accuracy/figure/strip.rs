@@ -1,8 +1,8 @@
 //! The strip below the panels: each variant with its time, and the bits that it loses in each regime.
 
 use super::marker;
-use super::svg::{Anchor, Drawing, INK, QUIET, Style};
 use crate::commands::accuracy::report::{Report, Row};
+use crate::drawing::{Anchor, Drawing, INK, QUIET, Style};
 use forms::core::accuracy::{Regime, Score};
 
 /// The height of a line.
