@@ -115,6 +115,13 @@ fn a_pixel_of_the_linear_picture_is_the_cell_in_f32_and_the_last_row_is_above() 
 }
 
 #[test]
+fn the_linear_picture_says_its_unit_in_utf_8() {
+    let file = exr(&map(1), &scene("")).expect("a file");
+    let unit = "irradiance in W/m²".as_bytes();
+    assert!(file.windows(unit.len()).any(|bytes| bytes == unit));
+}
+
+#[test]
 fn several_bands_are_channels_beside_their_colour() {
     let map = map(3);
     let (channels, _) = channels(&exr(&map, &scene(COLOURS)).expect("a file"));

@@ -4,7 +4,7 @@ use super::{from_above, total};
 use crate::scene::Scene;
 use crate::simulation::Map;
 use crate::spectrum::{Colour, add_scaled, band_colours};
-use ::exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, Image, WritableImage};
+use ::exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Text, WritableImage};
 use std::io::{self, Cursor};
 
 /// The file of a map of this scene.
@@ -23,8 +23,9 @@ pub fn exr(map: &Map, scene: &Scene) -> io::Result<Vec<u8>> {
     let channels = AnyChannels::sort(channels.into());
     let size = (map.size[0], map.size[1]);
     let mut image = Image::from_encoded_channels(size, Encoding::SMALL_LOSSLESS, channels);
+    // texts of OpenEXR are UTF-8, which those of the crate are only if they are given as bytes
     let comment = format!("{} in {}", map.quantity.name(), map.quantity.unit());
-    image.layer_data.attributes.comments = Some(comment.as_str().into());
+    image.layer_data.attributes.comments = Some(Text::from_slice_unchecked(comment.as_bytes()));
     image.layer_data.attributes.software_name = Some("forms".into());
     let mut file = Cursor::new(Vec::new());
     image.write().to_buffered(&mut file).map_err(io::Error::other)?;

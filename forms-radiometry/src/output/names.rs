@@ -32,11 +32,9 @@ fn safe(name: &str) -> String {
 
 fn is_device(name: &str) -> bool {
     let name = name.to_lowercase();
-    let numbered = |device: &&str| {
-        name.strip_prefix(*device)
-            .is_some_and(|digit| digit.len() == 1 && digit.as_bytes()[0].is_ascii_digit())
-    };
-    DEVICES.contains(&name.as_str()) || NUMBERED_DEVICES.iter().any(|device| numbered(&device))
+    let is_digit = |rest: &str| rest.len() == 1 && rest.as_bytes()[0].is_ascii_digit();
+    let is_numbered = |device: &&str| name.strip_prefix(*device).is_some_and(is_digit);
+    DEVICES.contains(&name.as_str()) || NUMBERED_DEVICES.iter().any(is_numbered)
 }
 
 /// The name, or the first of its continuations that is not taken.

@@ -68,6 +68,9 @@ pub struct Answer {
 }
 
 /// The irradiance of a surface, cell by cell.
+///
+/// The cells divide the bounding rectangle of the polygon in its plane, whose first axis is the polygon's first edge: columns
+/// follow each other along that edge, and rows away from it. A cell outside of the polygon holds NaN.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map {
     /// The receiver's name.
