@@ -28,5 +28,5 @@ pub(crate) fn faces(scene: &Scene, fineness: usize) -> Vec<Face> {
 
 /// Whether the faces of a scene stand for round shapes, so that they depend on their fineness.
 pub(crate) fn is_round(scene: &Scene) -> bool {
-    scene.surfaces.iter().any(|surface| matches!(surface.shape, Shape::Sphere(_) | Shape::Disk(_)))
+    scene.surfaces.iter().any(|surface| surface.shape.is_round())
 }

@@ -14,8 +14,10 @@ mod vector;
 mod visibility;
 mod weld;
 
-pub(crate) use exchange::exchange_with;
+pub(crate) use clip::split;
 pub use exchange::{Exchange, exchange, view_factor, visible_exchange};
+pub(crate) use exchange::{Patch, exchange_with, gauss};
+pub(crate) use form_factor::edge_sum;
 pub use form_factor::form_factor;
 pub(crate) use form_factor::form_factor_of_pieces;
 pub use mesh::{FaceError, Mesh, MeshError};

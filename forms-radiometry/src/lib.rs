@@ -1,15 +1,35 @@
-//! Radiometry of scenes: the text of a scene file becomes a [`Scene`](scene::Scene), its lamps and what
-//! stands before them become form factors, and these become the irradiance of receivers or a picture.
+//! Radiometry of scenes: the text of a scene file becomes a [`Scene`](scene::Scene), a plan says which effects of light it
+//! calls for, and what its receivers get comes out with an error ([`simulation`]).
 //!
-//! What is computed is direct light from Lambertian polygons, with occlusion, exactly: the only error is
-//! rounding. Scenes may say more than that ([`scene`]); what is not simulated yet is refused with its place.
+//! Diffuse surfaces and everything that shines on them are simulated. Scenes may say more than that ([`scene`]); what is
+//! not simulated yet is refused with its place.
 //!
 //! ```
-//! let scene = forms_radiometry::scene::read(forms_radiometry::CORNELL_BOX, "cornell_box.toml").unwrap();
-//! let results = forms_radiometry::simulate_direct(&scene).unwrap();
-//! let total: f64 = results[2].irradiance.iter().sum();
-//! assert_eq!(results[2].receiver, "short_top_centre");
-//! assert!((total - 11.468_003).abs() < 1e-6, "W/m²");
+//! use forms_radiometry::{scene, simulation};
+//!
+//! // in a closed room whose walls all shine, every radiance is Lₑ/(1 − ρ)
+//! let room = r#"
+//!     [[material]]
+//!     name = "grey"
+//!     kind = "diffuse"
+//!     reflectance = 0.5
+//!     [[surface]]
+//!     name = "shell"
+//!     material = "grey"
+//!     sphere = { center = [0, 0, 0], radius = 2, inward = true }
+//!     radiance = 3
+//!     [[receiver]]
+//!     name = "sight"
+//!     kind = "ray"
+//!     origin = [0, 0, 0]
+//!     direction = [1, 2, 3]
+//!     [solve]
+//!     tolerance = 0.5
+//! "#;
+//! let scene = scene::read(room, "room.toml").unwrap();
+//! let plan = simulation::plan(&scene).unwrap();
+//! let found = simulation::simulate(&scene, &plan, &simulation::Unwatched);
+//! assert!((found.answers[0].value - 6.0).abs() <= found.answers[0].error);
 //! ```
 
 pub mod camera;
@@ -20,6 +40,7 @@ pub mod kernels;
 mod library;
 pub mod output;
 pub mod picture;
+mod radiosity;
 pub mod scene;
 mod sight;
 pub mod simulation;

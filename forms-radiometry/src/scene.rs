@@ -1,6 +1,7 @@
 //! Scenes: the text of a scene file is read, checked as a whole, and becomes a model, or the list of all that
 //! is wrong with it. What a model asks of a solver that the solver cannot do is told by [`not_simulated`].
 
+mod bands;
 mod element;
 mod error;
 mod light;

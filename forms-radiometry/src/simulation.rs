@@ -6,7 +6,16 @@
 //! Who watches is told of progress, and can stop the work: what is there by then is returned.
 
 mod answer;
+mod effects;
+mod estimate;
+mod map;
+mod planning;
+mod readings;
+mod solver;
+mod survey;
 mod watch;
 
 pub use answer::{Answer, ErrorKind, Map, Moment, Plan, PlannedEffect, Quantity, Simulation};
+pub use planning::plan;
+pub use solver::simulate;
 pub use watch::{Unwatched, Watch};

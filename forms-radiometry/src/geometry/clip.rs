@@ -10,7 +10,7 @@ const ROUNDING: f64 = 1e-14;
 /// `inside`, the part where it is negative to `outside`. A part without area comes out empty.
 ///
 /// An edge from a to b with distances α, β of opposite signs is cut at a + α/(α − β) (b − a).
-pub(super) fn split(
+pub(crate) fn split(
     polygon: &[Vector],
     side: impl Fn(Vector) -> f64,
     inside: &mut Vec<Vector>,

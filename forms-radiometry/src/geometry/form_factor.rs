@@ -37,7 +37,7 @@ pub(crate) fn form_factor_of_pieces<'p>(pieces: impl Iterator<Item = &'p [Vector
 }
 
 /// The sum over the edges of a polygon that lies above the horizon and faces the receiver, relative to it.
-fn edge_sum(polygon: &[Vector], n: Vector) -> f64 {
+pub(crate) fn edge_sum(polygon: &[Vector], n: Vector) -> f64 {
     let Some(&last) = polygon.last() else { return 0.0 };
     let mut a = last;
     let mut sum = 0.0;

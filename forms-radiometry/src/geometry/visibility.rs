@@ -118,6 +118,11 @@ pub(crate) struct Screens {
 }
 
 impl Screens {
+    /// The distance below which a point counts as lying in a plane.
+    pub(crate) fn resolution(&self) -> f64 {
+        self.resolution
+    }
+
     /// The screens that faces make. Each front is followed by its back, if that is among the faces at all.
     pub(crate) fn of(faces: &[Face]) -> Self {
         let screen = |(index, face): (usize, &Face)| {

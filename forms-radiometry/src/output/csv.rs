@@ -9,7 +9,7 @@ const HEADER: [&str; 8] = ["receiver", "quantity", "band", "bin", "i", "j", "val
 /// Writes the answers, then the cells of the maps, band by band and row by row: cell (i, j) is in column i and row j.
 ///
 /// What a line does not have is empty: an answer has no cell, and where there is a single band it has no number. Numbers
-/// are the shortest that read back as the same `f64`; a cell outside of its polygon is `NaN`.
+/// are the shortest that read back as the same `f64`; a cell without a value is `NaN`.
 pub fn csv(simulation: &Simulation, output: impl Write) -> io::Result<()> {
     let mut lines = Lines { writer: ::csv::Writer::from_writer(output), number: String::new() };
     lines.writer.write_record(HEADER)?;

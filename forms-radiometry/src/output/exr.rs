@@ -11,7 +11,7 @@ use std::io::{self, Cursor};
 ///
 /// A single band is the channel `Y`. Of several the channels are `band0`, `band1`, … and what viewers show: `R`, `G` and
 /// `B`, the colour in linear sRGB under which the lamps are white, or, where no band is visible, `Y`, the sum of all.
-/// Cells outside of the polygon are NaN. Values beyond the range of `f32` are infinite or zero.
+/// Cells without a value are NaN. Values beyond the range of `f32` are infinite or zero.
 pub fn exr(map: &Map, scene: &Scene) -> io::Result<Vec<u8>> {
     let channels = match &map.values[..] {
         [values] => vec![channel(map, "Y", values)],

@@ -11,8 +11,8 @@ const SIDE: usize = 256;
 /// The file of a map's picture.
 ///
 /// The value of a cell is the sum of its bands, and a cell is a square of pixels. The colours are those of viridis, from
-/// dark at 0 to bright at the greatest value; the text `Description` of the file says which value that is. Cells outside
-/// of the polygon are transparent.
+/// dark at 0 to bright at the greatest value; the text `Description` of the file says which value that is. Cells without
+/// a value are transparent.
 pub fn png(map: &Map) -> io::Result<Vec<u8>> {
     let values = total(map);
     let greatest = values.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);

@@ -160,6 +160,11 @@ pub enum Shape {
 }
 
 impl Shape {
+    /// Whether it is curved, or has a curved border.
+    pub(crate) fn is_round(&self) -> bool {
+        matches!(self, Self::Sphere(_) | Self::Disk(_))
+    }
+
     /// The polygon, if it is one.
     pub fn as_polygon(&self) -> Option<&Polygon> {
         match self {

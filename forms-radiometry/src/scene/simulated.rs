@@ -1,6 +1,6 @@
-//! What is simulated of a scene: direct light between diffuse polygons. A scene that asks for more is refused
-//! here, with the place of each thing that is asked for, so that an answer is never silently that of another
-//! scene.
+//! What is simulated of a scene: diffuse surfaces of every shape in a vacuum, all lights, and all receivers that are no camera. A
+//! scene that asks for more is refused here, with the place of each thing that is asked for, so that an answer is never silently
+//! that of another scene. Pictures are made of less: of direct light between polygons.
 //!
 //! Reading knows nothing of this list. What a solver learns leaves it.
 
@@ -22,7 +22,7 @@ pub(crate) struct DiffuseScene<'s> {
 impl<'s> DiffuseScene<'s> {
     /// The scene as diffuse polygons, or all that it asks for beyond them.
     pub(crate) fn of(scene: &'s Scene) -> Result<Self, Vec<SceneError>> {
-        let refused = not_simulated(scene);
+        let refused = not_pictured(scene);
         let polygons: Option<Vec<&Polygon>> =
             scene.surfaces.iter().map(|surface| surface.shape.as_polygon()).collect();
         let reflectances = scene.surfaces.iter().map(|surface| reflectance(scene, surface)).collect();
@@ -49,12 +49,28 @@ fn reflectance<'s>(scene: &'s Scene, surface: &Surface) -> Option<&'s [f64]> {
 pub fn not_simulated(scene: &Scene) -> Vec<SceneError> {
     let mut refused = Refusals::default();
     refused.materials(scene);
-    refused.surfaces(scene);
-    refused.surroundings(scene);
-    scene.receivers.iter().for_each(|receiver| refused.receiver(receiver));
-    refused.effects(scene);
-    refused.errors.sort_by_key(|(start, _)| *start);
-    refused.errors.into_iter().map(|(_, error)| error).collect()
+    refused.media(scene);
+    scene.receivers.iter().for_each(|receiver| refused.receiver(scene, receiver));
+    refused.effects(scene, &[Effect::Direct, Effect::Occlusion, Effect::Interreflection, Effect::Bands]);
+    refused.in_order()
+}
+
+/// Everything that a scene asks for and that is not in its pictures.
+fn not_pictured(scene: &Scene) -> Vec<SceneError> {
+    let mut refused = Refusals::default();
+    refused.materials(scene);
+    refused.media(scene);
+    refused.shapes(scene);
+    refused.lights(scene);
+    let pictured = [Effect::Direct, Effect::Occlusion, Effect::Bands];
+    refused.effects(scene, &pictured);
+    for forced in &scene.solve.forced {
+        if pictured.contains(&forced.effect) && forced.force == Force::Off {
+            let what = format!("a picture without the effect `{}`", forced.effect.name());
+            refused.refuse(&forced.place, &what, "\"on\"");
+        }
+    }
+    refused.in_order()
 }
 
 #[derive(Default)]
@@ -66,6 +82,11 @@ impl Refusals {
     fn refuse(&mut self, place: &Place, what: &str, simulated: &str) {
         let message = format!("{what} is not simulated yet");
         self.errors.push((place.start(), SceneError::new(place, message, simulated)));
+    }
+
+    fn in_order(mut self) -> Vec<SceneError> {
+        self.errors.sort_by_key(|(start, _)| *start);
+        self.errors.into_iter().map(|(_, error)| error).collect()
     }
 
     fn materials(&mut self, scene: &Scene) {
@@ -81,7 +102,7 @@ impl Refusals {
         }
     }
 
-    fn surfaces(&mut self, scene: &Scene) {
+    fn shapes(&mut self, scene: &Scene) {
         for surface in &scene.surfaces {
             let shape = match surface.shape {
                 Shape::Polygon(_) => continue,
@@ -93,7 +114,7 @@ impl Refusals {
         }
     }
 
-    fn surroundings(&mut self, scene: &Scene) {
+    fn lights(&mut self, scene: &Scene) {
         for light in &scene.lights {
             let kind = match light.kind {
                 LightKind::Point { .. } => "a point light",
@@ -101,42 +122,51 @@ impl Refusals {
             };
             self.refuse(&light.place, kind, "a surface with a radiance");
         }
+        if scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0) {
+            self.refuse(&scene.ambient.place, "light from outside", "radiance = 0");
+        }
+    }
+
+    fn media(&mut self, scene: &Scene) {
         let ambient = &scene.ambient;
         if let Some(medium) = ambient.medium.map(|medium| &scene.media[medium]).filter(|m| !m.is_vacuum()) {
             self.refuse(&ambient.place, &format!("a scene filled with `{}`", medium.name), "vacuum");
         }
-        if ambient.radiance.iter().any(|&radiance| radiance > 0.0) {
-            self.refuse(&ambient.place, "light from outside", "radiance = 0");
-        }
     }
 
-    fn receiver(&mut self, receiver: &Receiver) {
-        let kind = match receiver.kind {
-            ReceiverKind::Point { .. } | ReceiverKind::Camera(_) => None,
-            ReceiverKind::Surface { .. } => Some("surface"),
-            ReceiverKind::Ray { .. } => Some("ray"),
-            ReceiverKind::Sphere { .. } => Some("sphere"),
-        };
-        if let Some(kind) = kind {
-            let what = format!("the receiver `{}` of kind `{kind}`", receiver.name);
-            self.refuse(&receiver.place, &what, "a receiver of kind `point` or `camera`");
+    fn receiver(&mut self, scene: &Scene, receiver: &Receiver) {
+        match receiver.kind {
+            ReceiverKind::Camera(_) => {
+                let what = format!("the receiver `{}` of kind `camera`", receiver.name);
+                self.refuse(&receiver.place, &what, "`point`, `surface`, `ray` or `sphere`");
+            }
+            ReceiverKind::Surface { surface, grid: Some(_) } => {
+                let shape = match scene.surfaces[surface].shape {
+                    Shape::Polygon(_) | Shape::Disk(_) => None,
+                    Shape::Mesh(_) => Some("mesh"),
+                    Shape::Sphere(_) => Some("sphere"),
+                };
+                if let Some(shape) = shape {
+                    self.refuse(
+                        &receiver.place,
+                        &format!("the map of a {shape}"),
+                        "a receiver without `grid`",
+                    );
+                }
+            }
+            _ => {}
         }
         if let Some(time) = &receiver.time {
             self.refuse(&time.place, "the time that light takes", "a receiver without `time`");
         }
     }
 
-    /// Direct light with its occlusion is simulated in every band and cannot be left out; nothing else is.
-    fn effects(&mut self, scene: &Scene) {
+    /// What is not simulated may be forced off.
+    fn effects(&mut self, scene: &Scene, simulated: &[Effect]) {
         for forced in &scene.solve.forced {
-            let simulated = matches!(forced.effect, Effect::Direct | Effect::Occlusion | Effect::Bands);
-            let name = forced.effect.name();
-            match (simulated, forced.force) {
-                (true, Force::On) | (false, Force::Off) => {}
-                (true, _) => {
-                    self.refuse(&forced.place, &format!("a scene without the effect `{name}`"), "\"on\"");
-                }
-                (false, _) => self.refuse(&forced.place, &format!("the effect `{name}`"), "\"off\""),
+            if !simulated.contains(&forced.effect) && forced.force != Force::Off {
+                let name = forced.effect.name();
+                self.refuse(&forced.place, &format!("the effect `{name}`"), "\"off\"");
             }
         }
     }

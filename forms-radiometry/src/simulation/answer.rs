@@ -70,7 +70,8 @@ pub struct Answer {
 /// The irradiance of a surface, cell by cell.
 ///
 /// The cells divide the bounding rectangle of the polygon in its plane, whose first axis is the polygon's first edge: columns
-/// follow each other along that edge, and rows away from it. A cell outside of the polygon holds NaN.
+/// follow each other along that edge, and rows away from it. A cell outside of the polygon holds NaN, and so does one that was
+/// not reached before the work was stopped.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map {
     /// The receiver's name.

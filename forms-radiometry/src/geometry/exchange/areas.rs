@@ -18,7 +18,7 @@ const ORDERS: [usize; 4] = [2, 3, 5, 8];
 type Node = [f64; 2];
 
 /// The Gauss–Legendre rule on [0, 1] with this many points, by Newton's method on the Legendre polynomial.
-pub(super) fn gauss(count: usize) -> &'static [Node] {
+pub(crate) fn gauss(count: usize) -> &'static [Node] {
     static RULES: [OnceLock<Vec<Node>>; 9] = [const { OnceLock::new() }; 9];
     RULES[count].get_or_init(|| {
         let legendre = |x: f64| {
@@ -44,7 +44,7 @@ pub(super) fn gauss(count: usize) -> &'static [Node] {
 
 /// A patch with four corners, of which the last two may be one: x(s, t) is bilinear, dA = |∂ₛx × ∂ₜx| ds dt.
 #[derive(Clone, Copy)]
-pub(super) struct Patch([Vector; 4]);
+pub(crate) struct Patch([Vector; 4]);
 
 /// The patches of a convex outline.
 pub(super) fn patches(outline: &Outline) -> Vec<Patch> {
@@ -59,12 +59,22 @@ pub(super) fn patches(outline: &Outline) -> Vec<Patch> {
 }
 
 impl Patch {
+    /// The patch with these corners.
+    pub(crate) fn new(corners: [Vector; 4]) -> Self {
+        Self(corners)
+    }
+
     /// The point of these coordinates, and dA/(ds dt) there.
-    pub(super) fn at(&self, s: f64, t: f64) -> (Vector, f64) {
+    pub(crate) fn at(&self, s: f64, t: f64) -> (Vector, f64) {
         let Patch([a, b, c, d]) = *self;
         let (along, across, twist) = (b - a, d - a, (a - b) + (c - d));
         let by_t = across + s * twist;
         (a + s * along + t * by_t, (along + t * twist).cross(by_t).length())
+    }
+
+    /// How far its farthest corner is from a point.
+    pub(crate) fn radius(&self, centre: Vector) -> f64 {
+        self.0.iter().map(|&corner| (corner - centre).length()).fold(0.0, f64::max)
     }
 
     /// Its area: that density is linear in each coordinate.
@@ -73,7 +83,7 @@ impl Patch {
     }
 
     /// The patches that halving each coordinate gives.
-    pub(super) fn quarters(&self) -> [Patch; 4] {
+    pub(crate) fn quarters(&self) -> [Patch; 4] {
         let corner = |s: f64, t: f64| self.at(s, t).0;
         [(0.0, 0.0), (0.5, 0.0), (0.0, 0.5), (0.5, 0.5)].map(|(s, t)| {
             Patch([(s, t), (s + 0.5, t), (s + 0.5, t + 0.5), (s, t + 0.5)].map(|(s, t)| corner(s, t)))

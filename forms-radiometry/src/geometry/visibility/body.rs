@@ -118,7 +118,9 @@ impl Body {
         let place: HashMap<usize, usize> =
             group.iter().enumerate().map(|(place, &screen)| (screen, place)).collect();
         let edges_of = |(side, &screen): (usize, &usize)| {
-            let beyond = neighbours[screen].iter().map(|other| other.map(|other| place[&other]));
+            // where more than two screens share an edge, the neighbour may belong to another group
+            let beyond =
+                neighbours[screen].iter().map(|other| other.and_then(|other| place.get(&other).copied()));
             let edge = move |(ends, beyond)| Edge { ends, side, beyond };
             screens[screen].edges().zip(beyond).map(edge).collect::<Vec<_>>()
         };

@@ -1,0 +1,33 @@
+//! Radiosity: the diffuse faces of a scene become elements, light that goes from element to element becomes a matrix of
+//! form factors, and its solution is the irradiance everywhere, from which any receiver gathers.
+//!
+//! ```text
+//! faces ─▶ elements with nodes ─▶ form factors from nodes to elements (weights) ─▶ E = D + G E ─▶ receivers gather
+//!              ▲                                                                        │
+//!              └──────────────── those that change the answers most are split ◀────────┘
+//! ```
+//! E(x) = D(x) + ∫ ρ(y)/π E(y) cos cos'/r² V dA(y), D the irradiance that comes straight from lights. E is a polynomial on
+//! each element, given at its Gauss points; what is between the points comes out of the equation itself (Nyström), and
+//! visibility is exact. The solution is that of the continuous equation, not of one value a surface.
+
+mod contact;
+mod direct;
+mod element;
+mod gather;
+mod importance;
+mod measure;
+mod operator;
+mod reference;
+mod refinement;
+mod solution;
+mod system;
+#[cfg(test)]
+mod tests;
+mod weights;
+
+pub(crate) use direct::{Lights, emits};
+pub(crate) use gather::{Group, Scratch, Transport};
+pub(crate) use importance::{Goal, GoalKind};
+pub(crate) use measure::Measure;
+pub(crate) use solution::orders;
+pub(crate) use system::{Question, Radiosity, reflectance};

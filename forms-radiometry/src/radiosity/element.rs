@@ -1,0 +1,145 @@
+//! Elements: faces become triangles and parallelograms, with the nodes at which irradiance is known, and these become smaller
+//! ones.
+
+use super::reference::{MOST_NODES, Reference, Shape, reference};
+use crate::geometry::Face;
+use crate::geometry::Vector;
+
+/// Polynomials on elements have degrees below this, where memory allows.
+pub(super) const HIGHEST_ORDER: usize = 3;
+/// Elements are at most as many times as long as they are wide, where they can be cut.
+const LONGEST: f64 = 2.0;
+
+/// How far beside an element a point may lie that counts as on it, in the element's coordinates.
+const BESIDE: f64 = 1e-9;
+/// How much the fourth corner of a parallelogram may be off, in the length of its edges.
+const PARALLEL: f64 = 1e-12;
+
+/// A triangle or a parallelogram of a face: x(u, v) = corner + u along + v across.
+#[derive(Clone, Debug)]
+pub(super) struct Element {
+    /// The face that it is part of.
+    pub(super) face: usize,
+    pub(super) shape: Shape,
+    /// Polynomials on it have a degree below this.
+    pub(super) order: usize,
+    corner: Vector,
+    along: Vector,
+    across: Vector,
+    /// The unit normal of its face.
+    pub(super) normal: Vector,
+    pub(super) area: f64,
+    /// How far a point is along and across, by its way from the corner.
+    dual: [Vector; 2],
+}
+
+impl Element {
+    fn new(face: usize, shape: Shape, normal: Vector, [corner, along, across]: [Vector; 3]) -> Self {
+        let twice = normal.dot(along.cross(across));
+        let dual = [(1.0 / twice) * across.cross(normal), (1.0 / twice) * normal.cross(along)];
+        let area = if shape == Shape::Triangle { 0.5 * twice } else { twice };
+        Self { face, shape, order: HIGHEST_ORDER, corner, along, across, normal, area, dual }
+    }
+
+    /// The elements that a convex piece of a face begins with: parallelograms where it is one, else triangles.
+    pub(super) fn of(index: usize, face: &Face, v: &[Vector]) -> Vec<Self> {
+        let element = |shape, corners| Self::new(index, shape, face.normal, corners);
+        let mut elements = Vec::new();
+        if let [a, b, c, d] = v[..] {
+            let (along, across) = (b - a, d - a);
+            if ((a - b) + (c - d)).largest() <= PARALLEL * along.largest().max(across.largest()) {
+                elements.push(element(Shape::Square, [a, along, across]));
+            }
+        }
+        if elements.is_empty() {
+            let fan = v[1..].windows(2).map(|pair| [v[0], pair[0] - v[0], pair[1] - v[0]]);
+            let fan = fan.filter(|[_, along, across]| face.normal.dot(along.cross(*across)) > 0.0);
+            elements.extend(fan.map(|corners| element(Shape::Triangle, corners)));
+        }
+        elements.into_iter().flat_map(Self::into_compact).collect()
+    }
+
+    /// The element itself, or parts of it that are not much longer than wide.
+    fn into_compact(self) -> Vec<Self> {
+        if self.shape == Shape::Triangle {
+            return vec![self];
+        }
+        let [along, across] = [self.along.length(), self.across.length()];
+        let parts = |ratio: f64| (ratio / LONGEST).ceil().clamp(1.0, 64.0) as usize;
+        let (columns, rows) = (parts(along / across), parts(across / along));
+        let [along, across] = [(1.0 / columns as f64) * self.along, (1.0 / rows as f64) * self.across];
+        let part = |i: usize, j: usize| {
+            let corner = self.corner + i as f64 * along + j as f64 * across;
+            Self::new(self.face, self.shape, self.normal, [corner, along, across])
+        };
+        (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j))).map(|(i, j)| part(i, j)).collect()
+    }
+
+    /// Its four parts of half the size.
+    pub(super) fn quarters(&self) -> [Self; 4] {
+        let [along, across] = [0.5 * self.along, 0.5 * self.across];
+        let at = |u: f64, v: f64| self.corner + u * along + v * across;
+        let part = |corner, along, across| {
+            let part = Self::new(self.face, self.shape, self.normal, [corner, along, across]);
+            Self { order: self.order, ..part }
+        };
+        let last = match self.shape {
+            Shape::Square => part(at(1.0, 1.0), along, across),
+            Shape::Triangle => part(at(1.0, 1.0), -along, -across),
+        };
+        [
+            part(at(0.0, 0.0), along, across),
+            part(at(1.0, 0.0), along, across),
+            part(at(0.0, 1.0), along, across),
+            last,
+        ]
+    }
+
+    pub(super) fn reference(&self) -> &'static Reference {
+        reference(self.shape, self.order)
+    }
+
+    /// How many nodes it has.
+    pub(super) fn count(&self) -> usize {
+        self.reference().nodes.len()
+    }
+
+    /// Where its nodes are.
+    pub(super) fn nodes(&self) -> impl Iterator<Item = Vector> {
+        self.reference().nodes.iter().map(|&[u, v]| self.corner + u * self.along + v * self.across)
+    }
+
+    /// The area of each node.
+    pub(super) fn areas(&self) -> impl Iterator<Item = f64> {
+        self.reference().weights.iter().map(|weight| weight * self.area)
+    }
+
+    /// Its corners, counter-clockwise seen from its front.
+    pub(super) fn outline(&self) -> Vec<Vector> {
+        let (a, b, d) = (self.corner, self.corner + self.along, self.corner + self.across);
+        match self.shape {
+            Shape::Triangle => vec![a, b, d],
+            Shape::Square => vec![a, b, b + self.across, d],
+        }
+    }
+
+    /// The values of its nodes' polynomials at a point of its plane.
+    pub(super) fn basis(&self, point: Vector) -> [f64; MOST_NODES] {
+        self.reference().basis(self.coordinates(point))
+    }
+
+    /// Whether a point of its plane lies on it, or hardly beside it.
+    pub(super) fn contains(&self, point: Vector) -> bool {
+        let [u, v] = self.coordinates(point);
+        let beyond = match self.shape {
+            Shape::Triangle => u + v - 1.0,
+            Shape::Square => u.max(v) - 1.0,
+        };
+        beyond.max(-u).max(-v) <= BESIDE
+    }
+
+    fn coordinates(&self, point: Vector) -> [f64; 2] {
+        let way = point - self.corner;
+        [self.dual[0].dot(way), self.dual[1].dot(way)]
+    }
+}

@@ -1,0 +1,94 @@
+//! Gathering: points that receive and a luminous outline become the pieces of it that each point sees.
+//!
+//! Points that are close to each other share the search for what can come in between.
+
+use super::element::Element;
+use super::measure::Measure;
+use super::reference::MOST_NODES;
+use super::weights;
+use crate::geometry::{Between, Face, Screens, Vector, Workspace};
+
+/// Points that receive, all looking to one side or to all, and a convex outline that holds them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Group<'g> {
+    pub(crate) points: &'g [Vector],
+    pub(crate) outline: &'g [Vector],
+    pub(crate) measure: Measure,
+}
+
+/// The geometry that light passes through.
+pub(crate) struct Transport {
+    pub(crate) faces: Vec<Face>,
+    pub(crate) screens: Screens,
+    /// Whether what stands in between is looked for.
+    pub(crate) occlusion: bool,
+    /// The error that rules of integration may leave, relative to what they integrate.
+    pub(crate) accuracy: f64,
+}
+
+/// Lists that are reused from group to group.
+#[derive(Default)]
+pub(crate) struct Scratch {
+    between: Vec<u32>,
+    view: Workspace,
+}
+
+impl Transport {
+    /// Calls `each` with the index of a point and a convex piece that it sees of a luminous outline with this normal,
+    /// relative to the point, for all of them.
+    pub(crate) fn see(
+        &self,
+        group: Group,
+        (outline, normal): (&[Vector], Vector),
+        scratch: &mut Scratch,
+        mut each: impl FnMut(usize, &[Vector]),
+    ) {
+        let horizon = group.measure.horizon();
+        let behind = |points: &[Vector], normal: Vector, at: Vector| {
+            points.iter().all(|&point| normal.dot(point - at) <= 0.0)
+        };
+        if behind(group.outline, normal, outline[0])
+            || horizon.is_some_and(|horizon| behind(outline, horizon, group.points[0]))
+        {
+            return;
+        }
+        let Scratch { between, view } = scratch;
+        between.clear();
+        if self.occlusion {
+            let found = self.screens.between(group.outline, horizon, outline, normal, between);
+            if matches!(found, Between::All) {
+                return;
+            }
+        }
+        for (index, &point) in group.points.iter().enumerate() {
+            for piece in self.screens.visible(point, horizon, outline, normal, between, view) {
+                each(index, piece);
+            }
+        }
+    }
+
+    /// Calls `each` with the index of a point and what it gets from each node of an element, where it gets any.
+    pub(super) fn weigh(
+        &self,
+        group: Group,
+        (element, outline): (&Element, &[Vector]),
+        scratch: &mut Scratch,
+        mut each: impl FnMut(usize, &[f64]),
+    ) {
+        let mut current = None;
+        let mut weights = [0.0; MOST_NODES];
+        let count = element.count();
+        self.see(group, (outline, element.normal), scratch, |index, piece| {
+            if let Some(last) = current.replace(index)
+                && last != index
+            {
+                each(last, &weights[..count]);
+                weights = [0.0; MOST_NODES];
+            }
+            weights::add(piece, element, group.points[index], group.measure, self.accuracy, &mut weights);
+        });
+        if let Some(last) = current {
+            each(last, &weights[..count]);
+        }
+    }
+}

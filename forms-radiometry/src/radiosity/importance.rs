@@ -1,0 +1,79 @@
+//! Importance: what is asked for becomes how much a uniform irradiance of each element would change it, over all reflections.
+//!
+//! ```text
+//! z = w + Gᵀ z        w what the nodes give to the goals straight
+//! ```
+
+use super::gather::{Group, Scratch};
+use super::measure::Measure;
+use super::system::Radiosity;
+use crate::geometry::Vector;
+
+/// How many reflections importance is followed.
+const MOST_REFLECTIONS: usize = 24;
+
+/// A number that the solution is asked for, and how much its error matters.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Goal {
+    pub(crate) what: GoalKind,
+    pub(crate) weight: f64,
+}
+
+/// Kinds of goals.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum GoalKind {
+    /// What reaches a point.
+    At { position: Vector, measure: Measure },
+    /// The integral of the irradiance of a surface.
+    Mean { surface: usize },
+}
+
+impl Radiosity<'_> {
+    /// What a uniform irradiance of each element would change in the goals, over all reflections.
+    pub(super) fn importance(&self, goals: &[Goal]) -> Vec<f64> {
+        let bands = 0..self.scene.band_count();
+        let strongest: Vec<f64> = self
+            .elements
+            .iter()
+            .map(|element| bands.clone().map(|band| self.reflectance(element, band)).fold(0.0, f64::max))
+            .collect();
+        let mut scratch = Scratch::default();
+        let mut straight = vec![0.0; self.size()];
+        for goal in goals {
+            match goal.what {
+                GoalKind::At { position, measure } => {
+                    let points = [position];
+                    let group = Group { points: &points, outline: &points, measure };
+                    for (index, element) in self.sources() {
+                        let first = self.first[index];
+                        self.transport.weigh(
+                            group,
+                            (element, &self.outlines[index]),
+                            &mut scratch,
+                            |_, weights| {
+                                for (node, weight) in straight[first..].iter_mut().zip(weights) {
+                                    *node += goal.weight * strongest[index] * weight.abs();
+                                }
+                            },
+                        );
+                    }
+                }
+                GoalKind::Mean { surface } => {
+                    for (index, element) in self.elements.iter().enumerate() {
+                        let face = &self.transport.faces[element.face];
+                        if face.surface == surface && !face.is_back {
+                            let nodes = straight[self.first[index]..].iter_mut().zip(element.areas());
+                            nodes.for_each(|(node, area)| *node += goal.weight * area);
+                        }
+                    }
+                }
+            }
+        }
+        let (mut sum, mut last) = (straight.clone(), straight);
+        for _ in 0..MOST_REFLECTIONS {
+            last = self.operator.apply_transposed(&strongest, &last);
+            sum.iter_mut().zip(&last).for_each(|(sum, last)| *sum += last);
+        }
+        self.first.windows(2).map(|nodes| sum[nodes[0]..nodes[1]].iter().sum()).collect()
+    }
+}

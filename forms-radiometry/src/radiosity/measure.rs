@@ -1,0 +1,69 @@
+//! Measures: what a receiver makes of the light that comes from a direction.
+//!
+//! ```text
+//! plane     F = (1/π) ∫ cos θ dω      irradiance of an element with the normal n:  E = π F L
+//! sphere    Ω = ∫ dω                  fluence rate:                                 φ = Ω L
+//! flow      −∫ ω dω                   vector irradiance along an axis; ω points to where the light comes from
+//! ```
+//! All are taken over π, so that a reflected radiance ρE/π and an exitance M/π enter alike.
+
+use crate::geometry::{Vector, edge_sum};
+use crate::kernels::solid_angle_triangle;
+use std::f64::consts::PI;
+
+/// What is measured at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Measure {
+    /// Irradiance of a surface element with this unit normal.
+    Plane(Vector),
+    /// Fluence rate.
+    Sphere,
+    /// The component of vector irradiance along this unit vector.
+    Flow(Vector),
+}
+
+impl Measure {
+    /// The normal of the horizon below which nothing counts.
+    pub(crate) fn horizon(self) -> Option<Vector> {
+        match self {
+            Self::Plane(normal) => Some(normal),
+            Self::Sphere | Self::Flow(_) => None,
+        }
+    }
+
+    /// The measure, over π, of a convex polygon relative to the receiver, which lies above its horizon and is seen from its
+    /// front.
+    pub(crate) fn of(self, polygon: &[Vector]) -> f64 {
+        match self {
+            Self::Plane(normal) => edge_sum(polygon, normal),
+            Self::Flow(axis) => -edge_sum(polygon, axis),
+            Self::Sphere => {
+                let a = polygon[0];
+                let triangle = |pair: &[Vector]| {
+                    let [b, c] = [pair[0], pair[1]];
+                    // seen from the front, the triangle's normal points to the receiver
+                    -solid_angle_triangle(0.0, 0.0, 0.0, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z)
+                };
+                polygon[1..].windows(2).map(triangle).sum::<f64>() / PI
+            }
+        }
+    }
+
+    /// The measure of an area there, over π, by the solid angle of that area over π.
+    pub(crate) fn factor(self, direction: Vector) -> f64 {
+        match self {
+            Self::Plane(normal) => normal.dot(direction).max(0.0),
+            Self::Sphere => 1.0,
+            Self::Flow(axis) => -axis.dot(direction),
+        }
+    }
+
+    /// The measure of all directions, over π.
+    pub(crate) fn whole(self) -> f64 {
+        match self {
+            Self::Plane(_) => 1.0,
+            Self::Sphere => 4.0,
+            Self::Flow(_) => 0.0,
+        }
+    }
+}

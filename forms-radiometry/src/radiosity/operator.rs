@@ -1,0 +1,87 @@
+//! The operator of reflection: rows of form factors from nodes to elements become G, that takes an irradiance to the one after
+//! another reflection.
+//!
+//! ```text
+//! (G E)ᵢ = Σₑ ρₑ Σₖ Wᵢₑₖ Eₑₖ
+//! ```
+//! The rows are geometry alone: all bands share them.
+
+use rayon::prelude::*;
+
+/// What one node gets from the elements that it sees.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Row {
+    /// The elements.
+    pub(super) elements: Vec<u32>,
+    /// The weights of their nodes, one element after the other.
+    pub(super) weights: Vec<f64>,
+}
+
+/// The rows of all nodes.
+#[derive(Clone, Debug)]
+pub(super) struct Operator {
+    rows: Vec<Row>,
+    /// The first node of each element, and at the end the count of all nodes.
+    first: Vec<usize>,
+}
+
+impl Operator {
+    pub(super) fn new(rows: Vec<Row>, first: Vec<usize>) -> Self {
+        Self { rows, first }
+    }
+
+    /// How many nodes there are.
+    pub(super) fn size(&self) -> usize {
+        self.first.last().copied().unwrap_or(0)
+    }
+
+    /// G E for these reflectances of the elements.
+    pub(super) fn apply(&self, reflectances: &[f64], irradiance: &[f64]) -> Vec<f64> {
+        self.rows.par_iter().with_min_len(16).map(|row| self.row(row, reflectances, irradiance)).collect()
+    }
+
+    /// Gᵀ z for these reflectances.
+    pub(super) fn apply_transposed(&self, reflectances: &[f64], importance: &[f64]) -> Vec<f64> {
+        let mut sums = vec![0.0; self.size()];
+        for (row, &z) in self.rows.iter().zip(importance) {
+            let mut weights = row.weights.as_slice();
+            for &element in &row.elements {
+                let element = element as usize;
+                let nodes = &mut sums[self.first[element]..self.first[element + 1]];
+                let (own, rest) = weights.split_at(nodes.len());
+                let factor = reflectances[element] * z;
+                nodes.iter_mut().zip(own).for_each(|(sum, weight)| *sum += factor * weight);
+                weights = rest;
+            }
+        }
+        sums
+    }
+
+    fn row(&self, row: &Row, reflectances: &[f64], irradiance: &[f64]) -> f64 {
+        let mut weights = row.weights.as_slice();
+        let mut sum = 0.0;
+        for &element in &row.elements {
+            let element = element as usize;
+            let nodes = &irradiance[self.first[element]..self.first[element + 1]];
+            let (own, rest) = weights.split_at(nodes.len());
+            let arriving: f64 = own.iter().zip(nodes).map(|(weight, value)| weight * value).sum();
+            sum += reflectances[element] * arriving;
+            weights = rest;
+        }
+        sum
+    }
+
+    /// An estimate of the norm of the operator by what several reflections leave of a uniform irradiance: ‖Gᵐ‖^(1/m), m = 4,
+    /// never more than ‖G‖ at the nodes.
+    pub(super) fn contraction(&self, reflectances: &[f64]) -> f64 {
+        const BOUNCES: i32 = 4;
+        let mut light = vec![1.0; self.size()];
+        let mut least = f64::INFINITY;
+        for bounce in 1..=BOUNCES {
+            light = self.apply(reflectances, &light);
+            let largest = light.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
+            least = least.min(largest.powf(1.0 / f64::from(bounce)));
+        }
+        if least.is_finite() { least } else { 0.0 }
+    }
+}

@@ -1,0 +1,285 @@
+//! The system of equations of a scene: elements become rows of weights and direct light at their nodes, these the irradiance of the
+//! nodes, and from it what any receiver gets.
+
+use super::contact;
+use super::direct::Lights;
+use super::element::{Element, HIGHEST_ORDER};
+use super::gather::{Group, Scratch, Transport};
+use super::measure::Measure;
+use super::operator::{Operator, Row};
+use super::refinement::Change;
+use super::solution::{all_orders, neumann};
+use crate::geometry::Vector;
+use crate::kernels::irradiance;
+use crate::scene::{MaterialKind, Scene};
+use crate::simulation::Watch;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// The most nodes: the matrix of more does not fit into the memory of a small machine.
+pub(super) const MOST_NODES: usize = 12_000;
+
+/// Polynomials on the faces of round shapes have degrees below this.
+const ORDER_ON_ROUND: usize = 2;
+
+/// What is asked of the solution.
+#[derive(Clone, Debug)]
+pub(crate) struct Question {
+    /// Whether light is reflected, and how often at most.
+    pub(crate) orders: Option<u32>,
+    /// Whether each surface is a receiver.
+    pub(crate) receives: Vec<bool>,
+    /// Whether receivers get what comes straight from lights.
+    pub(crate) direct: bool,
+}
+
+/// A solution on elements.
+pub(crate) struct Radiosity<'t> {
+    pub(super) scene: &'t Scene,
+    pub(super) transport: &'t Transport,
+    pub(super) lights: &'t Lights<'t>,
+    pub(super) question: Question,
+    pub(super) elements: Vec<Element>,
+    pub(super) outlines: Vec<Vec<Vector>>,
+    pub(super) changes: Vec<Change>,
+    pub(super) operator: Operator,
+    /// The first node of each element, and at the end the count of all.
+    pub(super) first: Vec<usize>,
+    /// For each band the irradiance of each node.
+    pub(super) irradiance: Vec<Vec<f64>>,
+    /// For each band the irradiance of each node straight from lights.
+    pub(super) direct: Vec<Vec<f64>>,
+    /// Of each surface that receives, for each band, the flux straight from lights with its error, where it is an integral.
+    pub(super) straight: Vec<Option<Vec<[f64; 2]>>>,
+    /// For each band what of the irradiance of each node is reflected once more: all but its highest order.
+    pub(super) reflected: Vec<Vec<f64>>,
+    /// For each band the norm of the operator of reflection, as estimated.
+    pub(crate) contraction: Vec<f64>,
+    /// For each band the largest error that the solution of the equations leaves.
+    pub(crate) tail: Vec<f64>,
+}
+
+impl<'t> Radiosity<'t> {
+    /// The solution on the coarsest elements.
+    pub(crate) fn new(
+        scene: &'t Scene,
+        transport: &'t Transport,
+        lights: &'t Lights<'t>,
+        question: Question,
+        watch: &dyn Watch,
+    ) -> Self {
+        let orders = question.orders;
+        let mut elements = Vec::new();
+        let pieces = contact::pieces(&transport.faces, transport.screens.resolution());
+        for (index, face) in transport.faces.iter().enumerate() {
+            let surface = &scene.surfaces[face.surface];
+            let is_black_back = face.is_back && !surface.two_sided;
+            let reflects = orders != Some(0) && reflectance(scene, face.surface).iter().any(|&rho| rho > 0.0);
+            if !is_black_back && (reflects || question.receives[face.surface]) {
+                elements.extend(pieces[index].iter().flat_map(|piece| Element::of(index, face, piece)));
+            }
+        }
+        // the faces of a polyhedron are as small as its shape asks for: linear polynomials on them are as exact as the shape
+        let is_round_face =
+            |element: &&mut Element| scene.surfaces[transport.faces[element.face].surface].shape.is_round();
+        elements.iter_mut().filter(is_round_face).for_each(|element| element.order = ORDER_ON_ROUND);
+        for order in (1..HIGHEST_ORDER).rev() {
+            if elements.iter().map(Element::count).sum::<usize>() > MOST_NODES / 8 {
+                elements.iter_mut().for_each(|element| element.order = element.order.min(order));
+            }
+        }
+        let straight = question.receives.iter().enumerate();
+        let straight = straight
+            .map(|(surface, &receives)| if receives { lights.flux(surface, transport) } else { None });
+        let straight = straight.collect();
+        let changes = vec![Change::UNKNOWN; elements.len()];
+        let mut radiosity = Self {
+            scene,
+            transport,
+            lights,
+            question,
+            outlines: Vec::new(),
+            changes,
+            operator: Operator::new(Vec::new(), Vec::new()),
+            first: Vec::new(),
+            irradiance: Vec::new(),
+            direct: Vec::new(),
+            straight,
+            reflected: Vec::new(),
+            contraction: Vec::new(),
+            tail: Vec::new(),
+            elements,
+        };
+        radiosity.solve(watch);
+        radiosity
+    }
+
+    /// Light at the nodes of the elements that there are.
+    pub(super) fn solve(&mut self, watch: &dyn Watch) {
+        self.outlines = self.elements.iter().map(Element::outline).collect();
+        self.first = vec![0];
+        for element in &self.elements {
+            self.first.push(self.first[self.first.len() - 1] + element.count());
+        }
+        let done = AtomicUsize::new(0);
+        let of_elements: Vec<(Vec<Row>, Vec<Vec<f64>>)> = (0..self.elements.len())
+            .into_par_iter()
+            .map_init(Scratch::default, |scratch, index| {
+                let rows = self.rows(index, scratch, watch);
+                let part = done.fetch_add(1, Ordering::Relaxed) as f64 / self.elements.len() as f64;
+                watch.progress("interreflection", part);
+                rows
+            })
+            .collect();
+        let (mut rows, mut direct) = (Vec::new(), vec![Vec::new(); self.scene.band_count()]);
+        for (of_element, light) in of_elements {
+            rows.extend(of_element);
+            for of_point in light {
+                direct.iter_mut().zip(of_point).for_each(|(band, value)| band.push(value));
+            }
+        }
+        self.operator = Operator::new(rows, self.first.clone());
+        let operator = &self.operator;
+        (self.irradiance, self.reflected) = (Vec::new(), Vec::new());
+        (self.contraction, self.tail) = (Vec::new(), Vec::new());
+        for (band, direct) in direct.iter().enumerate() {
+            let reflectances: Vec<f64> =
+                self.elements.iter().map(|element| self.reflectance(element, band)).collect();
+            let contraction = operator.contraction(&reflectances);
+            let (irradiance, reflected, residual) = match self.question.orders {
+                Some(orders) => {
+                    let [all, but_one] = neumann(operator, &reflectances, direct, orders);
+                    (all, but_one, 0.0)
+                }
+                None => {
+                    let (all, residual) = all_orders(operator, &reflectances, direct);
+                    (all.clone(), all, residual)
+                }
+            };
+            self.irradiance.push(irradiance);
+            self.reflected.push(reflected);
+            self.contraction.push(contraction);
+            self.tail.push(residual / (1.0 - contraction).max(f64::EPSILON));
+        }
+        self.direct = direct;
+    }
+
+    /// The rows of the nodes of an element, and the light that comes straight to them.
+    fn rows(&self, index: usize, scratch: &mut Scratch, watch: &dyn Watch) -> (Vec<Row>, Vec<Vec<f64>>) {
+        let element = &self.elements[index];
+        let points: Vec<Vector> = element.nodes().collect();
+        let measure = Measure::Plane(element.normal);
+        let group = Group { points: &points, outline: &self.outlines[index], measure };
+        let mut rows = vec![Row::default(); points.len()];
+        if self.question.orders != Some(0) && !watch.is_stopped() {
+            for (source, other) in self.sources().filter(|(_, other)| other.face != element.face) {
+                let outline = &self.outlines[source];
+                self.transport.weigh(group, (other, outline), scratch, |node, weights| {
+                    rows[node].elements.push(source as u32);
+                    rows[node].weights.extend_from_slice(weights);
+                });
+            }
+        }
+        (rows, self.lights.reaching(group, self.transport, scratch))
+    }
+
+    /// The elements that reflect, with their indices.
+    pub(super) fn sources(&self) -> impl Iterator<Item = (usize, &Element)> {
+        let reflects = |element: &Element| {
+            let surface = self.transport.faces[element.face].surface;
+            reflectance(self.scene, surface).iter().any(|&rho| rho > 0.0)
+        };
+        self.elements.iter().enumerate().filter(move |(_, element)| reflects(element))
+    }
+
+    pub(super) fn reflectance(&self, element: &Element, band: usize) -> f64 {
+        reflectance(self.scene, self.transport.faces[element.face].surface)[band]
+    }
+
+    /// How many nodes there are.
+    pub(crate) fn size(&self) -> usize {
+        self.first.last().copied().unwrap_or(0)
+    }
+
+    /// The geometry that light passes through.
+    pub(crate) fn transport(&self) -> &'t Transport {
+        self.transport
+    }
+
+    /// What the solution of the equations leaves, as a radiance from everywhere.
+    pub(crate) fn floor(&self, band: usize) -> f64 {
+        self.tail[band] / irradiance(1.0, 1.0)
+    }
+
+    /// What rules of integration leave, relative to an answer: they are exact for light that is the same everywhere.
+    pub(crate) fn rules(&self) -> f64 {
+        let variation = |irradiance: &Vec<f64>| {
+            let ends = irradiance.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &value| {
+                (low.min(value), high.max(value))
+            });
+            if ends.1 > 0.0 { (ends.1 - ends.0) / ends.1 } else { 0.0 }
+        };
+        self.transport.accuracy * self.irradiance.iter().map(variation).fold(0.0, f64::max)
+    }
+
+    /// What each point of a group gets, for each band, from lights and from surfaces that reflect.
+    pub(crate) fn reaching(&self, group: Group, scratch: &mut Scratch) -> Vec<Vec<f64>> {
+        let mut sums = if self.question.direct {
+            self.lights.reaching(group, self.transport, scratch)
+        } else {
+            vec![vec![0.0; self.scene.band_count()]; group.points.len()]
+        };
+        if self.question.orders == Some(0) {
+            return sums;
+        }
+        for (index, element) in self.sources() {
+            let nodes = self.first[index]..self.first[index + 1];
+            self.transport.weigh(group, (element, &self.outlines[index]), scratch, |point, weights| {
+                for (band, sum) in sums[point].iter_mut().enumerate() {
+                    let values = &self.reflected[band][nodes.clone()];
+                    let arriving: f64 = weights.iter().zip(values).map(|(w, e)| w * e).sum();
+                    *sum += self.reflectance(element, band) * arriving;
+                }
+            });
+        }
+        sums
+    }
+
+    /// The mean irradiance of the front of a surface, for each band, and its area. What comes straight from faces is an integral
+    /// over them; the rest is summed over nodes.
+    pub(crate) fn mean(&self, surface: usize) -> (Vec<f64>, f64) {
+        let straight = self.straight[surface].as_ref();
+        let by_nodes = self.question.direct && straight.is_none();
+        let mut sums = vec![0.0; self.irradiance.len()];
+        let mut whole = 0.0;
+        for (index, element) in self.elements.iter().enumerate() {
+            let face = &self.transport.faces[element.face];
+            if face.surface != surface || face.is_back {
+                continue;
+            }
+            whole += element.area;
+            for (area, node) in element.areas().zip(self.first[index]..) {
+                for ((sum, all), direct) in sums.iter_mut().zip(&self.irradiance).zip(&self.direct) {
+                    *sum += area * if by_nodes { all[node] } else { all[node] - direct[node] };
+                }
+            }
+        }
+        if let Some(flux) = straight.filter(|_| self.question.direct) {
+            sums.iter_mut().zip(flux).for_each(|(sum, [flux, _])| *sum += flux);
+        }
+        (sums.into_iter().map(|sum| sum / whole).collect(), whole)
+    }
+
+    /// The error of what comes straight to a surface in a band, as a flux; nothing where it is summed over nodes.
+    pub(crate) fn straight_error(&self, surface: usize, band: usize) -> Option<f64> {
+        self.straight[surface].as_ref().map(|flux| flux[band][1])
+    }
+}
+
+/// The diffuse reflectance of a surface, for each band.
+pub(crate) fn reflectance(scene: &Scene, surface: usize) -> &[f64] {
+    match &scene.materials[scene.surfaces[surface].material].kind {
+        MaterialKind::Diffuse { reflectance } => reflectance,
+        MaterialKind::Mirror { .. } | MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => &[],
+    }
+}

@@ -1,0 +1,148 @@
+//! Laws of the parts of the solver.
+
+use super::element::Element;
+use super::measure::Measure;
+use super::operator::{Operator, Row};
+use super::reference::MOST_NODES;
+use super::solution::{all_orders, neumann, orders};
+use super::weights;
+use crate::geometry::{Face, Vector};
+use crate::kernels::irradiance_linear_luminaire;
+
+/// A triangle above the origin that looks down, and the face that it is.
+fn triangle([a, b, c]: [Vector; 3]) -> Face {
+    let twice = (b - a).cross(c - a);
+    let normal = twice.unit().expect("a triangle");
+    Face { surface: 0, is_back: false, vertices: vec![a, b, c], normal, area: 0.5 * twice.length() }
+}
+
+#[test]
+fn a_linear_element_gives_what_the_linear_luminaire_gives() {
+    let up = Vector::new(0.0, 0.0, 1.0);
+    let corners =
+        |z: f64| [Vector::new(-0.5, -0.3, z), Vector::new(0.1, 0.8, z), Vector::new(0.9, -0.2, 1.5 * z)];
+    for height in [3.0, 1.0, 0.2, 0.02] {
+        let vertices = corners(height);
+        let face = triangle(vertices);
+        let [a, b, c] = vertices;
+        let elements = Element::of(0, &face, &face.vertices);
+        let [element] = &elements[..] else { panic!("a triangle is one element") };
+        let mut found = [0.0; MOST_NODES];
+        weights::add(&vertices, element, Vector::default(), Measure::Plane(up), 1e-9, &mut found);
+        // the radiance 2 + x − 3y is linear; over π it is an exitance
+        let radiance = |v: Vector| 2.0 + v.x - 3.0 * v.y;
+        let sum: f64 = element.nodes().zip(found).map(|(node, weight)| radiance(node) * weight).sum();
+        let expected = irradiance_linear_luminaire(
+            a.x,
+            a.y,
+            a.z,
+            b.x,
+            b.y,
+            b.z,
+            c.x,
+            c.y,
+            c.z,
+            radiance(a),
+            radiance(b),
+            radiance(c),
+        ) / std::f64::consts::PI;
+        assert!((sum - expected).abs() < 1e-8, "{height}: {sum} and {expected}");
+    }
+}
+
+#[test]
+fn the_weights_of_an_element_sum_to_its_measure() {
+    let face =
+        triangle([Vector::new(-1.0, -1.0, 0.1), Vector::new(0.0, 2.0, 0.1), Vector::new(1.0, -1.0, 0.1)]);
+    let elements = Element::of(0, &face, &face.vertices);
+    for measure in [
+        Measure::Plane(Vector::new(0.0, 0.0, 1.0)),
+        Measure::Sphere,
+        Measure::Flow(Vector::new(1.0, 0.0, 0.0)),
+        Measure::Flow(Vector::new(0.0, 0.0, 1.0)),
+    ] {
+        let mut found = [0.0; MOST_NODES];
+        weights::add(&face.vertices, &elements[0], Vector::default(), measure, 1e-2, &mut found);
+        let (sum, expected) = (found.iter().sum::<f64>(), measure.of(&face.vertices));
+        assert!((sum - expected).abs() < 1e-13, "{measure:?}: {sum} and {expected}");
+    }
+}
+
+#[test]
+fn quarters_cover_an_element_and_keep_its_polynomials() {
+    let triangle =
+        triangle([Vector::new(0.0, 0.0, 1.0), Vector::new(0.3, 2.0, 1.0), Vector::new(1.0, 0.2, 1.0)]);
+    let square = Face {
+        vertices: vec![
+            Vector::new(0.0, 0.0, 1.0),
+            Vector::new(0.0, 1.5, 1.0),
+            Vector::new(1.0, 2.0, 1.0),
+            Vector::new(1.0, 0.5, 1.0),
+        ],
+        area: 1.5,
+        ..triangle.clone()
+    };
+    for face in [triangle, square] {
+        for element in Element::of(0, &face, &face.vertices) {
+            let parts = element.quarters();
+            let area: f64 = parts.iter().map(|part| part.area).sum();
+            assert!((area - element.area).abs() < 1e-15);
+            // the integral of x² is the same over the parts
+            let moment = |element: &Element| -> f64 {
+                element.nodes().zip(element.areas()).map(|(node, area)| area * node.x * node.x).sum()
+            };
+            let of_parts: f64 = parts.iter().map(moment).sum();
+            assert!((of_parts - moment(&element)).abs() < 1e-14, "{of_parts}");
+        }
+    }
+}
+
+/// An operator without structure, whose rows sum to less than one.
+fn operator(size: usize) -> Operator {
+    let weight = |i: usize, j: usize| ((i * 7 + j * 13) % 17) as f64 / (17.0 * size as f64) * 1.9;
+    let row = |i: usize| Row {
+        elements: (0..size as u32).collect(),
+        weights: (0..size).map(|j| weight(i, j)).collect(),
+    };
+    Operator::new((0..size).map(row).collect(), (0..=size).collect())
+}
+
+#[test]
+fn all_orders_at_once_are_the_limit_of_the_series() {
+    let operator = operator(40);
+    let reflectances: Vec<f64> = (0..40).map(|i| 0.5 + 0.01 * f64::from(i)).collect();
+    let direct: Vec<f64> = (0..40).map(|i| f64::from(i % 5)).collect();
+    let (at_once, residual) = all_orders(&operator, &reflectances, &direct);
+    let [series, _] = neumann(&operator, &reflectances, &direct, 500);
+    assert!(residual < 1e-12, "{residual:e}");
+    for (a, b) in at_once.iter().zip(&series) {
+        assert!((a - b).abs() < 1e-11, "{a} and {b}");
+    }
+    let k = operator.contraction(&reflectances);
+    assert!(k < 0.95 && k > 0.5, "{k}");
+}
+
+#[test]
+fn an_order_is_the_light_of_one_more_reflection() {
+    let operator = operator(10);
+    let (reflectances, direct) = (vec![0.5; 10], vec![1.0; 10]);
+    let [two, one] = neumann(&operator, &reflectances, &direct, 2);
+    let reflected = operator.apply(&reflectances, &one);
+    for i in 0..10 {
+        assert!((two[i] - (direct[i] + reflected[i])).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn the_orders_to_a_tolerance_are_the_least_that_reach_it() {
+    for (contraction, tolerance, expected) in [
+        (0.8, 1e-6, Some(62)),
+        (0.8, 1e-3, Some(31)),
+        (0.5, 1e-3, Some(10)),
+        (0.5, 0.125, Some(3)),
+        (0.0, 1e-3, Some(0)),
+        (1.0, 1e-3, None),
+    ] {
+        assert_eq!(orders(contraction, tolerance), expected, "{contraction} {tolerance}");
+    }
+}

@@ -1,0 +1,47 @@
+//! Bands: a scene of several becomes one of a single band, with the middle of every optical number.
+
+use super::model::{LightKind, MaterialKind, Scene};
+
+impl Scene {
+    /// The same scene in a single band, where every optical number is halfway between the least and the largest of its bands.
+    pub(crate) fn with_one_band(&self) -> Self {
+        let mut scene = self.clone();
+        scene.bands = Vec::new();
+        for medium in &mut scene.media {
+            for values in
+                [&mut medium.absorption, &mut medium.scattering, &mut medium.asymmetry, &mut medium.index]
+            {
+                merge(values);
+            }
+        }
+        for material in &mut scene.materials {
+            match &mut material.kind {
+                MaterialKind::Diffuse { reflectance } | MaterialKind::Mirror { reflectance } => {
+                    merge(reflectance);
+                }
+                MaterialKind::Conductor { eta, k } => {
+                    merge(eta);
+                    merge(k);
+                }
+                MaterialKind::Dielectric { .. } => {}
+            }
+        }
+        scene.surfaces.iter_mut().for_each(|surface| merge(&mut surface.radiance));
+        for light in &mut scene.lights {
+            match &mut light.kind {
+                LightKind::Point { intensity, .. } => merge(intensity),
+                LightKind::Distant { irradiance, .. } => merge(irradiance),
+            }
+        }
+        merge(&mut scene.ambient.radiance);
+        scene
+    }
+}
+
+fn merge(values: &mut Vec<f64>) {
+    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if !values.is_empty() {
+        *values = vec![0.5 * least + 0.5 * largest];
+    }
+}

@@ -1,0 +1,85 @@
+//! Estimates: what is known of a reading, from how it changed while elements became finer.
+//!
+//! ```text
+//! error = 2 λ/(1 − λ) max(Δₙ, λₙ₋₁ Δₙ₋₁, pooled change)        λ what still matters, relative to what was split
+//! ```
+//! If each refinement leaves the part λ of what mattered, the changes that are to come sum to λ/(1 − λ) of the last. A change may
+//! cancel by chance: so the change before counts too, and the changes of all readings together.
+
+/// The safety of the estimate.
+const SAFETY: f64 = 2.0;
+/// The least and the largest part that a refinement is taken to leave.
+const LEFT: [f64; 2] = [0.05, 0.7];
+/// The part of the changes of all readings that each one is taken to have had at least, relative to its scale.
+const POOLED: f64 = 0.3;
+
+/// What is known of one reading in one band.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Estimate {
+    pub(super) value: f64,
+    /// By how much it changed last, and by how much it may have.
+    changed: f64,
+    change: f64,
+    /// How much is left of what mattered, relative to what the last change settled.
+    left: f64,
+    /// What the solution of the equations, the shape of surfaces, and rounding leave.
+    pub(super) floor: f64,
+}
+
+impl Estimate {
+    /// A first value, or one that comes after another.
+    pub(super) fn new(value: f64, before: Option<(&Self, f64)>, floor: f64) -> Self {
+        let Some((before, left)) = before else {
+            return Self { value, changed: f64::INFINITY, change: f64::INFINITY, left: 1.0, floor };
+        };
+        let changed = (value - before.value).abs();
+        let carried = if before.changed.is_finite() { before.left * before.changed } else { 0.0 };
+        Self { value, changed, change: changed.max(carried), left: left.max(f64::MIN_POSITIVE), floor }
+    }
+
+    /// A value that finer elements do not change, with its error.
+    pub(super) fn exact(value: f64, error: f64) -> Self {
+        Self { value, changed: 0.0, change: 0.0, left: 0.0, floor: error }
+    }
+
+    /// Whether finer elements do not change it.
+    pub(super) fn is_exact(&self) -> bool {
+        self.left == 0.0
+    }
+
+    pub(super) fn error(&self) -> f64 {
+        if self.change == 0.0 {
+            return self.floor;
+        }
+        let left = self.left.clamp(LEFT[0], LEFT[1]);
+        SAFETY * left / (1.0 - left) * self.change + self.floor
+    }
+}
+
+/// A reading in all bands, and how long it took.
+#[derive(Clone, Debug)]
+pub(super) struct Found {
+    pub(super) bands: Vec<Estimate>,
+    pub(super) seconds: f64,
+}
+
+/// Raises changes that are small beside those of all readings, each relative to its scale.
+pub(super) fn pool(found: &mut [Found], scales: &[Vec<f64>]) {
+    let (mut sum, mut count) = (0.0, 0.0);
+    for (found, scales) in found.iter().zip(scales) {
+        for (estimate, &scale) in found.bands.iter().zip(scales) {
+            if estimate.changed.is_finite() && scale > 0.0 {
+                sum += (estimate.changed / scale).powi(2);
+                count += 1.0;
+            }
+        }
+    }
+    let typical = if count > 0.0 { POOLED * (sum / count).sqrt() } else { 0.0 };
+    for (found, scales) in found.iter_mut().zip(scales) {
+        for (estimate, &scale) in
+            found.bands.iter_mut().zip(scales).filter(|(estimate, _)| !estimate.is_exact())
+        {
+            estimate.change = estimate.change.max(typical * scale);
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! Readings: a receiver becomes the numbers that it asks for, each a measure at a point, a mean over a surface, or the
+//! radiance of what a ray meets.
+
+use super::answer::Quantity;
+use crate::geometry::Vector;
+use crate::kernels::irradiance;
+use crate::radiosity::{GoalKind, Group, Measure, Radiosity, Scratch, Transport, reflectance};
+use crate::scene::{Receiver, ReceiverKind, Scene};
+use std::f64::consts::PI;
+
+/// One number that is asked for, in each band.
+#[derive(Clone, Debug)]
+pub(super) struct Reading {
+    /// The index of the receiver.
+    pub(super) receiver: usize,
+    pub(super) quantity: Quantity,
+    what: What,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum What {
+    At { position: Vector, measure: Measure },
+    Mean { surface: usize, is_flux: bool },
+    Ray { origin: Vector, direction: Vector },
+}
+
+const AXES: [Vector; 3] =
+    [Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 1.0, 0.0), Vector::new(0.0, 0.0, 1.0)];
+
+impl Reading {
+    /// What a receiver asks for, in the order of its answers.
+    pub(super) fn of(index: usize, receiver: &Receiver) -> Vec<Self> {
+        let reading = |quantity, what| Self { receiver: index, quantity, what };
+        match receiver.kind {
+            ReceiverKind::Point { position, normal } => {
+                vec![Self::irradiance(index, position, normal)]
+            }
+            ReceiverKind::Surface { surface, .. } => vec![
+                reading(Quantity::Irradiance, What::Mean { surface, is_flux: false }),
+                reading(Quantity::Flux, What::Mean { surface, is_flux: true }),
+            ],
+            ReceiverKind::Ray { origin, direction } => {
+                vec![reading(Quantity::Radiance, What::Ray { origin, direction })]
+            }
+            ReceiverKind::Sphere { position } => {
+                let fluence = What::At { position, measure: Measure::Sphere };
+                let along = |axis: usize| {
+                    let what = What::At { position, measure: Measure::Flow(AXES[axis]) };
+                    reading(Quantity::VectorIrradiance(axis), what)
+                };
+                let fluence = reading(Quantity::FluenceRate, fluence);
+                std::iter::once(fluence).chain((0..3).map(along)).collect()
+            }
+            ReceiverKind::Camera(_) => Vec::new(),
+        }
+    }
+
+    /// The irradiance at a point.
+    pub(super) fn irradiance(receiver: usize, position: Vector, normal: Vector) -> Self {
+        let what = What::At { position, measure: Measure::Plane(normal) };
+        Self { receiver, quantity: Quantity::Irradiance, what }
+    }
+
+    /// The error of what comes straight from lights, which is a closed form at points, and over surfaces an integral; nothing where
+    /// it is summed over nodes.
+    pub(super) fn straight_error(&self, radiosity: &Radiosity, band: usize) -> Option<f64> {
+        let What::Mean { surface, is_flux } = self.what else { return Some(0.0) };
+        let error = radiosity.straight_error(surface, band)?;
+        Some(if is_flux { error } else { error / radiosity.mean(surface).1 })
+    }
+
+    /// Its value in each band.
+    pub(super) fn value(&self, scene: &Scene, radiosity: &Radiosity, scratch: &mut Scratch) -> Vec<f64> {
+        match self.what {
+            What::At { position, measure } => at(position, measure, radiosity, scratch),
+            What::Mean { surface, is_flux } => {
+                let (mean, area) = radiosity.mean(surface);
+                let unit = if is_flux { area } else { 1.0 };
+                mean.into_iter().map(|value| unit * value).collect()
+            }
+            What::Ray { origin, direction } => along(scene, [origin, direction], radiosity, scratch),
+        }
+    }
+
+    /// What it asks of a solution, if it asks for anything.
+    pub(super) fn goal(&self, scene: &Scene, radiosity: &Radiosity) -> Option<GoalKind> {
+        match self.what {
+            What::At { position, measure } => Some(GoalKind::At { position, measure }),
+            What::Mean { surface, .. } => Some(GoalKind::Mean { surface }),
+            What::Ray { origin, direction } => {
+                let (_, position, normal) = met(scene, [origin, direction], radiosity.transport())?;
+                Some(GoalKind::At { position, measure: Measure::Plane(normal) })
+            }
+        }
+    }
+
+    /// The most that an incident radiance of 1 from everywhere makes of it.
+    pub(super) fn largest(&self, transport: &Transport) -> f64 {
+        match self.what {
+            What::At { measure: Measure::Sphere, .. } => 4.0 * PI,
+            What::At { .. } | What::Mean { is_flux: false, .. } => PI,
+            What::Mean { surface, is_flux: true } => {
+                let fronts = transport.faces.iter().filter(|face| face.surface == surface && !face.is_back);
+                PI * fronts.map(|face| face.area).sum::<f64>()
+            }
+            What::Ray { .. } => 1.0,
+        }
+    }
+}
+
+fn at(position: Vector, measure: Measure, radiosity: &Radiosity, scratch: &mut Scratch) -> Vec<f64> {
+    let points = [position];
+    let group = Group { points: &points, outline: &points, measure };
+    radiosity.reaching(group, scratch).swap_remove(0)
+}
+
+/// The radiance that a ray meets: L = Lₑ + ρ E/π on a face that it sees from its front, zero on a black back, and the light
+/// from outside where it meets nothing.
+fn along(scene: &Scene, ray: [Vector; 2], radiosity: &Radiosity, scratch: &mut Scratch) -> Vec<f64> {
+    let transport = radiosity.transport();
+    if transport.screens.first(ray[0], ray[1]).is_none() {
+        return scene.ambient.radiance.clone();
+    }
+    let Some((index, position, normal)) = met(scene, ray, transport) else {
+        return vec![0.0; scene.band_count()];
+    };
+    let surface = &scene.surfaces[index];
+    let arriving = at(position, Measure::Plane(normal), radiosity, scratch);
+    let bands = surface.radiance.iter().zip(reflectance(scene, index)).zip(arriving);
+    // π F L with F = 1 is the irradiance under a uniform radiance of 1
+    bands.map(|((emitted, rho), arriving)| emitted + rho * arriving / irradiance(1.0, 1.0)).collect()
+}
+
+/// The surface that a ray meets first, where, and the normal of the side that it sees; nothing if that is black.
+fn met(
+    scene: &Scene,
+    [origin, direction]: [Vector; 2],
+    transport: &Transport,
+) -> Option<(usize, Vector, Vector)> {
+    let hit = transport.screens.first(origin, direction)?;
+    let face = &transport.faces[hit.face];
+    let is_black = face.is_back && !scene.surfaces[face.surface].two_sided;
+    (!is_black).then(|| (face.surface, origin + hit.distance * direction, face.normal))
+}

@@ -1,0 +1,302 @@
+//! The solver: a scene and its plan become answers.
+//!
+//! ```text
+//! elements ─▶ readings ─▶ finer elements ─▶ readings ─▶ … until they change no more than the tolerance ─▶ maps
+//! ```
+//! The error of a reading is estimated from how it changed (see [`estimate`](super::estimate)), with what the solution of the
+//! equations left, and rounding. Where shapes are curved, all is done with two polyhedra, one finer than the other, and what that
+//! changes is added.
+
+use super::answer::{Answer, ErrorKind, Map, Moment, Plan, Quantity, Simulation};
+use super::effects::Effects;
+use super::estimate::{Estimate, Found, pool};
+use super::map::Grid;
+use super::readings::Reading;
+use super::survey::receiving;
+use super::watch::Watch;
+use crate::faces::{faces, is_round};
+use crate::geometry::Screens;
+use crate::radiosity::{Goal, Lights, Question, Radiosity, Scratch, Transport};
+use crate::scene::{ReceiverKind, Scene};
+use rayon::prelude::*;
+use std::time::Instant;
+
+/// The part of the tolerance that rules of integration may take.
+const RULES: f64 = 0.02;
+/// Rounding of an answer, relative to it.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// Answers below this part of the largest one are dark.
+const DARK: f64 = 1e-9;
+/// The finest polyhedra.
+const FINEST: usize = 4;
+/// About how many cells of a map are watched while elements become finer.
+const WATCHED: usize = 9;
+
+/// Answers the questions of a scene with the effects of a plan.
+pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
+    let effects = Effects::of(plan);
+    let merged = (!effects.bands && scene.band_count() > 1).then(|| scene.with_one_band());
+    let work = Work::new(merged.as_ref().unwrap_or(scene), effects, watch);
+    let mut simulation = work.run();
+    if merged.is_some() {
+        spread(&mut simulation, scene.band_count());
+    }
+    simulation
+}
+
+/// The answers of one band, for each band.
+fn spread(simulation: &mut Simulation, bands: usize) {
+    let of_bands = |answer: Answer| {
+        (0..bands).map(move |band| Answer { band: Some(band), ..answer.clone() }).collect::<Vec<_>>()
+    };
+    simulation.answers = std::mem::take(&mut simulation.answers).into_iter().flat_map(of_bands).collect();
+    for map in &mut simulation.maps {
+        map.values = vec![map.values[0].clone(); bands];
+        map.errors = vec![map.errors[0].clone(); bands];
+    }
+}
+
+/// What a simulation works on.
+struct Work<'s> {
+    scene: &'s Scene,
+    effects: Effects,
+    watch: &'s dyn Watch,
+    start: Instant,
+    readings: Vec<Reading>,
+    /// How many readings are answers; those after them are watched cells of maps.
+    answers: usize,
+}
+
+impl<'s> Work<'s> {
+    fn new(scene: &'s Scene, effects: Effects, watch: &'s dyn Watch) -> Self {
+        let of = |(index, receiver)| Reading::of(index, receiver);
+        let readings: Vec<Reading> = scene.receivers.iter().enumerate().flat_map(of).collect();
+        Self { scene, effects, watch, start: Instant::now(), answers: readings.len(), readings }
+    }
+
+    fn run(mut self) -> Simulation {
+        let is_round_anywhere = is_round(self.scene);
+        let mut history = Vec::new();
+        let mut coarse: Option<Vec<Found>> = None;
+        for fineness in 0.. {
+            let transport = self.transport(fineness);
+            let lights = Lights::of(self.scene, &transport);
+            if fineness == 0 {
+                self.watch_cells(&transport);
+            }
+            let (radiosity, mut found) = self.refined(&transport, &lights, &mut history);
+            let is_compared = coarse.is_some();
+            if let Some(coarse) = coarse {
+                add_changes(&mut found, &coarse);
+            }
+            if !is_round_anywhere
+                || self.watch.is_stopped()
+                || fineness == FINEST
+                || (is_compared && self.is_enough(&found))
+            {
+                let maps = self.maps(&radiosity, &found);
+                let stopped = self.watch.is_stopped();
+                return Simulation { answers: self.answered(&found), maps, history, stopped };
+            }
+            coarse = Some(found);
+        }
+        unreachable!("the finest polyhedra are the last")
+    }
+
+    fn transport(&self, fineness: usize) -> Transport {
+        let faces = faces(self.scene, fineness);
+        let screens = Screens::of(&faces);
+        let accuracy = (RULES * self.scene.solve.tolerance).clamp(1e-12, 1e-3);
+        Transport { faces, screens, occlusion: self.effects.occlusion, accuracy }
+    }
+
+    /// The maps that are asked for: the index of the receiver and its cells.
+    fn grids(&self, transport: &Transport) -> Vec<(usize, Grid)> {
+        let receivers = self.scene.receivers.iter().enumerate();
+        let grid = |(index, receiver): (usize, &crate::scene::Receiver)| match receiver.kind {
+            ReceiverKind::Surface { surface, grid: Some(size) } => {
+                Grid::over(transport, surface, size).map(|grid| (index, grid))
+            }
+            _ => None,
+        };
+        receivers.filter_map(grid).collect()
+    }
+
+    /// Adds readings in some cells of each map, so that maps are refined until these are exact enough.
+    fn watch_cells(&mut self, transport: &Transport) {
+        for (index, grid) in self.grids(transport) {
+            let reading = |cell| Reading::irradiance(index, cell, grid.normal());
+            self.readings.extend(grid.some(WATCHED).map(reading));
+        }
+    }
+
+    /// The solution on elements that are fine enough for all readings, and the readings.
+    fn refined<'t>(
+        &self,
+        transport: &'t Transport,
+        lights: &'t Lights<'t>,
+        history: &mut Vec<Moment>,
+    ) -> (Radiosity<'t>, Vec<Found>)
+    where
+        's: 't,
+    {
+        let Effects { orders, direct, .. } = self.effects;
+        let question = Question { orders, receives: receiving(self.scene), direct };
+        let mut radiosity = Radiosity::new(self.scene, transport, lights, question, self.watch);
+        let mut found = self.read(&radiosity, None);
+        loop {
+            let seconds = self.start.elapsed().as_secs_f64();
+            history.push(Moment { seconds, error: self.relative_errors(&found).fold(0.0, f64::max) });
+            if self.watch.is_stopped() || self.is_enough(&found) {
+                return (radiosity, found);
+            }
+            let goals = self.goals(&radiosity, &found);
+            let Some(left) = radiosity.refine(&goals, self.watch) else {
+                return (radiosity, found);
+            };
+            found = self.read(&radiosity, Some((&found, left)));
+        }
+    }
+
+    /// The readings that are not exact enough, each weighted by how far it is from that.
+    fn goals(&self, radiosity: &Radiosity, found: &[Found]) -> Vec<Goal> {
+        let goal = |((reading, found), scales): ((&Reading, &Found), Vec<f64>)| {
+            let relative = |(estimate, scale): (&Estimate, f64)| {
+                let error = estimate.error();
+                if error.is_finite() { error / scale } else { f64::INFINITY }
+            };
+            let worst =
+                found.bands.iter().zip(&scales).map(|(e, &scale)| relative((e, scale))).fold(0.0, f64::max);
+            let scale = scales.iter().copied().fold(0.0, f64::max);
+            let weight = if worst.is_finite() { worst / scale } else { 1.0 / scale };
+            let what = reading.goal(self.scene, radiosity)?;
+            (worst > self.scene.solve.tolerance && weight.is_finite()).then_some(Goal { what, weight })
+        };
+        self.readings.iter().zip(found).zip(self.scales(found)).filter_map(goal).collect()
+    }
+
+    /// All readings in all bands.
+    fn read(&self, radiosity: &Radiosity, before: Option<(&Vec<Found>, f64)>) -> Vec<Found> {
+        let one = |scratch: &mut Scratch, (index, reading): (usize, &Reading)| {
+            let begin = Instant::now();
+            let values = reading.value(self.scene, radiosity, scratch);
+            let seconds = begin.elapsed().as_secs_f64();
+            let largest = reading.largest(radiosity.transport());
+            let of_band = |(band, value): (usize, f64)| {
+                let straight = reading.straight_error(radiosity, band);
+                if self.effects.orders == Some(0)
+                    && let Some(error) = straight
+                {
+                    return Estimate::exact(value, error);
+                }
+                let before = before.map(|(before, left)| (&before[index].bands[band], left));
+                Estimate::new(value, before, largest * radiosity.floor(band) + straight.unwrap_or(0.0))
+            };
+            Found { bands: values.into_iter().enumerate().map(of_band).collect(), seconds }
+        };
+        let mut found: Vec<Found> =
+            self.readings.par_iter().enumerate().map_init(Scratch::default, one).collect();
+        let scales = self.scales(&found);
+        pool(&mut found, &scales);
+        for (found, scales) in found.iter_mut().zip(scales) {
+            for (estimate, scale) in found.bands.iter_mut().zip(scales) {
+                let rules = if estimate.is_exact() { 0.0 } else { radiosity.rules() };
+                estimate.floor += (rules + ROUNDING) * scale;
+            }
+        }
+        found
+    }
+
+    /// What the tolerance of each reading in each band is relative to: its own value; for the components of a vector, the
+    /// fluence rate; for the cells of a map, the largest of them.
+    fn scales(&self, found: &[Found]) -> Vec<Vec<f64>> {
+        let mut largest = vec![
+            [vec![0.0; self.scene.band_count()], vec![0.0; self.scene.band_count()]];
+            self.scene.receivers.len()
+        ];
+        let shared = |index: usize| match self.readings[index].quantity {
+            Quantity::VectorIrradiance(_) | Quantity::FluenceRate => Some(0),
+            _ if index >= self.answers => Some(1),
+            _ => None,
+        };
+        for (index, found) in found.iter().enumerate() {
+            if let Some(kind) = shared(index) {
+                let of_receiver: &mut Vec<f64> = &mut largest[self.readings[index].receiver][kind];
+                of_receiver.iter_mut().zip(&found.bands).for_each(|(m, e)| *m = m.max(e.value.abs()));
+            }
+        }
+        let scale = |(index, found): (usize, &Found)| match shared(index) {
+            Some(kind) => largest[self.readings[index].receiver][kind].clone(),
+            None => found.bands.iter().map(|estimate| estimate.value.abs()).collect(),
+        };
+        found.iter().enumerate().map(scale).collect()
+    }
+
+    /// The errors of all readings in all bands, relative to what their tolerances are. Of an answer that is nothing beside the
+    /// largest of all, such as that of a receiver in the dark, only the error beside that one counts.
+    fn relative_errors(&self, found: &[Found]) -> impl Iterator<Item = f64> {
+        let scales = self.scales(found);
+        let largest = scales.iter().flatten().copied().fold(0.0, f64::max);
+        let relative = |(estimate, scale): (&Estimate, f64)| {
+            let error = estimate.error();
+            if error == 0.0 { 0.0 } else { error / scale.max(DARK * largest) }
+        };
+        let pairs = found.iter().zip(scales);
+        let errors: Vec<f64> =
+            pairs.flat_map(|(found, scales)| found.bands.iter().zip(scales).map(relative)).collect();
+        errors.into_iter()
+    }
+
+    fn is_enough(&self, found: &[Found]) -> bool {
+        self.relative_errors(found).all(|error| error <= self.scene.solve.tolerance)
+    }
+
+    fn maps(&self, radiosity: &Radiosity, found: &[Found]) -> Vec<Map> {
+        let bands = self.scene.band_count();
+        let map = |(receiver, grid): (usize, Grid)| {
+            let values = grid.irradiance(bands, radiosity, self.watch);
+            let watched =
+                || (self.answers..found.len()).filter(|&other| self.readings[other].receiver == receiver);
+            let largest =
+                |band: usize| watched().map(|other| found[other].bands[band].error()).fold(0.0, f64::max);
+            let error = |(band, values): (usize, &Vec<f64>)| {
+                let error = largest(band);
+                values.iter().map(|value| if value.is_nan() { f64::NAN } else { error }).collect()
+            };
+            let errors = values.iter().enumerate().map(error).collect();
+            let ReceiverKind::Surface { grid: Some(size), .. } = self.scene.receivers[receiver].kind else {
+                unreachable!("only surfaces with a grid have maps")
+            };
+            let name = self.scene.receivers[receiver].name.clone();
+            Map { receiver: name, quantity: Quantity::Irradiance, size, values, errors }
+        };
+        self.grids(radiosity.transport()).into_iter().map(map).collect()
+    }
+
+    fn answered(&self, found: &[Found]) -> Vec<Answer> {
+        let answer = |(reading, found): (&Reading, &Found)| {
+            let receiver = self.scene.receivers[reading.receiver].name.clone();
+            let (quantity, seconds, bands) = (reading.quantity, found.seconds, found.bands.len());
+            let of_band = move |(band, estimate): (usize, Estimate)| Answer {
+                receiver: receiver.clone(),
+                quantity,
+                band: (bands > 1).then_some(band),
+                value: estimate.value,
+                error: estimate.error(),
+                kind: ErrorKind::Bound,
+                seconds,
+            };
+            found.bands.clone().into_iter().enumerate().map(of_band)
+        };
+        self.readings[..self.answers].iter().zip(found).flat_map(answer).collect()
+    }
+}
+
+/// Adds to the errors what a coarser shape changes.
+fn add_changes(found: &mut [Found], coarse: &[Found]) {
+    for (found, coarse) in found.iter_mut().zip(coarse) {
+        for (estimate, coarse) in found.bands.iter_mut().zip(&coarse.bands) {
+            estimate.floor += (estimate.value - coarse.value).abs();
+        }
+    }
+}

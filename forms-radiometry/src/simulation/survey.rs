@@ -1,0 +1,244 @@
+//! The survey of a scene: what is there, and how much light passes from surface to surface, at points of the coarsest elements.
+
+use super::readings::Reading;
+use crate::faces::faces;
+use crate::geometry::{Between, Screens, Vector};
+use crate::radiosity::{Group, Lights, Measure, Question, Radiosity, Scratch, Transport, emits, reflectance};
+use crate::scene::{LightKind, ReceiverKind, Scene};
+use crate::simulation::Unwatched;
+
+/// How many faces are asked at most what they see.
+const ASKED: usize = 64;
+/// In scenes with more faces than this it is not looked for whether anything stands in between.
+const MANY: usize = 256;
+/// The part of the way from what was found to the largest that is possible by which a norm is raised: it was found at points.
+const MARGIN: f64 = 0.25;
+/// What closes a scene up to rounding.
+const CLOSED: f64 = 1e-9;
+
+/// What was found.
+pub(super) struct Survey {
+    /// Whether anything emits light.
+    pub(super) emits: bool,
+    /// Whether any surface reflects.
+    pub(super) reflects: bool,
+    /// Whether a receiver sees a surface that reflects.
+    pub(super) reflects_to_receivers: bool,
+    /// An estimate, with a margin, of how much of the light a reflection leaves at most.
+    pub(super) contraction: f64,
+    /// What stands between surfaces, lights and receivers, if anything.
+    pub(super) in_between: Option<String>,
+    /// What all reflections together add at most, in the units of the answers and relative to them.
+    pub(super) interreflection: Option<[f64; 2]>,
+    /// What taking the middle of all bands can change, in the units of the answers and relative to them; none where nothing differs.
+    pub(super) band_spread: Option<[f64; 2]>,
+    /// Whether all light that is reflected meets surfaces, and all of them reflect everything.
+    closed_and_white: bool,
+}
+
+/// The direct light and the reflecting surroundings at some points.
+struct Sampled {
+    /// The largest Σ ρ F.
+    contraction: f64,
+    /// The least Σ F.
+    closure: f64,
+    /// The largest irradiance straight from lights.
+    direct: f64,
+}
+
+impl Survey {
+    pub(super) fn of(scene: &Scene) -> Self {
+        let faces = faces(scene, 0);
+        let screens = Screens::of(&faces);
+        let transport = Transport { faces, screens, occlusion: true, accuracy: 1e-2 };
+        let lights = Lights::of(scene, &transport);
+        let receives = receiving(scene);
+        let question = Question { orders: Some(0), receives, direct: true };
+        let straight = Radiosity::new(scene, &transport, &lights, question, &Unwatched);
+        let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
+        let sampled = sample(scene, &transport, &lights);
+        let contraction = sampled.contraction + MARGIN * (largest_albedo - sampled.contraction).max(0.0);
+        let contraction = if sampled.contraction == 0.0 { 0.0 } else { contraction };
+        let mut survey = Self {
+            emits: !scene.lights.is_empty()
+                || lights.come_from_outside()
+                || (0..transport.faces.len()).any(|face| emits(scene, &transport, face)),
+            reflects: largest_albedo > 0.0,
+            reflects_to_receivers: true,
+            contraction,
+            in_between: in_between(scene, &transport),
+            interreflection: None,
+            band_spread: None,
+            closed_and_white: largest_albedo >= 1.0
+                && sampled.contraction >= 1.0 - CLOSED
+                && sampled.closure >= 1.0 - CLOSED
+                && all_white(scene),
+        };
+        survey.bound(scene, &straight, sampled.direct);
+        survey
+    }
+
+    /// The bounds by what straight light makes of every answer.
+    fn bound(&mut self, scene: &Scene, straight: &Radiosity, direct: f64) {
+        let mut scratch = Scratch::default();
+        let readings: Vec<Reading> = scene
+            .receivers
+            .iter()
+            .enumerate()
+            .flat_map(|(index, receiver)| Reading::of(index, receiver))
+            .collect();
+        let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
+        // ‖E‖ ≤ ‖D‖/(1 − k), and what is reflected is ρ E/π from everywhere
+        let everywhere = direct / (1.0 - self.contraction);
+        let reflected = largest_albedo * everywhere / std::f64::consts::PI;
+        let spread_of = |lists: &dyn Fn(usize) -> Vec<f64>| {
+            (0..scene.surfaces.len()).map(|surface| half_spread(&lists(surface))).fold(0.0, f64::max)
+        };
+        let of_albedo = spread_of(&|surface| reflectance(scene, surface).to_vec());
+        let of_light = spread_of(&|surface| scene.surfaces[surface].radiance.clone())
+            .max(half_spread(&scene.ambient.radiance))
+            .max(scene.lights.iter().map(half_spread_of_light).fold(0.0, f64::max));
+        let spread = (of_light + of_albedo * everywhere / std::f64::consts::PI) / (1.0 - self.contraction);
+        let (mut interreflection, mut bands) = ([0.0_f64; 2], [0.0_f64; 2]);
+        for reading in &readings {
+            let unit = reading.largest(straight.transport());
+            let values = reading.value(scene, straight, &mut scratch);
+            let least = values.iter().map(|value| value.abs()).fold(f64::INFINITY, f64::min);
+            for (bound, radiance) in [(&mut interreflection, reflected), (&mut bands, spread)] {
+                bound[0] = bound[0].max(unit * radiance);
+                bound[1] = bound[1].max(if radiance == 0.0 { 0.0 } else { unit * radiance / least });
+            }
+        }
+        let is_bound = self.contraction < 1.0 && !readings.is_empty();
+        self.interreflection = is_bound.then_some(interreflection);
+        // of a light that is a point, an irradiance has no bound by its intensity alone
+        let spreads_points = scene.lights.iter().any(|light| half_spread_of_light(light) > 0.0);
+        let differs = of_light > 0.0 || of_albedo > 0.0;
+        self.band_spread =
+            differs.then_some(if is_bound && !spreads_points { bands } else { [f64::INFINITY; 2] });
+    }
+
+    /// What reflections after this many leave out at most, in the units of the answers: kⁿ of all of them.
+    pub(super) fn after_orders(&self, count: u32) -> Option<f64> {
+        self.interreflection.map(|[absolute, _]| absolute * self.contraction.powf(f64::from(count)))
+    }
+
+    /// A surface that light never leaves, if there is light and everything around it is closed and white.
+    pub(super) fn trap(&self, scene: &Scene) -> Option<usize> {
+        let reflecting = |&surface: &usize| reflectance(scene, surface).iter().any(|&rho| rho >= 1.0);
+        (self.emits && self.closed_and_white).then(|| (0..scene.surfaces.len()).find(reflecting)).flatten()
+    }
+}
+
+/// Whether each surface is a receiver.
+pub(super) fn receiving(scene: &Scene) -> Vec<bool> {
+    let mut receives = vec![false; scene.surfaces.len()];
+    for receiver in &scene.receivers {
+        if let ReceiverKind::Surface { surface, .. } = receiver.kind {
+            receives[surface] = true;
+        }
+    }
+    receives
+}
+
+fn largest<'s>(scene: &'s Scene, of: impl Fn(usize) -> &'s [f64]) -> f64 {
+    (0..scene.surfaces.len()).flat_map(of).copied().fold(0.0, f64::max)
+}
+
+fn half_spread(values: &[f64]) -> f64 {
+    let (low, high) =
+        values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
+    if values.is_empty() { 0.0 } else { 0.5 * (high - low) }
+}
+
+fn half_spread_of_light(light: &crate::scene::Light) -> f64 {
+    match &light.kind {
+        LightKind::Point { intensity, .. } => half_spread(intensity),
+        LightKind::Distant { irradiance, .. } => half_spread(irradiance),
+    }
+}
+
+fn all_white(scene: &Scene) -> bool {
+    (0..scene.band_count())
+        .any(|band| (0..scene.surfaces.len()).all(|surface| reflectance(scene, surface)[band] >= 1.0))
+}
+
+/// What some faces see and get straight from lights, from points near their corners and in their middles.
+fn sample(scene: &Scene, transport: &Transport, lights: &Lights) -> Sampled {
+    let mut scratch = Scratch::default();
+    let reflects = |face: usize| {
+        let face = &transport.faces[face];
+        (!face.is_back || scene.surfaces[face.surface].two_sided)
+            && reflectance(scene, face.surface).iter().any(|&rho| rho > 0.0)
+    };
+    let reflecting: Vec<usize> = (0..transport.faces.len()).filter(|&face| reflects(face)).collect();
+    let mut sampled = Sampled { contraction: 0.0, closure: f64::INFINITY, direct: 0.0 };
+    for &index in reflecting.iter().step_by(reflecting.len().div_ceil(ASKED).max(1)) {
+        let face = &transport.faces[index];
+        let sum = face.vertices.iter().fold(Vector::default(), |sum, &v| sum + v);
+        let middle = (1.0 / face.vertices.len() as f64) * sum;
+        let mut points = vec![middle];
+        points.extend(face.vertices.iter().map(|&corner| middle + 0.9 * (corner - middle)));
+        let group = Group { points: &points, outline: &points, measure: Measure::Plane(face.normal) };
+        let mut rows = vec![vec![0.0; scene.band_count()]; points.len()];
+        let mut closure = vec![0.0; points.len()];
+        for &other in reflecting.iter().filter(|&&other| other != index) {
+            let seen = &transport.faces[other];
+            transport.see(group, (&seen.vertices, seen.normal), &mut scratch, |point, piece| {
+                let factor = group.measure.of(piece);
+                closure[point] += factor;
+                for (row, rho) in rows[point].iter_mut().zip(reflectance(scene, seen.surface)) {
+                    *row += rho * factor;
+                }
+            });
+        }
+        let direct = lights.reaching(group, transport, &mut scratch);
+        sampled.contraction = rows.into_iter().flatten().fold(sampled.contraction, f64::max);
+        sampled.closure = closure.into_iter().fold(sampled.closure, f64::min);
+        sampled.direct = direct.into_iter().flatten().fold(sampled.direct, f64::max);
+    }
+    sampled
+}
+
+/// Whether anything can come between two faces, or between a receiver and a face; and if so, what.
+fn in_between(scene: &Scene, transport: &Transport) -> Option<String> {
+    let faces = &transport.faces;
+    let counts = |index: usize| {
+        let face = &faces[index];
+        (!face.is_back || scene.surfaces[face.surface].two_sided)
+            && (emits(scene, transport, index)
+                || reflectance(scene, face.surface).iter().any(|&rho| rho > 0.0))
+    };
+    let sources: Vec<usize> = (0..faces.len()).filter(|&index| counts(index)).collect();
+    if faces.len() > MANY {
+        return Some(format!("among {} faces some may hide others", faces.len()));
+    }
+    if !scene.lights.is_empty() && !faces.is_empty() {
+        return Some("surfaces may hide lights that are points or far away".to_string());
+    }
+    if scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0) && !faces.is_empty() {
+        return Some("surfaces hide light from outside".to_string());
+    }
+    let receives = receiving(scene);
+    let receivers = scene.receivers.iter().filter_map(|receiver| match receiver.kind {
+        ReceiverKind::Point { position, normal } => Some((vec![position], Some(normal))),
+        ReceiverKind::Sphere { position } => Some((vec![position], None)),
+        ReceiverKind::Ray { .. } | ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => None,
+    });
+    let of_faces = (0..faces.len())
+        .filter(|&index| counts(index) || receives[faces[index].surface])
+        .map(|index| (faces[index].vertices.clone(), Some(faces[index].normal)));
+    let mut found = Vec::new();
+    for (outline, normal) in receivers.chain(of_faces) {
+        for &source in &sources {
+            let source = &faces[source];
+            let between =
+                transport.screens.between(&outline, normal, &source.vertices, source.normal, &mut found);
+            if !matches!(between, Between::Nothing) {
+                let what = &scene.surfaces[source.surface].name;
+                return Some(format!("something stands before the surface `{what}`"));
+            }
+        }
+    }
+    None
+}
