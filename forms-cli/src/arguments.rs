@@ -120,6 +120,20 @@ pub(crate) enum Command {
         #[arg(long)]
         no_times: bool,
     },
+    /// Simulate a scene: print what is simulated and why, then what each receiver gets, with its error
+    ///
+    /// Ctrl-C stops the work: what is there by then is printed and written. Exit status: 0 if the work was done, 2 if the
+    /// scene has errors or a file cannot be written, 130 if the work was stopped.
+    Simulate {
+        /// A scene, in TOML or of Mitsuba 3 (.xml)
+        scene: String,
+        /// Write results.csv, error.svg, and for each map an EXR and a PNG file into this folder
+        #[arg(long, value_name = "DIR")]
+        out: Option<String>,
+        /// One JSON object a line
+        #[arg(long)]
+        json: bool,
+    },
     /// Print the view factors between the surfaces of a scene as CSV
     ///
     /// A row holds the fractions of what one surface sends that arrive at each of the others, and their sum, which is 1 where

@@ -53,9 +53,27 @@ pub(crate) fn counted(count: usize, thing: &str) -> String {
     format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
 }
 
+/// Rows as lines whose columns are as wide as their widest entry, two spaces apart; those that are told stand at the right.
+pub(crate) fn columns<const N: usize>(rows: &[[String; N]], right: [bool; N]) -> Vec<String> {
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let widths: [usize; N] = std::array::from_fn(width);
+    let entry = |(column, entry): (usize, &String)| {
+        let width = widths[column];
+        if right[column] { format!("{entry:>width$}") } else { format!("{entry:<width$}") }
+    };
+    let line = |row: &[String; N]| row.iter().enumerate().map(entry).collect::<Vec<_>>().join("  ");
+    rows.iter().map(|row| line(row).trim_end().to_owned()).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn columns_are_aligned_and_end_with_their_text() {
+        let rows = [["a", "b", "c"], ["µW", "1.5", ""]].map(|row| row.map(str::to_owned));
+        assert_eq!(columns(&rows, [false, true, false]), ["a     b  c", "µW  1.5"]);
+    }
 
     #[test]
     fn lines_are_broken_at_spaces_and_no_longer_than_the_terminal() {

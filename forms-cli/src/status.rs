@@ -11,14 +11,24 @@ pub(crate) enum Status {
     NotAsStated,
     /// There is an error in a file, or the call cannot be carried out.
     Error,
+    /// The user stopped the work with Ctrl-C.
+    Stopped,
+}
+
+impl Status {
+    /// The number; of work that was stopped 128 and the number of the signal, as shells have it.
+    pub(crate) fn code(self) -> u8 {
+        match self {
+            Status::AsStated => 0,
+            Status::NotAsStated => 1,
+            Status::Error => 2,
+            Status::Stopped => 130,
+        }
+    }
 }
 
 impl From<Status> for ExitCode {
     fn from(status: Status) -> ExitCode {
-        ExitCode::from(match status {
-            Status::AsStated => 0,
-            Status::NotAsStated => 1,
-            Status::Error => 2,
-        })
+        ExitCode::from(status.code())
     }
 }

@@ -10,6 +10,7 @@ mod kernels;
 mod prove;
 mod rounded;
 mod show;
+mod simulate;
 mod topology;
 mod tour;
 mod view_factors;
@@ -46,6 +47,10 @@ pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<S
                 times: !no_times,
             };
             accuracy::accuracy(&request, output)
+        }
+        Some(Command::Simulate { scene, out, json }) => {
+            let request = simulate::Request { scene, out: out.as_deref(), json: *json };
+            simulate::simulate(&request, output)
         }
         Some(Command::ViewFactors { scene, json }) => view_factors::view_factors(scene, *json, output),
         Some(Command::Kernels) => kernels::kernels(output),

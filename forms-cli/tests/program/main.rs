@@ -3,6 +3,7 @@
 mod kernels;
 mod process;
 mod readme;
+mod simulate;
 
 use process::{Folder, Run, forms, forms_with_threads};
 
@@ -164,7 +165,7 @@ fn help_and_version_are_there() {
     let folder = Folder::with(&[]);
     let help = forms(&folder, &["--help"]);
     assert_eq!(help.status, 0);
-    for command in ["prove", "show", "eval", "emit", "kernels"] {
+    for command in ["prove", "show", "eval", "emit", "simulate", "kernels"] {
         assert!(help.output.contains(command));
     }
     let version = forms(&folder, &["--version"]);

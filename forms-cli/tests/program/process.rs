@@ -20,12 +20,16 @@ impl Folder {
         folder
     }
 
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.0.join(name)
+    }
+
     pub(crate) fn write(&self, name: &str, bytes: &[u8]) {
-        std::fs::write(self.0.join(name), bytes).expect("a file in the test's folder");
+        std::fs::write(self.path(name), bytes).expect("a file in the test's folder");
     }
 
     pub(crate) fn read(&self, name: &str) -> Vec<u8> {
-        std::fs::read(self.0.join(name)).unwrap_or_default()
+        std::fs::read(self.path(name)).unwrap_or_default()
     }
 }
 
@@ -77,6 +81,22 @@ pub(crate) fn first_line_only(folder: &Folder, arguments: &[&str]) -> String {
     child.stderr.take().expect("a pipe").read_to_string(&mut errors).expect("text");
     child.wait().expect("the program ends");
     errors
+}
+
+/// Runs the program, and presses Ctrl-C once when it has written a line with this part.
+#[cfg(unix)]
+pub(crate) fn interrupted(folder: &Folder, arguments: &[&str], part: &str) -> Run {
+    let mut child = started(folder, arguments);
+    let mut output = BufReader::new(child.stdout.take().expect("a pipe"));
+    let mut read = String::new();
+    while !read.contains(part) && output.read_line(&mut read).expect("text") > 0 {}
+    let number = child.id().to_string();
+    let sent = Command::new("kill").args(["-INT", &number]).status().expect("the command kill");
+    assert!(sent.success());
+    output.read_to_string(&mut read).expect("text");
+    let mut ended = run(child.wait_with_output().expect("the program ends"));
+    ended.output = read;
+    ended
 }
 
 fn command(folder: &Folder, arguments: &[&str]) -> Command {

@@ -1,0 +1,101 @@
+//! The answers, after the work: a table, or a JSON object for each number.
+
+use super::digits::{measured, rough};
+use crate::json::write_record;
+use crate::layout::{columns, counted, duration};
+use crate::palette::Palette;
+use forms_radiometry::simulation::{Answer, ErrorKind, Simulation};
+use std::io::{self, Write};
+use std::time::Duration;
+
+/// A number as an object.
+#[derive(serde::Serialize)]
+struct Record<'a> {
+    receiver: &'a str,
+    quantity: &'a str,
+    unit: &'a str,
+    band: Option<usize>,
+    value: f64,
+    error: f64,
+    kind: &'a str,
+    seconds: f64,
+}
+
+pub(super) fn lines(answers: &[Answer], output: &mut dyn Write) -> io::Result<()> {
+    answers.iter().try_for_each(|answer| {
+        let Answer { receiver, quantity, band, value, error, kind, seconds } = answer;
+        let record = Record {
+            receiver,
+            quantity: quantity.name(),
+            unit: quantity.unit(),
+            band: *band,
+            value: *value,
+            error: *error,
+            kind: kind.name(),
+            seconds: *seconds,
+        };
+        write_record(output, &record)
+    })
+}
+
+/// A line for each number, and how long the work took and how exact the numbers are altogether.
+pub(super) fn table(
+    found: &Simulation,
+    taken: Duration,
+    tolerance: f64,
+    output: &mut dyn Write,
+) -> io::Result<()> {
+    let palette = Palette::of_output();
+    let head = ["receiver", "quantity", "band", "value", "", "unit", "time"].map(str::to_owned);
+    let mut rows: Vec<[String; 7]> = std::iter::once(head).chain(found.answers.iter().map(row)).collect();
+    point_below_point(&mut rows);
+    let right = [false, false, true, true, false, false, true];
+    for (place, line) in columns(&rows, right).iter().enumerate() {
+        let line = format!("  {line}");
+        writeln!(output, "{}", if place == 0 { palette.quiet(&line) } else { line })?;
+    }
+    writeln!(output)?;
+    let Some(end) = found.history.last() else { return Ok(()) };
+    let summary = format!(
+        "{} in {}; largest error relative to its answer: {} (tolerance {tolerance:e})",
+        counted(found.answers.len(), "number"),
+        duration(taken),
+        rough(end.error)
+    );
+    writeln!(
+        output,
+        "{}",
+        if end.error <= tolerance { palette.quiet(&summary) } else { palette.notable(&summary) }
+    )
+}
+
+/// Adds spaces to the values, so that at the right of their column their points are below each other.
+fn point_below_point(rows: &mut [[String; 7]]) {
+    let behind = |value: &str| value.find('.').map_or(0, |point| value.len() - point);
+    let most = rows.iter().skip(1).map(|row| behind(&row[3])).max().unwrap_or(0);
+    for row in rows.iter_mut().skip(1) {
+        let missing = most - behind(&row[3]);
+        row[3].extend(std::iter::repeat_n(' ', missing));
+    }
+}
+
+fn row(answer: &Answer) -> [String; 7] {
+    let [value, error] = measured(answer.value, answer.error);
+    let meaning = match answer.kind {
+        ErrorKind::Bound => "",
+        ErrorKind::Sigma => " (1 σ)",
+    };
+    [
+        answer.receiver.clone(),
+        answer.quantity.name().to_owned(),
+        answer.band.map_or(String::new(), |band| band.to_string()),
+        value,
+        format!("± {error}{meaning}"),
+        answer.quantity.unit().to_owned(),
+        time(answer.seconds),
+    ]
+}
+
+fn time(seconds: f64) -> String {
+    duration(Duration::try_from_secs_f64(seconds).unwrap_or_default())
+}

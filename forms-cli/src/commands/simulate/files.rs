@@ -1,0 +1,55 @@
+//! The files of `--out`: a folder, and what was found, written into it.
+
+use super::figure;
+use forms_radiometry::output::{csv, exr, file_names, png};
+use forms_radiometry::scene::Scene;
+use forms_radiometry::simulation::Simulation;
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+const TABLE: &str = "results.csv";
+const FIGURE: &str = "error.svg";
+
+/// Makes the folder and those that it is in. The message names what cannot be made.
+pub(super) fn folder(path: &str) -> Result<PathBuf, String> {
+    match std::fs::create_dir_all(path) {
+        Ok(()) => Ok(PathBuf::from(path)),
+        Err(error) => Err(format!("the folder `{path}` cannot be made: {error}")),
+    }
+}
+
+/// Writes every file that can be written; gives the names of these, and messages of the others.
+pub(super) fn write(scene: &Scene, found: &Simulation, folder: &Path) -> (Vec<String>, Vec<String>) {
+    let mut files = Files { folder, written: Vec::new(), refused: Vec::new() };
+    files.write(TABLE, |output| csv(found, output));
+    let names = file_names(found.maps.iter().map(|map| map.receiver.as_str()));
+    for (map, name) in found.maps.iter().zip(&names) {
+        files.write(&format!("{name}.exr"), |output| output.write_all(&exr(map, scene)?));
+        files.write(&format!("{name}.png"), |output| output.write_all(&png(map)?));
+    }
+    let figure = figure::svg(&scene.name, &found.history, scene.solve.tolerance);
+    files.write(FIGURE, |output| output.write_all(figure.as_bytes()));
+    (files.written, files.refused)
+}
+
+struct Files<'f> {
+    folder: &'f Path,
+    written: Vec<String>,
+    refused: Vec<String>,
+}
+
+impl Files<'_> {
+    fn write(&mut self, name: &str, content: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>) {
+        let path = self.folder.join(name);
+        let written = File::create(&path).and_then(|file| {
+            let mut output = BufWriter::new(file);
+            content(&mut output)?;
+            output.flush()
+        });
+        match written {
+            Ok(()) => self.written.push(name.to_owned()),
+            Err(error) => self.refused.push(format!("`{}` cannot be written: {error}", path.display())),
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! The plan, before the work: a table, or a JSON object for each effect.
+
+use super::digits::rough;
+use crate::json::write_record;
+use crate::layout::{WIDTH, columns, filled, wrap};
+use crate::palette::Palette;
+use forms_radiometry::scene::{Receiver, ReceiverKind, Scene};
+use forms_radiometry::simulation::{Plan, PlannedEffect, Quantity};
+use std::io::{self, Write};
+
+/// The reasons have this many columns at least, however long the names before them are.
+const NARROWEST_REASON: usize = 30;
+
+/// What the column of bounds says.
+const MEANING: &str = "bound: what is left out of the effect changes an answer by no more than this";
+
+/// An effect as an object.
+#[derive(serde::Serialize)]
+struct Record<'a> {
+    effect: &'a str,
+    on: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    orders: Option<u32>,
+    why: &'a str,
+    bound: Option<f64>,
+}
+
+pub(super) fn lines(plan: &Plan, output: &mut dyn Write) -> io::Result<()> {
+    plan.effects.iter().try_for_each(|planned| {
+        let PlannedEffect { effect, on, orders, why, bound } = planned;
+        write_record(output, &Record { effect: effect.name(), on: *on, orders: *orders, why, bound: *bound })
+    })
+}
+
+/// A line for each effect: whether it is simulated, what leaving it or its higher orders out can change, and why.
+pub(super) fn table(plan: &Plan, scene: &Scene, output: &mut dyn Write) -> io::Result<()> {
+    let palette = Palette::of_output();
+    let title = if scene.name.is_empty() { "Plan".to_owned() } else { format!("Plan of {}", scene.name) };
+    writeln!(output, "{}", palette.heading(&title))?;
+    let head = ["effect".to_owned(), "simulated".to_owned(), format!("bound [{}]", units(scene))];
+    let rows = plan.effects.iter().map(|planned| {
+        [planned.effect.name().to_owned(), extent(planned), rough(planned.bound.unwrap_or(f64::INFINITY))]
+    });
+    let rows: Vec<[String; 3]> = std::iter::once(head).chain(rows).collect();
+    let lines = columns(&rows, [false, false, false]);
+    let indent = lines.iter().map(|line| line.chars().count()).max().unwrap_or(0) + 2;
+    let whys = std::iter::once("why").chain(plan.effects.iter().map(|planned| planned.why.as_str()));
+    for (place, (line, why)) in lines.iter().zip(whys).enumerate() {
+        for line in beside(line, indent, why) {
+            writeln!(output, "{}", if place == 0 { palette.quiet(&line) } else { line })?;
+        }
+    }
+    for line in wrap(MEANING, 2) {
+        writeln!(output, "{}", palette.quiet(&line))?;
+    }
+    writeln!(output)
+}
+
+/// A line, and a text behind it that goes on below in the same column.
+fn beside(line: &str, indent: usize, text: &str) -> Vec<String> {
+    let room = WIDTH.saturating_sub(indent + 2).max(NARROWEST_REASON);
+    let fits = |line: &str, word: &str| line.chars().count() + 1 + word.chars().count() <= room;
+    let parts = filled(text, fits);
+    let first = parts.first().map_or("", String::as_str);
+    let first = std::iter::once(format!("  {line:indent$}{first}").trim_end().to_owned());
+    first.chain(parts.iter().skip(1).map(|part| format!("  {:indent$}{part}", ""))).collect()
+}
+
+fn extent(planned: &PlannedEffect) -> String {
+    match (planned.on, planned.orders) {
+        (false, _) => "off".to_owned(),
+        (true, None) => "on".to_owned(),
+        (true, Some(1)) => "1 order".to_owned(),
+        (true, Some(orders)) => format!("{orders} orders"),
+    }
+}
+
+/// The units of bounds: those of what is asked for.
+fn units(scene: &Scene) -> String {
+    let of = |receiver: &Receiver| match receiver.kind {
+        ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. } => vec![Quantity::Irradiance.unit()],
+        ReceiverKind::Surface { .. } => vec![Quantity::Irradiance.unit(), Quantity::Flux.unit()],
+        ReceiverKind::Ray { .. } | ReceiverKind::Camera(_) => vec![Quantity::Radiance.unit()],
+    };
+    let mut units: Vec<&str> = scene.receivers.iter().flat_map(of).collect();
+    units.sort_unstable();
+    units.dedup();
+    units.join(", ")
+}

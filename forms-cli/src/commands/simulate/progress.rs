@@ -1,0 +1,118 @@
+//! How far the work is: on a terminal a bar with the time that is left, elsewhere nothing; and whether it is to stop.
+
+use crate::status::Status;
+use forms_radiometry::simulation::Watch;
+use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use std::fmt;
+use std::io::IsTerminal;
+use std::process::exit;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+/// Work that is done sooner has no bar.
+const PATIENCE: Duration = Duration::from_millis(300);
+/// What is done after Ctrl-C.
+const STOPPING: &str = "stopping";
+/// The parts of a bar.
+const PARTS: u64 = 1000;
+
+/// Shows the progress of the work, and stops it when its user asks for that.
+pub(super) struct Progress {
+    stopped: Arc<AtomicBool>,
+    /// The bar, if there is someone to see it.
+    bar: Option<Bar>,
+}
+
+struct Bar {
+    start: Instant,
+    drawn: ProgressBar,
+    stage: Mutex<String>,
+}
+
+impl Progress {
+    /// From now on the first Ctrl-C stops the work, and the second one ends the program.
+    pub(super) fn watch() -> Result<Self, String> {
+        let stopped = Arc::new(AtomicBool::new(false));
+        let asked = Arc::clone(&stopped);
+        let stop = move || {
+            if asked.swap(true, Ordering::Relaxed) {
+                exit(Status::Stopped.code().into());
+            }
+        };
+        ctrlc::set_handler(stop).map_err(|error| format!("Ctrl-C cannot be waited for: {error}"))?;
+        let bar = std::io::stderr().is_terminal().then(Bar::new);
+        Ok(Self { stopped, bar })
+    }
+
+    /// Takes the bar away.
+    pub(super) fn end(&self) {
+        if let Some(bar) = &self.bar {
+            bar.drawn.finish_and_clear();
+        }
+    }
+}
+
+impl Watch for Progress {
+    fn progress(&self, stage: &str, fraction: f64) {
+        if let Some(bar) = self.bar.as_ref().filter(|bar| bar.start.elapsed() >= PATIENCE) {
+            bar.show(if self.is_stopped() { STOPPING } else { stage }, fraction);
+        }
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed)
+    }
+}
+
+impl Bar {
+    fn new() -> Self {
+        let style = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %  {left:<12}");
+        let style = style.expect("the template is right").with_key("left", left);
+        let drawn = ProgressBar::with_draw_target(Some(PARTS), ProgressDrawTarget::stderr());
+        drawn.set_style(style);
+        Self { start: Instant::now(), drawn, stage: Mutex::new(String::new()) }
+    }
+
+    /// A stage has a time of its own.
+    fn show(&self, stage: &str, fraction: f64) {
+        let Ok(mut current) = self.stage.lock() else { return };
+        if *current != stage {
+            stage.clone_into(&mut current);
+            self.drawn.set_message(stage.to_owned());
+            self.drawn.reset();
+        }
+        self.drawn.set_position((fraction.clamp(0.0, 1.0) * PARTS as f64) as u64);
+    }
+}
+
+/// The time that is left, once something is done from which it can be told.
+fn left(state: &ProgressState, text: &mut dyn fmt::Write) {
+    if state.pos() > 0 {
+        let _ = write!(text, "{:#} left", HumanDuration(state.eta()));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stages_follow_each_other_from_any_thread() {
+        let drawn = ProgressBar::with_draw_target(Some(PARTS), ProgressDrawTarget::hidden());
+        let bar = Bar { start: Instant::now() - PATIENCE, drawn, stage: Mutex::default() };
+        let progress = Progress { stopped: Arc::new(AtomicBool::new(false)), bar: Some(bar) };
+        progress.progress("factors", 0.9);
+        std::thread::scope(|scope| {
+            (0..4).for_each(|part| {
+                let progress = &progress;
+                scope.spawn(move || progress.progress("bounces", 0.1 * f64::from(part)));
+            });
+        });
+        progress.progress("bounces", 0.25);
+        let bar = progress.bar.as_ref().expect("a bar");
+        assert_eq!((bar.drawn.message(), bar.drawn.position()), ("bounces".to_owned(), 250));
+        progress.end();
+        assert!(bar.drawn.is_finished() && !progress.is_stopped());
+    }
+}

@@ -1,0 +1,227 @@
+//! `forms simulate`: what it prints, what it writes, and what it says when it cannot.
+
+use crate::process::{Folder, forms, interrupted};
+use serde_json::Value;
+use std::collections::HashMap;
+use std::io::Cursor;
+
+/// A lamp over a floor, with some receivers.
+fn room(rest: &str) -> String {
+    format!(
+        "name = \"Room\"\n[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5\n\
+         [[surface]]\nname = \"floor\"\nmaterial = \"grey\"\npolygon = [[0,0,0], [2,0,0], [2,1,0], [0,1,0]]\n\
+         [[surface]]\nname = \"lamp\"\nmaterial = \"grey\"\nradiance = 3\n\
+         polygon = [[0.5,0.2,1], [0.5,0.6,1], [1,0.6,1], [1,0.2,1]]\n{rest}"
+    )
+}
+
+const POINT: &str =
+    "[[receiver]]\nname = \"here\"\nkind = \"point\"\nposition = [0.5, 0.5, 0]\nnormal = [0, 0, 1]\n";
+const MAP: &str =
+    "[[receiver]]\nname = \"floor: map\"\nkind = \"surface\"\nsurface = \"floor\"\ngrid = [6, 3]\n";
+
+/// The keys of a line of JSON, in their order, and the object.
+fn object(line: &str) -> (Vec<String>, Value) {
+    let value: Value = serde_json::from_str(line).expect("an object");
+    let keys = value.as_object().expect("an object").keys();
+    let mut keys: Vec<(usize, String)> =
+        keys.map(|key| (line.find(&format!("\"{key}\":")).expect("the key"), key.clone())).collect();
+    keys.sort();
+    (keys.into_iter().map(|(_, key)| key).collect(), value)
+}
+
+#[test]
+fn json_is_the_plan_effect_by_effect_and_then_the_answers() {
+    let folder = Folder::with(&[("room.toml", &room(&format!("{POINT}{MAP}")))]);
+    let run = forms(&folder, &["simulate", "room.toml", "--json"]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    let (plan, answers): (Vec<_>, Vec<_>) =
+        run.output.lines().map(object).partition(|(keys, _)| keys[0] == "effect");
+    let effects: Vec<&str> = plan.iter().filter_map(|(_, line)| line["effect"].as_str()).collect();
+    let all = forms_radiometry::scene::Effect::ALL.map(|(name, _)| name);
+    assert_eq!(effects, all);
+    for (keys, line) in &plan {
+        let limited = ["effect", "on", "orders", "why", "bound"];
+        let expected: Vec<&str> =
+            limited.into_iter().filter(|&key| key != "orders" || !line["orders"].is_null()).collect();
+        assert_eq!(*keys, expected);
+        assert!(line["on"].is_boolean() && line["why"].as_str().is_some_and(|why| !why.is_empty()), "{line}");
+    }
+    assert_eq!(plan[0].1["on"], true, "direct light");
+    let asked: Vec<[&str; 3]> = answers
+        .iter()
+        .map(|(_, line)| ["receiver", "quantity", "unit"].map(|key| line[key].as_str().unwrap_or("")))
+        .collect();
+    assert_eq!(
+        asked,
+        [["here", "irradiance", "W/m²"], ["floor: map", "irradiance", "W/m²"], ["floor: map", "flux", "W"]]
+    );
+    for (keys, line) in &answers {
+        assert_eq!(*keys, ["receiver", "quantity", "unit", "band", "value", "error", "kind", "seconds"]);
+        assert!(
+            line["band"].is_null() && ["bound", "sigma"].iter().any(|kind| line["kind"] == *kind),
+            "{line}"
+        );
+        assert!(["value", "error", "seconds"].iter().all(|key| line[key].is_f64()), "{line}");
+    }
+    let [mean, flux] = [&answers[1], &answers[2]].map(|(_, line)| line["value"].as_f64().expect("a number"));
+    assert!((flux - 2.0 * mean).abs() < 1e-9 * flux, "the floor has 2 m²: {mean} {flux}");
+}
+
+#[test]
+fn the_text_is_the_plan_and_the_answers_as_tables() {
+    let folder = Folder::with(&[("room.toml", &room(POINT))]);
+    let run = forms(&folder, &["simulate", "room.toml"]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    let lines: Vec<&str> = run.output.lines().collect();
+    assert_eq!(lines[0], "Plan of Room");
+    for part in ["effect", "simulated", "bound [W/m²]", "why"] {
+        assert!(lines[1].contains(part), "{}", run.output);
+    }
+    let answer = lines.iter().find(|line| line.trim_start().starts_with("here ")).expect("the answer");
+    assert!(
+        answer.contains(" irradiance ") && answer.contains(" ± ") && answer.contains(" W/m² "),
+        "{answer}"
+    );
+    assert!(run.output.contains("largest error relative to its answer"), "{}", run.output);
+}
+
+/// The channels of an EXR file and its width and height.
+fn channels(folder: &Folder, name: &str) -> (HashMap<String, Vec<f32>>, (usize, usize)) {
+    let image = exr::prelude::read_first_flat_layer_from_file(folder.path(name)).expect("OpenEXR");
+    let list = image.layer_data.channel_data.list.into_iter();
+    let values =
+        list.map(|channel| (channel.name.to_string(), channel.sample_data.values_as_f32().collect()));
+    (values.collect(), image.layer_data.size.into())
+}
+
+#[test]
+fn the_files_have_every_cell_and_agree_with_each_other() {
+    let folder = Folder::with(&[("room.toml", &room(&format!("{POINT}{MAP}")))]);
+    let run = forms(&folder, &["simulate", "room.toml", "--out", "new/results"]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    assert!(run.output.contains("results.csv, floor__map.exr, floor__map.png, error.svg"), "{}", run.output);
+    let table = folder.read("new/results/results.csv");
+    let mut reader = csv::Reader::from_reader(table.as_slice());
+    assert_eq!(
+        reader.headers().expect("a header"),
+        vec!["receiver", "quantity", "band", "bin", "i", "j", "value", "error"]
+    );
+    let lines: Vec<csv::StringRecord> = reader.records().map(|line| line.expect("a line")).collect();
+    let (scalars, cells): (Vec<_>, Vec<_>) = lines.iter().partition(|line| line[4].is_empty());
+    assert_eq!((scalars.len(), cells.len()), (3, 6 * 3));
+    let (channels, size) = channels(&folder, "new/results/floor__map.exr");
+    assert_eq!(size, (6, 3));
+    for cell in cells {
+        let [i, j] = [4, 5].map(|place| cell[place].parse::<usize>().expect("a number"));
+        let value: f64 = cell[6].parse().expect("a number");
+        assert_eq!(channels["Y"][(2 - j) * 6 + i], value as f32, "{i}, {j}");
+    }
+    let picture = folder.read("new/results/floor__map.png");
+    let mut picture = png::Decoder::new(Cursor::new(picture)).read_info().expect("PNG");
+    let mut pixels = vec![0; picture.output_buffer_size().expect("a size")];
+    let frame = picture.next_frame(&mut pixels).expect("pixels");
+    assert_eq!((frame.width, frame.height), (6 * 43, 3 * 43));
+    let figure = String::from_utf8(folder.read("new/results/error.svg")).expect("text");
+    assert!(
+        figure.starts_with("<svg") && figure.contains("tolerance 1e-3") && figure.contains("[s]"),
+        "{figure}"
+    );
+}
+
+#[test]
+fn each_band_has_its_answers_and_its_channel() {
+    let bands = format!("bands = [[400, 550], [550, 700]]\n{}", room(MAP));
+    let folder = Folder::with(&[("room.toml", &bands)]);
+    let run = forms(&folder, &["simulate", "room.toml", "--json", "--out", "."]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    let objects = run.output.lines().map(|line| object(line).1).filter(|line| line["receiver"].is_string());
+    let bands: Vec<Option<u64>> = objects.map(|line| line["band"].as_u64()).collect();
+    assert_eq!(bands, [Some(0), Some(1), Some(0), Some(1)]);
+    let (channels, _) = channels(&folder, "floor__map.exr");
+    let mut names: Vec<&str> = channels.keys().map(String::as_str).collect();
+    names.sort_unstable();
+    assert_eq!(names, ["B", "G", "R", "band0", "band1"]);
+}
+
+#[test]
+fn what_cannot_be_done_is_said_before_the_work() {
+    let scene = room(POINT);
+    let ball = room(&format!(
+        "{POINT}[[surface]]\nname = \"ball\"\nmaterial = \"silver\"\nsphere = {{ center = [0, 0, 2], radius = 0.1 }}\n\
+        [[material]]\nname = \"silver\"\nkind = \"mirror\"\nreflectance = 0.9\n"
+    ));
+    let nothing = "<scene version=\"3.0.0\"/>";
+    let files = [
+        ("room.toml", scene.as_str()),
+        ("dark.toml", &room("")),
+        ("ball.toml", &ball),
+        ("dark.xml", nothing),
+        ("taken", ""),
+    ];
+    let folder = Folder::with(&files);
+    let cases: [(&[&str], &str); 6] = [
+        (&["missing.toml"], "error: missing.toml: "),
+        (&["dark.toml"], "add a receiver, for example\n  [[receiver]]"),
+        (&["dark.xml"], "add a sensor"),
+        (&["ball.toml"], "ball.toml:26:8: the material `silver` of kind `mirror` is not simulated"),
+        (&["room.toml", "--out", "taken"], "the folder `taken` cannot be made: "),
+        (&["room.toml", "--out", "taken/below"], "the folder `taken/below` cannot be made: "),
+    ];
+    for (arguments, message) in cases {
+        let run = forms(&folder, &[&["simulate"], arguments].concat());
+        assert_eq!((run.status, run.output.as_str()), (2, ""), "{arguments:?}");
+        assert!(
+            run.errors.starts_with("error: ") && run.errors.contains(message),
+            "{arguments:?}: {}",
+            run.errors
+        );
+    }
+}
+
+#[test]
+fn a_receiver_that_the_message_suggests_is_simulated() {
+    let folder = Folder::with(&[("dark.toml", &room(""))]);
+    let errors = forms(&folder, &["simulate", "dark.toml"]).errors;
+    let (_, receiver) = errors.split_once("for example\n").expect("an example");
+    folder.write("lit.toml", room(receiver).as_bytes());
+    assert_eq!(forms(&folder, &["simulate", "lit.toml"]).status, 0);
+    let floor = "<shape type=\"rectangle\"/><shape type=\"sphere\"><emitter type=\"area\"><rgb name=\"radiance\" value=\"1, 1, 1\"/></emitter></shape>";
+    folder.write("dark.xml", format!("<scene version=\"3.0.0\">{floor}</scene>").as_bytes());
+    let errors = forms(&folder, &["simulate", "dark.xml"]).errors;
+    let (_, sensor) = errors.split_once("for example\n").expect("an example");
+    let scene = format!("<scene version=\"3.0.0\">{sensor}</scene>");
+    let read = forms_radiometry::scene::read(&scene, "lit.xml").map(|scene| scene.receivers.len());
+    assert_eq!(read, Ok(1));
+}
+
+#[test]
+fn a_file_that_cannot_be_written_is_named_and_the_others_are_written() {
+    let folder = Folder::with(&[("room.toml", &room(MAP))]);
+    std::fs::create_dir_all(folder.path("out/floor__map.png")).expect("a folder in the way");
+    let run = forms(&folder, &["simulate", "room.toml", "--out", "out"]);
+    assert_eq!(run.status, 2);
+    let name = std::path::Path::new("out").join("floor__map.png");
+    assert!(
+        run.errors.starts_with(&format!("error: `{}` cannot be written: ", name.display())),
+        "{}",
+        run.errors
+    );
+    assert!(
+        run.output.contains("floor: map") && run.output.contains("floor__map.exr, error.svg"),
+        "{}",
+        run.output
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn work_that_is_stopped_gives_what_there_is() {
+    let large = MAP.replace("[6, 3]", "[600, 600]").replace("floor: map", "large");
+    let folder = Folder::with(&[("room.toml", &room(&format!("{POINT}{large}")))]);
+    let run =
+        interrupted(&folder, &["simulate", "room.toml", "--json", "--out", "out"], "\"effect\":\"time\"");
+    assert_eq!(run.status, 130, "{}", run.errors);
+    assert!(run.errors.contains("stopped: answers may be missing"), "{}", run.errors);
+    assert!(folder.read("out/results.csv").starts_with(b"receiver,quantity,"));
+}
