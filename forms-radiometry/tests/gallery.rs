@@ -117,7 +117,7 @@ const GALLERY: [Exhibit; 9] = [
         tolerance: None,
         straight: false,
         long: false,
-        known: &[known(&[(1.0, "centre", Irradiance)], 0.999_999_999_996_726_76)],
+        known: &[known(&[(1.0, "centre", Irradiance)], 0.999_999_999_996_726_7)],
     },
     Exhibit {
         file: "room.toml",
