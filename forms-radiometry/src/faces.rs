@@ -26,6 +26,16 @@ pub(crate) fn faces(scene: &Scene, fineness: usize) -> Vec<Face> {
     faces
 }
 
+/// Whether a face sends or reflects light: it is a front, or the back of a surface with two sides.
+pub(crate) fn is_bright(scene: &Scene, face: &Face) -> bool {
+    !face.is_back || scene.surfaces[face.surface].two_sided
+}
+
+/// Whether a face emits light.
+pub(crate) fn emits(scene: &Scene, face: &Face) -> bool {
+    scene.surfaces[face.surface].emits() && is_bright(scene, face)
+}
+
 /// Whether the faces of a scene stand for round shapes, so that they depend on their fineness.
 pub(crate) fn is_round(scene: &Scene) -> bool {
     scene.surfaces.iter().any(|surface| surface.shape.is_round())

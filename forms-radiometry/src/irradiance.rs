@@ -4,7 +4,7 @@
 //! The only error is rounding: form factors are Lambert's closed form, and what hides a lamp is cut out of
 //! it.
 
-use crate::faces::faces;
+use crate::faces::{emits, faces};
 use crate::geometry::{Between, Face, Screens, Vector, Workspace, form_factor_of_pieces};
 use crate::kernels::irradiance;
 use crate::scene::{DiffuseScene, ReceiverKind, Scene, SceneError};
@@ -63,11 +63,7 @@ impl<'s> DirectLight<'s> {
 
     pub(crate) fn of(scene: DiffuseScene<'s>) -> Self {
         let faces = faces(scene.scene, 0);
-        let emits = |face: &Face| {
-            let surface = &scene.scene.surfaces[face.surface];
-            surface.emits() && (surface.two_sided || !face.is_back)
-        };
-        let luminaires = (0..faces.len()).filter(|&index| emits(&faces[index])).collect();
+        let luminaires = (0..faces.len()).filter(|&index| emits(scene.scene, &faces[index])).collect();
         Self { screens: Screens::of(&faces), luminaires, faces, scene }
     }
 

@@ -25,9 +25,9 @@ mod system;
 mod tests;
 mod weights;
 
-pub(crate) use direct::{Lights, emits};
+pub(crate) use direct::Lights;
 pub(crate) use gather::{Group, Scratch, Transport};
 pub(crate) use importance::{Goal, GoalKind};
 pub(crate) use measure::Measure;
 pub(crate) use solution::orders;
-pub(crate) use system::{Question, Radiosity, reflectance};
+pub(crate) use system::{Question, Radiosity, reflectance, reflects};

@@ -6,7 +6,7 @@
 //! A surface sends from its front, and a two-sided one from both sides. Rows are computed independently of each other: how far
 //! A₁F₁₂ is from A₂F₂₁ is a check of both.
 
-use crate::faces::{faces, is_round};
+use crate::faces::{faces, is_bright, is_round};
 use crate::geometry::{Exchange, Face, Screens, exchange_with};
 use crate::scene::Scene;
 use rayon::prelude::*;
@@ -52,8 +52,7 @@ pub fn view_factors(scene: &Scene) -> ViewFactors {
 fn with_fineness(scene: &Scene, fineness: usize) -> ViewFactors {
     let all = faces(scene, fineness);
     let screens = Screens::of(&all);
-    let is_side = |face: &&Face| !face.is_back || scene.surfaces[face.surface].two_sided;
-    let sides: Vec<&Face> = all.iter().filter(is_side).collect();
+    let sides: Vec<&Face> = all.iter().filter(|face| is_bright(scene, face)).collect();
     let count = scene.surfaces.len();
     let mut areas = vec![0.0; count];
     sides.iter().for_each(|side| areas[side.surface] += side.area);

@@ -10,6 +10,7 @@
 
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
+use crate::faces::emits;
 use crate::geometry::{Exchange, Screens, Vector, exchange_with};
 use crate::kernels::irradiance;
 use crate::scene::{LightKind, Scene};
@@ -28,7 +29,7 @@ pub(crate) struct Lights<'s> {
 impl<'s> Lights<'s> {
     pub(crate) fn of(scene: &'s Scene, transport: &Transport) -> Self {
         let from_outside = scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0);
-        let counts = |&index: &usize| from_outside || emits(scene, transport, index);
+        let counts = |&index: &usize| from_outside || emits(scene, &transport.faces[index]);
         let faces = (0..transport.faces.len()).filter(counts).collect();
         Self { scene, faces, from_outside }
     }
@@ -51,7 +52,7 @@ impl<'s> Lights<'s> {
         for &index in &self.faces {
             let face = &transport.faces[index];
             let radiance = &self.scene.surfaces[face.surface].radiance;
-            let emits = emits(self.scene, transport, index);
+            let emits = emits(self.scene, face);
             transport.see(group, (&face.vertices, face.normal), scratch, |point, piece| {
                 let factor = group.measure.of(piece);
                 hidden[point] += factor;
@@ -78,7 +79,7 @@ impl<'s> Lights<'s> {
         let nothing = Screens::of(&[]);
         let screens = if transport.occlusion { &transport.screens } else { &nothing };
         let mut flux = vec![[0.0; 2]; self.scene.band_count()];
-        for here in transport.faces.iter().filter(|face| face.surface == surface && !face.is_back) {
+        for here in transport.fronts(surface) {
             for there in self.faces.iter().map(|&index| &transport.faces[index]) {
                 let tolerances = [transport.accuracy, LEAST * here.area];
                 let Exchange { area, error } = exchange_with(here, there, screens, tolerances);
@@ -112,13 +113,6 @@ impl<'s> Lights<'s> {
             }
         }
     }
-}
-
-/// Whether a face emits light.
-pub(crate) fn emits(scene: &Scene, transport: &Transport, index: usize) -> bool {
-    let face = &transport.faces[index];
-    let surface = &scene.surfaces[face.surface];
-    surface.emits() && (!face.is_back || surface.two_sided)
 }
 
 fn add(sum: &mut [f64], factor: f64, radiance: &[f64]) {

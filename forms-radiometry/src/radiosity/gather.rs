@@ -34,6 +34,16 @@ pub(crate) struct Scratch {
 }
 
 impl Transport {
+    /// The faces of the front of a surface.
+    pub(crate) fn fronts(&self, surface: usize) -> impl Iterator<Item = &Face> + Clone {
+        self.faces.iter().filter(move |face| face.surface == surface && !face.is_back)
+    }
+
+    /// Their area.
+    pub(crate) fn front_area(&self, surface: usize) -> f64 {
+        self.fronts(surface).map(|face| face.area).sum()
+    }
+
     /// Calls `each` with the index of a point and a convex piece that it sees of a luminous outline with this normal,
     /// relative to the point, for all of them.
     pub(crate) fn see(

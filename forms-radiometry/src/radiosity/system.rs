@@ -9,6 +9,7 @@ use super::measure::Measure;
 use super::operator::{Operator, Row};
 use super::refinement::Change;
 use super::solution::{all_orders, neumann};
+use crate::faces::is_bright;
 use crate::geometry::Vector;
 use crate::kernels::irradiance;
 use crate::scene::{MaterialKind, Scene};
@@ -53,10 +54,8 @@ pub(crate) struct Radiosity<'t> {
     pub(super) straight: Vec<Option<Vec<[f64; 2]>>>,
     /// For each band what of the irradiance of each node is reflected once more: all but its highest order.
     pub(super) reflected: Vec<Vec<f64>>,
-    /// For each band the norm of the operator of reflection, as estimated.
-    pub(crate) contraction: Vec<f64>,
     /// For each band the largest error that the solution of the equations leaves.
-    pub(crate) tail: Vec<f64>,
+    pub(super) tail: Vec<f64>,
 }
 
 impl<'t> Radiosity<'t> {
@@ -72,10 +71,8 @@ impl<'t> Radiosity<'t> {
         let mut elements = Vec::new();
         let pieces = contact::pieces(&transport.faces, transport.screens.resolution());
         for (index, face) in transport.faces.iter().enumerate() {
-            let surface = &scene.surfaces[face.surface];
-            let is_black_back = face.is_back && !surface.two_sided;
-            let reflects = orders != Some(0) && reflectance(scene, face.surface).iter().any(|&rho| rho > 0.0);
-            if !is_black_back && (reflects || question.receives[face.surface]) {
+            let is_source = orders != Some(0) && reflects(scene, face.surface);
+            if is_bright(scene, face) && (is_source || question.receives[face.surface]) {
                 elements.extend(pieces[index].iter().flat_map(|piece| Element::of(index, face, piece)));
             }
         }
@@ -106,7 +103,6 @@ impl<'t> Radiosity<'t> {
             direct: Vec::new(),
             straight,
             reflected: Vec::new(),
-            contraction: Vec::new(),
             tail: Vec::new(),
             elements,
         };
@@ -140,8 +136,7 @@ impl<'t> Radiosity<'t> {
         }
         self.operator = Operator::new(rows, self.first.clone());
         let operator = &self.operator;
-        (self.irradiance, self.reflected) = (Vec::new(), Vec::new());
-        (self.contraction, self.tail) = (Vec::new(), Vec::new());
+        (self.irradiance, self.reflected, self.tail) = (Vec::new(), Vec::new(), Vec::new());
         for (band, direct) in direct.iter().enumerate() {
             let reflectances: Vec<f64> =
                 self.elements.iter().map(|element| self.reflectance(element, band)).collect();
@@ -158,7 +153,6 @@ impl<'t> Radiosity<'t> {
             };
             self.irradiance.push(irradiance);
             self.reflected.push(reflected);
-            self.contraction.push(contraction);
             self.tail.push(residual / (1.0 - contraction).max(f64::EPSILON));
         }
         self.direct = direct;
@@ -185,11 +179,8 @@ impl<'t> Radiosity<'t> {
 
     /// The elements that reflect, with their indices.
     pub(super) fn sources(&self) -> impl Iterator<Item = (usize, &Element)> {
-        let reflects = |element: &Element| {
-            let surface = self.transport.faces[element.face].surface;
-            reflectance(self.scene, surface).iter().any(|&rho| rho > 0.0)
-        };
-        self.elements.iter().enumerate().filter(move |(_, element)| reflects(element))
+        let surface = |element: &Element| self.transport.faces[element.face].surface;
+        self.elements.iter().enumerate().filter(move |(_, element)| reflects(self.scene, surface(element)))
     }
 
     pub(super) fn reflectance(&self, element: &Element, band: usize) -> f64 {
@@ -274,6 +265,11 @@ impl<'t> Radiosity<'t> {
     pub(crate) fn straight_error(&self, surface: usize, band: usize) -> Option<f64> {
         self.straight[surface].as_ref().map(|flux| flux[band][1])
     }
+}
+
+/// Whether a surface reflects light in any band.
+pub(crate) fn reflects(scene: &Scene, surface: usize) -> bool {
+    reflectance(scene, surface).iter().any(|&rho| rho > 0.0)
 }
 
 /// The diffuse reflectance of a surface, for each band.

@@ -12,7 +12,7 @@
 use super::element::Element;
 use super::measure::Measure;
 use super::reference::MOST_NODES;
-use crate::geometry::{Patch, Vector, gauss};
+use crate::geometry::{Patch, Vector, gauss, patches};
 use crate::kernels::exchange_density;
 use std::f64::consts::PI;
 
@@ -50,12 +50,7 @@ pub(super) fn add(
 ) {
     let zero = [0.0; MOST_NODES];
     let mut sums = Piece { element, position, measure, accuracy, weights: zero, solid: zero };
-    let mut next = 1;
-    while next + 1 < piece.len() {
-        let last = (next + 2).min(piece.len() - 1);
-        sums.add(&Patch::new([piece[0], piece[next], piece[next + 1], piece[last]]), 0);
-        next = last;
-    }
+    patches(piece).for_each(|patch| sums.add(&patch, 0));
     let share = sums.correction(piece);
     for ((weight, own), solid) in weights.iter_mut().zip(sums.weights).zip(sums.solid) {
         *weight += own + share * solid;

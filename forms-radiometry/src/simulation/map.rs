@@ -20,7 +20,7 @@ pub(super) struct Grid {
 impl Grid {
     /// The grid over the front of a planar surface: its first axis is the first edge of its first face.
     pub(super) fn over(transport: &Transport, surface: usize, size: [usize; 2]) -> Option<Self> {
-        let faces = || transport.faces.iter().filter(|face| face.surface == surface && !face.is_back);
+        let faces = || transport.fronts(surface);
         let first = faces().next()?;
         let corner = first.vertices[0];
         let along = (first.vertices[1] - corner).unit()?;

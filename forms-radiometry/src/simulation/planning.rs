@@ -91,9 +91,6 @@ impl Planning<'_> {
                 None => absent("nothing stands between surfaces or receivers"),
             },
             Effect::Interreflection if !survey.reflects => absent("no surface reflects"),
-            Effect::Interreflection if survey.contraction == 0.0 && !survey.reflects_to_receivers => {
-                absent("no surface that reflects is seen by another one or by a receiver")
-            }
             Effect::Interreflection => present(self.interreflection(), survey.interreflection),
             Effect::Bands if self.scene.band_count() == 1 => absent("there is a single band"),
             Effect::Bands => match survey.band_spread {

@@ -2,6 +2,7 @@
 //! radiance of what a ray meets.
 
 use super::answer::Quantity;
+use crate::faces::is_bright;
 use crate::geometry::Vector;
 use crate::kernels::irradiance;
 use crate::radiosity::{GoalKind, Group, Measure, Radiosity, Scratch, Transport, reflectance};
@@ -66,7 +67,7 @@ impl Reading {
     pub(super) fn straight_error(&self, radiosity: &Radiosity, band: usize) -> Option<f64> {
         let What::Mean { surface, is_flux } = self.what else { return Some(0.0) };
         let error = radiosity.straight_error(surface, band)?;
-        Some(if is_flux { error } else { error / radiosity.mean(surface).1 })
+        Some(if is_flux { error } else { error / radiosity.transport().front_area(surface) })
     }
 
     /// Its value in each band.
@@ -88,8 +89,9 @@ impl Reading {
             What::At { position, measure } => Some(GoalKind::At { position, measure }),
             What::Mean { surface, .. } => Some(GoalKind::Mean { surface }),
             What::Ray { origin, direction } => {
-                let (_, position, normal) = met(scene, [origin, direction], radiosity.transport())?;
-                Some(GoalKind::At { position, measure: Measure::Plane(normal) })
+                let met =
+                    met(scene, [origin, direction], radiosity.transport()).filter(|met| met.is_bright)?;
+                Some(GoalKind::At { position: met.position, measure: Measure::Plane(met.normal) })
             }
         }
     }
@@ -99,10 +101,7 @@ impl Reading {
         match self.what {
             What::At { measure: Measure::Sphere, .. } => 4.0 * PI,
             What::At { .. } | What::Mean { is_flux: false, .. } => PI,
-            What::Mean { surface, is_flux: true } => {
-                let fronts = transport.faces.iter().filter(|face| face.surface == surface && !face.is_back);
-                PI * fronts.map(|face| face.area).sum::<f64>()
-            }
+            What::Mean { surface, is_flux: true } => PI * transport.front_area(surface),
             What::Ray { .. } => 1.0,
         }
     }
@@ -117,13 +116,11 @@ fn at(position: Vector, measure: Measure, radiosity: &Radiosity, scratch: &mut S
 /// The radiance that a ray meets: L = Lₑ + ρ E/π on a face that it sees from its front, zero on a black back, and the light
 /// from outside where it meets nothing.
 fn along(scene: &Scene, ray: [Vector; 2], radiosity: &Radiosity, scratch: &mut Scratch) -> Vec<f64> {
-    let transport = radiosity.transport();
-    if transport.screens.first(ray[0], ray[1]).is_none() {
-        return scene.ambient.radiance.clone();
-    }
-    let Some((index, position, normal)) = met(scene, ray, transport) else {
+    let Some(met) = met(scene, ray, radiosity.transport()) else { return scene.ambient.radiance.clone() };
+    let Met { surface: index, position, normal, is_bright } = met;
+    if !is_bright {
         return vec![0.0; scene.band_count()];
-    };
+    }
     let surface = &scene.surfaces[index];
     let arriving = at(position, Measure::Plane(normal), radiosity, scratch);
     let bands = surface.radiance.iter().zip(reflectance(scene, index)).zip(arriving);
@@ -131,14 +128,19 @@ fn along(scene: &Scene, ray: [Vector; 2], radiosity: &Radiosity, scratch: &mut S
     bands.map(|((emitted, rho), arriving)| emitted + rho * arriving / irradiance(1.0, 1.0)).collect()
 }
 
-/// The surface that a ray meets first, where, and the normal of the side that it sees; nothing if that is black.
-fn met(
-    scene: &Scene,
-    [origin, direction]: [Vector; 2],
-    transport: &Transport,
-) -> Option<(usize, Vector, Vector)> {
+/// What a ray meets first.
+struct Met {
+    surface: usize,
+    position: Vector,
+    /// The unit normal of the side that the ray sees.
+    normal: Vector,
+    /// Whether that side sends light at all.
+    is_bright: bool,
+}
+
+fn met(scene: &Scene, [origin, direction]: [Vector; 2], transport: &Transport) -> Option<Met> {
     let hit = transport.screens.first(origin, direction)?;
     let face = &transport.faces[hit.face];
-    let is_black = face.is_back && !scene.surfaces[face.surface].two_sided;
-    (!is_black).then(|| (face.surface, origin + hit.distance * direction, face.normal))
+    let position = origin + hit.distance * direction;
+    Some(Met { surface: face.surface, position, normal: face.normal, is_bright: is_bright(scene, face) })
 }

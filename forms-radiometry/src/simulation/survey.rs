@@ -1,9 +1,11 @@
 //! The survey of a scene: what is there, and how much light passes from surface to surface, at points of the coarsest elements.
 
 use super::readings::Reading;
-use crate::faces::faces;
-use crate::geometry::{Between, Screens, Vector};
-use crate::radiosity::{Group, Lights, Measure, Question, Radiosity, Scratch, Transport, emits, reflectance};
+use crate::faces::{emits, faces, is_bright};
+use crate::geometry::{Between, Face, Screens, Vector};
+use crate::radiosity::{
+    Group, Lights, Measure, Question, Radiosity, Scratch, Transport, reflectance, reflects,
+};
 use crate::scene::{LightKind, ReceiverKind, Scene};
 use crate::simulation::Unwatched;
 
@@ -22,8 +24,6 @@ pub(super) struct Survey {
     pub(super) emits: bool,
     /// Whether any surface reflects.
     pub(super) reflects: bool,
-    /// Whether a receiver sees a surface that reflects.
-    pub(super) reflects_to_receivers: bool,
     /// An estimate, with a margin, of how much of the light a reflection leaves at most.
     pub(super) contraction: f64,
     /// What stands between surfaces, lights and receivers, if anything.
@@ -62,9 +62,8 @@ impl Survey {
         let mut survey = Self {
             emits: !scene.lights.is_empty()
                 || lights.come_from_outside()
-                || (0..transport.faces.len()).any(|face| emits(scene, &transport, face)),
+                || (0..transport.faces.len()).any(|face| emits(scene, &transport.faces[face])),
             reflects: largest_albedo > 0.0,
-            reflects_to_receivers: true,
             contraction,
             in_between: in_between(scene, &transport),
             interreflection: None,
@@ -166,12 +165,9 @@ fn all_white(scene: &Scene) -> bool {
 /// What some faces see and get straight from lights, from points near their corners and in their middles.
 fn sample(scene: &Scene, transport: &Transport, lights: &Lights) -> Sampled {
     let mut scratch = Scratch::default();
-    let reflects = |face: usize| {
-        let face = &transport.faces[face];
-        (!face.is_back || scene.surfaces[face.surface].two_sided)
-            && reflectance(scene, face.surface).iter().any(|&rho| rho > 0.0)
-    };
-    let reflecting: Vec<usize> = (0..transport.faces.len()).filter(|&face| reflects(face)).collect();
+    let is_source = |face: &Face| is_bright(scene, face) && reflects(scene, face.surface);
+    let reflecting: Vec<usize> =
+        (0..transport.faces.len()).filter(|&index| is_source(&transport.faces[index])).collect();
     let mut sampled = Sampled { contraction: 0.0, closure: f64::INFINITY, direct: 0.0 };
     for &index in reflecting.iter().step_by(reflecting.len().div_ceil(ASKED).max(1)) {
         let face = &transport.faces[index];
@@ -205,9 +201,7 @@ fn in_between(scene: &Scene, transport: &Transport) -> Option<String> {
     let faces = &transport.faces;
     let counts = |index: usize| {
         let face = &faces[index];
-        (!face.is_back || scene.surfaces[face.surface].two_sided)
-            && (emits(scene, transport, index)
-                || reflectance(scene, face.surface).iter().any(|&rho| rho > 0.0))
+        emits(scene, face) || (is_bright(scene, face) && reflects(scene, face.surface))
     };
     let sources: Vec<usize> = (0..faces.len()).filter(|&index| counts(index)).collect();
     if faces.len() > MANY {

@@ -47,23 +47,20 @@ pub(crate) fn gauss(count: usize) -> &'static [Node] {
 pub(crate) struct Patch([Vector; 4]);
 
 /// The patches of a convex outline.
-pub(super) fn patches(outline: &Outline) -> Vec<Patch> {
-    let mut patches = Vec::new();
+pub(crate) fn patches(outline: &Outline) -> impl Iterator<Item = Patch> {
     let mut next = 1;
-    while next + 1 < outline.len() {
+    std::iter::from_fn(move || {
+        if next + 1 >= outline.len() {
+            return None;
+        }
         let last = (next + 2).min(outline.len() - 1);
-        patches.push(Patch([outline[0], outline[next], outline[next + 1], outline[last]]));
+        let patch = Patch([outline[0], outline[next], outline[next + 1], outline[last]]);
         next = last;
-    }
-    patches
+        Some(patch)
+    })
 }
 
 impl Patch {
-    /// The patch with these corners.
-    pub(crate) fn new(corners: [Vector; 4]) -> Self {
-        Self(corners)
-    }
-
     /// The point of these coordinates, and dA/(ds dt) there.
     pub(crate) fn at(&self, s: f64, t: f64) -> (Vector, f64) {
         let Patch([a, b, c, d]) = *self;

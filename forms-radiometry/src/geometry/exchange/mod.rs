@@ -13,7 +13,7 @@ mod contour;
 mod kronrod;
 mod obstructed;
 
-pub(crate) use areas::{Patch, gauss};
+pub(crate) use areas::{Patch, gauss, patches};
 pub(crate) use obstructed::exchange_with;
 pub use obstructed::visible_exchange;
 
