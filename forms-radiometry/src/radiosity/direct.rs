@@ -73,8 +73,7 @@ impl<'s> Lights<'s> {
                 Seen::Whole => outlines.add_whole(group.points, luminaire.0, group.measure, &mut factors),
                 Seen::Parts => {
                     outlines.clear();
-                    transport
-                        .see_parts(group, luminaire, scratch, |point, piece| outlines.push(point, piece));
+                    transport.take_outlines(group, luminaire, scratch, &mut outlines);
                     outlines.add_pieces(group.measure, &mut factors);
                 }
             }

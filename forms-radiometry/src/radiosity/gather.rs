@@ -121,6 +121,29 @@ impl Transport {
         }
     }
 
+    /// Takes the outlines of what the points of a group see, after what may come in between was looked for: borders where sums over edges
+    /// are asked for and one shadow is all that there is, else pieces.
+    pub(super) fn take_outlines(
+        &self,
+        group: Group,
+        luminaire @ (outline, normal): (&[Vector], Vector),
+        scratch: &mut Scratch,
+        outlines: &mut Outlines,
+    ) {
+        let Scratch { between, view, .. } = scratch;
+        let horizon = group.measure.horizon();
+        let by_edges = group.measure != Measure::Sphere;
+        for (index, &point) in group.points.iter().enumerate() {
+            let line = |line: &[Vector]| outlines.push_line(index, line);
+            if by_edges && self.screens.border(point, horizon, luminaire, between, view, line) {
+                continue;
+            }
+            for piece in self.screens.visible(point, horizon, outline, normal, between, view) {
+                outlines.push(index, piece);
+            }
+        }
+    }
+
     /// Calls `each` with the index of a point and what it gets from each node of an element, where it gets any.
     pub(super) fn weigh(
         &self,

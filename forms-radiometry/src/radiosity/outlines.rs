@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! all points see the whole     corner 1 from every point │ corner 2 from every point │ … │ corner 1 again
-//! each sees its own pieces     the corners of a piece, the first one again │ those of the next piece │ …
+//! each sees its own pieces     the corners of a piece, the first one again │ those of the next piece, or of a line of a border │ …
 //! ```
 //! Rows are pairs of a corner and what stands one block, or one place, further on. Corners are relative to the points.
 
@@ -17,7 +17,7 @@ pub(super) struct Outlines {
     corners: [Vec<f64>; 3],
     /// Of each piece the point that sees it and where its corners end, the first one again among them.
     pieces: Vec<(usize, usize)>,
-    /// The direction that edges are measured along, as many times as there are rows.
+    /// The direction that edges are measured along, at least as many times as there are rows.
     along: [Vec<f64>; 3],
     values: Vec<f64>,
 }
@@ -61,8 +61,17 @@ impl Outlines {
 
     /// Takes a convex piece that a point sees.
     pub(super) fn push(&mut self, point: usize, piece: &[Vector]) {
+        self.extend(point, piece.iter().chain(piece.first()));
+    }
+
+    /// Takes a line along the border of what a point sees, which other lines close; not for measures that are no sums over edges.
+    pub(super) fn push_line(&mut self, point: usize, line: &[Vector]) {
+        self.extend(point, line.iter());
+    }
+
+    fn extend<'v>(&mut self, point: usize, corners: impl Iterator<Item = &'v Vector>) {
         let [x, y, z] = &mut self.corners;
-        for corner in piece.iter().chain(piece.first()) {
+        for corner in corners {
             x.push(corner.x);
             y.push(corner.y);
             z.push(corner.z);
@@ -99,11 +108,16 @@ impl Outlines {
         let [x, y, z] = &self.corners;
         let rows = x.len() - step;
         for (column, value) in self.along.iter_mut().zip([along.x, along.y, along.z]) {
-            column.clear();
-            column.resize(rows, value);
+            // from group to group the direction is mostly the same
+            if column.first() != Some(&value) {
+                column.clear();
+            }
+            if column.len() < rows {
+                column.resize(rows, value);
+            }
         }
         self.values.resize(rows, 0.0);
-        let [nx, ny, nz] = &self.along;
+        let [nx, ny, nz] = self.along.each_ref().map(|column| &column[..rows]);
         let (from, to) = (..rows, step..);
         // a luminaire is clockwise as the point sees it: its edges are taken backwards
         edge_form_factor::batch(

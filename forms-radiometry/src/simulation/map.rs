@@ -8,6 +8,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The cells along each side of a block that shares the search for what stands in between.
 const BLOCK: usize = 8;
+/// Blocks that one thread takes at least: of what nothing hides a block takes less than handing it over.
+const SHARED: usize = 4;
 
 /// The cells of a map.
 pub(super) struct Grid {
@@ -36,17 +38,16 @@ impl Grid {
         let place = |index: usize, count: usize, low: f64, high: f64| {
             low + (high - low) * (index as f64 + 0.5) / count as f64
         };
-        let middle = |column, row| {
-            let (x, y) = (place(column, columns, left, right), place(row, rows, low, high));
-            corner + x * along + y * across
-        };
+        let across_columns: Vec<Vector> =
+            (0..columns).map(|column| corner + place(column, columns, left, right) * along).collect();
+        let up_rows: Vec<Vector> = (0..rows).map(|row| place(row, rows, low, high) * across).collect();
+        let middle = |[column, row]: [usize; 2]| across_columns[column] + up_rows[row];
         let mut cells = vec![None; columns * rows];
         for block in blocks(size) {
-            let corners: Vec<Vector> =
-                block.corners().into_iter().map(|[column, row]| middle(column, row)).collect();
+            let corners: Vec<Vector> = block.corners().into_iter().map(middle).collect();
             let is_inside = faces().any(|face| corners.iter().all(|&point| lies_on(point, face)));
-            for [column, row] in block.cells() {
-                let point = middle(column, row);
+            for cell @ [column, row] in block.cells() {
+                let point = middle(cell);
                 let is_on = is_inside || faces().any(|face| lies_on(point, face));
                 cells[row * columns + column] = is_on.then_some(point);
             }
@@ -72,6 +73,7 @@ impl Grid {
         let done = AtomicUsize::new(0);
         let found: Vec<(Vec<usize>, Vec<f64>)> = blocks
             .par_iter()
+            .with_min_len(SHARED)
             .map_init(Scratch::default, |scratch, block| {
                 let found = if watch.is_stopped() {
                     (Vec::new(), Vec::new())
@@ -102,7 +104,11 @@ impl Grid {
     ) -> (Vec<usize>, Vec<f64>) {
         let index = |[column, row]: [usize; 2]| row * self.size[0] + column;
         let on_surface = |cell: [usize; 2]| self.cells[index(cell)].map(|point| (index(cell), point));
-        let (cells, points): (Vec<usize>, Vec<Vector>) = block.cells().filter_map(on_surface).unzip();
+        let (mut cells, mut points) = (Vec::with_capacity(BLOCK * BLOCK), Vec::with_capacity(BLOCK * BLOCK));
+        for (cell, point) in block.cells().filter_map(on_surface) {
+            cells.push(cell);
+            points.push(point);
+        }
         let mut values = vec![0.0; bands * points.len()];
         if !points.is_empty() {
             // where a corner is off the surface, the hull of the others is not that of the cells

@@ -39,7 +39,9 @@ pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
     let effects = Effects::of(plan);
     let merged = (!effects.bands && scene.band_count() > 1).then(|| scene.with_one_band());
     let work = Work::new(merged.as_ref().unwrap_or(scene), effects, watch);
-    let mut simulation = work.run();
+    // one way into the threads instead of one for every loop, each of which would wait for them to wake
+    let has_loops = effects.orders != Some(0) || scene.receivers.len() > 1 || work.asks_for_maps();
+    let mut simulation = if has_loops { rayon::scope(|_| work.run()) } else { work.run() };
     if merged.is_some() {
         spread(&mut simulation, scene.band_count());
     }
@@ -74,6 +76,11 @@ impl<'s> Work<'s> {
         let of = |(index, receiver)| Reading::of(index, receiver);
         let readings: Vec<Reading> = scene.receivers.iter().enumerate().flat_map(of).collect();
         Self { scene, effects, watch, start: Instant::now(), answers: readings.len(), readings }
+    }
+
+    fn asks_for_maps(&self) -> bool {
+        let has_map = |kind: &ReceiverKind| matches!(kind, ReceiverKind::Surface { grid: Some(_), .. });
+        self.scene.receivers.iter().any(|receiver| has_map(&receiver.kind))
     }
 
     fn run(mut self) -> Simulation {
