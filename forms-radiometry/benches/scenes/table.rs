@@ -15,34 +15,57 @@ pub(crate) fn markdown(maps: &[work::Measured], factors: &squares::Measured, oth
     text
 }
 
+const HEADS: [&str; 11] = [
+    "work",
+    "error asked for",
+    "Forms",
+    "its error",
+    "its tolerance",
+    "numpy",
+    "numpy / Forms",
+    "Mitsuba, default sampler",
+    "Mitsuba / Forms",
+    "Mitsuba, best sampler / Forms",
+    "goal",
+];
+
 fn of_maps(maps: &[work::Measured], others: &[Line]) -> String {
-    let mut text = "| work | error asked for | Forms | its error | its tolerance | numpy | numpy / Forms | Mitsuba | Mitsuba / Forms | goal |\n\
-                    |---|---|---|---|---|---|---|---|---|---|\n"
-        .to_string();
+    let mut text = String::new();
+    row(&mut text, &HEADS.map(str::to_string));
+    row(&mut text, &HEADS.map(|_| "---".to_string()));
     for measured in maps {
         let by = |program: &str| {
-            others.iter().find(|line| line.program.starts_with(program) && line.work == measured.work.name)
-        };
-        let time = |line: Option<&Line>| line.map_or_else(|| "–".to_string(), |line| shown(line.seconds));
-        let ratio = |line: Option<&Line>| {
-            line.map_or_else(|| "–".to_string(), |line| in_figures(line.seconds / measured.seconds))
+            let is_meant =
+                |line: &&Line| line.work == measured.work.name && line.program.starts_with(program);
+            others.iter().filter(is_meant).collect::<Vec<_>>()
         };
         let (numpy, mitsuba) = (by("numpy"), by("Mitsuba"));
+        let best = mitsuba.iter().copied().min_by(|a, b| a.seconds.total_cmp(&b.seconds));
+        let default = mitsuba.iter().copied().find(|line| line.program.ends_with("(independent)"));
         let cells = [
             measured.work.title.to_string(),
             format!("{:e}", measured.work.target),
             shown(measured.seconds),
             format!("{:.0e}", measured.error),
             format!("{:e}", measured.tolerance),
-            time(numpy),
-            ratio(numpy),
-            time(mitsuba),
-            ratio(mitsuba),
+            time(numpy.first().copied()),
+            ratio(numpy.first().copied(), measured.seconds),
+            time(default),
+            ratio(default, measured.seconds),
+            ratio(best, measured.seconds),
             format!("{}", measured.work.goal),
         ];
         row(&mut text, &cells);
     }
     text + "\n"
+}
+
+fn time(line: Option<&Line>) -> String {
+    line.map_or_else(|| "–".to_string(), |line| shown(line.seconds))
+}
+
+fn ratio(line: Option<&Line>, seconds: f64) -> String {
+    line.map_or_else(|| "–".to_string(), |line| in_figures(line.seconds / seconds))
 }
 
 /// How other programs got there.

@@ -198,22 +198,12 @@ fn lines(
     mut each: impl FnMut(&[Vector]),
 ) -> bool {
     let hidden = inside(&signs.of_luminaire, edges.len());
-    let [starts, ends] = [&signs.starts, &signs.ends].map(|bits| inside(bits, luminaire.len()));
-    let is_in = |bits: u32, place: usize| bits >> place & 1 == 1;
+    let starts = inside(&signs.starts, luminaire.len());
     if (0..luminaire.len()).all(|corner| is_in(hidden, corner)) {
         return true;
     }
     let Some([passages, of_shadow]) = passages(luminaire, edges.len(), signs) else { return false };
     let next = |corner: usize| (corner + 1) % luminaire.len();
-    let luminaire_fits =
-        (0..luminaire.len()).all(|j| fits(&passages[j], [is_in(hidden, j), is_in(hidden, next(j))]));
-    let shadow_fits = (0..edges.len()).all(|k| fits(&of_shadow[k], [is_in(starts, k), is_in(ends, k)]));
-    // else the luminaire is all that is seen
-    let meets = starts != 0 || passages.iter().flatten().any(Option::is_some);
-    let beside = signs.of_luminaire[..edges.len()].contains(&0);
-    if !(luminaire_fits && shadow_fits && (meets || beside)) {
-        return false;
-    }
     line.clear();
     line.extend((!is_in(hidden, 0)).then_some(luminaire[0]));
     for (j, [enter, leave]) in passages[..luminaire.len()].iter().enumerate() {
@@ -238,21 +228,26 @@ fn lines(
     true
 }
 
-/// Where the luminaire's edges pass through the shadow, and where the shadow's pass through the luminaire; nothing where an edge would pass
-/// twice.
+/// Whether a place is among these bits.
+fn is_in(bits: u32, place: usize) -> bool {
+    bits >> place & 1 == 1
+}
+
+/// Where the luminaire's edges pass through the shadow, and where the shadow's pass through the luminaire; nothing where that contradicts
+/// which corners are inside.
 fn passages(luminaire: &[Vector], edges: usize, signs: &Signs) -> Option<[[Passage; MOST]; 2]> {
     let mut passages = [[[None; 2]; MOST]; 2];
     for (j, &a) in luminaire.iter().enumerate() {
         let next = (j + 1) % luminaire.len();
         let through_plane = signs.starts[j] ^ signs.ends[j];
-        for k in (0..edges).filter(|k| through_plane >> k & 1 == 1) {
+        for k in (0..edges).filter(|&k| is_in(through_plane, k)) {
             let bits = signs.of_luminaire[k];
-            if (bits >> j ^ bits >> next) & 1 == 0 {
+            if is_in(bits, j) == is_in(bits, next) {
                 continue;
             }
             let [from, to] = [j, next].map(|corner| signs.distances[k][corner]);
             let at = a + (from / (from - to)) * (luminaire[next] - a);
-            let ways = [(0, j, from > 0.0), (1, k, signs.starts[j] >> k & 1 == 1)];
+            let ways = [(0, j, from > 0.0), (1, k, is_in(signs.starts[j], k))];
             for (outline, edge, is_leaving) in ways {
                 if passages[outline][edge][usize::from(is_leaving)].replace(at).is_some() {
                     return None;
@@ -260,7 +255,23 @@ fn passages(luminaire: &[Vector], edges: usize, signs: &Signs) -> Option<[[Passa
             }
         }
     }
-    Some(passages)
+    agree(&passages, [luminaire.len(), edges], signs).then_some(passages)
+}
+
+/// Whether edges pass as they have to by which of their ends are inside. If none passes, one outline lies in the other or beside it.
+fn agree(
+    [of_luminaire, of_shadow]: &[[Passage; MOST]; 2],
+    [corners, edges]: [usize; 2],
+    signs: &Signs,
+) -> bool {
+    let hidden = inside(&signs.of_luminaire, edges);
+    let [starts, ends] = [&signs.starts, &signs.ends].map(|bits| inside(bits, corners));
+    let fits_luminaire =
+        |j: usize| fits(&of_luminaire[j], [is_in(hidden, j), is_in(hidden, (j + 1) % corners)]);
+    let fits_shadow = |k: usize| fits(&of_shadow[k], [is_in(starts, k), is_in(ends, k)]);
+    let is_apart = signs.of_luminaire[..edges].contains(&0);
+    let meets = starts != 0 || of_luminaire.iter().flatten().any(Option::is_some);
+    (is_apart || meets) && (0..corners).all(fits_luminaire) && (0..edges).all(fits_shadow)
 }
 
 /// Whether an edge whose start and end are inside or not passes as it has to.
@@ -276,9 +287,9 @@ fn fits([enter, leave]: &Passage, [starts_inside, ends_inside]: [bool; 2]) -> bo
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Face, edge_sum, form_factor_of_pieces};
+    use crate::geometry::{Face, form_factor_of_pieces};
 
-    /// The corners of a rectangle in a plane of this height, and its normal up or down.
+    /// The rectangle at this height that looks down.
     fn face(surface: usize, x: [f64; 2], y: [f64; 2], height: f64) -> Face {
         let corner = |x, y| Vector::new(x, y, height);
         let corners = vec![corner(x[0], y[0]), corner(x[0], y[1]), corner(x[1], y[1]), corner(x[1], y[0])];
@@ -293,9 +304,6 @@ mod tests {
         let mut sum = 0.0;
         let luminaire = (lamp.vertices.as_slice(), lamp.normal);
         let is_given = screens.border(position, Some(normal), luminaire, &between, &mut work, |line| {
-            // `edge_sum` closes a line: what it adds is taken off again
-            let back = edge_sum(&[line[0], line[line.len() - 1]], normal);
-            assert!(back.abs() < 1e-15, "two edges there and back cancel");
             sum += line.windows(2).map(|pair| open_edge(pair[0], pair[1], normal)).sum::<f64>();
         });
         let pieces =
@@ -342,6 +350,6 @@ mod tests {
         let lamp = face(0, [-1.0, 1.0], [-1.0, 1.0], 2.0);
         let screens = Screens::of(&[lamp.clone(), face(1, [-0.5, 0.1], [-0.5, 0.5], 1.0)]);
         let (border, pieces) = both(&screens, &lamp, Vector::default(), UP);
-        assert!(border.is_none() && pieces > 0.1, "{pieces}");
+        assert!(border.is_none() && pieces > 0.05, "{pieces}");
     }
 }
