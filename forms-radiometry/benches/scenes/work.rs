@@ -18,7 +18,7 @@ const SURFACES: [&str; 4] = ["floor", "back", "right", "short_top"];
 const CELLS: [usize; 2] = [32, 32];
 /// The tolerances that are tried for reflected light, the loosest first. A tolerance is of the largest error and has a margin; what is
 /// asked for is the root of a mean square.
-const REFLECTED: &[f64] = &[0.1, 0.03, 0.01, 3e-3];
+const REFLECTED: &[f64] = &[1.0, 0.3, 0.1, 0.03, 0.01];
 /// The tolerance of the reference.
 const REFERENCE: f64 = 1e-3;
 
@@ -108,7 +108,7 @@ fn cornell_box(mut scene: Scene, interreflection: Option<Force>) -> Scene {
 impl Work {
     /// The plan and the simulation.
     pub(crate) fn run(&self) -> Simulation {
-        simulated(&self.with(self.target))
+        simulated(&self.with(self.tolerances[0]))
     }
 
     /// Its time with the loosest tolerance that leads to the error asked for, beside a reference, which is written into a folder for the

@@ -98,7 +98,7 @@ struct Screen {
 impl Screen {
     /// Its edges from each vertex to the next.
     fn edges(&self) -> impl Iterator<Item = [Vector; 2]> {
-        let next = self.vertices.iter().cycle().skip(1);
+        let next = self.vertices[1..].iter().chain(&self.vertices[..1]);
         self.vertices.iter().zip(next).map(|(&a, &b)| [a, b])
     }
 }

@@ -116,8 +116,8 @@ impl<'s> Work<'s> {
     fn transport(&self, fineness: usize) -> Transport {
         let faces = faces(self.scene, fineness);
         let screens = Screens::of(&faces);
-        let part = if self.effects.orders == Some(0) { STRAIGHT } else { RULES };
-        let accuracy = (part * self.scene.solve.tolerance).clamp(1e-12, 1e-3);
+        let [part, loosest] = if self.effects.orders == Some(0) { [STRAIGHT, 1e-2] } else { [RULES, 1e-3] };
+        let accuracy = (part * self.scene.solve.tolerance).clamp(1e-12, loosest);
         Transport { faces, screens, occlusion: self.effects.occlusion, accuracy }
     }
 

@@ -23,9 +23,11 @@ const UNSURE: f64 = 1e-11;
 pub(super) struct Border {
     /// The normals to the inside of the luminaire's sides, each with the edge from the corner of the same place.
     sides: Vec<Vector>,
-    /// The edges of the shadow that is looked at, with the shadow on their left.
+    /// The edges of the shadow that is looked at, with the shadow on their left, and their signs.
     edges: Vec<[Vector; 2]>,
     signs: Signs,
+    /// The same of the shadow that takes a part of the luminaire.
+    kept: (Vec<[Vector; 2]>, Signs),
     /// A line along the border.
     line: Vec<Vector>,
 }
@@ -43,15 +45,18 @@ enum Shadow {
 /// Bits by corner for each side of an outline: whether the corner is inside of it.
 type Bits = [u32; MOST];
 
-/// On which sides corners are.
-#[derive(Clone, Debug, Default)]
+/// On which sides of the luminaire the starts and the ends of a shadow's edges are.
+#[derive(Clone, Copy, Debug, Default)]
 struct Signs {
-    /// The luminaire's corners on the sides of the shadow, and how far from them.
-    of_luminaire: Bits,
-    distances: [[f64; MOST]; MOST],
-    /// The starts and the ends of the shadow's edges on the sides of the luminaire.
     starts: Bits,
     ends: Bits,
+}
+
+/// On which sides of a shadow the luminaire's corners are, and how far from them.
+#[derive(Default)]
+struct Corners {
+    bits: Bits,
+    distances: [[f64; MOST]; MOST],
 }
 
 /// Where an edge comes into the other outline, and where it leaves it.
@@ -80,20 +85,22 @@ impl Screens {
         if corners.len() > MOST || horizon.is_some_and(|n| corners.iter().any(|&v| n.dot(v) < 0.0)) {
             return false;
         }
-        let next = corners.iter().cycle().skip(1);
+        let next = corners[1..].iter().chain(&corners[..1]);
         work.border.sides.clear();
         work.border.sides.extend(corners.iter().zip(next).map(|(a, b)| b.cross(*a)));
-        let mut hiding = screens.iter().copied();
-        while let Some(index) = hiding.next() {
+        let mut is_hidden = false;
+        for &index in screens {
             match self.shadow(index as usize, position, (normal, height), work) {
                 Shadow::Beside => {}
-                Shadow::Before => {
-                    // nothing else may hide a part of it, which would take the place of this shadow
-                    let mut others = hiding.clone();
-                    return others.next().is_none() && work.border.draw(&work.luminaire, each);
+                Shadow::Before if !is_hidden => {
+                    is_hidden = true;
+                    work.border.keep();
                 }
-                Shadow::Unknown => return false,
+                Shadow::Before | Shadow::Unknown => return false,
             }
+        }
+        if is_hidden {
+            return work.border.draw(&work.luminaire, each);
         }
         let Workspace { luminaire, border, .. } = work;
         border.line.clear();
@@ -163,24 +170,31 @@ impl Border {
         if is_sure { Shadow::Before } else { Shadow::Unknown }
     }
 
-    /// Calls `each` with the lines of the border. Says whether it did: signs may not be sure, or contradict each other.
+    /// Keeps the shadow that was looked at.
+    fn keep(&mut self) {
+        std::mem::swap(&mut self.kept.0, &mut self.edges);
+        self.kept.1 = self.signs;
+    }
+
+    /// Calls `each` with the lines of the border that the shadow kept leaves. Says whether it did: signs may not be sure, or contradict
+    /// each other.
     fn draw(&mut self, luminaire: &[Vector], each: impl FnMut(&[Vector])) -> bool {
-        let Self { edges, signs, line, .. } = self;
+        let Self { kept: (edges, signs), line, .. } = self;
         let reach = luminaire.iter().fold(0.0, |reach: f64, v| reach.max(v.largest()));
+        let mut corners = Corners::default();
         for (k, [a, b]) in edges.iter().enumerate() {
             let side = b.cross(*a);
             let unsure = UNSURE * side.largest() * reach;
-            signs.of_luminaire[k] = 0;
             for (j, corner) in luminaire.iter().enumerate() {
                 let distance = side.dot(*corner);
                 if distance.abs() <= unsure {
                     return false;
                 }
-                signs.distances[k][j] = distance;
-                signs.of_luminaire[k] |= u32::from(distance > 0.0) << j;
+                corners.distances[k][j] = distance;
+                corners.bits[k] |= u32::from(distance > 0.0) << j;
             }
         }
-        lines(luminaire, edges, signs, line, each)
+        lines(luminaire, edges, (&corners, signs), line, each)
     }
 }
 
@@ -193,12 +207,12 @@ fn inside(bits: &Bits, sides: usize) -> u32 {
 fn lines(
     luminaire: &[Vector],
     edges: &[[Vector; 2]],
-    signs: &Signs,
+    signs: (&Corners, &Signs),
     line: &mut Vec<Vector>,
     mut each: impl FnMut(&[Vector]),
 ) -> bool {
-    let hidden = inside(&signs.of_luminaire, edges.len());
-    let starts = inside(&signs.starts, luminaire.len());
+    let hidden = inside(&signs.0.bits, edges.len());
+    let starts = inside(&signs.1.starts, luminaire.len());
     if (0..luminaire.len()).all(|corner| is_in(hidden, corner)) {
         return true;
     }
@@ -235,17 +249,21 @@ fn is_in(bits: u32, place: usize) -> bool {
 
 /// Where the luminaire's edges pass through the shadow, and where the shadow's pass through the luminaire; nothing where that contradicts
 /// which corners are inside.
-fn passages(luminaire: &[Vector], edges: usize, signs: &Signs) -> Option<[[Passage; MOST]; 2]> {
+fn passages(
+    luminaire: &[Vector],
+    edges: usize,
+    (corners, signs): (&Corners, &Signs),
+) -> Option<[[Passage; MOST]; 2]> {
     let mut passages = [[[None; 2]; MOST]; 2];
     for (j, &a) in luminaire.iter().enumerate() {
         let next = (j + 1) % luminaire.len();
         let through_plane = signs.starts[j] ^ signs.ends[j];
         for k in (0..edges).filter(|&k| is_in(through_plane, k)) {
-            let bits = signs.of_luminaire[k];
+            let bits = corners.bits[k];
             if is_in(bits, j) == is_in(bits, next) {
                 continue;
             }
-            let [from, to] = [j, next].map(|corner| signs.distances[k][corner]);
+            let [from, to] = [j, next].map(|corner| corners.distances[k][corner]);
             let at = a + (from / (from - to)) * (luminaire[next] - a);
             let ways = [(0, j, from > 0.0), (1, k, is_in(signs.starts[j], k))];
             for (outline, edge, is_leaving) in ways {
@@ -255,21 +273,21 @@ fn passages(luminaire: &[Vector], edges: usize, signs: &Signs) -> Option<[[Passa
             }
         }
     }
-    agree(&passages, [luminaire.len(), edges], signs).then_some(passages)
+    agree(&passages, [luminaire.len(), edges], (corners, signs)).then_some(passages)
 }
 
 /// Whether edges pass as they have to by which of their ends are inside. If none passes, one outline lies in the other or beside it.
 fn agree(
     [of_luminaire, of_shadow]: &[[Passage; MOST]; 2],
     [corners, edges]: [usize; 2],
-    signs: &Signs,
+    (hidden, signs): (&Corners, &Signs),
 ) -> bool {
-    let hidden = inside(&signs.of_luminaire, edges);
+    let is_apart = hidden.bits[..edges].contains(&0);
+    let hidden = inside(&hidden.bits, edges);
     let [starts, ends] = [&signs.starts, &signs.ends].map(|bits| inside(bits, corners));
     let fits_luminaire =
         |j: usize| fits(&of_luminaire[j], [is_in(hidden, j), is_in(hidden, (j + 1) % corners)]);
     let fits_shadow = |k: usize| fits(&of_shadow[k], [is_in(starts, k), is_in(ends, k)]);
-    let is_apart = signs.of_luminaire[..edges].contains(&0);
     let meets = starts != 0 || of_luminaire.iter().flatten().any(Option::is_some);
     (is_apart || meets) && (0..corners).all(fits_luminaire) && (0..edges).all(fits_shadow)
 }
@@ -287,7 +305,7 @@ fn fits([enter, leave]: &Passage, [starts_inside, ends_inside]: [bool; 2]) -> bo
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Face, form_factor_of_pieces};
+    use crate::geometry::{Face, form_factor_of_pieces, line_sum};
 
     /// The rectangle at this height that looks down.
     fn face(surface: usize, x: [f64; 2], y: [f64; 2], height: f64) -> Face {
@@ -304,15 +322,11 @@ mod tests {
         let mut sum = 0.0;
         let luminaire = (lamp.vertices.as_slice(), lamp.normal);
         let is_given = screens.border(position, Some(normal), luminaire, &between, &mut work, |line| {
-            sum += line.windows(2).map(|pair| open_edge(pair[0], pair[1], normal)).sum::<f64>();
+            sum += line_sum(line, normal);
         });
         let pieces =
             screens.visible(position, Some(normal), &lamp.vertices, lamp.normal, &between, &mut work);
         (is_given.then_some(sum), form_factor_of_pieces(pieces, normal))
-    }
-
-    fn open_edge(a: Vector, b: Vector, n: Vector) -> f64 {
-        crate::kernels::edge_form_factor(b.x, b.y, b.z, a.x, a.y, a.z, n.x, n.y, n.z)
     }
 
     const UP: Vector = Vector::new(0.0, 0.0, 1.0);

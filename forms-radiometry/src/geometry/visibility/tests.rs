@@ -3,8 +3,8 @@
 mod searches;
 
 use super::*;
-use crate::geometry::{Disk, Sphere, form_factor_of_pieces};
-use crate::kernels::{edge_form_factor, solid_angle_triangle};
+use crate::geometry::{Disk, Sphere, form_factor_of_pieces, line_sum};
+use crate::kernels::solid_angle_triangle;
 use std::f64::consts::PI;
 
 /// Numbers in [0, 1) that look random.
@@ -103,10 +103,8 @@ fn seen(screens: &Screens, face: &Face, position: Vector, normal: Vector) -> f64
     let pieces = screens.visible(position, Some(normal), vertices, *m, &found, &mut work);
     let by_pieces = form_factor_of_pieces(pieces, normal);
     let mut by_border = 0.0;
-    let edge =
-        |a: Vector, b: Vector| edge_form_factor(b.x, b.y, b.z, a.x, a.y, a.z, normal.x, normal.y, normal.z);
     let is_given = screens.border(position, Some(normal), (vertices, *m), &found, &mut work, |line| {
-        by_border += line.windows(2).map(|pair| edge(pair[0], pair[1])).sum::<f64>();
+        by_border += line_sum(line, normal);
     });
     assert!(!is_given || (by_border - by_pieces).abs() < 1e-13, "{by_border} and {by_pieces}");
     by_pieces
