@@ -17,6 +17,7 @@ mod gather;
 mod importance;
 mod measure;
 mod operator;
+mod outlines;
 mod reference;
 mod refinement;
 mod solution;

@@ -219,25 +219,31 @@ impl<'t> Radiosity<'t> {
 
     /// What each point of a group gets, for each band, from lights and from surfaces that reflect.
     pub(crate) fn reaching(&self, group: Group, scratch: &mut Scratch) -> Vec<Vec<f64>> {
-        let mut sums = if self.question.direct {
-            self.lights.reaching(group, self.transport, scratch)
-        } else {
-            vec![vec![0.0; self.scene.band_count()]; group.points.len()]
-        };
+        let bands = self.scene.band_count();
+        let mut sums = vec![0.0; bands * group.points.len()];
+        self.add_reaching(group, scratch, &mut sums);
+        sums.chunks_exact(bands).map(<[f64]>::to_vec).collect()
+    }
+
+    /// Adds the same to sums, which are those of all bands, point by point.
+    pub(crate) fn add_reaching(&self, group: Group, scratch: &mut Scratch, sums: &mut [f64]) {
+        let bands = self.scene.band_count();
+        if self.question.direct {
+            self.lights.add_reaching(group, self.transport, scratch, sums);
+        }
         if self.question.orders == Some(0) {
-            return sums;
+            return;
         }
         for (index, element) in self.sources() {
             let nodes = self.first[index]..self.first[index + 1];
             self.transport.weigh(group, (element, &self.outlines[index]), scratch, |point, weights| {
-                for (band, sum) in sums[point].iter_mut().enumerate() {
+                for (band, sum) in sums[point * bands..][..bands].iter_mut().enumerate() {
                     let values = &self.reflected[band][nodes.clone()];
                     let arriving: f64 = weights.iter().zip(values).map(|(w, e)| w * e).sum();
                     *sum += self.reflectance(element, band) * arriving;
                 }
             });
         }
-        sums
     }
 
     /// The mean irradiance of the front of a surface, for each band, and its area. What comes straight from faces is an integral

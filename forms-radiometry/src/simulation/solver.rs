@@ -24,6 +24,8 @@ use std::time::Instant;
 
 /// The part of the tolerance that rules of integration may take.
 const RULES: f64 = 0.02;
+/// The part that integrals of direct light may take where nothing is reflected: nothing else has an error there.
+const STRAIGHT: f64 = 0.25;
 /// Rounding of an answer, relative to it.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Answers below this part of the largest one are dark.
@@ -38,7 +40,9 @@ pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
     let effects = Effects::of(plan);
     let merged = (!effects.bands && scene.band_count() > 1).then(|| scene.with_one_band());
     let work = Work::new(merged.as_ref().unwrap_or(scene), effects, watch);
-    let mut simulation = work.run();
+    // one way into the threads instead of one for every loop, each of which would wait for them to wake
+    let has_loops = effects.orders != Some(0) || scene.receivers.len() > 1 || work.asks_for_maps();
+    let mut simulation = if has_loops { rayon::scope(|_| work.run()) } else { work.run() };
     if merged.is_some() {
         spread(&mut simulation, scene.band_count());
     }
@@ -89,6 +93,11 @@ impl<'s> Work<'s> {
         Self { scene, effects, watch, start: Instant::now(), readings, answers, groups }
     }
 
+    fn asks_for_maps(&self) -> bool {
+        let has_map = |kind: &ReceiverKind| matches!(kind, ReceiverKind::Surface { grid: Some(_), .. });
+        self.scene.receivers.iter().any(|receiver| has_map(&receiver.kind))
+    }
+
     fn run(mut self) -> Simulation {
         let is_round_anywhere = is_round(self.scene);
         let mut history = Vec::new();
@@ -96,8 +105,9 @@ impl<'s> Work<'s> {
         for fineness in 0.. {
             let transport = self.transport(fineness);
             let lights = Lights::of(self.scene, &transport);
+            let grids = self.grids(&transport);
             if fineness == 0 {
-                self.watch_cells(&transport);
+                self.watch_cells(&grids);
             }
             let (radiosity, mut found) = self.refined(&transport, &lights, &mut history);
             let is_compared = coarse.is_some();
@@ -109,7 +119,7 @@ impl<'s> Work<'s> {
                 || fineness == FINEST
                 || (is_compared && self.is_enough(&found))
             {
-                let maps = self.maps(&radiosity, &found);
+                let maps = self.maps(&radiosity, &grids, &found);
                 let stopped = self.watch.is_stopped();
                 return Simulation { answers: self.answered(&found), maps, history, stopped };
             }
@@ -121,7 +131,8 @@ impl<'s> Work<'s> {
     fn transport(&self, fineness: usize) -> Transport {
         let faces = faces(self.scene, fineness);
         let screens = Screens::of(&faces);
-        let accuracy = (RULES * self.scene.solve.tolerance).clamp(1e-12, 1e-3);
+        let [part, loosest] = if self.effects.orders == Some(0) { [STRAIGHT, 1e-2] } else { [RULES, 1e-3] };
+        let accuracy = (part * self.scene.solve.tolerance).clamp(1e-12, loosest);
         Transport { faces, screens, occlusion: self.effects.occlusion, accuracy }
     }
 
@@ -138,9 +149,9 @@ impl<'s> Work<'s> {
     }
 
     /// Adds readings in some cells of each map, so that maps are refined until these are exact enough.
-    fn watch_cells(&mut self, transport: &Transport) {
-        for (index, grid) in self.grids(transport) {
-            let reading = |cell| Reading::irradiance(index, cell, grid.normal());
+    fn watch_cells(&mut self, grids: &[(usize, Grid)]) {
+        for (index, grid) in grids {
+            let reading = |cell| Reading::irradiance(*index, cell, grid.normal());
             self.readings.extend(grid.some(WATCHED).map(reading));
         }
         self.groups = groups(&self.readings, self.answers);
@@ -251,9 +262,9 @@ impl<'s> Work<'s> {
         self.relative_errors(found).all(|error| error <= self.scene.solve.tolerance)
     }
 
-    fn maps(&self, radiosity: &Radiosity, found: &[Found]) -> Vec<Map> {
+    fn maps(&self, radiosity: &Radiosity, grids: &[(usize, Grid)], found: &[Found]) -> Vec<Map> {
         let bands = self.scene.band_count();
-        let map = |(receiver, grid): (usize, Grid)| {
+        let map = |&(receiver, ref grid): &(usize, Grid)| {
             let values = grid.irradiance(bands, radiosity, self.watch);
             let watched =
                 || (self.answers..found.len()).filter(|&other| self.readings[other].receiver == receiver);
@@ -270,7 +281,7 @@ impl<'s> Work<'s> {
             let name = self.scene.receivers[receiver].name.clone();
             Map { receiver: name, quantity: Quantity::Irradiance, size, values, errors }
         };
-        self.grids(radiosity.transport()).into_iter().map(map).collect()
+        grids.iter().map(map).collect()
     }
 
     fn answered(&self, found: &[Found]) -> Vec<Answer> {
