@@ -8,9 +8,13 @@ use super::gather::{Group, Scratch};
 use super::measure::Measure;
 use super::system::Radiosity;
 use crate::geometry::Vector;
+use rayon::prelude::*;
 
 /// How many reflections importance is followed.
 const MOST_REFLECTIONS: usize = 24;
+
+/// How many parts goals are divided into, that are followed at the same time.
+const PARTS: usize = 32;
 
 /// A number that the solution is asked for, and how much its error matters.
 #[derive(Clone, Copy, Debug)]
@@ -37,37 +41,17 @@ impl Radiosity<'_> {
             .iter()
             .map(|element| bands.clone().map(|band| self.reflectance(element, band)).fold(0.0, f64::max))
             .collect();
-        let mut scratch = Scratch::default();
+        // sums of the same goals in the same order, whatever the number of threads
+        let of_some = |goals: &[Goal]| {
+            let (mut scratch, mut straight) = (Scratch::default(), vec![0.0; self.size()]);
+            goals.iter().for_each(|goal| self.add_straight(goal, &strongest, &mut scratch, &mut straight));
+            straight
+        };
+        let parts: Vec<Vec<f64>> =
+            goals.par_chunks(goals.len().div_ceil(PARTS).max(1)).map(of_some).collect();
         let mut straight = vec![0.0; self.size()];
-        for goal in goals {
-            match goal.what {
-                GoalKind::At { position, measure } => {
-                    let points = [position];
-                    let group = Group { points: &points, outline: &points, measure };
-                    for (index, element) in self.sources() {
-                        let first = self.first[index];
-                        self.transport.weigh(
-                            group,
-                            (element, &self.outlines[index]),
-                            &mut scratch,
-                            |_, weights| {
-                                for (node, weight) in straight[first..].iter_mut().zip(weights) {
-                                    *node += goal.weight * strongest[index] * weight.abs();
-                                }
-                            },
-                        );
-                    }
-                }
-                GoalKind::Mean { surface } => {
-                    for (index, element) in self.elements.iter().enumerate() {
-                        let face = &self.transport.faces[element.face];
-                        if face.surface == surface && !face.is_back {
-                            let nodes = straight[self.first[index]..].iter_mut().zip(element.areas());
-                            nodes.for_each(|(node, area)| *node += goal.weight * area);
-                        }
-                    }
-                }
-            }
+        for part in parts {
+            straight.iter_mut().zip(part).for_each(|(sum, value)| *sum += value);
         }
         let (mut sum, mut last) = (straight.clone(), straight);
         for _ in 0..MOST_REFLECTIONS {
@@ -75,5 +59,32 @@ impl Radiosity<'_> {
             sum.iter_mut().zip(&last).for_each(|(sum, last)| *sum += last);
         }
         self.first.windows(2).map(|nodes| sum[nodes[0]..nodes[1]].iter().sum()).collect()
+    }
+
+    /// Adds what each node gives to a goal straight.
+    fn add_straight(&self, goal: &Goal, strongest: &[f64], scratch: &mut Scratch, straight: &mut [f64]) {
+        match goal.what {
+            GoalKind::At { position, measure } => {
+                let points = [position];
+                let group = Group { points: &points, outline: &points, measure };
+                for (index, element) in self.sources() {
+                    let nodes = &mut straight[self.first[index]..];
+                    self.transport.weigh(group, (element, &self.outlines[index]), scratch, |_, weights| {
+                        for (node, weight) in nodes.iter_mut().zip(weights) {
+                            *node += goal.weight * strongest[index] * weight.abs();
+                        }
+                    });
+                }
+            }
+            GoalKind::Mean { surface } => {
+                for (index, element) in self.elements.iter().enumerate() {
+                    let face = &self.transport.faces[element.face];
+                    if face.surface == surface && !face.is_back {
+                        let nodes = straight[self.first[index]..].iter_mut().zip(element.areas());
+                        nodes.for_each(|(node, area)| *node += goal.weight * area);
+                    }
+                }
+            }
+        }
     }
 }

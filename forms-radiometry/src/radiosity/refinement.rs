@@ -19,7 +19,7 @@ use std::ops::Range;
 /// cancel in great part: on a cube whose faces are all split, 864 nodes are as exact as 7000 where one in ten is not.
 ///
 /// Source: W. Dörfler, A convergent adaptive algorithm for Poisson's equation (1996).
-const BULK: f64 = 0.95;
+const BULK: f64 = 0.99;
 /// How many parts an element is split into.
 const PARTS: usize = 4;
 /// How much of a change that cancels within its element still counts.

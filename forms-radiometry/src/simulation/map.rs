@@ -60,10 +60,10 @@ impl Grid {
         self.normal
     }
 
-    /// Cells spread over the surface, about as many as this.
-    pub(super) fn some(&self, count: usize) -> impl Iterator<Item = Vector> {
+    /// Cells spread over the surface: one in so many, but no fewer than at least, as far as there are.
+    pub(super) fn some(&self, [one_in, at_least]: [usize; 2]) -> impl Iterator<Item = Vector> {
         let on_surface = || self.cells.iter().copied().flatten();
-        let step = (on_surface().count() / count).max(1);
+        let step = one_in.min(on_surface().count() / at_least).max(1);
         on_surface().skip(step / 2).step_by(step)
     }
 

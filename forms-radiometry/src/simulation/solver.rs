@@ -32,8 +32,8 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 const DARK: f64 = 1e-9;
 /// The finest polyhedra.
 const FINEST: usize = 4;
-/// About how many cells of a map are watched while elements become finer.
-const WATCHED: usize = 9;
+/// One in so many cells of a map is watched while elements become finer, and at least so many in all.
+const WATCHED: [usize; 2] = [36, 9];
 
 /// Answers the questions of a scene with the effects of a plan.
 pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
