@@ -12,14 +12,20 @@
 
 mod contact;
 mod direct;
+mod directions;
 mod element;
 mod gather;
+mod gathering;
 mod importance;
 mod measure;
 mod operator;
+mod paths;
+mod probe;
 mod reference;
 mod refinement;
+mod sequence;
 mod solution;
+mod subdivision;
 mod system;
 #[cfg(test)]
 mod tests;
@@ -27,7 +33,10 @@ mod weights;
 
 pub(crate) use direct::Lights;
 pub(crate) use gather::{Group, Scratch, Transport};
+pub(crate) use gathering::Gathering;
 pub(crate) use importance::{Goal, GoalKind};
 pub(crate) use measure::Measure;
+pub(crate) use paths::Paths;
+pub(crate) use probe::Probe;
 pub(crate) use solution::orders;
 pub(crate) use system::{Question, Radiosity, reflectance, reflects};

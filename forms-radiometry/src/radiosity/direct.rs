@@ -39,6 +39,11 @@ impl<'s> Lights<'s> {
         self.from_outside
     }
 
+    /// How many faces have to be seen for what comes straight to a point.
+    pub(super) fn count(&self) -> usize {
+        self.faces.len()
+    }
+
     /// What each point of a group gets, for each band.
     pub(crate) fn reaching(
         &self,
@@ -93,7 +98,8 @@ impl<'s> Lights<'s> {
         Some(flux)
     }
 
-    fn add_lights(&self, point: Vector, measure: Measure, transport: &Transport, sum: &mut [f64]) {
+    /// Adds what comes from lights without extent.
+    pub(super) fn add_lights(&self, point: Vector, measure: Measure, transport: &Transport, sum: &mut [f64]) {
         for light in &self.scene.lights {
             let (towards, arriving, squared) = match &light.kind {
                 LightKind::Point { position, intensity } => {

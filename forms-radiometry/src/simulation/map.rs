@@ -50,6 +50,16 @@ impl Grid {
         self.normal
     }
 
+    /// How many cells there are along each side.
+    pub(super) fn size(&self) -> [usize; 2] {
+        self.size
+    }
+
+    /// The middles of the cells, row by row, where they lie on the surface.
+    pub(super) fn cells(&self) -> &[Option<Vector>] {
+        &self.cells
+    }
+
     /// Cells spread over the surface, about as many as this.
     pub(super) fn some(&self, count: usize) -> impl Iterator<Item = Vector> {
         let on_surface: Vec<Vector> = self.cells.iter().copied().flatten().collect();

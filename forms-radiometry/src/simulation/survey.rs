@@ -4,13 +4,15 @@ use super::readings::Reading;
 use crate::faces::{emits, faces, is_bright};
 use crate::geometry::{Between, Face, Screens, Vector};
 use crate::radiosity::{
-    Group, Lights, Measure, Question, Radiosity, Scratch, Transport, reflectance, reflects,
+    Gathering, Group, Lights, Measure, Question, Radiosity, Scratch, Transport, reflectance, reflects,
 };
 use crate::scene::{LightKind, ReceiverKind, Scene};
 use crate::simulation::Unwatched;
 
 /// How many faces are asked at most what they see.
 const ASKED: usize = 64;
+/// Rays from each of them, where light is gathered by rays.
+const RAYS: u32 = 256;
 /// In scenes with more faces than this it is not looked for whether anything stands in between.
 const MANY: usize = 256;
 /// The part of the way from what was found to the largest that is possible by which a norm is raised: it was found at points.
@@ -52,11 +54,12 @@ impl Survey {
         let screens = Screens::of(&faces);
         let transport = Transport { faces, screens, occlusion: true, accuracy: 1e-2 };
         let lights = Lights::of(scene, &transport);
-        let receives = receiving(scene);
-        let question = Question { orders: Some(0), receives, direct: true };
-        let straight = Radiosity::new(scene, &transport, &lights, question, &Unwatched);
+        let gathering = Gathering::of(scene, &transport.faces, true);
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
-        let sampled = sample(scene, &transport, &lights);
+        let sampled = match gathering {
+            Gathering::Pieces => sample(scene, &transport, &lights),
+            Gathering::Rays => sample_by_rays(scene, &transport),
+        };
         let contraction = sampled.contraction + MARGIN * (largest_albedo - sampled.contraction).max(0.0);
         let contraction = if sampled.contraction == 0.0 { 0.0 } else { contraction };
         let mut survey = Self {
@@ -65,7 +68,12 @@ impl Survey {
                 || (0..transport.faces.len()).any(|face| emits(scene, &transport.faces[face])),
             reflects: largest_albedo > 0.0,
             contraction,
-            in_between: in_between(scene, &transport),
+            in_between: match gathering {
+                Gathering::Pieces => in_between(scene, &transport),
+                Gathering::Rays => {
+                    Some(format!("among {} faces some may hide others", transport.faces.len()))
+                }
+            },
             interreflection: None,
             band_spread: None,
             closed_and_white: largest_albedo >= 1.0
@@ -73,7 +81,14 @@ impl Survey {
                 && sampled.closure >= 1.0 - CLOSED
                 && all_white(scene),
         };
-        survey.bound(scene, &straight, sampled.direct);
+        if gathering == Gathering::Pieces {
+            let question = Question { orders: Some(0), receives: receiving(scene), direct: true };
+            let straight = Radiosity::new(scene, &transport, &lights, question, &Unwatched);
+            survey.bound(scene, &straight, sampled.direct);
+        } else {
+            // bounds take exact direct light, which is not found where rays are followed
+            survey.band_spread = (scene.band_count() > 1).then_some([f64::INFINITY; 2]);
+        }
         survey
     }
 
@@ -192,6 +207,31 @@ fn sample(scene: &Scene, transport: &Transport, lights: &Lights) -> Sampled {
         sampled.contraction = rows.into_iter().flatten().fold(sampled.contraction, f64::max);
         sampled.closure = closure.into_iter().fold(sampled.closure, f64::min);
         sampled.direct = direct.into_iter().flatten().fold(sampled.direct, f64::max);
+    }
+    sampled
+}
+
+/// What some faces see from their middles, by the ends of rays; nothing of direct light.
+fn sample_by_rays(scene: &Scene, transport: &Transport) -> Sampled {
+    let is_source = |face: &Face| is_bright(scene, face) && reflects(scene, face.surface);
+    let reflecting: Vec<&Face> = transport.faces.iter().filter(|face| is_source(face)).collect();
+    let mut sampled = Sampled { contraction: 0.0, closure: f64::INFINITY, direct: 0.0 };
+    let asked = reflecting.iter().step_by(reflecting.len().div_ceil(ASKED).max(1));
+    for (index, face) in asked.enumerate() {
+        let sum = face.vertices.iter().fold(Vector::default(), |sum, &v| sum + v);
+        let middle = (1.0 / face.vertices.len() as f64) * sum;
+        let mut row = vec![0.0; scene.band_count()];
+        let mut closure = 0.0;
+        for met in transport.faces_above(middle, face.normal, RAYS, index as u64).flatten() {
+            let met = &transport.faces[met];
+            if is_source(met) {
+                closure += 1.0 / f64::from(RAYS);
+                let reflectances = reflectance(scene, met.surface);
+                row.iter_mut().zip(reflectances).for_each(|(row, rho)| *row += rho / f64::from(RAYS));
+            }
+        }
+        sampled.contraction = row.into_iter().fold(sampled.contraction, f64::max);
+        sampled.closure = sampled.closure.min(closure);
     }
     sampled
 }

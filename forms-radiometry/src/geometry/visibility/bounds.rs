@@ -10,6 +10,7 @@ pub(super) struct Bounds {
 }
 
 /// A function of both, coordinate by coordinate.
+#[inline]
 fn zipped(a: Vector, b: Vector, of: impl Fn(f64, f64) -> f64) -> Vector {
     Vector::new(of(a.x, b.x), of(a.y, b.y), of(a.z, b.z))
 }
@@ -70,6 +71,7 @@ impl Bounds {
 
     /// Where a ray enters the box, in units of 1/`inverse`, if it passes through it farther than its origin. `inverse` has the inverses
     /// of the direction's coordinates: an infinite one stands for a ray along a side, for which 0 · ∞ constrains nothing.
+    #[inline]
     pub(super) fn entered(&self, origin: Vector, inverse: Vector) -> Option<f64> {
         let [to_low, to_high] =
             [self.low, self.high].map(|corner| zipped(corner - origin, inverse, |a, b| a * b));

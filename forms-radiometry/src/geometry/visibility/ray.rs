@@ -1,7 +1,7 @@
 //! Rays: an origin and a direction become the first screen that is met, or whether there is one.
 
 use super::bounds::Bounds;
-use super::tree::Query;
+use super::tree::Way;
 use super::{Screen, Screens, Vector};
 use crate::geometry::cone::sides;
 use std::ops::ControlFlow;
@@ -30,9 +30,13 @@ struct Ray<'s> {
     first: Option<Hit>,
 }
 
-impl Query for Ray<'_> {
-    fn may_be_in(&self, bounds: &Bounds) -> bool {
-        bounds.entered(self.origin, self.inverse).is_some_and(|distance| distance <= self.reach)
+impl Way for Ray<'_> {
+    fn entered(&self, bounds: &Bounds) -> Option<f64> {
+        bounds.entered(self.origin, self.inverse).filter(|&distance| distance <= self.reach)
+    }
+
+    fn end(&self) -> f64 {
+        self.reach
     }
 
     fn at(&mut self, leaf: usize) -> ControlFlow<()> {
@@ -89,7 +93,7 @@ impl Screens {
     fn along(&self, origin: Vector, direction: Vector, [reach, beyond]: [f64; 2], any: bool) -> Option<Hit> {
         let inverse = Vector::new(1.0 / direction.x, 1.0 / direction.y, 1.0 / direction.z);
         let mut ray = Ray { screens: self, origin, direction, inverse, reach, beyond, any, first: None };
-        let _ = self.tree.walk(&mut ray);
+        let _ = self.tree.walk_along(&mut ray);
         ray.first
     }
 }

@@ -1,0 +1,64 @@
+//! How light is gathered: by exact pieces of all elements, or by rays, whichever is expected to take less.
+//!
+//! ```text
+//! pieces   v (n s (1 + 4²) + c s)          n nodes, s elements that reflect, c cells of maps; all elements split once
+//! rays     32 m + 16 (r + c) (t σ/ε)²      m elements, r readings, ε the tolerance, t of Student, σ the deviation of a path
+//! ```
+//! in rays: the exact view of an element takes as long as v of them. The cost of pieces is that of pairs, but hardly depends on the
+//! tolerance; that of rays is that of surfaces, and grows as the tolerance falls. Pieces that could not be split once within the most
+//! nodes could not tell their error: then rays it is.
+
+use super::element::HIGHEST_ORDER;
+use super::paths::{RAYS, VIEW};
+use super::probe::{PATH, STUDENT};
+use super::reference::{Shape, reference};
+use super::system::{MOST_NODES, reflects};
+use crate::faces::is_bright;
+use crate::geometry::Face;
+use crate::scene::{ReceiverKind, Scene};
+
+/// The deviation of what a path finds, relative to a reading: typical where a third of the light is reflected.
+const DEVIATION: f64 = 0.2;
+/// Into how many parts elements are split.
+const PARTS: f64 = 4.0;
+
+/// How light is gathered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Gathering {
+    /// By the exact pieces that points see of all elements.
+    Pieces,
+    /// By rays, and by paths for what these leave out.
+    Rays,
+}
+
+impl Gathering {
+    /// How light is gathered in a scene with these faces. Rays always meet what stands in between.
+    pub(crate) fn of(scene: &Scene, faces: &[Face], occlusion: bool) -> Self {
+        let bright = || faces.iter().filter(|face| is_bright(scene, face) && reflects(scene, face.surface));
+        let sources = bright().count();
+        let nodes = coarsest_nodes(sources) as f64;
+        let (mut readings, mut cells) = (0, 0);
+        for receiver in &scene.receivers {
+            match receiver.kind {
+                ReceiverKind::Surface { grid, .. } => {
+                    readings += 1;
+                    cells += grid.map_or(0, |[columns, rows]| columns * rows);
+                }
+                ReceiverKind::Sphere { .. } => readings += 4,
+                ReceiverKind::Point { .. } | ReceiverKind::Ray { .. } => readings += 1,
+                ReceiverKind::Camera(_) => {}
+            }
+        }
+        let paths = (STUDENT * DEVIATION / scene.solve.tolerance).powi(2);
+        let by_pieces = VIEW * sources as f64 * (nodes * (1.0 + PARTS * PARTS) + cells as f64);
+        let by_rays = f64::from(RAYS) * sources as f64 + PATH * (readings + cells) as f64 * paths;
+        let is_too_many = PARTS * nodes > MOST_NODES as f64;
+        if occlusion && (is_too_many || by_rays < by_pieces) { Self::Rays } else { Self::Pieces }
+    }
+}
+
+/// How many nodes this many elements begin with.
+fn coarsest_nodes(elements: usize) -> usize {
+    let nodes = |order| elements * reference(Shape::Square, order).nodes.len();
+    (1..=HIGHEST_ORDER).rev().map(nodes).find(|&nodes| nodes <= MOST_NODES / 8).unwrap_or_else(|| nodes(1))
+}

@@ -1,0 +1,338 @@
+//! Paths: light followed backwards along rays, where surfaces are too many for the exact pieces of all of them.
+//!
+//! ```text
+//! faces ─▶ elements ─ rays from each ─▶ rows ─▶ Ẽ, a rough solution ─┬─ gathered from ───────────────┬─▶ readings
+//!                                                                    └─ E − Ẽ along random paths ────┘
+//! ```
+//! A receiver gets ∫ ρ E dF. It gathers ρ Ẽ by many rays, and adds the mean of ρ (E − Ẽ) where some rays end, so that no error of
+//! Ẽ is left, neither of its elements nor of its rows: they only say how many paths it takes. What E is at a point follows from
+//! paths that go on from there:
+//!
+//! ```text
+//! E(y) − Ẽ(y) = D(y) + ⟨ρ(y') Ẽ(y') − Ẽ(y) + ρ(y') (E − Ẽ)(y')⟩        y' where a ray of density cos θ/π from y ends
+//! ```
+//! A path goes on with the probability ρ, so that no weight exceeds one. D is exact where lights are few; where they are
+//! many faces, or outside, rays meet them.
+//!
+//! Sources: E. Lafortune, Y. Willems, The ambient term as a variance reducing technique for Monte Carlo ray tracing (1994), with
+//! a solution instead of a constant; M. Giles, Multilevel Monte Carlo path simulation (2008), for the sum of a cheap mean and a small
+//! difference; J. Arvo, D. Kirk, Particle transport and image synthesis (1990), for how paths end.
+
+use super::direct::Lights;
+use super::directions::above;
+use super::element::Element;
+use super::gather::{Group, Scratch, Transport};
+use super::measure::Measure;
+use super::operator::{Operator, Row};
+use super::sequence::{Net, Random, key};
+use super::solution::of_bands;
+use super::subdivision::Subdivision;
+use super::system::{Question, reflectance};
+use crate::faces::emits;
+use crate::geometry::Vector;
+use crate::kernels::irradiance;
+use crate::scene::Scene;
+use crate::simulation::Watch;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Rays from each node of the rough solution, and from each point that is asked how much of its sky shines.
+pub(super) const RAYS: u32 = 32;
+/// The most reflections that a path is followed; what is left then is part of the error.
+const MOST_REFLECTIONS: u32 = 512;
+/// How many nodes are asked how much of their sky shines.
+const ASKED: usize = 512;
+/// What one exact view of a face costs in rays.
+pub(super) const VIEW: f64 = 4.0;
+/// The relative deviation below which rays that meet the lights count as good as their exact sum.
+const DEVIATION: f64 = 0.25;
+
+/// A scene with a rough solution, in which paths are followed.
+pub(crate) struct Paths<'t> {
+    pub(super) scene: &'t Scene,
+    pub(super) transport: &'t Transport,
+    lights: &'t Lights<'t>,
+    pub(super) question: Question,
+    pub(super) subdivision: Subdivision,
+    /// Whether rays meet faces that emit, and what is outside, instead of an exact sum over them.
+    pub(super) by_rays: bool,
+    /// The rough irradiance of each element, band by band: straight from lights, with all reflections that are asked for, and with all
+    /// but the last of these.
+    pub(super) direct: Vec<Vec<f64>>,
+    pub(super) irradiance: Vec<Vec<f64>>,
+    pub(super) reflected: Vec<Vec<f64>>,
+    /// An estimate of how much of the light a reflection leaves.
+    contraction: f64,
+}
+
+/// A point where light is reflected.
+#[derive(Clone, Copy)]
+pub(super) struct Place {
+    pub(super) element: usize,
+    pub(super) position: Vector,
+}
+
+/// Where a ray ends: outside, or on a face, which has elements if it reflects or receives.
+struct End {
+    face: Option<usize>,
+    place: Option<Place>,
+}
+
+/// Which light at the begin of a path is meant.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Begin {
+    /// What is reflected there to the receiver.
+    Reflecting,
+    /// What arrives there, for it is the receiver.
+    Receiving,
+}
+
+impl<'t> Paths<'t> {
+    /// The rough solution.
+    pub(crate) fn new(
+        scene: &'t Scene,
+        transport: &'t Transport,
+        lights: &'t Lights<'t>,
+        question: Question,
+        watch: &dyn Watch,
+    ) -> Self {
+        let subdivision = Subdivision::of(scene, &transport.faces, &question.receives);
+        let mut paths = Self {
+            scene,
+            transport,
+            lights,
+            question,
+            subdivision,
+            by_rays: false,
+            direct: Vec::new(),
+            irradiance: Vec::new(),
+            reflected: Vec::new(),
+            contraction: 0.0,
+        };
+        paths.by_rays = paths.lights_are_met();
+        paths.solve(watch);
+        paths
+    }
+
+    /// Whether rays find the lights sooner than their exact sum is taken: M rays, of which the part f ends at lights, deviate by
+    /// √((1 − f)/(f M)) of their sum.
+    fn lights_are_met(&self) -> bool {
+        let elements = &self.subdivision.elements;
+        let asked = elements.iter().step_by((elements.len() / ASKED).max(1));
+        let (mut met, mut all) = (0.0, 0.0_f64);
+        for (index, element) in asked.enumerate() {
+            let ends =
+                self.transport.faces_above(element.centre(), element.normal, RAYS, key(1, index as u64));
+            for face in ends {
+                met += f64::from(u8::from(self.emitted(face).iter().any(|&radiance| radiance > 0.0)));
+                all += 1.0;
+            }
+        }
+        let part = met / all.max(1.0);
+        let rays = (1.0 - part) / (part * DEVIATION * DEVIATION);
+        self.lights.count() as f64 * VIEW > rays.max(1.0)
+    }
+
+    fn solve(&mut self, watch: &dyn Watch) {
+        let bands = self.scene.band_count();
+        let count = self.subdivision.elements.len();
+        let done = AtomicUsize::new(0);
+        let of_elements: Vec<(Row, Vec<f64>)> = (0..count)
+            .into_par_iter()
+            .with_min_len(16)
+            .map_init(Scratch::default, |scratch, element| {
+                let done = done.fetch_add(1, Ordering::Relaxed);
+                if done.is_multiple_of(64) {
+                    watch.progress("interreflection", done as f64 / count as f64);
+                }
+                if watch.is_stopped() {
+                    (Row::default(), vec![0.0; bands])
+                } else {
+                    self.row(element, scratch)
+                }
+            })
+            .collect();
+        let mut direct = vec![Vec::with_capacity(count); bands];
+        let mut rows = Vec::with_capacity(count);
+        for (row, light) in of_elements {
+            rows.push(row);
+            direct.iter_mut().zip(light).for_each(|(band, value)| band.push(value));
+        }
+        let operator = Operator::new(rows, (0..=count).collect());
+        let solved = of_bands(&operator, &self.reflectances(), &direct, self.question.orders);
+        self.contraction = solved.contraction;
+        (self.direct, self.irradiance, self.reflected) = (direct, solved.irradiance, solved.reflected);
+    }
+
+    /// For each band the reflectance of each element.
+    fn reflectances(&self) -> Vec<Vec<f64>> {
+        let of = |band: usize| (0..self.subdivision.elements.len()).map(move |e| self.reflectance(e)[band]);
+        (0..self.scene.band_count()).map(|band| of(band).collect()).collect()
+    }
+
+    /// Where the rays from an element end, each with its part, and the light that comes straight to its node.
+    fn row(&self, element: usize, scratch: &mut Scratch) -> (Row, Vec<f64>) {
+        let Element { normal, .. } = self.subdivision.elements[element];
+        let place = Place { element, position: self.subdivision.elements[element].centre() };
+        let mut light = self.direct(place, scratch);
+        let mut row = Row::default();
+        if self.question.orders == Some(0) && !self.by_rays {
+            return (row, light);
+        }
+        let net = Net::new(key(2, element as u64));
+        let mut ends = Vec::with_capacity(RAYS as usize);
+        for ray in 0..RAYS {
+            let end = self.trace(place.position, above(normal, net.point(ray)));
+            if self.by_rays {
+                let emitted = self.emitted(end.face);
+                light
+                    .iter_mut()
+                    .zip(emitted)
+                    .for_each(|(sum, &l)| *sum += irradiance(1.0, l) / f64::from(RAYS));
+            }
+            ends.extend(end.place.map(|place| place.element as u32));
+        }
+        ends.sort_unstable();
+        for end in ends.chunk_by(|a, b| a == b) {
+            row.elements.push(end[0]);
+            row.weights.push(end.len() as f64 / f64::from(RAYS));
+        }
+        (row, light)
+    }
+
+    /// The geometry that light passes through.
+    pub(crate) fn transport(&self) -> &'t Transport {
+        self.transport
+    }
+
+    pub(super) fn reflectance(&self, element: usize) -> &[f64] {
+        let face = &self.transport.faces[self.subdivision.elements[element].face];
+        reflectance(self.scene, face.surface)
+    }
+
+    /// What comes straight from lights that no ray meets.
+    fn direct(&self, place: Place, scratch: &mut Scratch) -> Vec<f64> {
+        let normal = self.subdivision.elements[place.element].normal;
+        self.straight(place.position, Measure::Plane(normal), scratch)
+    }
+
+    /// The same for any measure.
+    pub(super) fn straight(&self, position: Vector, measure: Measure, scratch: &mut Scratch) -> Vec<f64> {
+        let points = [position];
+        let group = Group { points: &points, outline: &points, measure };
+        if !self.by_rays {
+            return self.lights.reaching(group, self.transport, scratch).swap_remove(0);
+        }
+        let mut sum = vec![0.0; self.scene.band_count()];
+        self.lights.add_lights(position, measure, self.transport, &mut sum);
+        sum
+    }
+
+    /// Where a ray ends.
+    fn trace(&self, from: Vector, direction: Vector) -> End {
+        let Some(hit) = self.transport.screens.first(from, direction) else {
+            return End { face: None, place: None };
+        };
+        let position = from + hit.distance * direction;
+        let element = self.subdivision.at(hit.face, position);
+        End { face: Some(hit.face), place: element.map(|element| Place { element, position }) }
+    }
+
+    /// The radiance that a face emits, or what is outside; an empty list if there is none.
+    fn emitted(&self, face: Option<usize>) -> &[f64] {
+        let Some(face) = face.map(|face| &self.transport.faces[face]) else {
+            return &self.scene.ambient.radiance;
+        };
+        if emits(self.scene, face) { &self.scene.surfaces[face.surface].radiance } else { &[] }
+    }
+
+    /// The rough value of what a receiver gets from a direction, over the measure of the direction: what is emitted there, if rays meet
+    /// lights, and what is reflected. Adds it times a weight to the sums, and returns where the ray ends.
+    pub(super) fn gather(
+        &self,
+        from: Vector,
+        direction: Vector,
+        weight: f64,
+        sums: &mut [f64],
+    ) -> Option<Place> {
+        let end = self.trace(from, direction);
+        if self.by_rays && self.question.direct {
+            let emitted = self.emitted(end.face);
+            sums.iter_mut().zip(emitted).for_each(|(sum, &l)| *sum += weight * irradiance(1.0, l));
+        }
+        let place = end.place.filter(|_| self.question.orders != Some(0))?;
+        for ((sum, rough), rho) in sums.iter_mut().zip(&self.reflected).zip(self.reflectance(place.element)) {
+            *sum += weight * rho * rough[place.element];
+        }
+        Some(place)
+    }
+
+    /// What of E − Ẽ at a point one path finds, added to the sums times a weight for each band. Returns how much of it the end of the path
+    /// may have cut off at most, for the band where that is most.
+    pub(super) fn correction(
+        &self,
+        at: Place,
+        begin: Begin,
+        random: &mut Random,
+        scratch: &mut Scratch,
+        [weights, sums]: [&mut [f64]; 2],
+    ) -> f64 {
+        let last = if begin == Begin::Reflecting { 1 } else { 0 };
+        // how many reflections are asked for between the lights and this point
+        let mut left = self.question.orders.map(|orders| orders - last);
+        let with_direct = begin == Begin::Reflecting || self.question.direct;
+        let mut at = at;
+        let mut found = 0.0_f64;
+        for depth in 0..MOST_REFLECTIONS {
+            let has_direct = depth > 0 || with_direct;
+            let mut change = self.local(at, [depth == 0, has_direct], begin, scratch);
+            let is_last = left == Some(0);
+            let mut next = None;
+            if !is_last || (self.by_rays && has_direct) {
+                let normal = self.subdivision.elements[at.element].normal;
+                let end = self.trace(at.position, above(normal, [random.next(), random.next()]));
+                if self.by_rays && has_direct {
+                    let emitted = self.emitted(end.face);
+                    change.iter_mut().zip(emitted).for_each(|(sum, &l)| *sum += irradiance(1.0, l));
+                }
+                next = end.place.filter(|_| !is_last);
+            }
+            let rho = next.map(|next| self.reflectance(next.element));
+            if let (Some(next), Some(rho), None) = (next, rho, left) {
+                for ((change, rough), rho) in change.iter_mut().zip(&self.irradiance).zip(rho) {
+                    *change += rho * rough[next.element];
+                }
+            }
+            sums.iter_mut().zip(&*weights).zip(&change).for_each(|((sum, w), change)| *sum += w * change);
+            found = found.max(change.iter().zip(&*weights).fold(0.0, |m, (c, w)| m.max((c * w).abs())));
+            let (Some(next), Some(rho)) = (next, rho) else { return 0.0 };
+            let survival = rho.iter().copied().fold(0.0, f64::max);
+            if random.next() >= survival {
+                return 0.0;
+            }
+            weights.iter_mut().zip(rho).for_each(|(weight, rho)| *weight *= rho / survival);
+            left = left.map(|left| left - 1);
+            at = next;
+        }
+        found / (1.0 - self.contraction).max(f64::EPSILON)
+    }
+
+    /// For each band D − Ẽ at a point of a path. Of a number of orders only the first point has an Ẽ.
+    fn local(
+        &self,
+        at: Place,
+        [is_first, has_direct]: [bool; 2],
+        begin: Begin,
+        scratch: &mut Scratch,
+    ) -> Vec<f64> {
+        let mut sum = if has_direct { self.direct(at, scratch) } else { vec![0.0; self.scene.band_count()] };
+        if is_first || self.question.orders.is_none() {
+            let rough = if begin == Begin::Reflecting { &self.reflected } else { &self.irradiance };
+            for (band, sum) in sum.iter_mut().enumerate() {
+                let straight = if has_direct { 0.0 } else { self.direct[band][at.element] };
+                *sum -= rough[band][at.element] - straight;
+            }
+        }
+        sum
+    }
+}
