@@ -10,6 +10,7 @@
 //! each element, given at its Gauss points; what is between the points comes out of the equation itself (Nyström), and
 //! visibility is exact. The solution is that of the continuous equation, not of one value a surface.
 
+mod clusters;
 mod contact;
 mod direct;
 mod directions;

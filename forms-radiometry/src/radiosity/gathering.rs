@@ -19,6 +19,9 @@ use crate::scene::{ReceiverKind, Scene};
 
 /// The deviation of what a path finds, relative to a reading: typical where a third of the light is reflected.
 const DEVIATION: f64 = 0.2;
+/// The fewest nodes that a rough solution is not too rough with, and the most.
+const FEWEST_NODES: usize = 4_096;
+const MOST_ROUGH_NODES: usize = 1 << 20;
 /// Into how many parts elements are split.
 const PARTS: f64 = 4.0;
 
@@ -37,21 +40,10 @@ impl Gathering {
         let bright = || faces.iter().filter(|face| is_bright(scene, face) && reflects(scene, face.surface));
         let sources = bright().count();
         let nodes = coarsest_nodes(sources) as f64;
-        let (mut readings, mut cells) = (0, 0);
-        for receiver in &scene.receivers {
-            match receiver.kind {
-                ReceiverKind::Surface { grid, .. } => {
-                    readings += 1;
-                    cells += grid.map_or(0, |[columns, rows]| columns * rows);
-                }
-                ReceiverKind::Sphere { .. } => readings += 4,
-                ReceiverKind::Point { .. } | ReceiverKind::Ray { .. } => readings += 1,
-                ReceiverKind::Camera(_) => {}
-            }
-        }
-        let paths = (STUDENT * DEVIATION / scene.solve.tolerance).powi(2);
+        let (readings, cells) = asked(scene);
+        let paths = paths(scene, readings + cells);
         let by_pieces = VIEW * sources as f64 * (nodes * (1.0 + PARTS * PARTS) + cells as f64);
-        let by_rays = f64::from(RAYS) * sources as f64 + PATH * (readings + cells) as f64 * paths;
+        let by_rays = f64::from(RAYS) * sources as f64 + PATH * paths;
         let is_too_many = PARTS * nodes > MOST_NODES as f64;
         if occlusion && (is_too_many || by_rays < by_pieces) { Self::Rays } else { Self::Pieces }
     }
@@ -61,4 +53,33 @@ impl Gathering {
 fn coarsest_nodes(elements: usize) -> usize {
     let nodes = |order| elements * reference(Shape::Square, order).nodes.len();
     (1..=HIGHEST_ORDER).rev().map(nodes).find(|&nodes| nodes <= MOST_NODES / 8).unwrap_or_else(|| nodes(1))
+}
+
+/// How many readings a scene asks for, and how many cells of maps.
+fn asked(scene: &Scene) -> (usize, usize) {
+    let (mut readings, mut cells) = (0, 0);
+    for receiver in &scene.receivers {
+        match receiver.kind {
+            ReceiverKind::Surface { grid, .. } => {
+                readings += 1;
+                cells += grid.map_or(0, |[columns, rows]| columns * rows);
+            }
+            ReceiverKind::Sphere { .. } => readings += 4,
+            ReceiverKind::Point { .. } | ReceiverKind::Ray { .. } => readings += 1,
+            ReceiverKind::Camera(_) => {}
+        }
+    }
+    (readings, cells)
+}
+
+/// How many paths it takes to find this many numbers within the tolerance.
+fn paths(scene: &Scene, numbers: usize) -> f64 {
+    numbers as f64 * (STUDENT * DEVIATION / scene.solve.tolerance).powi(2)
+}
+
+/// How many nodes of a rough solution take as long as the paths of all readings.
+pub(super) fn worthwhile_nodes(scene: &Scene) -> usize {
+    let (readings, cells) = asked(scene);
+    let nodes = PATH * paths(scene, readings + cells) / (f64::from(RAYS) + PATH);
+    (nodes as usize).clamp(FEWEST_NODES, MOST_ROUGH_NODES)
 }

@@ -22,6 +22,7 @@ use super::direct::Lights;
 use super::directions::above;
 use super::element::Element;
 use super::gather::{Group, Scratch, Transport};
+use super::gathering::worthwhile_nodes;
 use super::measure::Measure;
 use super::operator::{Operator, Row};
 use super::sequence::{Net, Random, key};
@@ -56,7 +57,7 @@ pub(crate) struct Paths<'t> {
     pub(super) subdivision: Subdivision,
     /// Whether rays meet faces that emit, and what is outside, instead of an exact sum over them.
     pub(super) by_rays: bool,
-    /// The rough irradiance of each element, band by band: straight from lights, with all reflections that are asked for, and with all
+    /// The rough irradiance of each node, band by band: straight from lights, with all reflections that are asked for, and with all
     /// but the last of these.
     pub(super) direct: Vec<Vec<f64>>,
     pub(super) irradiance: Vec<Vec<f64>>,
@@ -96,7 +97,8 @@ impl<'t> Paths<'t> {
         question: Question,
         watch: &dyn Watch,
     ) -> Self {
-        let subdivision = Subdivision::of(scene, &transport.faces, &question.receives);
+        let subdivision =
+            Subdivision::of(scene, &transport.faces, &question.receives, worthwhile_nodes(scene));
         let mut paths = Self {
             scene,
             transport,
@@ -135,12 +137,14 @@ impl<'t> Paths<'t> {
 
     fn solve(&mut self, watch: &dyn Watch) {
         let bands = self.scene.band_count();
-        let count = self.subdivision.elements.len();
+        let count = self.subdivision.nodes.len();
         let done = AtomicUsize::new(0);
-        let of_elements: Vec<(Row, Vec<f64>)> = (0..count)
-            .into_par_iter()
+        let of_nodes: Vec<(Row, Vec<f64>)> = self
+            .subdivision
+            .nodes
+            .par_iter()
             .with_min_len(16)
-            .map_init(Scratch::default, |scratch, element| {
+            .map_init(Scratch::default, |scratch, &element| {
                 let done = done.fetch_add(1, Ordering::Relaxed);
                 if done.is_multiple_of(64) {
                     watch.progress("interreflection", done as f64 / count as f64);
@@ -148,13 +152,13 @@ impl<'t> Paths<'t> {
                 if watch.is_stopped() {
                     (Row::default(), vec![0.0; bands])
                 } else {
-                    self.row(element, scratch)
+                    self.row(element as usize, scratch)
                 }
             })
             .collect();
         let mut direct = vec![Vec::with_capacity(count); bands];
         let mut rows = Vec::with_capacity(count);
-        for (row, light) in of_elements {
+        for (row, light) in of_nodes {
             rows.push(row);
             direct.iter_mut().zip(light).for_each(|(band, value)| band.push(value));
         }
@@ -164,13 +168,14 @@ impl<'t> Paths<'t> {
         (self.direct, self.irradiance, self.reflected) = (direct, solved.irradiance, solved.reflected);
     }
 
-    /// For each band the reflectance of each element.
+    /// For each band the reflectance at each node.
     fn reflectances(&self) -> Vec<Vec<f64>> {
-        let of = |band: usize| (0..self.subdivision.elements.len()).map(move |e| self.reflectance(e)[band]);
+        let nodes = &self.subdivision.nodes;
+        let of = |band: usize| nodes.iter().map(move |&element| self.reflectance(element as usize)[band]);
         (0..self.scene.band_count()).map(|band| of(band).collect()).collect()
     }
 
-    /// Where the rays from an element end, each with its part, and the light that comes straight to its node.
+    /// Where the rays from the middle of an element end, each with its part, and the light that comes straight there.
     fn row(&self, element: usize, scratch: &mut Scratch) -> (Row, Vec<f64>) {
         let Element { normal, .. } = self.subdivision.elements[element];
         let place = Place { element, position: self.subdivision.elements[element].centre() };
@@ -190,7 +195,7 @@ impl<'t> Paths<'t> {
                     .zip(emitted)
                     .for_each(|(sum, &l)| *sum += irradiance(1.0, l) / f64::from(RAYS));
             }
-            ends.extend(end.place.map(|place| place.element as u32));
+            ends.extend(end.place.map(|place| self.subdivision.node_of[place.element]));
         }
         ends.sort_unstable();
         for end in ends.chunk_by(|a, b| a == b) {
@@ -208,6 +213,10 @@ impl<'t> Paths<'t> {
     pub(super) fn reflectance(&self, element: usize) -> &[f64] {
         let face = &self.transport.faces[self.subdivision.elements[element].face];
         reflectance(self.scene, face.surface)
+    }
+
+    fn node(&self, place: Place) -> usize {
+        self.subdivision.node_of[place.element] as usize
     }
 
     /// What comes straight from lights that no ray meets.
@@ -262,7 +271,7 @@ impl<'t> Paths<'t> {
         }
         let place = end.place.filter(|_| self.question.orders != Some(0))?;
         for ((sum, rough), rho) in sums.iter_mut().zip(&self.reflected).zip(self.reflectance(place.element)) {
-            *sum += weight * rho * rough[place.element];
+            *sum += weight * rho * rough[self.node(place)];
         }
         Some(place)
     }
@@ -300,7 +309,7 @@ impl<'t> Paths<'t> {
             let rho = next.map(|next| self.reflectance(next.element));
             if let (Some(next), Some(rho), None) = (next, rho, left) {
                 for ((change, rough), rho) in change.iter_mut().zip(&self.irradiance).zip(rho) {
-                    *change += rho * rough[next.element];
+                    *change += rho * rough[self.node(next)];
                 }
             }
             sums.iter_mut().zip(&*weights).zip(&change).for_each(|((sum, w), change)| *sum += w * change);
@@ -329,8 +338,8 @@ impl<'t> Paths<'t> {
         if is_first || self.question.orders.is_none() {
             let rough = if begin == Begin::Reflecting { &self.reflected } else { &self.irradiance };
             for (band, sum) in sum.iter_mut().enumerate() {
-                let straight = if has_direct { 0.0 } else { self.direct[band][at.element] };
-                *sum -= rough[band][at.element] - straight;
+                let straight = if has_direct { 0.0 } else { self.direct[band][self.node(at)] };
+                *sum -= rough[band][self.node(at)] - straight;
             }
         }
         sum

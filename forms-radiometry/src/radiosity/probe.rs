@@ -208,9 +208,10 @@ impl Paths<'_> {
         for element in self.front(surface) {
             let area = self.subdivision.elements[element].area;
             whole += area;
+            let node = self.subdivision.node_of[element] as usize;
             for (band, sum) in sums.iter_mut().enumerate() {
-                let straight = if self.question.direct { 0.0 } else { self.direct[band][element] };
-                *sum += area * (self.irradiance[band][element] - straight);
+                let straight = if self.question.direct { 0.0 } else { self.direct[band][node] };
+                *sum += area * (self.irradiance[band][node] - straight);
             }
         }
         sums.into_iter().map(|sum| sum / whole).collect()

@@ -1,6 +1,7 @@
-//! Subdivision: the bright faces of a scene become elements with one node each, none much larger than the others, and the place where a
-//! ray meets a face becomes the element there.
+//! Subdivision: the bright faces of a scene become elements, none much larger than the others, with a node each or one for several,
+//! and the place where a ray meets a face becomes the element there.
 
+use super::clusters::clusters;
 use super::element::Element;
 use super::system::reflects;
 use crate::faces::is_bright;
@@ -24,6 +25,10 @@ struct Piece {
 /// Elements by place.
 pub(super) struct Subdivision {
     pub(super) elements: Vec<Element>,
+    /// The node that each element has its rough irradiance from.
+    pub(super) node_of: Vec<u32>,
+    /// The element in whose middle each node is.
+    pub(super) nodes: Vec<u32>,
     /// The pieces of all faces, face by face.
     pieces: Vec<Piece>,
     /// The first piece of each face, and at the end the count of all.
@@ -31,12 +36,18 @@ pub(super) struct Subdivision {
 }
 
 impl Subdivision {
-    /// The elements of the faces that reflect or receive.
-    pub(super) fn of(scene: &Scene, faces: &[Face], receives: &[bool]) -> Self {
+    /// The elements of the faces that reflect or receive, with about this many nodes at most.
+    pub(super) fn of(scene: &Scene, faces: &[Face], receives: &[bool], most_nodes: usize) -> Self {
         let counts =
             |face: &Face| is_bright(scene, face) && (receives[face.surface] || reflects(scene, face.surface));
         let whole: f64 = faces.iter().filter(|face| counts(face)).map(|face| face.area).sum();
-        let mut subdivision = Self { elements: Vec::new(), pieces: Vec::new(), first: vec![0] };
+        let mut subdivision = Self {
+            elements: Vec::new(),
+            node_of: Vec::new(),
+            nodes: Vec::new(),
+            pieces: Vec::new(),
+            first: vec![0],
+        };
         for (index, face) in faces.iter().enumerate() {
             if counts(face) {
                 for piece in Element::of(index, face, &face.vertices) {
@@ -49,6 +60,8 @@ impl Subdivision {
             }
             subdivision.first.push(subdivision.pieces.len());
         }
+        let material = |element: &Element| scene.surfaces[faces[element.face].surface].material;
+        (subdivision.node_of, subdivision.nodes) = clusters(&subdivision.elements, material, most_nodes);
         subdivision
     }
 

@@ -4,6 +4,7 @@
 use super::answer::{Map, Moment, Quantity};
 use super::estimate::{Estimate, Found};
 use super::map::Grid;
+use super::readings::Reading;
 use super::solver::{DARK, ROUNDING, Work};
 use crate::radiosity::{GoalKind, Measure, Paths, Probe};
 use rayon::prelude::*;
@@ -16,6 +17,8 @@ const BESIDE_SHAPE: f64 = 0.5;
 /// A reading and its probe, if anything has to be sampled for it.
 struct Sampled {
     probe: Option<Probe>,
+    /// The reading whose probe it has: itself, or for a flux the mean irradiance before it.
+    of: usize,
     /// For each band the offset and the factor that make the reading of the probe.
     made_of: Vec<[f64; 2]>,
     seconds: f64,
@@ -25,13 +28,21 @@ impl Work<'_> {
     /// The readings, as exact as they are asked for or can be made.
     pub(super) fn sampled(&self, paths: &Paths, is_round: bool, history: &mut Vec<Moment>) -> Vec<Found> {
         let tolerance = self.scene.solve.tolerance * if is_round { BESIDE_SHAPE } else { 1.0 };
-        let first = |(index, reading): (usize, &super::readings::Reading)| {
+        let transport = paths.transport();
+        let goals: Vec<Option<GoalKind>> =
+            self.readings.iter().map(|reading| reading.goal(self.scene, transport)).collect();
+        let first = |(index, reading): (usize, &Reading)| {
             let begin = Instant::now();
-            let transport = paths.transport();
-            let goal = reading.goal(self.scene, transport);
+            let is_shared = index > 0 && goals[index] == goals[index - 1];
+            let goal = goals[index].filter(|_| !is_shared);
             let probe = goal.map(|what| paths.probe(what, index as u64));
             let made_of = reading.made_of(self.scene, transport);
-            Sampled { probe, made_of, seconds: begin.elapsed().as_secs_f64() }
+            Sampled {
+                probe,
+                of: index - usize::from(is_shared),
+                made_of,
+                seconds: begin.elapsed().as_secs_f64(),
+            }
         };
         let mut sampled: Vec<Sampled> = self.readings.par_iter().enumerate().map(first).collect();
         loop {
@@ -67,7 +78,8 @@ impl Work<'_> {
     }
 
     fn found(&self, sampled: &[Sampled]) -> Vec<Found> {
-        let one = |Sampled { probe, made_of, seconds }: &Sampled| {
+        let one = |Sampled { of, made_of, seconds, .. }: &Sampled| {
+            let probe = &sampled[*of].probe;
             let of_band = |(band, [offset, factor]): (usize, &[f64; 2])| {
                 let [value, error] = probe.as_ref().map_or([0.0; 2], |probe| probe.found(band));
                 let value = offset + factor * value;

@@ -1,7 +1,6 @@
 //! Rays: an origin and a direction become the first screen that is met, or whether there is one.
 
-use super::bounds::Bounds;
-use super::tree::Way;
+use super::branches::Way;
 use super::{Screen, Screens, Vector};
 use crate::geometry::cone::sides;
 use std::ops::ControlFlow;
@@ -20,7 +19,6 @@ struct Ray<'s> {
     screens: &'s Screens,
     origin: Vector,
     direction: Vector,
-    inverse: Vector,
     /// How far the ray goes.
     reach: f64,
     /// The least distance of the end of the ray from the plane of what it meets.
@@ -31,8 +29,8 @@ struct Ray<'s> {
 }
 
 impl Way for Ray<'_> {
-    fn entered(&self, bounds: &Bounds) -> Option<f64> {
-        bounds.entered(self.origin, self.inverse).filter(|&distance| distance <= self.reach)
+    fn ray(&self) -> [Vector; 2] {
+        [self.origin, self.direction]
     }
 
     fn end(&self) -> f64 {
@@ -91,9 +89,8 @@ impl Screens {
     }
 
     fn along(&self, origin: Vector, direction: Vector, [reach, beyond]: [f64; 2], any: bool) -> Option<Hit> {
-        let inverse = Vector::new(1.0 / direction.x, 1.0 / direction.y, 1.0 / direction.z);
-        let mut ray = Ray { screens: self, origin, direction, inverse, reach, beyond, any, first: None };
-        let _ = self.tree.walk_along(&mut ray);
+        let mut ray = Ray { screens: self, origin, direction, reach, beyond, any, first: None };
+        self.branches.walk(&mut ray);
         ray.first
     }
 }

@@ -38,16 +38,6 @@ pub(super) trait Query {
     fn at(&mut self, leaf: usize) -> ControlFlow<()>;
 }
 
-/// What is looked for along a way.
-pub(super) trait Way {
-    /// Where the way enters these bounds, if it does before its end.
-    fn entered(&self, bounds: &Bounds) -> Option<f64>;
-    /// Where the way ends, as far as is known.
-    fn end(&self) -> f64;
-    /// A box that was not passed by.
-    fn at(&mut self, leaf: usize) -> ControlFlow<()>;
-}
-
 /// A box as it is seen by `bvh`.
 struct Leaf {
     bounds: Aabb<f64, 3>,
@@ -95,6 +85,38 @@ impl Tree {
         Self { nodes }
     }
 
+    /// The bounds of all boxes.
+    pub(super) fn bounds(&self) -> Bounds {
+        self.siblings([0, self.nodes.len()])
+            .fold(Bounds::NOTHING, |all, place| all.with(self.nodes[place].bounds))
+    }
+
+    /// The places of the nodes that no other is above, of which there are two at most.
+    pub(super) fn roots(&self) -> [Option<usize>; 2] {
+        let mut siblings = self.siblings([0, self.nodes.len()]);
+        [siblings.next(), siblings.next()]
+    }
+
+    /// The places of the nodes right below one.
+    pub(super) fn below(&self, place: usize) -> [Option<usize>; 2] {
+        let mut siblings = self.siblings([place + 1, self.nodes[place].next as usize]);
+        [siblings.next(), siblings.next()]
+    }
+
+    pub(super) fn bounds_of(&self, place: usize) -> &Bounds {
+        &self.nodes[place].bounds
+    }
+
+    /// The index of the box that a node is, if it is a leaf.
+    pub(super) fn leaf(&self, place: usize) -> Option<usize> {
+        Some(self.nodes[place].leaf).filter(|&leaf| leaf != INNER).map(|leaf| leaf as usize)
+    }
+
+    fn siblings(&self, [first, end]: [usize; 2]) -> impl Iterator<Item = usize> {
+        let next = move |&place: &usize| Some(self.nodes[place].next as usize).filter(|&next| next < end);
+        std::iter::successors(Some(first).filter(|&first| first < end), next)
+    }
+
     /// Shows a query the boxes that it may be in, until it breaks off.
     pub(super) fn walk(&self, query: &mut impl Query) -> ControlFlow<()> {
         let mut place = 0;
@@ -109,38 +131,6 @@ impl Tree {
             place = node.next as usize;
         }
         ControlFlow::Continue(())
-    }
-
-    /// Shows a way the boxes that it enters, the nearer branch of two first, until it breaks off: what is met early shortens the way, so that
-    /// most of what lies behind is passed by.
-    pub(super) fn walk_along(&self, way: &mut impl Way) -> ControlFlow<()> {
-        let mut waiting: Vec<(f64, usize)> = Vec::with_capacity(64);
-        let mut begin = Some((0, self.nodes.len()));
-        loop {
-            if let Some((first, end)) = begin.take() {
-                // the nodes from `first` on are siblings, of which there are two at most
-                let second = self.nodes.get(first).map_or(end, |node| node.next as usize);
-                let entered =
-                    |place: usize| (place < end).then(|| way.entered(&self.nodes[place].bounds)).flatten();
-                let [near, far] =
-                    [first, second].map(|place| entered(place).map(|distance| (distance, place)));
-                let (near, far) = if far.is_some_and(|far| near.is_none_or(|near| far.0 < near.0)) {
-                    (far, near)
-                } else {
-                    (near, far)
-                };
-                waiting.extend(far);
-                waiting.extend(near);
-            }
-            let Some((distance, place)) = waiting.pop() else { return ControlFlow::Continue(()) };
-            if distance > way.end() {
-                continue;
-            }
-            match self.nodes[place].leaf {
-                INNER => begin = Some((place + 1, self.nodes[place].next as usize)),
-                leaf => way.at(leaf as usize)?,
-            }
-        }
     }
 }
 
