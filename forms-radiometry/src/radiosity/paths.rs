@@ -62,6 +62,8 @@ pub(crate) struct Paths<'t> {
     pub(super) direct: Vec<Vec<f64>>,
     pub(super) irradiance: Vec<Vec<f64>>,
     pub(super) reflected: Vec<Vec<f64>>,
+    /// For each band the largest radiosity of lights that rays have to meet.
+    pub(super) brightest: Vec<f64>,
     /// An estimate of how much of the light a reflection leaves.
     contraction: f64,
 }
@@ -109,9 +111,11 @@ impl<'t> Paths<'t> {
             direct: Vec::new(),
             irradiance: Vec::new(),
             reflected: Vec::new(),
+            brightest: Vec::new(),
             contraction: 0.0,
         };
         paths.by_rays = paths.lights_are_met();
+        paths.brightest = paths.brightest_light();
         paths.solve(watch);
         paths
     }
@@ -253,6 +257,18 @@ impl<'t> Paths<'t> {
             return &self.scene.ambient.radiance;
         };
         if emits(self.scene, face) { &self.scene.surfaces[face.surface].radiance } else { &[] }
+    }
+
+    /// For each band the largest radiosity of lights that rays have to meet.
+    fn brightest_light(&self) -> Vec<f64> {
+        let emitting = self.scene.surfaces.iter().filter(|surface| surface.emits());
+        let radiances =
+            || emitting.clone().map(|surface| &surface.radiance).chain([&self.scene.ambient.radiance]);
+        let largest = |band: usize| {
+            let radiance = radiances().map(|of_bands| of_bands[band]).fold(0.0, f64::max);
+            if self.by_rays { irradiance(1.0, radiance) } else { 0.0 }
+        };
+        (0..self.scene.band_count()).map(largest).collect()
     }
 
     /// The rough value of what a receiver gets from a direction, over the measure of the direction: what is emitted there, if rays meet

@@ -3,14 +3,17 @@
 //!
 //! ```text
 //! value = exact part + mean of the rough light + mean of what it lacks          each a mean of the means of 16 batches
-//! error = t √(s₁² + s₂²),  s² = Σ (batch − mean)²/(16 · 15)                     t: Student, 15 degrees of freedom, 99.8 %
+//! error = t √(s₁² + s₂²) + u (m₁/n₁ + m₂/n₂),  s² = Σ (batch − mean)²/(16 · 15)
 //! ```
+//! t is the quantile of Student's distribution with 15 degrees of freedom that 99.8 % lie within. What n points have never met is
+//! rarer than u/n with that certainty, u = −ln 0.002; where rays have to meet lights, it may be the brightest of them, m.
 //! Batches are shifts of one point set, which are independent; within a batch points lie more evenly than random ones, which their
 //! spread shows. A spread that is small by chance would end the work too early, so a doubling is not taken to gain more than half.
 
 use super::directions::towards;
 use super::gather::Scratch;
 use super::importance::GoalKind;
+use super::measure::Measure;
 use super::paths::{Begin, Paths, Place};
 use super::sequence::{Net, Random, key};
 use crate::geometry::Vector;
@@ -20,8 +23,10 @@ use rayon::prelude::*;
 const BATCHES: usize = 16;
 /// The quantile of Student's distribution with 15 degrees of freedom that 99.8 % lie within.
 pub(super) const STUDENT: f64 = 3.733;
+/// What is not met in n trials is rarer than this over n, as certainly.
+const UNSEEN: f64 = 6.215;
 /// The first rays of a batch, and the first paths.
-const FIRST: [u32; 2] = [64, 8];
+const FIRST: [u32; 2] = [64, 16];
 /// The most of them.
 const MOST: [u32; 2] = [1 << 18, 1 << 16];
 /// What a path costs in rays.
@@ -34,8 +39,10 @@ struct Mean {
     sums: Vec<Vec<f64>>,
     /// The points of each batch so far.
     points: u32,
-    /// For each band the error that was stated last.
-    error: Vec<f64>,
+    /// For each band the error that their spread tells.
+    spread: Vec<f64>,
+    /// For each band the most that a point can find of lights.
+    most: Vec<f64>,
 }
 
 /// A number that is asked for.
@@ -53,8 +60,14 @@ pub(crate) struct Probe {
 }
 
 impl Mean {
-    fn new(bands: usize) -> Self {
-        Self { sums: vec![vec![0.0; bands]; BATCHES], points: 0, error: vec![f64::INFINITY; bands] }
+    fn new(most: Vec<f64>) -> Self {
+        let bands = most.len();
+        Self { sums: vec![vec![0.0; bands]; BATCHES], points: 0, spread: vec![f64::INFINITY; bands], most }
+    }
+
+    /// Nothing that has to be sampled.
+    fn nothing(bands: usize) -> Self {
+        Self { spread: vec![0.0; bands], ..Self::new(vec![0.0; bands]) }
     }
 
     fn value(&self, band: usize) -> f64 {
@@ -68,19 +81,23 @@ impl Mean {
         for (batch, sums) in self.sums.iter_mut().zip(sums) {
             batch.iter_mut().zip(sums).for_each(|(sum, more)| *sum += more);
         }
-        for band in 0..self.error.len() {
+        for band in 0..self.spread.len() {
             let mean = self.value(band);
             let off = |sums: &Vec<f64>| (sums[band] / f64::from(self.points) - mean).powi(2);
             let squares: f64 = self.sums.iter().map(off).sum();
             let error = STUDENT * (squares / (BATCHES * (BATCHES - 1)) as f64).sqrt();
-            let before = self.error[band];
-            self.error[band] = if before.is_finite() { error.max(0.5 * before) } else { error };
+            let before = self.spread[band];
+            self.spread[band] = if before.is_finite() { error.max(0.5 * before) } else { error };
         }
     }
 
-    /// Nothing that has to be sampled.
-    fn nothing(bands: usize) -> Self {
-        Self { error: vec![0.0; bands], ..Self::new(bands) }
+    /// What points may have missed because they are few.
+    fn unseen(&self, band: usize) -> f64 {
+        UNSEEN * self.most[band] / (BATCHES as f64 * f64::from(self.points.max(1)))
+    }
+
+    fn error(&self, band: usize) -> f64 {
+        self.spread[band] + self.unseen(band)
     }
 }
 
@@ -98,7 +115,12 @@ impl Paths<'_> {
             }
             GoalKind::Mean { surface } => (self.rough_mean(surface), false, true),
         };
-        let mean = |is_sampled| if is_sampled { Mean::new(bands) } else { Mean::nothing(bands) };
+        let weight = match what {
+            GoalKind::At { measure: Measure::Plane(_), .. } | GoalKind::Mean { .. } => 1.0,
+            GoalKind::At { .. } => Measure::Sphere.whole(),
+        };
+        let most: Vec<f64> = self.brightest.iter().map(|brightest| weight * brightest).collect();
+        let mean = |is_sampled| if is_sampled { Mean::new(most.clone()) } else { Mean::nothing(bands) };
         let (rough, lack) = (mean(gathers), mean(lacks));
         let mut probe = Probe { what, key: key(3, number), exact, rough, lack, cut: 0.0 };
         if gathers {
@@ -113,8 +135,11 @@ impl Paths<'_> {
     /// Doubles what pays best; false if there is nothing left to double. `scales` tells for each band what errors are relative to.
     pub(crate) fn improve(&self, probe: &mut Probe, scales: &[f64]) -> bool {
         let relative = |mean: &Mean| {
-            let of_band = |(error, scale): (&f64, &f64)| if *error > 0.0 { error / scale } else { 0.0 };
-            mean.error.iter().zip(scales).map(of_band).fold(0.0, f64::max)
+            let of_band = |(band, scale): (usize, &f64)| {
+                let error = mean.error(band);
+                if error > 0.0 { error / scale } else { 0.0 }
+            };
+            scales.iter().enumerate().map(of_band).fold(0.0, f64::max)
         };
         // a doubling takes as much time as was taken so far, and halves the square of the error
         let gain = |mean: &Mean, cost: f64, most: u32| {
@@ -253,6 +278,8 @@ impl Probe {
     /// Its value in a band, and its error.
     pub(crate) fn found(&self, band: usize) -> [f64; 2] {
         let value = self.exact[band] + self.rough.value(band) + self.lack.value(band);
-        [value, self.rough.error[band].hypot(self.lack.error[band]) + self.cut]
+        let (rough, lack) = (&self.rough, &self.lack);
+        let error = rough.spread[band].hypot(lack.spread[band]) + rough.unseen(band) + lack.unseen(band);
+        [value, error + self.cut]
     }
 }

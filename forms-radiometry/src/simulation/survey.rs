@@ -87,7 +87,8 @@ impl Survey {
             survey.bound(scene, &straight, sampled.direct);
         } else {
             // bounds take exact direct light, which is not found where rays are followed
-            survey.band_spread = (scene.band_count() > 1).then_some([f64::INFINITY; 2]);
+            survey.band_spread =
+                spreads(scene).iter().any(|&spread| spread > 0.0).then_some([f64::INFINITY; 2]);
         }
         survey
     }
@@ -105,13 +106,7 @@ impl Survey {
         // ‖E‖ ≤ ‖D‖/(1 − k), and what is reflected is ρ E/π from everywhere
         let everywhere = direct / (1.0 - self.contraction);
         let reflected = largest_albedo * everywhere / std::f64::consts::PI;
-        let spread_of = |lists: &dyn Fn(usize) -> Vec<f64>| {
-            (0..scene.surfaces.len()).map(|surface| half_spread(&lists(surface))).fold(0.0, f64::max)
-        };
-        let of_albedo = spread_of(&|surface| reflectance(scene, surface).to_vec());
-        let of_light = spread_of(&|surface| scene.surfaces[surface].radiance.clone())
-            .max(half_spread(&scene.ambient.radiance))
-            .max(scene.lights.iter().map(half_spread_of_light).fold(0.0, f64::max));
+        let [of_albedo, of_light] = spreads(scene);
         let spread = (of_light + of_albedo * everywhere / std::f64::consts::PI) / (1.0 - self.contraction);
         let (mut interreflection, mut bands) = ([0.0_f64; 2], [0.0_f64; 2]);
         for reading in &readings {
@@ -163,6 +158,18 @@ fn half_spread(values: &[f64]) -> f64 {
     let (low, high) =
         values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
     if values.is_empty() { 0.0 } else { 0.5 * (high - low) }
+}
+
+/// The largest half spread over the bands of a reflectance, and of a light.
+fn spreads(scene: &Scene) -> [f64; 2] {
+    let spread_of = |lists: &dyn Fn(usize) -> Vec<f64>| {
+        (0..scene.surfaces.len()).map(|surface| half_spread(&lists(surface))).fold(0.0, f64::max)
+    };
+    let of_albedo = spread_of(&|surface| reflectance(scene, surface).to_vec());
+    let of_light = spread_of(&|surface| scene.surfaces[surface].radiance.clone())
+        .max(half_spread(&scene.ambient.radiance))
+        .max(scene.lights.iter().map(half_spread_of_light).fold(0.0, f64::max));
+    [of_albedo, of_light]
 }
 
 fn half_spread_of_light(light: &crate::scene::Light) -> f64 {
