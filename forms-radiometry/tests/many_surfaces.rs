@@ -8,6 +8,9 @@ use std::fmt::Write;
 
 type Point = [f64; 3];
 
+/// Whether numeric code is optimised; where it is not, hundreds of surfaces have to do.
+const IS_OPTIMISED: bool = !cfg!(debug_assertions);
+
 /// Meshes by the names of their files, as OBJ.
 #[derive(Default)]
 struct Meshes(HashMap<String, String>);
@@ -89,8 +92,9 @@ fn assert_within(name: &str, [found, error]: [f64; 2], expected: f64, tolerance:
 #[test]
 fn in_a_furnace_of_thousands_of_triangles_every_radiance_is_that_of_the_walls() {
     let mut meshes = Meshes::default();
-    CUBE.iter().for_each(|(name, face)| meshes.add(name, &triangles(*face, 13)));
-    for rho in [0.5, 0.9, 0.999_999_f64] {
+    let (n, tolerance) = if IS_OPTIMISED { (16, 1e-2) } else { (6, 5e-2) };
+    CUBE.iter().for_each(|(name, face)| meshes.add(name, &triangles(*face, n)));
+    for rho in [0.5, 0.999_999_f64] {
         let expected = 1.0 / (1.0 - rho);
         let walls: String = CUBE.iter().map(|(name, _)| surface(name, rho, PI)).collect();
         let text = walls
@@ -98,15 +102,20 @@ fn in_a_furnace_of_thousands_of_triangles_every_radiance_is_that_of_the_walls() 
             + "[[receiver]]\nname = \"ray\"\nkind = \"ray\"\norigin = [0.5, 0.4, 0.3]\ndirection = [3, 1, 2]\n"
             + "[[receiver]]\nname = \"sphere\"\nkind = \"sphere\"\nposition = [0.9, 0.4, 0.3]\n"
             + &receiver("floor")
-            + "[solve]\ntolerance = 1e-2\n";
+            + &format!("[solve]\ntolerance = {tolerance:?}\n");
         let found = meshes.answers(&text);
-        assert_within("point", answer(&found, "point", Quantity::Irradiance), PI * expected, 1e-2);
-        assert_within("ray", answer(&found, "ray", Quantity::Radiance), expected, 1e-2);
-        assert_within("sphere", answer(&found, "sphere", Quantity::FluenceRate), 4.0 * PI * expected, 1e-2);
-        assert_within("floor", answer(&found, "floor", Quantity::Irradiance), PI * expected, 1e-2);
+        assert_within("point", answer(&found, "point", Quantity::Irradiance), PI * expected, tolerance);
+        assert_within("ray", answer(&found, "ray", Quantity::Radiance), expected, tolerance);
+        assert_within(
+            "sphere",
+            answer(&found, "sphere", Quantity::FluenceRate),
+            4.0 * PI * expected,
+            tolerance,
+        );
+        assert_within("floor", answer(&found, "floor", Quantity::Irradiance), PI * expected, tolerance);
         for axis in 0..3 {
             let [flow, error] = answer(&found, "sphere", Quantity::VectorIrradiance(axis));
-            assert!(flow.abs() <= error && error <= 0.2 * expected, "{rho}: {flow} ± {error}");
+            assert!(flow.abs() <= error && error <= 20.0 * tolerance * expected, "{rho}: {flow} ± {error}");
         }
     }
 }
@@ -127,7 +136,8 @@ fn opposed_squares_of_thousands_of_triangles_keep_their_radiosity_however_they_a
         ("a", [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]),
         ("b", [[0.0, 0.0, 0.25], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]),
     ];
-    for (n, tolerance, turns) in [(24, 5e-2, 8), (32, 1e-2, 1)] {
+    let cases = [(12, 5e-2, 2), (24, 3e-2, 8), (32, 1e-2, 2)];
+    for &(n, tolerance, turns) in if IS_OPTIMISED { &cases[..] } else { &cases[..1] } {
         for turn in 0..turns {
             let mut meshes = Meshes::default();
             for (name, square) in squares {
@@ -165,16 +175,17 @@ fn what_is_emitted_in_a_closed_room_full_of_blocks_is_absorbed() {
         let top = (0..4).map(|i| corner(i, height)).collect();
         (0..4).map(side).chain([top]).collect::<Vec<_>>()
     };
-    let blocks: Vec<Vec<Point>> = (0..14 * 14).flat_map(block).collect();
+    let (count, tolerance) = if IS_OPTIMISED { (14 * 14, 5e-2) } else { (2 * 14, 0.15) };
+    let blocks: Vec<Vec<Point>> = (0..count).flat_map(block).collect();
     meshes.add("blocks", &blocks);
-    text = text + &surface("blocks", 0.4, 0.0) + &receiver("blocks") + "[solve]\ntolerance = 5e-2\n";
+    text = text + &surface("blocks", 0.4, 0.0) + &receiver("blocks");
+    text += &format!("[solve]\ntolerance = {tolerance:?}\n");
     let found = meshes.answers(&text);
     let names = CUBE.iter().map(|(name, _)| *name).chain(["blocks"]);
     let mut absorbed = [0.0; 2];
     for (name, rho) in names.zip(reflectances.into_iter().chain([0.4])) {
         let flux = answer(&found, name, Quantity::Flux);
-        // the floor has no light below the blocks, and its mean is that of all of it
         absorbed = [0, 1].map(|i| absorbed[i] + (1.0 - rho) * flux[i]);
     }
-    assert_within("absorbed", absorbed, 1.0, 5e-2);
+    assert_within("absorbed", absorbed, 1.0, tolerance);
 }

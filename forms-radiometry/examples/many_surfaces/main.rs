@@ -11,6 +11,7 @@
 #[path = "../../../forms-core/benches/page/mod.rs"]
 mod page;
 #[path = "../../../forms-core/examples/scaling/plot.rs"]
+#[expect(dead_code, reason = "its other scale is for other figures")]
 mod plot;
 
 mod measured;

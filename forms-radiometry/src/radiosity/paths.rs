@@ -44,7 +44,7 @@ const MOST_REFLECTIONS: u32 = 512;
 /// How many nodes are asked how much of their sky shines.
 const ASKED: usize = 512;
 /// What one exact view of a face costs in rays.
-pub(super) const VIEW: f64 = 4.0;
+pub(super) const VIEW: f64 = 16.0;
 /// The relative deviation below which rays that meet the lights count as good as their exact sum.
 const DEVIATION: f64 = 0.25;
 

@@ -4,16 +4,16 @@ use super::readings::Reading;
 use crate::faces::{emits, faces, is_bright};
 use crate::geometry::{Between, Face, Screens, Vector};
 use crate::radiosity::{
-    Gathering, Group, Lights, Measure, Question, Radiosity, Scratch, Transport, reflectance, reflects,
+    Group, Lights, Measure, Question, Radiosity, Scratch, Transport, reflectance, reflects,
 };
 use crate::scene::{LightKind, ReceiverKind, Scene};
 use crate::simulation::Unwatched;
 
 /// How many faces are asked at most what they see.
 const ASKED: usize = 64;
-/// Rays from each of them, where light is gathered by rays.
+/// Rays from each of them in large scenes.
 const RAYS: u32 = 256;
-/// In scenes with more faces than this it is not looked for whether anything stands in between.
+/// Scenes with more faces than this are surveyed by rays: bounds are not found then, nor whether anything stands in between.
 const MANY: usize = 256;
 /// The part of the way from what was found to the largest that is possible by which a norm is raised: it was found at points.
 const MARGIN: f64 = 0.25;
@@ -54,12 +54,10 @@ impl Survey {
         let screens = Screens::of(&faces);
         let transport = Transport { faces, screens, occlusion: true, accuracy: 1e-2 };
         let lights = Lights::of(scene, &transport);
-        let gathering = Gathering::of(scene, &transport.faces, true);
+        let is_large = transport.faces.len() > MANY;
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
-        let sampled = match gathering {
-            Gathering::Pieces => sample(scene, &transport, &lights),
-            Gathering::Rays => sample_by_rays(scene, &transport),
-        };
+        let sampled =
+            if is_large { sample_by_rays(scene, &transport) } else { sample(scene, &transport, &lights) };
         let contraction = sampled.contraction + MARGIN * (largest_albedo - sampled.contraction).max(0.0);
         let contraction = if sampled.contraction == 0.0 { 0.0 } else { contraction };
         let mut survey = Self {
@@ -68,12 +66,7 @@ impl Survey {
                 || (0..transport.faces.len()).any(|face| emits(scene, &transport.faces[face])),
             reflects: largest_albedo > 0.0,
             contraction,
-            in_between: match gathering {
-                Gathering::Pieces => in_between(scene, &transport),
-                Gathering::Rays => {
-                    Some(format!("among {} faces some may hide others", transport.faces.len()))
-                }
-            },
+            in_between: in_between(scene, &transport),
             interreflection: None,
             band_spread: None,
             closed_and_white: largest_albedo >= 1.0
@@ -81,12 +74,12 @@ impl Survey {
                 && sampled.closure >= 1.0 - CLOSED
                 && all_white(scene),
         };
-        if gathering == Gathering::Pieces {
+        if !is_large {
             let question = Question { orders: Some(0), receives: receiving(scene), direct: true };
             let straight = Radiosity::new(scene, &transport, &lights, question, &Unwatched);
             survey.bound(scene, &straight, sampled.direct);
         } else {
-            // bounds take exact direct light, which is not found where rays are followed
+            // bounds take exact direct light, of every surface that is a receiver
             survey.band_spread =
                 spreads(scene).iter().any(|&spread| spread > 0.0).then_some([f64::INFINITY; 2]);
         }
