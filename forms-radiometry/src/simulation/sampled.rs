@@ -33,7 +33,10 @@ impl Work<'_> {
             self.readings.iter().map(|reading| reading.goal(self.scene, transport)).collect();
         let first = |(index, reading): (usize, &Reading)| {
             let begin = Instant::now();
-            let is_shared = index > 0 && goals[index] == goals[index - 1];
+            let is_shared = index > 0
+                && self.readings[index - 1].receiver == reading.receiver
+                && goals[index - 1] == goals[index]
+                && index < self.answers;
             let goal = goals[index].filter(|_| !is_shared);
             let probe = goal.map(|what| paths.probe(what, index as u64));
             let made_of = reading.made_of(self.scene, transport);

@@ -26,6 +26,8 @@ struct Ray<'s> {
     /// Whether anything that is met will do.
     any: bool,
     first: Option<Hit>,
+    /// Whether it is met from its front.
+    is_front: bool,
 }
 
 impl Way for Ray<'_> {
@@ -39,9 +41,10 @@ impl Way for Ray<'_> {
 
     fn at(&mut self, leaf: usize) -> ControlFlow<()> {
         let screen = &self.screens.screens[leaf];
-        if let Some(hit) = self.met(screen) {
+        if let Some((hit, from_front)) = self.met(screen) {
             self.reach = hit.distance;
             self.first = Some(hit);
+            self.is_front = from_front;
             if self.any {
                 return ControlFlow::Break(());
             }
@@ -51,8 +54,9 @@ impl Way for Ray<'_> {
 }
 
 impl Ray<'_> {
-    /// Where the ray meets a screen, if it is farther than `resolution` from the screen's plane and gets through it within its reach.
-    fn met(&self, screen: &Screen) -> Option<Hit> {
+    /// Where the ray meets a screen, and whether from its front, if it is farther than `resolution` from the screen's plane and gets through
+    /// it within its reach. Of two screens that lie upon each other the one that turns its front to the ray is met.
+    fn met(&self, screen: &Screen) -> Option<(Hit, bool)> {
         let height = screen.plane.distance(self.origin);
         let along = screen.plane.normal.dot(self.direction);
         let comes_nearer = if height > 0.0 { along < 0.0 } else { along > 0.0 };
@@ -60,9 +64,12 @@ impl Ray<'_> {
             return None;
         }
         let distance = -height / along;
-        let gets_through = distance < self.reach && (self.reach - distance) * along.abs() > self.beyond;
+        let from_front = height > 0.0;
+        let ahead = (self.reach - distance) * along.abs();
+        let lies_upon = self.first.is_some() && ahead.abs() <= self.screens.resolution;
+        let gets_through = if lies_upon { from_front && !self.is_front } else { ahead > self.beyond };
         let hit = Hit { face: screen.sides[usize::from(height < 0.0)], distance };
-        (gets_through && self.is_inside(screen, height > 0.0)).then_some(hit)
+        (gets_through && self.is_inside(screen, from_front)).then_some((hit, from_front))
     }
 
     /// Whether the ray's direction lies in the cone over the screen or on its boundary.
@@ -89,7 +96,8 @@ impl Screens {
     }
 
     fn along(&self, origin: Vector, direction: Vector, [reach, beyond]: [f64; 2], any: bool) -> Option<Hit> {
-        let mut ray = Ray { screens: self, origin, direction, reach, beyond, any, first: None };
+        let mut ray =
+            Ray { screens: self, origin, direction, reach, beyond, any, first: None, is_front: false };
         self.branches.walk(&mut ray);
         ray.first
     }
