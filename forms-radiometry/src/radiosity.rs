@@ -8,7 +8,8 @@
 //! ```
 //! E(x) = D(x) + ∫ ρ(y)/π E(y) cos cos'/r² V dA(y), D the irradiance that comes straight from lights. E is a polynomial on
 //! each element, given at its Gauss points; what is between the points comes out of the equation itself (Nyström), and
-//! visibility is exact. The solution is that of the continuous equation, not of one value a surface.
+//! visibility is exact. The solution is that of the continuous equation, not of one value a surface. Where surfaces are many, light is
+//! followed along rays instead ([`gathering`], [`paths`]).
 
 mod clusters;
 mod contact;
@@ -30,6 +31,7 @@ mod subdivision;
 mod system;
 #[cfg(test)]
 mod tests;
+mod walk;
 mod weights;
 
 pub(crate) use direct::Lights;

@@ -92,9 +92,10 @@ fn assert_within(name: &str, [found, error]: [f64; 2], expected: f64, tolerance:
 #[test]
 fn in_a_furnace_of_thousands_of_triangles_every_radiance_is_that_of_the_walls() {
     let mut meshes = Meshes::default();
-    let (n, tolerance) = if IS_OPTIMISED { (16, 1e-2) } else { (6, 5e-2) };
+    let (n, tolerance, reflectances) =
+        if IS_OPTIMISED { (16, 1e-2, vec![0.5, 0.9, 0.999_999]) } else { (6, 5e-2, vec![0.9]) };
     CUBE.iter().for_each(|(name, face)| meshes.add(name, &triangles(*face, n)));
-    for rho in [0.5, 0.999_999_f64] {
+    for rho in reflectances {
         let expected = 1.0 / (1.0 - rho);
         let walls: String = CUBE.iter().map(|(name, _)| surface(name, rho, PI)).collect();
         let text = walls

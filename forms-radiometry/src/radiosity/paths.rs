@@ -1,22 +1,15 @@
-//! Paths: light followed backwards along rays, where surfaces are too many for the exact pieces of all of them.
+//! Paths: light followed backwards along rays, where surfaces are too many for the exact pieces of all of them. Here is the rough
+//! solution; how paths go on from a point is in [`walk`](super::walk).
 //!
 //! ```text
 //! faces ─▶ elements ─ rays from each ─▶ rows ─▶ Ẽ, a rough solution ─┬─ gathered from ───────────────┬─▶ readings
 //!                                                                    └─ E − Ẽ along random paths ────┘
 //! ```
 //! A receiver gets ∫ ρ E dF. It gathers ρ Ẽ by many rays, and adds the mean of ρ (E − Ẽ) where some rays end, so that no error of
-//! Ẽ is left, neither of its elements nor of its rows: they only say how many paths it takes. What E is at a point follows from
-//! paths that go on from there:
+//! Ẽ is left, neither of its elements nor of its rows: they only say how many paths it takes. D is exact where lights are few; where
+//! they are many faces, or outside, rays meet them.
 //!
-//! ```text
-//! E(y) − Ẽ(y) = D(y) + ⟨ρ(y') Ẽ(y') − Ẽ(y) + ρ(y') (E − Ẽ)(y')⟩        y' where a ray of density cos θ/π from y ends
-//! ```
-//! A path goes on with the probability ρ, so that no weight exceeds one. D is exact where lights are few; where they are
-//! many faces, or outside, rays meet them.
-//!
-//! Sources: E. Lafortune, Y. Willems, The ambient term as a variance reducing technique for Monte Carlo ray tracing (1994), with
-//! a solution instead of a constant; M. Giles, Multilevel Monte Carlo path simulation (2008), for the sum of a cheap mean and a small
-//! difference; J. Arvo, D. Kirk, Particle transport and image synthesis (1990), for how paths end.
+//! Source: M. Giles, Multilevel Monte Carlo path simulation (2008), for the sum of a cheap mean and a small difference.
 
 use super::direct::Lights;
 use super::directions::above;
@@ -25,7 +18,7 @@ use super::gather::{Group, Scratch, Transport};
 use super::gathering::worthwhile_nodes;
 use super::measure::Measure;
 use super::operator::{Operator, Row};
-use super::sequence::{Net, Random, key};
+use super::sequence::{Net, key};
 use super::solution::of_bands;
 use super::subdivision::Subdivision;
 use super::system::{Question, reflectance};
@@ -39,8 +32,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Rays from each node of the rough solution, and from each point that is asked how much of its sky shines.
 pub(super) const RAYS: u32 = 32;
-/// The most reflections that a path is followed; what is left then is part of the error.
-const MOST_REFLECTIONS: u32 = 512;
 /// How many nodes are asked how much of their sky shines.
 const ASKED: usize = 512;
 /// What one exact view of a face costs in rays.
@@ -65,7 +56,7 @@ pub(crate) struct Paths<'t> {
     /// For each band the largest radiosity of lights that rays have to meet.
     pub(super) brightest: Vec<f64>,
     /// An estimate of how much of the light a reflection leaves.
-    contraction: f64,
+    pub(super) contraction: f64,
 }
 
 /// A point where light is reflected.
@@ -76,18 +67,9 @@ pub(super) struct Place {
 }
 
 /// Where a ray ends: outside, or on a face, which has elements if it reflects or receives.
-struct End {
-    face: Option<usize>,
-    place: Option<Place>,
-}
-
-/// Which light at the begin of a path is meant.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Begin {
-    /// What is reflected there to the receiver.
-    Reflecting,
-    /// What arrives there, for it is the receiver.
-    Receiving,
+pub(super) struct End {
+    pub(super) face: Option<usize>,
+    pub(super) place: Option<Place>,
 }
 
 impl<'t> Paths<'t> {
@@ -219,12 +201,12 @@ impl<'t> Paths<'t> {
         reflectance(self.scene, face.surface)
     }
 
-    fn node(&self, place: Place) -> usize {
+    pub(super) fn node(&self, place: Place) -> usize {
         self.subdivision.node_of[place.element] as usize
     }
 
     /// What comes straight from lights that no ray meets.
-    fn direct(&self, place: Place, scratch: &mut Scratch) -> Vec<f64> {
+    pub(super) fn direct(&self, place: Place, scratch: &mut Scratch) -> Vec<f64> {
         let normal = self.subdivision.elements[place.element].normal;
         self.straight(place.position, Measure::Plane(normal), scratch)
     }
@@ -242,7 +224,7 @@ impl<'t> Paths<'t> {
     }
 
     /// Where a ray ends.
-    fn trace(&self, from: Vector, direction: Vector) -> End {
+    pub(super) fn trace(&self, from: Vector, direction: Vector) -> End {
         let Some(hit) = self.transport.screens.first(from, direction) else {
             return End { face: None, place: None };
         };
@@ -252,7 +234,7 @@ impl<'t> Paths<'t> {
     }
 
     /// The radiance that a face emits, or what is outside; an empty list if there is none.
-    fn emitted(&self, face: Option<usize>) -> &[f64] {
+    pub(super) fn emitted(&self, face: Option<usize>) -> &[f64] {
         let Some(face) = face.map(|face| &self.transport.faces[face]) else {
             return &self.scene.ambient.radiance;
         };
@@ -290,74 +272,5 @@ impl<'t> Paths<'t> {
             *sum += weight * rho * rough[self.node(place)];
         }
         Some(place)
-    }
-
-    /// What of E − Ẽ at a point one path finds, added to the sums times a weight for each band. Returns how much of it the end of the path
-    /// may have cut off at most, for the band where that is most.
-    pub(super) fn correction(
-        &self,
-        at: Place,
-        begin: Begin,
-        random: &mut Random,
-        scratch: &mut Scratch,
-        [weights, sums]: [&mut [f64]; 2],
-    ) -> f64 {
-        let last = if begin == Begin::Reflecting { 1 } else { 0 };
-        // how many reflections are asked for between the lights and this point
-        let mut left = self.question.orders.map(|orders| orders - last);
-        let with_direct = begin == Begin::Reflecting || self.question.direct;
-        let mut at = at;
-        let mut found = 0.0_f64;
-        for depth in 0..MOST_REFLECTIONS {
-            let has_direct = depth > 0 || with_direct;
-            let mut change = self.local(at, [depth == 0, has_direct], begin, scratch);
-            let is_last = left == Some(0);
-            let mut next = None;
-            if !is_last || (self.by_rays && has_direct) {
-                let normal = self.subdivision.elements[at.element].normal;
-                let end = self.trace(at.position, above(normal, [random.next(), random.next()]));
-                if self.by_rays && has_direct {
-                    let emitted = self.emitted(end.face);
-                    change.iter_mut().zip(emitted).for_each(|(sum, &l)| *sum += irradiance(1.0, l));
-                }
-                next = end.place.filter(|_| !is_last);
-            }
-            let rho = next.map(|next| self.reflectance(next.element));
-            if let (Some(next), Some(rho), None) = (next, rho, left) {
-                for ((change, rough), rho) in change.iter_mut().zip(&self.irradiance).zip(rho) {
-                    *change += rho * rough[self.node(next)];
-                }
-            }
-            sums.iter_mut().zip(&*weights).zip(&change).for_each(|((sum, w), change)| *sum += w * change);
-            found = found.max(change.iter().zip(&*weights).fold(0.0, |m, (c, w)| m.max((c * w).abs())));
-            let (Some(next), Some(rho)) = (next, rho) else { return 0.0 };
-            let survival = rho.iter().copied().fold(0.0, f64::max);
-            if random.next() >= survival {
-                return 0.0;
-            }
-            weights.iter_mut().zip(rho).for_each(|(weight, rho)| *weight *= rho / survival);
-            left = left.map(|left| left - 1);
-            at = next;
-        }
-        found / (1.0 - self.contraction).max(f64::EPSILON)
-    }
-
-    /// For each band D − Ẽ at a point of a path. Of a number of orders only the first point has an Ẽ.
-    fn local(
-        &self,
-        at: Place,
-        [is_first, has_direct]: [bool; 2],
-        begin: Begin,
-        scratch: &mut Scratch,
-    ) -> Vec<f64> {
-        let mut sum = if has_direct { self.direct(at, scratch) } else { vec![0.0; self.scene.band_count()] };
-        if is_first || self.question.orders.is_none() {
-            let rough = if begin == Begin::Reflecting { &self.reflected } else { &self.irradiance };
-            for (band, sum) in sum.iter_mut().enumerate() {
-                let straight = if has_direct { 0.0 } else { self.direct[band][self.node(at)] };
-                *sum -= rough[band][self.node(at)] - straight;
-            }
-        }
-        sum
     }
 }

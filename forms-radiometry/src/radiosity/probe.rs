@@ -14,8 +14,9 @@ use super::directions::towards;
 use super::gather::Scratch;
 use super::importance::GoalKind;
 use super::measure::Measure;
-use super::paths::{Begin, Paths, Place};
+use super::paths::{Paths, Place};
 use super::sequence::{Net, Random, key};
+use super::walk::Begin;
 use crate::geometry::Vector;
 use rayon::prelude::*;
 
