@@ -39,9 +39,9 @@ impl<'s> Lights<'s> {
         self.from_outside
     }
 
-    /// How many faces have to be seen for what comes straight to a point.
-    pub(super) fn count(&self) -> usize {
-        self.faces.len()
+    /// The faces that have to be seen for what comes straight to a point.
+    pub(super) fn faces(&self) -> &[usize] {
+        &self.faces
     }
 
     /// What each point of a group gets, for each band.

@@ -34,6 +34,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 pub(super) const RAYS: u32 = 32;
 /// How many nodes are asked how much of their sky shines.
 const ASKED: usize = 512;
+/// Of how many lights they are asked what stands before them.
+const LIGHTS_ASKED: usize = 4;
 /// What one exact view of a face costs in rays.
 pub(super) const VIEW: f64 = 16.0;
 /// The relative deviation below which rays that meet the lights count as good as their exact sum.
@@ -103,22 +105,36 @@ impl<'t> Paths<'t> {
     }
 
     /// Whether rays find the lights sooner than their exact sum is taken: M rays, of which the part f ends at lights, deviate by
-    /// √((1 − f)/(f M)) of their sum.
+    /// √((1 − f)/(f M)) of their sum; an exact view takes the longer the more screens are cut out of it.
     fn lights_are_met(&self) -> bool {
         let elements = &self.subdivision.elements;
         let asked = elements.iter().step_by((elements.len() / ASKED).max(1));
-        let (mut met, mut all) = (0.0, 0.0_f64);
+        let (mut met, mut screens, mut all) = (0.0, 0.0, 0.0_f64);
         for (index, element) in asked.enumerate() {
             let ends =
                 self.transport.faces_above(element.centre(), element.normal, RAYS, key(1, index as u64));
-            for face in ends {
-                met += f64::from(u8::from(self.emitted(face).iter().any(|&radiance| radiance > 0.0)));
-                all += 1.0;
-            }
+            let lit = ends.filter(|&face| self.emitted(face).iter().any(|&radiance| radiance > 0.0));
+            met += lit.count() as f64 / f64::from(RAYS);
+            screens += self.screens_before_lights(element);
+            all += 1.0;
         }
-        let part = met / all.max(1.0);
+        let (part, screens) = (met / all.max(1.0), screens / all.max(1.0));
         let rays = (1.0 - part) / (part * DEVIATION * DEVIATION);
-        self.lights.count() as f64 * VIEW > rays.max(1.0)
+        self.lights.faces().len() as f64 * VIEW * (1.0 + screens) > rays.max(1.0)
+    }
+
+    /// How many screens may come between the middle of an element and a light, in the mean over some lights.
+    fn screens_before_lights(&self, element: &Element) -> f64 {
+        let faces = self.lights.faces();
+        let (mut found, mut sum, mut all) = (Vec::new(), 0.0, 0.0_f64);
+        for &face in faces.iter().step_by((faces.len() / LIGHTS_ASKED).max(1)) {
+            let light = &self.transport.faces[face];
+            let (points, normal) = ([element.centre()], Some(element.normal));
+            self.transport.screens.between(&points, normal, &light.vertices, light.normal, &mut found);
+            sum += found.len() as f64;
+            all += 1.0;
+        }
+        sum / all.max(1.0)
     }
 
     fn solve(&mut self, watch: &dyn Watch) {
