@@ -19,7 +19,7 @@ pub use exchange::{Exchange, exchange, view_factor, visible_exchange};
 pub(crate) use exchange::{Patch, exchange_with, gauss, patches};
 pub(crate) use form_factor::edge_sum;
 pub use form_factor::form_factor;
-pub(crate) use form_factor::form_factor_of_pieces;
+pub(crate) use form_factor::{form_factor_of_pieces, line_sum};
 pub use mesh::{FaceError, Mesh, MeshError};
 pub use polygon::{Polygon, PolygonError};
 pub use round::{Disk, Sphere};

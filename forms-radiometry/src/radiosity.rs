@@ -21,6 +21,7 @@ mod gathering;
 mod importance;
 mod measure;
 mod operator;
+mod outlines;
 mod paths;
 mod probe;
 mod reference;

@@ -4,6 +4,7 @@
 //! ```text
 //! faces ─▶ screens in a tree ─┬─ between: outlines of receivers and of a luminaire ─▶ the screens that may hide some of it
 //!                             ├─ visible: a point, a luminaire and these screens ─▶ convex pieces that the point sees
+//!                             ├─ border: the same, where one screen hides a part ─▶ the border of what is seen
 //!                             └─ first, hides: a ray ─▶ what it meets
 //! ```
 //! What is seen is exact up to rounding: every screen is a cone of directions that is cut out of the luminaire's. A point that lies
@@ -11,6 +12,7 @@
 
 mod between;
 mod body;
+mod border;
 mod bounds;
 mod branches;
 mod ray;
@@ -98,7 +100,7 @@ struct Screen {
 impl Screen {
     /// Its edges from each vertex to the next.
     fn edges(&self) -> impl Iterator<Item = [Vector; 2]> {
-        let next = self.vertices.iter().cycle().skip(1);
+        let next = self.vertices[1..].iter().chain(&self.vertices[..1]);
         self.vertices.iter().zip(next).map(|(&a, &b)| [a, b])
     }
 }

@@ -8,7 +8,7 @@
 //! ```
 //! μ is the measure of the receiver over π. All of it is exact but for rounding.
 
-use super::gather::{Group, Scratch, Transport};
+use super::gather::{Group, Scratch, Seen, Transport};
 use super::measure::Measure;
 use crate::faces::emits;
 use crate::geometry::{Exchange, Screens, Vector, exchange_with};
@@ -52,27 +52,52 @@ impl<'s> Lights<'s> {
         scratch: &mut Scratch,
     ) -> Vec<Vec<f64>> {
         let bands = self.scene.band_count();
-        let mut sums = vec![vec![0.0; bands]; group.points.len()];
-        let mut hidden = vec![0.0; group.points.len()];
+        let mut sums = vec![0.0; bands * group.points.len()];
+        self.add_reaching(group, transport, scratch, &mut sums);
+        sums.chunks_exact(bands).map(<[f64]>::to_vec).collect()
+    }
+
+    /// Adds what each point of a group gets to its sums, which are those of all bands, point by point.
+    pub(crate) fn add_reaching(
+        &self,
+        group: Group,
+        transport: &Transport,
+        scratch: &mut Scratch,
+        sums: &mut [f64],
+    ) {
+        let bands = self.scene.band_count();
+        let mut outlines = std::mem::take(&mut scratch.outlines);
+        let mut factors = vec![0.0; group.points.len()];
+        let mut hidden = vec![0.0; if self.from_outside { group.points.len() } else { 0 }];
         for &index in &self.faces {
             let face = &transport.faces[index];
-            let radiance = &self.scene.surfaces[face.surface].radiance;
-            let emits = emits(self.scene, face);
-            transport.see(group, (&face.vertices, face.normal), scratch, |point, piece| {
-                let factor = group.measure.of(piece);
-                hidden[point] += factor;
-                if emits {
-                    add(&mut sums[point], factor, radiance);
+            let luminaire = (face.vertices.as_slice(), face.normal);
+            factors.fill(0.0);
+            match transport.seen(group, luminaire, scratch) {
+                Seen::Nothing => continue,
+                Seen::Whole => outlines.add_whole(group.points, luminaire.0, group.measure, &mut factors),
+                Seen::Parts => {
+                    outlines.clear();
+                    transport.take_outlines(group, luminaire, scratch, &mut outlines);
+                    outlines.add_pieces(group.measure, &mut factors);
                 }
-            });
-        }
-        for ((&point, sum), hidden) in group.points.iter().zip(&mut sums).zip(hidden) {
-            if self.from_outside {
-                add(sum, group.measure.whole() - hidden, &self.scene.ambient.radiance);
             }
-            self.add_lights(point, group.measure, transport, sum);
+            hidden.iter_mut().zip(&factors).for_each(|(hidden, factor)| *hidden += factor);
+            if emits(self.scene, face) {
+                let radiance = &self.scene.surfaces[face.surface].radiance;
+                let of_points = sums.chunks_exact_mut(bands).zip(&factors);
+                of_points.for_each(|(sum, &factor)| add(sum, factor, radiance));
+            }
         }
-        sums
+        scratch.outlines = outlines;
+        for (sum, hidden) in sums.chunks_exact_mut(bands).zip(hidden) {
+            add(sum, group.measure.whole() - hidden, &self.scene.ambient.radiance);
+        }
+        if !self.scene.lights.is_empty() {
+            for (sum, &point) in sums.chunks_exact_mut(bands).zip(group.points) {
+                self.add_lights(point, group.measure, transport, sum);
+            }
+        }
     }
 
     /// For each band, the flux that comes straight to the fronts of a surface, and its error; nothing where light is not that of

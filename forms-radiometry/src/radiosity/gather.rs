@@ -4,6 +4,7 @@
 
 use super::element::Element;
 use super::measure::Measure;
+use super::outlines::Outlines;
 use super::reference::MOST_NODES;
 use super::weights;
 use crate::geometry::{Between, Face, Screens, Vector, Workspace};
@@ -31,6 +32,17 @@ pub(crate) struct Transport {
 pub(crate) struct Scratch {
     between: Vec<u32>,
     view: Workspace,
+    pub(super) outlines: Outlines,
+}
+
+/// What a group of points sees of a luminous outline.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Seen {
+    Nothing,
+    /// Every point sees all of it.
+    Whole,
+    /// Each point has to be asked.
+    Parts,
 }
 
 impl Transport {
@@ -53,6 +65,18 @@ impl Transport {
         scratch: &mut Scratch,
         mut each: impl FnMut(usize, &[Vector]),
     ) {
+        if self.seen(group, (outline, normal), scratch) != Seen::Nothing {
+            self.see_parts(group, (outline, normal), scratch, &mut each);
+        }
+    }
+
+    /// What a group sees of a luminous outline, as far as that is the same for all points; what may come in between is remembered.
+    pub(super) fn seen(
+        &self,
+        group: Group,
+        (outline, normal): (&[Vector], Vector),
+        scratch: &mut Scratch,
+    ) -> Seen {
         let horizon = group.measure.horizon();
         let behind = |points: &[Vector], normal: Vector, at: Vector| {
             points.iter().all(|&point| normal.dot(point - at) <= 0.0)
@@ -60,19 +84,62 @@ impl Transport {
         if behind(group.outline, normal, outline[0])
             || horizon.is_some_and(|horizon| behind(outline, horizon, group.points[0]))
         {
-            return;
+            return Seen::Nothing;
         }
-        let Scratch { between, view } = scratch;
+        let between = &mut scratch.between;
         between.clear();
         if self.occlusion {
             let found = self.screens.between(group.outline, horizon, outline, normal, between);
             if matches!(found, Between::All) {
-                return;
+                return Seen::Nothing;
             }
         }
+        let is_before = |&point: &Vector| normal.dot(point - outline[0]) > self.screens.resolution();
+        let is_above = |horizon: Vector| {
+            let least = |&point: &Vector| outline.iter().all(|&v| horizon.dot(v - point) >= 0.0);
+            group.outline.iter().all(least)
+        };
+        let is_whole =
+            between.is_empty() && group.outline.iter().all(is_before) && horizon.is_none_or(is_above);
+        if is_whole { Seen::Whole } else { Seen::Parts }
+    }
+
+    /// The pieces that the points of a group see, after what may come in between was looked for.
+    pub(super) fn see_parts(
+        &self,
+        group: Group,
+        (outline, normal): (&[Vector], Vector),
+        scratch: &mut Scratch,
+        mut each: impl FnMut(usize, &[Vector]),
+    ) {
+        let Scratch { between, view, .. } = scratch;
+        let horizon = group.measure.horizon();
         for (index, &point) in group.points.iter().enumerate() {
             for piece in self.screens.visible(point, horizon, outline, normal, between, view) {
                 each(index, piece);
+            }
+        }
+    }
+
+    /// Takes the outlines of what the points of a group see, after what may come in between was looked for: borders where sums over edges
+    /// are asked for and one shadow is all that there is, else pieces.
+    pub(super) fn take_outlines(
+        &self,
+        group: Group,
+        luminaire @ (outline, normal): (&[Vector], Vector),
+        scratch: &mut Scratch,
+        outlines: &mut Outlines,
+    ) {
+        let Scratch { between, view, .. } = scratch;
+        let horizon = group.measure.horizon();
+        let by_edges = group.measure != Measure::Sphere;
+        for (index, &point) in group.points.iter().enumerate() {
+            let line = |line: &[Vector]| outlines.push_line(index, line);
+            if by_edges && self.screens.border(point, horizon, luminaire, between, view, line) {
+                continue;
+            }
+            for piece in self.screens.visible(point, horizon, outline, normal, between, view) {
+                outlines.push(index, piece);
             }
         }
     }

@@ -3,7 +3,7 @@
 
 use super::contact;
 use super::direct::Lights;
-use super::element::{Element, HIGHEST_ORDER};
+use super::element::Element;
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use super::operator::{Operator, Row};
@@ -19,6 +19,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The most nodes: the matrix of more does not fit into the memory of a small machine.
 pub(super) const MOST_NODES: usize = 12_000;
+
+/// Orders for elements that would have more than so many nodes before any is split: linear polynomials as soon as each could not
+/// be split once, constants only where there is hardly room for anything else, for they converge slowly.
+const MOST_OF_ORDERS: [(usize, usize); 2] = [(2, MOST_NODES / 8), (1, MOST_NODES / 2)];
 
 /// Polynomials on the faces of round shapes have degrees below this.
 const ORDER_ON_ROUND: usize = 2;
@@ -80,8 +84,8 @@ impl<'t> Radiosity<'t> {
         let is_round_face =
             |element: &&mut Element| scene.surfaces[transport.faces[element.face].surface].shape.is_round();
         elements.iter_mut().filter(is_round_face).for_each(|element| element.order = ORDER_ON_ROUND);
-        for order in (1..HIGHEST_ORDER).rev() {
-            if elements.iter().map(Element::count).sum::<usize>() > MOST_NODES / 8 {
+        for (order, most) in MOST_OF_ORDERS {
+            if elements.iter().map(Element::count).sum::<usize>() > most {
                 elements.iter_mut().for_each(|element| element.order = element.order.min(order));
             }
         }
@@ -89,14 +93,13 @@ impl<'t> Radiosity<'t> {
         let straight = straight
             .map(|(surface, &receives)| if receives { lights.flux(surface, transport) } else { None });
         let straight = straight.collect();
-        let changes = vec![Change::UNKNOWN; elements.len()];
         let mut radiosity = Self {
             scene,
             transport,
             lights,
             question,
             outlines: Vec::new(),
-            changes,
+            changes: Vec::new(),
             operator: Operator::new(Vec::new(), Vec::new()),
             first: Vec::new(),
             irradiance: Vec::new(),
@@ -107,6 +110,7 @@ impl<'t> Radiosity<'t> {
             elements,
         };
         radiosity.solve(watch);
+        radiosity.changes = radiosity.unknown_changes();
         radiosity
     }
 
@@ -200,25 +204,31 @@ impl<'t> Radiosity<'t> {
 
     /// What each point of a group gets, for each band, from lights and from surfaces that reflect.
     pub(crate) fn reaching(&self, group: Group, scratch: &mut Scratch) -> Vec<Vec<f64>> {
-        let mut sums = if self.question.direct {
-            self.lights.reaching(group, self.transport, scratch)
-        } else {
-            vec![vec![0.0; self.scene.band_count()]; group.points.len()]
-        };
+        let bands = self.scene.band_count();
+        let mut sums = vec![0.0; bands * group.points.len()];
+        self.add_reaching(group, scratch, &mut sums);
+        sums.chunks_exact(bands).map(<[f64]>::to_vec).collect()
+    }
+
+    /// Adds the same to sums, which are those of all bands, point by point.
+    pub(crate) fn add_reaching(&self, group: Group, scratch: &mut Scratch, sums: &mut [f64]) {
+        let bands = self.scene.band_count();
+        if self.question.direct {
+            self.lights.add_reaching(group, self.transport, scratch, sums);
+        }
         if self.question.orders == Some(0) {
-            return sums;
+            return;
         }
         for (index, element) in self.sources() {
             let nodes = self.first[index]..self.first[index + 1];
             self.transport.weigh(group, (element, &self.outlines[index]), scratch, |point, weights| {
-                for (band, sum) in sums[point].iter_mut().enumerate() {
+                for (band, sum) in sums[point * bands..][..bands].iter_mut().enumerate() {
                     let values = &self.reflected[band][nodes.clone()];
                     let arriving: f64 = weights.iter().zip(values).map(|(w, e)| w * e).sum();
                     *sum += self.reflectance(element, band) * arriving;
                 }
             });
         }
-        sums
     }
 
     /// The mean irradiance of the front of a surface, for each band, and its area. What comes straight from faces is an integral

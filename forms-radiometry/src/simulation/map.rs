@@ -8,6 +8,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The cells along each side of a block that shares the search for what stands in between.
 const BLOCK: usize = 8;
+/// Blocks that one thread takes at least: of what nothing hides a block takes less than handing it over.
+const SHARED: usize = 4;
 
 /// The cells of a map.
 pub(super) struct Grid {
@@ -36,13 +38,21 @@ impl Grid {
         let place = |index: usize, count: usize, low: f64, high: f64| {
             low + (high - low) * (index as f64 + 0.5) / count as f64
         };
-        let middle = |(column, row)| {
-            let (x, y) = (place(column, columns, left, right), place(row, rows, low, high));
-            let point = corner + x * along + y * across;
-            faces().any(|face| lies_on(point, face)).then_some(point)
-        };
-        let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row))).map(middle);
-        Some(Self { normal: first.normal, size, cells: cells.collect() })
+        let across_columns: Vec<Vector> =
+            (0..columns).map(|column| corner + place(column, columns, left, right) * along).collect();
+        let up_rows: Vec<Vector> = (0..rows).map(|row| place(row, rows, low, high) * across).collect();
+        let middle = |[column, row]: [usize; 2]| across_columns[column] + up_rows[row];
+        let mut cells = vec![None; columns * rows];
+        for block in blocks(size) {
+            let corners: Vec<Vector> = block.corners().into_iter().map(middle).collect();
+            let is_inside = faces().any(|face| corners.iter().all(|&point| lies_on(point, face)));
+            for cell @ [column, row] in block.cells() {
+                let point = middle(cell);
+                let is_on = is_inside || faces().any(|face| lies_on(point, face));
+                cells[row * columns + column] = is_on.then_some(point);
+            }
+        }
+        Some(Self { normal: first.normal, size, cells })
     }
 
     /// The unit normal of the surface.
@@ -62,52 +72,103 @@ impl Grid {
 
     /// Cells spread over the surface, about as many as this.
     pub(super) fn some(&self, count: usize) -> impl Iterator<Item = Vector> {
-        let on_surface: Vec<Vector> = self.cells.iter().copied().flatten().collect();
-        let step = (on_surface.len() / count).max(1);
-        on_surface.into_iter().skip(step / 2).step_by(step)
+        let on_surface = || self.cells.iter().copied().flatten();
+        let step = (on_surface().count() / count).max(1);
+        on_surface().skip(step / 2).step_by(step)
     }
 
     /// The irradiance of all cells, for each band row by row; not a number off the surface, and where the work was stopped before.
     pub(super) fn irradiance(&self, bands: usize, radiosity: &Radiosity, watch: &dyn Watch) -> Vec<Vec<f64>> {
-        let [columns, rows] = self.size;
-        let blocks: Vec<[usize; 2]> = (0..rows.div_ceil(BLOCK))
-            .flat_map(|row| (0..columns.div_ceil(BLOCK)).map(move |column| [column * BLOCK, row * BLOCK]))
-            .collect();
+        let blocks: Vec<Block> = blocks(self.size).collect();
         let done = AtomicUsize::new(0);
-        let found: Vec<_> = blocks
+        let found: Vec<(Vec<usize>, Vec<f64>)> = blocks
             .par_iter()
-            .map_init(Scratch::default, |scratch, &block| {
-                let found =
-                    if watch.is_stopped() { Vec::new() } else { self.block(block, radiosity, scratch) };
+            .with_min_len(SHARED)
+            .map_init(Scratch::default, |scratch, block| {
+                let found = if watch.is_stopped() {
+                    (Vec::new(), Vec::new())
+                } else {
+                    self.block(block, bands, radiosity, scratch)
+                };
                 let part = done.fetch_add(1, Ordering::Relaxed) as f64 / blocks.len() as f64;
                 watch.progress("maps", part);
                 found
             })
             .collect();
-        let mut values = vec![vec![f64::NAN; columns * rows]; bands];
-        for (cell, of_bands) in found.into_iter().flatten() {
-            values.iter_mut().zip(of_bands).for_each(|(band, value)| band[cell] = value);
+        let mut values = vec![vec![f64::NAN; self.cells.len()]; bands];
+        for (cells, of_cells) in found {
+            for (cell, of_bands) in cells.into_iter().zip(of_cells.chunks_exact(bands)) {
+                values.iter_mut().zip(of_bands).for_each(|(band, &value)| band[cell] = value);
+            }
         }
         values
     }
 
-    /// The cells of a block, each with its irradiance in each band.
+    /// The cells of a block that lie on the surface, and their irradiance in each band, cell by cell.
     fn block(
         &self,
-        [left, low]: [usize; 2],
+        block: &Block,
+        bands: usize,
         radiosity: &Radiosity,
         scratch: &mut Scratch,
-    ) -> Vec<(usize, Vec<f64>)> {
-        let [columns, rows] = self.size;
-        let cells = (low..(low + BLOCK).min(rows))
-            .flat_map(|row| (left..(left + BLOCK).min(columns)).map(move |column| row * columns + column));
-        let (cells, points): (Vec<usize>, Vec<Vector>) =
-            cells.filter_map(|cell| self.cells[cell].map(|point| (cell, point))).unzip();
-        if points.is_empty() {
-            return Vec::new();
+    ) -> (Vec<usize>, Vec<f64>) {
+        let index = |[column, row]: [usize; 2]| row * self.size[0] + column;
+        let on_surface = |cell: [usize; 2]| self.cells[index(cell)].map(|point| (index(cell), point));
+        let (mut cells, mut points) = (Vec::with_capacity(BLOCK * BLOCK), Vec::with_capacity(BLOCK * BLOCK));
+        for (cell, point) in block.cells().filter_map(on_surface) {
+            cells.push(cell);
+            points.push(point);
         }
-        let group = Group { points: &points, outline: &points, measure: Measure::Plane(self.normal) };
-        cells.into_iter().zip(radiosity.reaching(group, scratch)).collect()
+        let mut values = vec![0.0; bands * points.len()];
+        if !points.is_empty() {
+            // where a corner is off the surface, the hull of the others is not that of the cells
+            let corners: Option<Vec<Vector>> =
+                block.corners().into_iter().map(|corner| self.cells[index(corner)]).collect();
+            let outline = corners.as_deref().unwrap_or(&points);
+            let group = Group { points: &points, outline, measure: Measure::Plane(self.normal) };
+            radiosity.add_reaching(group, scratch, &mut values);
+        }
+        (cells, values)
+    }
+}
+
+/// Cells that follow each other along both sides: the first and the last of them.
+struct Block {
+    first: [usize; 2],
+    last: [usize; 2],
+}
+
+/// The blocks of a grid of this size, row by row.
+fn blocks([columns, rows]: [usize; 2]) -> impl Iterator<Item = Block> {
+    let ends = |count: usize| {
+        (0..count)
+            .step_by(BLOCK)
+            .map(move |first| [first, (first + BLOCK).min(count) - 1])
+            .collect::<Vec<_>>()
+    };
+    let across = ends(columns);
+    ends(rows).into_iter().flat_map(move |[low, high]| {
+        let block = move |[left, right]: [usize; 2]| Block { first: [left, low], last: [right, high] };
+        across.clone().into_iter().map(block)
+    })
+}
+
+impl Block {
+    /// Its cells, row by row.
+    fn cells(&self) -> impl Iterator<Item = [usize; 2]> {
+        let [[left, low], [right, high]] = [self.first, self.last];
+        (low..=high).flat_map(move |row| (left..=right).map(move |column| [column, row]))
+    }
+
+    /// The cells at its corners, one after the other around it; of a block of one row or column two, of a single cell one.
+    fn corners(&self) -> Vec<[usize; 2]> {
+        let [[left, low], [right, high]] = [self.first, self.last];
+        let mut corners = vec![[left, low], [right, low], [right, high], [left, high]];
+        corners.dedup();
+        if corners.len() > 1 && corners.first() == corners.last() {
+            corners.pop();
+        }
+        corners
     }
 }
 

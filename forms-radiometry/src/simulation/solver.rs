@@ -19,10 +19,13 @@ use crate::geometry::{Face, Screens};
 use crate::radiosity::{Gathering, Goal, Lights, Paths, Question, Radiosity, Scratch, Transport};
 use crate::scene::{ReceiverKind, Scene};
 use rayon::prelude::*;
+use std::collections::HashMap;
 use std::time::Instant;
 
 /// The part of the tolerance that rules of integration may take.
 const RULES: f64 = 0.02;
+/// The part that integrals of direct light may take where nothing is reflected: nothing else has an error there.
+const STRAIGHT: f64 = 0.25;
 /// Rounding of an answer, relative to it.
 pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Answers below this part of the largest one are dark.
@@ -42,7 +45,9 @@ pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dy
     let effects = Effects::of(plan);
     let merged = (!effects.bands && scene.band_count() > 1).then(|| scene.with_one_band());
     let work = Work::new(merged.as_ref().unwrap_or(scene), effects, choose, watch);
-    let mut simulation = work.run();
+    // one way into the threads instead of one for every loop, each of which would wait for them to wake
+    let has_loops = effects.orders != Some(0) || scene.receivers.len() > 1 || work.asks_for_maps();
+    let mut simulation = if has_loops { rayon::scope(|_| work.run()) } else { work.run() };
     if merged.is_some() {
         spread(&mut simulation, scene.band_count());
     }
@@ -74,6 +79,8 @@ pub(super) struct Work<'s> {
     pub(super) readings: Vec<Reading>,
     /// How many readings are answers; those after them are watched cells of maps.
     pub(super) answers: usize,
+    /// The group of each reading.
+    groups: Vec<usize>,
 }
 
 /// What readings and maps are taken from.
@@ -82,11 +89,28 @@ enum Solution<'t> {
     Paths(Paths<'t>),
 }
 
+/// Readings in groups, each named by the first in it: the components of vector irradiance and the fluence rate of one receiver,
+/// and the watched cells of one map. Any other reading is alone.
+fn groups(readings: &[Reading], answers: usize) -> Vec<usize> {
+    let mut first = HashMap::new();
+    let group = |(index, reading): (usize, &Reading)| {
+        let is_vector = matches!(reading.quantity, Quantity::VectorIrradiance(_) | Quantity::FluenceRate);
+        if is_vector || index >= answers { *first.entry(reading.receiver).or_insert(index) } else { index }
+    };
+    readings.iter().enumerate().map(group).collect()
+}
+
 impl<'s> Work<'s> {
     fn new(scene: &'s Scene, effects: Effects, choose: Choose, watch: &'s dyn Watch) -> Self {
         let of = |(index, receiver)| Reading::of(index, receiver);
         let readings: Vec<Reading> = scene.receivers.iter().enumerate().flat_map(of).collect();
-        Self { scene, effects, choose, watch, start: Instant::now(), answers: readings.len(), readings }
+        let (answers, groups) = (readings.len(), groups(&readings, readings.len()));
+        Self { scene, effects, choose, watch, start: Instant::now(), readings, answers, groups }
+    }
+
+    fn asks_for_maps(&self) -> bool {
+        let has_map = |kind: &ReceiverKind| matches!(kind, ReceiverKind::Surface { grid: Some(_), .. });
+        self.scene.receivers.iter().any(|receiver| has_map(&receiver.kind))
     }
 
     fn run(mut self) -> Simulation {
@@ -96,8 +120,9 @@ impl<'s> Work<'s> {
         for fineness in 0.. {
             let transport = self.transport(fineness);
             let lights = Lights::of(self.scene, &transport);
+            let grids = self.grids(&transport);
             if fineness == 0 {
-                self.watch_cells(&transport);
+                self.watch_cells(&grids);
             }
             let (solution, mut found) = self.solved(&transport, &lights, &mut history);
             let is_compared = coarse.is_some();
@@ -110,8 +135,8 @@ impl<'s> Work<'s> {
                 || (is_compared && self.is_enough(&found))
             {
                 let maps = match &solution {
-                    Solution::Elements(radiosity) => self.maps(radiosity, &found),
-                    Solution::Paths(paths) => self.sampled_maps(paths, &found),
+                    Solution::Elements(radiosity) => self.maps(radiosity, &grids, &found),
+                    Solution::Paths(paths) => self.sampled_maps(paths, &grids, &found),
                 };
                 let stopped = self.watch.is_stopped();
                 return Simulation { answers: self.answered(&found), maps, history, stopped };
@@ -124,12 +149,13 @@ impl<'s> Work<'s> {
     fn transport(&self, fineness: usize) -> Transport {
         let faces = faces(self.scene, fineness);
         let screens = Screens::of(&faces);
-        let accuracy = (RULES * self.scene.solve.tolerance).clamp(1e-12, 1e-3);
+        let [part, loosest] = if self.effects.orders == Some(0) { [STRAIGHT, 1e-2] } else { [RULES, 1e-3] };
+        let accuracy = (part * self.scene.solve.tolerance).clamp(1e-12, loosest);
         Transport { faces, screens, occlusion: self.effects.occlusion, accuracy }
     }
 
     /// The maps that are asked for: the index of the receiver and its cells.
-    pub(super) fn grids(&self, transport: &Transport) -> Vec<(usize, Grid)> {
+    fn grids(&self, transport: &Transport) -> Vec<(usize, Grid)> {
         let receivers = self.scene.receivers.iter().enumerate();
         let grid = |(index, receiver): (usize, &crate::scene::Receiver)| match receiver.kind {
             ReceiverKind::Surface { surface, grid: Some(size) } => {
@@ -141,11 +167,12 @@ impl<'s> Work<'s> {
     }
 
     /// Adds readings in some cells of each map, so that maps are refined until these are exact enough.
-    fn watch_cells(&mut self, transport: &Transport) {
-        for (index, grid) in self.grids(transport) {
-            let reading = |cell| Reading::irradiance(index, cell, grid.normal());
+    fn watch_cells(&mut self, grids: &[(usize, Grid)]) {
+        for (index, grid) in grids {
+            let reading = |cell| Reading::irradiance(*index, cell, grid.normal());
             self.readings.extend(grid.some(WATCHED).map(reading));
         }
+        self.groups = groups(&self.readings, self.answers);
     }
 
     /// A solution and the readings, by what takes less.
@@ -241,7 +268,7 @@ impl<'s> Work<'s> {
         let mut found: Vec<Found> =
             self.readings.par_iter().enumerate().map_init(Scratch::default, one).collect();
         let scales = self.scales(&found);
-        pool(&mut found, &scales);
+        pool(&mut found, &scales, &self.groups);
         for (found, scales) in found.iter_mut().zip(scales) {
             for (estimate, scale) in found.bands.iter_mut().zip(scales) {
                 let rules = if estimate.is_exact() { 0.0 } else { radiosity.rules() };
@@ -251,29 +278,13 @@ impl<'s> Work<'s> {
         found
     }
 
-    /// What the tolerance of each reading in each band is relative to: its own value; for the components of a vector, the
-    /// fluence rate; for the cells of a map, the largest of them.
+    /// What the tolerance of each reading in each band is relative to: the largest value of its group.
     pub(super) fn scales(&self, found: &[Found]) -> Vec<Vec<f64>> {
-        let mut largest = vec![
-            [vec![0.0; self.scene.band_count()], vec![0.0; self.scene.band_count()]];
-            self.scene.receivers.len()
-        ];
-        let shared = |index: usize| match self.readings[index].quantity {
-            Quantity::VectorIrradiance(_) | Quantity::FluenceRate => Some(0),
-            _ if index >= self.answers => Some(1),
-            _ => None,
-        };
-        for (index, found) in found.iter().enumerate() {
-            if let Some(kind) = shared(index) {
-                let of_receiver: &mut Vec<f64> = &mut largest[self.readings[index].receiver][kind];
-                of_receiver.iter_mut().zip(&found.bands).for_each(|(m, e)| *m = m.max(e.value.abs()));
-            }
+        let mut largest = vec![vec![0.0_f64; self.scene.band_count()]; found.len()];
+        for (found, &group) in found.iter().zip(&self.groups) {
+            largest[group].iter_mut().zip(&found.bands).for_each(|(m, e)| *m = m.max(e.value.abs()));
         }
-        let scale = |(index, found): (usize, &Found)| match shared(index) {
-            Some(kind) => largest[self.readings[index].receiver][kind].clone(),
-            None => found.bands.iter().map(|estimate| estimate.value.abs()).collect(),
-        };
-        found.iter().enumerate().map(scale).collect()
+        self.groups.iter().map(|&group| largest[group].clone()).collect()
     }
 
     /// The errors of all readings in all bands, relative to what their tolerances are. Of an answer that is nothing beside the
@@ -295,9 +306,9 @@ impl<'s> Work<'s> {
         self.relative_errors(found).all(|error| error <= self.scene.solve.tolerance)
     }
 
-    fn maps(&self, radiosity: &Radiosity, found: &[Found]) -> Vec<Map> {
+    fn maps(&self, radiosity: &Radiosity, grids: &[(usize, Grid)], found: &[Found]) -> Vec<Map> {
         let bands = self.scene.band_count();
-        let map = |(receiver, grid): (usize, Grid)| {
+        let map = |&(receiver, ref grid): &(usize, Grid)| {
             let values = grid.irradiance(bands, radiosity, self.watch);
             let watched =
                 || (self.answers..found.len()).filter(|&other| self.readings[other].receiver == receiver);
@@ -314,7 +325,7 @@ impl<'s> Work<'s> {
             let name = self.scene.receivers[receiver].name.clone();
             Map { receiver: name, quantity: Quantity::Irradiance, size, values, errors }
         };
-        self.grids(radiosity.transport()).into_iter().map(map).collect()
+        grids.iter().map(map).collect()
     }
 
     fn answered(&self, found: &[Found]) -> Vec<Answer> {

@@ -17,9 +17,12 @@ const ORDERS: [usize; 4] = [2, 3, 5, 8];
 /// A node in [0, 1] and its weight.
 type Node = [f64; 2];
 
+/// The most points of a Gauss–Legendre rule.
+pub(super) const MOST_POINTS: usize = 16;
+
 /// The Gauss–Legendre rule on [0, 1] with this many points, by Newton's method on the Legendre polynomial.
 pub(crate) fn gauss(count: usize) -> &'static [Node] {
-    static RULES: [OnceLock<Vec<Node>>; 9] = [const { OnceLock::new() }; 9];
+    static RULES: [OnceLock<Vec<Node>>; MOST_POINTS + 1] = [const { OnceLock::new() }; MOST_POINTS + 1];
     RULES[count].get_or_init(|| {
         let legendre = |x: f64| {
             let (mut low, mut high) = (1.0, x);
@@ -86,6 +89,17 @@ impl Patch {
             Patch([(s, t), (s + 0.5, t), (s + 0.5, t + 0.5), (s, t + 0.5)].map(|(s, t)| corner(s, t)))
         })
     }
+}
+
+/// What the areas exchange if all of each were in its middle.
+pub(super) fn roughly(here: &Outline, there: &Outline, [n, m]: [Vector; 2]) -> f64 {
+    let middle = |outline: &Outline| {
+        (1.0 / outline.len() as f64) * outline.iter().fold(Vector::default(), |sum, &v| sum + v)
+    };
+    let area = |outline: &Outline| patches(outline).map(|patch| patch.area()).sum::<f64>();
+    let way = middle(there) - middle(here);
+    let squared = way.dot(way);
+    area(here) * area(there) * (n.dot(way) * m.dot(way)).abs() / (std::f64::consts::PI * squared * squared)
 }
 
 /// Points of a convex outline, each with its area.

@@ -13,7 +13,7 @@ use crate::kernels::edge_potential;
 use forms::math::{DoubleDouble, Real};
 
 /// What rounding leaves of a sum of terms, in units of their magnitudes, for numbers of this precision.
-const ROUNDINGS: f64 = 8.0;
+pub(super) const ROUNDINGS: f64 = 8.0;
 
 /// Rounds of halving: a rule that is slow at a point comes within 2⁻⁶⁰ of it.
 const MOST_ROUNDS: usize = 60;
@@ -69,15 +69,15 @@ impl Number for DoubleDouble {
 }
 
 /// An edge of an outline.
-struct Edge<T> {
-    start: [T; 3],
-    direction: [T; 3],
-    length: T,
+pub(super) struct Edge<T> {
+    pub(super) start: [T; 3],
+    pub(super) direction: [T; 3],
+    pub(super) length: T,
 }
 
 impl<T: Number> Edge<T> {
     /// The edges of an outline, those without length left out.
-    fn of(outline: &Outline) -> Vec<Self> {
+    pub(super) fn of(outline: &Outline) -> Vec<Self> {
         let points: Vec<[T; 3]> =
             outline.iter().map(|point| [point.x, point.y, point.z].map(T::from_f64)).collect();
         let edge = |place: usize| {
@@ -90,16 +90,16 @@ impl<T: Number> Edge<T> {
         (0..points.len()).filter_map(edge).collect()
     }
 
-    fn at(&self, place: T) -> [T; 3] {
+    pub(super) fn at(&self, place: T) -> [T; 3] {
         std::array::from_fn(|axis| place.mul_add(self.direction[axis], self.start[axis]))
     }
 }
 
-fn dot<T: Real>([a, b, c]: [T; 3], [u, v, w]: [T; 3]) -> T {
+pub(super) fn dot<T: Real>([a, b, c]: [T; 3], [u, v, w]: [T; 3]) -> T {
     a * u + b * v + c * w
 }
 
-fn subtracted<T: Real>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+pub(super) fn subtracted<T: Real>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     std::array::from_fn(|axis| a[axis] - b[axis])
 }
 

@@ -3,11 +3,13 @@
 //! ```text
 //! polygons ─ convex pieces, each cut by the plane of the other ─▶ outlines that lie in front of each other
 //!     ├─ far apart ─▶ areas: cos cos'/(π r²) at Gauss points of both
+//!     ├─ edges apart ▶ apart: the contour by rules as fine as the distances of the edges ask for
 //!     └─ else ─────▶ contour: integrals over pairs of edges, in f64, and in double-double where their sum cancels
 //! with something in between ─▶ obstructed: what points of the first see of the second, integrated over the first
 //! ```
 //! What is used is decided by the errors that the ways themselves state.
 
+mod apart;
 mod areas;
 mod contour;
 mod kronrod;
@@ -81,8 +83,8 @@ fn between(here: &Outline, there: &Outline, [n, m]: [Vector; 2], tolerance: f64)
     // differences first: what is far from the origin is no less exact
     let origin = here[0];
     let [here, there] = [here, there].map(|outline| outline.iter().map(|&v| v - origin).collect::<Vec<_>>());
-    let Some((here, of_here)) = in_front(&here, there[0], m) else { return Exchange::default() };
-    let Some((there, of_there)) = in_front(&there, here[0], n) else { return Exchange::default() };
+    let Some((here, of_here)) = in_front(here, there[0], m) else { return Exchange::default() };
+    let Some((there, of_there)) = in_front(there, here[0], n) else { return Exchange::default() };
     let [(a, size_a), (b, size_b)] = [&here, &there].map(|outline| ball(outline));
     let (distance, size) = ((b - a).length(), size_a + size_b);
     // a power of two, so that nothing is rounded
@@ -97,10 +99,13 @@ fn between(here: &Outline, there: &Outline, [n, m]: [Vector; 2], tolerance: f64)
 
 /// The part of an outline in front of a plane, if there is any, and the relative error that cutting it there makes: the cut is
 /// off by the rounding of its distance from the plane, and what lies low over the plane is off by much of itself.
-fn in_front(outline: &Outline, point: Vector, normal: Vector) -> Option<(Vec<Vector>, f64)> {
-    let (mut front, mut behind) = (Vec::new(), Vec::new());
+fn in_front(outline: Vec<Vector>, point: Vector, normal: Vector) -> Option<(Vec<Vector>, f64)> {
     let height = |x: &Vector| normal.dot(*x - point);
-    split(outline, |x| height(&x), &mut front, &mut behind);
+    if outline.iter().all(|x| height(x) >= 0.0) {
+        return outline.iter().any(|x| height(x) > 0.0).then_some((outline, 0.0));
+    }
+    let (mut front, mut behind) = (Vec::new(), Vec::new());
+    split(&outline, |x| height(&x), &mut front, &mut behind);
     let highest = front.iter().map(height).fold(0.0, f64::max);
     if behind.is_empty() || highest <= 0.0 {
         return (highest > 0.0).then_some((front, 0.0));
@@ -121,6 +126,11 @@ fn in_near_units(
     let mut best = Exchange { area: f64::NAN, error: f64::INFINITY };
     if is_far {
         best = areas::exchange(here, there, normals, tolerance);
+    }
+    if !is_enough(&best)
+        && let Some(found) = apart::exchange(here, there, normals, tolerance)
+    {
+        best = better(best, found);
     }
     if !is_enough(&best) {
         best = better(best, contour::exchange::<f64>(here, there, tolerance));

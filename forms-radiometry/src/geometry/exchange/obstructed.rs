@@ -8,7 +8,7 @@
 
 use super::areas::{Patch, gauss, patches};
 use super::{Exchange, LEAST_TOLERANCE, between};
-use crate::geometry::{Between, Face, Polygon, Screens, Vector, Workspace, form_factor_of_pieces};
+use crate::geometry::{Between, Face, Polygon, Screens, Vector, Workspace, form_factor_of_pieces, line_sum};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -119,6 +119,12 @@ impl View<'_> {
 
     fn form_factor(&self, position: Vector, work: &mut Workspace) -> f64 {
         let Face { vertices, normal, .. } = self.there;
+        let (horizon, there) = (Some(self.normal), (vertices.as_slice(), *normal));
+        let mut sum = 0.0;
+        let line = |line: &[Vector]| sum += line_sum(line, self.normal);
+        if self.screens.border(position, horizon, there, self.between, work, line) {
+            return sum;
+        }
         let seen = self.screens.visible(position, Some(self.normal), vertices, *normal, self.between, work);
         form_factor_of_pieces(seen, self.normal)
     }

@@ -129,9 +129,9 @@ fn in_general_position(seed: u32, distance: f64) -> [Polygon; 2] {
 
 #[test]
 fn areas_and_contours_agree_as_far_as_they_say() {
-    let mut compared = 0;
+    let (mut compared, mut apart) = (0, 0);
     for seed in 1..200 {
-        for distance in [2.0, 5.0, 20.0] {
+        for distance in [1.2, 2.0, 5.0, 20.0] {
             let [a, b] = in_general_position(seed, distance);
             let in_front = |a: &Polygon, b: &Polygon| {
                 b.vertices().iter().all(|&v| a.normal().dot(v - a.vertices()[0]) > 0.0)
@@ -144,7 +144,10 @@ fn areas_and_contours_agree_as_far_as_they_say() {
             let by_areas = areas::exchange(a.vertices(), b.vertices(), normals, 1e-12);
             let by_contour = contour::exchange::<f64>(a.vertices(), b.vertices(), 1e-12);
             let precisely = contour::exchange::<DoubleDouble>(a.vertices(), b.vertices(), 1e-14);
-            for (way, found) in [("areas", by_areas), ("contour", by_contour)] {
+            let by_apart = apart::exchange(a.vertices(), b.vertices(), normals, 1e-12);
+            apart += usize::from(by_apart.is_some());
+            let ways = [("areas", Some(by_areas)), ("contour", Some(by_contour)), ("edges apart", by_apart)];
+            for (way, found) in ways.into_iter().filter_map(|(way, found)| Some((way, found?))) {
                 let error = (found.area - precisely.area).abs();
                 assert!(
                     error <= found.error + precisely.error,
@@ -154,7 +157,7 @@ fn areas_and_contours_agree_as_far_as_they_say() {
             }
         }
     }
-    assert!(compared > 100, "{compared}");
+    assert!(compared > 100 && apart > 100, "{compared}, {apart}");
 }
 
 #[test]

@@ -166,14 +166,14 @@ impl Body {
         0.0 <= enter && enter < leave && leave <= 1.0
     }
 
-    /// The normals to the inside of the planes through a point and each edge of the body's outline, as it is seen from there; none where
-    /// the point is not outside of the body, and behind its opening. `seen` is a list for which sides are seen.
+    /// The edges of the body's outline as it is seen from a point, relative to that and in no order, each with the body on its left; none
+    /// where the point is not outside of the body, and behind its opening. `seen` is a list for which sides are seen.
     pub(super) fn shadow<'b>(
         &'b self,
         apex: Vector,
         resolution: f64,
         seen: &'b mut Vec<bool>,
-    ) -> Option<impl Iterator<Item = Vector> + 'b> {
+    ) -> Option<impl Iterator<Item = [Vector; 2]> + 'b> {
         if self.lid.is_some_and(|lid| lid.distance(apex) > 0.0) {
             return None;
         }
@@ -187,8 +187,8 @@ impl Body {
         let side = move |edge: &Edge| {
             let [a, b] = edge.ends.map(|end| end - apex);
             match (seen[edge.side], edge.beyond.is_some_and(|beyond| seen[beyond])) {
-                (true, false) => Some(b.cross(a)),
-                (false, true) => Some(a.cross(b)),
+                (true, false) => Some([a, b]),
+                (false, true) => Some([b, a]),
                 _ => None,
             }
         };

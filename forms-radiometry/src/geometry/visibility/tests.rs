@@ -3,7 +3,7 @@
 mod searches;
 
 use super::*;
-use crate::geometry::{Disk, Sphere, form_factor_of_pieces};
+use crate::geometry::{Disk, Sphere, form_factor_of_pieces, line_sum};
 use crate::kernels::solid_angle_triangle;
 use std::f64::consts::PI;
 
@@ -95,13 +95,19 @@ fn faces_of(polygons: &[Polygon]) -> Vec<Face> {
     polygons.iter().enumerate().flat_map(|(index, polygon)| Face::of(index, polygon)).collect()
 }
 
-/// The visible form factor of one face, and what is between it and the receiver.
+/// The visible form factor of one face, by its pieces, and by its border where that is given.
 fn seen(screens: &Screens, face: &Face, position: Vector, normal: Vector) -> f64 {
     let (mut found, mut work) = (Vec::new(), Workspace::default());
     let Face { vertices, normal: m, .. } = face;
     screens.between(&[position], Some(normal), vertices, *m, &mut found);
     let pieces = screens.visible(position, Some(normal), vertices, *m, &found, &mut work);
-    form_factor_of_pieces(pieces, normal)
+    let by_pieces = form_factor_of_pieces(pieces, normal);
+    let mut by_border = 0.0;
+    let is_given = screens.border(position, Some(normal), (vertices, *m), &found, &mut work, |line| {
+        by_border += line_sum(line, normal);
+    });
+    assert!(!is_given || (by_border - by_pieces).abs() < 1e-13, "{by_border} and {by_pieces}");
+    by_pieces
 }
 
 /// The sum over all faces.

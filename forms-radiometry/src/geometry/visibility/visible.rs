@@ -3,6 +3,7 @@
 //!
 //! Each screen in front of the luminaire's plane is a cone of directions that is cut out. Pieces are relative to the point.
 
+use super::border::Border;
 use super::bounds::Bounds;
 use super::{Screen, Screens, Vector};
 use crate::geometry::clip::{Pieces, split};
@@ -11,11 +12,12 @@ use crate::geometry::cone::{Cone, Scratch};
 /// Lists that are reused from receiver to receiver.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Workspace {
-    luminaire: Vec<Vector>,
+    pub(super) luminaire: Vec<Vector>,
     screen: Vec<Vector>,
     luminaire_cone: Cone,
     screen_cone: Cone,
-    seen: Vec<bool>,
+    pub(super) seen: Vec<bool>,
+    pub(super) border: Border,
     scratch: Scratch,
     visible: Pieces,
     rest: Pieces,
@@ -73,7 +75,8 @@ impl Screens {
         }
         let Workspace { screen_cone, seen, .. } = &mut *work;
         let shadow = body.shadow(view.position, self.resolution, seen);
-        if shadow.map(|sides| screen_cone.set_sides(sides)).is_some() {
+        let sides = |edges| screen_cone.set_sides(Iterator::map(edges, |[a, b]: [Vector; 2]| b.cross(a)));
+        if shadow.map(sides).is_some() {
             work.cut();
         } else {
             body.screens.iter().for_each(|&screen| self.hide(&self.screens[screen as usize], view, work));

@@ -1,0 +1,76 @@
+//! The same works by other programs: the scripts of `elsewhere`, run one after the other, and what they print.
+
+use std::io;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// The scripts, and the modules that have to be installed for them.
+const SCRIPTS: [(&str, &[&str]); 4] = [
+    ("by_numpy.py", &["numpy"]),
+    ("by_mitsuba.py", &["numpy", "mitsuba"]),
+    ("by_radiance.py", &["numpy", "pyradiance"]),
+    ("by_pyviewfactor.py", &["numpy", "pyviewfactor", "numba"]),
+];
+
+/// A line that a script printed.
+pub(crate) struct Line {
+    /// Which program, in which version or with which options.
+    pub(crate) program: String,
+    /// What it did.
+    pub(crate) work: String,
+    /// How long it took to the error; not a number where that was not measured.
+    pub(crate) seconds: f64,
+    pub(crate) error: f64,
+    pub(crate) remark: String,
+}
+
+/// What all scripts print whose modules are installed. Of each other one it is told what is missing.
+pub(crate) fn run_all(folder: &Path) -> io::Result<Vec<Line>> {
+    let mut lines = Vec::new();
+    for (script, modules) in SCRIPTS {
+        let missing: Vec<&str> = modules.iter().copied().filter(|module| !is_installed(module)).collect();
+        if !missing.is_empty() {
+            println!("{script} is left out: `pip install {}` installs what it needs", missing.join(" "));
+            continue;
+        }
+        lines.extend(run(script, folder)?);
+    }
+    Ok(lines)
+}
+
+fn is_installed(module: &str) -> bool {
+    let found =
+        Command::new("python3").args(["-c", &format!("import {module}")]).stderr(Stdio::null()).status();
+    found.is_ok_and(|status| status.success())
+}
+
+fn run(script: &str, folder: &Path) -> io::Result<Vec<Line>> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/scenes/elsewhere").join(script);
+    let output = Command::new("python3").arg("-B").arg(path).arg(folder).stderr(Stdio::inherit()).output()?;
+    let text = String::from_utf8_lossy(&output.stdout);
+    print!("{text}");
+    if !output.status.success() {
+        println!("{script} ended with {}: what it had not printed by then is left out", output.status);
+    }
+    Ok(text.lines().filter_map(Line::read).collect())
+}
+
+impl Line {
+    /// The fields are apart by commas; that of the work may stand in quotes, and the last one may hold any.
+    fn read(line: &str) -> Option<Self> {
+        let (program, rest) = line.split_once(',')?;
+        let (work, rest) = match rest.strip_prefix('"') {
+            Some(quoted) => quoted.split_once("\",")?,
+            None => rest.split_once(',')?,
+        };
+        let (seconds, rest) = rest.split_once(',')?;
+        let (error, remark) = rest.split_once(',')?;
+        Some(Self {
+            program: program.to_string(),
+            work: work.to_string(),
+            seconds: seconds.parse().ok()?,
+            error: error.parse().ok()?,
+            remark: remark.to_string(),
+        })
+    }
+}

@@ -1,0 +1,158 @@
+//! The works: a scene file, what is asked of it, and what counts as its error.
+
+use crate::clock::seconds;
+use forms_radiometry::output::csv;
+use forms_radiometry::scene::{
+    Effect, Force, ForcedEffect, MaterialKind, Receiver, ReceiverKind, Scene, read,
+};
+use forms_radiometry::simulation::{Simulation, Unwatched, plan, simulate};
+use std::fs::File;
+use std::io;
+use std::path::Path;
+
+/// The band of the Cornell box that is simulated: one number for each reflectance.
+const BAND: usize = 8;
+/// The surfaces of the Cornell box whose maps are asked for, 4096 cells in all.
+const SURFACES: [&str; 4] = ["floor", "back", "right", "short_top"];
+/// Columns and rows of each of these maps.
+const CELLS: [usize; 2] = [32, 32];
+/// The tolerances that are tried for reflected light, the loosest first. A tolerance is of the largest error and has a margin; what is
+/// asked for is the root of a mean square.
+const REFLECTED: &[f64] = &[1.0, 0.3, 0.1, 0.03, 0.01];
+/// The tolerance of the reference.
+const REFERENCE: f64 = 1e-3;
+
+/// A scene and what is asked of it.
+pub(crate) struct Work {
+    /// What the scripts call it.
+    pub(crate) name: &'static str,
+    /// What the table calls it.
+    pub(crate) title: &'static str,
+    /// The relative error that is asked for: of maps the root of the mean square over the mean.
+    pub(crate) target: f64,
+    /// How many times slower than this program Mitsuba should at least be.
+    pub(crate) goal: f64,
+    tolerances: &'static [f64],
+    scene: Scene,
+}
+
+/// What was measured of a work.
+pub(crate) struct Measured<'w> {
+    pub(crate) work: &'w Work,
+    pub(crate) seconds: f64,
+    /// The error, as it is asked for.
+    pub(crate) error: f64,
+    /// The loosest tolerance that leads to it.
+    pub(crate) tolerance: f64,
+}
+
+/// Every work.
+pub(crate) fn all() -> Vec<Work> {
+    let open = |text: &str, name: &str| read(text, name).unwrap_or_else(|errors| panic!("{}", errors[0]));
+    let lamp = |name, title, text| Work {
+        name,
+        title,
+        target: 1e-3,
+        goal: 100.0,
+        tolerances: &[1e-3],
+        scene: open(text, name),
+    };
+    let near_title = "one receiver 0.05 below the lamp";
+    let cornell = |name, title, goal, tolerances, force: Option<Force>| Work {
+        name,
+        title,
+        target: 1e-2,
+        goal,
+        tolerances,
+        scene: cornell_box(open(forms_radiometry::CORNELL_BOX, name), force),
+    };
+    vec![
+        lamp("lamp", "4096 receivers under a lamp", include_str!("files/lamp.toml")),
+        lamp("occluded_lamp", "the same with a plate in between", include_str!("files/occluded_lamp.toml")),
+        Work {
+            target: 1e-2,
+            tolerances: &[1e-2],
+            ..lamp("near_lamp", near_title, include_str!("files/near_lamp.toml"))
+        },
+        cornell("cornell_direct", "Cornell box, direct light", 20.0, &[1e-2], Some(Force::Off)),
+        cornell("cornell_1", "Cornell box, one reflection", 10.0, REFLECTED, Some(Force::Orders(1))),
+        cornell("cornell_2", "Cornell box, two reflections", 10.0, REFLECTED, Some(Force::Orders(2))),
+        cornell("cornell_all", "Cornell box, all reflections", 5.0, REFLECTED, None),
+    ]
+}
+
+/// One band of the Cornell box, with maps of some surfaces.
+fn cornell_box(mut scene: Scene, interreflection: Option<Force>) -> Scene {
+    let only = |values: &mut Vec<f64>| *values = vec![values[BAND]];
+    scene.bands = Vec::new();
+    for material in &mut scene.materials {
+        if let MaterialKind::Diffuse { reflectance } = &mut material.kind {
+            only(reflectance);
+        }
+    }
+    scene.surfaces.iter_mut().for_each(|surface| only(&mut surface.radiance));
+    only(&mut scene.ambient.radiance);
+    let place = scene.receivers[0].place.clone();
+    let map = |name: &str| {
+        let surface = scene.surfaces.iter().position(|surface| surface.name == name);
+        let surface = surface.expect("the Cornell box has this surface");
+        let kind = ReceiverKind::Surface { surface, grid: Some(CELLS) };
+        Receiver { name: name.to_string(), kind, time: None, place: place.clone() }
+    };
+    scene.receivers = SURFACES.map(map).to_vec();
+    let forced = |force| ForcedEffect { effect: Effect::Interreflection, force, place: place.clone() };
+    scene.solve.forced = interreflection.map(forced).into_iter().collect();
+    scene
+}
+
+impl Work {
+    /// The plan and the simulation.
+    pub(crate) fn run(&self) -> Simulation {
+        simulated(&self.with(self.tolerances[0]))
+    }
+
+    /// Its time with the loosest tolerance that leads to the error asked for, beside a reference, which is written into a folder for the
+    /// scripts.
+    pub(crate) fn measured(&self, folder: &Path) -> io::Result<Measured<'_>> {
+        let reference = simulated(&self.with(REFERENCE));
+        csv(&reference, File::create(folder.join(format!("{}.csv", self.name)))?)?;
+        let exact = values(&reference);
+        let error = |tolerance: &f64| relative_error(&values(&simulated(&self.with(*tolerance))), &exact);
+        let found = self.tolerances.iter().map(|tolerance| (*tolerance, error(tolerance)));
+        let (tolerance, error) = found
+            .into_iter()
+            .find(|(_, error)| *error <= self.target)
+            .expect("the least tolerance is far below");
+        let scene = self.with(tolerance);
+        let seconds = seconds(|| simulated(&scene));
+        println!("{:32} {:10.3} ms, tolerance {tolerance:e}, error {error:.1e}", self.title, 1e3 * seconds);
+        Ok(Measured { work: self, seconds, error, tolerance })
+    }
+
+    fn with(&self, tolerance: f64) -> Scene {
+        let mut scene = self.scene.clone();
+        scene.solve.tolerance = tolerance;
+        scene
+    }
+}
+
+fn simulated(scene: &Scene) -> Simulation {
+    let plan = plan(scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
+    simulate(scene, &plan, &Unwatched)
+}
+
+/// The cells of all maps; where there is no map, the answers.
+fn values(simulation: &Simulation) -> Vec<f64> {
+    if simulation.maps.is_empty() {
+        return simulation.answers.iter().map(|answer| answer.value).collect();
+    }
+    let cells = simulation.maps.iter().flat_map(|map| &map.values[0]);
+    cells.copied().filter(|value| !value.is_nan()).collect()
+}
+
+/// The root of the mean square error over the mean.
+fn relative_error(found: &[f64], reference: &[f64]) -> f64 {
+    assert_eq!(found.len(), reference.len(), "both have the same cells");
+    let squares: f64 = found.iter().zip(reference).map(|(a, b)| (a - b).powi(2)).sum();
+    (squares * found.len() as f64).sqrt() / reference.iter().sum::<f64>()
+}
