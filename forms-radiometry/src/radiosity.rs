@@ -8,27 +8,39 @@
 //! ```
 //! E(x) = D(x) + ∫ ρ(y)/π E(y) cos cos'/r² V dA(y), D the irradiance that comes straight from lights. E is a polynomial on
 //! each element, given at its Gauss points; what is between the points comes out of the equation itself (Nyström), and
-//! visibility is exact. The solution is that of the continuous equation, not of one value a surface.
+//! visibility is exact. The solution is that of the continuous equation, not of one value a surface. Where surfaces are many, light is
+//! followed along rays instead ([`gathering`], [`paths`]).
 
+mod clusters;
 mod contact;
 mod direct;
+mod directions;
 mod element;
 mod gather;
+mod gathering;
 mod importance;
 mod measure;
 mod operator;
 mod outlines;
+mod paths;
+mod probe;
 mod reference;
 mod refinement;
+mod sequence;
 mod solution;
+mod subdivision;
 mod system;
 #[cfg(test)]
 mod tests;
+mod walk;
 mod weights;
 
 pub(crate) use direct::Lights;
 pub(crate) use gather::{Group, Scratch, Transport};
+pub(crate) use gathering::Gathering;
 pub(crate) use importance::{Goal, GoalKind};
 pub(crate) use measure::Measure;
+pub(crate) use paths::Paths;
+pub(crate) use probe::Probe;
 pub(crate) use solution::orders;
 pub(crate) use system::{Question, Radiosity, reflectance, reflects};

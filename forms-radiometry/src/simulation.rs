@@ -11,8 +11,11 @@ mod estimate;
 mod map;
 mod planning;
 mod readings;
+mod sampled;
 mod solver;
 mod survey;
+#[cfg(test)]
+mod tests;
 mod watch;
 
 pub use answer::{Answer, ErrorKind, Map, Moment, Plan, PlannedEffect, Quantity, Simulation};

@@ -130,9 +130,9 @@ impl Plot {
         for decade in up.range[0] as i32..=up.range[1] as i32 {
             let y = up.place(f64::from(decade));
             rule(svg, "grid", [left, y], [right, y]);
-            let thousand = (decade + 9).div_euclid(3);
-            let number = 10_i32.pow((decade + 9).rem_euclid(3) as u32);
-            let label = format!("{number} {}", unit[thousand.clamp(0, 3) as usize]);
+            let thousand = (decade + 9).div_euclid(3).clamp(0, 3);
+            let number = 10_i32.pow((decade + 9 - 3 * thousand) as u32);
+            let label = format!("{number} {}", unit[thousand as usize]);
             text(svg, [left - 9.0, y + 4.5], "end", "quiet", &label);
         }
         for (value, label) in self.ticks(across) {

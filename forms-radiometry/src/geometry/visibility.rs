@@ -14,6 +14,7 @@ mod between;
 mod body;
 mod border;
 mod bounds;
+mod branches;
 mod ray;
 mod shaft;
 mod tree;
@@ -26,6 +27,7 @@ pub(crate) use visible::Workspace;
 use super::{Polygon, Vector};
 use body::{Body, bodies};
 use bounds::Bounds;
+use branches::Branches;
 use tree::Tree;
 
 /// What rounding leaves of a distance, in units of the largest coordinate.
@@ -113,6 +115,8 @@ pub(crate) struct Screens {
     /// The body that each screen belongs to.
     body_of: Vec<Option<u32>>,
     tree: Tree,
+    /// The same tree for rays.
+    branches: Branches,
     /// A point that is nearer to a plane than this counts as lying in it.
     resolution: f64,
     /// What rounding leaves of a distance in the scene.
@@ -143,7 +147,8 @@ impl Screens {
             .collect();
         let tree = Tree::of(&boxes);
         let (bodies, body_of) = bodies(&screens, resolution, rounding);
-        Self { screens, bodies, body_of, tree, resolution, rounding }
+        let branches = Branches::of(&tree);
+        Self { screens, bodies, body_of, tree, branches, resolution, rounding }
     }
 }
 

@@ -39,6 +39,11 @@ impl<'s> Lights<'s> {
         self.from_outside
     }
 
+    /// The faces that have to be seen for what comes straight to a point.
+    pub(super) fn faces(&self) -> &[usize] {
+        &self.faces
+    }
+
     /// What each point of a group gets, for each band.
     pub(crate) fn reaching(
         &self,
@@ -118,7 +123,8 @@ impl<'s> Lights<'s> {
         Some(flux)
     }
 
-    fn add_lights(&self, point: Vector, measure: Measure, transport: &Transport, sum: &mut [f64]) {
+    /// Adds what comes from lights without extent.
+    pub(super) fn add_lights(&self, point: Vector, measure: Measure, transport: &Transport, sum: &mut [f64]) {
         for light in &self.scene.lights {
             let (towards, arriving, squared) = match &light.kind {
                 LightKind::Point { position, intensity } => {

@@ -24,7 +24,7 @@ pub(crate) struct Goal {
 }
 
 /// Kinds of goals.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum GoalKind {
     /// What reaches a point.
     At { position: Vector, measure: Measure },

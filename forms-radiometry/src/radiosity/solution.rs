@@ -34,6 +34,47 @@ pub(crate) fn orders(contraction: f64, tolerance: f64) -> Option<u32> {
     Some(order as u32)
 }
 
+/// What was found for each band.
+pub(super) struct Solved {
+    /// The irradiance of each node.
+    pub(super) irradiance: Vec<Vec<f64>>,
+    /// What of it is reflected once more: all but the highest order.
+    pub(super) reflected: Vec<Vec<f64>>,
+    /// The largest error that the solution of the equations leaves.
+    pub(super) tail: Vec<f64>,
+    /// The largest norm of the operator, as it is estimated.
+    pub(super) contraction: f64,
+}
+
+/// The solution for each band, of at most this many reflections if a number is said. Reflectances are those of the elements.
+pub(super) fn of_bands(
+    operator: &Operator,
+    reflectances: &[Vec<f64>],
+    direct: &[Vec<f64>],
+    orders: Option<u32>,
+) -> Solved {
+    let (irradiance, reflected, tail) = (Vec::new(), Vec::new(), Vec::new());
+    let mut solved = Solved { irradiance, reflected, tail, contraction: 0.0 };
+    for (reflectances, direct) in reflectances.iter().zip(direct) {
+        let contraction = operator.contraction(reflectances);
+        let (irradiance, reflected, residual) = match orders {
+            Some(orders) => {
+                let [all, but_one] = neumann(operator, reflectances, direct, orders);
+                (all, but_one, 0.0)
+            }
+            None => {
+                let (all, residual) = all_orders(operator, reflectances, direct);
+                (all.clone(), all, residual)
+            }
+        };
+        solved.irradiance.push(irradiance);
+        solved.reflected.push(reflected);
+        solved.tail.push(residual / (1.0 - contraction).max(f64::EPSILON));
+        solved.contraction = solved.contraction.max(contraction);
+    }
+    solved
+}
+
 /// The irradiance after at most this many reflections, and after one less.
 pub(super) fn neumann(
     operator: &Operator,

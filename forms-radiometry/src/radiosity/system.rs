@@ -8,7 +8,7 @@ use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use super::operator::{Operator, Row};
 use super::refinement::Change;
-use super::solution::{all_orders, neumann};
+use super::solution::of_bands;
 use crate::faces::is_bright;
 use crate::geometry::Vector;
 use crate::kernels::irradiance;
@@ -139,26 +139,11 @@ impl<'t> Radiosity<'t> {
             }
         }
         self.operator = Operator::new(rows, self.first.clone());
-        let operator = &self.operator;
-        (self.irradiance, self.reflected, self.tail) = (Vec::new(), Vec::new(), Vec::new());
-        for (band, direct) in direct.iter().enumerate() {
-            let reflectances: Vec<f64> =
-                self.elements.iter().map(|element| self.reflectance(element, band)).collect();
-            let contraction = operator.contraction(&reflectances);
-            let (irradiance, reflected, residual) = match self.question.orders {
-                Some(orders) => {
-                    let [all, but_one] = neumann(operator, &reflectances, direct, orders);
-                    (all, but_one, 0.0)
-                }
-                None => {
-                    let (all, residual) = all_orders(operator, &reflectances, direct);
-                    (all.clone(), all, residual)
-                }
-            };
-            self.irradiance.push(irradiance);
-            self.reflected.push(reflected);
-            self.tail.push(residual / (1.0 - contraction).max(f64::EPSILON));
-        }
+        let reflectances: Vec<Vec<f64>> = (0..self.scene.band_count())
+            .map(|band| self.elements.iter().map(|element| self.reflectance(element, band)).collect())
+            .collect();
+        let solved = of_bands(&self.operator, &reflectances, &direct, self.question.orders);
+        (self.irradiance, self.reflected, self.tail) = (solved.irradiance, solved.reflected, solved.tail);
         self.direct = direct;
     }
 

@@ -60,6 +60,16 @@ impl Grid {
         self.normal
     }
 
+    /// How many cells there are along each side.
+    pub(super) fn size(&self) -> [usize; 2] {
+        self.size
+    }
+
+    /// The middles of the cells, row by row, where they lie on the surface.
+    pub(super) fn cells(&self) -> &[Option<Vector>] {
+        &self.cells
+    }
+
     /// Cells spread over the surface: one in so many, but no fewer than at least, as far as there are.
     pub(super) fn some(&self, [one_in, at_least]: [usize; 2]) -> impl Iterator<Item = Vector> {
         let on_surface = || self.cells.iter().copied().flatten();

@@ -84,15 +84,31 @@ impl Reading {
     }
 
     /// What it asks of a solution, if it asks for anything.
-    pub(super) fn goal(&self, scene: &Scene, radiosity: &Radiosity) -> Option<GoalKind> {
+    pub(super) fn goal(&self, scene: &Scene, transport: &Transport) -> Option<GoalKind> {
         match self.what {
             What::At { position, measure } => Some(GoalKind::At { position, measure }),
             What::Mean { surface, .. } => Some(GoalKind::Mean { surface }),
             What::Ray { origin, direction } => {
-                let met =
-                    met(scene, [origin, direction], radiosity.transport()).filter(|met| met.is_bright)?;
+                let met = met(scene, [origin, direction], transport).filter(|met| met.is_bright)?;
                 Some(GoalKind::At { position: met.position, measure: Measure::Plane(met.normal) })
             }
+        }
+    }
+
+    /// What makes its value of the number that it asks for, for each band: an offset and a factor.
+    pub(super) fn made_of(&self, scene: &Scene, transport: &Transport) -> Vec<[f64; 2]> {
+        let unchanged = |factor| vec![[0.0, factor]; scene.band_count()];
+        match self.what {
+            What::At { .. } | What::Mean { is_flux: false, .. } => unchanged(1.0),
+            What::Mean { surface, is_flux: true } => unchanged(transport.front_area(surface)),
+            What::Ray { origin, direction } => match met(scene, [origin, direction], transport) {
+                None => scene.ambient.radiance.iter().map(|&outside| [outside, 0.0]).collect(),
+                Some(Met { is_bright: false, .. }) => unchanged(0.0),
+                Some(Met { surface, .. }) => {
+                    let bands = scene.surfaces[surface].radiance.iter().zip(reflectance(scene, surface));
+                    bands.map(|(&emitted, rho)| [emitted, rho / irradiance(1.0, 1.0)]).collect()
+                }
+            },
         }
     }
 

@@ -15,8 +15,8 @@ use super::readings::Reading;
 use super::survey::receiving;
 use super::watch::Watch;
 use crate::faces::{faces, is_round};
-use crate::geometry::Screens;
-use crate::radiosity::{Goal, Lights, Question, Radiosity, Scratch, Transport};
+use crate::geometry::{Face, Screens};
+use crate::radiosity::{Gathering, Goal, Lights, Paths, Question, Radiosity, Scratch, Transport};
 use crate::scene::{ReceiverKind, Scene};
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -27,9 +27,9 @@ const RULES: f64 = 0.02;
 /// The part that integrals of direct light may take where nothing is reflected: nothing else has an error there.
 const STRAIGHT: f64 = 0.25;
 /// Rounding of an answer, relative to it.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
+pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Answers below this part of the largest one are dark.
-const DARK: f64 = 1e-9;
+pub(super) const DARK: f64 = 1e-9;
 /// The finest polyhedra.
 const FINEST: usize = 4;
 /// One in so many cells of a map is watched while elements become finer, and at least so many in all.
@@ -37,9 +37,14 @@ const WATCHED: [usize; 2] = [36, 9];
 
 /// Answers the questions of a scene with the effects of a plan.
 pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
+    simulate_by(Gathering::of, scene, plan, watch)
+}
+
+/// Answers them with light that is gathered as `choose` says for the faces of the scene, which may hide each other or not.
+pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
     let effects = Effects::of(plan);
     let merged = (!effects.bands && scene.band_count() > 1).then(|| scene.with_one_band());
-    let work = Work::new(merged.as_ref().unwrap_or(scene), effects, watch);
+    let work = Work::new(merged.as_ref().unwrap_or(scene), effects, choose, watch);
     // one way into the threads instead of one for every loop, each of which would wait for them to wake
     let has_loops = effects.orders != Some(0) || scene.receivers.len() > 1 || work.asks_for_maps();
     let mut simulation = if has_loops { rayon::scope(|_| work.run()) } else { work.run() };
@@ -48,6 +53,9 @@ pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
     }
     simulation
 }
+
+/// How light is gathered in a scene with these faces, which may hide each other or not.
+type Choose = fn(&Scene, &[Face], bool) -> Gathering;
 
 /// The answers of one band, for each band.
 fn spread(simulation: &mut Simulation, bands: usize) {
@@ -62,16 +70,23 @@ fn spread(simulation: &mut Simulation, bands: usize) {
 }
 
 /// What a simulation works on.
-struct Work<'s> {
-    scene: &'s Scene,
+pub(super) struct Work<'s> {
+    pub(super) scene: &'s Scene,
     effects: Effects,
-    watch: &'s dyn Watch,
-    start: Instant,
-    readings: Vec<Reading>,
+    choose: Choose,
+    pub(super) watch: &'s dyn Watch,
+    pub(super) start: Instant,
+    pub(super) readings: Vec<Reading>,
     /// How many readings are answers; those after them are watched cells of maps.
-    answers: usize,
+    pub(super) answers: usize,
     /// The group of each reading.
     groups: Vec<usize>,
+}
+
+/// What readings and maps are taken from.
+enum Solution<'t> {
+    Elements(Radiosity<'t>),
+    Paths(Paths<'t>),
 }
 
 /// Readings in groups, each named by the first in it: the components of vector irradiance and the fluence rate of one receiver,
@@ -86,11 +101,11 @@ fn groups(readings: &[Reading], answers: usize) -> Vec<usize> {
 }
 
 impl<'s> Work<'s> {
-    fn new(scene: &'s Scene, effects: Effects, watch: &'s dyn Watch) -> Self {
+    fn new(scene: &'s Scene, effects: Effects, choose: Choose, watch: &'s dyn Watch) -> Self {
         let of = |(index, receiver)| Reading::of(index, receiver);
         let readings: Vec<Reading> = scene.receivers.iter().enumerate().flat_map(of).collect();
         let (answers, groups) = (readings.len(), groups(&readings, readings.len()));
-        Self { scene, effects, watch, start: Instant::now(), readings, answers, groups }
+        Self { scene, effects, choose, watch, start: Instant::now(), readings, answers, groups }
     }
 
     fn asks_for_maps(&self) -> bool {
@@ -109,7 +124,7 @@ impl<'s> Work<'s> {
             if fineness == 0 {
                 self.watch_cells(&grids);
             }
-            let (radiosity, mut found) = self.refined(&transport, &lights, &mut history);
+            let (solution, mut found) = self.solved(&transport, &lights, &mut history);
             let is_compared = coarse.is_some();
             if let Some(coarse) = coarse {
                 add_changes(&mut found, &coarse);
@@ -119,7 +134,10 @@ impl<'s> Work<'s> {
                 || fineness == FINEST
                 || (is_compared && self.is_enough(&found))
             {
-                let maps = self.maps(&radiosity, &grids, &found);
+                let maps = match &solution {
+                    Solution::Elements(radiosity) => self.maps(radiosity, &grids, &found),
+                    Solution::Paths(paths) => self.sampled_maps(paths, &grids, &found),
+                };
                 let stopped = self.watch.is_stopped();
                 return Simulation { answers: self.answered(&found), maps, history, stopped };
             }
@@ -157,6 +175,34 @@ impl<'s> Work<'s> {
         self.groups = groups(&self.readings, self.answers);
     }
 
+    /// A solution and the readings, by what takes less.
+    fn solved<'t>(
+        &self,
+        transport: &'t Transport,
+        lights: &'t Lights<'t>,
+        history: &mut Vec<Moment>,
+    ) -> (Solution<'t>, Vec<Found>)
+    where
+        's: 't,
+    {
+        match (self.choose)(self.scene, &transport.faces, self.effects.occlusion) {
+            Gathering::Pieces => {
+                let (radiosity, found) = self.refined(transport, lights, history);
+                (Solution::Elements(radiosity), found)
+            }
+            Gathering::Rays => {
+                let paths = Paths::new(self.scene, transport, lights, self.question(), self.watch);
+                let found = self.sampled(&paths, is_round(self.scene), history);
+                (Solution::Paths(paths), found)
+            }
+        }
+    }
+
+    fn question(&self) -> Question {
+        let Effects { orders, direct, .. } = self.effects;
+        Question { orders, receives: receiving(self.scene), direct }
+    }
+
     /// The solution on elements that are fine enough for all readings, and the readings.
     fn refined<'t>(
         &self,
@@ -167,9 +213,7 @@ impl<'s> Work<'s> {
     where
         's: 't,
     {
-        let Effects { orders, direct, .. } = self.effects;
-        let question = Question { orders, receives: receiving(self.scene), direct };
-        let mut radiosity = Radiosity::new(self.scene, transport, lights, question, self.watch);
+        let mut radiosity = Radiosity::new(self.scene, transport, lights, self.question(), self.watch);
         let mut found = self.read(&radiosity, None);
         loop {
             let seconds = self.start.elapsed().as_secs_f64();
@@ -196,7 +240,7 @@ impl<'s> Work<'s> {
                 found.bands.iter().zip(&scales).map(|(e, &scale)| relative((e, scale))).fold(0.0, f64::max);
             let scale = scales.iter().copied().fold(0.0, f64::max);
             let weight = if worst.is_finite() { worst / scale } else { 1.0 / scale };
-            let what = reading.goal(self.scene, radiosity)?;
+            let what = reading.goal(self.scene, radiosity.transport())?;
             (worst > self.scene.solve.tolerance && weight.is_finite()).then_some(Goal { what, weight })
         };
         self.readings.iter().zip(found).zip(self.scales(found)).filter_map(goal).collect()
@@ -235,7 +279,7 @@ impl<'s> Work<'s> {
     }
 
     /// What the tolerance of each reading in each band is relative to: the largest value of its group.
-    fn scales(&self, found: &[Found]) -> Vec<Vec<f64>> {
+    pub(super) fn scales(&self, found: &[Found]) -> Vec<Vec<f64>> {
         let mut largest = vec![vec![0.0_f64; self.scene.band_count()]; found.len()];
         for (found, &group) in found.iter().zip(&self.groups) {
             largest[group].iter_mut().zip(&found.bands).for_each(|(m, e)| *m = m.max(e.value.abs()));
@@ -245,7 +289,7 @@ impl<'s> Work<'s> {
 
     /// The errors of all readings in all bands, relative to what their tolerances are. Of an answer that is nothing beside the
     /// largest of all, such as that of a receiver in the dark, only the error beside that one counts.
-    fn relative_errors(&self, found: &[Found]) -> impl Iterator<Item = f64> {
+    pub(super) fn relative_errors(&self, found: &[Found]) -> impl Iterator<Item = f64> {
         let scales = self.scales(found);
         let largest = scales.iter().flatten().copied().fold(0.0, f64::max);
         let relative = |(estimate, scale): (&Estimate, f64)| {

@@ -11,7 +11,9 @@ use crate::simulation::Unwatched;
 
 /// How many faces are asked at most what they see.
 const ASKED: usize = 64;
-/// In scenes with more faces than this it is not looked for whether anything stands in between.
+/// Rays from each of them in large scenes.
+const RAYS: u32 = 256;
+/// Scenes with more faces than this are surveyed by rays: bounds are not found then, nor whether anything stands in between.
 const MANY: usize = 256;
 /// The part of the way from what was found to the largest that is possible by which a norm is raised: it was found at points.
 const MARGIN: f64 = 0.25;
@@ -52,11 +54,10 @@ impl Survey {
         let screens = Screens::of(&faces);
         let transport = Transport { faces, screens, occlusion: true, accuracy: 1e-2 };
         let lights = Lights::of(scene, &transport);
-        let receives = receiving(scene);
-        let question = Question { orders: Some(0), receives, direct: true };
-        let straight = Radiosity::new(scene, &transport, &lights, question, &Unwatched);
+        let is_large = transport.faces.len() > MANY;
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
-        let sampled = sample(scene, &transport, &lights);
+        let sampled =
+            if is_large { sample_by_rays(scene, &transport) } else { sample(scene, &transport, &lights) };
         let contraction = sampled.contraction + MARGIN * (largest_albedo - sampled.contraction).max(0.0);
         let contraction = if sampled.contraction == 0.0 { 0.0 } else { contraction };
         let mut survey = Self {
@@ -73,7 +74,15 @@ impl Survey {
                 && sampled.closure >= 1.0 - CLOSED
                 && all_white(scene),
         };
-        survey.bound(scene, &straight, sampled.direct);
+        if !is_large {
+            let question = Question { orders: Some(0), receives: receiving(scene), direct: true };
+            let straight = Radiosity::new(scene, &transport, &lights, question, &Unwatched);
+            survey.bound(scene, &straight, sampled.direct);
+        } else {
+            // bounds take exact direct light, of every surface that is a receiver
+            survey.band_spread =
+                spreads(scene).iter().any(|&spread| spread > 0.0).then_some([f64::INFINITY; 2]);
+        }
         survey
     }
 
@@ -90,13 +99,7 @@ impl Survey {
         // ‖E‖ ≤ ‖D‖/(1 − k), and what is reflected is ρ E/π from everywhere
         let everywhere = direct / (1.0 - self.contraction);
         let reflected = largest_albedo * everywhere / std::f64::consts::PI;
-        let spread_of = |lists: &dyn Fn(usize) -> Vec<f64>| {
-            (0..scene.surfaces.len()).map(|surface| half_spread(&lists(surface))).fold(0.0, f64::max)
-        };
-        let of_albedo = spread_of(&|surface| reflectance(scene, surface).to_vec());
-        let of_light = spread_of(&|surface| scene.surfaces[surface].radiance.clone())
-            .max(half_spread(&scene.ambient.radiance))
-            .max(scene.lights.iter().map(half_spread_of_light).fold(0.0, f64::max));
+        let [of_albedo, of_light] = spreads(scene);
         let spread = (of_light + of_albedo * everywhere / std::f64::consts::PI) / (1.0 - self.contraction);
         let (mut interreflection, mut bands) = ([0.0_f64; 2], [0.0_f64; 2]);
         for reading in &readings {
@@ -150,6 +153,18 @@ fn half_spread(values: &[f64]) -> f64 {
     if values.is_empty() { 0.0 } else { 0.5 * (high - low) }
 }
 
+/// The largest half spread over the bands of a reflectance, and of a light.
+fn spreads(scene: &Scene) -> [f64; 2] {
+    let spread_of = |lists: &dyn Fn(usize) -> Vec<f64>| {
+        (0..scene.surfaces.len()).map(|surface| half_spread(&lists(surface))).fold(0.0, f64::max)
+    };
+    let of_albedo = spread_of(&|surface| reflectance(scene, surface).to_vec());
+    let of_light = spread_of(&|surface| scene.surfaces[surface].radiance.clone())
+        .max(half_spread(&scene.ambient.radiance))
+        .max(scene.lights.iter().map(half_spread_of_light).fold(0.0, f64::max));
+    [of_albedo, of_light]
+}
+
 fn half_spread_of_light(light: &crate::scene::Light) -> f64 {
     match &light.kind {
         LightKind::Point { intensity, .. } => half_spread(intensity),
@@ -192,6 +207,31 @@ fn sample(scene: &Scene, transport: &Transport, lights: &Lights) -> Sampled {
         sampled.contraction = rows.into_iter().flatten().fold(sampled.contraction, f64::max);
         sampled.closure = closure.into_iter().fold(sampled.closure, f64::min);
         sampled.direct = direct.into_iter().flatten().fold(sampled.direct, f64::max);
+    }
+    sampled
+}
+
+/// What some faces see from their middles, by the ends of rays; nothing of direct light.
+fn sample_by_rays(scene: &Scene, transport: &Transport) -> Sampled {
+    let is_source = |face: &Face| is_bright(scene, face) && reflects(scene, face.surface);
+    let reflecting: Vec<&Face> = transport.faces.iter().filter(|face| is_source(face)).collect();
+    let mut sampled = Sampled { contraction: 0.0, closure: f64::INFINITY, direct: 0.0 };
+    let asked = reflecting.iter().step_by(reflecting.len().div_ceil(ASKED).max(1));
+    for (index, face) in asked.enumerate() {
+        let sum = face.vertices.iter().fold(Vector::default(), |sum, &v| sum + v);
+        let middle = (1.0 / face.vertices.len() as f64) * sum;
+        let mut row = vec![0.0; scene.band_count()];
+        let mut closure = 0.0;
+        for met in transport.faces_above(middle, face.normal, RAYS, index as u64).flatten() {
+            let met = &transport.faces[met];
+            if is_source(met) {
+                closure += 1.0 / f64::from(RAYS);
+                let reflectances = reflectance(scene, met.surface);
+                row.iter_mut().zip(reflectances).for_each(|(row, rho)| *row += rho / f64::from(RAYS));
+            }
+        }
+        sampled.contraction = row.into_iter().fold(sampled.contraction, f64::max);
+        sampled.closure = sampled.closure.min(closure);
     }
     sampled
 }

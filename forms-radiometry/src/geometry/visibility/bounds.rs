@@ -67,15 +67,4 @@ impl Bounds {
             reach(direction.z, self.low.z, self.high.z),
         )
     }
-
-    /// Where a ray enters the box, in units of 1/`inverse`, if it passes through it farther than its origin. `inverse` has the inverses
-    /// of the direction's coordinates: an infinite one stands for a ray along a side, for which 0 · ∞ constrains nothing.
-    pub(super) fn entered(&self, origin: Vector, inverse: Vector) -> Option<f64> {
-        let [to_low, to_high] =
-            [self.low, self.high].map(|corner| zipped(corner - origin, inverse, |a, b| a * b));
-        let (first, last) = (zipped(to_low, to_high, f64::min), zipped(to_low, to_high, f64::max));
-        let enter = first.x.max(first.y).max(first.z).max(0.0);
-        let leave = last.x.min(last.y).min(last.z);
-        (enter <= leave * (1.0 + 4.0 * f64::EPSILON)).then_some(enter)
-    }
 }

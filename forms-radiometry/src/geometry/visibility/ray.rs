@@ -1,7 +1,6 @@
 //! Rays: an origin and a direction become the first screen that is met, or whether there is one.
 
-use super::bounds::Bounds;
-use super::tree::Query;
+use super::branches::Way;
 use super::{Screen, Screens, Vector};
 use crate::geometry::cone::sides;
 use std::ops::ControlFlow;
@@ -20,7 +19,6 @@ struct Ray<'s> {
     screens: &'s Screens,
     origin: Vector,
     direction: Vector,
-    inverse: Vector,
     /// How far the ray goes.
     reach: f64,
     /// The least distance of the end of the ray from the plane of what it meets.
@@ -28,18 +26,25 @@ struct Ray<'s> {
     /// Whether anything that is met will do.
     any: bool,
     first: Option<Hit>,
+    /// Whether it is met from its front.
+    is_front: bool,
 }
 
-impl Query for Ray<'_> {
-    fn may_be_in(&self, bounds: &Bounds) -> bool {
-        bounds.entered(self.origin, self.inverse).is_some_and(|distance| distance <= self.reach)
+impl Way for Ray<'_> {
+    fn ray(&self) -> [Vector; 2] {
+        [self.origin, self.direction]
+    }
+
+    fn end(&self) -> f64 {
+        self.reach
     }
 
     fn at(&mut self, leaf: usize) -> ControlFlow<()> {
         let screen = &self.screens.screens[leaf];
-        if let Some(hit) = self.met(screen) {
+        if let Some((hit, from_front)) = self.met(screen) {
             self.reach = hit.distance;
             self.first = Some(hit);
+            self.is_front = from_front;
             if self.any {
                 return ControlFlow::Break(());
             }
@@ -49,8 +54,9 @@ impl Query for Ray<'_> {
 }
 
 impl Ray<'_> {
-    /// Where the ray meets a screen, if it is farther than `resolution` from the screen's plane and gets through it within its reach.
-    fn met(&self, screen: &Screen) -> Option<Hit> {
+    /// Where the ray meets a screen, and whether from its front, if it is farther than `resolution` from the screen's plane and gets through
+    /// it within its reach. Of two screens that lie upon each other the one that turns its front to the ray is met.
+    fn met(&self, screen: &Screen) -> Option<(Hit, bool)> {
         let height = screen.plane.distance(self.origin);
         let along = screen.plane.normal.dot(self.direction);
         let comes_nearer = if height > 0.0 { along < 0.0 } else { along > 0.0 };
@@ -58,9 +64,12 @@ impl Ray<'_> {
             return None;
         }
         let distance = -height / along;
-        let gets_through = distance < self.reach && (self.reach - distance) * along.abs() > self.beyond;
+        let from_front = height > 0.0;
+        let ahead = (self.reach - distance) * along.abs();
+        let lies_upon = self.first.is_some() && ahead.abs() <= self.screens.resolution;
+        let gets_through = if lies_upon { from_front && !self.is_front } else { ahead > self.beyond };
         let hit = Hit { face: screen.sides[usize::from(height < 0.0)], distance };
-        (gets_through && self.is_inside(screen, height > 0.0)).then_some(hit)
+        (gets_through && self.is_inside(screen, from_front)).then_some((hit, from_front))
     }
 
     /// Whether the ray's direction lies in the cone over the screen or on its boundary.
@@ -87,9 +96,9 @@ impl Screens {
     }
 
     fn along(&self, origin: Vector, direction: Vector, [reach, beyond]: [f64; 2], any: bool) -> Option<Hit> {
-        let inverse = Vector::new(1.0 / direction.x, 1.0 / direction.y, 1.0 / direction.z);
-        let mut ray = Ray { screens: self, origin, direction, inverse, reach, beyond, any, first: None };
-        let _ = self.tree.walk(&mut ray);
+        let mut ray =
+            Ray { screens: self, origin, direction, reach, beyond, any, first: None, is_front: false };
+        self.branches.walk(&mut ray);
         ray.first
     }
 }

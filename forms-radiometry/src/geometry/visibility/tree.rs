@@ -85,6 +85,38 @@ impl Tree {
         Self { nodes }
     }
 
+    /// The bounds of all boxes.
+    pub(super) fn bounds(&self) -> Bounds {
+        self.siblings([0, self.nodes.len()])
+            .fold(Bounds::NOTHING, |all, place| all.with(self.nodes[place].bounds))
+    }
+
+    /// The places of the nodes that no other is above, of which there are two at most.
+    pub(super) fn roots(&self) -> [Option<usize>; 2] {
+        let mut siblings = self.siblings([0, self.nodes.len()]);
+        [siblings.next(), siblings.next()]
+    }
+
+    /// The places of the nodes right below one.
+    pub(super) fn below(&self, place: usize) -> [Option<usize>; 2] {
+        let mut siblings = self.siblings([place + 1, self.nodes[place].next as usize]);
+        [siblings.next(), siblings.next()]
+    }
+
+    pub(super) fn bounds_of(&self, place: usize) -> &Bounds {
+        &self.nodes[place].bounds
+    }
+
+    /// The index of the box that a node is, if it is a leaf.
+    pub(super) fn leaf(&self, place: usize) -> Option<usize> {
+        Some(self.nodes[place].leaf).filter(|&leaf| leaf != INNER).map(|leaf| leaf as usize)
+    }
+
+    fn siblings(&self, [first, end]: [usize; 2]) -> impl Iterator<Item = usize> {
+        let next = move |&place: &usize| Some(self.nodes[place].next as usize).filter(|&next| next < end);
+        std::iter::successors(Some(first).filter(|&first| first < end), next)
+    }
+
     /// Shows a query the boxes that it may be in, until it breaks off.
     pub(super) fn walk(&self, query: &mut impl Query) -> ControlFlow<()> {
         let mut place = 0;

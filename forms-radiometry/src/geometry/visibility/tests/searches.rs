@@ -159,6 +159,27 @@ fn rays_meet_first_what_is_nearest_and_nothing_slips_between_faces() {
 }
 
 #[test]
+fn of_faces_back_to_back_a_ray_meets_the_one_that_looks_to_it() {
+    let square = polygon(&[[0.0, 0.0, 0.5], [1.0, 0.0, 0.5], [1.0, 1.0, 0.5], [0.0, 1.0, 0.5]]);
+    let both = [square.clone(), square.reversed()];
+    for order in [[0, 1], [1, 0]] {
+        let faces: Vec<Face> =
+            order.iter().enumerate().flat_map(|(index, &which)| Face::of(index, &both[which])).collect();
+        let screens = Screens::of(&faces);
+        let mut numbers = Numbers::new(23);
+        for _ in 0..200 {
+            let (from, to) =
+                (inside(square.vertices(), &mut numbers), inside(square.vertices(), &mut numbers));
+            let height = if numbers.next() < 0.5 { 0.7 } else { -0.3 };
+            let origin = from + Vector::new(0.0, 0.0, height);
+            let hit = screens.first(origin, to - origin).expect("the square is met");
+            assert!(!faces[hit.face].is_back, "{order:?}: {hit:?} from {origin:?}");
+            assert!((hit.distance - 1.0).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
 fn what_is_hidden_from_a_point_is_not_visible() {
     let faces = furniture();
     let screens = Screens::of(&faces);

@@ -1,0 +1,83 @@
+//! Directions: points of the unit square become directions that are spread as a receiver weighs them, by the library's warps.
+
+use super::gather::Transport;
+use super::measure::Measure;
+use super::sequence::Net;
+use crate::geometry::Vector;
+use crate::kernels::{cosine_hemisphere_sample, uniform_sphere_sample};
+
+/// A direction for a point of the square, and what light from there counts: the mean of radiosity times this over uniform points is the
+/// measure of all that arrives, over π.
+pub(super) fn towards(measure: Measure, [u, v]: [f64; 2]) -> (Vector, f64) {
+    match measure {
+        Measure::Plane(normal) => (above(normal, [u, v]), 1.0),
+        Measure::Sphere | Measure::Flow(_) => {
+            let [x, y, z] = uniform_sphere_sample(u, v);
+            let direction = Vector::new(x, y, z);
+            (direction, Measure::Sphere.whole() * measure.factor(direction))
+        }
+    }
+}
+
+/// A direction above a plane, with a density like its cosine with the unit normal.
+pub(super) fn above(normal: Vector, [u, v]: [f64; 2]) -> Vector {
+    let [x, y, z] = cosine_hemisphere_sample(u, v);
+    let [along, across] = tangents(normal);
+    x * along + y * across + z * normal
+}
+
+impl Transport {
+    /// The faces that rays from a point above a plane end on, or nothing for those that end nowhere, with a density like their cosine.
+    pub(crate) fn faces_above(
+        &self,
+        position: Vector,
+        normal: Vector,
+        rays: u32,
+        key: u64,
+    ) -> impl Iterator<Item = Option<usize>> {
+        let net = Net::new(key);
+        let face = move |ray| self.screens.first(position, above(normal, net.point(ray))).map(|hit| hit.face);
+        (0..rays).map(face)
+    }
+}
+
+/// Two unit vectors that make a right-handed frame with a unit normal. Source: T. Duff et al., Building an orthonormal basis,
+/// revisited (2017).
+fn tangents(normal: Vector) -> [Vector; 2] {
+    let sign = 1_f64.copysign(normal.z);
+    let a = -1.0 / (sign + normal.z);
+    let b = normal.x * normal.y * a;
+    [
+        Vector::new(1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x),
+        Vector::new(b, sign + normal.y * normal.y * a, -normal.y),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_mean_over_directions_is_the_measure_of_a_uniform_radiosity() {
+        let axis = Vector::new(2.0, -3.0, 6.0).unit().expect("a direction");
+        let net = Net::new(5);
+        for measure in [Measure::Plane(axis), Measure::Plane(-axis), Measure::Sphere, Measure::Flow(axis)] {
+            let sum: f64 = (0..1024).map(|index| towards(measure, net.point(index)).1).sum();
+            let off = sum / 1024.0 - measure.whole();
+            assert!(off.abs() < 5e-3, "{measure:?}: {off}");
+        }
+    }
+
+    #[test]
+    fn directions_above_a_plane_have_the_mean_cosine_of_lambert() {
+        let net = Net::new(3);
+        for normal in [[1.0, 2.0, 2.0], [0.0, 0.0, -3.0], [-2.0, 1.0, -2.0]] {
+            let normal = (1.0 / 3.0) * Vector::new(normal[0], normal[1], normal[2]);
+            let cosines: Vec<f64> =
+                (0..4096).map(|index| above(normal, net.point(index)).dot(normal)).collect();
+            assert!(cosines.iter().all(|&cosine| cosine > 0.0));
+            let mean = cosines.iter().sum::<f64>() / 4096.0;
+            assert!((mean - 2.0 / 3.0).abs() < 1e-3, "{mean}");
+        }
+    }
+}

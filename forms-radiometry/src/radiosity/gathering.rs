@@ -1,0 +1,91 @@
+//! How light is gathered: by exact pieces of all elements, or by rays, whichever is expected to take less.
+//!
+//! ```text
+//! pieces   v s (n (1 + k²) + c k)          n nodes, s elements that reflect; k = 0.2/ε times as many of both at the end
+//! rays     32 m + 16 (r + c) (t σ/ε)²      m elements, r readings, c cells of maps, t of Student, σ the deviation of a path
+//! ```
+//! in rays, with the tolerance ε: the exact view of an element takes as long as v of them. Among surfaces that hide each other the first
+//! elements are exact to about 0.2, and errors fall like the area of elements. So both costs grow like 1/ε², but that of pieces is
+//! that of pairs, and ends where memory does; that of rays hardly depends on the surfaces. Where nothing is hidden, pieces
+//! are as exact as polynomials, and rays are never worth while. Pieces that could not be split once within the most nodes could not
+//! tell their error: then rays it is.
+
+use super::element::HIGHEST_ORDER;
+use super::paths::{RAYS, VIEW};
+use super::probe::{PATH, STUDENT};
+use super::reference::{Shape, reference};
+use super::system::{MOST_NODES, reflects};
+use crate::faces::is_bright;
+use crate::geometry::Face;
+use crate::scene::{ReceiverKind, Scene};
+
+/// The deviation of what a path finds, relative to a reading: typical where a third of the light is reflected.
+const DEVIATION: f64 = 0.2;
+/// The fewest nodes that a rough solution is not too rough with, and the most.
+const FEWEST_NODES: usize = 4_096;
+const MOST_ROUGH_NODES: usize = 1 << 20;
+/// The error of the first elements among surfaces that hide each other.
+const FIRST_ERROR: f64 = 0.2;
+/// Into how many parts elements are split.
+const PARTS: f64 = 4.0;
+
+/// How light is gathered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Gathering {
+    /// By the exact pieces that points see of all elements.
+    Pieces,
+    /// By rays, and by paths for what these leave out.
+    Rays,
+}
+
+impl Gathering {
+    /// How light is gathered in a scene with these faces. Rays always meet what stands in between.
+    pub(crate) fn of(scene: &Scene, faces: &[Face], occlusion: bool) -> Self {
+        let bright = || faces.iter().filter(|face| is_bright(scene, face) && reflects(scene, face.surface));
+        let sources = bright().count();
+        let nodes = coarsest_nodes(sources) as f64;
+        let (readings, cells) = asked(scene);
+        let paths = paths(scene, readings + cells);
+        let finer = (FIRST_ERROR / scene.solve.tolerance).min(MOST_NODES as f64 / nodes).max(1.0);
+        let views = nodes * (1.0 + finer * finer) + cells as f64 * finer;
+        let by_pieces = VIEW * sources as f64 * views;
+        let by_rays = f64::from(RAYS) * sources as f64 + PATH * paths;
+        let is_too_many = PARTS * nodes > MOST_NODES as f64;
+        if occlusion && (is_too_many || by_rays < by_pieces) { Self::Rays } else { Self::Pieces }
+    }
+}
+
+/// How many nodes this many elements begin with.
+fn coarsest_nodes(elements: usize) -> usize {
+    let nodes = |order| elements * reference(Shape::Square, order).nodes.len();
+    (1..=HIGHEST_ORDER).rev().map(nodes).find(|&nodes| nodes <= MOST_NODES / 8).unwrap_or_else(|| nodes(1))
+}
+
+/// How many readings a scene asks for, and how many cells of maps.
+fn asked(scene: &Scene) -> (usize, usize) {
+    let (mut readings, mut cells) = (0, 0);
+    for receiver in &scene.receivers {
+        match receiver.kind {
+            ReceiverKind::Surface { grid, .. } => {
+                readings += 1;
+                cells += grid.map_or(0, |[columns, rows]| columns * rows);
+            }
+            ReceiverKind::Sphere { .. } => readings += 4,
+            ReceiverKind::Point { .. } | ReceiverKind::Ray { .. } => readings += 1,
+            ReceiverKind::Camera(_) => {}
+        }
+    }
+    (readings, cells)
+}
+
+/// How many paths it takes to find this many numbers within the tolerance.
+fn paths(scene: &Scene, numbers: usize) -> f64 {
+    numbers as f64 * (STUDENT * DEVIATION / scene.solve.tolerance).powi(2)
+}
+
+/// How many nodes of a rough solution take as long as the paths of all readings.
+pub(super) fn worthwhile_nodes(scene: &Scene) -> usize {
+    let (readings, cells) = asked(scene);
+    let nodes = PATH * paths(scene, readings + cells) / (f64::from(RAYS) + PATH);
+    (nodes as usize).clamp(FEWEST_NODES, MOST_ROUGH_NODES)
+}

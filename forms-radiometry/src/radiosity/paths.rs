@@ -1,0 +1,292 @@
+//! Paths: light followed backwards along rays, where surfaces are too many for the exact pieces of all of them. Here is the rough
+//! solution; how paths go on from a point is in [`walk`](super::walk).
+//!
+//! ```text
+//! faces ─▶ elements ─ rays from each ─▶ rows ─▶ Ẽ, a rough solution ─┬─ gathered from ───────────────┬─▶ readings
+//!                                                                    └─ E − Ẽ along random paths ────┘
+//! ```
+//! A receiver gets ∫ ρ E dF. It gathers ρ Ẽ by many rays, and adds the mean of ρ (E − Ẽ) where some rays end, so that no error of
+//! Ẽ is left, neither of its elements nor of its rows: they only say how many paths it takes. D is exact where lights are few; where
+//! they are many faces, or outside, rays meet them.
+//!
+//! Source: M. Giles, Multilevel Monte Carlo path simulation (2008), for the sum of a cheap mean and a small difference.
+
+use super::direct::Lights;
+use super::directions::above;
+use super::element::Element;
+use super::gather::{Group, Scratch, Transport};
+use super::gathering::worthwhile_nodes;
+use super::measure::Measure;
+use super::operator::{Operator, Row};
+use super::sequence::{Net, key};
+use super::solution::of_bands;
+use super::subdivision::Subdivision;
+use super::system::{Question, reflectance};
+use crate::faces::emits;
+use crate::geometry::Vector;
+use crate::kernels::irradiance;
+use crate::scene::Scene;
+use crate::simulation::Watch;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Rays from each node of the rough solution, and from each point that is asked how much of its sky shines.
+pub(super) const RAYS: u32 = 32;
+/// How many nodes are asked how much of their sky shines.
+const ASKED: usize = 512;
+/// Of how many lights they are asked what stands before them.
+const LIGHTS_ASKED: usize = 4;
+/// What one exact view of a face costs in rays.
+pub(super) const VIEW: f64 = 16.0;
+/// The relative deviation below which rays that meet the lights count as good as their exact sum.
+const DEVIATION: f64 = 0.25;
+
+/// A scene with a rough solution, in which paths are followed.
+pub(crate) struct Paths<'t> {
+    pub(super) scene: &'t Scene,
+    pub(super) transport: &'t Transport,
+    lights: &'t Lights<'t>,
+    pub(super) question: Question,
+    pub(super) subdivision: Subdivision,
+    /// Whether rays meet faces that emit, and what is outside, instead of an exact sum over them.
+    pub(super) by_rays: bool,
+    /// The rough irradiance of each node, band by band: straight from lights, with all reflections that are asked for, and with all
+    /// but the last of these.
+    pub(super) direct: Vec<Vec<f64>>,
+    pub(super) irradiance: Vec<Vec<f64>>,
+    pub(super) reflected: Vec<Vec<f64>>,
+    /// For each band the largest radiosity of lights that rays have to meet.
+    pub(super) brightest: Vec<f64>,
+    /// An estimate of how much of the light a reflection leaves.
+    pub(super) contraction: f64,
+}
+
+/// A point where light is reflected.
+#[derive(Clone, Copy)]
+pub(super) struct Place {
+    pub(super) element: usize,
+    pub(super) position: Vector,
+}
+
+/// Where a ray ends: outside, or on a face, which has elements if it reflects or receives.
+pub(super) struct End {
+    pub(super) face: Option<usize>,
+    pub(super) place: Option<Place>,
+}
+
+impl<'t> Paths<'t> {
+    /// The rough solution.
+    pub(crate) fn new(
+        scene: &'t Scene,
+        transport: &'t Transport,
+        lights: &'t Lights<'t>,
+        question: Question,
+        watch: &dyn Watch,
+    ) -> Self {
+        let subdivision =
+            Subdivision::of(scene, &transport.faces, &question.receives, worthwhile_nodes(scene));
+        let mut paths = Self {
+            scene,
+            transport,
+            lights,
+            question,
+            subdivision,
+            by_rays: false,
+            direct: Vec::new(),
+            irradiance: Vec::new(),
+            reflected: Vec::new(),
+            brightest: Vec::new(),
+            contraction: 0.0,
+        };
+        paths.by_rays = paths.lights_are_met();
+        paths.brightest = paths.brightest_light();
+        paths.solve(watch);
+        paths
+    }
+
+    /// Whether rays find the lights sooner than their exact sum is taken: M rays, of which the part f ends at lights, deviate by
+    /// √((1 − f)/(f M)) of their sum; an exact view takes the longer the more screens are cut out of it.
+    fn lights_are_met(&self) -> bool {
+        let elements = &self.subdivision.elements;
+        let asked = elements.iter().step_by((elements.len() / ASKED).max(1));
+        let (mut met, mut screens, mut all) = (0.0, 0.0, 0.0_f64);
+        for (index, element) in asked.enumerate() {
+            let ends =
+                self.transport.faces_above(element.centre(), element.normal, RAYS, key(1, index as u64));
+            let lit = ends.filter(|&face| self.emitted(face).iter().any(|&radiance| radiance > 0.0));
+            met += lit.count() as f64 / f64::from(RAYS);
+            screens += self.screens_before_lights(element);
+            all += 1.0;
+        }
+        let (part, screens) = (met / all.max(1.0), screens / all.max(1.0));
+        let rays = (1.0 - part) / (part * DEVIATION * DEVIATION);
+        self.lights.faces().len() as f64 * VIEW * (1.0 + screens) > rays.max(1.0)
+    }
+
+    /// How many screens may come between the middle of an element and a light, in the mean over some lights.
+    fn screens_before_lights(&self, element: &Element) -> f64 {
+        let faces = self.lights.faces();
+        let (mut found, mut sum, mut all) = (Vec::new(), 0.0, 0.0_f64);
+        for &face in faces.iter().step_by((faces.len() / LIGHTS_ASKED).max(1)) {
+            let light = &self.transport.faces[face];
+            let (points, normal) = ([element.centre()], Some(element.normal));
+            self.transport.screens.between(&points, normal, &light.vertices, light.normal, &mut found);
+            sum += found.len() as f64;
+            all += 1.0;
+        }
+        sum / all.max(1.0)
+    }
+
+    fn solve(&mut self, watch: &dyn Watch) {
+        let bands = self.scene.band_count();
+        let count = self.subdivision.nodes.len();
+        let done = AtomicUsize::new(0);
+        let of_nodes: Vec<(Row, Vec<f64>)> = self
+            .subdivision
+            .nodes
+            .par_iter()
+            .with_min_len(16)
+            .map_init(Scratch::default, |scratch, &element| {
+                let done = done.fetch_add(1, Ordering::Relaxed);
+                if done.is_multiple_of(64) {
+                    watch.progress("interreflection", done as f64 / count as f64);
+                }
+                if watch.is_stopped() {
+                    (Row::default(), vec![0.0; bands])
+                } else {
+                    self.row(element as usize, scratch)
+                }
+            })
+            .collect();
+        let mut direct = vec![Vec::with_capacity(count); bands];
+        let mut rows = Vec::with_capacity(count);
+        for (row, light) in of_nodes {
+            rows.push(row);
+            direct.iter_mut().zip(light).for_each(|(band, value)| band.push(value));
+        }
+        let operator = Operator::new(rows, (0..=count).collect());
+        let solved = of_bands(&operator, &self.reflectances(), &direct, self.question.orders);
+        self.contraction = solved.contraction;
+        (self.direct, self.irradiance, self.reflected) = (direct, solved.irradiance, solved.reflected);
+    }
+
+    /// For each band the reflectance at each node.
+    fn reflectances(&self) -> Vec<Vec<f64>> {
+        let nodes = &self.subdivision.nodes;
+        let of = |band: usize| nodes.iter().map(move |&element| self.reflectance(element as usize)[band]);
+        (0..self.scene.band_count()).map(|band| of(band).collect()).collect()
+    }
+
+    /// Where the rays from the middle of an element end, each with its part, and the light that comes straight there.
+    fn row(&self, element: usize, scratch: &mut Scratch) -> (Row, Vec<f64>) {
+        let Element { normal, .. } = self.subdivision.elements[element];
+        let place = Place { element, position: self.subdivision.elements[element].centre() };
+        let mut light = self.direct(place, scratch);
+        let mut row = Row::default();
+        if self.question.orders == Some(0) && !self.by_rays {
+            return (row, light);
+        }
+        let net = Net::new(key(2, element as u64));
+        let mut ends = Vec::with_capacity(RAYS as usize);
+        for ray in 0..RAYS {
+            let end = self.trace(place.position, above(normal, net.point(ray)));
+            if self.by_rays {
+                let emitted = self.emitted(end.face);
+                light
+                    .iter_mut()
+                    .zip(emitted)
+                    .for_each(|(sum, &l)| *sum += irradiance(1.0, l) / f64::from(RAYS));
+            }
+            ends.extend(end.place.map(|place| self.subdivision.node_of[place.element]));
+        }
+        ends.sort_unstable();
+        for end in ends.chunk_by(|a, b| a == b) {
+            row.elements.push(end[0]);
+            row.weights.push(end.len() as f64 / f64::from(RAYS));
+        }
+        (row, light)
+    }
+
+    /// The geometry that light passes through.
+    pub(crate) fn transport(&self) -> &'t Transport {
+        self.transport
+    }
+
+    pub(super) fn reflectance(&self, element: usize) -> &[f64] {
+        let face = &self.transport.faces[self.subdivision.elements[element].face];
+        reflectance(self.scene, face.surface)
+    }
+
+    pub(super) fn node(&self, place: Place) -> usize {
+        self.subdivision.node_of[place.element] as usize
+    }
+
+    /// What comes straight from lights that no ray meets.
+    pub(super) fn direct(&self, place: Place, scratch: &mut Scratch) -> Vec<f64> {
+        let normal = self.subdivision.elements[place.element].normal;
+        self.straight(place.position, Measure::Plane(normal), scratch)
+    }
+
+    /// The same for any measure.
+    pub(super) fn straight(&self, position: Vector, measure: Measure, scratch: &mut Scratch) -> Vec<f64> {
+        let points = [position];
+        let group = Group { points: &points, outline: &points, measure };
+        if !self.by_rays {
+            return self.lights.reaching(group, self.transport, scratch).swap_remove(0);
+        }
+        let mut sum = vec![0.0; self.scene.band_count()];
+        self.lights.add_lights(position, measure, self.transport, &mut sum);
+        sum
+    }
+
+    /// Where a ray ends.
+    pub(super) fn trace(&self, from: Vector, direction: Vector) -> End {
+        let Some(hit) = self.transport.screens.first(from, direction) else {
+            return End { face: None, place: None };
+        };
+        let position = from + hit.distance * direction;
+        let element = self.subdivision.at(hit.face, position);
+        End { face: Some(hit.face), place: element.map(|element| Place { element, position }) }
+    }
+
+    /// The radiance that a face emits, or what is outside; an empty list if there is none.
+    pub(super) fn emitted(&self, face: Option<usize>) -> &[f64] {
+        let Some(face) = face.map(|face| &self.transport.faces[face]) else {
+            return &self.scene.ambient.radiance;
+        };
+        if emits(self.scene, face) { &self.scene.surfaces[face.surface].radiance } else { &[] }
+    }
+
+    /// For each band the largest radiosity of lights that rays have to meet.
+    fn brightest_light(&self) -> Vec<f64> {
+        let emitting = self.scene.surfaces.iter().filter(|surface| surface.emits());
+        let radiances =
+            || emitting.clone().map(|surface| &surface.radiance).chain([&self.scene.ambient.radiance]);
+        let largest = |band: usize| {
+            let radiance = radiances().map(|of_bands| of_bands[band]).fold(0.0, f64::max);
+            if self.by_rays { irradiance(1.0, radiance) } else { 0.0 }
+        };
+        (0..self.scene.band_count()).map(largest).collect()
+    }
+
+    /// The rough value of what a receiver gets from a direction, over the measure of the direction: what is emitted there, if rays meet
+    /// lights, and what is reflected. Adds it times a weight to the sums, and returns where the ray ends.
+    pub(super) fn gather(
+        &self,
+        from: Vector,
+        direction: Vector,
+        weight: f64,
+        sums: &mut [f64],
+    ) -> Option<Place> {
+        let end = self.trace(from, direction);
+        if self.by_rays && self.question.direct {
+            let emitted = self.emitted(end.face);
+            sums.iter_mut().zip(emitted).for_each(|(sum, &l)| *sum += weight * irradiance(1.0, l));
+        }
+        let place = end.place.filter(|_| self.question.orders != Some(0))?;
+        for ((sum, rough), rho) in sums.iter_mut().zip(&self.reflected).zip(self.reflectance(place.element)) {
+            *sum += weight * rho * rough[self.node(place)];
+        }
+        Some(place)
+    }
+}

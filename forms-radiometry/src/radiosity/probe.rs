@@ -1,0 +1,286 @@
+//! Probes: a number that is asked for becomes means over many rays and over some paths, in independent batches, and these its value
+//! with an error.
+//!
+//! ```text
+//! value = exact part + mean of the rough light + mean of what it lacks          each a mean of the means of 16 batches
+//! error = t √(s₁² + s₂²) + u (m₁/n₁ + m₂/n₂),  s² = Σ (batch − mean)²/(16 · 15)
+//! ```
+//! t is the quantile of Student's distribution with 15 degrees of freedom that 99.8 % lie within. What n points have never met is
+//! rarer than u/n with that certainty, u = −ln 0.002; where rays have to meet lights, it may be the brightest of them, m.
+//! Batches are shifts of one point set, which are independent; within a batch points lie more evenly than random ones, which their
+//! spread shows. A spread that is small by chance would end the work too early, so a doubling is not taken to gain more than half.
+
+use super::directions::towards;
+use super::gather::Scratch;
+use super::importance::GoalKind;
+use super::measure::Measure;
+use super::paths::{Paths, Place};
+use super::sequence::{Net, Random, key};
+use super::walk::Begin;
+use crate::geometry::Vector;
+use rayon::prelude::*;
+
+/// Independent batches.
+const BATCHES: usize = 16;
+/// The quantile of Student's distribution with 15 degrees of freedom that 99.8 % lie within.
+pub(super) const STUDENT: f64 = 3.733;
+/// What is not met in n trials is rarer than this over n, as certainly.
+const UNSEEN: f64 = 6.215;
+/// The first rays of a batch, and the first paths.
+const FIRST: [u32; 2] = [64, 16];
+/// The most of them.
+const MOST: [u32; 2] = [1 << 18, 1 << 16];
+/// What a path costs in rays.
+pub(super) const PATH: f64 = 16.0;
+
+/// A mean over points, in batches.
+#[derive(Clone, Debug)]
+struct Mean {
+    /// For each batch and band the sum over its points.
+    sums: Vec<Vec<f64>>,
+    /// The points of each batch so far.
+    points: u32,
+    /// For each band the error that their spread tells.
+    spread: Vec<f64>,
+    /// For each band the most that a point can find of lights.
+    most: Vec<f64>,
+}
+
+/// A number that is asked for.
+#[derive(Clone, Debug)]
+pub(crate) struct Probe {
+    what: GoalKind,
+    key: u64,
+    /// For each band what needs no rays.
+    exact: Vec<f64>,
+    /// The rough light, and what it lacks.
+    rough: Mean,
+    lack: Mean,
+    /// What paths that were cut off may have missed at most, in a mean over all of them.
+    cut: f64,
+}
+
+impl Mean {
+    fn new(most: Vec<f64>) -> Self {
+        let bands = most.len();
+        Self { sums: vec![vec![0.0; bands]; BATCHES], points: 0, spread: vec![f64::INFINITY; bands], most }
+    }
+
+    /// Nothing that has to be sampled.
+    fn nothing(bands: usize) -> Self {
+        Self { spread: vec![0.0; bands], ..Self::new(vec![0.0; bands]) }
+    }
+
+    fn value(&self, band: usize) -> f64 {
+        let sum: f64 = self.sums.iter().map(|sums| sums[band]).sum();
+        if self.points == 0 { 0.0 } else { sum / (BATCHES as f64 * f64::from(self.points)) }
+    }
+
+    /// Adds the sums of more points to each batch, and states the errors anew.
+    fn add(&mut self, points: u32, sums: Vec<Vec<f64>>) {
+        self.points += points;
+        for (batch, sums) in self.sums.iter_mut().zip(sums) {
+            batch.iter_mut().zip(sums).for_each(|(sum, more)| *sum += more);
+        }
+        for band in 0..self.spread.len() {
+            let mean = self.value(band);
+            let off = |sums: &Vec<f64>| (sums[band] / f64::from(self.points) - mean).powi(2);
+            let squares: f64 = self.sums.iter().map(off).sum();
+            let error = STUDENT * (squares / (BATCHES * (BATCHES - 1)) as f64).sqrt();
+            let before = self.spread[band];
+            self.spread[band] = if before.is_finite() { error.max(0.5 * before) } else { error };
+        }
+    }
+
+    /// What points may have missed because they are few.
+    fn unseen(&self, band: usize) -> f64 {
+        UNSEEN * self.most[band] / (BATCHES as f64 * f64::from(self.points.max(1)))
+    }
+
+    fn error(&self, band: usize) -> f64 {
+        self.spread[band] + self.unseen(band)
+    }
+}
+
+impl Paths<'_> {
+    /// A number that is asked for, with its first rays and paths. Different keys are independent.
+    pub(crate) fn probe(&self, what: GoalKind, number: u64) -> Probe {
+        let bands = self.scene.band_count();
+        let mut scratch = Scratch::default();
+        let reflects = self.question.orders != Some(0);
+        let (exact, gathers, lacks) = match what {
+            GoalKind::At { position, measure } => {
+                let straight = self.question.direct.then(|| self.straight(position, measure, &mut scratch));
+                let gathers = reflects || (self.by_rays && self.question.direct);
+                (straight.unwrap_or_else(|| vec![0.0; bands]), gathers, reflects)
+            }
+            GoalKind::Mean { surface } => (self.rough_mean(surface), false, true),
+        };
+        let weight = match what {
+            GoalKind::At { measure: Measure::Plane(_), .. } | GoalKind::Mean { .. } => 1.0,
+            GoalKind::At { .. } => Measure::Sphere.whole(),
+        };
+        let most: Vec<f64> = self.brightest.iter().map(|brightest| weight * brightest).collect();
+        let mean = |is_sampled| if is_sampled { Mean::new(most.clone()) } else { Mean::nothing(bands) };
+        let (rough, lack) = (mean(gathers), mean(lacks));
+        let mut probe = Probe { what, key: key(3, number), exact, rough, lack, cut: 0.0 };
+        if gathers {
+            self.add_rays(&mut probe, FIRST[0]);
+        }
+        if lacks {
+            self.add_paths(&mut probe, FIRST[1]);
+        }
+        probe
+    }
+
+    /// Doubles what pays best; false if there is nothing left to double. `scales` tells for each band what errors are relative to.
+    pub(crate) fn improve(&self, probe: &mut Probe, scales: &[f64]) -> bool {
+        let relative = |mean: &Mean| {
+            let of_band = |(band, scale): (usize, &f64)| {
+                let error = mean.error(band);
+                if error > 0.0 { error / scale } else { 0.0 }
+            };
+            scales.iter().enumerate().map(of_band).fold(0.0, f64::max)
+        };
+        // a doubling takes as much time as was taken so far, and halves the square of the error
+        let gain = |mean: &Mean, cost: f64, most: u32| {
+            let is_open = mean.points > 0 && mean.points < most;
+            if is_open { relative(mean).powi(2) / (cost * f64::from(mean.points)) } else { 0.0 }
+        };
+        let gains = [gain(&probe.rough, 1.0, MOST[0]), gain(&probe.lack, PATH, MOST[1])];
+        if gains[0].max(gains[1]).is_nan() || gains[0].max(gains[1]) <= 0.0 {
+            return false;
+        }
+        if gains[0] > gains[1] {
+            self.add_rays(probe, probe.rough.points);
+        } else {
+            self.add_paths(probe, probe.lack.points);
+        }
+        true
+    }
+
+    fn add_rays(&self, probe: &mut Probe, count: u32) {
+        let GoalKind::At { position, measure } = probe.what else { return };
+        let first = probe.rough.points;
+        let batch = |batch: usize| {
+            let net = Net::new(key(probe.key, batch as u64));
+            let mut sums = vec![0.0; self.scene.band_count()];
+            for index in first..first + count {
+                let (direction, weight) = towards(measure, net.point(index));
+                self.gather(position, direction, weight, &mut sums);
+            }
+            sums
+        };
+        let sums = (0..BATCHES).into_par_iter().map(batch).collect();
+        probe.rough.add(count, sums);
+    }
+
+    fn add_paths(&self, probe: &mut Probe, count: u32) {
+        let first = probe.lack.points;
+        let bands = self.scene.band_count();
+        let begins = self.begins(probe.what);
+        let batch = |batch: usize| {
+            let of_batch = key(probe.key, (BATCHES + batch) as u64);
+            let net = Net::new(of_batch);
+            let (mut scratch, mut cut) = (Scratch::default(), 0.0_f64);
+            let (mut sums, mut unused, mut weights) = (vec![0.0; bands], vec![0.0; bands], vec![0.0; bands]);
+            for index in first..first + count {
+                let Some((place, begin, weight)) = begins.at(self, net.point(index), &mut unused) else {
+                    continue;
+                };
+                if begin == Begin::Reflecting {
+                    weights
+                        .iter_mut()
+                        .zip(self.reflectance(place.element))
+                        .for_each(|(w, rho)| *w = weight * rho);
+                } else {
+                    weights.fill(weight);
+                }
+                let mut random = Random::new(key(of_batch, u64::from(index)));
+                cut += self.correction(place, begin, &mut random, &mut scratch, [&mut weights, &mut sums]);
+            }
+            (sums, cut)
+        };
+        let (sums, cuts): (Vec<Vec<f64>>, Vec<f64>) = (0..BATCHES).into_par_iter().map(batch).unzip();
+        let before = probe.cut * f64::from(first);
+        probe.cut = (before + cuts.iter().sum::<f64>() / BATCHES as f64) / f64::from(first + count);
+        probe.lack.add(count, sums);
+    }
+
+    fn begins(&self, what: GoalKind) -> Begins {
+        let GoalKind::Mean { surface } = what else { return Begins::Seen(what) };
+        let (mut whole, mut elements, mut ends) = (0.0, Vec::new(), Vec::new());
+        for element in self.front(surface) {
+            whole += self.subdivision.elements[element].area;
+            elements.push(element);
+            ends.push(whole);
+        }
+        Begins::On { elements, ends }
+    }
+
+    /// The elements of the front of a surface.
+    fn front(&self, surface: usize) -> impl Iterator<Item = usize> {
+        let is_on = move |element: &usize| {
+            let face = &self.transport.faces[self.subdivision.elements[*element].face];
+            face.surface == surface && !face.is_back
+        };
+        (0..self.subdivision.elements.len()).filter(is_on)
+    }
+
+    /// The mean of the rough irradiance over the front of a surface.
+    fn rough_mean(&self, surface: usize) -> Vec<f64> {
+        let mut sums = vec![0.0; self.scene.band_count()];
+        let mut whole = 0.0;
+        for element in self.front(surface) {
+            let area = self.subdivision.elements[element].area;
+            whole += area;
+            let node = self.subdivision.node_of[element] as usize;
+            for (band, sum) in sums.iter_mut().enumerate() {
+                let straight = if self.question.direct { 0.0 } else { self.direct[band][node] };
+                *sum += area * (self.irradiance[band][node] - straight);
+            }
+        }
+        sums.into_iter().map(|sum| sum / whole).collect()
+    }
+}
+
+/// Where the paths of a probe begin.
+enum Begins {
+    /// At what is seen from a point.
+    Seen(GoalKind),
+    /// On elements, each with the area up to its end.
+    On { elements: Vec<usize>, ends: Vec<f64> },
+}
+
+impl Begins {
+    /// The begin of a path for a point of the square, and its weight.
+    fn at(&self, paths: &Paths, [u, v]: [f64; 2], unused: &mut [f64]) -> Option<(Place, Begin, f64)> {
+        match self {
+            Self::Seen(GoalKind::At { position, measure }) => {
+                let (direction, weight) = towards(*measure, [u, v]);
+                let place = paths.gather(*position, direction, weight, unused)?;
+                Some((place, Begin::Reflecting, weight))
+            }
+            Self::Seen(GoalKind::Mean { .. }) => None,
+            Self::On { elements, ends } => {
+                let at = u * ends.last()?;
+                let index = ends.partition_point(|&end| end <= at).min(ends.len() - 1);
+                let begin = if index == 0 { 0.0 } else { ends[index - 1] };
+                let within = ((at - begin) / (ends[index] - begin)).clamp(f64::EPSILON, 1.0 - f64::EPSILON);
+                let element = elements[index];
+                let position: Vector = paths.subdivision.elements[element].image([within, v]);
+                Some((Place { element, position }, Begin::Receiving, 1.0))
+            }
+        }
+    }
+}
+
+impl Probe {
+    /// Its value in a band, and its error.
+    pub(crate) fn found(&self, band: usize) -> [f64; 2] {
+        let value = self.exact[band] + self.rough.value(band) + self.lack.value(band);
+        let (rough, lack) = (&self.rough, &self.lack);
+        let error = rough.spread[band].hypot(lack.spread[band]) + rough.unseen(band) + lack.unseen(band);
+        [value, error + self.cut]
+    }
+}

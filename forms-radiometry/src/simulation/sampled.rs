@@ -1,0 +1,140 @@
+//! Answers by rays: readings become probes, and those that are not exact enough get more rays and paths, until all are or none may
+//! have more.
+
+use super::answer::{Map, Moment, Quantity};
+use super::estimate::{Estimate, Found};
+use super::map::Grid;
+use super::readings::Reading;
+use super::solver::{DARK, ROUNDING, Work};
+use crate::radiosity::{GoalKind, Measure, Paths, Probe};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+
+/// What the shape of round surfaces leaves of the tolerance for rays.
+const BESIDE_SHAPE: f64 = 0.5;
+
+/// A reading and its probe, if anything has to be sampled for it.
+struct Sampled {
+    probe: Option<Probe>,
+    /// The reading whose probe it has: itself, or for a flux the mean irradiance before it.
+    of: usize,
+    /// For each band the offset and the factor that make the reading of the probe.
+    made_of: Vec<[f64; 2]>,
+    seconds: f64,
+}
+
+impl Work<'_> {
+    /// The readings, as exact as they are asked for or can be made.
+    pub(super) fn sampled(&self, paths: &Paths, is_round: bool, history: &mut Vec<Moment>) -> Vec<Found> {
+        let tolerance = self.scene.solve.tolerance * if is_round { BESIDE_SHAPE } else { 1.0 };
+        let transport = paths.transport();
+        let goals: Vec<Option<GoalKind>> =
+            self.readings.iter().map(|reading| reading.goal(self.scene, transport)).collect();
+        let first = |(index, reading): (usize, &Reading)| {
+            let begin = Instant::now();
+            let is_shared = index > 0
+                && self.readings[index - 1].receiver == reading.receiver
+                && goals[index - 1] == goals[index]
+                && index < self.answers;
+            let goal = goals[index].filter(|_| !is_shared);
+            let probe = goal.map(|what| paths.probe(what, index as u64));
+            let made_of = reading.made_of(self.scene, transport);
+            Sampled {
+                probe,
+                of: index - usize::from(is_shared),
+                made_of,
+                seconds: begin.elapsed().as_secs_f64(),
+            }
+        };
+        let mut sampled: Vec<Sampled> = self.readings.par_iter().enumerate().map(first).collect();
+        loop {
+            let found = self.found(&sampled);
+            let error = self.relative_errors(&found).fold(0.0, f64::max);
+            history.push(Moment { seconds: self.start.elapsed().as_secs_f64(), error });
+            self.watch.progress("receivers", (tolerance / error).powi(2).min(1.0));
+            if self.watch.is_stopped()
+                || error <= tolerance
+                || !self.improve(paths, &mut sampled, &found, tolerance)
+            {
+                return found;
+            }
+        }
+    }
+
+    /// More rays for the readings that are not exact enough; whether there are any that may have more.
+    fn improve(&self, paths: &Paths, sampled: &mut [Sampled], found: &[Found], tolerance: f64) -> bool {
+        let scales = self.scales(found);
+        let largest = scales.iter().flatten().copied().fold(0.0, f64::max);
+        let one = |((sampled, found), scales): ((&mut Sampled, &Found), Vec<f64>)| {
+            let scales: Vec<f64> = scales.into_iter().map(|scale| scale.max(DARK * largest)).collect();
+            let is_enough = found.bands.iter().zip(&scales).all(|(e, scale)| e.error() <= tolerance * scale);
+            let Some(probe) = sampled.probe.as_mut().filter(|_| !is_enough) else { return false };
+            let begin = Instant::now();
+            let of_probe: Vec<f64> =
+                scales.iter().zip(&sampled.made_of).map(|(scale, [_, factor])| scale / factor).collect();
+            let improved = paths.improve(probe, &of_probe);
+            sampled.seconds += begin.elapsed().as_secs_f64();
+            improved
+        };
+        sampled.par_iter_mut().zip(found).zip(scales).map(one).reduce(|| false, |a, b| a || b)
+    }
+
+    fn found(&self, sampled: &[Sampled]) -> Vec<Found> {
+        let one = |Sampled { of, made_of, seconds, .. }: &Sampled| {
+            let probe = &sampled[*of].probe;
+            let of_band = |(band, [offset, factor]): (usize, &[f64; 2])| {
+                let [value, error] = probe.as_ref().map_or([0.0; 2], |probe| probe.found(band));
+                let value = offset + factor * value;
+                Estimate::exact(value, factor * error + ROUNDING * value.abs())
+            };
+            Found { bands: made_of.iter().enumerate().map(of_band).collect(), seconds: *seconds }
+        };
+        sampled.iter().map(one).collect()
+    }
+
+    /// The maps: each cell is sampled until it is exact enough beside the largest of those that were watched.
+    pub(super) fn sampled_maps(&self, paths: &Paths, grids: &[(usize, Grid)], found: &[Found]) -> Vec<Map> {
+        let scales = self.scales(found);
+        let map = |&(receiver, ref grid): &(usize, Grid)| {
+            let watched =
+                (self.answers..found.len()).find(|&other| self.readings[other].receiver == receiver);
+            let scales =
+                watched.map_or_else(|| vec![0.0; self.scene.band_count()], |other| scales[other].clone());
+            self.sampled_map(paths, receiver, grid, &scales)
+        };
+        grids.iter().map(map).collect()
+    }
+
+    fn sampled_map(&self, paths: &Paths, receiver: usize, grid: &Grid, scales: &[f64]) -> Map {
+        let tolerance = self.scene.solve.tolerance;
+        let cells = grid.cells();
+        let done = AtomicUsize::new(0);
+        let cell = |(index, position): (usize, &Option<crate::geometry::Vector>)| {
+            let position = position.filter(|_| !self.watch.is_stopped())?;
+            let what = GoalKind::At { position, measure: Measure::Plane(grid.normal()) };
+            let mut probe = paths.probe(what, ((receiver as u64 + 1) << 32) + index as u64);
+            let is_enough = |probe: &Probe| {
+                let of_band = |(band, scale): (usize, &f64)| probe.found(band)[1] <= tolerance * scale;
+                scales.iter().enumerate().all(of_band)
+            };
+            while !is_enough(&probe) && paths.improve(&mut probe, scales) {}
+            let done = done.fetch_add(1, Ordering::Relaxed);
+            self.watch.progress("maps", done as f64 / cells.len() as f64);
+            Some(probe)
+        };
+        let probes: Vec<Option<Probe>> = cells.par_iter().enumerate().map(cell).collect();
+        let of_band = |band: usize, part: usize| {
+            probes.iter().map(move |probe| probe.as_ref().map_or(f64::NAN, |probe| probe.found(band)[part]))
+        };
+        let all = |part: usize| (0..scales.len()).map(|band| of_band(band, part).collect()).collect();
+        let name = self.scene.receivers[receiver].name.clone();
+        Map {
+            receiver: name,
+            quantity: Quantity::Irradiance,
+            size: grid.size(),
+            values: all(0),
+            errors: all(1),
+        }
+    }
+}

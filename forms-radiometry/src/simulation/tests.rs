@@ -1,0 +1,151 @@
+//! Light that is gathered by rays and by exact pieces is the same light.
+
+use super::solver::simulate_by;
+use super::{Answer, Unwatched, plan};
+use crate::geometry::Face;
+use crate::radiosity::Gathering;
+use crate::scene::{Scene, read};
+
+/// Whether numeric code is optimised; where it is not, fewer cases have to do.
+const IS_OPTIMISED: bool = !cfg!(debug_assertions);
+
+/// A room of 3 by 3 by 2 with a table on one leg and a lamp; bands as the text says.
+const ROOM: &str = r#"
+[[material]]
+name = "wall"
+kind = "diffuse"
+reflectance = 0.6
+[[material]]
+name = "wood"
+kind = "diffuse"
+reflectance = 0.3
+[[surface]]
+name = "floor"
+material = "wood"
+polygon = [[0, 0, 0], [3, 0, 0], [3, 3, 0], [0, 3, 0]]
+[[surface]]
+name = "left"
+material = "wall"
+polygon = [[0, 0, 0], [0, 3, 0], [0, 3, 2], [0, 0, 2]]
+[[surface]]
+name = "right"
+material = "wall"
+polygon = [[3, 0, 0], [3, 0, 2], [3, 3, 2], [3, 3, 0]]
+[[surface]]
+name = "back"
+material = "wall"
+polygon = [[0, 3, 0], [3, 3, 0], [3, 3, 2], [0, 3, 2]]
+[[surface]]
+name = "table"
+material = "wood"
+polygon = [[1, 1, 0.8], [2, 1.2, 0.8], [1.8, 2.2, 0.8]]
+two_sided = true
+[[surface]]
+name = "leg"
+material = "wood"
+polygon = [[1.5, 1.2, 0.1], [1.7, 1.6, 0.1], [1.7, 1.6, 0.7], [1.5, 1.2, 0.7]]
+two_sided = true
+"#;
+
+const LAMP: &str = r#"
+[[surface]]
+name = "lamp"
+material = "wall"
+polygon = [[1, 1, 1.9], [1, 2, 1.9], [2, 2, 1.9], [2, 1, 1.9]]
+exitance = 5
+"#;
+
+const POINT: &str = "[[light]]\nkind = \"point\"\nposition = [0.9, 1.1, 1.6]\nintensity = 2\n";
+const SUN: &str = "[[light]]\nkind = \"distant\"\ndirection = [0.3, 0.5, -1]\nirradiance = 4\n";
+const SKY: &str = "[ambient]\nradiance = 1.5\n";
+
+const RECEIVERS: &str = r#"
+[[receiver]]
+name = "point"
+kind = "point"
+position = [1.2, 1.7, 0.4]
+normal = [0.1, 0.3, 1]
+[[receiver]]
+name = "sphere"
+kind = "sphere"
+position = [0.6, 0.9, 1.1]
+[[receiver]]
+name = "ray"
+kind = "ray"
+origin = [2.5, 0.3, 1.5]
+direction = [-1, 1.4, -1]
+[[receiver]]
+name = "surface"
+kind = "surface"
+surface = "floor"
+"#;
+
+type Choose = fn(&Scene, &[Face], bool) -> Gathering;
+
+fn by(gathering: Choose, text: &str) -> Vec<Answer> {
+    let scene = read(text, "test.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
+    let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
+    simulate_by(gathering, &scene, &plan, &Unwatched).answers
+}
+
+fn by_rays(text: &str) -> Vec<Answer> {
+    by(|_, _, _| Gathering::Rays, text)
+}
+
+fn closed_room() -> String {
+    let corners = "[[0, 0, 0], [0, 0, 2], [3, 0, 2], [3, 0, 0]]";
+    format!("{ROOM}[[surface]]\nname = \"front\"\nmaterial = \"wall\"\npolygon = {corners}\n")
+}
+
+#[test]
+fn rays_and_exact_pieces_find_the_same_light() {
+    let all = [
+        ("a lamp", LAMP.to_string(), ""),
+        ("a point", POINT.to_string(), ""),
+        ("two reflections", [LAMP, POINT].concat(), "interreflection = 2"),
+        ("one reflection", [LAMP, SUN].concat(), "interreflection = 1"),
+        ("no reflection", [LAMP, SKY].concat(), "interreflection = \"off\""),
+        ("reflected light alone", [LAMP, SUN].concat(), "direct = \"off\""),
+        ("the sun", SUN.to_string(), ""),
+        ("the sky", SKY.to_string(), ""),
+        ("all of them", [LAMP, POINT, SUN, SKY].concat(), ""),
+    ];
+    let (count, tolerances) = if IS_OPTIMISED { (all.len(), [1e-2, 3e-2]) } else { (3, [5e-2, 1e-1]) };
+    for (name, lights, effects) in &all[..count] {
+        let [pieces, rays] = tolerances.map(|tolerance| {
+            let solve = format!("[solve]\ntolerance = {tolerance}\neffects = {{ {effects} }}\n");
+            format!("{}{RECEIVERS}{lights}{solve}", closed_room())
+        });
+        for (a, b) in by(|_, _, _| Gathering::Pieces, &pieces).iter().zip(by_rays(&rays)) {
+            let (off, allowed) = ((a.value - b.value).abs(), a.error + b.error);
+            let what = format!("{name}: {} {:?}", a.receiver, a.quantity);
+            assert!(off <= allowed, "{what}: {} ± {:e} and {} ± {:e}", a.value, a.error, b.value, b.error);
+        }
+    }
+}
+
+/// Receivers that ask the same many times: each gets rays of its own.
+#[test]
+fn answers_to_one_question_differ_less_than_their_errors_and_not_much_less() {
+    const COPIES: usize = 40;
+    let all = [("the sky", SKY), ("a lamp", LAMP), ("a point", POINT)];
+    let (count, tolerance) = if IS_OPTIMISED { (all.len(), 2e-2) } else { (1, 1e-1) };
+    for (name, lights) in &all[..count] {
+        let receiver = |index| {
+            format!(
+                "[[receiver]]\nname = \"{index}\"\nkind = \"point\"\nposition = [1.2, 1.7, 0.4]\nnormal = [0.1, 0.3, 1]\n"
+            )
+        };
+        let receivers: String = (0..COPIES).map(receiver).collect();
+        let found =
+            by_rays(&format!("{}{receivers}{lights}[solve]\ntolerance = {tolerance}\n", closed_room()));
+        let mean = found.iter().map(|answer| answer.value).sum::<f64>() / COPIES as f64;
+        let squares =
+            |of: fn(&Answer, f64) -> f64| found.iter().map(|answer| of(answer, mean).powi(2)).sum::<f64>();
+        let exceeded = found.iter().filter(|answer| (answer.value - mean).abs() > answer.error).count();
+        assert_eq!(exceeded, 0, "{name}");
+        // by Student's quantile and the doubling that is not trusted, errors are some four deviations
+        let ratio = (squares(|answer, _| answer.error) / squares(|answer, mean| answer.value - mean)).sqrt();
+        assert!((2.5..15.0).contains(&ratio), "{name}: errors are {ratio} deviations");
+    }
+}

@@ -1,0 +1,192 @@
+//! Scenes of thousands of surfaces: known answers and laws, within the errors that are printed.
+
+use forms_radiometry::scene::{Scene, read_with_files};
+use forms_radiometry::simulation::{Answer, Quantity, Unwatched, plan, simulate};
+use std::collections::HashMap;
+use std::f64::consts::PI;
+use std::fmt::Write;
+
+type Point = [f64; 3];
+
+/// Whether numeric code is optimised; where it is not, hundreds of surfaces have to do.
+const IS_OPTIMISED: bool = !cfg!(debug_assertions);
+
+/// Meshes by the names of their files, as OBJ.
+#[derive(Default)]
+struct Meshes(HashMap<String, String>);
+
+impl Meshes {
+    /// A mesh of polygons with vertices of their own.
+    fn add(&mut self, name: &str, polygons: &[Vec<Point>]) {
+        let mut text = String::new();
+        let mut count = 0;
+        for polygon in polygons {
+            polygon.iter().for_each(|[x, y, z]| writeln!(text, "v {x:?} {y:?} {z:?}").unwrap());
+            let indices: Vec<String> = (1..=polygon.len()).map(|i| (count + i).to_string()).collect();
+            writeln!(text, "f {}", indices.join(" ")).unwrap();
+            count += polygon.len();
+        }
+        self.0.insert(format!("{name}.obj"), text);
+    }
+
+    fn scene(&self, text: &str) -> Scene {
+        let file = |name: &str| Ok(self.0[name].clone().into_bytes());
+        read_with_files(text, "test.toml", &file).unwrap_or_else(|errors| panic!("{}", errors[0]))
+    }
+
+    fn answers(&self, text: &str) -> Vec<Answer> {
+        let scene = self.scene(text);
+        let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
+        simulate(&scene, &plan, &Unwatched).answers
+    }
+}
+
+/// A parallelogram from a corner along two edges, as n² pairs of triangles.
+fn triangles([corner, along, across]: [Point; 3], n: usize) -> Vec<Vec<Point>> {
+    let at = |i: usize, j: usize| {
+        let [u, v] = [i, j].map(|i| i as f64 / n as f64);
+        [0, 1, 2].map(|axis| corner[axis] + u * along[axis] + v * across[axis])
+    };
+    let cell = |(i, j)| {
+        let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+        [vec![a, b, c], vec![a, c, d]]
+    };
+    (0..n * n).flat_map(|index| cell((index % n, index / n))).collect()
+}
+
+/// The faces of the unit cube, which look inwards: a corner and two edges each.
+const CUBE: [(&str, [Point; 3]); 6] = [
+    ("floor", [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]),
+    ("ceiling", [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]),
+    ("left", [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
+    ("right", [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]]),
+    ("front", [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]]),
+    ("back", [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]),
+];
+
+/// A surface with a material and a mesh of its own.
+fn surface(name: &str, reflectance: f64, exitance: f64) -> String {
+    format!(
+        "[[material]]\nname = \"{name}\"\nkind = \"diffuse\"\nreflectance = {reflectance:?}\n\
+         [[surface]]\nname = \"{name}\"\nmaterial = \"{name}\"\nmesh = \"{name}.obj\"\nexitance = {exitance:?}\n"
+    )
+}
+
+fn receiver(surface: &str) -> String {
+    format!("[[receiver]]\nname = \"{surface}\"\nkind = \"surface\"\nsurface = \"{surface}\"\n")
+}
+
+/// The answer of a receiver to a quantity, and its error.
+fn answer(answers: &[Answer], receiver: &str, quantity: Quantity) -> [f64; 2] {
+    let is_meant = |answer: &&Answer| answer.receiver == receiver && answer.quantity == quantity;
+    let found = answers.iter().find(is_meant).unwrap_or_else(|| panic!("{receiver} {quantity:?}"));
+    [found.value, found.error]
+}
+
+fn assert_within(name: &str, [found, error]: [f64; 2], expected: f64, tolerance: f64) {
+    let off = (found - expected).abs();
+    assert!(off <= error, "{name}: {found} is off by {off:e}, said {error:e}");
+    assert!(error <= tolerance * expected.abs(), "{name}: {error:e} is not what was asked for");
+}
+
+#[test]
+fn in_a_furnace_of_thousands_of_triangles_every_radiance_is_that_of_the_walls() {
+    let mut meshes = Meshes::default();
+    let (n, tolerance, reflectances) =
+        if IS_OPTIMISED { (16, 1e-2, vec![0.5, 0.9, 0.999_999]) } else { (6, 5e-2, vec![0.9]) };
+    CUBE.iter().for_each(|(name, face)| meshes.add(name, &triangles(*face, n)));
+    for rho in reflectances {
+        let expected = 1.0 / (1.0 - rho);
+        let walls: String = CUBE.iter().map(|(name, _)| surface(name, rho, PI)).collect();
+        let text = walls
+            + "[[receiver]]\nname = \"point\"\nkind = \"point\"\nposition = [0.1, 0.7, 0]\nnormal = [0, 0, 1]\n"
+            + "[[receiver]]\nname = \"ray\"\nkind = \"ray\"\norigin = [0.5, 0.4, 0.3]\ndirection = [3, 1, 2]\n"
+            + "[[receiver]]\nname = \"sphere\"\nkind = \"sphere\"\nposition = [0.9, 0.4, 0.3]\n"
+            + &receiver("floor")
+            + &format!("[solve]\ntolerance = {tolerance:?}\n");
+        let found = meshes.answers(&text);
+        assert_within("point", answer(&found, "point", Quantity::Irradiance), PI * expected, tolerance);
+        assert_within("ray", answer(&found, "ray", Quantity::Radiance), expected, tolerance);
+        assert_within(
+            "sphere",
+            answer(&found, "sphere", Quantity::FluenceRate),
+            4.0 * PI * expected,
+            tolerance,
+        );
+        assert_within("floor", answer(&found, "floor", Quantity::Irradiance), PI * expected, tolerance);
+        for axis in 0..3 {
+            let [flow, error] = answer(&found, "sphere", Quantity::VectorIrradiance(axis));
+            assert!(flow.abs() <= error && error <= 20.0 * tolerance * expected, "{rho}: {flow} ± {error}");
+        }
+    }
+}
+
+/// A turn about an axis and then another, by which known answers do not change, but all rays do.
+fn turned([x, y, z]: Point, turn: f64) -> Point {
+    let (sin, cos) = turn.sin_cos();
+    let [x, y] = [cos * x - sin * y, sin * x + cos * y];
+    let (sin, cos) = (1.7 * turn).sin_cos();
+    [x, cos * y - sin * z, sin * y + cos * z]
+}
+
+#[test]
+fn opposed_squares_of_thousands_of_triangles_keep_their_radiosity_however_they_are_turned() {
+    // mean radiosity of the square that emits nothing, by tensor Gauss–Legendre in f64
+    const EXPECTED: f64 = 0.896_047_679_666_9;
+    let squares = [
+        ("a", [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]),
+        ("b", [[0.0, 0.0, 0.25], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]),
+    ];
+    let cases = [(12, 5e-2, 2), (24, 3e-2, 8), (32, 1e-2, 2)];
+    for &(n, tolerance, turns) in if IS_OPTIMISED { &cases[..] } else { &cases[..1] } {
+        for turn in 0..turns {
+            let mut meshes = Meshes::default();
+            for (name, square) in squares {
+                let square = square.map(|edge| turned(edge, f64::from(turn)));
+                meshes.add(name, &triangles(square, n));
+            }
+            let text = surface("a", 0.9, 0.0) + &surface("b", 0.9, 1.0) + &receiver("a");
+            let text = format!("{text}[solve]\ntolerance = {tolerance:?}\n");
+            let irradiance = answer(&meshes.answers(&text), "a", Quantity::Irradiance);
+            assert_within("squares", irradiance.map(|value| 0.9 * value), EXPECTED, tolerance);
+        }
+    }
+}
+
+#[test]
+fn what_is_emitted_in_a_closed_room_full_of_blocks_is_absorbed() {
+    let mut meshes = Meshes::default();
+    let reflectances = [0.3, 0.7, 0.5, 0.0, 0.6, 0.8];
+    let mut text = String::new();
+    for ((name, face), rho) in CUBE.iter().zip(reflectances) {
+        meshes.add(name, &triangles(*face, 4));
+        text += &surface(name, rho, if *name == "ceiling" { 1.0 } else { 0.0 });
+        text += &receiver(name);
+    }
+    // blocks of different heights, without bottoms
+    let block = |index: usize| {
+        let [x, y] = [index % 14, index / 14].map(|i| 0.06 + 0.065 * i as f64);
+        let height = 0.05 + 0.4 * ((index * 7) % 11) as f64 / 11.0;
+        let corner = |i: usize, z: f64| {
+            [[0.0, 0.0], [0.03, 0.01], [0.02, 0.04], [-0.01, 0.03]].map(|[a, b]| [x + a, y + b, z])[i % 4]
+        };
+        let side = move |i: usize| {
+            vec![corner(i, 0.0), corner(i + 1, 0.0), corner(i + 1, height), corner(i, height)]
+        };
+        let top = (0..4).map(|i| corner(i, height)).collect();
+        (0..4).map(side).chain([top]).collect::<Vec<_>>()
+    };
+    let (count, tolerance) = if IS_OPTIMISED { (14 * 14, 5e-2) } else { (2 * 14, 0.15) };
+    let blocks: Vec<Vec<Point>> = (0..count).flat_map(block).collect();
+    meshes.add("blocks", &blocks);
+    text = text + &surface("blocks", 0.4, 0.0) + &receiver("blocks");
+    text += &format!("[solve]\ntolerance = {tolerance:?}\n");
+    let found = meshes.answers(&text);
+    let names = CUBE.iter().map(|(name, _)| *name).chain(["blocks"]);
+    let mut absorbed = [0.0; 2];
+    for (name, rho) in names.zip(reflectances.into_iter().chain([0.4])) {
+        let flux = answer(&found, name, Quantity::Flux);
+        absorbed = [0, 1].map(|i| absorbed[i] + (1.0 - rho) * flux[i]);
+    }
+    assert_within("absorbed", absorbed, 1.0, tolerance);
+}
