@@ -1,32 +1,74 @@
 //! Contacts: where faces touch or pass through a face, irradiance on it jumps; there it is cut, so that no element has the jump
 //! inside.
+//!
+//! A cut goes through a whole piece. Where the contact takes only a small part of it, the piece is halved first: so what touches a large
+//! face in a small place is surrounded by small pieces, and no long and narrow ones run across the face.
 
 use crate::geometry::{Face, Vector, split};
 
 /// Faces of more than this many are not compared with each other.
 const MANY: usize = 2_000;
+/// The least part of a cut through a piece that a contact takes.
+const LEAST_SHARE: f64 = 0.35;
+/// How often pieces are halved at most to come near to a contact.
+const MOST_HALVINGS: usize = 16;
+
+/// What another face has in common with the plane of a face.
+#[derive(Clone, Copy, Debug)]
+struct Contact {
+    ends: [Vector; 2],
+    /// The normal of the other face.
+    normal: Vector,
+}
 
 /// The convex pieces of each face that the others leave uncut.
 pub(super) fn pieces(faces: &[Face], resolution: f64) -> Vec<Vec<Vec<Vector>>> {
     let cut = |face: &Face| {
-        let mut pieces = vec![face.vertices.clone()];
-        if faces.len() <= MANY {
-            for other in faces.iter().filter(|other| !other.is_back) {
-                if let Some(contact) = contact(face, other, resolution) {
-                    pieces = pieces
-                        .into_iter()
-                        .flat_map(|piece| cut_by(piece, contact, other, resolution))
-                        .collect();
-                }
-            }
-        }
+        let mut pieces = Vec::new();
+        let others = faces.iter().filter(|other| faces.len() <= MANY && !other.is_back);
+        let contacts: Vec<Contact> = others.filter_map(|other| contact(face, other, resolution)).collect();
+        divide(
+            face.vertices.clone(),
+            &contacts,
+            [resolution, 0.5_f64.powi(MOST_HALVINGS as i32) * face.area],
+            &mut pieces,
+        );
         pieces
     };
     faces.iter().map(cut).collect()
 }
 
-/// The two ends of what another face has in common with the plane of a face, if that is a line.
-fn contact(face: &Face, other: &Face, resolution: f64) -> Option<[Vector; 2]> {
+/// Appends the pieces that contacts cut a piece into. Pieces of less than the least area are not halved.
+fn divide(
+    piece: Vec<Vector>,
+    contacts: &[Contact],
+    [resolution, least]: [f64; 2],
+    pieces: &mut Vec<Vec<Vector>>,
+) {
+    let share = |contact: &Contact| Some((share(&piece, *contact, resolution)?, *contact));
+    let inside: Vec<(f64, Contact)> = contacts.iter().filter_map(share).collect();
+    let Some(&(share, contact)) = inside.iter().max_by(|one, other| one.0.total_cmp(&other.0)) else {
+        pieces.push(piece);
+        return;
+    };
+    let (mut front, mut behind) = (Vec::new(), Vec::new());
+    if share >= LEAST_SHARE {
+        split(&piece, |v| contact.normal.dot(v - contact.ends[0]), &mut front, &mut behind);
+    } else if area(&piece).length() > least {
+        let [middle, across] = half(&piece);
+        split(&piece, |v| across.dot(v - middle), &mut front, &mut behind);
+    } else {
+        pieces.push(piece);
+        return;
+    }
+    let inside: Vec<Contact> = inside.into_iter().map(|(_, contact)| contact).collect();
+    for part in [front, behind] {
+        divide(part, &inside, [resolution, least], pieces);
+    }
+}
+
+/// What another face has in common with the plane of a face, if that is a line.
+fn contact(face: &Face, other: &Face, resolution: f64) -> Option<Contact> {
     let origin = face.vertices[0];
     let height = |v: Vector| face.normal.dot(v - origin);
     let mut ends: Vec<Vector> = Vec::new();
@@ -42,39 +84,52 @@ fn contact(face: &Face, other: &Face, resolution: f64) -> Option<[Vector; 2]> {
         }
     }
     let (&first, &last) = (ends.first()?, ends.last()?);
-    (is_off && (last - first).length() > resolution).then_some([first, last])
+    let is_line = is_off && (last - first).length() > resolution;
+    is_line.then_some(Contact { ends: [first, last], normal: other.normal })
 }
 
-/// The two parts of a piece, if a contact passes through it.
-fn cut_by(piece: Vec<Vector>, [from, to]: [Vector; 2], other: &Face, resolution: f64) -> Vec<Vec<Vector>> {
-    let (mut low, mut high) = (0.0_f64, 1.0_f64);
-    let normal = piece[1..]
-        .windows(2)
-        .fold(Vector::default(), |sum, pair| sum + (pair[0] - piece[0]).cross(pair[1] - piece[0]));
+/// The part that a contact takes of the cut through a piece along it, if it lies inside of the piece.
+fn share(piece: &[Vector], Contact { ends: [from, to], normal }: Contact, resolution: f64) -> Option<f64> {
+    let side = |v: &Vector| normal.dot(*v - from);
+    if !piece.iter().any(|v| side(v) > resolution) || !piece.iter().any(|v| side(v) < -resolution) {
+        return None;
+    }
+    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+    let facing = area(piece);
     for (i, &a) in piece.iter().enumerate() {
-        let inwards = normal.cross(piece[(i + 1) % piece.len()] - a);
+        let inwards = facing.cross(piece[(i + 1) % piece.len()] - a);
         let (at_from, at_to) = (inwards.dot(from - a), inwards.dot(to - a));
-        if at_from < 0.0 && at_to < 0.0 {
-            return vec![piece];
-        }
         let crossing = at_from / (at_from - at_to);
-        if at_from < 0.0 {
+        if at_from < at_to {
             low = low.max(crossing);
-        } else if at_to < 0.0 {
+        } else if at_from > at_to {
             high = high.min(crossing);
+        } else if at_from < 0.0 {
+            return None;
         }
     }
-    if (high - low) * (to - from).length() <= resolution {
-        return vec![piece];
-    }
-    let side = |v: Vector| other.normal.dot(v - from);
-    let parts = piece.iter().any(|&v| side(v) > resolution) && piece.iter().any(|&v| side(v) < -resolution);
-    if !parts {
-        return vec![piece];
-    }
-    let (mut front, mut behind) = (Vec::new(), Vec::new());
-    split(&piece, side, &mut front, &mut behind);
-    vec![front, behind]
+    let taken = high.min(1.0) - low.max(0.0);
+    (taken * (to - from).length() > resolution).then(|| taken / (high - low))
+}
+
+/// The area of a piece times its normal.
+fn area(piece: &[Vector]) -> Vector {
+    let about = piece[0];
+    let twice = piece[1..]
+        .windows(2)
+        .fold(Vector::default(), |sum, pair| sum + (pair[0] - about).cross(pair[1] - about));
+    0.5 * twice
+}
+
+/// A point and a normal of the plane that halves a piece: through the middles of its longest edge and of its corners. It halves a
+/// triangle through a corner and a parallelogram along its shorter edges.
+fn half(piece: &[Vector]) -> [Vector; 2] {
+    let next = piece.iter().cycle().skip(1);
+    let edges = piece.iter().zip(next).map(|(&a, &b)| [0.5 * (a + b), b - a]);
+    let longest = edges.max_by(|[_, one], [_, other]| one.dot(*one).total_cmp(&other.dot(*other)));
+    let [middle, _] = longest.unwrap_or_default();
+    let centre = piece.iter().fold(Vector::default(), |sum, &v| sum + (1.0 / piece.len() as f64) * v);
+    [middle, area(piece).cross(centre - middle)]
 }
 
 #[cfg(test)]
@@ -97,7 +152,7 @@ mod tests {
         ]);
         let wall = |x: f64, low: f64| {
             let corner = |y, z| Vector::new(x, y, z);
-            face(vec![corner(0.5, low), corner(1.0, low), corner(1.0, 1.0), corner(0.5, 1.0)])
+            face(vec![corner(0.5, low), corner(1.5, low), corner(1.5, 1.0), corner(0.5, 1.0)])
         };
         for (name, other, expected) in [
             ("a wall that stands on it", wall(0.5, 0.0), 2),
@@ -109,5 +164,46 @@ mod tests {
             let pieces = pieces(&[floor.clone(), other], 1e-9);
             assert_eq!(pieces[0].len(), expected, "{name}");
         }
+    }
+
+    /// A floor of length 4 and what stands on it.
+    fn floor_with(others: &[Face]) -> Vec<Vec<Vector>> {
+        let corner = |x, y| Vector::new(x, y, 0.0);
+        let floor = face(vec![corner(0.0, 0.0), corner(4.0, 0.0), corner(4.0, 4.0), corner(0.0, 4.0)]);
+        let faces: Vec<Face> = std::iter::once(floor).chain(others.iter().cloned()).collect();
+        pieces(&faces, 1e-9).swap_remove(0)
+    }
+
+    fn side([a, b]: [[f64; 2]; 2]) -> Face {
+        let corner = |[x, y]: [f64; 2], z| Vector::new(x, y, z);
+        face(vec![corner(a, 0.0), corner(b, 0.0), corner(b, 1.0), corner(a, 1.0)])
+    }
+
+    #[test]
+    fn what_stands_in_a_small_place_is_cut_off_by_small_pieces() {
+        let [low, high] = [1.3, 1.4];
+        let corners = [[low, low], [high, low], [high, high], [low, high]];
+        let leg: Vec<Face> = (0..4).map(|i| side([corners[i], corners[(i + 1) % 4]])).collect();
+        let pieces = floor_with(&leg);
+        let below = |piece: &&Vec<Vector>| {
+            piece
+                .iter()
+                .all(|v| v.x >= low - 1e-9 && v.x <= high + 1e-9 && v.y >= low - 1e-9 && v.y <= high + 1e-9)
+        };
+        let area = |piece: &Vec<Vector>| area(piece).length();
+        let of_leg: f64 = pieces.iter().filter(below).map(area).sum();
+        assert!((of_leg - 0.01).abs() < 1e-12, "{of_leg} below the leg");
+        let whole: f64 = pieces.iter().map(area).sum();
+        assert!((whole - 16.0).abs() < 1e-12, "{whole} in all");
+        let extent =
+            |piece: &Vec<Vector>| piece.iter().map(|&v| (v - piece[0]).largest()).fold(0.0, f64::max);
+        let longest = pieces.iter().map(|piece| extent(piece).powi(2) / area(piece)).fold(0.0, f64::max);
+        assert!(longest < 16.0, "a piece is {longest} times as long as wide");
+        assert!(pieces.len() < 40, "{} pieces", pieces.len());
+    }
+
+    #[test]
+    fn a_contact_too_small_to_matter_ends_the_halving() {
+        assert!(floor_with(&[side([[1.0, 1.0], [1.0 + 1e-6, 1.0]])]).len() <= 2 * MOST_HALVINGS);
     }
 }

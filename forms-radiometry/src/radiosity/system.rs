@@ -3,7 +3,7 @@
 
 use super::contact;
 use super::direct::Lights;
-use super::element::{Element, HIGHEST_ORDER};
+use super::element::Element;
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use super::operator::{Operator, Row};
@@ -19,6 +19,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The most nodes: the matrix of more does not fit into the memory of a small machine.
 pub(super) const MOST_NODES: usize = 12_000;
+
+/// Orders for elements that would have more than so many nodes before any is split: linear polynomials as soon as each could not
+/// be split once, constants only where there is hardly room for anything else, for they converge slowly.
+const MOST_OF_ORDERS: [(usize, usize); 2] = [(2, MOST_NODES / 8), (1, MOST_NODES / 2)];
 
 /// Polynomials on the faces of round shapes have degrees below this.
 const ORDER_ON_ROUND: usize = 2;
@@ -80,8 +84,8 @@ impl<'t> Radiosity<'t> {
         let is_round_face =
             |element: &&mut Element| scene.surfaces[transport.faces[element.face].surface].shape.is_round();
         elements.iter_mut().filter(is_round_face).for_each(|element| element.order = ORDER_ON_ROUND);
-        for order in (1..HIGHEST_ORDER).rev() {
-            if elements.iter().map(Element::count).sum::<usize>() > MOST_NODES / 8 {
+        for (order, most) in MOST_OF_ORDERS {
+            if elements.iter().map(Element::count).sum::<usize>() > most {
                 elements.iter_mut().for_each(|element| element.order = element.order.min(order));
             }
         }
@@ -89,14 +93,13 @@ impl<'t> Radiosity<'t> {
         let straight = straight
             .map(|(surface, &receives)| if receives { lights.flux(surface, transport) } else { None });
         let straight = straight.collect();
-        let changes = vec![Change::UNKNOWN; elements.len()];
         let mut radiosity = Self {
             scene,
             transport,
             lights,
             question,
             outlines: Vec::new(),
-            changes,
+            changes: Vec::new(),
             operator: Operator::new(Vec::new(), Vec::new()),
             first: Vec::new(),
             irradiance: Vec::new(),
@@ -107,6 +110,7 @@ impl<'t> Radiosity<'t> {
             elements,
         };
         radiosity.solve(watch);
+        radiosity.changes = radiosity.unknown_changes();
         radiosity
     }
 

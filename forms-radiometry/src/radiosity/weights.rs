@@ -4,24 +4,20 @@
 //! Wₖ = ∫ φₖ(y) dμ(y)     over the pieces, μ the measure of the receiver (a form factor, say), φₖ the polynomial of node k
 //! ```
 //! A piece is cut until Gauss rules hold what is asked for: on a patch of radius r at the distance d the integrand is
-//! analytic in an ellipse of the size ϱ = d/r + √((d/r)² − 1), and q points leave an error like ϱ^(−2q). Errors of many patches
-//! add like their squares, so a patch that gives the part F of all light may have the error ε/√F of its own. Then the weights of
-//! the piece are corrected so that their sum is its measure exactly, by its closed form: what a uniform element sends is
-//! right to rounding, however near it is.
+//! analytic in an ellipse of the size ϱ = d/r + √((d/r)² − 1), and q points leave an error like ϱ^(−2q) of the patch's own light.
+//! All patches are held to the same, for errors of neighbours have one sign. Then the weights of the piece are corrected so that
+//! their sum is its measure exactly, by its closed form: what a uniform element sends is right to rounding, however near it is.
 
 use super::element::Element;
 use super::measure::Measure;
 use super::reference::MOST_NODES;
 use crate::geometry::{Patch, Vector, gauss, patches};
 use crate::kernels::exchange_density;
-use std::f64::consts::PI;
 
 /// The most points of a rule along one side; patches that would need more are cut.
 const MOST_POINTS: usize = 4;
 /// How often a patch is cut at most. What is left then is a millionth of it in area.
 const DEEPEST: u32 = 10;
-/// The error that any patch may have, relative to its own light.
-const WORST: f64 = 0.1;
 /// Pieces whose radius is this fraction of their distance are measured by the rule alone: in the closed form, the sum over
 /// the edges would cancel.
 const SMALL: f64 = 1e-3;
@@ -31,7 +27,7 @@ struct Piece<'e> {
     element: &'e Element,
     position: Vector,
     measure: Measure,
-    /// The error that the rules may leave, relative to all light that could arrive.
+    /// The error that the rules may leave, relative to the light that arrives.
     accuracy: f64,
     weights: [f64; MOST_NODES],
     /// The same with the solid angle as the measure.
@@ -70,14 +66,12 @@ impl Piece<'_> {
     }
 
     fn add(&mut self, patch: &Patch, depth: u32) {
-        let (centre, area) = patch.at(0.5, 0.5);
+        let (centre, _) = patch.at(0.5, 0.5);
         let (radius, squared) = (patch.radius(centre), centre.dot(centre));
         let ratio = squared.sqrt() / radius;
         let points = if ratio > 1.0 {
             let ellipse = ratio + (ratio * ratio - 1.0).sqrt();
-            let part = (area / (PI * squared)).min(1.0);
-            let accuracy = (self.accuracy / part.sqrt()).min(WORST);
-            (-0.5 * accuracy.ln() / ellipse.ln()).ceil()
+            (-0.5 * self.accuracy.ln() / ellipse.ln()).ceil()
         } else {
             f64::INFINITY
         };

@@ -1,17 +1,21 @@
 //! Estimates: what is known of a reading, from how it changed while elements became finer.
 //!
 //! ```text
-//! error = 2 λ/(1 − λ) max(Δₙ, λₙ₋₁ Δₙ₋₁, pooled change)        λ what still matters, relative to what was split
+//! error = 1.5 λₙ max(Δₙ, λₙ₋₁ Δₙ₋₁, pooled change)
 //! ```
-//! If each refinement leaves the part λ of what mattered, the changes that are to come sum to λ/(1 − λ) of the last. A change may
-//! cancel by chance: so the change before counts too, and the changes of all readings together.
+//! λ is what all refinements to come are expected to settle, relative to what the last one settled, both as elements matter to the
+//! answers. A change may cancel by chance: so the change before counts too, and the changes of all readings together, most of all those of
+//! the same receiver: the components of a vector, the cells of a map.
 
 /// The safety of the estimate.
-const SAFETY: f64 = 2.0;
-/// The least and the largest part that a refinement is taken to leave.
-const LEFT: [f64; 2] = [0.05, 0.7];
+const SAFETY: f64 = 1.5;
+/// The least and the largest that refinements to come are taken to settle.
+const LEFT: [f64; 2] = [0.05, 10.0];
 /// The part of the changes of all readings that each one is taken to have had at least, relative to its scale.
 const POOLED: f64 = 0.3;
+
+/// The part of the largest change in its group that each reading is taken to have had at least.
+const GROUPED: f64 = 0.5;
 
 /// What is known of one reading in one band.
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +24,7 @@ pub(super) struct Estimate {
     /// By how much it changed last, and by how much it may have.
     changed: f64,
     change: f64,
-    /// How much is left of what mattered, relative to what the last change settled.
+    /// What refinements to come settle, relative to what the last one settled.
     left: f64,
     /// What the solution of the equations, the shape of surfaces, and rounding leave.
     pub(super) floor: f64,
@@ -33,7 +37,7 @@ impl Estimate {
             return Self { value, changed: f64::INFINITY, change: f64::INFINITY, left: 1.0, floor };
         };
         let changed = (value - before.value).abs();
-        let carried = if before.changed.is_finite() { before.left * before.changed } else { 0.0 };
+        let carried = if before.changed.is_finite() { before.left.min(1.0) * before.changed } else { 0.0 };
         Self { value, changed, change: changed.max(carried), left: left.max(f64::MIN_POSITIVE), floor }
     }
 
@@ -51,8 +55,7 @@ impl Estimate {
         if self.change == 0.0 {
             return self.floor;
         }
-        let left = self.left.clamp(LEFT[0], LEFT[1]);
-        SAFETY * left / (1.0 - left) * self.change + self.floor
+        SAFETY * self.left.clamp(LEFT[0], LEFT[1]) * self.change + self.floor
     }
 }
 
@@ -63,23 +66,25 @@ pub(super) struct Found {
     pub(super) seconds: f64,
 }
 
-/// Raises changes that are small beside those of all readings, each relative to its scale.
-pub(super) fn pool(found: &mut [Found], scales: &[Vec<f64>]) {
+/// Raises changes that are small beside those of all readings, each relative to its scale, and beside those of its group.
+pub(super) fn pool(found: &mut [Found], scales: &[Vec<f64>], groups: &[usize]) {
     let (mut sum, mut count) = (0.0, 0.0);
-    for (found, scales) in found.iter().zip(scales) {
-        for (estimate, &scale) in found.bands.iter().zip(scales) {
+    let mut largest = vec![vec![0.0_f64; scales.first().map_or(0, Vec::len)]; found.len()];
+    for ((found, scales), &group) in found.iter().zip(scales).zip(groups) {
+        for ((estimate, &scale), largest) in found.bands.iter().zip(scales).zip(&mut largest[group]) {
             if estimate.changed.is_finite() && scale > 0.0 {
                 sum += (estimate.changed / scale).powi(2);
                 count += 1.0;
+                *largest = largest.max(estimate.changed);
             }
         }
     }
     let typical = if count > 0.0 { POOLED * (sum / count).sqrt() } else { 0.0 };
-    for (found, scales) in found.iter_mut().zip(scales) {
-        for (estimate, &scale) in
-            found.bands.iter_mut().zip(scales).filter(|(estimate, _)| !estimate.is_exact())
-        {
-            estimate.change = estimate.change.max(typical * scale);
+    for ((found, scales), &group) in found.iter_mut().zip(scales).zip(groups) {
+        for ((estimate, &scale), &largest) in found.bands.iter_mut().zip(scales).zip(&largest[group]) {
+            if !estimate.is_exact() {
+                estimate.change = estimate.change.max(typical * scale).max(GROUPED * largest);
+            }
         }
     }
 }

@@ -19,6 +19,7 @@ use crate::geometry::Screens;
 use crate::radiosity::{Goal, Lights, Question, Radiosity, Scratch, Transport};
 use crate::scene::{ReceiverKind, Scene};
 use rayon::prelude::*;
+use std::collections::HashMap;
 use std::time::Instant;
 
 /// The part of the tolerance that rules of integration may take.
@@ -69,13 +70,27 @@ struct Work<'s> {
     readings: Vec<Reading>,
     /// How many readings are answers; those after them are watched cells of maps.
     answers: usize,
+    /// The group of each reading.
+    groups: Vec<usize>,
+}
+
+/// Readings in groups, each named by the first in it: the components of vector irradiance and the fluence rate of one receiver,
+/// and the watched cells of one map. Any other reading is alone.
+fn groups(readings: &[Reading], answers: usize) -> Vec<usize> {
+    let mut first = HashMap::new();
+    let group = |(index, reading): (usize, &Reading)| {
+        let is_vector = matches!(reading.quantity, Quantity::VectorIrradiance(_) | Quantity::FluenceRate);
+        if is_vector || index >= answers { *first.entry(reading.receiver).or_insert(index) } else { index }
+    };
+    readings.iter().enumerate().map(group).collect()
 }
 
 impl<'s> Work<'s> {
     fn new(scene: &'s Scene, effects: Effects, watch: &'s dyn Watch) -> Self {
         let of = |(index, receiver)| Reading::of(index, receiver);
         let readings: Vec<Reading> = scene.receivers.iter().enumerate().flat_map(of).collect();
-        Self { scene, effects, watch, start: Instant::now(), answers: readings.len(), readings }
+        let (answers, groups) = (readings.len(), groups(&readings, readings.len()));
+        Self { scene, effects, watch, start: Instant::now(), readings, answers, groups }
     }
 
     fn asks_for_maps(&self) -> bool {
@@ -139,6 +154,7 @@ impl<'s> Work<'s> {
             let reading = |cell| Reading::irradiance(*index, cell, grid.normal());
             self.readings.extend(grid.some(WATCHED).map(reading));
         }
+        self.groups = groups(&self.readings, self.answers);
     }
 
     /// The solution on elements that are fine enough for all readings, and the readings.
@@ -208,7 +224,7 @@ impl<'s> Work<'s> {
         let mut found: Vec<Found> =
             self.readings.par_iter().enumerate().map_init(Scratch::default, one).collect();
         let scales = self.scales(&found);
-        pool(&mut found, &scales);
+        pool(&mut found, &scales, &self.groups);
         for (found, scales) in found.iter_mut().zip(scales) {
             for (estimate, scale) in found.bands.iter_mut().zip(scales) {
                 let rules = if estimate.is_exact() { 0.0 } else { radiosity.rules() };
@@ -218,29 +234,13 @@ impl<'s> Work<'s> {
         found
     }
 
-    /// What the tolerance of each reading in each band is relative to: its own value; for the components of a vector, the
-    /// fluence rate; for the cells of a map, the largest of them.
+    /// What the tolerance of each reading in each band is relative to: the largest value of its group.
     fn scales(&self, found: &[Found]) -> Vec<Vec<f64>> {
-        let mut largest = vec![
-            [vec![0.0; self.scene.band_count()], vec![0.0; self.scene.band_count()]];
-            self.scene.receivers.len()
-        ];
-        let shared = |index: usize| match self.readings[index].quantity {
-            Quantity::VectorIrradiance(_) | Quantity::FluenceRate => Some(0),
-            _ if index >= self.answers => Some(1),
-            _ => None,
-        };
-        for (index, found) in found.iter().enumerate() {
-            if let Some(kind) = shared(index) {
-                let of_receiver: &mut Vec<f64> = &mut largest[self.readings[index].receiver][kind];
-                of_receiver.iter_mut().zip(&found.bands).for_each(|(m, e)| *m = m.max(e.value.abs()));
-            }
+        let mut largest = vec![vec![0.0_f64; self.scene.band_count()]; found.len()];
+        for (found, &group) in found.iter().zip(&self.groups) {
+            largest[group].iter_mut().zip(&found.bands).for_each(|(m, e)| *m = m.max(e.value.abs()));
         }
-        let scale = |(index, found): (usize, &Found)| match shared(index) {
-            Some(kind) => largest[self.readings[index].receiver][kind].clone(),
-            None => found.bands.iter().map(|estimate| estimate.value.abs()).collect(),
-        };
-        found.iter().enumerate().map(scale).collect()
+        self.groups.iter().map(|&group| largest[group].clone()).collect()
     }
 
     /// The errors of all readings in all bands, relative to what their tolerances are. Of an answer that is nothing beside the
