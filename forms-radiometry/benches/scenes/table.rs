@@ -46,7 +46,8 @@ fn of_maps(maps: &[work::Measured], others: &[Line]) -> String {
             measured.work.title.to_string(),
             format!("{:e}", measured.work.target),
             shown(measured.seconds),
-            format!("{:.0e}", measured.error),
+            // direct light is the same with every tolerance
+            if measured.error == 0.0 { "rounding".to_string() } else { format!("{:.0e}", measured.error) },
             format!("{:e}", measured.tolerance),
             time(numpy.first().copied()),
             ratio(numpy.first().copied(), measured.seconds),

@@ -5,7 +5,7 @@
 //! value = exact part + mean of the rough light + mean of what it lacks          each a mean of the means of 16 batches
 //! error = t √(s₁² + s₂²) + u (m₁/n₁ + m₂/n₂),  s² = Σ (batch − mean)²/(16 · 15)
 //! ```
-//! t is the quantile of Student's distribution with 15 degrees of freedom that 99.8 % lie within. What n points have never met is
+//! t is the quantile of Student's distribution with 15 degrees of freedom that 99.99 % lie within. What n points have never met is
 //! rarer than u/n with that certainty, u = −ln 0.002; where rays have to meet lights, it may be the brightest of them, m.
 //! Batches are shifts of one point set, which are independent; within a batch points lie more evenly than random ones, which their
 //! spread shows. A spread that is small by chance would end the work too early, so a doubling is not taken to gain more than half.
@@ -22,10 +22,10 @@ use rayon::prelude::*;
 
 /// Independent batches.
 const BATCHES: usize = 16;
-/// The quantile of Student's distribution with 15 degrees of freedom that 99.8 % lie within.
-pub(super) const STUDENT: f64 = 3.733;
+/// The quantile of Student's distribution with 15 degrees of freedom that 99.99 % lie within.
+pub(super) const STUDENT: f64 = 5.239;
 /// What is not met in n trials is rarer than this over n, as certainly.
-const UNSEEN: f64 = 6.215;
+const UNSEEN: f64 = 9.210;
 /// The first rays of a batch, and the first paths.
 const FIRST: [u32; 2] = [64, 16];
 /// The most of them.
