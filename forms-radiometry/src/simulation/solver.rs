@@ -175,7 +175,7 @@ impl<'s> Work<'s> {
         self.groups = groups(&self.readings, self.answers);
     }
 
-    /// A solution and the readings, by what takes less.
+    /// A solution and the readings, by what is expected to take less; by exact pieces where rays were not enough.
     fn solved<'t>(
         &self,
         transport: &'t Transport,
@@ -185,17 +185,17 @@ impl<'s> Work<'s> {
     where
         's: 't,
     {
-        match (self.choose)(self.scene, &transport.faces, self.effects.occlusion) {
-            Gathering::Pieces => {
-                let (radiosity, found) = self.refined(transport, lights, history);
-                (Solution::Elements(radiosity), found)
-            }
-            Gathering::Rays => {
-                let paths = Paths::new(self.scene, transport, lights, self.question(), self.watch);
-                let found = self.sampled(&paths, is_round(self.scene), history);
-                (Solution::Paths(paths), found)
+        let gathering = (self.choose)(self.scene, &transport.faces, self.effects.occlusion);
+        if gathering == Gathering::Rays {
+            let paths = Paths::new(self.scene, transport, lights, self.question(), self.watch);
+            let found = self.sampled(&paths, is_round(self.scene), history);
+            let is_last_way = Gathering::is_beyond_pieces(self.scene, &transport.faces);
+            if is_last_way || self.watch.is_stopped() || self.is_enough(&found) {
+                return (Solution::Paths(paths), found);
             }
         }
+        let (radiosity, found) = self.refined(transport, lights, history);
+        (Solution::Elements(radiosity), found)
     }
 
     fn question(&self) -> Question {
