@@ -16,7 +16,7 @@ use std::path::Path;
 use std::time::Instant;
 
 /// Runs of which the median is taken: an odd number.
-const RUNS: usize = 1;
+const RUNS: usize = 3;
 const FORCED: &str =
     "effects = { direct = \"on\", occlusion = \"on\", interreflection = \"on\", bands = \"on\" }";
 const HEAD: &str = "| scene | simulated | dropped | bound of what is dropped | as planned | all on | all on / planned | largest difference, relative | errors said, relative |\n\
