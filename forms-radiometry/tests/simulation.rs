@@ -112,14 +112,14 @@ fn what_is_emitted_in_a_closed_room_is_absorbed() {
     let text = cube(reflectances, [0.0, 1.0, 0.0, 0.0, 0.0, 0.0])
         + &furniture
         + &receivers(&names)
-        + "[solve]\ntolerance = 1e-2\n";
+        + "[solve]\ntolerance = 3e-2\n";
     let found = answers(&text);
     let mut absorbed = (0.0, 0.0);
     for (name, rho) in names.iter().zip(reflectances.into_iter().chain([0.4, 0.9])) {
         let (flux, error) = answer(&found, name, Quantity::Flux);
         absorbed = (absorbed.0 + (1.0 - rho) * flux, absorbed.1 + (1.0 - rho) * error);
     }
-    assert_within("absorbed", absorbed, 1.0, 2e-2);
+    assert_within("absorbed", absorbed, 1.0, 6e-2);
 }
 
 #[test]

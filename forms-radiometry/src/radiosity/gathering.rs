@@ -1,11 +1,11 @@
 //! How light is gathered: by exact pieces of all elements, or by rays, whichever is expected to take less.
 //!
 //! ```text
-//! pieces   v s (n (1 + k²) + c k)          n nodes, s elements that reflect; k = 0.05/ε times as many of both at the end
+//! pieces   v s (n (1 + k²) + c k)          n nodes, s elements that reflect; k = 0.2/ε times as many of both at the end
 //! rays     32 m + 16 (r + c) (t σ/ε)²      m elements, r readings, c cells of maps, t of Student, σ the deviation of a path
 //! ```
 //! in rays, with the tolerance ε: the exact view of an element takes as long as v of them. Among surfaces that hide each other the first
-//! elements are exact to about 0.05, and errors fall like the area of elements. So both costs grow like 1/ε², but that of pieces is
+//! elements are exact to about 0.2, and errors fall like the area of elements. So both costs grow like 1/ε², but that of pieces is
 //! that of pairs, and ends where memory does; that of rays hardly depends on the surfaces. Where nothing is hidden, pieces
 //! are as exact as polynomials, and rays are never worth while. Pieces that could not be split once within the most nodes could not
 //! tell their error: then rays it is.
@@ -25,7 +25,7 @@ const DEVIATION: f64 = 0.2;
 const FEWEST_NODES: usize = 4_096;
 const MOST_ROUGH_NODES: usize = 1 << 20;
 /// The error of the first elements among surfaces that hide each other.
-const FIRST_ERROR: f64 = 0.05;
+const FIRST_ERROR: f64 = 0.2;
 /// Into how many parts elements are split.
 const PARTS: f64 = 4.0;
 
