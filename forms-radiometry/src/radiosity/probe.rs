@@ -6,7 +6,7 @@
 //! error = t √(s₁² + s₂²) + u (m₁/n₁ + m₂/n₂),  s² = Σ (batch − mean)²/(16 · 15)
 //! ```
 //! t is the quantile of Student's distribution with 15 degrees of freedom that 99.99 % lie within. What n points have never met is
-//! rarer than u/n with that certainty, u = −ln 0.002; where rays have to meet lights, it may be the brightest of them, m.
+//! rarer than u/n with that certainty, u = −ln 0.0001; where rays have to meet lights, it may be the brightest of them, m.
 //! Batches are shifts of one point set, which are independent; within a batch points lie more evenly than random ones, which their
 //! spread shows. A spread that is small by chance would end the work too early, so a doubling is not taken to gain more than half.
 
