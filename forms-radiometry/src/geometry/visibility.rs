@@ -49,6 +49,11 @@ pub(crate) struct Face {
 }
 
 impl Face {
+    /// Whether it is part of the front of a surface.
+    pub(crate) fn is_front_of(&self, surface: usize) -> bool {
+        self.surface == surface && !self.is_back
+    }
+
     /// The faces of a polygon: each convex piece's front, followed by its back.
     pub(crate) fn of(surface: usize, polygon: &Polygon) -> impl Iterator<Item = Self> {
         let normal = polygon.normal();

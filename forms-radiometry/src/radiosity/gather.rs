@@ -48,7 +48,7 @@ pub(super) enum Seen {
 impl Transport {
     /// The faces of the front of a surface.
     pub(crate) fn fronts(&self, surface: usize) -> impl Iterator<Item = &Face> + Clone {
-        self.faces.iter().filter(move |face| face.surface == surface && !face.is_back)
+        self.faces.iter().filter(move |face| face.is_front_of(surface))
     }
 
     /// Their area.

@@ -78,8 +78,7 @@ impl Radiosity<'_> {
             }
             GoalKind::Mean { surface } => {
                 for (index, element) in self.elements.iter().enumerate() {
-                    let face = &self.transport.faces[element.face];
-                    if face.surface == surface && !face.is_back {
+                    if self.transport.faces[element.face].is_front_of(surface) {
                         let nodes = straight[self.first[index]..].iter_mut().zip(element.areas());
                         nodes.for_each(|(node, area)| *node += goal.weight * area);
                     }

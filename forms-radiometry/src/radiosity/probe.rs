@@ -221,8 +221,7 @@ impl Paths<'_> {
     /// The elements of the front of a surface.
     fn front(&self, surface: usize) -> impl Iterator<Item = usize> {
         let is_on = move |element: &usize| {
-            let face = &self.transport.faces[self.subdivision.elements[*element].face];
-            face.surface == surface && !face.is_back
+            self.transport.faces[self.subdivision.elements[*element].face].is_front_of(surface)
         };
         (0..self.subdivision.elements.len()).filter(is_on)
     }

@@ -239,8 +239,7 @@ impl<'t> Radiosity<'t> {
         let mut sums = vec![0.0; self.irradiance.len()];
         let mut whole = 0.0;
         for (index, element) in self.elements.iter().enumerate() {
-            let face = &self.transport.faces[element.face];
-            if face.surface != surface || face.is_back {
+            if !self.transport.faces[element.face].is_front_of(surface) {
                 continue;
             }
             whole += element.area;

@@ -126,11 +126,7 @@ impl Screens {
             return border.reached();
         };
         let distance = screen.plane.distance(position);
-        let beyond = |v: &Vector| {
-            let of_luminaire = distance + screen.plane.normal.dot(*v);
-            if distance > 0.0 { of_luminaire < -self.resolution } else { of_luminaire > self.resolution }
-        };
-        if distance.abs() <= self.resolution || !luminaire.iter().any(beyond) {
+        if !self.parts(screen, distance, luminaire) {
             return Shadow::Beside;
         }
         let is_behind = |v: &Vector| height + normal.dot(*v - position) < 0.0;

@@ -83,17 +83,20 @@ impl Screens {
         }
     }
 
-    /// Cuts a screen out of what is visible, if it has the receiver and a part of the luminaire on different sides.
-    fn hide(&self, screen: &Screen, view: View, work: &mut Workspace) {
-        let distance = screen.plane.distance(view.position);
-        if distance.abs() <= self.resolution {
-            return;
-        }
-        let beyond = |v: &Vector| {
+    /// Whether a screen's plane, at this distance from a receiver, has the receiver and a part of the luminaire on different sides. Corners
+    /// are relative to the receiver.
+    pub(super) fn parts(&self, screen: &Screen, distance: f64, luminaire: &[Vector]) -> bool {
+        let is_beyond = |v: &Vector| {
             let of_luminaire = distance + screen.plane.normal.dot(*v);
             if distance > 0.0 { of_luminaire < -self.resolution } else { of_luminaire > self.resolution }
         };
-        if work.luminaire.iter().any(beyond) {
+        distance.abs() > self.resolution && luminaire.iter().any(is_beyond)
+    }
+
+    /// Cuts a screen out of what is visible, if it has the receiver and a part of the luminaire on different sides.
+    fn hide(&self, screen: &Screen, view: View, work: &mut Workspace) {
+        let distance = screen.plane.distance(view.position);
+        if self.parts(screen, distance, &work.luminaire) {
             work.screen.clear();
             work.screen.extend(screen.vertices.iter().map(|&v| v - view.position));
             work.hide(view, distance > 0.0, self.resolution);
