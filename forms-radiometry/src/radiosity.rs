@@ -11,6 +11,7 @@
 //! visibility is exact. The solution is that of the continuous equation, not of one value a surface. Where surfaces are many, light is
 //! followed along rays instead ([`gathering`], [`paths`]).
 
+mod change;
 mod clusters;
 mod contact;
 mod direct;

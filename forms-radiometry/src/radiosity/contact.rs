@@ -1,5 +1,5 @@
 //! Contacts: where faces touch or pass through a face, irradiance on it jumps; there it is cut, so that no element has the jump
-//! inside.
+//! inside, and the sides of its pieces are known from which other faces rise.
 //!
 //! A cut goes through a whole piece. Where the contact takes only a small part of it, the piece is halved first: so what touches a large
 //! face in a small place is surrounded by small pieces, and no long and narrow ones run across the face.
@@ -19,10 +19,36 @@ struct Contact {
     ends: [Vector; 2],
     /// The normal of the other face.
     normal: Vector,
+    /// Whether the other face rises above the plane, so that light passes between them right up to the contact.
+    rises: bool,
+}
+
+/// A convex piece of a face that no other face cuts.
+#[derive(Clone, Debug)]
+pub(super) struct ConvexPiece {
+    pub(super) outline: Vec<Vector>,
+    /// Whether another face rises from each side, that from the corner of the same number to the next.
+    pub(super) creases: Vec<bool>,
+}
+
+impl ConvexPiece {
+    /// A whole face, of whose contacts nothing is asked.
+    pub(super) fn whole(face: &Face) -> Self {
+        Self { outline: face.vertices.clone(), creases: vec![false; face.vertices.len()] }
+    }
+
+    fn of(outline: Vec<Vector>, contacts: &[Contact], resolution: f64) -> Self {
+        let next = outline.iter().cycle().skip(1);
+        let is_crease = |side: [Vector; 2]| {
+            contacts.iter().any(|contact| contact.rises && contact.takes(side, resolution))
+        };
+        let creases = outline.iter().zip(next).map(|(&from, &to)| is_crease([from, to])).collect();
+        Self { outline, creases }
+    }
 }
 
 /// The convex pieces of each face that the others leave uncut.
-pub(super) fn pieces(faces: &[Face], resolution: f64) -> Vec<Vec<Vec<Vector>>> {
+pub(super) fn pieces(faces: &[Face], resolution: f64) -> Vec<Vec<ConvexPiece>> {
     let cut = |face: &Face| {
         let mut pieces = Vec::new();
         let others = faces.iter().filter(|other| faces.len() <= MANY && !other.is_back);
@@ -33,7 +59,7 @@ pub(super) fn pieces(faces: &[Face], resolution: f64) -> Vec<Vec<Vec<Vector>>> {
             [resolution, 0.5_f64.powi(MOST_HALVINGS as i32) * face.area],
             &mut pieces,
         );
-        pieces
+        pieces.into_iter().map(|outline| ConvexPiece::of(outline, &contacts, resolution)).collect()
     };
     faces.iter().map(cut).collect()
 }
@@ -72,11 +98,12 @@ fn contact(face: &Face, other: &Face, resolution: f64) -> Option<Contact> {
     let origin = face.vertices[0];
     let height = |v: Vector| face.normal.dot(v - origin);
     let mut ends: Vec<Vector> = Vec::new();
-    let mut is_off = false;
+    let (mut is_off, mut rises) = (false, false);
     for (i, &a) in other.vertices.iter().enumerate() {
         let b = other.vertices[(i + 1) % other.vertices.len()];
         let (from, to) = (height(a), height(b));
         is_off |= from.abs() > resolution;
+        rises |= from > resolution;
         if from.abs() <= resolution {
             ends.push(a);
         } else if to.abs() > resolution && (from > 0.0) != (to > 0.0) {
@@ -85,11 +112,33 @@ fn contact(face: &Face, other: &Face, resolution: f64) -> Option<Contact> {
     }
     let (&first, &last) = (ends.first()?, ends.last()?);
     let is_line = is_off && (last - first).length() > resolution;
-    is_line.then_some(Contact { ends: [first, last], normal: other.normal })
+    is_line.then_some(Contact { ends: [first, last], normal: other.normal, rises })
+}
+
+impl Contact {
+    /// Whether it takes most of a side.
+    fn takes(&self, [from, to]: [Vector; 2], resolution: f64) -> bool {
+        let Some(along) = (self.ends[1] - self.ends[0]).unit() else { return false };
+        let way = |v: Vector| v - self.ends[0];
+        let is_off = |v: Vector| (way(v) - along.dot(way(v)) * along).largest() > resolution;
+        if is_off(from) || is_off(to) {
+            return false;
+        }
+        let ordered = |[a, b]: [Vector; 2]| {
+            let [a, b] = [along.dot(way(a)), along.dot(way(b))];
+            [a.min(b), a.max(b)]
+        };
+        let ([low, high], [first, last]) = (ordered([from, to]), ordered(self.ends));
+        high.min(last) - low.max(first) > 0.5 * (high - low)
+    }
 }
 
 /// The part that a contact takes of the cut through a piece along it, if it lies inside of the piece.
-fn share(piece: &[Vector], Contact { ends: [from, to], normal }: Contact, resolution: f64) -> Option<f64> {
+fn share(
+    piece: &[Vector],
+    Contact { ends: [from, to], normal, .. }: Contact,
+    resolution: f64,
+) -> Option<f64> {
     let side = |v: &Vector| normal.dot(*v - from);
     if !piece.iter().any(|v| side(v) > resolution) || !piece.iter().any(|v| side(v) < -resolution) {
         return None;
@@ -166,12 +215,40 @@ mod tests {
         }
     }
 
+    #[test]
+    fn a_side_is_a_crease_where_a_face_rises_from_most_of_it() {
+        let corner = |x, y, z| Vector::new(x, y, z);
+        let floor = face(vec![
+            corner(0.0, 0.0, 0.0),
+            corner(2.0, 0.0, 0.0),
+            corner(2.0, 2.0, 0.0),
+            corner(0.0, 2.0, 0.0),
+        ]);
+        let wall = |[low, high]: [f64; 2], top: f64| {
+            face(vec![
+                corner(2.0, low, 0.0),
+                corner(2.0, high, 0.0),
+                corner(2.0, high, top),
+                corner(2.0, low, top),
+            ])
+        };
+        for (name, other, expected) in [
+            ("a wall along a side", wall([0.0, 2.0], 1.0), true),
+            ("a wall along most of a side", wall([0.5, 2.0], 1.0), true),
+            ("a wall along a small part", wall([1.5, 2.0], 1.0), false),
+            ("a face that goes down from a side", wall([0.0, 2.0], -1.0), false),
+        ] {
+            let creases = &pieces(&[floor.clone(), other], 1e-9)[0][0].creases;
+            assert_eq!(creases[..], [false, expected, false, false], "{name}");
+        }
+    }
+
     /// A floor of length 4 and what stands on it.
     fn floor_with(others: &[Face]) -> Vec<Vec<Vector>> {
         let corner = |x, y| Vector::new(x, y, 0.0);
         let floor = face(vec![corner(0.0, 0.0), corner(4.0, 0.0), corner(4.0, 4.0), corner(0.0, 4.0)]);
         let faces: Vec<Face> = std::iter::once(floor).chain(others.iter().cloned()).collect();
-        pieces(&faces, 1e-9).swap_remove(0)
+        pieces(&faces, 1e-9).swap_remove(0).into_iter().map(|piece| piece.outline).collect()
     }
 
     fn side([a, b]: [[f64; 2]; 2]) -> Face {

@@ -1,6 +1,7 @@
 //! Elements: faces become triangles and parallelograms, with the nodes at which irradiance is known, and these become smaller
 //! ones.
 
+use super::contact::ConvexPiece;
 use super::reference::{MOST_NODES, Reference, Shape, reference};
 use crate::geometry::Face;
 use crate::geometry::Vector;
@@ -10,6 +11,14 @@ use crate::kernels::uniform_triangle_sample;
 pub(super) const HIGHEST_ORDER: usize = 3;
 /// Elements are at most as many times as long as they are wide, where they can be cut.
 const LONGEST: f64 = 2.0;
+
+/// Where a side that another face rises from is divided: irradiance there is like a power xᵝ with 0 < β < 1 of the distance, which
+/// polynomials on parts that shrink fast towards it approach fast.
+///
+/// Source: W. Gui, I. Babuška, The h, p and h-p versions of the finite element method in one dimension, part II (1986).
+const CREASE: f64 = 0.2;
+/// The same where other faces rise from both sides.
+const CREASES: f64 = 0.15;
 
 /// How far beside an element a point may lie that counts as on it, in the element's coordinates.
 const BESIDE: f64 = 1e-9;
@@ -32,6 +41,8 @@ pub(super) struct Element {
     pub(super) area: f64,
     /// How far a point is along and across, by its way from the corner.
     dual: [Vector; 2],
+    /// Of a parallelogram: whether another face rises from the side where each coordinate is 0, and where it is 1.
+    creases: [[bool; 2]; 2],
 }
 
 impl Element {
@@ -39,17 +50,21 @@ impl Element {
         let twice = normal.dot(along.cross(across));
         let dual = [(1.0 / twice) * across.cross(normal), (1.0 / twice) * normal.cross(along)];
         let area = if shape == Shape::Triangle { 0.5 * twice } else { twice };
-        Self { face, shape, order: HIGHEST_ORDER, corner, along, across, normal, area, dual }
+        let creases = [[false; 2]; 2];
+        Self { face, shape, order: HIGHEST_ORDER, corner, along, across, normal, area, dual, creases }
     }
 
     /// The elements that a convex piece of a face begins with: parallelograms where it is one, else triangles.
-    pub(super) fn of(index: usize, face: &Face, v: &[Vector]) -> Vec<Self> {
+    pub(super) fn of(index: usize, face: &Face, piece: &ConvexPiece) -> Vec<Self> {
         let element = |shape, corners| Self::new(index, shape, face.normal, corners);
         let mut elements = Vec::new();
+        let v = &piece.outline;
         if let [a, b, c, d] = v[..] {
             let (along, across) = (b - a, d - a);
             if ((a - b) + (c - d)).largest() <= PARALLEL * along.largest().max(across.largest()) {
-                elements.push(element(Shape::Square, [a, along, across]));
+                let side = |number: usize| piece.creases[number];
+                let creases = [[side(3), side(1)], [side(0), side(2)]];
+                elements.push(Self { creases, ..element(Shape::Square, [a, along, across]) });
             }
         }
         if elements.is_empty() {
@@ -68,31 +83,72 @@ impl Element {
         let [along, across] = [self.along.length(), self.across.length()];
         let parts = |ratio: f64| (ratio / LONGEST).ceil().clamp(1.0, 64.0) as usize;
         let (columns, rows) = (parts(along / across), parts(across / along));
-        let [along, across] = [(1.0 / columns as f64) * self.along, (1.0 / rows as f64) * self.across];
-        let part = |i: usize, j: usize| {
-            let corner = self.corner + i as f64 * along + j as f64 * across;
-            Self::new(self.face, self.shape, self.normal, [corner, along, across])
-        };
-        (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j))).map(|(i, j)| part(i, j)).collect()
+        let equal = |count: usize| (0..=count).map(|part| part as f64 / count as f64).collect::<Vec<_>>();
+        self.cut([&equal(columns), &equal(rows)])
     }
 
-    /// Its four parts of half the size.
-    pub(super) fn quarters(&self) -> [Self; 4] {
+    /// The coordinates that it can be divided in: a triangle is divided in both at once.
+    pub(super) fn is_divisible(&self) -> [bool; 2] {
+        [true, self.shape == Shape::Square]
+    }
+
+    /// Its parts where some coordinates are divided: a triangle into four of half the size, a side of a parallelogram in the middle,
+    /// but near to its ends where another face rises there.
+    pub(super) fn divided(&self, is_divided: [bool; 2]) -> Vec<Self> {
+        match self.shape {
+            Shape::Triangle => self.quarters().to_vec(),
+            Shape::Square => {
+                let cuts = |coordinate: usize| -> &[f64] {
+                    match (is_divided[coordinate], self.creases[coordinate]) {
+                        (false, _) => &[0.0, 1.0],
+                        (true, [false, false]) => &[0.0, 0.5, 1.0],
+                        (true, [true, false]) => &[0.0, CREASE, 1.0],
+                        (true, [false, true]) => &[0.0, 1.0 - CREASE, 1.0],
+                        (true, [true, true]) => &[0.0, CREASES, 1.0 - CREASES, 1.0],
+                    }
+                };
+                self.cut([cuts(0), cuts(1)])
+            }
+        }
+    }
+
+    /// The parts of a parallelogram between these values of its coordinates, row by row.
+    fn cut(&self, [columns, rows]: [&[f64]; 2]) -> Vec<Self> {
+        let mut parts = Vec::with_capacity((columns.len() - 1) * (rows.len() - 1));
+        for (j, v) in rows.windows(2).enumerate() {
+            for (i, u) in columns.windows(2).enumerate() {
+                let corner = self.corner + u[0] * self.along + v[0] * self.across;
+                let [along, across] = [(u[1] - u[0]) * self.along, (v[1] - v[0]) * self.across];
+                let ends = |sides: [bool; 2], index: usize, count: usize| {
+                    [sides[0] && index == 0, sides[1] && index + 1 == count]
+                };
+                let [of_u, of_v] = self.creases;
+                let creases = [ends(of_u, i, columns.len() - 1), ends(of_v, j, rows.len() - 1)];
+                let part = Self::new(self.face, self.shape, self.normal, [corner, along, across]);
+                parts.push(Self { order: self.order, creases, ..part });
+            }
+        }
+        parts
+    }
+
+    /// How long it is along each coordinate.
+    pub(super) fn extent(&self) -> [f64; 2] {
+        [self.along.length(), self.across.length()]
+    }
+
+    /// The four parts of half the size of a triangle.
+    fn quarters(&self) -> [Self; 4] {
         let [along, across] = [0.5 * self.along, 0.5 * self.across];
         let at = |u: f64, v: f64| self.corner + u * along + v * across;
         let part = |corner, along, across| {
             let part = Self::new(self.face, self.shape, self.normal, [corner, along, across]);
             Self { order: self.order, ..part }
         };
-        let last = match self.shape {
-            Shape::Square => part(at(1.0, 1.0), along, across),
-            Shape::Triangle => part(at(1.0, 1.0), -along, -across),
-        };
         [
             part(at(0.0, 0.0), along, across),
             part(at(1.0, 0.0), along, across),
             part(at(0.0, 1.0), along, across),
-            last,
+            part(at(1.0, 1.0), -along, -across),
         ]
     }
 
@@ -149,6 +205,11 @@ impl Element {
     /// How many nodes it has.
     pub(super) fn count(&self) -> usize {
         self.reference().nodes.len()
+    }
+
+    /// How many it would have with polynomials of no higher order than this.
+    pub(super) fn count_with(&self, order: usize) -> usize {
+        reference(self.shape, self.order.min(order)).nodes.len()
     }
 
     /// Where its nodes are.

@@ -1,20 +1,20 @@
 //! How light is gathered: by exact pieces of all elements, or by rays, whichever is expected to take less.
 //!
 //! ```text
-//! pieces   v s (n (1 + k²) + c k)          n nodes, s elements that reflect; k = 0.2/ε times as many of both at the end
+//! pieces   v s (n (1 + k²) + c k)          n nodes, s elements that reflect; k = (0.4/ε)^(2/3) times as many of both at the end
 //! rays     32 m + 16 (r + c) (t σ/ε)²      m elements, r readings, c cells of maps, t of Student, σ the deviation of a path
 //! ```
 //! in rays, with the tolerance ε: the exact view of an element takes as long as v of them. Among surfaces that hide each other the first
-//! elements are exact to about 0.2, and errors fall like the area of elements. So both costs grow like 1/ε², but that of pieces is
-//! that of pairs, and ends where memory does; that of rays hardly depends on the surfaces. Where nothing is hidden, pieces
-//! are as exact as polynomials, and rays are never worth while. Pieces that could not be split once within the most nodes could not
-//! tell their error: then rays it is.
+//! elements are exact to about 0.4, and errors fall like the power 3/2 of the area of elements. The cost of pieces is that of pairs, and
+//! ends where memory does; that of rays hardly depends on the surfaces. What a path deviates by is hardly known before: so rays are given
+//! up when it is seen that they take longer than pieces would. Where nothing is hidden, pieces are as exact as polynomials,
+//! and rays are never worth while. Pieces that could not be split once within the most nodes could not tell their error: then rays
+//! it is, however long they take.
 
-use super::element::HIGHEST_ORDER;
 use super::paths::{RAYS, VIEW};
 use super::probe::{PATH, STUDENT};
 use super::reference::{Shape, reference};
-use super::system::{MOST_NODES, reflects};
+use super::system::{MOST_NODES, first_order, reflects};
 use crate::faces::is_bright;
 use crate::geometry::Face;
 use crate::scene::{ReceiverKind, Scene};
@@ -24,18 +24,19 @@ const DEVIATION: f64 = 0.2;
 /// The fewest nodes that a rough solution is not too rough with, and the most.
 const FEWEST_NODES: usize = 4_096;
 const MOST_ROUGH_NODES: usize = 1 << 20;
-/// The error of the first elements among surfaces that hide each other.
-const FIRST_ERROR: f64 = 0.2;
-/// Into how many parts elements are split.
+/// The error of the first elements among surfaces that hide each other, and the power of their number by which it falls.
+const FIRST_ERROR: f64 = 0.4;
+const POWER: f64 = 1.5;
+/// Into how many parts elements are split at least.
 const PARTS: f64 = 4.0;
 
 /// How light is gathered.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Gathering {
     /// By the exact pieces that points see of all elements.
     Pieces,
-    /// By rays, and by paths for what these leave out.
-    Rays,
+    /// By rays, and by paths for what these leave out, as long as no more than so many rays are needed.
+    Rays { most: f64 },
 }
 
 impl Gathering {
@@ -45,20 +46,17 @@ impl Gathering {
         let nodes = coarsest_nodes(sources) as f64;
         let (readings, cells) = asked(scene);
         let paths = paths(scene, readings + cells);
-        let finer = (FIRST_ERROR / scene.solve.tolerance).min(MOST_NODES as f64 / nodes).max(1.0);
+        let finer =
+            (FIRST_ERROR / scene.solve.tolerance).powf(1.0 / POWER).min(MOST_NODES as f64 / nodes).max(1.0);
         let views = nodes * (1.0 + finer * finer) + cells as f64 * finer;
         let by_pieces = VIEW * sources as f64 * views;
         let by_rays = f64::from(RAYS) * sources as f64 + PATH * paths;
-        if occlusion && (Self::is_beyond_pieces(scene, faces) || by_rays < by_pieces) {
-            Self::Rays
-        } else {
-            Self::Pieces
+        let is_beyond_pieces = PARTS * nodes > MOST_NODES as f64;
+        match occlusion && (is_beyond_pieces || by_rays < by_pieces) {
+            true if is_beyond_pieces => Self::Rays { most: f64::INFINITY },
+            true => Self::Rays { most: by_pieces },
+            false => Self::Pieces,
         }
-    }
-
-    /// Whether elements are too many to be split once.
-    pub(crate) fn is_beyond_pieces(scene: &Scene, faces: &[Face]) -> bool {
-        PARTS * coarsest_nodes(sources(scene, faces)) as f64 > MOST_NODES as f64
     }
 }
 
@@ -70,7 +68,7 @@ fn sources(scene: &Scene, faces: &[Face]) -> usize {
 /// How many nodes this many elements begin with.
 fn coarsest_nodes(elements: usize) -> usize {
     let nodes = |order| elements * reference(Shape::Square, order).nodes.len();
-    (1..=HIGHEST_ORDER).rev().map(nodes).find(|&nodes| nodes <= MOST_NODES / 8).unwrap_or_else(|| nodes(1))
+    nodes(first_order(nodes))
 }
 
 /// How many readings a scene asks for, and how many cells of maps.

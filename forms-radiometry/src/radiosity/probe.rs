@@ -159,6 +159,11 @@ impl Paths<'_> {
         true
     }
 
+    /// How many rays this took, or would have taken as long.
+    pub(crate) fn spent(probe: &Probe) -> f64 {
+        BATCHES as f64 * (f64::from(probe.rough.points) + PATH * f64::from(probe.lack.points))
+    }
+
     fn add_rays(&self, probe: &mut Probe, count: u32) {
         let GoalKind::At { position, measure } = probe.what else { return };
         let first = probe.rough.points;

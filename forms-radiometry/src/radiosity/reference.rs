@@ -56,6 +56,18 @@ fn square(order: usize) -> Reference {
     }
 }
 
+/// The leading coefficients of the Legendre polynomials on [0, 1].
+const LEADING: [f64; 3] = [1.0, 2.0, 6.0];
+
+/// The Legendre polynomials on [0, 1].
+fn legendre(degree: usize, x: f64) -> f64 {
+    match degree {
+        0 => 1.0,
+        1 => 2.0 * x - 1.0,
+        _ => 6.0 * x * (x - 1.0) + 1.0,
+    }
+}
+
 /// The rules of 1, 3 and 6 points, exact to degrees 1, 2 and 4 (Strang and Fix 1973; Dunavant 1985).
 fn triangle(order: usize) -> Reference {
     let orbit = |a: f64| [[a, a], [1.0 - 2.0 * a, a], [a, 1.0 - 2.0 * a]];
@@ -129,6 +141,49 @@ impl Reference {
         values
     }
 
+    /// How large the terms of highest degree and those of one degree less are in the polynomial with these values at the nodes, in
+    /// each coordinate of a square, as Legendre polynomials on its side; of a triangle those of all directions together come
+    /// first, and nothing after them. A constant is both.
+    pub(super) fn highest(&self, values: &[f64]) -> [[f64; 2]; 2] {
+        match self.shape {
+            Shape::Triangle => {
+                let of_degree = |degree: usize| {
+                    let first = degree * (degree + 1) / 2;
+                    let term = |power: usize| {
+                        let of_nodes = values.iter().zip(&self.coefficients);
+                        of_nodes.map(|(value, of_node)| value * of_node[power]).sum()
+                    };
+                    (first..=first + degree).map(|power| f64::abs(term(power))).sum::<f64>() / LEADING[degree]
+                };
+                let highest = self.order - 1;
+                [[of_degree(highest), of_degree(highest.saturating_sub(1))], [0.0; 2]]
+            }
+            Shape::Square => {
+                let n = self.order;
+                let mean = |of: &dyn Fn(usize) -> [f64; 2]| {
+                    let sum = (0..n).map(of).fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
+                    sum.map(|sum| sum / n as f64)
+                };
+                [
+                    mean(&|j| self.highest_along(|i| values[j * n + i])),
+                    mean(&|i| self.highest_along(|j| values[j * n + i])),
+                ]
+            }
+        }
+    }
+
+    /// The sizes of the two highest Legendre terms of a polynomial with these values at the Gauss points of a side.
+    fn highest_along(&self, value: impl Fn(usize) -> f64) -> [f64; 2] {
+        let term = |degree: usize| {
+            let rule = gauss(self.order);
+            let moment: f64 =
+                rule.iter().enumerate().map(|(i, &[x, w])| w * value(i) * legendre(degree, x)).sum();
+            (2.0 * degree as f64 + 1.0) * moment.abs()
+        };
+        let highest = self.order - 1;
+        [term(highest), term(highest.saturating_sub(1))]
+    }
+
     /// The polynomials on the Gauss points of [0, 1]: ∏ (x − xⱼ)/(xᵢ − xⱼ) over j ≠ i.
     fn lagrange(&self, x: f64) -> [f64; 3] {
         let mut values = [0.0; 3];
@@ -197,5 +252,28 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn the_highest_terms_are_those_of_legendre_polynomials() {
+        let square = reference(Shape::Square, 3);
+        let of = |f: &dyn Fn(f64, f64) -> f64| -> Vec<f64> {
+            square.nodes.iter().map(|&[u, v]| f(u, v)).collect()
+        };
+        // u² = P₂/6 + P₁/2 + 1/3 on [0, 1]
+        for (name, values, expected) in [
+            ("1", of(&|_, _| 1.0), [[0.0, 0.0], [0.0, 0.0]]),
+            ("u", of(&|u, _| u), [[0.0, 0.5], [0.0, 0.0]]),
+            ("v²", of(&|_, v| v * v), [[0.0, 0.0], [1.0 / 6.0, 0.5]]),
+            ("u² + v", of(&|u, v| u * u + v), [[1.0 / 6.0, 0.5], [0.0, 0.5]]),
+        ] {
+            let found = square.highest(&values);
+            let off = found.iter().flatten().zip(expected.iter().flatten()).map(|(a, b)| (a - b).abs());
+            assert!(off.fold(0.0, f64::max) < 1e-14, "{name}: {found:?}");
+        }
+        let triangle = reference(Shape::Triangle, 3);
+        let values: Vec<f64> = triangle.nodes.iter().map(|&[u, v]| 6.0 * u * v + 2.0 * v).collect();
+        let [[highest, lower], _] = triangle.highest(&values);
+        assert!((highest - 1.0).abs() < 1e-13 && (lower - 1.0).abs() < 1e-13, "{highest} {lower}");
     }
 }

@@ -7,6 +7,7 @@
 //! relative to them, over all reflections. Of a change its mean counts, and its size with a smaller weight, so that changes which
 //! cancel now are not forgotten.
 
+use super::change::{Change, decay};
 use super::element::Element;
 use super::importance::Goal;
 use super::reference::MOST_NODES as MOST_NODES_OF_ELEMENT;
@@ -19,68 +20,37 @@ use std::ops::Range;
 /// cancel in great part: on a cube whose faces are all split, 864 nodes are as exact as 7000 where one in ten is not.
 ///
 /// Source: W. Dörfler, A convergent adaptive algorithm for Poisson's equation (1996).
-const BULK: f64 = 0.99;
-/// How many parts an element is split into.
-const PARTS: usize = 4;
+const BULK: f64 = 0.999;
 /// How much of a change that cancels within its element still counts.
-const CANCELLING: f64 = 0.1;
-/// The least and the largest part that is expected of an element's change when it is split once more, and the part that is
-/// expected where nothing is known: with polynomials of second degree smooth light leaves an eighth, a jump all of it.
-const EXPECTED: [f64; 2] = [1.0 / 16.0, 1.0];
-const UNKNOWN: f64 = 0.5;
-/// The largest part that all changes to come are expected to leave: areas with a jump inside halve, and so does what they matter.
-const SLOWEST: f64 = 0.7;
-
-/// How much irradiance is taken to vary over an element that is equally bright at all nodes, relative to the largest.
-const LEAST_VARIATION: f64 = 1e-3;
-
-/// How an element differs from the one that it was a part of.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Change {
-    /// By how much, relative to the largest irradiance.
-    measured: f64,
-    /// By how much its own parts are expected to differ from it.
-    expected: f64,
-}
-
-impl Change {
-    /// Before an element is split, its parts are expected to differ from it by as much as its nodes do from each other.
-    fn unknown(variation: f64) -> Self {
-        Self { measured: f64::INFINITY, expected: variation }
-    }
-
-    /// The sum of the changes that are to come, if each leaves the same part.
-    fn remaining(self) -> f64 {
-        let part = if self.measured.is_finite() { self.expected / self.measured } else { UNKNOWN };
-        if self.expected > 0.0 { self.expected / (1.0 - part.min(SLOWEST)) } else { 0.0 }
-    }
-
-    /// The change of a part of an element that had this one.
-    fn after(self, measured: f64) -> Self {
-        let part = if self.measured.is_finite() { measured / self.measured } else { UNKNOWN };
-        let part = if part.is_nan() { 0.0 } else { part.clamp(EXPECTED[0], EXPECTED[1]) };
-        Self { measured, expected: part * measured }
-    }
-}
+const CANCELLING: f64 = 0.05;
+/// By how much the parts of an element that is equally bright at all nodes are taken to differ from it, relative to the largest
+/// irradiance.
+const LEAST_CHANGE: f64 = 1e-3;
 
 impl Radiosity<'_> {
     /// What is known of the elements before any is split: of an element with one node, that it may be dark as well.
-    pub(super) fn unknown_changes(&self) -> Vec<Change> {
-        let largest = |irradiance: &Vec<f64>| irradiance.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
-        let scales: Vec<f64> = self.irradiance.iter().map(largest).collect();
-        let variation = |nodes: &[usize]| {
-            let of_band = |(irradiance, &scale): (&Vec<f64>, &f64)| {
-                let values = &irradiance[nodes[0]..nodes[1]];
-                let [low, high] =
-                    values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &value| {
-                        [low.min(value), high.max(value)]
-                    });
-                let differs = if values.len() > 1 { high - low } else { high.abs() };
-                if scale > 0.0 { (differs / scale).max(LEAST_VARIATION) } else { 0.0 }
-            };
-            self.irradiance.iter().zip(&scales).map(of_band).fold(0.0, f64::max)
+    pub(super) fn unknown_changes(&self) -> Vec<[Change; 2]> {
+        let unknown = |(index, element): (usize, &Element)| {
+            let expected = self.largest(|band, scale| {
+                let next = |[highest, lower]: [f64; 2]| highest * (highest / highest.max(lower));
+                let terms = element.reference().highest(self.nodes(index, band)).map(next);
+                terms.map(|term| if scale > 0.0 { (term / scale).max(LEAST_CHANGE) } else { 0.0 })
+            });
+            [0, 1].map(|i| Change::unknown(if element.is_divisible()[i] { expected[i] } else { 0.0 }))
         };
-        self.first.windows(2).map(|nodes| Change::unknown(variation(nodes))).collect()
+        self.elements.iter().enumerate().map(unknown).collect()
+    }
+
+    /// The irradiance at the nodes of an element.
+    fn nodes(&self, index: usize, band: usize) -> &[f64] {
+        &self.irradiance[band][self.first[index]..self.first[index + 1]]
+    }
+
+    /// The largest of what is found in each band, of which the largest irradiance is said.
+    fn largest(&self, of_band: impl Fn(usize, f64) -> [f64; 2]) -> [f64; 2] {
+        let largest = |irradiance: &Vec<f64>| irradiance.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
+        let bands = self.irradiance.iter().map(largest).enumerate().map(|(band, scale)| of_band(band, scale));
+        bands.fold([0.0; 2], |[a, b]: [f64; 2], [c, d]| [a.max(c), b.max(d)])
     }
 
     /// Splits the elements that matter most, and solves again. Returns how much what is to come still matters, relative to
@@ -88,90 +58,120 @@ impl Radiosity<'_> {
     pub(crate) fn refine(&mut self, goals: &[Goal], watch: &dyn Watch) -> Option<f64> {
         let matter = self.matter(goals);
         let chosen = self.chosen(&matter);
-        if !chosen.contains(&true) {
+        if !chosen.iter().flatten().any(|&is_chosen| is_chosen) {
             return None;
         }
-        let (mut elements, mut changes, mut parents) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut elements, mut changes, mut split) = (Vec::new(), Vec::new(), Vec::new());
         for (index, element) in self.elements.iter().enumerate() {
-            if chosen[index] {
-                elements.extend(element.quarters());
-                changes.extend([self.changes[index]; PARTS]);
-                parents.extend([Some(index); PARTS]);
-            } else {
+            let from = elements.len();
+            if chosen[index] == [false; 2] {
                 elements.push(element.clone());
-                changes.push(self.changes[index]);
-                parents.push(None);
+            } else {
+                elements.extend(element.divided(chosen[index]));
+                split.push((index, from..elements.len()));
             }
+            changes.resize(elements.len(), self.changes[index]);
         }
         let before = std::mem::replace(&mut self.elements, elements);
         self.changes = changes;
         self.solve(watch);
         let importance = self.importance(goals);
-        let (mut settled, mut index) = (0.0, 0);
-        while index < parents.len() {
-            let Some(parent) = parents[index] else {
-                index += 1;
-                continue;
-            };
-            let parts = index..index + PARTS;
-            let measured = self.change(parts.clone(), &before[parent]);
-            settled += measured * importance[parts.clone()].iter().sum::<f64>();
-            self.changes[parts].iter_mut().for_each(|change| *change = change.after(measured));
-            index += PARTS;
+        let mut settled = 0.0;
+        for (whole, parts) in split {
+            let measured = self.measure(parts.clone(), &before[whole], chosen[whole]);
+            settled += measured * importance[parts].iter().sum::<f64>();
         }
-        let left: f64 =
-            self.changes.iter().zip(importance).map(|(change, z)| product(change.remaining(), z)).sum();
+        let of_element = |(changes, &z): (&[Change; 2], &f64)| {
+            changes.iter().map(|change| product(change.remaining(), z)).sum::<f64>()
+        };
+        let left: f64 = self.changes.iter().zip(&importance).map(of_element).sum();
         Some(if settled > 0.0 { left / settled } else { 1.0 })
     }
 
-    /// How much the change that is expected of each element matters to the goals.
-    fn matter(&self, goals: &[Goal]) -> Vec<f64> {
+    /// How much the changes that are expected of each element matter to the goals.
+    fn matter(&self, goals: &[Goal]) -> Vec<[f64; 2]> {
         let changes = self.changes.iter().zip(self.importance(goals));
-        changes.map(|(change, z)| product(change.expected, z)).collect()
+        changes.map(|(changes, z)| changes.map(|change| product(change.expected, z))).collect()
     }
 
-    /// The elements that are split next.
-    fn chosen(&self, matter: &[f64]) -> Vec<bool> {
-        let mut order: Vec<usize> = (0..self.elements.len()).filter(|&index| matter[index] > 0.0).collect();
-        order.sort_by(|&a, &b| matter[b].total_cmp(&matter[a]));
-        let whole: f64 = matter.iter().sum();
+    /// The elements that are split next, in which coordinates.
+    fn chosen(&self, matter: &[[f64; 2]]) -> Vec<[bool; 2]> {
+        let pairs = (0..self.elements.len()).flat_map(|index| [(index, 0), (index, 1)]);
+        let of = |(index, coordinate): (usize, usize)| matter[index][coordinate];
+        let mut order: Vec<(usize, usize)> = pairs.filter(|&pair| of(pair) > 0.0).collect();
+        order.sort_by(|&a, &b| of(b).total_cmp(&of(a)));
+        let whole: f64 = matter.iter().flatten().sum();
         let mut sum = 0.0;
-        let mut chosen = vec![false; self.elements.len()];
+        let mut chosen = vec![[false; 2]; self.elements.len()];
         let mut nodes = self.size();
-        for index in order {
-            nodes += (PARTS - 1) * self.elements[index].count();
+        for (index, coordinate) in order {
+            let element = &self.elements[index];
+            let parts = |is_divided: [bool; 2]| {
+                if is_divided == [false; 2] { 1 } else { element.divided(is_divided).len() }
+            };
+            let before = chosen[index];
+            let mut after = before;
+            after[coordinate] = true;
+            nodes += (parts(after) - parts(before)) * element.count();
             if nodes > MOST_NODES || sum >= BULK * whole {
                 break;
             }
-            sum += matter[index];
-            chosen[index] = true;
+            sum += matter[index][coordinate];
+            chosen[index] = after;
         }
         chosen
     }
 
-    /// How much the irradiance on the parts of an element differs from what the whole element would make of it: from the polynomial
-    /// that agrees with it at the nodes of the whole; relative to the largest irradiance.
-    fn change(&self, parts: Range<usize>, whole: &Element) -> f64 {
+    /// Notes the changes of the parts of an element that was divided in some coordinates, and returns by how much they differ from it.
+    fn measure(&mut self, parts: Range<usize>, whole: &Element, is_divided: [bool; 2]) -> f64 {
         let bases: Vec<_> = whole.nodes().map(|node| self.part_at(parts.clone(), node)).collect();
-        let of_band = |irradiance: &Vec<f64>| {
-            let nodes = |part: usize| &irradiance[self.first[part]..self.first[part + 1]];
+        let of_whole = |band: usize| -> Vec<f64> {
             let value = |(part, basis): &(usize, [f64; MOST_NODES_OF_ELEMENT])| {
-                basis.iter().zip(nodes(*part)).map(|(b, e)| b * e).sum()
+                basis.iter().zip(self.nodes(*part, band)).map(|(b, e)| b * e).sum()
             };
-            let of_whole: Vec<f64> = bases.iter().map(value).collect();
-            let (mut flux, mut size) = (0.0, 0.0);
-            for part in parts.clone() {
-                let element = &self.elements[part];
-                for ((node, area), value) in element.nodes().zip(element.areas()).zip(nodes(part)) {
-                    let coarse: f64 = whole.basis(node).iter().zip(&of_whole).map(|(b, e)| b * e).sum();
-                    flux += area * (value - coarse);
-                    size += area * (value - coarse).abs();
-                }
-            }
-            let scale = irradiance.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
-            if scale > 0.0 { (flux.abs() + CANCELLING * size) / (scale * whole.area) } else { 0.0 }
+            bases.iter().map(value).collect()
         };
-        self.irradiance.iter().map(of_band).fold(0.0, f64::max)
+        let relative = |value: f64, scale: f64| if scale > 0.0 { value / scale } else { 0.0 };
+        let highest = |element: &Element, values: &[f64], scale: f64| {
+            element.reference().highest(values).map(|[term, _]| relative(term, scale))
+        };
+        let [flux, size] = self.largest(|band, scale| {
+            self.difference(parts.clone(), whole, &of_whole(band), band).map(|value| relative(value, scale))
+        });
+        let measured = flux + CANCELLING * size;
+        let terms = self.largest(|band, scale| highest(whole, &of_whole(band), scale));
+        let divided = [0, 1].map(|i| if is_divided[i] { terms[i] } else { 0.0 });
+        let share = |i: usize| {
+            let sum = divided[0] + divided[1];
+            if sum > 0.0 { divided[i] / sum } else { 0.5 }
+        };
+        let shares = if is_divided == [true; 2] { [share(0), share(1)] } else { [1.0; 2] };
+        for part in parts {
+            let element = &self.elements[part];
+            let own = self.largest(|band, scale| highest(element, self.nodes(part, band), scale));
+            let decay = decay(whole, element, [terms, own]);
+            for i in [0, 1].into_iter().filter(|&i| is_divided[i]) {
+                let [of_flux, of_size] = decay[i];
+                let expected = flux * of_flux + CANCELLING * size * of_size;
+                self.changes[part][i] = Change::measured(shares[i] * measured, shares[i] * expected);
+            }
+        }
+        measured
+    }
+
+    /// How much the irradiance on the parts of an element differs from what the whole element would make of it: from the polynomial
+    /// that agrees with it at the nodes of the whole, where it has these values; in the mean over the element.
+    fn difference(&self, parts: Range<usize>, whole: &Element, of_whole: &[f64], band: usize) -> [f64; 2] {
+        let (mut flux, mut size) = (0.0_f64, 0.0);
+        for part in parts {
+            let element = &self.elements[part];
+            for ((node, area), value) in element.nodes().zip(element.areas()).zip(self.nodes(part, band)) {
+                let coarse: f64 = whole.basis(node).iter().zip(of_whole).map(|(b, e)| b * e).sum();
+                flux += area * (value - coarse);
+                size += area * (value - coarse).abs();
+            }
+        }
+        [flux.abs() / whole.area, size / whole.area]
     }
 
     /// The part of an element that a point of it lies in, with the values of its polynomials there.

@@ -2,6 +2,7 @@
 //! and the place where a ray meets a face becomes the element there.
 
 use super::clusters::clusters;
+use super::contact::ConvexPiece;
 use super::element::Element;
 use super::system::reflects;
 use crate::faces::is_bright;
@@ -50,7 +51,7 @@ impl Subdivision {
         };
         for (index, face) in faces.iter().enumerate() {
             if counts(face) {
-                for piece in Element::of(index, face, &face.vertices) {
+                for piece in Element::of(index, face, &ConvexPiece::whole(face)) {
                     let parts =
                         (piece.area / (LARGEST * whole)).sqrt().ceil().clamp(1.0, MOST_PARTS) as usize;
                     let first = subdivision.elements.len();

@@ -1,13 +1,13 @@
 //! The system of equations of a scene: elements become rows of weights and direct light at their nodes, these the irradiance of the
 //! nodes, and from it what any receiver gets.
 
+use super::change::Change;
 use super::contact;
 use super::direct::Lights;
-use super::element::Element;
+use super::element::{Element, HIGHEST_ORDER};
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use super::operator::{Operator, Row};
-use super::refinement::Change;
 use super::solution::of_bands;
 use crate::faces::is_bright;
 use crate::geometry::Vector;
@@ -26,6 +26,12 @@ const MOST_OF_ORDERS: [(usize, usize); 2] = [(2, MOST_NODES / 8), (1, MOST_NODES
 
 /// Polynomials on the faces of round shapes have degrees below this.
 const ORDER_ON_ROUND: usize = 2;
+
+/// The order of the elements before any is split, by how many nodes they have with each.
+pub(super) fn first_order(nodes: impl Fn(usize) -> usize) -> usize {
+    let lower = |order, (lower, most)| if nodes(order) > most { lower } else { order };
+    MOST_OF_ORDERS.into_iter().fold(HIGHEST_ORDER, lower)
+}
 
 /// What is asked of the solution.
 #[derive(Clone, Debug)]
@@ -46,7 +52,7 @@ pub(crate) struct Radiosity<'t> {
     pub(super) question: Question,
     pub(super) elements: Vec<Element>,
     pub(super) outlines: Vec<Vec<Vector>>,
-    pub(super) changes: Vec<Change>,
+    pub(super) changes: Vec<[Change; 2]>,
     pub(super) operator: Operator,
     /// The first node of each element, and at the end the count of all.
     pub(super) first: Vec<usize>,
@@ -84,11 +90,9 @@ impl<'t> Radiosity<'t> {
         let is_round_face =
             |element: &&mut Element| scene.surfaces[transport.faces[element.face].surface].shape.is_round();
         elements.iter_mut().filter(is_round_face).for_each(|element| element.order = ORDER_ON_ROUND);
-        for (order, most) in MOST_OF_ORDERS {
-            if elements.iter().map(Element::count).sum::<usize>() > most {
-                elements.iter_mut().for_each(|element| element.order = element.order.min(order));
-            }
-        }
+        let nodes = |order| elements.iter().map(|element| element.count_with(order)).sum();
+        let order = first_order(nodes);
+        elements.iter_mut().for_each(|element| element.order = element.order.min(order));
         let straight = question.receives.iter().enumerate();
         let straight = straight
             .map(|(surface, &receives)| if receives { lights.flux(surface, transport) } else { None });

@@ -1,5 +1,6 @@
 //! Laws of the parts of the solver.
 
+use super::contact::ConvexPiece;
 use super::element::Element;
 use super::measure::Measure;
 use super::operator::{Operator, Row};
@@ -25,7 +26,7 @@ fn a_linear_element_gives_what_the_linear_luminaire_gives() {
         let vertices = corners(height);
         let face = triangle(vertices);
         let [a, b, c] = vertices;
-        let elements = Element::of(0, &face, &face.vertices);
+        let elements = Element::of(0, &face, &ConvexPiece::whole(&face));
         let [element] = &elements[..] else { panic!("a triangle is one element") };
         let mut found = [0.0; MOST_NODES];
         weights::add(&vertices, element, Vector::default(), Measure::Plane(up), 1e-9, &mut found);
@@ -54,7 +55,7 @@ fn a_linear_element_gives_what_the_linear_luminaire_gives() {
 fn the_weights_of_an_element_sum_to_its_measure() {
     let face =
         triangle([Vector::new(-1.0, -1.0, 0.1), Vector::new(0.0, 2.0, 0.1), Vector::new(1.0, -1.0, 0.1)]);
-    let elements = Element::of(0, &face, &face.vertices);
+    let elements = Element::of(0, &face, &ConvexPiece::whole(&face));
     for measure in [
         Measure::Plane(Vector::new(0.0, 0.0, 1.0)),
         Measure::Sphere,
@@ -69,7 +70,7 @@ fn the_weights_of_an_element_sum_to_its_measure() {
 }
 
 #[test]
-fn quarters_cover_an_element_and_keep_its_polynomials() {
+fn parts_cover_an_element_and_keep_its_polynomials() {
     let triangle =
         triangle([Vector::new(0.0, 0.0, 1.0), Vector::new(0.3, 2.0, 1.0), Vector::new(1.0, 0.2, 1.0)]);
     let square = Face {
@@ -83,17 +84,48 @@ fn quarters_cover_an_element_and_keep_its_polynomials() {
         ..triangle.clone()
     };
     for face in [triangle, square] {
-        for element in Element::of(0, &face, &face.vertices) {
-            let parts = element.quarters();
-            let area: f64 = parts.iter().map(|part| part.area).sum();
-            assert!((area - element.area).abs() < 1e-15);
+        for element in Element::of(0, &face, &ConvexPiece::whole(&face)) {
             // the integral of x² is the same over the parts
             let moment = |element: &Element| -> f64 {
                 element.nodes().zip(element.areas()).map(|(node, area)| area * node.x * node.x).sum()
             };
-            let of_parts: f64 = parts.iter().map(moment).sum();
-            assert!((of_parts - moment(&element)).abs() < 1e-14, "{of_parts}");
+            for is_divided in [[true, false], [false, true], [true, true]] {
+                let parts = element.divided(is_divided);
+                let area: f64 = parts.iter().map(|part| part.area).sum();
+                assert!((area - element.area).abs() < 1e-15);
+                let of_parts: f64 = parts.iter().map(moment).sum();
+                assert!((of_parts - moment(&element)).abs() < 1e-14, "{of_parts}");
+            }
         }
+    }
+}
+
+#[test]
+fn parts_shrink_towards_the_sides_that_other_faces_rise_from() {
+    let corner = |x, y| Vector::new(x, y, 0.0);
+    let outline = vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)];
+    let face =
+        Face { vertices: outline.clone(), area: 1.0, ..triangle([outline[0], outline[1], outline[2]]) };
+    // the sides are y = 0, x = 1, y = 1, x = 0
+    for (creases, expected) in [
+        ([false, false, false, false], &[0.5, 0.5][..]),
+        ([false, false, false, true], &[0.2, 0.8]),
+        ([false, true, false, false], &[0.8, 0.2]),
+        ([false, true, false, true], &[0.15, 0.7, 0.15]),
+        ([true, false, true, false], &[0.5, 0.5]),
+    ] {
+        let piece = ConvexPiece { outline: outline.clone(), creases: creases.to_vec() };
+        let element = Element::of(0, &face, &piece).swap_remove(0);
+        let widths = |element: &Element| -> Vec<f64> {
+            element.divided([true, false]).iter().map(|part| part.extent()[0]).collect()
+        };
+        let found = widths(&element);
+        let is_close = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-15;
+        assert!(found.len() == expected.len() && found.iter().zip(expected).all(is_close), "{found:?}");
+        // the first part has the crease of its first side alone
+        let first = &element.divided([true, false])[0];
+        let ratio = widths(first)[0] / first.extent()[0];
+        assert!((ratio - if creases[3] { 0.2 } else { 0.5 }).abs() < 1e-15, "{ratio}");
     }
 }
 

@@ -16,8 +16,8 @@ use crate::kernels::exchange_density;
 
 /// The most points of a rule along one side; patches that would need more are cut.
 const MOST_POINTS: usize = 4;
-/// How often a patch is cut at most. What is left then is a millionth of it in area.
-const DEEPEST: u32 = 10;
+/// How often a patch is halved at most. What is left then is a millionth of it in area.
+const DEEPEST: u32 = 20;
 /// Pieces whose radius is this fraction of their distance are measured by the rule alone: in the closed form, the sum over
 /// the edges would cancel.
 const SMALL: f64 = 1e-3;
@@ -75,10 +75,12 @@ impl Piece<'_> {
         } else {
             f64::INFINITY
         };
-        if points <= MOST_POINTS as f64 || depth == DEEPEST {
+        if points <= MOST_POINTS as f64 || depth >= DEEPEST {
             self.add_points(patch, (points.min(MOST_POINTS as f64) as usize).max(1));
+        } else if let Some(halves) = patch.halves() {
+            halves.iter().for_each(|half| self.add(half, depth + 1));
         } else {
-            patch.quarters().iter().for_each(|quarter| self.add(quarter, depth + 1));
+            patch.quarters().iter().for_each(|quarter| self.add(quarter, depth + 2));
         }
     }
 

@@ -14,6 +14,9 @@ use std::time::Instant;
 /// What the shape of round surfaces leaves of the tolerance for rays.
 const BESIDE_SHAPE: f64 = 0.5;
 
+/// The part of the most rays after which it is foreseen how many it takes.
+const SEEN: f64 = 0.02;
+
 /// A reading and its probe, if anything has to be sampled for it.
 struct Sampled {
     probe: Option<Probe>,
@@ -25,8 +28,14 @@ struct Sampled {
 }
 
 impl Work<'_> {
-    /// The readings, as exact as they are asked for or can be made.
-    pub(super) fn sampled(&self, paths: &Paths, is_round: bool, history: &mut Vec<Moment>) -> Vec<Found> {
+    /// The readings, as exact as they are asked for or can be made; less exact if that would take more than so many rays.
+    pub(super) fn sampled(
+        &self,
+        paths: &Paths,
+        is_round: bool,
+        most: f64,
+        history: &mut Vec<Moment>,
+    ) -> Vec<Found> {
         let tolerance = self.scene.solve.tolerance * if is_round { BESIDE_SHAPE } else { 1.0 };
         let transport = paths.transport();
         let goals: Vec<Option<GoalKind>> =
@@ -55,11 +64,25 @@ impl Work<'_> {
             self.watch.progress("receivers", (tolerance / error).powi(2).min(1.0));
             if self.watch.is_stopped()
                 || error <= tolerance
+                || self.is_too_long(&sampled, &found, most)
                 || !self.improve(paths, &mut sampled, &found, tolerance)
             {
                 return found;
             }
         }
+    }
+
+    /// Whether rays take longer than so many would, or are seen to: errors fall like the root of their number.
+    fn is_too_long(&self, sampled: &[Sampled], found: &[Found], most: f64) -> bool {
+        let spent = |sampled: &Sampled| sampled.probe.as_ref().map_or(0.0, Paths::spent);
+        let all: f64 = sampled.iter().map(spent).sum();
+        let needed = |((sampled, found), scales): ((&Sampled, &Found), Vec<f64>)| {
+            let relative = found.bands.iter().zip(scales).map(|(e, scale)| e.error() / scale);
+            let worst = relative.fold(0.0, f64::max) / self.scene.solve.tolerance;
+            spent(sampled) * worst.powi(2).max(1.0)
+        };
+        let foreseen: f64 = sampled.iter().zip(found).zip(self.scales(found)).map(needed).sum();
+        all > most || (all > SEEN * most && foreseen > most)
     }
 
     /// More rays for the readings that are not exact enough; whether there are any that may have more.

@@ -186,11 +186,10 @@ impl<'s> Work<'s> {
         's: 't,
     {
         let gathering = (self.choose)(self.scene, &transport.faces, self.effects.occlusion);
-        if gathering == Gathering::Rays {
+        if let Gathering::Rays { most } = gathering {
             let paths = Paths::new(self.scene, transport, lights, self.question(), self.watch);
-            let found = self.sampled(&paths, is_round(self.scene), history);
-            let is_last_way = Gathering::is_beyond_pieces(self.scene, &transport.faces);
-            if is_last_way || self.watch.is_stopped() || self.is_enough(&found) {
+            let found = self.sampled(&paths, is_round(self.scene), most, history);
+            if most.is_infinite() || self.watch.is_stopped() || self.is_enough(&found) {
                 return (Solution::Paths(paths), found);
             }
         }

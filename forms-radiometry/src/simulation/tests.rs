@@ -89,7 +89,7 @@ fn by(gathering: Choose, text: &str) -> Vec<Answer> {
 }
 
 fn by_rays(text: &str) -> Vec<Answer> {
-    by(|_, _, _| Gathering::Rays, text)
+    by(|_, _, _| Gathering::Rays { most: f64::INFINITY }, text)
 }
 
 fn closed_room() -> String {

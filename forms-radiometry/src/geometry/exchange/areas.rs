@@ -14,6 +14,9 @@ use std::sync::OnceLock;
 /// The rules that are tried, by their points along each side; the difference of two is the estimate of the error of the first.
 const ORDERS: [usize; 4] = [2, 3, 5, 8];
 
+/// Patches that are more than so many times as long as wide are cut across only.
+const SLENDER: f64 = 1.5;
+
 /// A node in [0, 1] and its weight.
 type Node = [f64; 2];
 
@@ -80,6 +83,24 @@ impl Patch {
     /// Its area: that density is linear in each coordinate.
     pub(super) fn area(&self) -> f64 {
         self.at(0.5, 0.5).1
+    }
+
+    /// The patches that halving one coordinate gives, where the sides along it are much longer than those across.
+    pub(crate) fn halves(&self) -> Option<[Patch; 2]> {
+        let Patch([a, b, c, d]) = *self;
+        let squared = |from: Vector, to: Vector| (to - from).dot(to - from);
+        let along = squared(a, b).max(squared(d, c));
+        let across = squared(a, d).max(squared(b, c));
+        let middle = |from: Vector, to: Vector| from + 0.5 * (to - from);
+        if along > SLENDER * SLENDER * across {
+            let (low, high) = (middle(a, b), middle(d, c));
+            Some([Patch([a, low, high, d]), Patch([low, b, c, high])])
+        } else if across > SLENDER * SLENDER * along {
+            let (low, high) = (middle(a, d), middle(b, c));
+            Some([Patch([a, b, high, low]), Patch([low, high, c, d])])
+        } else {
+            None
+        }
     }
 
     /// The patches that halving each coordinate gives.
