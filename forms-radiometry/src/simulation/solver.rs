@@ -32,6 +32,8 @@ pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 pub(super) const DARK: f64 = 1e-9;
 /// The finest polyhedra.
 const FINEST: usize = 4;
+/// What is to come after the first change at least, relative to it, where surfaces may hide each other.
+const BEHIND_SCREENS: f64 = 10.0;
 /// One in so many cells of a map is watched while elements become finer, and at least so many in all.
 const WATCHED: [usize; 2] = [36, 9];
 
@@ -214,6 +216,7 @@ impl<'s> Work<'s> {
     {
         let mut radiosity = Radiosity::new(self.scene, transport, lights, self.question(), self.watch);
         let mut found = self.read(&radiosity, None);
+        let begun = history.len() + 1;
         loop {
             let seconds = self.start.elapsed().as_secs_f64();
             history.push(Moment { seconds, error: self.relative_errors(&found).fold(0.0, f64::max) });
@@ -221,9 +224,13 @@ impl<'s> Work<'s> {
                 return (radiosity, found);
             }
             let goals = self.goals(&radiosity, &found);
-            let Some(left) = radiosity.refine(&goals, self.watch) else {
+            let Some(mut left) = radiosity.refine(&goals, self.watch) else {
                 return (radiosity, found);
             };
+            // a shadow that falls between the nodes appears when they are closer
+            if transport.occlusion && history.len() == begun {
+                left = left.max(BEHIND_SCREENS);
+            }
             found = self.read(&radiosity, Some((&found, left)));
         }
     }
