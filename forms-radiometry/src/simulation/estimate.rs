@@ -1,16 +1,19 @@
 //! Estimates: what is known of a reading, from how it changed while elements became finer.
 //!
 //! ```text
-//! error = 1.5 λₙ max(Δₙ, λₙ₋₁ Δₙ₋₁, pooled change)
+//! error = 1.5 λₙ max(Δₙ, λₙ₋₁ Δₙ₋₁/4, pooled change)
 //! ```
 //! λ is what all refinements to come are expected to settle, relative to what the last one settled, both as elements matter to the
-//! answers. A change may cancel by chance: so the change before counts too, and the changes of all readings together, most of all those of
-//! the same receiver: the components of a vector, the cells of a map.
+//! answers. A change may cancel by chance: so what the change before let expect counts too, and the changes of all readings together, most
+//! of all those of the same receiver: the components of a vector, the cells of a map. A reading that does not change at all is none
+//! of the elements'.
 
 /// The safety of the estimate.
 const SAFETY: f64 = 1.5;
 /// The least and the largest that refinements to come are taken to settle.
 const LEFT: [f64; 2] = [0.05, 10.0];
+/// The part of what the change before let expect that each change is taken to have had at least.
+const CARRIED: f64 = 0.25;
 /// The part of the changes of all readings that each one is taken to have had at least, relative to its scale.
 const POOLED: f64 = 0.3;
 
@@ -37,7 +40,8 @@ impl Estimate {
             return Self { value, changed: f64::INFINITY, change: f64::INFINITY, left: 1.0, floor };
         };
         let changed = (value - before.value).abs();
-        let carried = if before.changed.is_finite() { before.left.min(1.0) * before.changed } else { 0.0 };
+        let carried =
+            if before.changed.is_finite() { CARRIED * before.left.min(1.0) * before.changed } else { 0.0 };
         Self { value, changed, change: changed.max(carried), left: left.max(f64::MIN_POSITIVE), floor }
     }
 
@@ -82,7 +86,7 @@ pub(super) fn pool(found: &mut [Found], scales: &[Vec<f64>], groups: &[usize]) {
     let typical = if count > 0.0 { POOLED * (sum / count).sqrt() } else { 0.0 };
     for ((found, scales), &group) in found.iter_mut().zip(scales).zip(groups) {
         for ((estimate, &scale), &largest) in found.bands.iter_mut().zip(scales).zip(&largest[group]) {
-            if !estimate.is_exact() {
+            if !estimate.is_exact() && estimate.changed > 0.0 {
                 estimate.change = estimate.change.max(typical * scale).max(GROUPED * largest);
             }
         }
