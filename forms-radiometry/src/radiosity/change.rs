@@ -40,9 +40,11 @@ impl Change {
         if self.expected > 0.0 { self.expected / (1.0 - part.min(SLOWEST)) } else { 0.0 }
     }
 
-    /// The change of a part of an element that was split, of which the next leaves this part.
-    pub(super) fn measured(measured: f64, expected: f64) -> Self {
-        Self { measured, expected }
+    /// The change of a part of an element that was split, and what is expected next, but no less than the last two let expect.
+    pub(super) fn followed_by(self, measured: f64, expected: f64) -> Self {
+        let settled = measured / self.measured;
+        let by_last = if settled.is_finite() { settled.min(EXPECTED[1]) * measured } else { 0.0 };
+        Self { measured, expected: expected.max(by_last) }
     }
 }
 

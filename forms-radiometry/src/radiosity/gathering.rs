@@ -1,11 +1,11 @@
 //! How light is gathered: by exact pieces of all elements, or by rays, whichever is expected to take less.
 //!
 //! ```text
-//! pieces   v s (n (1 + k²) + c k)          n nodes, s elements that reflect; k = (0.4/ε)^(2/3) times as many of both at the end
+//! pieces   v s (n (1 + k²) + c k)          n nodes, s elements that reflect; k = (1/ε)^(2/3) times as many of both at the end
 //! rays     32 m + 16 (r + c) (t σ/ε)²      m elements, r readings, c cells of maps, t of Student, σ the deviation of a path
 //! ```
 //! in rays, with the tolerance ε: the exact view of an element takes as long as v of them. Among surfaces that hide each other the first
-//! elements are exact to about 0.4, and errors fall like the power 3/2 of the area of elements. The cost of pieces is that of pairs, and
+//! elements are exact to about 1, and errors fall like the power 3/2 of the area of elements. The cost of pieces is that of pairs, and
 //! ends where memory does; that of rays hardly depends on the surfaces. What a path deviates by is hardly known before: so rays are given
 //! up when it is seen that they take longer than pieces would. Where nothing is hidden, pieces are as exact as polynomials,
 //! and rays are never worth while. Pieces that could not be split once within the most nodes could not tell their error: then rays
@@ -25,7 +25,7 @@ const DEVIATION: f64 = 0.2;
 const FEWEST_NODES: usize = 4_096;
 const MOST_ROUGH_NODES: usize = 1 << 20;
 /// The error of the first elements among surfaces that hide each other, and the power of their number by which it falls.
-const FIRST_ERROR: f64 = 0.4;
+const FIRST_ERROR: f64 = 1.0;
 const POWER: f64 = 1.5;
 /// Into how many parts elements are split at least.
 const PARTS: f64 = 4.0;

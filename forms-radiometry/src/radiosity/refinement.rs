@@ -153,7 +153,8 @@ impl Radiosity<'_> {
             for i in [0, 1].into_iter().filter(|&i| is_divided[i]) {
                 let [of_flux, of_size] = decay[i];
                 let expected = flux * of_flux + CANCELLING * size * of_size;
-                self.changes[part][i] = Change::measured(shares[i] * measured, shares[i] * expected);
+                let change = &mut self.changes[part][i];
+                *change = change.followed_by(shares[i] * measured, shares[i] * expected);
             }
         }
         measured

@@ -32,8 +32,9 @@ pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 pub(super) const DARK: f64 = 1e-9;
 /// The finest polyhedra.
 const FINEST: usize = 4;
-/// What is to come after the first change at least, relative to it, where surfaces may hide each other.
-const BEHIND_SCREENS: f64 = 10.0;
+/// What is to come at least after each change, relative to it, where surfaces may hide each other: shadows that fall between the
+/// nodes appear when they are closer, and their borders settle no faster than elements shrink.
+const BEHIND_SCREENS: [f64; 3] = [10.0, 2.0, 1.0];
 /// One in so many cells of a map is watched while elements become finer, and at least so many in all.
 const WATCHED: [usize; 2] = [36, 9];
 
@@ -227,9 +228,9 @@ impl<'s> Work<'s> {
             let Some(mut left) = radiosity.refine(&goals, self.watch) else {
                 return (radiosity, found);
             };
-            // a shadow that falls between the nodes appears when they are closer
-            if transport.occlusion && history.len() == begun {
-                left = left.max(BEHIND_SCREENS);
+            if transport.occlusion {
+                let split = history.len() - begun;
+                left = left.max(BEHIND_SCREENS[split.min(BEHIND_SCREENS.len() - 1)]);
             }
             found = self.read(&radiosity, Some((&found, left)));
         }
