@@ -2,7 +2,7 @@
 
 use super::branches::Way;
 use super::{Screen, Screens, Vector};
-use crate::geometry::cone::sides;
+use crate::geometry::sides::sides;
 use std::ops::ControlFlow;
 
 /// What a ray meets.
