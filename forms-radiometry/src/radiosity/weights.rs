@@ -64,7 +64,7 @@ impl Transport {
 
 /// Adds to `weights` what a receiver gets from each node of an element through this convex piece of it, relative to the
 /// receiver.
-fn add(
+pub(super) fn add(
     piece: &[Vector],
     element: &Element,
     position: Vector,
