@@ -28,6 +28,19 @@ const MODULES: [(Effect, &[&str]); 3] = [
     (Effect::Interreflection, &["radiosity::operator", "radiosity::solution", "radiosity::weights"]),
 ];
 
+/// The modules that follow light along rays, which meet what hides, and go on where it reflects.
+const RAYS: [&str; 9] = [
+    "geometry::visibility::branches",
+    "geometry::visibility::ray",
+    "radiosity::clusters",
+    "radiosity::directions",
+    "radiosity::paths",
+    "radiosity::probe",
+    "radiosity::sequence",
+    "radiosity::subdivision",
+    "radiosity::walk",
+];
+
 /// The effects that have modules of their own.
 pub(crate) fn effects() -> impl Iterator<Item = Effect> {
     MODULES.iter().map(|(effect, _)| *effect)
@@ -35,13 +48,21 @@ pub(crate) fn effects() -> impl Iterator<Item = Effect> {
 
 /// The instructions that are for an effect.
 pub(crate) fn of_effect(counts: &Counts, effect: Effect) -> u64 {
-    let modules = MODULES.iter().filter(|(of, _)| *of == effect).flat_map(|(_, modules)| *modules);
-    let modules: Vec<&str> = modules.copied().collect();
+    MODULES.iter().filter(|(of, _)| *of == effect).map(|(_, modules)| of_modules(counts, modules)).sum()
+}
+
+/// The instructions that follow light along rays.
+pub(crate) fn of_rays(counts: &Counts) -> u64 {
+    of_modules(counts, &RAYS)
+}
+
+fn of_modules(counts: &Counts, modules: &[&str]) -> u64 {
     let is_meant = |place: &Place| {
         let module = module(place);
-        modules
-            .iter()
-            .any(|own| module == *own || module.strip_prefix(own).is_some_and(|rest| rest.starts_with("::")))
+        let is_in = |own: &&str| {
+            module.strip_prefix(own).is_some_and(|rest| rest.is_empty() || rest.starts_with("::"))
+        };
+        modules.iter().any(is_in)
     };
     counts.iter().filter(|(place, _)| is_meant(place)).map(|(_, count)| count).sum()
 }

@@ -122,8 +122,8 @@ pub(crate) struct Screens {
     /// The body that each screen belongs to.
     body_of: Vec<Option<u32>>,
     tree: Tree,
-    /// The same tree for rays.
-    branches: Branches,
+    /// The same tree for rays; nothing where there are no screens.
+    branches: Option<Branches>,
     /// A point that is nearer to a plane than this counts as lying in it.
     resolution: f64,
     /// What rounding leaves of a distance in the scene.
@@ -158,7 +158,7 @@ impl Screens {
             .map(|screen| Bounds::of(screen.vertices.iter().copied()).wider(none.resolution))
             .collect();
         let tree = Tree::of(&boxes);
-        let branches = Branches::of(&tree);
+        let branches = Some(Branches::of(&tree));
         Self { screens, tree, branches, ..none }
     }
 
@@ -172,7 +172,7 @@ impl Screens {
             bodies: Vec::new(),
             body_of: Vec::new(),
             tree: Tree::default(),
-            branches: Branches::default(),
+            branches: None,
             resolution: resolution(corners()),
             rounding,
         }

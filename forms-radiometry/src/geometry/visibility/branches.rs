@@ -37,7 +37,7 @@ struct Branch {
 }
 
 /// The branches of a tree.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(super) struct Branches {
     branches: Vec<Branch>,
     root: Option<u32>,
