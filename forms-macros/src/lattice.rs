@@ -5,7 +5,7 @@
 //! ```
 //! Each member is compiled by itself: what it is without is not in its code.
 
-use crate::tiers::{MATH, Tiers};
+use crate::tiers::{MATH, Tiers, operations};
 use forms_core::diagnostic::Diagnostic;
 use forms_core::expression::Pool;
 use forms_core::generation::{Generated, generate, specialisations};
@@ -265,12 +265,6 @@ impl Lattice<'_> {
         });
         quote!(#(#arms)*)
     }
-}
-
-/// All operations of a program.
-fn operations(program: &Program) -> usize {
-    let count = program.operations();
-    count.arithmetic() + count.function_calls + count.selects
 }
 
 /// A name of the language as one of Rust, which has more words of its own.

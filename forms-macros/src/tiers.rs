@@ -11,7 +11,7 @@
 
 use forms_core::generation::Generated;
 use forms_core::kernel::{MANY_ARGUMENTS, Program, emit_formula};
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 /// Where the arithmetic is found from wherever a macro is used.
@@ -45,6 +45,7 @@ pub(crate) fn module(
     let (name, attributes) = (&tiers.name, attributes(program));
     let public = program.is_public().then(|| quote!(pub));
     let about = format!(" `{name}` in every precision.");
+    let count = Literal::usize_unsuffixed(operations(program));
     let module = quote! {
         #[doc = #about]
         #attributes
@@ -54,11 +55,19 @@ pub(crate) fn module(
             #plain
             #[doc = " The form that the kernel is computed by, for any number."]
             #stable
+            #[doc = " How many operations a value takes: of arithmetic, calls of functions and choices."]
+            pub const OPERATIONS: usize = #count;
             #(#functions)*
             #more
         }
     };
     Ok(module)
+}
+
+/// All operations of a program.
+pub(crate) fn operations(program: &Program) -> usize {
+    let count = program.operations();
+    count.arithmetic() + count.function_calls + count.selects
 }
 
 /// The lints that the names of the formula and tiers that nobody calls would set off.

@@ -6,11 +6,14 @@
 //! ```
 //! `cargo run --release -p forms-radiometry --example effects` prints the table; with `--write` the page is written anew.
 
+#[path = "gallery/mod.rs"]
+mod gallery;
 #[path = "../../forms-core/benches/page/mod.rs"]
 mod page;
 
-use forms_radiometry::scene::{Scene, SceneError, read_with_files};
+use forms_radiometry::scene::Scene;
 use forms_radiometry::simulation::{Plan, Simulation, Unwatched, plan, simulate};
+use gallery::{Problem, said, scene};
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
@@ -22,33 +25,26 @@ const FORCED: &str =
 const HEAD: &str = "| scene | simulated | dropped | bound of what is dropped | as planned | all on | all on / planned | largest difference, relative | errors said, relative |\n\
                     |---|---|---|---|---|---|---|---|---|\n";
 
-type Problem = Box<dyn std::error::Error>;
-
 fn main() -> Result<(), Problem> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
-    let mut files: Vec<_> =
-        std::fs::read_dir(&folder)?.map(|entry| Ok(entry?.path())).collect::<Result<_, Problem>>()?;
-    files.retain(|file| file.extension().is_some_and(|extension| extension == "toml"));
-    files.sort();
     let mut table = format!("Processor: {}.\n\n{HEAD}", page::processor());
-    for file in files {
-        let row = row(&file, &folder)?;
+    for file in gallery::files()? {
+        let row = row(&file)?;
         print!("{row}");
         table += &row;
     }
     if std::env::args().any(|word| word == "--write") {
-        let path = folder.join("../docs/benchmarks.md");
+        let path = gallery::folder().join("../docs/benchmarks.md");
         std::fs::write(&path, page::replaced(&std::fs::read_to_string(&path)?, "effects", &table))?;
     }
     Ok(())
 }
 
 /// The row of one scene.
-fn row(file: &Path, folder: &Path) -> Result<String, Problem> {
+fn row(file: &Path) -> Result<String, Problem> {
     let text = std::fs::read_to_string(file)?;
-    let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let planned = Run::of(&scene(&text, &name, folder)?)?;
-    let full = Run::of(&scene(&with_all_effects(&text), &name, folder)?)?;
+    let name = gallery::name(file);
+    let planned = Run::of(&scene(&text, &name)?)?;
+    let full = Run::of(&scene(&with_all_effects(&text), &name)?)?;
     let names = |on: bool| {
         let chosen = planned.plan.effects.iter().filter(|effect| effect.on == on);
         chosen.map(|effect| effect.effect.name()).collect::<Vec<_>>().join(", ")
@@ -75,14 +71,6 @@ fn with_all_effects(text: &str) -> String {
     let lines = text.lines().filter(|line| !line.starts_with("effects = "));
     let text: String = lines.flat_map(|line| [line, "\n"]).collect();
     text.replace("[solve]\n", &format!("[solve]\n{FORCED}\n"))
-}
-
-fn scene(text: &str, name: &str, folder: &Path) -> Result<Scene, Problem> {
-    read_with_files(text, name, &|file| std::fs::read(folder.join(file))).map_err(said)
-}
-
-fn said(errors: Vec<SceneError>) -> Problem {
-    errors.into_iter().map(|error| error.to_string()).collect::<Vec<_>>().join("\n").into()
 }
 
 /// A simulation and how long plan and answers took.

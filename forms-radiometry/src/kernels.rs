@@ -5,6 +5,7 @@
 
 forms::include_forms!("kernels/solid_angle.forms");
 forms::include_forms!("kernels/irradiance.forms");
+forms::include_forms!("kernels/gathered_light.forms");
 forms::include_forms!("kernels/polygon_solid_angle.forms");
 forms::include_forms!("kernels/round_solid_angle.forms");
 forms::include_forms!("kernels/polygon_form_factor.forms");

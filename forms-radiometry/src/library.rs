@@ -67,6 +67,7 @@ pub fn library() -> &'static [TheoryFile] {
     &[
         kernel_file!("solid_angle.forms"),
         kernel_file!("irradiance.forms"),
+        kernel_file!("gathered_light.forms"),
         kernel_file!("polygon_solid_angle.forms"),
         kernel_file!("round_solid_angle.forms"),
         kernel_file!("polygon_form_factor.forms"),

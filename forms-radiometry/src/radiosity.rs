@@ -11,6 +11,7 @@
 //! visibility is exact. The solution is that of the continuous equation, not of one value a surface. Where surfaces are many, light is
 //! followed along rays instead ([`gathering`], [`paths`]).
 
+mod arriving;
 mod change;
 mod clusters;
 mod contact;
@@ -20,6 +21,7 @@ mod element;
 mod gather;
 mod gathering;
 mod importance;
+mod kernels;
 mod measure;
 mod operator;
 mod outlines;
@@ -40,6 +42,8 @@ pub(crate) use direct::Lights;
 pub(crate) use gather::{Group, Scratch, Transport};
 pub(crate) use gathering::Gathering;
 pub(crate) use importance::{Goal, GoalKind};
+pub use kernels::UsedKernel;
+pub(crate) use kernels::kernels;
 pub(crate) use measure::Measure;
 pub(crate) use paths::Paths;
 pub(crate) use probe::Probe;

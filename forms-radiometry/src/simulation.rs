@@ -18,6 +18,7 @@ mod survey;
 mod tests;
 mod watch;
 
+pub use crate::radiosity::UsedKernel;
 pub use answer::{Answer, ErrorKind, Map, Moment, Plan, PlannedEffect, Quantity, Simulation};
 pub use planning::plan;
 pub use solver::simulate;

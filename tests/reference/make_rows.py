@@ -10,11 +10,12 @@ share that they cover. Run `python3 tests/reference/make_rows.py` in the root of
 import json
 from pathlib import Path
 
-from rows import axis, distances, exchange, luminaire, media, microfacets, polygons, round, spherical, square
+from rows import axis, distances, exchange, gathering, luminaire, media, microfacets, polygons, round, spherical, square
 from rows import view_factors
 from rows.table import ROWS
 
 TOPICS = (polygons, luminaire, round, view_factors, media, axis, square, microfacets, distances, spherical, exchange)
+TOPICS += (gathering,)
 
 
 def main():

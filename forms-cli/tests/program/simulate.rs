@@ -78,6 +78,13 @@ fn the_text_is_the_plan_and_the_answers_as_tables() {
     for part in ["effect", "simulated", "bound [W/m²]", "why"] {
         assert!(lines[1].contains(part), "{}", run.output);
     }
+    let from_head = lines.iter().copied().skip_while(|line| !line.trim_start().starts_with("kernel "));
+    let kernels: Vec<&str> = from_head.take_while(|line| !line.is_empty()).collect();
+    assert!(kernels[0].ends_with("operations  computes"), "{}", run.output);
+    let gathered: Vec<&str> = kernels[1].split_whitespace().collect();
+    assert_eq!(gathered[..4], ["gathered_light", "2", "of", "5"], "of luminaires and reflected");
+    assert!(kernels.iter().any(|line| line.trim_start().starts_with("edge_form_factor ")), "{}", run.output);
+    assert!(kernels.iter().all(|line| line.chars().count() <= 80), "{}", run.output);
     let answer = lines.iter().find(|line| line.trim_start().starts_with("here ")).expect("the answer");
     assert!(
         answer.contains(" irradiance ") && answer.contains(" ± ") && answer.contains(" W/m² "),

@@ -2,6 +2,7 @@
 
 use super::Vector;
 use super::clip::{Pieces, split_beyond};
+use super::sides::sides;
 
 /// What rounding leaves of the scalar product of two vectors, in units of their largest coordinates.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
@@ -59,18 +60,6 @@ impl Cone {
             std::mem::swap(&mut scratch.whole, &mut scratch.inside);
         }
     }
-}
-
-/// The normals to the inside of the planes through the apex and each edge of a polygon whose vertices are relative to the apex.
-pub(super) fn sides(
-    polygon: impl DoubleEndedIterator<Item = Vector> + Clone,
-    seen_from_front: bool,
-) -> impl Iterator<Item = Vector> {
-    let mut last = polygon.clone().next_back();
-    polygon.filter_map(move |b| {
-        let a = last.replace(b)?;
-        Some(if seen_from_front { b.cross(a) } else { a.cross(b) })
-    })
 }
 
 /// Lists of points that are reused from cut to cut.

@@ -3,6 +3,7 @@
 //!
 //! ```text
 //! faces ─▶ screens in a tree ─┬─ between: outlines of receivers and of a luminaire ─▶ the screens that may hide some of it
+//!                             ├─ above_horizon: a point and a luminaire ─▶ what it would see if nothing were in between
 //!                             ├─ visible: a point, a luminaire and these screens ─▶ convex pieces that the point sees
 //!                             ├─ border: the same, where one screen hides a part ─▶ the border of what is seen
 //!                             └─ first, hides: a ray ─▶ what it meets
@@ -15,14 +16,15 @@ mod body;
 mod border;
 mod bounds;
 mod branches;
+mod horizon;
 mod ray;
 mod shaft;
 mod tree;
 mod visible;
 
 pub(crate) use between::Between;
+pub(crate) use horizon::Workspace;
 pub(crate) use ray::Hit;
-pub(crate) use visible::Workspace;
 
 use super::{Polygon, Vector};
 use body::{Body, bodies};
@@ -120,8 +122,8 @@ pub(crate) struct Screens {
     /// The body that each screen belongs to.
     body_of: Vec<Option<u32>>,
     tree: Tree,
-    /// The same tree for rays.
-    branches: Branches,
+    /// The same tree for rays; nothing where there are no screens.
+    branches: Option<Branches>,
     /// A point that is nearer to a plane than this counts as lying in it.
     resolution: f64,
     /// What rounding leaves of a distance in the scene.
@@ -136,6 +138,13 @@ impl Screens {
 
     /// The screens that faces make. Each front is followed by its back, if that is among the faces at all.
     pub(crate) fn of(faces: &[Face]) -> Self {
+        let mut screens = Self::met_by_rays(faces);
+        (screens.bodies, screens.body_of) = bodies(&screens.screens, screens.resolution, screens.rounding);
+        screens
+    }
+
+    /// The screens that faces make for rays alone: what hides parts of a luminaire is not to be asked of them.
+    pub(crate) fn met_by_rays(faces: &[Face]) -> Self {
         let screen = |(index, face): (usize, &Face)| {
             let back = faces.get(index + 1).filter(|next| next.is_back);
             let plane = Plane { point: face.vertices[0], normal: face.normal };
@@ -143,22 +152,31 @@ impl Screens {
             (!face.is_back).then(|| Screen { vertices: face.vertices.clone(), plane, sides })
         };
         let screens: Vec<Screen> = faces.iter().enumerate().filter_map(screen).collect();
-        let all = Bounds::of(corners(&screens));
-        let rounding = ROUNDING * if screens.is_empty() { 0.0 } else { all.extent().max(all.largest()) };
-        let resolution = resolution(corners(&screens));
+        let none = Self::none(faces);
         let boxes: Vec<Bounds> = screens
             .iter()
-            .map(|screen| Bounds::of(screen.vertices.iter().copied()).wider(resolution))
+            .map(|screen| Bounds::of(screen.vertices.iter().copied()).wider(none.resolution))
             .collect();
         let tree = Tree::of(&boxes);
-        let (bodies, body_of) = bodies(&screens, resolution, rounding);
-        let branches = Branches::of(&tree);
-        Self { screens, bodies, body_of, tree, branches, resolution, rounding }
+        let branches = Some(Branches::of(&tree));
+        Self { screens, tree, branches, ..none }
     }
-}
 
-fn corners(screens: &[Screen]) -> impl Iterator<Item = Vector> {
-    screens.iter().flat_map(|screen| &screen.vertices).copied()
+    /// No screens at all, for a scene of these faces in which nothing is taken to hide anything.
+    pub(crate) fn none(faces: &[Face]) -> Self {
+        let corners = || faces.iter().flat_map(|face| &face.vertices).copied();
+        let all = Bounds::of(corners());
+        let rounding = ROUNDING * if faces.is_empty() { 0.0 } else { all.extent().max(all.largest()) };
+        Self {
+            screens: Vec::new(),
+            bodies: Vec::new(),
+            body_of: Vec::new(),
+            tree: Tree::default(),
+            branches: None,
+            resolution: resolution(corners()),
+            rounding,
+        }
+    }
 }
 
 /// The distance from a plane below which a point counts as lying in it: 10⁻⁹ of the extent of all points, or

@@ -1,18 +1,20 @@
 //! Direct light: lights of all kinds and what stands before them become what a receiver gets straight from them.
 //!
 //! ```text
-//! a face of radiance L       π L μ(visible part)
-//! from outside, radiance L   π L (μ(all directions) − Σ μ(visible parts of all faces))
+//! a face of radiance L       F L, F = μ(visible part)
+//! from outside, radiance L   open, μ(all directions) − Σ μ(visible parts of all faces)
 //! a point of intensity I     I/r² where it is seen,   times cos θ for a plane
 //! from far away              E where nothing hides it, times cos θ
 //! ```
-//! μ is the measure of the receiver over π. All of it is exact but for rounding.
+//! μ is the measure of the receiver over π. All of it is exact but for rounding. What the receiver makes of it is gathered by
+//! [`arriving`](super::arriving).
 
+use super::arriving::{Arriving, Kinds};
 use super::gather::{Group, Scratch, Seen, Transport};
 use super::measure::Measure;
 use crate::faces::emits;
-use crate::geometry::{Exchange, Screens, Vector, exchange_with};
-use crate::kernels::irradiance;
+use crate::geometry::{Exchange, Face, Vector, exchange_of, exchange_with};
+use crate::kernels::{gathered_light::Effects, irradiance};
 use crate::scene::{LightKind, Scene};
 
 /// Exchange below this part of a surface is computed to the absolute error of this part.
@@ -23,20 +25,20 @@ pub(crate) struct Lights<'s> {
     scene: &'s Scene,
     /// The faces that have to be seen: those that emit, and all of them where light comes from outside.
     faces: Vec<usize>,
-    from_outside: bool,
+    kinds: Kinds,
 }
 
 impl<'s> Lights<'s> {
     pub(crate) fn of(scene: &'s Scene, transport: &Transport) -> Self {
-        let from_outside = scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0);
-        let counts = |&index: &usize| from_outside || emits(scene, &transport.faces[index]);
+        let effects = kinds(scene, &transport.faces);
+        let counts = |&index: &usize| effects.surroundings || emits(scene, &transport.faces[index]);
         let faces = (0..transport.faces.len()).filter(counts).collect();
-        Self { scene, faces, from_outside }
+        Self { scene, faces, kinds: Kinds::of(effects) }
     }
 
-    /// Whether light comes from outside.
-    pub(crate) fn come_from_outside(&self) -> bool {
-        self.from_outside
+    /// The kinds of light that come straight from lights.
+    pub(crate) fn kinds(&self) -> Effects {
+        self.kinds.effects()
     }
 
     /// The faces that have to be seen for what comes straight to a point.
@@ -52,23 +54,42 @@ impl<'s> Lights<'s> {
         scratch: &mut Scratch,
     ) -> Vec<Vec<f64>> {
         let bands = self.scene.band_count();
-        let mut sums = vec![0.0; bands * group.points.len()];
-        self.add_reaching(group, transport, scratch, &mut sums);
-        sums.chunks_exact(bands).map(<[f64]>::to_vec).collect()
+        let mut gathered = vec![0.0; bands * group.points.len()];
+        let mut arriving = std::mem::take(&mut scratch.arriving);
+        arriving.begin(self.kinds, gathered.len());
+        self.add_arriving(group, transport, scratch, &mut arriving);
+        arriving.gather(self.kinds, &mut gathered);
+        scratch.arriving = arriving;
+        gathered.chunks_exact(bands).map(<[f64]>::to_vec).collect()
     }
 
-    /// Adds what each point of a group gets to its sums, which are those of all bands, point by point.
-    pub(crate) fn add_reaching(
+    /// Adds what arrives at the points of a group straight from lights.
+    pub(super) fn add_arriving(
         &self,
         group: Group,
         transport: &Transport,
         scratch: &mut Scratch,
-        sums: &mut [f64],
+        arriving: &mut Arriving,
     ) {
+        let bands = self.scene.band_count();
+        let Effects { luminaires, surroundings, beams, .. } = self.kinds();
+        if luminaires || surroundings {
+            self.add_faces(group, transport, scratch, arriving);
+        }
+        if beams {
+            for (sum, &point) in arriving.beams.chunks_exact_mut(bands).zip(group.points) {
+                self.add_lights(point, group.measure, transport, sum);
+            }
+        }
+    }
+
+    /// Adds what faces emit, and what comes from outside beside them.
+    fn add_faces(&self, group: Group, transport: &Transport, scratch: &mut Scratch, arriving: &mut Arriving) {
         let bands = self.scene.band_count();
         let mut outlines = std::mem::take(&mut scratch.outlines);
         let mut factors = vec![0.0; group.points.len()];
-        let mut hidden = vec![0.0; if self.from_outside { group.points.len() } else { 0 }];
+        // of each point the form factor of directions in which no face stands, for every band
+        arriving.open.fill(group.measure.whole());
         for &index in &self.faces {
             let face = &transport.faces[index];
             let luminaire = (face.vertices.as_slice(), face.normal);
@@ -82,37 +103,32 @@ impl<'s> Lights<'s> {
                     outlines.add_pieces(group.measure, &mut factors);
                 }
             }
-            hidden.iter_mut().zip(&factors).for_each(|(hidden, factor)| *hidden += factor);
+            for (open, factor) in arriving.open.chunks_exact_mut(bands).zip(&factors) {
+                open.iter_mut().for_each(|open| *open -= factor);
+            }
             if emits(self.scene, face) {
                 let radiance = &self.scene.surfaces[face.surface].radiance;
-                let of_points = sums.chunks_exact_mut(bands).zip(&factors);
-                of_points.for_each(|(sum, &factor)| add(sum, factor, radiance));
+                let of_points = arriving.emitted.chunks_exact_mut(bands).zip(&factors);
+                of_points.for_each(|(sum, &factor)| {
+                    sum.iter_mut().zip(radiance).for_each(|(sum, radiance)| *sum += factor * radiance);
+                });
             }
         }
         scratch.outlines = outlines;
-        for (sum, hidden) in sums.chunks_exact_mut(bands).zip(hidden) {
-            add(sum, group.measure.whole() - hidden, &self.scene.ambient.radiance);
-        }
-        if !self.scene.lights.is_empty() {
-            for (sum, &point) in sums.chunks_exact_mut(bands).zip(group.points) {
-                self.add_lights(point, group.measure, transport, sum);
-            }
-        }
+        let outside = &self.scene.ambient.radiance;
+        arriving.outside.chunks_exact_mut(bands).for_each(|of_point| of_point.copy_from_slice(outside));
     }
 
     /// For each band, the flux that comes straight to the fronts of a surface, and its error; nothing where light is not that of
     /// faces alone. It is an integral over both, and not a sum over points that may miss what is near an edge.
     pub(crate) fn flux(&self, surface: usize, transport: &Transport) -> Option<Vec<[f64; 2]>> {
-        if self.from_outside || !self.scene.lights.is_empty() {
+        if self.kinds().surroundings || self.kinds().beams {
             return None;
         }
-        let nothing = Screens::of(&[]);
-        let screens = if transport.occlusion { &transport.screens } else { &nothing };
         let mut flux = vec![[0.0; 2]; self.scene.band_count()];
         for here in transport.fronts(surface) {
             for there in self.faces.iter().map(|&index| &transport.faces[index]) {
-                let tolerances = [transport.accuracy, LEAST * here.area];
-                let Exchange { area, error } = exchange_with(here, there, screens, tolerances);
+                let Exchange { area, error } = exchanged(here, there, transport);
                 let radiances = &self.scene.surfaces[there.surface].radiance;
                 for ([value, of_value], &radiance) in flux.iter_mut().zip(radiances) {
                     *value += irradiance(area, radiance);
@@ -146,6 +162,23 @@ impl<'s> Lights<'s> {
     }
 }
 
-fn add(sum: &mut [f64], factor: f64, radiance: &[f64]) {
-    sum.iter_mut().zip(radiance).for_each(|(sum, &radiance)| *sum += irradiance(factor, radiance));
+/// The kinds of light that come straight from the lights of a scene with these faces.
+pub(super) fn kinds(scene: &Scene, faces: &[Face]) -> Effects {
+    Effects {
+        luminaires: faces.iter().any(|face| emits(scene, face)),
+        surroundings: scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0),
+        beams: !scene.lights.is_empty(),
+        interreflection: false,
+    }
+}
+
+/// The exchange area of two faces of a scene.
+fn exchanged(here: &Face, there: &Face, transport: &Transport) -> Exchange {
+    let screens = &transport.screens;
+    if transport.occlusion {
+        return exchange_with(here, there, screens, [transport.accuracy, LEAST * here.area]);
+    }
+    let face_each_other =
+        screens.face_each_other(&here.vertices, Some(here.normal), &there.vertices, there.normal);
+    if face_each_other { exchange_of(here, there, transport.accuracy) } else { Exchange::default() }
 }

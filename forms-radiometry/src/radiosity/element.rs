@@ -198,6 +198,10 @@ impl Element {
         self.corner + u * self.along + v * self.across
     }
 
+    pub(super) fn is_triangle(&self) -> bool {
+        self.shape == Shape::Triangle
+    }
+
     pub(super) fn reference(&self) -> &'static Reference {
         reference(self.shape, self.order)
     }

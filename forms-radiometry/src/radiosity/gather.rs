@@ -2,11 +2,9 @@
 //!
 //! Points that are close to each other share the search for what can come in between.
 
-use super::element::Element;
+use super::arriving::Arriving;
 use super::measure::Measure;
 use super::outlines::Outlines;
-use super::reference::MOST_NODES;
-use super::weights;
 use crate::geometry::{Between, Face, Screens, Vector, Workspace};
 
 /// Points that receive, all looking to one side or to all, and a convex outline that holds them.
@@ -33,6 +31,7 @@ pub(crate) struct Scratch {
     between: Vec<u32>,
     view: Workspace,
     pub(super) outlines: Outlines,
+    pub(super) arriving: Arriving,
 }
 
 /// What a group of points sees of a luminous outline.
@@ -115,6 +114,13 @@ impl Transport {
         let Scratch { between, view, .. } = scratch;
         let horizon = group.measure.horizon();
         for (index, &point) in group.points.iter().enumerate() {
+            if between.is_empty() {
+                let piece = view.above_horizon(point, horizon, (outline, normal), self.screens.resolution());
+                if !piece.is_empty() {
+                    each(index, piece);
+                }
+                continue;
+            }
             for piece in self.screens.visible(point, horizon, outline, normal, between, view) {
                 each(index, piece);
             }
@@ -134,6 +140,13 @@ impl Transport {
         let horizon = group.measure.horizon();
         let by_edges = group.measure != Measure::Sphere;
         for (index, &point) in group.points.iter().enumerate() {
+            if between.is_empty() {
+                let piece = view.above_horizon(point, horizon, luminaire, self.screens.resolution());
+                if !piece.is_empty() {
+                    outlines.push(index, piece);
+                }
+                continue;
+            }
             let line = |line: &[Vector]| outlines.push_line(index, line);
             if by_edges && self.screens.border(point, horizon, luminaire, between, view, line) {
                 continue;
@@ -141,31 +154,6 @@ impl Transport {
             for piece in self.screens.visible(point, horizon, outline, normal, between, view) {
                 outlines.push(index, piece);
             }
-        }
-    }
-
-    /// Calls `each` with the index of a point and what it gets from each node of an element, where it gets any.
-    pub(super) fn weigh(
-        &self,
-        group: Group,
-        (element, outline): (&Element, &[Vector]),
-        scratch: &mut Scratch,
-        mut each: impl FnMut(usize, &[f64]),
-    ) {
-        let mut current = None;
-        let mut weights = [0.0; MOST_NODES];
-        let count = element.count();
-        self.see(group, (outline, element.normal), scratch, |index, piece| {
-            if let Some(last) = current.replace(index)
-                && last != index
-            {
-                each(last, &weights[..count]);
-                weights = [0.0; MOST_NODES];
-            }
-            weights::add(piece, element, group.points[index], group.measure, self.accuracy, &mut weights);
-        });
-        if let Some(last) = current {
-            each(last, &weights[..count]);
         }
     }
 }

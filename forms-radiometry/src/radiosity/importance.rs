@@ -54,9 +54,11 @@ impl Radiosity<'_> {
             straight.iter_mut().zip(part).for_each(|(sum, value)| *sum += value);
         }
         let (mut sum, mut last) = (straight.clone(), straight);
-        for _ in 0..MOST_REFLECTIONS {
-            last = self.operator.apply_transposed(&strongest, &last);
-            sum.iter_mut().zip(&last).for_each(|(sum, last)| *sum += last);
+        if let Some(operator) = &self.operator {
+            for _ in 0..MOST_REFLECTIONS {
+                last = operator.apply_transposed(&strongest, &last);
+                sum.iter_mut().zip(&last).for_each(|(sum, last)| *sum += last);
+            }
         }
         self.first.windows(2).map(|nodes| sum[nodes[0]..nodes[1]].iter().sum()).collect()
     }

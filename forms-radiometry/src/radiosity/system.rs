@@ -1,6 +1,7 @@
 //! The system of equations of a scene: elements become rows of weights and direct light at their nodes, these the irradiance of the
 //! nodes, and from it what any receiver gets.
 
+use super::arriving::Kinds;
 use super::change::Change;
 use super::contact;
 use super::direct::Lights;
@@ -11,6 +12,7 @@ use super::operator::{Operator, Row};
 use super::solution::of_bands;
 use crate::faces::is_bright;
 use crate::geometry::Vector;
+use crate::kernels::gathered_light::Effects;
 use crate::kernels::irradiance;
 use crate::scene::{MaterialKind, Scene};
 use crate::simulation::Watch;
@@ -44,16 +46,27 @@ pub(crate) struct Question {
     pub(crate) direct: bool,
 }
 
+impl Question {
+    /// The kinds of light that receivers gather where these come straight from lights.
+    pub(super) fn kinds(&self, straight: Effects) -> Effects {
+        let straight = if self.direct { straight } else { Effects::NONE };
+        Effects { interreflection: self.orders != Some(0), ..straight }
+    }
+}
+
 /// A solution on elements.
 pub(crate) struct Radiosity<'t> {
     pub(super) scene: &'t Scene,
     pub(super) transport: &'t Transport,
     pub(super) lights: &'t Lights<'t>,
+    /// The kinds of light that receivers gather.
+    kinds: Kinds,
     pub(super) question: Question,
     pub(super) elements: Vec<Element>,
     pub(super) outlines: Vec<Vec<Vector>>,
     pub(super) changes: Vec<[Change; 2]>,
-    pub(super) operator: Operator,
+    /// Nothing where reflections are not asked for.
+    pub(super) operator: Option<Operator>,
     /// The first node of each element, and at the end the count of all.
     pub(super) first: Vec<usize>,
     /// For each band the irradiance of each node.
@@ -101,10 +114,11 @@ impl<'t> Radiosity<'t> {
             scene,
             transport,
             lights,
+            kinds: Kinds::of(question.kinds(lights.kinds())),
             question,
             outlines: Vec::new(),
             changes: Vec::new(),
-            operator: Operator::new(Vec::new(), Vec::new()),
+            operator: None,
             first: Vec::new(),
             irradiance: Vec::new(),
             direct: Vec::new(),
@@ -142,13 +156,18 @@ impl<'t> Radiosity<'t> {
                 direct.iter_mut().zip(of_point).for_each(|(band, value)| band.push(value));
             }
         }
-        self.operator = Operator::new(rows, self.first.clone());
+        if self.question.orders == Some(0) {
+            (self.irradiance, self.tail) = (direct.clone(), vec![0.0; direct.len()]);
+            self.direct = direct;
+            return;
+        }
+        let operator = Operator::new(rows, self.first.clone());
         let reflectances: Vec<Vec<f64>> = (0..self.scene.band_count())
             .map(|band| self.elements.iter().map(|element| self.reflectance(element, band)).collect())
             .collect();
-        let solved = of_bands(&self.operator, &reflectances, &direct, self.question.orders);
+        let solved = of_bands(&operator, &reflectances, &direct, self.question.orders);
         (self.irradiance, self.reflected, self.tail) = (solved.irradiance, solved.reflected, solved.tail);
-        self.direct = direct;
+        (self.direct, self.operator) = (direct, Some(operator));
     }
 
     /// The rows of the nodes of an element, and the light that comes straight to them.
@@ -157,8 +176,9 @@ impl<'t> Radiosity<'t> {
         let points: Vec<Vector> = element.nodes().collect();
         let measure = Measure::Plane(element.normal);
         let group = Group { points: &points, outline: &self.outlines[index], measure };
-        let mut rows = vec![Row::default(); points.len()];
-        if self.question.orders != Some(0) && !watch.is_stopped() {
+        let reflects = self.question.orders != Some(0);
+        let mut rows = if reflects { vec![Row::default(); points.len()] } else { Vec::new() };
+        if !watch.is_stopped() {
             for (source, other) in self.sources().filter(|(_, other)| other.face != element.face) {
                 let outline = &self.outlines[source];
                 self.transport.weigh(group, (other, outline), scratch, |node, weights| {
@@ -170,10 +190,12 @@ impl<'t> Radiosity<'t> {
         (rows, self.lights.reaching(group, self.transport, scratch))
     }
 
-    /// The elements that reflect, with their indices.
+    /// The elements that reflect, with their indices; none where reflections are not asked for.
     pub(super) fn sources(&self) -> impl Iterator<Item = (usize, &Element)> {
         let surface = |element: &Element| self.transport.faces[element.face].surface;
-        self.elements.iter().enumerate().filter(move |(_, element)| reflects(self.scene, surface(element)))
+        let is_on = self.question.orders != Some(0);
+        let elements = self.elements.iter().enumerate();
+        elements.filter(move |(_, element)| is_on && reflects(self.scene, surface(element)))
     }
 
     pub(super) fn reflectance(&self, element: &Element, band: usize) -> f64 {
@@ -209,24 +231,32 @@ impl<'t> Radiosity<'t> {
     /// What each point of a group gets, for each band, from lights and from surfaces that reflect.
     pub(crate) fn reaching(&self, group: Group, scratch: &mut Scratch) -> Vec<Vec<f64>> {
         let bands = self.scene.band_count();
-        let mut sums = vec![0.0; bands * group.points.len()];
-        self.add_reaching(group, scratch, &mut sums);
-        sums.chunks_exact(bands).map(<[f64]>::to_vec).collect()
+        let mut gathered = vec![0.0; bands * group.points.len()];
+        self.gather(group, scratch, &mut gathered);
+        gathered.chunks_exact(bands).map(<[f64]>::to_vec).collect()
     }
 
-    /// Adds the same to sums, which are those of all bands, point by point.
-    pub(crate) fn add_reaching(&self, group: Group, scratch: &mut Scratch, sums: &mut [f64]) {
-        let bands = self.scene.band_count();
+    /// The same of all bands, point by point.
+    pub(crate) fn gather(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
+        let mut arriving = std::mem::take(&mut scratch.arriving);
+        arriving.begin(self.kinds, gathered.len());
         if self.question.direct {
-            self.lights.add_reaching(group, self.transport, scratch, sums);
+            self.lights.add_arriving(group, self.transport, scratch, &mut arriving);
         }
-        if self.question.orders == Some(0) {
-            return;
+        if self.kinds.effects().interreflection {
+            self.add_reflected(group, scratch, &mut arriving.reflected);
         }
+        arriving.gather(self.kinds, gathered);
+        scratch.arriving = arriving;
+    }
+
+    /// Adds what surfaces reflect: Σ ρ W E over their nodes.
+    fn add_reflected(&self, group: Group, scratch: &mut Scratch, reflected: &mut [f64]) {
+        let bands = self.scene.band_count();
         for (index, element) in self.sources() {
             let nodes = self.first[index]..self.first[index + 1];
             self.transport.weigh(group, (element, &self.outlines[index]), scratch, |point, weights| {
-                for (band, sum) in sums[point * bands..][..bands].iter_mut().enumerate() {
+                for (band, sum) in reflected[point * bands..][..bands].iter_mut().enumerate() {
                     let values = &self.reflected[band][nodes.clone()];
                     let arriving: f64 = weights.iter().zip(values).map(|(w, e)| w * e).sum();
                     *sum += self.reflectance(element, band) * arriving;

@@ -9,6 +9,7 @@
 //! their sum is its measure exactly, by its closed form: what a uniform element sends is right to rounding, however near it is.
 
 use super::element::Element;
+use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use super::reference::MOST_NODES;
 use crate::geometry::{Patch, Vector, gauss, patches};
@@ -32,6 +33,33 @@ struct Piece<'e> {
     weights: [f64; MOST_NODES],
     /// The same with the solid angle as the measure.
     solid: [f64; MOST_NODES],
+}
+
+impl Transport {
+    /// Calls `each` with the index of a point and what it gets from each node of an element, where it gets any.
+    pub(super) fn weigh(
+        &self,
+        group: Group,
+        (element, outline): (&Element, &[Vector]),
+        scratch: &mut Scratch,
+        mut each: impl FnMut(usize, &[f64]),
+    ) {
+        let mut current = None;
+        let mut weights = [0.0; MOST_NODES];
+        let count = element.count();
+        self.see(group, (outline, element.normal), scratch, |index, piece| {
+            if let Some(last) = current.replace(index)
+                && last != index
+            {
+                each(last, &weights[..count]);
+                weights = [0.0; MOST_NODES];
+            }
+            add(piece, element, group.points[index], group.measure, self.accuracy, &mut weights);
+        });
+        if let Some(last) = current {
+            each(last, &weights[..count]);
+        }
+    }
 }
 
 /// Adds to `weights` what a receiver gets from each node of an element through this convex piece of it, relative to the

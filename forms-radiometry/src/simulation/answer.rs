@@ -1,5 +1,6 @@
 //! What a simulation says: the plan, and values with their errors.
 
+use crate::radiosity::UsedKernel;
 use crate::scene::Effect;
 
 /// Which effects are simulated.
@@ -7,6 +8,8 @@ use crate::scene::Effect;
 pub struct Plan {
     /// Every effect, in the order of [`Effect::ALL`].
     pub effects: Vec<PlannedEffect>,
+    /// The kernels that the simulation runs with these effects.
+    pub kernels: Vec<UsedKernel>,
 }
 
 /// What a plan decides about one effect.

@@ -1,7 +1,11 @@
 //! Effects: what the solver does of the plan.
 
-use super::answer::Plan;
-use crate::scene::{Effect, Force, Scene};
+use super::answer::PlannedEffect;
+use super::survey::receiving;
+use crate::faces::faces;
+use crate::geometry::{Face, Screens};
+use crate::radiosity::{Question, UsedKernel, kernels};
+use crate::scene::{Effect, Force, ReceiverKind, Scene};
 
 /// What the solver does.
 #[derive(Clone, Copy, Debug)]
@@ -14,8 +18,8 @@ pub(super) struct Effects {
 }
 
 impl Effects {
-    pub(super) fn of(plan: &Plan) -> Self {
-        let planned = |effect| plan.effects.iter().find(|planned| planned.effect == effect);
+    pub(super) fn of(effects: &[PlannedEffect]) -> Self {
+        let planned = |effect| effects.iter().find(|planned| planned.effect == effect);
         let is_on = |effect| planned(effect).is_some_and(|planned| planned.on);
         let orders = match planned(Effect::Interreflection) {
             Some(planned) if planned.on => planned.orders,
@@ -28,6 +32,34 @@ impl Effects {
             bands: is_on(Effect::Bands),
         }
     }
+
+    /// What they ask of a solution.
+    pub(super) fn question(&self, scene: &Scene) -> Question {
+        Question { orders: self.orders, receives: receiving(scene), direct: self.direct }
+    }
+
+    /// The kernels that simulating them runs.
+    pub(super) fn kernels(&self, scene: &Scene) -> Vec<UsedKernel> {
+        let merged = (!self.bands && scene.band_count() > 1).then(|| scene.with_one_band());
+        let scene = merged.as_ref().unwrap_or(scene);
+        kernels(scene, &faces(scene, 0), &self.question(scene), self.occlusion)
+    }
+
+    /// What of these faces hides light or is met by the rays that are asked for.
+    pub(super) fn screens(&self, scene: &Scene, faces: &[Face]) -> Screens {
+        if self.occlusion {
+            Screens::of(faces)
+        } else if asks_for_rays(scene) {
+            Screens::met_by_rays(faces)
+        } else {
+            Screens::none(faces)
+        }
+    }
+}
+
+/// Whether a receiver asks what a ray meets.
+pub(super) fn asks_for_rays(scene: &Scene) -> bool {
+    scene.receivers.iter().any(|receiver| matches!(receiver.kind, ReceiverKind::Ray { .. }))
 }
 
 /// How the scene forces an effect, if it does.

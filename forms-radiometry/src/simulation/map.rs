@@ -126,7 +126,7 @@ impl Grid {
                 block.corners().into_iter().map(|corner| self.cells[index(corner)]).collect();
             let outline = corners.as_deref().unwrap_or(&points);
             let group = Group { points: &points, outline, measure: Measure::Plane(self.normal) };
-            radiosity.add_reaching(group, scratch, &mut values);
+            radiosity.gather(group, scratch, &mut values);
         }
         (cells, values)
     }

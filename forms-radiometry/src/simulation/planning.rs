@@ -9,7 +9,7 @@
 //! ‖L − L̃‖ ≤ ‖(T − T̃) L̃ + (Lₑ − L̃ₑ)‖/(1 − k): what is left out once is passed on by all reflections.
 
 use super::answer::{Plan, PlannedEffect};
-use super::effects::forced;
+use super::effects::{Effects, forced};
 use super::survey::Survey;
 use crate::radiosity::orders;
 use crate::scene::{Effect, Force, Scene, SceneError, not_simulated};
@@ -35,7 +35,10 @@ pub fn plan(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         return Err(vec![SceneError::new(&surface.place, message, expected)]);
     }
     let mut planning = Planning { scene, survey, left: DROPPED * scene.solve.tolerance };
-    Ok(Plan { effects: Effect::ALL.iter().map(|&(_, effect)| planning.decide(effect)).collect() })
+    let effects: Vec<PlannedEffect> =
+        Effect::ALL.iter().map(|&(_, effect)| planning.decide(effect)).collect();
+    let kernels = Effects::of(&effects).kernels(scene);
+    Ok(Plan { effects, kernels })
 }
 
 struct Planning<'s> {

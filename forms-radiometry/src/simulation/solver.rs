@@ -12,10 +12,9 @@ use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
 use super::map::Grid;
 use super::readings::Reading;
-use super::survey::receiving;
 use super::watch::Watch;
 use crate::faces::{faces, is_round};
-use crate::geometry::{Face, Screens};
+use crate::geometry::Face;
 use crate::radiosity::{Gathering, Goal, Lights, Paths, Question, Radiosity, Scratch, Transport};
 use crate::scene::{ReceiverKind, Scene};
 use rayon::prelude::*;
@@ -45,7 +44,7 @@ pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
 
 /// Answers them with light that is gathered as `choose` says for the faces of the scene, which may hide each other or not.
 pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
-    let effects = Effects::of(plan);
+    let effects = Effects::of(&plan.effects);
     let merged = (!effects.bands && scene.band_count() > 1).then(|| scene.with_one_band());
     let work = Work::new(merged.as_ref().unwrap_or(scene), effects, choose, watch);
     // one way into the threads instead of one for every loop, each of which would wait for them to wake
@@ -151,7 +150,7 @@ impl<'s> Work<'s> {
 
     fn transport(&self, fineness: usize) -> Transport {
         let faces = faces(self.scene, fineness);
-        let screens = Screens::of(&faces);
+        let screens = self.effects.screens(self.scene, &faces);
         let [part, loosest] = if self.effects.orders == Some(0) { [STRAIGHT, 1e-2] } else { [RULES, 1e-3] };
         let accuracy = (part * self.scene.solve.tolerance).clamp(1e-12, loosest);
         Transport { faces, screens, occlusion: self.effects.occlusion, accuracy }
@@ -201,8 +200,7 @@ impl<'s> Work<'s> {
     }
 
     fn question(&self) -> Question {
-        let Effects { orders, direct, .. } = self.effects;
-        Question { orders, receives: receiving(self.scene), direct }
+        self.effects.question(self.scene)
     }
 
     /// The solution on elements that are fine enough for all readings, and the readings.

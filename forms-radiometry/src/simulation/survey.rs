@@ -62,7 +62,7 @@ impl Survey {
         let contraction = if sampled.contraction == 0.0 { 0.0 } else { contraction };
         let mut survey = Self {
             emits: !scene.lights.is_empty()
-                || lights.come_from_outside()
+                || lights.kinds().surroundings
                 || (0..transport.faces.len()).any(|face| emits(scene, &transport.faces[face])),
             reflects: largest_albedo > 0.0,
             contraction,

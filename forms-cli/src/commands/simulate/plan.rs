@@ -5,7 +5,7 @@ use crate::json::write_record;
 use crate::layout::{WIDTH, columns, filled, wrap};
 use crate::palette::Palette;
 use forms_radiometry::scene::{Receiver, ReceiverKind, Scene};
-use forms_radiometry::simulation::{Plan, PlannedEffect, Quantity};
+use forms_radiometry::simulation::{Plan, PlannedEffect, Quantity, UsedKernel};
 use std::io::{self, Write};
 
 /// The reasons have this many columns at least, however long the names before them are.
@@ -53,7 +53,39 @@ pub(super) fn table(plan: &Plan, scene: &Scene, output: &mut dyn Write) -> io::R
     for line in wrap(MEANING, 2) {
         writeln!(output, "{}", palette.quiet(&line))?;
     }
+    writeln!(output)?;
+    kernels(&plan.kernels, palette, output)
+}
+
+/// A line for each kernel that runs: how many operations a value takes, and what it is for.
+fn kernels(used: &[UsedKernel], palette: Palette, output: &mut dyn Write) -> io::Result<()> {
+    if used.is_empty() {
+        return Ok(());
+    }
+    let head = ["kernel", "operations"].map(str::to_owned);
+    let count = |kernel: &UsedKernel| match kernel.without.as_slice() {
+        [] => kernel.operations.to_string(),
+        _ => format!("{} of {}", kernel.operations, kernel.operations_of_all),
+    };
+    let rows = used.iter().map(|kernel| [kernel.name.to_owned(), count(kernel)]);
+    let rows: Vec<[String; 2]> = std::iter::once(head).chain(rows).collect();
+    let lines = columns(&rows, [false, true]);
+    let indent = lines.iter().map(|line| line.chars().count()).max().unwrap_or(0) + 2;
+    let purposes = std::iter::once("computes".to_owned()).chain(used.iter().map(purpose));
+    for (place, (line, purpose)) in lines.iter().zip(purposes).enumerate() {
+        for line in beside(line, indent, &purpose) {
+            writeln!(output, "{}", if place == 0 { palette.quiet(&line) } else { line })?;
+        }
+    }
     writeln!(output)
+}
+
+/// What a kernel computes, and which of its effects are not in the code that runs.
+fn purpose(kernel: &UsedKernel) -> String {
+    match kernel.without.as_slice() {
+        [] => kernel.what.to_owned(),
+        without => format!("{}, without {}", kernel.what, without.join(", ")),
+    }
 }
 
 /// A line, and a text behind it that goes on below in the same column.

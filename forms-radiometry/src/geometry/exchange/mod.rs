@@ -20,7 +20,7 @@ pub(crate) use obstructed::exchange_with;
 pub use obstructed::visible_exchange;
 
 use super::clip::split;
-use super::{Polygon, Vector};
+use super::{Face, Polygon, Vector};
 use forms::math::DoubleDouble;
 use std::ops::AddAssign;
 
@@ -76,6 +76,11 @@ pub fn view_factor(from: &Polygon, to: &Polygon, tolerance: f64) -> Exchange {
     let Exchange { area, error } = exchange(from, to, tolerance);
     let whole = from.area();
     Exchange { area: area / whole, error: error / whole }
+}
+
+/// The exchange area of two faces with nothing in between, to a relative tolerance of its own.
+pub(crate) fn exchange_of(here: &Face, there: &Face, tolerance: f64) -> Exchange {
+    between(&here.vertices, &there.vertices, [here.normal, there.normal], tolerance.max(LEAST_TOLERANCE))
 }
 
 /// The exchange area of two convex outlines with these normals.

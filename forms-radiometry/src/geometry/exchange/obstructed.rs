@@ -7,7 +7,7 @@
 //! where a rule on the whole and on the parts disagrees, worst first.
 
 use super::areas::{Patch, gauss, patches};
-use super::{Exchange, LEAST_TOLERANCE, between};
+use super::{Exchange, exchange_of};
 use crate::geometry::{Between, Face, Polygon, Screens, Vector, Workspace, form_factor_of_pieces, line_sum};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -56,10 +56,7 @@ pub(crate) fn exchange_with(
     let mut found = Vec::new();
     match screens.between(outline, normal, &there.vertices, there.normal, &mut found) {
         Between::All => Exchange::default(),
-        Between::Nothing => {
-            let normals = [here.normal, there.normal];
-            between(&here.vertices, &there.vertices, normals, tolerance.max(LEAST_TOLERANCE))
-        }
+        Between::Nothing => exchange_of(here, there, tolerance),
         Between::Some => View { screens, between: &found, there, normal: here.normal }
             .integral(&here.vertices, [tolerance, least]),
     }

@@ -179,22 +179,6 @@ impl Screens {
         }
     }
 
-    /// Whether some receiver is in front of a luminaire, and some of that above the receivers' horizon, if there is one: beyond what
-    /// counts as lying in a plane.
-    pub(crate) fn face_each_other(
-        &self,
-        receivers: &[Vector],
-        normal: Option<Vector>,
-        luminaire: &[Vector],
-        luminaire_normal: Vector,
-    ) -> bool {
-        let is_in_front = |points: &[Vector], point: Vector, normal: Vector| {
-            points.iter().any(|&v| Plane { point, normal }.distance(v) > self.resolution)
-        };
-        is_in_front(receivers, luminaire[0], luminaire_normal)
-            && normal.is_none_or(|normal| is_in_front(luminaire, receivers[0], normal))
-    }
-
     fn sides(&self, points: &[Vector], plane: Plane) -> Sides {
         let mut sides = Sides { in_front: false, behind: false };
         for &point in points {

@@ -9,7 +9,8 @@
 //! edges needs no more than that, where convex pieces would have several times as many. Where a sign is not sure, an edge may
 //! lie on another one: then the border is not given, and pieces have to be cut.
 
-use super::visible::Workspace;
+use super::horizon::Workspace;
+use super::visible::{Cut, Cutting};
 use super::{Screens, Vector};
 
 /// Outlines with more edges are not looked at.
@@ -81,28 +82,29 @@ impl Screens {
         }
         work.luminaire.clear();
         work.luminaire.extend(luminaire.iter().map(|&v| v - position));
-        let corners = &work.luminaire;
+        let mut cut = work.cut();
+        let corners = cut.luminaire;
         if corners.len() > MOST || horizon.is_some_and(|n| corners.iter().any(|&v| n.dot(v) < 0.0)) {
             return false;
         }
         let next = corners[1..].iter().chain(&corners[..1]);
-        work.border.sides.clear();
-        work.border.sides.extend(corners.iter().zip(next).map(|(a, b)| b.cross(*a)));
+        cut.lists.border.sides.clear();
+        cut.lists.border.sides.extend(corners.iter().zip(next).map(|(a, b)| b.cross(*a)));
         let mut is_hidden = false;
         for &index in screens {
-            match self.shadow(index as usize, position, (normal, height), work) {
+            match self.shadow(index as usize, position, (normal, height), &mut cut) {
                 Shadow::Beside => {}
                 Shadow::Before if !is_hidden => {
                     is_hidden = true;
-                    work.border.keep();
+                    cut.lists.border.keep();
                 }
                 Shadow::Before | Shadow::Unknown => return false,
             }
         }
+        let Cut { luminaire, lists: Cutting { border, .. }, .. } = cut;
         if is_hidden {
-            return work.border.draw(&work.luminaire, each);
+            return border.draw(luminaire, each);
         }
-        let Workspace { luminaire, border, .. } = work;
         border.line.clear();
         border.line.extend(luminaire.iter().chain(luminaire.first()));
         each(&border.line);
@@ -115,9 +117,9 @@ impl Screens {
         index: usize,
         position: Vector,
         (normal, height): (Vector, f64),
-        work: &mut Workspace,
+        cut: &mut Cut,
     ) -> Shadow {
-        let Workspace { luminaire, seen, border, .. } = work;
+        let Cut { luminaire, lists: Cutting { seen, border, .. }, .. } = cut;
         border.edges.clear();
         let Some(screen) = self.screens.get(index) else {
             let body = &self.bodies[index - self.screens.len()];

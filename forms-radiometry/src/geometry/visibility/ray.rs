@@ -2,7 +2,7 @@
 
 use super::branches::Way;
 use super::{Screen, Screens, Vector};
-use crate::geometry::cone::sides;
+use crate::geometry::sides::sides;
 use std::ops::ControlFlow;
 
 /// What a ray meets.
@@ -98,7 +98,9 @@ impl Screens {
     fn along(&self, origin: Vector, direction: Vector, [reach, beyond]: [f64; 2], any: bool) -> Option<Hit> {
         let mut ray =
             Ray { screens: self, origin, direction, reach, beyond, any, first: None, is_front: false };
-        self.branches.walk(&mut ray);
+        if let Some(branches) = &self.branches {
+            branches.walk(&mut ray);
+        }
         ray.first
     }
 }

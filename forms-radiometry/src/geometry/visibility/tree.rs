@@ -16,7 +16,7 @@ use std::ops::ControlFlow;
 const INNER: u32 = u32::MAX;
 
 /// Boxes in a tree.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Tree {
     nodes: Vec<Node>,
 }

@@ -1,0 +1,151 @@
+//! What of the code runs: every scene of the gallery with its plan, and with every effect on, the instructions that each effect takes.
+//!
+//! ```text
+//! scenes/*.toml ─ plan ─┬─ as it is ───┬─ this program under callgrind ─▶ instructions by effect ─▶ docs/benchmarks.md
+//!                       └─ all on ─────┘
+//! ```
+//! `cargo run --profile counted -p forms-radiometry --example effects_code` prints the table; with `--write` the page is written
+//! anew. An effect that is off and yet takes an instruction is an error, and so is a kernel that runs and is not in the plan's list.
+
+mod callgrind;
+#[path = "../gallery/mod.rs"]
+mod gallery;
+#[path = "../../../forms-core/benches/page/mod.rs"]
+mod page;
+mod parts;
+
+use callgrind::Counts;
+use forms_radiometry::scene::{Effect, ReceiverKind, Scene};
+use forms_radiometry::simulation::{Plan, PlannedEffect, Unwatched, plan, simulate};
+use gallery::{Problem, said, scene};
+use std::fmt::Write;
+use std::path::Path;
+
+/// What this program is started with to be counted: this, the file of a scene, and the effects that are on.
+const COUNTED: &str = "--counted";
+/// Scenes are simulated to this tolerance, or to their own where that is larger, and maps of them have at most so many cells along
+/// each side: under valgrind everything takes fifty times as long.
+const TOLERANCE: f64 = 0.3;
+const CELLS: usize = 8;
+const HEAD: &str = "| scene | effect | by the plan | instructions, as planned | instructions, all on |\n|---|---|---|---|---|\n";
+
+fn main() -> Result<(), Problem> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if let [mode, file, on] = arguments.as_slice()
+        && mode == COUNTED
+    {
+        return run(Path::new(file), on);
+    }
+    if !callgrind::is_installed() {
+        println!("valgrind is not installed: no instructions were counted");
+        return Ok(());
+    }
+    let mut table = format!("Processor: {}.\n\n{HEAD}", page::processor());
+    for file in gallery::files()? {
+        let rows = rows(&file)?;
+        print!("{rows}");
+        table += &rows;
+    }
+    if arguments.iter().any(|word| word == "--write") {
+        let path = gallery::folder().join("../docs/benchmarks.md");
+        std::fs::write(
+            &path,
+            page::replaced(&std::fs::read_to_string(&path)?, "effects in the code", &table),
+        )?;
+    }
+    Ok(())
+}
+
+/// Simulates a scene with these effects, and plans nothing: what is counted is the work alone.
+fn run(file: &Path, on: &str) -> Result<(), Problem> {
+    let scene = coarse(file)?;
+    let planned = |(name, effect): (&str, Effect)| {
+        let mut words = on.split(',').filter_map(|word| word.split_once('='));
+        let orders = words.find(|(other, _)| *other == name).map(|(_, orders)| orders.parse().ok());
+        PlannedEffect {
+            effect,
+            on: orders.is_some(),
+            orders: orders.flatten(),
+            why: String::new(),
+            bound: None,
+        }
+    };
+    let plan = Plan { effects: Effect::ALL.into_iter().map(planned).collect(), kernels: Vec::new() };
+    let found = simulate(&scene, &plan, &Unwatched);
+    let are_numbers = found.answers.iter().all(|answer| answer.value.is_finite());
+    if are_numbers { Ok(()) } else { Err("an answer is no number".into()) }
+}
+
+fn coarse(file: &Path) -> Result<Scene, Problem> {
+    let mut scene = scene(&std::fs::read_to_string(file)?, &gallery::name(file))?;
+    scene.solve.tolerance = scene.solve.tolerance.max(TOLERANCE);
+    for receiver in &mut scene.receivers {
+        if let ReceiverKind::Surface { grid: Some(size), .. } = &mut receiver.kind {
+            *size = size.map(|cells| cells.min(CELLS));
+        }
+    }
+    Ok(scene)
+}
+
+/// The rows of one scene.
+fn rows(file: &Path) -> Result<String, Problem> {
+    let name = gallery::name(file);
+    let plan = plan(&coarse(file)?).map_err(said)?;
+    let is_on = |effect: Effect| plan.effects.iter().any(|planned| planned.effect == effect && planned.on);
+    let planned = counted(file, &words(plan.effects.iter().filter(|planned| planned.on)))?;
+    let all: Vec<String> =
+        parts::effects().chain([Effect::Bands]).map(|effect| format!("{}=", effect.name())).collect();
+    let all = counted(file, &all.join(","))?;
+    if !parts::has_lines(&all) {
+        return Err("this program does not tell its lines: build it with --profile counted".into());
+    }
+    let mut rows = String::new();
+    for effect in parts::effects() {
+        let counts = [&planned, &all].map(|counts| parts::of_effect(counts, effect));
+        if !is_on(effect) && counts[0] > 0 {
+            return Err(
+                format!("{name}: {} is off, and takes {} instructions", effect.name(), counts[0]).into()
+            );
+        }
+        let state = if is_on(effect) { "on" } else { "off" };
+        let [planned, all] = counts.map(grouped);
+        writeln!(rows, "| {name} | {} | {state} | {planned} | {all} |", effect.name())?;
+    }
+    let [rays, rays_all] = [&planned, &all].map(|counts| grouped(parts::of_rays(counts)));
+    writeln!(rows, "| {name} | along rays | | {rays} | {rays_all} |")?;
+    let [solver, solver_all] = [&planned, &all].map(|counts| grouped(parts::of_solver(counts)));
+    writeln!(rows, "| {name} | the whole solver | | {solver} | {solver_all} |")?;
+    let names: Vec<&str> = plan.kernels.iter().map(|kernel| kernel.name).collect();
+    let files: Vec<&str> = names.iter().filter_map(|name| parts::file_of(name)).collect();
+    let unlisted = parts::kernels(&planned).into_iter().find(|name| !names.contains(&name.as_str()));
+    let unlisted = unlisted
+        .or(parts::kernel_files(&planned).into_iter().find(|file| !files.contains(file)).map(str::to_owned));
+    match unlisted {
+        Some(kernel) => {
+            Err(format!("{name}: `{kernel}` runs and is not in the plan’s list of kernels").into())
+        }
+        None => Ok(rows),
+    }
+}
+
+/// A number with spaces between thousands.
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let groups = digits.as_bytes().rchunks(3).rev().map(String::from_utf8_lossy);
+    groups.collect::<Vec<_>>().join(" ")
+}
+
+/// Effects that are on as this program is told them: `direct=,interreflection=3`.
+fn words<'p>(on: impl Iterator<Item = &'p PlannedEffect>) -> String {
+    let word = |planned: &PlannedEffect| {
+        let orders = planned.orders.map_or(String::new(), |orders| orders.to_string());
+        format!("{}={orders}", planned.effect.name())
+    };
+    on.map(word).collect::<Vec<_>>().join(",")
+}
+
+/// What this program executes for a scene with these effects.
+fn counted(file: &Path, on: &str) -> Result<Counts, Problem> {
+    let file = file.to_str().ok_or("a path that is no text")?;
+    Ok(callgrind::counted(&std::env::current_exe()?, &[COUNTED, file, on], &[])?)
+}

@@ -1,0 +1,129 @@
+//! Parts of the solver: which effect each of its files is for, and which kernel a line of generated code is of.
+//!
+//! ```text
+//! place of instructions ─┬─ a file of the crate, or the module of the function ─▶ an effect, or none
+//!                        └─ generated code ─▶ the file of the kernel, and where nothing is inlined the kernel
+//! ```
+
+use super::callgrind::{Counts, Place};
+use forms_radiometry::library;
+use forms_radiometry::scene::Effect;
+use std::collections::BTreeSet;
+
+/// The modules that are for an effect alone. What polygons, elements, readings and rays share is not among them.
+const MODULES: [(Effect, &[&str]); 3] = [
+    (Effect::Direct, &["radiosity::direct", "radiosity::outlines"]),
+    (
+        Effect::Occlusion,
+        &[
+            "geometry::cone",
+            "geometry::exchange::obstructed",
+            "geometry::visibility::between",
+            "geometry::visibility::body",
+            "geometry::visibility::border",
+            "geometry::visibility::shaft",
+            "geometry::visibility::visible",
+        ],
+    ),
+    (Effect::Interreflection, &["radiosity::operator", "radiosity::solution", "radiosity::weights"]),
+];
+
+/// The modules that follow light along rays, which meet what hides, and go on where it reflects.
+const RAYS: [&str; 9] = [
+    "geometry::visibility::branches",
+    "geometry::visibility::ray",
+    "radiosity::clusters",
+    "radiosity::directions",
+    "radiosity::paths",
+    "radiosity::probe",
+    "radiosity::sequence",
+    "radiosity::subdivision",
+    "radiosity::walk",
+];
+
+/// The effects that have modules of their own.
+pub(crate) fn effects() -> impl Iterator<Item = Effect> {
+    MODULES.iter().map(|(effect, _)| *effect)
+}
+
+/// The instructions that are for an effect.
+pub(crate) fn of_effect(counts: &Counts, effect: Effect) -> u64 {
+    MODULES.iter().filter(|(of, _)| *of == effect).map(|(_, modules)| of_modules(counts, modules)).sum()
+}
+
+/// The instructions that follow light along rays.
+pub(crate) fn of_rays(counts: &Counts) -> u64 {
+    of_modules(counts, &RAYS)
+}
+
+fn of_modules(counts: &Counts, modules: &[&str]) -> u64 {
+    let is_meant = |place: &Place| {
+        let module = module(place);
+        let is_in = |own: &&str| {
+            module.strip_prefix(own).is_some_and(|rest| rest.is_empty() || rest.starts_with("::"))
+        };
+        modules.iter().any(is_in)
+    };
+    counts.iter().filter(|(place, _)| is_meant(place)).map(|(_, count)| count).sum()
+}
+
+/// All instructions of the crate but those that read the scene; those of kernels are among them.
+pub(crate) fn of_solver(counts: &Counts) -> u64 {
+    let is_meant = |place: &Place| {
+        let module = module(place);
+        !module.is_empty() && module != "scene" && !module.starts_with("scene::")
+    };
+    counts.iter().filter(|(place, _)| is_meant(place)).map(|(_, count)| count).sum()
+}
+
+/// Whether lines are known: without debug information what is inlined would be counted for the function that it is in.
+pub(crate) fn has_lines(counts: &Counts) -> bool {
+    counts.keys().any(|place| in_crate(&place.file).is_some())
+}
+
+/// The module of a line: that of its file, or if this is not one of the crate, that of the function.
+fn module(place: &Place) -> String {
+    match in_crate(&place.file) {
+        Some(path) => path.trim_end_matches(".rs").trim_end_matches("/mod").replace('/', "::"),
+        None => of_function(&place.function).unwrap_or_default().to_owned(),
+    }
+}
+
+/// The path of a file of the crate below `src`.
+fn in_crate(file: &str) -> Option<&str> {
+    file.split_once("forms-radiometry/src/").map(|(_, path)| path)
+}
+
+/// The path of a function of the crate, of an implementation too.
+fn of_function(function: &str) -> Option<&str> {
+    function.trim_start_matches("_$LT$").trim_start_matches('<').strip_prefix("forms_radiometry::")
+}
+
+/// The files of kernels that have run, as far as lines tell them.
+pub(crate) fn kernel_files(counts: &Counts) -> BTreeSet<&'static str> {
+    let lines: Vec<&str> = include_str!("../../src/kernels.rs").lines().collect();
+    let file = |(place, _): (&Place, &u64)| {
+        (in_crate(&place.file)? == "kernels.rs").then_some(())?;
+        let line = lines.get((place.line as usize).checked_sub(1)?)?;
+        library().iter().map(|file| file.name).find(|name| line.contains(&format!("kernels/{name}")))
+    };
+    counts.iter().filter_map(file).collect()
+}
+
+/// The kernels that have run, as far as functions tell them: what is inlined has none.
+pub(crate) fn kernels(counts: &Counts) -> BTreeSet<String> {
+    let name = |place: &Place| {
+        let path = of_function(&place.function)?.strip_prefix("kernels::")?;
+        let end = path.find(|c: char| c != '_' && !c.is_ascii_alphanumeric()).unwrap_or(path.len());
+        Some(path[..end].to_owned())
+    };
+    counts.keys().filter_map(name).collect()
+}
+
+/// The file of a kernel of the library.
+pub(crate) fn file_of(kernel: &str) -> Option<&'static str> {
+    let warp = kernel.strip_suffix("_sample").unwrap_or(kernel);
+    let declared = [format!("kernel {kernel}("), format!("warp {warp}(")];
+    let declares = |text: &str| declared.iter().any(|declared| text.contains(declared.as_str()));
+    library().iter().find(|file| declares(file.text)).map(|file| file.name)
+}

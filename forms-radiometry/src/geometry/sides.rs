@@ -1,0 +1,15 @@
+//! Sides: an apex and a polygon make the planes of a cone, one through each edge.
+
+use super::Vector;
+
+/// The normals to the inside of the planes through the apex and each edge of a polygon whose vertices are relative to the apex.
+pub(super) fn sides(
+    polygon: impl DoubleEndedIterator<Item = Vector> + Clone,
+    seen_from_front: bool,
+) -> impl Iterator<Item = Vector> {
+    let mut last = polygon.clone().next_back();
+    polygon.filter_map(move |b| {
+        let a = last.replace(b)?;
+        Some(if seen_from_front { b.cross(a) } else { a.cross(b) })
+    })
+}

@@ -1,0 +1,86 @@
+//! Horizons: a luminaire, clipped at a point's horizon, becomes the one convex piece that the point sees if nothing is in between.
+
+use super::visible::Cutting;
+use super::{Plane, Screens, Vector};
+use crate::geometry::clip::{Pieces, split};
+
+/// Lists that are reused from receiver to receiver.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Workspace {
+    /// A luminaire relative to the receiver.
+    pub(super) luminaire: Vec<Vector>,
+    above: Vec<Vector>,
+    below: Vec<Vector>,
+    pub(super) visible: Pieces,
+    /// What only screens take.
+    pub(super) cutting: Option<Box<Cutting>>,
+}
+
+/// A receiver and the plane of a luminaire in front of which it is.
+#[derive(Clone, Copy)]
+pub(super) struct View {
+    pub(super) position: Vector,
+    pub(super) horizon: Option<Vector>,
+    pub(super) luminaire_normal: Vector,
+    /// The distance of the receiver from the luminaire's plane.
+    pub(super) height: f64,
+}
+
+impl Screens {
+    /// Whether some receiver is in front of a luminaire, and some of that above the receivers' horizon, if there is one: beyond what
+    /// counts as lying in a plane.
+    pub(crate) fn face_each_other(
+        &self,
+        receivers: &[Vector],
+        normal: Option<Vector>,
+        luminaire: &[Vector],
+        luminaire_normal: Vector,
+    ) -> bool {
+        let is_in_front = |points: &[Vector], point: Vector, normal: Vector| {
+            points.iter().any(|&v| Plane { point, normal }.distance(v) > self.resolution)
+        };
+        is_in_front(receivers, luminaire[0], luminaire_normal)
+            && normal.is_none_or(|normal| is_in_front(luminaire, receivers[0], normal))
+    }
+}
+
+impl Workspace {
+    /// What a receiver sees of a luminaire with nothing in between: a convex piece relative to `position`, above the horizon if there is
+    /// one. It is empty where the receiver is behind the luminaire or no farther than the resolution from its plane.
+    pub(crate) fn above_horizon(
+        &mut self,
+        position: Vector,
+        horizon: Option<Vector>,
+        luminaire: (&[Vector], Vector),
+        resolution: f64,
+    ) -> &[Vector] {
+        self.begin(position, horizon, luminaire, resolution);
+        self.visible.last()
+    }
+
+    /// Makes the same what is visible.
+    pub(super) fn begin(
+        &mut self,
+        position: Vector,
+        horizon: Option<Vector>,
+        (luminaire, luminaire_normal): (&[Vector], Vector),
+        resolution: f64,
+    ) -> View {
+        let height = luminaire_normal.dot(position - luminaire[0]);
+        self.visible.clear();
+        if height > resolution {
+            self.luminaire.clear();
+            self.luminaire.extend(luminaire.iter().map(|&v| v - position));
+            match horizon {
+                Some(normal) if self.luminaire.iter().any(|&v| normal.dot(v) < 0.0) => {
+                    split(&self.luminaire, |x| normal.dot(x), &mut self.above, &mut self.below);
+                    if !self.above.is_empty() {
+                        self.visible.push(&self.above);
+                    }
+                }
+                _ => self.visible.push(&self.luminaire),
+            }
+        }
+        View { position, horizon, luminaire_normal, height }
+    }
+}

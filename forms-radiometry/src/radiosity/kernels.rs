@@ -1,0 +1,170 @@
+//! The kernels of a scene: what it contains, and what of it is simulated, decide by one table which kernels run.
+//!
+//! ```text
+//! scene, faces, question ─▶ what has to be computed ─▶ the rows of the table that compute it
+//! ```
+//! Where a kernel has effects, it is the member without those that the scene does not call for, as [`arriving`](super::arriving) chooses it.
+
+use super::contact::ConvexPiece;
+use super::direct::kinds;
+use super::element::Element;
+use super::gathering::Gathering;
+use super::system::{Question, reflects};
+use crate::faces::is_bright;
+use crate::geometry::Face;
+use crate::kernels::gathered_light::Effects;
+use crate::kernels::{
+    cosine_hemisphere_sample, edge_form_factor, edge_potential, exchange_density, irradiance,
+    solid_angle_triangle, uniform_sphere_sample, uniform_triangle_sample,
+};
+use crate::scene::{ReceiverKind, Scene};
+
+/// A kernel that a simulation runs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UsedKernel {
+    /// Its name in the library.
+    pub name: &'static str,
+    /// The effects of the kernel that are not in the code of its member that runs.
+    pub without: Vec<&'static str>,
+    /// How many operations a value takes.
+    pub operations: usize,
+    /// How many it takes with all effects of the kernel.
+    pub operations_of_all: usize,
+    /// What is computed by it.
+    pub what: &'static str,
+}
+
+/// What has to be computed for a scene.
+struct Computed {
+    /// The kinds of light that receivers gather by exact pieces, if any does.
+    gathered: Option<Effects>,
+    /// The kinds that come straight to the points on surfaces from which light goes on or of which a mean is taken, if there are any.
+    straight: Option<Effects>,
+    /// Whether points see faces that light comes from.
+    views: bool,
+    /// Whether receivers look into all directions.
+    spheres: bool,
+    /// Whether light is followed from element to element by exact pieces.
+    reflections: bool,
+    /// Whether the light of faces is integrated over surfaces.
+    exchange: bool,
+    /// Whether light is followed along rays.
+    rays: bool,
+    /// Whether paths begin on triangles.
+    triangles: bool,
+}
+
+impl Computed {
+    fn of(scene: &Scene, faces: &[Face], question: &Question, occlusion: bool) -> Self {
+        let straight = kinds(scene, faces);
+        let reflected = question.orders != Some(0)
+            && faces.iter().any(|f| is_bright(scene, f) && reflects(scene, f.surface));
+        // where rays take too long, pieces follow
+        let (rays, pieces) = match Gathering::of(scene, faces, occlusion) {
+            Gathering::Pieces => (false, true),
+            Gathering::Rays { most } => (true, most.is_finite()),
+        };
+        let asks = |is: fn(&ReceiverKind) -> bool| scene.receivers.iter().any(|receiver| is(&receiver.kind));
+        let at_points = asks(|kind| !matches!(kind, ReceiverKind::Surface { grid: None, .. }));
+        let on_surfaces = question.receives.contains(&true);
+        let has_points = on_surfaces || reflected || (rays && at_points);
+        let from_faces = straight.luminaires || (straight.surroundings && !faces.is_empty());
+        let received = |(index, face): (usize, &Face)| {
+            let receives = question.receives[face.surface] && !face.is_back;
+            receives && Element::of(index, face, &ConvexPiece::whole(face)).iter().any(Element::is_triangle)
+        };
+        Self {
+            gathered: (pieces && at_points).then(|| question.kinds(straight)),
+            straight: has_points.then_some(straight),
+            views: reflected || (from_faces && (question.direct || has_points)),
+            spheres: asks(|kind| matches!(kind, ReceiverKind::Sphere { .. })),
+            reflections: pieces && reflected,
+            exchange: pieces && on_surfaces && from_faces && !straight.surroundings && !straight.beams,
+            rays,
+            triangles: rays && faces.iter().enumerate().any(received),
+        }
+    }
+}
+
+/// The kernels that the simulation of a scene with these faces runs.
+pub(crate) fn kernels(
+    scene: &Scene,
+    faces: &[Face],
+    question: &Question,
+    occlusion: bool,
+) -> Vec<UsedKernel> {
+    let Computed { gathered, straight, views, spheres, reflections, exchange, rays, triangles } =
+        Computed::of(scene, faces, question, occlusion);
+    let all_light = gathered.map(|kinds| member(kinds, "what a receiver gathers"));
+    let is_another = straight.filter(|straight| Some(*straight) != gathered);
+    let direct_light = is_another.map(|kinds| member(kinds, "what comes straight to points of surfaces"));
+    let whole = |name, operations, what| UsedKernel {
+        name,
+        without: Vec::new(),
+        operations,
+        operations_of_all: operations,
+        what,
+    };
+    let row = |is_used: bool, name, operations, what| is_used.then(|| whole(name, operations, what));
+    let table = [
+        all_light,
+        direct_light,
+        row(views, "edge_form_factor", edge_form_factor::OPERATIONS, "what is seen of a face, edge by edge"),
+        row(
+            views && spheres,
+            "solid_angle_triangle",
+            solid_angle_triangle::OPERATIONS,
+            "what is seen of a face from all sides",
+        ),
+        row(
+            reflections || exchange,
+            "exchange_density",
+            exchange_density::OPERATIONS,
+            "light from point to point of two surfaces",
+        ),
+        row(
+            exchange,
+            "edge_potential",
+            edge_potential::OPERATIONS,
+            "light from surface to surface, edge by edge",
+        ),
+        row(
+            exchange || rays,
+            "irradiance",
+            irradiance::OPERATIONS,
+            "light of a luminaire by its form factor",
+        ),
+        row(rays, "cosine_hemisphere_sample", cosine_hemisphere_sample::OPERATIONS, "rays from surfaces"),
+        row(
+            rays && spheres,
+            "uniform_sphere_sample",
+            uniform_sphere_sample::OPERATIONS,
+            "rays into all directions",
+        ),
+        row(
+            triangles,
+            "uniform_triangle_sample",
+            uniform_triangle_sample::OPERATIONS,
+            "points of triangles from which paths begin",
+        ),
+    ];
+    table.into_iter().flatten().collect()
+}
+
+/// The member of the kernel that gathers these kinds of light.
+fn member(kinds: Effects, what: &'static str) -> UsedKernel {
+    let Effects { luminaires, surroundings, beams, interreflection } = kinds;
+    let effects = [
+        ("luminaires", luminaires),
+        ("surroundings", surroundings),
+        ("beams", beams),
+        ("interreflection", interreflection),
+    ];
+    UsedKernel {
+        name: "gathered_light",
+        without: effects.into_iter().filter(|(_, is_on)| !is_on).map(|(name, _)| name).collect(),
+        operations: kinds.operations(),
+        operations_of_all: Effects::ALL.operations(),
+        what,
+    }
+}

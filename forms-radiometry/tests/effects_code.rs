@@ -1,0 +1,189 @@
+//! What is off is not in the code: members of a kernel by their operations, scenes by the instructions that they execute.
+
+#[path = "../examples/effects_code/callgrind.rs"]
+mod callgrind;
+#[path = "../examples/effects_code/parts.rs"]
+mod parts;
+
+use forms_radiometry::kernels::gathered_light::{self, Effects};
+use forms_radiometry::scene::{Effect, Scene, read};
+use forms_radiometry::simulation::{Plan, PlannedEffect, Unwatched, plan, simulate};
+use std::collections::BTreeSet;
+
+/// The variable that tells this program under callgrind which scene it simulates.
+const COUNTED: &str = "FORMS_COUNTED_SCENE";
+/// The scenes whose instructions are counted: with and without each effect, and quickly.
+const COUNTED_SCENES: [&str; 4] = ["floor", "plate", "reflected", "all kinds of light"];
+
+/// All sets of effects of the kernel.
+fn sets() -> impl Iterator<Item = Effects> {
+    (0..16).map(|bits| {
+        let is_on = |bit: u32| bits >> bit & 1 == 1;
+        Effects { luminaires: is_on(0), surroundings: is_on(1), beams: is_on(2), interreflection: is_on(3) }
+    })
+}
+
+#[test]
+fn a_member_takes_the_operations_of_its_effects_and_no_others() {
+    for effects in sets() {
+        let Effects { luminaires, surroundings, beams, interreflection } = effects;
+        let kinds =
+            [luminaires, surroundings, beams, interreflection].into_iter().filter(|&is_on| is_on).count();
+        // a sum of so many kinds; the projected hemisphere times those that are radiances; open times outside
+        let expected =
+            kinds.saturating_sub(1) + usize::from(luminaires || surroundings) + usize::from(surroundings);
+        assert_eq!(effects.operations(), expected, "{effects:?}");
+    }
+}
+
+#[test]
+fn a_member_gathers_what_the_whole_kernel_does_where_its_other_effects_vanish() {
+    let light = [0.75, 0.5, 3.0, 2.5, 7.0];
+    for effects in sets() {
+        let Effects { luminaires, surroundings, beams, interreflection } = effects;
+        let on = [luminaires, true, surroundings, beams, interreflection];
+        let columns: Vec<[f64; 3]> =
+            light.iter().zip(on).map(|(&x, is_on)| [if is_on { x } else { 0.0 }; 3]).collect();
+        let [emitted, open, outside, beams, reflected] = [0, 1, 2, 3, 4].map(|place| &columns[place]);
+        let (mut member, mut whole) = ([0.0; 3], [0.0; 3]);
+        let columns = gathered_light::batch_with(effects);
+        columns(emitted, open, outside, beams, reflected, &mut member).expect("one length");
+        gathered_light::batch(emitted, open, outside, beams, reflected, &mut whole).expect("one length");
+        let close = |(a, b): (&f64, &f64)| (a - b).abs() <= 4.0 * f64::EPSILON * b;
+        assert!(member.iter().zip(&whole).all(close), "{effects:?}: {member:?}, {whole:?}");
+    }
+}
+
+/// A lamp over a floor of this reflectance, and what else is in the scene.
+fn lamp(reflectance: f64, rest: &str) -> String {
+    format!(
+        "[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = {reflectance}\n\
+         [[surface]]\nname = \"floor\"\nmaterial = \"grey\"\npolygon = [[0,0,0], [1,0,0], [1,1,0], [0,1,0]]\n\
+         [[surface]]\nname = \"lamp\"\nmaterial = \"grey\"\nradiance = 1\n\
+         polygon = [[0,0,1], [0,1,1], [1,1,1], [1,0,1]]\n{rest}[solve]\ntolerance = 0.2\n"
+    )
+}
+
+const POINT: &str =
+    "[[receiver]]\nname = \"here\"\nkind = \"point\"\nposition = [0.5, 0.5, 0]\nnormal = [0, 0, 1]\n";
+const FLOOR: &str =
+    "[[receiver]]\nname = \"floor\"\nkind = \"surface\"\nsurface = \"floor\"\ngrid = [2, 2]\n";
+const BALL: &str = "[[receiver]]\nname = \"ball\"\nkind = \"sphere\"\nposition = [0.5, 0.4, 0.3]\n";
+const RAY: &str =
+    "[[receiver]]\nname = \"ray\"\nkind = \"ray\"\norigin = [0.5, 0.4, 0.5]\ndirection = [0.1, 0, -1]\n";
+const PLATE: &str = "[[surface]]\nname = \"plate\"\nmaterial = \"grey\"\n\
+                     polygon = [[0,0,0.5], [0.5,0,0.5], [0.5,0.5,0.5], [0,0.5,0.5]]\n";
+const POINT_LIGHT: &str =
+    "[[light]]\nname = \"bulb\"\nkind = \"point\"\nposition = [0.3, 0.3, 0.7]\nintensity = 1\n";
+const SKY: &str = "[ambient]\nradiance = 1\n";
+
+/// Scenes by name, each with the kernels that it runs and the effects that their members are without.
+fn scenes() -> Vec<(&'static str, String, String)> {
+    let straight = "gathered_light - surroundings beams interreflection, edge_form_factor";
+    let exchange = "exchange_density, edge_potential, irradiance";
+    vec![
+        ("point", lamp(0.0, POINT), straight.to_owned()),
+        ("ray", lamp(0.0, RAY), straight.to_owned()),
+        ("plate", lamp(0.0, &format!("{PLATE}{POINT}")), straight.to_owned()),
+        ("ball", lamp(0.0, BALL), format!("{straight}, solid_angle_triangle")),
+        ("floor", lamp(0.0, FLOOR), format!("{straight}, {exchange}")),
+        (
+            "reflected",
+            lamp(0.5, POINT),
+            format!("gathered_light - surroundings beams, {straight}, exchange_density"),
+        ),
+        (
+            "all kinds of light",
+            lamp(0.5, &format!("{POINT_LIGHT}{SKY}{POINT}{BALL}")),
+            "gathered_light, gathered_light - interreflection, edge_form_factor, solid_angle_triangle, \
+             exchange_density"
+                .to_owned(),
+        ),
+    ]
+}
+
+fn scene(name: &str) -> Scene {
+    let (_, text, _) = scenes().into_iter().find(|(other, ..)| *other == name).expect("a scene of this name");
+    read(&text, name).unwrap_or_else(|errors| panic!("{}", errors[0]))
+}
+
+fn planned(scene: &Scene) -> Plan {
+    plan(scene).unwrap_or_else(|errors| panic!("{}", errors[0]))
+}
+
+#[test]
+fn the_plan_lists_the_kernels_of_a_scene_with_the_members_that_it_calls_for() {
+    for (name, _, expected) in scenes() {
+        let kernels = planned(&scene(name)).kernels;
+        let found = kernels.iter().map(|kernel| match kernel.without.as_slice() {
+            [] => kernel.name.to_owned(),
+            without => format!("{} - {}", kernel.name, without.join(" ")),
+        });
+        assert_eq!(found.collect::<Vec<_>>().join(", "), expected, "{name}");
+        for kernel in &kernels {
+            assert_eq!(
+                kernel.operations < kernel.operations_of_all,
+                !kernel.without.is_empty(),
+                "{kernel:?}"
+            );
+        }
+    }
+}
+
+/// What the program does that is counted: a scene with some effects, `SCENE:direct,occlusion`, and no plan of its own.
+#[test]
+fn the_counted_scene_has_answers() {
+    let Ok(words) = std::env::var(COUNTED) else { return };
+    let (name, on) = words.split_once(':').expect("a scene and its effects");
+    let is_on = |name: &str| on.split(',').any(|other| other == name);
+    let effect = |(name, effect)| PlannedEffect {
+        effect,
+        on: is_on(name),
+        orders: None,
+        why: String::new(),
+        bound: None,
+    };
+    let plan = Plan { effects: Effect::ALL.into_iter().map(effect).collect(), kernels: Vec::new() };
+    let found = simulate(&scene(name), &plan, &Unwatched);
+    assert!(found.answers.iter().all(|answer| answer.value.is_finite()), "{name}");
+}
+
+#[test]
+fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan() {
+    if !callgrind::is_installed() {
+        eprintln!("skipped: valgrind is not installed, so no instructions were counted");
+        return;
+    }
+    let program = std::env::current_exe().expect("this program");
+    let arguments = ["--exact", "the_counted_scene_has_answers", "--test-threads=1"];
+    for name in COUNTED_SCENES {
+        let plan = planned(&scene(name));
+        let on = plan.effects.iter().filter(|planned| planned.on).map(|planned| planned.effect.name());
+        let scene = format!("{name}:{}", on.collect::<Vec<_>>().join(","));
+        let counts = callgrind::counted(&program, &arguments, &[(COUNTED, &scene)]).expect("valgrind runs");
+        assert!(parts::of_solver(&counts) > 1000, "{name}: nothing of the solver was found");
+        // functions tell them where nothing is inlined
+        let is_sure = cfg!(debug_assertions) || parts::has_lines(&counts);
+        for planned in plan.effects.iter().filter(|planned| parts::effects().any(|own| own == planned.effect))
+        {
+            let count = parts::of_effect(&counts, planned.effect);
+            let is_right = if planned.on { count > 0 || !is_sure } else { count == 0 };
+            assert!(is_right, "{name}: {} takes {count}", planned.effect.name());
+        }
+        let rays = parts::of_rays(&counts);
+        let hides = plan.effects.iter().any(|planned| planned.effect == Effect::Occlusion && planned.on);
+        assert!(hides || rays == 0, "{name}: {rays} instructions for rays without a use");
+        let listed: BTreeSet<String> = plan.kernels.iter().map(|kernel| kernel.name.to_owned()).collect();
+        let run = parts::kernels(&counts);
+        assert!(run.is_subset(&listed), "{name}: {run:?} run, and {listed:?} are in the plan");
+        let files: BTreeSet<&str> = listed.iter().filter_map(|kernel| parts::file_of(kernel)).collect();
+        let of_lines = parts::kernel_files(&counts);
+        assert!(of_lines.is_subset(&files), "{name}: {of_lines:?} run, and {files:?} are in the plan");
+        if cfg!(debug_assertions) {
+            // nothing is inlined; of two ways from surface to surface the error decides
+            let unused: Vec<&String> = listed.difference(&run).collect();
+            let by_error = |name: &&String| ["exchange_density", "edge_potential"].contains(&name.as_str());
+            assert!(unused.iter().all(by_error), "{name}: {unused:?} are in the plan and do not run");
+        }
+    }
+}
