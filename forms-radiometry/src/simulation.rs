@@ -16,6 +16,7 @@ mod solver;
 mod survey;
 #[cfg(test)]
 mod tests;
+mod units;
 mod watch;
 
 pub use answer::{Answer, ErrorKind, Map, Moment, Plan, PlannedEffect, Quantity, Simulation};

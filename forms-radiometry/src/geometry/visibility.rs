@@ -21,7 +21,6 @@ mod tree;
 mod visible;
 
 pub(crate) use between::Between;
-pub(crate) use ray::Hit;
 pub(crate) use visible::Workspace;
 
 use super::{Polygon, Vector};

@@ -44,10 +44,12 @@ pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
 pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
     let effects = Effects::of(plan);
     let merged = (!effects.bands && scene.band_count() > 1).then(|| scene.with_one_band());
-    let work = Work::new(merged.as_ref().unwrap_or(scene), effects, choose, watch);
+    let working = merged.as_ref().unwrap_or(scene).in_working_units();
+    let work = Work::new(&working.scene, effects, choose, watch);
     // one way into the threads instead of one for every loop, each of which would wait for them to wake
     let has_loops = effects.orders != Some(0) || scene.receivers.len() > 1 || work.asks_for_maps();
     let mut simulation = if has_loops { rayon::scope(|_| work.run()) } else { work.run() };
+    simulation.leave_working_units(&working);
     if merged.is_some() {
         spread(&mut simulation, scene.band_count());
     }
