@@ -8,6 +8,7 @@
 mod answer;
 mod effects;
 mod estimate;
+mod exposure;
 mod map;
 mod planning;
 mod readings;
@@ -20,6 +21,7 @@ mod units;
 mod watch;
 
 pub use answer::{Answer, ErrorKind, Map, Moment, Plan, PlannedEffect, Quantity, Simulation};
+pub use exposure::{Exposure, NoTime};
 pub use planning::plan;
 pub use solver::simulate;
 pub use watch::{Unwatched, Watch};
