@@ -101,22 +101,12 @@ mod tests {
     use super::*;
     use crate::kernels::{view_factor_coaxial_disks, view_factor_sphere_disk, view_factor_spheres};
     use crate::scene::read;
-
-    const CUBE: [(&str, &str); 6] = [
-        ("floor", "[[0,0,0], [1,0,0], [1,1,0], [0,1,0]]"),
-        ("ceiling", "[[0,0,1], [0,1,1], [1,1,1], [1,0,1]]"),
-        ("left", "[[0,0,0], [0,1,0], [0,1,1], [0,0,1]]"),
-        ("right", "[[1,0,0], [1,0,1], [1,1,1], [1,1,0]]"),
-        ("front", "[[0,0,0], [0,0,1], [1,0,1], [1,0,0]]"),
-        ("back", "[[0,1,0], [1,1,0], [1,1,1], [0,1,1]]"),
-    ];
+    use crate::scene_text::{CUBE, material, polygon, surface};
 
     fn scene(more: &str) -> Scene {
-        let mut text = "[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5\n".to_string();
-        for (name, polygon) in CUBE {
-            text += &format!("[[surface]]\nname = \"{name}\"\nmaterial = \"grey\"\npolygon = {polygon}\n");
-        }
-        read(&(text + more), "cube.toml").unwrap_or_else(|errors| panic!("{}", errors[0]))
+        let faces = CUBE.map(|(name, corners)| surface(name, "grey", &polygon(&corners)));
+        let text = material("grey", 0.5) + &faces.concat() + more;
+        read(&text, "cube.toml").unwrap_or_else(|errors| panic!("{}", errors[0]))
     }
 
     #[test]
@@ -169,12 +159,10 @@ mod tests {
 
     /// A scene of these surfaces, given as name, shape and sides.
     fn only(surfaces: &[(&str, &str, bool)]) -> Scene {
-        let mut text = "[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5\n".to_string();
-        for (name, shape, two_sided) in surfaces {
-            text += &format!(
-                "[[surface]]\nname = \"{name}\"\nmaterial = \"grey\"\n{shape}\ntwo_sided = {two_sided}\n"
-            );
-        }
+        let of = |(name, shape, two_sided): &(&str, &str, bool)| {
+            surface(name, "grey", &format!("{shape}\ntwo_sided = {two_sided}"))
+        };
+        let text = material("grey", 0.5) + &surfaces.iter().map(of).collect::<String>();
         read(&text, "round.toml").unwrap_or_else(|errors| panic!("{}", errors[0]))
     }
 
