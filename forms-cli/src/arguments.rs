@@ -1,6 +1,7 @@
 //! The command line.
 
 use clap::{Parser, Subcommand, ValueEnum};
+use forms_radiometry::simulation::Exposure;
 
 /// Exterior calculus that proves identities exactly and turns them into numeric kernels.
 ///
@@ -130,6 +131,9 @@ pub(crate) enum Command {
         /// Write results.csv, error.svg, and for each map an EXR and a PNG file into this folder
         #[arg(long, value_name = "DIR")]
         out: Option<String>,
+        /// Add the exposure behind each irradiance, and the fluence behind each fluence rate, over this time in J/m²
+        #[arg(long, value_name = "SECONDS", value_parser = exposure, allow_negative_numbers = true)]
+        exposure: Option<Exposure>,
         /// One JSON object a line
         #[arg(long)]
         json: bool,
@@ -168,6 +172,12 @@ pub(crate) enum Tier {
     Plain,
     /// As it is generated
     Stable,
+}
+
+/// A time of exposure.
+fn exposure(text: &str) -> Result<Exposure, String> {
+    let seconds: f64 = text.parse().map_err(|_| "expected a number of seconds above 0".to_owned())?;
+    Exposure::new(seconds).map_err(|error| error.to_string())
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@
 use crate::faces::{emits, faces};
 use crate::geometry::{Between, Face, Screens, Vector, Workspace, form_factor_of_pieces};
 use crate::kernels::irradiance;
-use crate::scene::{DiffuseScene, ReceiverKind, Scene, SceneError};
+use crate::scene::{DiffuseScene, ReceiverKind, Scene, SceneError, WorkingScene};
 
 /// A scene prepared for direct light.
 #[derive(Clone, Debug)]
@@ -17,6 +17,15 @@ pub struct DirectLight<'s> {
     screens: Screens,
     /// The indices of the faces that emit.
     luminaires: Vec<usize>,
+    /// What positions are multiplied by to be among the faces.
+    factor: f64,
+}
+
+/// What a ray meets first.
+pub(crate) struct Met<'l> {
+    pub(crate) face: &'l Face,
+    /// The point, in working units.
+    pub(crate) position: Vector,
 }
 
 /// The direct irradiance of a point receiver.
@@ -47,7 +56,7 @@ pub fn simulate_direct(scene: &Scene) -> Result<Vec<ReceiverResult>, Vec<SceneEr
     for receiver in &scene.receivers {
         let ReceiverKind::Point { position, normal } = receiver.kind else { continue };
         let mut unoccluded = vec![0.0; scene.band_count()];
-        light.add_unoccluded(position, normal, &mut lists, &mut unoccluded);
+        light.add_unoccluded(light.factor * position, normal, &mut lists, &mut unoccluded);
         let irradiance = light.irradiance(position, normal);
         results.push(ReceiverResult { receiver: receiver.name.clone(), irradiance, unoccluded });
     }
@@ -62,19 +71,17 @@ impl<'s> DirectLight<'s> {
     }
 
     pub(crate) fn of(scene: DiffuseScene<'s>) -> Self {
-        let faces = faces(scene.scene, 0);
-        let luminaires = (0..faces.len()).filter(|&index| emits(scene.scene, &faces[index])).collect();
-        Self { screens: Screens::of(&faces), luminaires, faces, scene }
+        let WorkingScene { scene: working, factor, .. } = scene.scene.in_working_units();
+        let faces = faces(&working, 0);
+        let luminaires = (0..faces.len()).filter(|&index| emits(&working, &faces[index])).collect();
+        Self { screens: Screens::of(&faces), luminaires, faces, factor, scene }
     }
 
-    /// What stands in the scene.
-    pub(crate) fn screens(&self) -> &Screens {
-        &self.screens
-    }
-
-    /// A face of the scene.
-    pub(crate) fn face(&self, index: usize) -> &Face {
-        &self.faces[index]
+    /// What a ray meets first.
+    pub(crate) fn first(&self, origin: Vector, direction: Vector) -> Option<Met<'_>> {
+        let origin = self.factor * origin;
+        let hit = self.screens.first(origin, direction)?;
+        Some(Met { face: &self.faces[hit.face], position: origin + hit.distance * direction })
     }
 
     /// The irradiance at a point in W/m², per band, on the side to which `normal` points. The normal need not
@@ -82,11 +89,11 @@ impl<'s> DirectLight<'s> {
     pub fn irradiance(&self, position: Vector, normal: Vector) -> Vec<f64> {
         let Some(normal) = normal.unit() else { return vec![f64::NAN; self.scene.scene.band_count()] };
         let mut sum = vec![0.0; self.scene.scene.band_count()];
-        self.add_irradiance(position, normal, &mut Receiving::default(), &mut sum);
+        self.add_irradiance(self.factor * position, normal, &mut Receiving::default(), &mut sum);
         sum
     }
 
-    /// Adds to `sum` the irradiance of a receiver with a unit normal: E = Σ π F L over the luminaires.
+    /// Adds to `sum` the irradiance of a receiver with a unit normal, in working units: E = Σ π F L over the luminaires.
     pub(crate) fn add_irradiance(
         &self,
         position: Vector,

@@ -42,6 +42,10 @@ pub mod output;
 pub mod picture;
 mod radiosity;
 pub mod scene;
+#[cfg(test)]
+#[path = "../tests/scene_text/mod.rs"]
+#[expect(dead_code, reason = "tests beside the library need the rest")]
+mod scene_text;
 mod sight;
 pub mod simulation;
 mod spectrum;

@@ -18,6 +18,7 @@ mod simulated;
 mod solve;
 mod surface;
 mod value;
+mod working_units;
 
 pub use error::SceneError;
 pub use model::{
@@ -28,3 +29,4 @@ pub use place::Place;
 pub use read::{open, read, read_with_files};
 pub(crate) use simulated::DiffuseScene;
 pub use simulated::not_simulated;
+pub(crate) use working_units::WorkingScene;

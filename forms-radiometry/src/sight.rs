@@ -1,8 +1,8 @@
 //! Sight: a ray of a camera becomes the surface that it meets and the colour that it brings.
 
 use crate::camera::Camera;
-use crate::geometry::{Face, Hit};
-use crate::irradiance::{DirectLight, Receiving};
+use crate::geometry::Face;
+use crate::irradiance::{DirectLight, Met, Receiving};
 use crate::scene::{DiffuseScene, Scene, SceneError};
 use crate::spectrum::{Colour, add_scaled, band_colours};
 use std::f64::consts::PI;
@@ -49,13 +49,12 @@ impl<'s> Sight<'s> {
     /// What the film point (x, y) sees: L = Lₑ + ρ E/π on a diffuse surface, nothing outside the scene.
     pub(crate) fn sample(&self, x: f64, y: f64, tracing: &mut Tracing) -> Sample {
         let direction = self.camera.direction(x, y);
-        let Some(Hit { face, distance }) = self.light.screens().first(self.camera.origin, direction) else {
+        let Some(Met { face, position }) = self.light.first(self.camera.origin, direction) else {
             return Sample { surface: None, colour: [0.0; 3] };
         };
-        let &Face { surface, is_back, normal, .. } = self.light.face(face);
+        let &Face { surface, is_back, normal, .. } = face;
         let mut colour = [0.0; 3];
         if !is_back || self.scene.scene.surfaces[surface].two_sided {
-            let position = self.camera.origin + distance * direction;
             tracing.irradiance.clear();
             tracing.irradiance.resize(self.scene.scene.band_count(), 0.0);
             self.light.add_irradiance(position, normal, &mut tracing.lists, &mut tracing.irradiance);

@@ -8,6 +8,7 @@
 mod answer;
 mod effects;
 mod estimate;
+mod exposure;
 mod map;
 mod planning;
 mod readings;
@@ -16,10 +17,12 @@ mod solver;
 mod survey;
 #[cfg(test)]
 mod tests;
+mod units;
 mod watch;
 
 pub use crate::radiosity::UsedKernel;
 pub use answer::{Answer, ErrorKind, Map, Moment, Plan, PlannedEffect, Quantity, Simulation};
+pub use exposure::{Exposure, NoTime};
 pub use planning::plan;
 pub use solver::simulate;
 pub use watch::{Unwatched, Watch};

@@ -19,7 +19,7 @@ const LEAST: f64 = 1e-3;
 pub struct ViewFactors {
     /// The names of the surfaces.
     pub names: Vec<String>,
-    /// The area that each surface sends from: twice that of its shape where it is two-sided.
+    /// The area that each surface sends from, in the square of the scene's unit: twice that of its shape where it is two-sided.
     pub areas: Vec<f64>,
     /// For each surface the fractions that arrive at each, with the estimates of their errors.
     pub rows: Vec<Vec<ViewFactor>>,
@@ -37,15 +37,16 @@ pub struct ViewFactor {
 /// The view factors between the surfaces of a scene, to its tolerance. Where flat pieces stand for round shapes, what twice as many edges
 /// round them change is part of the errors.
 pub fn view_factors(scene: &Scene) -> ViewFactors {
-    let coarse = with_fineness(scene, 0);
-    if !is_round(scene) {
-        return coarse;
+    let working = scene.in_working_units();
+    let mut found = with_fineness(&working.scene, 0);
+    if is_round(scene) {
+        let coarse = std::mem::replace(&mut found, with_fineness(&working.scene, 1));
+        for (fine, coarse) in found.rows.iter_mut().flatten().zip(coarse.rows.iter().flatten()) {
+            fine.error += (fine.value - coarse.value).abs();
+        }
     }
-    let mut fine = with_fineness(scene, 1);
-    for (fine, coarse) in fine.rows.iter_mut().flatten().zip(coarse.rows.iter().flatten()) {
-        fine.error += (fine.value - coarse.value).abs();
-    }
-    fine
+    found.areas.iter_mut().for_each(|area| *area = *area / working.factor / working.factor);
+    found
 }
 
 /// The same with this fineness of round shapes.
@@ -85,9 +86,10 @@ impl ViewFactors {
         let mut largest: f64 = 0.0;
         for i in 0..self.rows.len() {
             for j in 0..i {
+                let smaller = self.areas[i].min(self.areas[j]);
                 let [there, back] =
-                    [(i, j), (j, i)].map(|(from, to)| self.areas[from] * self.rows[from][to].value);
-                largest = largest.max((there - back).abs() / self.areas[i].min(self.areas[j]));
+                    [(i, j), (j, i)].map(|(from, to)| self.areas[from] / smaller * self.rows[from][to].value);
+                largest = largest.max((there - back).abs());
             }
         }
         largest
@@ -99,22 +101,12 @@ mod tests {
     use super::*;
     use crate::kernels::{view_factor_coaxial_disks, view_factor_sphere_disk, view_factor_spheres};
     use crate::scene::read;
-
-    const CUBE: [(&str, &str); 6] = [
-        ("floor", "[[0,0,0], [1,0,0], [1,1,0], [0,1,0]]"),
-        ("ceiling", "[[0,0,1], [0,1,1], [1,1,1], [1,0,1]]"),
-        ("left", "[[0,0,0], [0,1,0], [0,1,1], [0,0,1]]"),
-        ("right", "[[1,0,0], [1,0,1], [1,1,1], [1,1,0]]"),
-        ("front", "[[0,0,0], [0,0,1], [1,0,1], [1,0,0]]"),
-        ("back", "[[0,1,0], [1,1,0], [1,1,1], [0,1,1]]"),
-    ];
+    use crate::scene_text::{CUBE, material, polygon, surface};
 
     fn scene(more: &str) -> Scene {
-        let mut text = "[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5\n".to_string();
-        for (name, polygon) in CUBE {
-            text += &format!("[[surface]]\nname = \"{name}\"\nmaterial = \"grey\"\npolygon = {polygon}\n");
-        }
-        read(&(text + more), "cube.toml").unwrap_or_else(|errors| panic!("{}", errors[0]))
+        let faces = CUBE.map(|(name, corners)| surface(name, "grey", &polygon(&corners)));
+        let text = material("grey", 0.5) + &faces.concat() + more;
+        read(&text, "cube.toml").unwrap_or_else(|errors| panic!("{}", errors[0]))
     }
 
     #[test]
@@ -167,12 +159,10 @@ mod tests {
 
     /// A scene of these surfaces, given as name, shape and sides.
     fn only(surfaces: &[(&str, &str, bool)]) -> Scene {
-        let mut text = "[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5\n".to_string();
-        for (name, shape, two_sided) in surfaces {
-            text += &format!(
-                "[[surface]]\nname = \"{name}\"\nmaterial = \"grey\"\n{shape}\ntwo_sided = {two_sided}\n"
-            );
-        }
+        let of = |(name, shape, two_sided): &(&str, &str, bool)| {
+            surface(name, "grey", &format!("{shape}\ntwo_sided = {two_sided}"))
+        };
+        let text = material("grey", 0.5) + &surfaces.iter().map(of).collect::<String>();
         read(&text, "round.toml").unwrap_or_else(|errors| panic!("{}", errors[0]))
     }
 

@@ -6,7 +6,9 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-type Point = [f64; 3];
+#[expect(dead_code, reason = "other tests need the rest")]
+mod scene_text;
+use scene_text::{CUBE, Point, material, point_receiver, surface_receiver as receiver, tolerance as asked};
 
 /// Whether numeric code is optimised; where it is not, hundreds of surfaces have to do.
 const IS_OPTIMISED: bool = !cfg!(debug_assertions);
@@ -41,11 +43,12 @@ impl Meshes {
     }
 }
 
-/// A parallelogram from a corner along two edges, as n² pairs of triangles.
-fn triangles([corner, along, across]: [Point; 3], n: usize) -> Vec<Vec<Point>> {
+/// A parallelogram with these corners, as n² pairs of triangles.
+fn triangles([corner, beside, _, above]: [Point; 4], n: usize) -> Vec<Vec<Point>> {
     let at = |i: usize, j: usize| {
         let [u, v] = [i, j].map(|i| i as f64 / n as f64);
-        [0, 1, 2].map(|axis| corner[axis] + u * along[axis] + v * across[axis])
+        let along = |axis: usize, to: Point| to[axis] - corner[axis];
+        [0, 1, 2].map(|axis| corner[axis] + u * along(axis, beside) + v * along(axis, above))
     };
     let cell = |(i, j)| {
         let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
@@ -54,26 +57,10 @@ fn triangles([corner, along, across]: [Point; 3], n: usize) -> Vec<Vec<Point>> {
     (0..n * n).flat_map(|index| cell((index % n, index / n))).collect()
 }
 
-/// The faces of the unit cube, which look inwards: a corner and two edges each.
-const CUBE: [(&str, [Point; 3]); 6] = [
-    ("floor", [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]),
-    ("ceiling", [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]),
-    ("left", [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
-    ("right", [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]]),
-    ("front", [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]]),
-    ("back", [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]),
-];
-
 /// A surface with a material and a mesh of its own.
 fn surface(name: &str, reflectance: f64, exitance: f64) -> String {
-    format!(
-        "[[material]]\nname = \"{name}\"\nkind = \"diffuse\"\nreflectance = {reflectance:?}\n\
-         [[surface]]\nname = \"{name}\"\nmaterial = \"{name}\"\nmesh = \"{name}.obj\"\nexitance = {exitance:?}\n"
-    )
-}
-
-fn receiver(surface: &str) -> String {
-    format!("[[receiver]]\nname = \"{surface}\"\nkind = \"surface\"\nsurface = \"{surface}\"\n")
+    let shape = format!("mesh = \"{name}.obj\"\nexitance = {exitance:?}");
+    material(name, reflectance) + &scene_text::surface(name, name, &shape)
 }
 
 /// The answer of a receiver to a quantity, and its error.
@@ -99,11 +86,11 @@ fn in_a_furnace_of_thousands_of_triangles_every_radiance_is_that_of_the_walls() 
         let expected = 1.0 / (1.0 - rho);
         let walls: String = CUBE.iter().map(|(name, _)| surface(name, rho, PI)).collect();
         let text = walls
-            + "[[receiver]]\nname = \"point\"\nkind = \"point\"\nposition = [0.1, 0.7, 0]\nnormal = [0, 0, 1]\n"
+            + &point_receiver("point", [0.1, 0.7, 0.0], [0.0, 0.0, 1.0])
             + "[[receiver]]\nname = \"ray\"\nkind = \"ray\"\norigin = [0.5, 0.4, 0.3]\ndirection = [3, 1, 2]\n"
             + "[[receiver]]\nname = \"sphere\"\nkind = \"sphere\"\nposition = [0.9, 0.4, 0.3]\n"
             + &receiver("floor")
-            + &format!("[solve]\ntolerance = {tolerance:?}\n");
+            + &asked(tolerance);
         let found = meshes.answers(&text);
         assert_within("point", answer(&found, "point", Quantity::Irradiance), PI * expected, tolerance);
         assert_within("ray", answer(&found, "ray", Quantity::Radiance), expected, tolerance);
@@ -134,20 +121,19 @@ fn opposed_squares_of_thousands_of_triangles_keep_their_radiosity_however_they_a
     // mean radiosity of the square that emits nothing, by tensor Gauss–Legendre in f64
     const EXPECTED: f64 = 0.896_047_679_666_9;
     let squares = [
-        ("a", [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]),
-        ("b", [[0.0, 0.0, 0.25], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]),
+        ("a", [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]),
+        ("b", [[0.0, 0.0, 0.25], [0.0, 1.0, 0.25], [1.0, 1.0, 0.25], [1.0, 0.0, 0.25]]),
     ];
     let cases = [(12, 5e-2, 2), (24, 3e-2, 8), (32, 1e-2, 2)];
     for &(n, tolerance, turns) in if IS_OPTIMISED { &cases[..] } else { &cases[..1] } {
         for turn in 0..turns {
             let mut meshes = Meshes::default();
             for (name, square) in squares {
-                let square = square.map(|edge| turned(edge, f64::from(turn)));
+                let square = square.map(|corner| turned(corner, f64::from(turn)));
                 meshes.add(name, &triangles(square, n));
             }
             let text = surface("a", 0.9, 0.0) + &surface("b", 0.9, 1.0) + &receiver("a");
-            let text = format!("{text}[solve]\ntolerance = {tolerance:?}\n");
-            let irradiance = answer(&meshes.answers(&text), "a", Quantity::Irradiance);
+            let irradiance = answer(&meshes.answers(&(text + &asked(tolerance))), "a", Quantity::Irradiance);
             assert_within("squares", irradiance.map(|value| 0.9 * value), EXPECTED, tolerance);
         }
     }
@@ -180,7 +166,7 @@ fn what_is_emitted_in_a_closed_room_full_of_blocks_is_absorbed() {
     let blocks: Vec<Vec<Point>> = (0..count).flat_map(block).collect();
     meshes.add("blocks", &blocks);
     text = text + &surface("blocks", 0.4, 0.0) + &receiver("blocks");
-    text += &format!("[solve]\ntolerance = {tolerance:?}\n");
+    text += &asked(tolerance);
     let found = meshes.answers(&text);
     let names = CUBE.iter().map(|(name, _)| *name).chain(["blocks"]);
     let mut absorbed = [0.0; 2];

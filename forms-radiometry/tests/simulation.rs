@@ -3,38 +3,26 @@
 use forms_radiometry::scene::{Scene, read, read_with_files};
 use forms_radiometry::simulation::{Answer, Quantity, Unwatched, plan, simulate};
 use std::f64::consts::PI;
-use std::fmt::Write;
 
-/// The faces of the unit cube, which look inwards.
-const CUBE: [(&str, &str); 6] = [
-    ("floor", "[[0,0,0], [1,0,0], [1,1,0], [0,1,0]]"),
-    ("ceiling", "[[0,0,1], [0,1,1], [1,1,1], [1,0,1]]"),
-    ("left", "[[0,0,0], [0,1,0], [0,1,1], [0,0,1]]"),
-    ("right", "[[1,0,0], [1,0,1], [1,1,1], [1,1,0]]"),
-    ("front", "[[0,0,0], [0,0,1], [1,0,1], [1,0,0]]"),
-    ("back", "[[0,1,0], [1,1,0], [1,1,1], [0,1,1]]"),
-];
+#[expect(dead_code, reason = "other tests need the rest")]
+mod scene_text;
+use scene_text::{CUBE, material, polygon, surface_receiver};
 
 /// A surface of its own material.
 fn surface(name: &str, shape: &str, reflectance: &str, exitance: &str) -> String {
-    format!(
-        "[[material]]\nname = \"{name}\"\nkind = \"diffuse\"\nreflectance = {reflectance}\n\
-         [[surface]]\nname = \"{name}\"\nmaterial = \"{name}\"\n{shape}\nexitance = {exitance}\n"
-    )
+    material(name, reflectance) + &scene_text::surface(name, name, &format!("{shape}\nexitance = {exitance}"))
 }
 
 fn cube(reflectances: [f64; 6], exitances: [f64; 6]) -> String {
-    let faces = CUBE.iter().zip(reflectances).zip(exitances);
-    faces.fold(String::new(), |text, (((name, polygon), rho), exitance)| {
-        text + &surface(name, &format!("polygon = {polygon}"), &rho.to_string(), &exitance.to_string())
-    })
+    let faces = CUBE.iter().zip(reflectances.iter().zip(exitances));
+    let texts = faces.map(|((name, corners), (rho, exitance))| {
+        surface(name, &polygon(corners), &rho.to_string(), &exitance.to_string())
+    });
+    texts.collect()
 }
 
 fn receivers(surfaces: &[&str]) -> String {
-    surfaces.iter().fold(String::new(), |mut text, name| {
-        writeln!(text, "[[receiver]]\nname = \"{name}\"\nkind = \"surface\"\nsurface = \"{name}\"").unwrap();
-        text
-    })
+    surfaces.iter().map(|name| surface_receiver(name)).collect()
 }
 
 fn scene(text: &str) -> Scene {

@@ -48,8 +48,8 @@ pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<S
             };
             accuracy::accuracy(&request, output)
         }
-        Some(Command::Simulate { scene, out, json }) => {
-            let request = simulate::Request { scene, out: out.as_deref(), json: *json };
+        Some(Command::Simulate { scene, out, exposure, json }) => {
+            let request = simulate::Request { scene, out: out.as_deref(), exposure: *exposure, json: *json };
             simulate::simulate(&request, output)
         }
         Some(Command::ViewFactors { scene, json }) => view_factors::view_factors(scene, *json, output),

@@ -17,7 +17,7 @@ use super::refuse;
 use crate::palette::Palette;
 use crate::status::Status;
 use forms_radiometry::scene::{self, Scene, SceneError};
-use forms_radiometry::simulation::{self, Plan, Simulation};
+use forms_radiometry::simulation::{self, Exposure, Plan, Simulation};
 use progress::Progress;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -29,6 +29,8 @@ pub(crate) struct Request<'a> {
     pub(crate) scene: &'a str,
     /// Where files are written, if anywhere.
     pub(crate) out: Option<&'a str>,
+    /// The time of which exposures are added, if any are.
+    pub(crate) exposure: Option<Exposure>,
     /// One JSON object a line.
     pub(crate) json: bool,
 }
@@ -41,7 +43,7 @@ struct Work {
 
 /// Simulates a scene and shows what was found.
 pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Result<Status> {
-    let (scene, plan) = match planned(request.scene) {
+    let (scene, plan) = match planned(request) {
         Ok(planned) => planned,
         Err(messages) => {
             messages.iter().for_each(|message| eprintln!("error: {message}"));
@@ -56,18 +58,23 @@ pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Res
     if request.json { plan::lines(&plan, output) } else { plan::table(&plan, &scene, output) }?;
     output.flush()?;
     let start = Instant::now();
-    let found = simulation::simulate(&scene, &plan, &progress);
+    let mut found = simulation::simulate(&scene, &plan, &progress);
+    if let Some(exposure) = request.exposure {
+        exposure.add_to(&mut found);
+    }
     let work = Work { found, time: start.elapsed() };
     progress.end();
     finish(request, &scene, &work, folder, output)
 }
 
-fn planned(file: &str) -> Result<(Scene, Plan), Vec<String>> {
+fn planned(request: &Request<'_>) -> Result<(Scene, Plan), Vec<String>> {
+    let file = request.scene;
     let messages = |errors: Vec<SceneError>| errors.iter().map(SceneError::to_string).collect::<Vec<_>>();
     let scene = scene::open(Path::new(file)).map_err(messages)?;
     if scene.receivers.is_empty() {
         return Err(vec![nothing_asked(file)]);
     }
+    request.exposure.map_or(Ok(()), |exposure| exposure.check(&scene)).map_err(messages)?;
     let plan = simulation::plan(&scene).map_err(messages)?;
     Ok((scene, plan))
 }

@@ -232,3 +232,47 @@ fn work_that_is_stopped_gives_what_there_is() {
     assert!(run.errors.contains("stopped: answers may be missing"), "{}", run.errors);
     assert!(folder.read("out/results.csv").starts_with(b"receiver,quantity,"));
 }
+
+#[test]
+fn an_exposure_is_the_irradiance_times_the_time_and_follows_it() {
+    let ball = "[[receiver]]\nname = \"ball\"\nkind = \"sphere\"\nposition = [1, 0.5, 0.5]\n";
+    let folder = Folder::with(&[("room.toml", &room(&format!("{POINT}{MAP}{ball}")))]);
+    let run = forms(&folder, &["simulate", "room.toml", "--json", "--exposure", "2.5", "--out", "out"]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    let answers: Vec<Value> = run.output.lines().map(|line| object(line).1).collect();
+    let answers: Vec<&Value> = answers.iter().filter(|line| line["receiver"].is_string()).collect();
+    let asked: Vec<[&str; 2]> =
+        answers.iter().map(|line| ["quantity", "unit"].map(|key| line[key].as_str().unwrap_or(""))).collect();
+    let vector = |axis| [axis, "W/m²"];
+    let irradiance = [["irradiance", "W/m²"], ["exposure", "J/m²"]];
+    let fluence = [["fluence_rate", "W/m²"], ["fluence", "J/m²"]];
+    let axes = ["vector_irradiance_x", "vector_irradiance_y", "vector_irradiance_z"].map(vector);
+    let expected = [&irradiance[..], &irradiance, &[["flux", "W"]], &fluence, &axes].concat();
+    assert_eq!(asked, expected);
+    for pair in answers.windows(2).filter(|pair| pair[1]["unit"] == "J/m²") {
+        let [rate, sum] = ["value", "error"].map(|key| [0, 1].map(|i| pair[i][key].as_f64().unwrap()));
+        assert!((rate[1] - 2.5 * rate[0]).abs() <= 1e-15 * rate[1], "{pair:?}");
+        assert!(sum[1] >= 2.5 * sum[0] && sum[1] < 2.51 * sum[0] + 1e-15 * rate[1], "{pair:?}");
+    }
+    let table = String::from_utf8(folder.read("out/results.csv")).expect("text");
+    let lines = |quantity: &str| table.lines().filter(|line| line.contains(quantity)).count();
+    assert_eq!([lines(",exposure,"), lines(",fluence,")], [2, 1]);
+}
+
+#[test]
+fn a_time_that_is_none_and_light_that_is_not_steady_have_no_exposure() {
+    let timed = format!("{POINT}time = {{ start = 0, width = 1e-9, bins = 4 }}\n");
+    let folder = Folder::with(&[("room.toml", &room(POINT)), ("timed.toml", &room(&timed))]);
+    for seconds in ["0", "-1", "nan", "inf", "1e999", "long"] {
+        let run = forms(&folder, &["simulate", "room.toml", "--exposure", seconds]);
+        assert_eq!((run.status, run.output.as_str()), (2, ""), "{seconds}");
+        assert!(run.errors.contains("expected a number of seconds above 0"), "{seconds}: {}", run.errors);
+    }
+    let run = forms(&folder, &["simulate", "timed.toml", "--exposure", "1"]);
+    assert_eq!((run.status, run.output.as_str()), (2, ""));
+    assert!(
+        run.errors.contains("timed.toml:20:8: the receiver `here` is resolved in time"),
+        "{}",
+        run.errors
+    );
+}

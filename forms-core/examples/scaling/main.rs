@@ -13,12 +13,13 @@ mod page;
 mod workload;
 
 mod clock;
+#[expect(dead_code, reason = "memory is measured of scenes")]
 mod plot;
 mod table;
 
 use clock::seconds;
 use page::processor;
-use plot::{Plot, Scale, Series};
+use plot::{Measure, Plot, Scale, Series};
 use std::io;
 use std::path::PathBuf;
 use workload::{Work, built, text};
@@ -65,6 +66,8 @@ fn against_dimension() -> Plot {
         caption: caption(),
         across: "n".into(),
         scale: Scale::Linear,
+        measure: Measure::Seconds,
+        is_paired: false,
         series: vec![
             timed("ωᵐ of the generic 2-form, n = 2m: (n − 1)!! terms", powers),
             timed("d of the solid angle of Rⁿ is 0, from text", closed_text),
@@ -88,6 +91,8 @@ fn against_terms(flint: Option<&str>) -> io::Result<Plot> {
         caption: caption(),
         across: "terms".into(),
         scale: Scale::Logarithmic,
+        measure: Measure::Seconds,
+        is_paired: false,
         series,
     })
 }

@@ -1,4 +1,4 @@
-//! A plot: lines of measured times over a logarithmic axis, as SVG text. It is read on light and on dark paper, and
+//! A plot: lines of measured times or memory over a logarithmic axis, as SVG text. It is read on light and on dark paper, and
 //! without colour: each line has marks of its own.
 
 use std::fmt::Write;
@@ -9,16 +9,18 @@ const FRAME: [f64; 4] = [76.0, 52.0, 700.0, 376.0];
 /// Where the first line of the legend stands, and how far apart they are.
 const LEGEND: [f64; 2] = [94.0, 72.0];
 const LEGEND_STEP: f64 = 21.0;
-const LEGEND_WIDTH: f64 = 400.0;
+const LEGEND_WIDTH: f64 = 592.0;
+/// More lines than this are named in two columns.
+const ONE_COLUMN: usize = 4;
 /// Half the width of a mark.
 const MARK: f64 = 4.0;
 
 const STYLE: &str = "\
     .paper{fill:#fff}.ink{fill:#222}.quiet{fill:#666}.grid{stroke:#e2e2e2}.frame{stroke:#999}.title{font-weight:bold;font-size:15px}\
-    .s0{--c:#b5482f}.s1{--c:#2f6f9f}.s2{--c:#4d7f3a}.line{stroke:var(--c);fill:none;stroke-width:1.8}\
+    .s0{--c:#b5482f}.s1{--c:#2f6f9f}.s2{--c:#4d7f3a}.s3{--c:#7a559c}.line{stroke:var(--c);fill:none;stroke-width:1.8}\
     .mark{stroke:var(--c);fill:var(--c);stroke-width:1.4}.hollow{fill:#fff}\
     @media(prefers-color-scheme:dark){.paper,.hollow{fill:#16181c}.ink{fill:#e8e8e8}.quiet{fill:#a4a8ae}\
-    .grid{stroke:#30343a}.frame{stroke:#6c7178}.s0{--c:#ee8d70}.s1{--c:#76b7e6}.s2{--c:#96cb7f}}";
+    .grid{stroke:#30343a}.frame{stroke:#6c7178}.s0{--c:#ee8d70}.s1{--c:#76b7e6}.s2{--c:#96cb7f}.s3{--c:#c6a2ea}}";
 
 /// How places are spread along the lower axis.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -27,7 +29,14 @@ pub(crate) enum Scale {
     Logarithmic,
 }
 
-/// One line: places and seconds.
+/// What is measured.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Measure {
+    Seconds,
+    Bytes,
+}
+
+/// One line: places and what was measured there.
 pub(crate) struct Series {
     pub(crate) name: String,
     pub(crate) points: Vec<[f64; 2]>,
@@ -40,7 +49,22 @@ pub(crate) struct Plot {
     /// What the lower axis counts.
     pub(crate) across: String,
     pub(crate) scale: Scale,
+    pub(crate) measure: Measure,
     pub(crate) series: Vec<Series>,
+    /// Whether lines belong together in twos: then two have one colour.
+    pub(crate) is_paired: bool,
+}
+
+impl Measure {
+    /// A power of ten of it.
+    fn label(self, decade: i32) -> String {
+        let (least, units) = match self {
+            Self::Seconds => (-9, ["ns", "µs", "ms", "s"]),
+            Self::Bytes => (0, ["B", "kB", "MB", "GB"]),
+        };
+        let thousand = (decade - least).div_euclid(3).clamp(0, 3);
+        format!("{} {}", 10_i32.pow((decade - least - 3 * thousand) as u32), units[thousand as usize])
+    }
 }
 
 /// The range of an axis and the paper it falls on.
@@ -75,7 +99,7 @@ impl Plot {
                 .iter()
                 .map(|&[x, y]| [across.place(self.spread(x)), up.place(y.log10())])
                 .collect();
-            line(&mut svg, number, &places);
+            line(&mut svg, self.look(number), &places);
         }
         self.legend(&mut svg);
         text(&mut svg, [FRAME[0], 30.0], "start", "ink title", &self.title);
@@ -83,21 +107,33 @@ impl Plot {
         svg + "</svg>\n"
     }
 
+    /// The colour and the mark of a line.
+    fn look(&self, number: usize) -> [usize; 2] {
+        if self.is_paired { [number / 2, 2 * (number % 2)] } else { [number, number] }
+    }
+
+    /// How many names stand below each other.
+    fn legend_rows(&self) -> usize {
+        let count = self.series.len();
+        if count > ONE_COLUMN { count.div_ceil(2) } else { count }
+    }
+
     /// The names of the lines on paper of their own, which no rule crosses.
     fn legend(&self, svg: &mut String) {
-        let [x, y] = LEGEND;
-        let height = LEGEND_STEP * self.series.len() as f64;
-        let top = y - LEGEND_STEP / 2.0;
+        let [left, top] = LEGEND;
+        let rows = self.legend_rows();
+        let (height, edge) = (LEGEND_STEP * rows as f64, top - LEGEND_STEP / 2.0);
         put(
             svg,
             format_args!(
-                "<rect class=\"paper\" x=\"{}\" y=\"{top}\" width=\"{LEGEND_WIDTH}\" height=\"{height}\"/>",
-                x - 8.0
+                "<rect class=\"paper\" x=\"{}\" y=\"{edge}\" width=\"{LEGEND_WIDTH}\" height=\"{height}\"/>",
+                left - 8.0
             ),
         );
         for (number, series) in self.series.iter().enumerate() {
-            let y = y + LEGEND_STEP * number as f64;
-            line(svg, number, &[[x, y], [x + 28.0, y]]);
+            let x = left + LEGEND_WIDTH / 2.0 * (number / rows) as f64;
+            let y = top + LEGEND_STEP * (number % rows) as f64;
+            line(svg, self.look(number), &[[x, y], [x + 28.0, y]]);
             text(svg, [x + 40.0, y + 4.5], "start", "ink", &series.name);
         }
     }
@@ -119,20 +155,17 @@ impl Plot {
         let times = || self.series.iter().flat_map(|series| &series.points).map(|point| point[1].log10());
         let least = times().fold(f64::MAX, f64::min).floor();
         let greatest = times().fold(f64::MIN, f64::max).ceil();
-        let legend = (LEGEND[1] - FRAME[1] + LEGEND_STEP * self.series.len() as f64) / (FRAME[3] - FRAME[1]);
+        let legend = (LEGEND[1] - FRAME[1] + LEGEND_STEP * self.legend_rows() as f64) / (FRAME[3] - FRAME[1]);
         let top = least + (greatest - least) / (1.0 - legend);
         Axis { range: [least, top], paper: [FRAME[3], FRAME[1]] }
     }
 
     fn grid(&self, svg: &mut String, across: &Axis, up: &Axis) {
         let [left, top, right, bottom] = FRAME;
-        let unit = ["ns", "µs", "ms", "s"];
         for decade in up.range[0] as i32..=up.range[1] as i32 {
             let y = up.place(f64::from(decade));
             rule(svg, "grid", [left, y], [right, y]);
-            let thousand = (decade + 9).div_euclid(3).clamp(0, 3);
-            let number = 10_i32.pow((decade + 9 - 3 * thousand) as u32);
-            let label = format!("{number} {}", unit[thousand as usize]);
+            let label = self.measure.label(decade);
             text(svg, [left - 9.0, y + 4.5], "end", "quiet", &label);
         }
         for (value, label) in self.ticks(across) {
@@ -156,16 +189,16 @@ impl Plot {
     }
 }
 
-/// A line with a mark at each place; the number selects colour and mark.
-fn line(svg: &mut String, number: usize, places: &[[f64; 2]]) {
+/// A line with a mark at each place.
+fn line(svg: &mut String, [colour, mark]: [usize; 2], places: &[[f64; 2]]) {
     let points: Vec<String> = places.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
     put(
         svg,
-        format_args!("<g class=\"s{number}\"><polyline class=\"line\" points=\"{}\"/>", points.join(" ")),
+        format_args!("<g class=\"s{colour}\"><polyline class=\"line\" points=\"{}\"/>", points.join(" ")),
     );
     for &[x, y] in places {
         let (left, top, wide) = (x - MARK, y - MARK, 2.0 * MARK);
-        match number {
+        match mark {
             0 => put(svg, format_args!("<circle class=\"mark\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{MARK}\"/>")),
             1 => put(
                 svg,

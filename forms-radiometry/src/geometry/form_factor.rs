@@ -1,7 +1,7 @@
 //! The form factor from a point to a polygon: the polygon is clipped at the horizon, its edges are summed.
 
 use super::clip::split;
-use super::{Polygon, Vector};
+use super::{Polygon, Vector, scale};
 use crate::kernels::edge_form_factor;
 
 /// The form factor from a receiver to the front of a polygon, were nothing in between; E = π F L for a
@@ -24,7 +24,9 @@ pub fn form_factor(position: Vector, normal: Vector, polygon: &Polygon) -> f64 {
     let (mut above, mut below) = (Vec::new(), Vec::new());
     let mut sum = 0.0;
     for piece in polygon.convex_pieces() {
-        let relative: Vec<Vector> = piece.iter().map(|&v| v - position).collect();
+        let mut relative: Vec<Vector> = piece.iter().map(|&v| v - position).collect();
+        let factor = scale::factor(scale::lengths(&relative));
+        relative.iter_mut().for_each(|v| *v = factor * *v);
         split(&relative, |x| normal.dot(x), &mut above, &mut below);
         sum += edge_sum(&above, normal);
     }

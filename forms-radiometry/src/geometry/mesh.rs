@@ -1,6 +1,7 @@
 //! Meshes: vertices and the faces that index them are checked face by face and become a surface of planar
 //! polygons.
 
+use super::scale::{lengths, of_all};
 use super::{Polygon, PolygonError, Vector};
 use std::fmt;
 
@@ -16,6 +17,8 @@ pub struct Mesh {
     corners: Vec<u32>,
     /// Where each face ends among the corners.
     ends: Vec<usize>,
+    /// What coordinates are multiplied by: a power of two.
+    factor: f64,
 }
 
 /// A face that is none.
@@ -63,7 +66,7 @@ impl Mesh {
             Some(*end)
         });
         let ends = ends.collect();
-        Ok(Self { vertices, corners: faces.concat(), ends })
+        Ok(Self { vertices, corners: faces.concat(), ends, factor: 1.0 })
     }
 
     /// The vertices, which faces refer to by index.
@@ -82,8 +85,21 @@ impl Mesh {
     /// The faces as polygons.
     pub fn polygons(&self) -> impl Iterator<Item = Polygon> {
         self.faces().map(|face| {
-            polygon(&self.vertices, face).expect("every face was a polygon when the mesh was made")
+            let polygon = polygon(&self.vertices, face);
+            polygon.expect("every face was a polygon when the mesh was made").scaled(self.factor)
         })
+    }
+
+    /// The mesh with all coordinates multiplied by a power of two, which rounds nothing.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        Self { factor: factor * self.factor, ..self.clone() }
+    }
+
+    /// Its largest coordinate, and the least extent of its faces.
+    pub(crate) fn lengths(&self) -> [f64; 2] {
+        let vertex = |&index: &u32| self.vertices[index as usize];
+        let of_face = |face: &[u32]| lengths(&face.iter().map(vertex).collect::<Vec<_>>());
+        of_all(self.faces().map(of_face)).map(|length| self.factor * length)
     }
 
     /// The mesh with its vertices moved; its faces may cease to be polygons on the way. With `reversed`, front and back

@@ -1,15 +1,12 @@
 //! Planar polygons: a list of vertices is checked and becomes a polygon with a normal and convex pieces.
 
 use super::Vector;
+use super::scale::{LARGEST_LENGTH, LEAST_LENGTH, lengths, power_of_two};
 use super::triangulation::{triangulate, turn};
 use std::fmt;
 
 /// How far a vertex may lie off the polygon's plane, as a fraction of the polygon's extent.
 const PLANARITY: f64 = 1e-6;
-
-/// The largest coordinate, and the inverse of the least extent, of a polygon: form factors are made of fourth
-/// powers of lengths, which must neither overflow nor underflow.
-const LARGEST: f64 = 1e70;
 
 /// A simple planar polygon, counter-clockwise seen from its front.
 #[derive(Clone, Debug)]
@@ -72,15 +69,34 @@ impl Polygon {
             return Err(PolygonError::RepeatedVertex(i + 1));
         }
         let normal = checked_normal(&vertices)?;
-        if let Some((i, j)) = crossing_edges(&vertices, normal) {
+        // products of lengths near 1 neither overflow nor underflow
+        let unit = power_of_two(vertices.iter().fold(0.0, |m: f64, v| m.max(v.largest())));
+        let near: Vec<Vector> = vertices.iter().map(|&v| unit.recip() * v).collect();
+        if let Some((i, j)) = crossing_edges(&near, normal) {
             return Err(PolygonError::Crossing(i + 1, j + 1));
         }
-        let pieces = if is_convex(&vertices, normal) {
+        let pieces = if is_convex(&near, normal) {
             vec![vertices.clone()]
         } else {
-            triangulate(&vertices, normal)
+            let back = |triangle: Vec<Vector>| triangle.into_iter().map(|v| unit * v).collect();
+            triangulate(&near, normal).into_iter().map(back).collect()
         };
         Ok(Self { vertices, normal, pieces })
+    }
+
+    /// The polygon with all coordinates multiplied by a power of two, which rounds nothing.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        let scaled = |outline: &Vec<Vector>| outline.iter().map(|&v| factor * v).collect();
+        Self {
+            vertices: scaled(&self.vertices),
+            normal: self.normal,
+            pieces: self.pieces.iter().map(scaled).collect(),
+        }
+    }
+
+    /// Its largest coordinate, and its extent.
+    pub(crate) fn lengths(&self) -> [f64; 2] {
+        lengths(&self.vertices)
     }
 
     /// The vertices, counter-clockwise seen from the front.
@@ -119,11 +135,11 @@ impl Polygon {
 
 /// Newell's normal N = ½ Σ vᵢ × vᵢ₊₁, taken about the first vertex: its length is the area.
 fn checked_normal(vertices: &[Vector]) -> Result<Vector, PolygonError> {
-    let origin = vertices[0];
-    let extent = vertices.iter().fold(0.0, |m: f64, &v| m.max((v - origin).largest()));
-    if !vertices.iter().all(|v| v.largest() <= LARGEST) || extent < 1.0 / LARGEST {
+    let [largest, extent] = lengths(vertices);
+    if !(largest <= LARGEST_LENGTH && extent >= LEAST_LENGTH) {
         return Err(PolygonError::OutOfRange);
     }
+    let origin = vertices[0];
     let scaled: Vec<Vector> = vertices.iter().map(|&v| (1.0 / extent) * (v - origin)).collect();
     let doubled = scaled.windows(2).fold(Vector::default(), |sum, pair| sum + pair[0].cross(pair[1]));
     let normal = doubled.unit().filter(|_| doubled.length() > PLANARITY * PLANARITY);

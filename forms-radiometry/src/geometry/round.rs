@@ -36,6 +36,11 @@ pub struct Disk {
 }
 
 impl Disk {
+    /// The disk with all lengths multiplied by this.
+    pub(crate) fn scaled(self, factor: f64) -> Self {
+        Self { center: factor * self.center, radius: factor * self.radius, ..self }
+    }
+
     /// A regular polygon of the disk's area, counter-clockwise seen from its front. Each step of fineness doubles its edges.
     ///
     /// A polygon of N edges with its corners at the distance ρ has the area N/2 ρ² sin(2π/N).
@@ -63,6 +68,11 @@ fn across(normal: Vector) -> [Vector; 2] {
 }
 
 impl Sphere {
+    /// The sphere with all lengths multiplied by this.
+    pub(crate) fn scaled(self, factor: f64) -> Self {
+        Self { center: factor * self.center, radius: factor * self.radius, ..self }
+    }
+
     /// The triangles of a closed polyhedron of the sphere's area, each counter-clockwise seen from the sphere's front. Each step of fineness
     /// quarters them.
     pub(crate) fn triangles(&self, fineness: usize) -> Vec<[Vector; 3]> {

@@ -24,7 +24,6 @@ mod visible;
 
 pub(crate) use between::Between;
 pub(crate) use horizon::Workspace;
-pub(crate) use ray::Hit;
 
 use super::{Polygon, Vector};
 use body::{Body, bodies};

@@ -73,6 +73,9 @@ fn finished<T>(
     check: impl FnOnce(&mut Report, T) -> Scene,
 ) -> Result<Scene, Vec<SceneError>> {
     let scene = read.filter(|_| report.is_empty()).map(|read| check(&mut report, read));
+    for (place, message, expected) in scene.iter().flat_map(Scene::lost_lengths) {
+        report.error_at(place, message, expected);
+    }
     scene.filter(|_| report.is_empty()).ok_or_else(|| report.into_errors())
 }
 

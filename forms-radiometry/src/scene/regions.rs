@@ -16,6 +16,7 @@ mod sheets;
 
 use super::error::Report;
 use super::model::{Material, MaterialKind, Scene, Surface};
+use super::working_units::WorkingScene;
 use edges::{Edge, edges};
 use sheets::{Sheet, Side, sheets};
 use std::collections::HashMap;
@@ -37,7 +38,8 @@ pub(super) fn check(report: &mut Report, scene: &Scene) -> Vec<Front> {
     if !scene.surfaces.iter().any(|surface| inside(scene, surface).is_some()) {
         return Vec::new();
     }
-    let (sheets, vertices) = sheets(scene);
+    let working = scene.in_working_units();
+    let (sheets, vertices) = sheets(&working.scene);
     let edges = edges(&sheets, &vertices);
     if overlaps(report, scene, &sheets, &edges) {
         return Vec::new();
@@ -49,7 +51,7 @@ pub(super) fn check(report: &mut Report, scene: &Scene) -> Vec<Front> {
     for sheet in (0..sheets.len()).filter(|&sheet| sheets[sheet].has_rim()) {
         regions.join(Side::Front(sheet), Side::Back(sheet));
     }
-    if open_boundaries(report, scene, &sheets, &edges, &mut regions) {
+    if open_boundaries(report, &working, &sheets, &edges, &mut regions) {
         return Vec::new();
     }
     let is_dielectric = |sheet: &Sheet| inside(scene, &scene.surfaces[sheet.surface]).is_some();
@@ -86,13 +88,14 @@ fn overlaps(report: &mut Report, scene: &Scene, sheets: &[Sheet], edges: &[Edge]
 /// Reports each surface with the same region on both sides; whether there was one.
 fn open_boundaries(
     report: &mut Report,
-    scene: &Scene,
+    working: &WorkingScene,
     sheets: &[Sheet],
     edges: &[Edge],
     regions: &mut Regions,
 ) -> bool {
     const EXPECTED: &str =
         "surfaces that meet edge to edge around the medium, split where another one ends on them";
+    let scene = working.scene.as_ref();
     let (mut of_surfaces, mut of_regions) = (HashMap::new(), HashMap::new());
     for edge in edges.iter().filter(|edge| edge.is_free()) {
         of_surfaces.entry(sheets[edge.first()].surface).or_insert(edge);
@@ -110,7 +113,10 @@ fn open_boundaries(
         let nearest = of_surfaces.get(&sheet.surface).or_else(|| of_regions.get(&region));
         let gap = nearest.map_or(String::new(), |edge| {
             let of = &scene.surfaces[sheets[edge.first()].surface].name;
-            let [a, b] = edge.ends.map(|v| format!("[{}, {}, {}]", v.x, v.y, v.z));
+            let [a, b] = edge.ends.map(|v| {
+                let v = working.factor.recip() * v;
+                format!("[{}, {}, {}]", v.x, v.y, v.z)
+            });
             format!(": the edge of `{of}` from {a} to {b} meets no other surface")
         });
         let medium = &scene.media[medium].name;

@@ -3,6 +3,7 @@
 use super::error::Report;
 use crate::camera::MAXIMAL_RESOLUTION;
 use crate::geometry::Vector;
+use crate::geometry::scale::{LARGEST_LENGTH, LEAST_LENGTH};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeArray, DeValue};
@@ -17,12 +18,14 @@ pub(super) struct Domain {
     pub(super) contains: fn(f64) -> bool,
 }
 
-/// Coordinates whose fourth powers, which form factors are made of, do not overflow.
+/// Coordinates whose squares are numbers.
 pub(super) const COORDINATE: Domain =
-    Domain { expected: "a number from -1e70 to 1e70", contains: |x| x.abs() <= 1e70 };
+    Domain { expected: "a number from -1e152 to 1e152", contains: |x| x.abs() <= LARGEST_LENGTH };
 /// Lengths of which the same holds.
-pub(super) const LENGTH: Domain =
-    Domain { expected: "a number from 1e-70 to 1e70", contains: |x| (1e-70..=1e70).contains(&x) };
+pub(super) const LENGTH: Domain = Domain {
+    expected: "a number from 1e-152 to 1e152",
+    contains: |x| (LEAST_LENGTH..=LARGEST_LENGTH).contains(&x),
+};
 pub(super) const FRACTION: Domain =
     Domain { expected: "a number from 0 to 1", contains: |x| (0.0..=1.0).contains(&x) };
 pub(super) const NOT_NEGATIVE: Domain = Domain { expected: "a number of at least 0", contains: |x| x >= 0.0 };

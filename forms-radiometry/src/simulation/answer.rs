@@ -40,6 +40,10 @@ pub enum Quantity {
     FluenceRate,
     /// A component of the integral of radiance times direction of travel, W/m²: 0, 1 or 2 for x, y or z.
     VectorIrradiance(usize),
+    /// Energy per area that arrives in a time, J/m²; of a surface its mean.
+    Exposure,
+    /// The fluence rate, over a time, J/m².
+    Fluence,
 }
 
 /// What an error means.
@@ -122,6 +126,8 @@ impl Quantity {
             Self::VectorIrradiance(0) => "vector_irradiance_x",
             Self::VectorIrradiance(1) => "vector_irradiance_y",
             Self::VectorIrradiance(_) => "vector_irradiance_z",
+            Self::Exposure => "exposure",
+            Self::Fluence => "fluence",
         }
     }
 
@@ -131,6 +137,7 @@ impl Quantity {
             Self::Irradiance | Self::FluenceRate | Self::VectorIrradiance(_) => "W/m²",
             Self::Flux => "W",
             Self::Radiance => "W/(m² sr)",
+            Self::Exposure | Self::Fluence => "J/m²",
         }
     }
 }

@@ -26,7 +26,7 @@ pub fn plan(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
     if !refused.is_empty() {
         return Err(refused);
     }
-    let survey = Survey::of(scene);
+    let survey = Survey::of(&scene.in_working_units());
     if let Some(surface) = survey.trap(scene) {
         let surface = &scene.surfaces[surface];
         let message =

@@ -95,6 +95,14 @@ impl Reading {
         }
     }
 
+    /// What its goal is multiplied by: a mean is an integral over a surface and its area.
+    pub(super) fn of_goal(&self, transport: &Transport) -> f64 {
+        match self.what {
+            What::Mean { surface, is_flux: false } => 1.0 / transport.front_area(surface),
+            What::Mean { .. } | What::At { .. } | What::Ray { .. } => 1.0,
+        }
+    }
+
     /// What makes its value of the number that it asks for, for each band: an offset and a factor.
     pub(super) fn made_of(&self, scene: &Scene, transport: &Transport) -> Vec<[f64; 2]> {
         let unchanged = |factor| vec![[0.0, factor]; scene.band_count()];

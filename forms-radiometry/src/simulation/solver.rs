@@ -46,10 +46,12 @@ pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
 pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
     let effects = Effects::of(&plan.effects);
     let merged = (!effects.bands && scene.band_count() > 1).then(|| scene.with_one_band());
-    let work = Work::new(merged.as_ref().unwrap_or(scene), effects, choose, watch);
+    let working = merged.as_ref().unwrap_or(scene).in_working_units();
+    let work = Work::new(&working.scene, effects, choose, watch);
     // one way into the threads instead of one for every loop, each of which would wait for them to wake
     let has_loops = effects.orders != Some(0) || scene.receivers.len() > 1 || work.asks_for_maps();
     let mut simulation = if has_loops { rayon::scope(|_| work.run()) } else { work.run() };
+    simulation.leave_working_units(&working);
     if merged.is_some() {
         spread(&mut simulation, scene.band_count());
     }
@@ -245,6 +247,7 @@ impl<'s> Work<'s> {
                 found.bands.iter().zip(&scales).map(|(e, &scale)| relative((e, scale))).fold(0.0, f64::max);
             let scale = scales.iter().copied().fold(0.0, f64::max);
             let weight = if worst.is_finite() { worst / scale } else { 1.0 / scale };
+            let weight = weight * reading.of_goal(radiosity.transport());
             let what = reading.goal(self.scene, radiosity.transport())?;
             (worst > self.scene.solve.tolerance && weight.is_finite()).then_some(Goal { what, weight })
         };

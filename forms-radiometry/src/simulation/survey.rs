@@ -6,8 +6,9 @@ use crate::geometry::{Between, Face, Screens, Vector};
 use crate::radiosity::{
     Group, Lights, Measure, Question, Radiosity, Scratch, Transport, reflectance, reflects,
 };
-use crate::scene::{LightKind, ReceiverKind, Scene};
+use crate::scene::{LightKind, Receiver, ReceiverKind, Scene, WorkingScene};
 use crate::simulation::Unwatched;
+use rayon::prelude::*;
 
 /// How many faces are asked at most what they see.
 const ASKED: usize = 64;
@@ -49,7 +50,8 @@ struct Sampled {
 }
 
 impl Survey {
-    pub(super) fn of(scene: &Scene) -> Self {
+    pub(super) fn of(working: &WorkingScene) -> Self {
+        let scene = working.scene.as_ref();
         let faces = faces(scene, 0);
         let screens = Screens::of(&faces);
         let transport = Transport { faces, screens, occlusion: true, accuracy: 1e-2 };
@@ -77,7 +79,7 @@ impl Survey {
         if !is_large {
             let question = Question { orders: Some(0), receives: receiving(scene), direct: true };
             let straight = Radiosity::new(scene, &transport, &lights, question, &Unwatched);
-            survey.bound(scene, &straight, sampled.direct);
+            survey.bound(working, &straight, sampled.direct);
         } else {
             // bounds take exact direct light, of every surface that is a receiver
             survey.band_spread =
@@ -87,31 +89,17 @@ impl Survey {
     }
 
     /// The bounds by what straight light makes of every answer.
-    fn bound(&mut self, scene: &Scene, straight: &Radiosity, direct: f64) {
-        let mut scratch = Scratch::default();
-        let readings: Vec<Reading> = scene
-            .receivers
-            .iter()
-            .enumerate()
-            .flat_map(|(index, receiver)| Reading::of(index, receiver))
-            .collect();
+    fn bound(&mut self, working: &WorkingScene, straight: &Radiosity, direct: f64) {
+        let scene = working.scene.as_ref();
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
         // ‖E‖ ≤ ‖D‖/(1 − k), and what is reflected is ρ E/π from everywhere
         let everywhere = direct / (1.0 - self.contraction);
         let reflected = largest_albedo * everywhere / std::f64::consts::PI;
         let [of_albedo, of_light] = spreads(scene);
         let spread = (of_light + of_albedo * everywhere / std::f64::consts::PI) / (1.0 - self.contraction);
-        let (mut interreflection, mut bands) = ([0.0_f64; 2], [0.0_f64; 2]);
-        for reading in &readings {
-            let unit = reading.largest(straight.transport());
-            let values = reading.value(scene, straight, &mut scratch);
-            let least = values.iter().map(|value| value.abs()).fold(f64::INFINITY, f64::min);
-            for (bound, radiance) in [(&mut interreflection, reflected), (&mut bands, spread)] {
-                bound[0] = bound[0].max(unit * radiance);
-                bound[1] = bound[1].max(if radiance == 0.0 { 0.0 } else { unit * radiance / least });
-            }
-        }
-        let is_bound = self.contraction < 1.0 && !readings.is_empty();
+        let bounds = bounds(working, straight, [reflected, spread]);
+        let is_bound = self.contraction < 1.0 && !scene.receivers.is_empty();
+        let [interreflection, bands] = bounds;
         self.interreflection = is_bound.then_some(interreflection);
         // of a light that is a point, an irradiance has no bound by its intensity alone
         let spreads_points = scene.lights.iter().any(|light| half_spread_of_light(light) > 0.0);
@@ -130,6 +118,33 @@ impl Survey {
         let reflecting = |&surface: &usize| reflectance(scene, surface).iter().any(|&rho| rho >= 1.0);
         (self.emits && self.closed_and_white).then(|| (0..scene.surfaces.len()).find(reflecting)).flatten()
     }
+}
+
+/// What each of these radiances from everywhere makes of an answer at most: in its unit, and beside what straight light makes of it.
+fn bounds(working: &WorkingScene, straight: &Radiosity, radiances: [f64; 2]) -> [[f64; 2]; 2] {
+    const NOTHING: [[f64; 2]; 2] = [[0.0; 2]; 2];
+    if radiances == [0.0; 2] {
+        return NOTHING;
+    }
+    let of_reading = |scratch: &mut Scratch, reading: Reading| {
+        let largest = reading.largest(straight.transport());
+        let values = reading.value(&working.scene, straight, scratch);
+        let least = values.iter().map(|value| value.abs()).fold(f64::INFINITY, f64::min);
+        let bound = |radiance| match radiance {
+            0.0 => [0.0; 2],
+            _ => [reading.quantity.in_unit(largest * radiance, working), largest * radiance / least],
+        };
+        radiances.map(bound)
+    };
+    let larger = |a: [[f64; 2]; 2], b: [[f64; 2]; 2]| {
+        [0, 1].map(|radiance| [0, 1].map(|kind| f64::max(a[radiance][kind], b[radiance][kind])))
+    };
+    let of_receiver = |scratch: &mut Scratch, (index, receiver)| {
+        let readings = Reading::of(index, receiver).into_iter();
+        readings.map(|reading| of_reading(scratch, reading)).fold(NOTHING, larger)
+    };
+    let receivers = working.scene.receivers.par_iter().enumerate();
+    receivers.map_init(Scratch::default, of_receiver).reduce(|| NOTHING, larger)
 }
 
 /// Whether each surface is a receiver.
@@ -253,26 +268,26 @@ fn in_between(scene: &Scene, transport: &Transport) -> Option<String> {
     if scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0) && !faces.is_empty() {
         return Some("surfaces hide light from outside".to_string());
     }
-    let receives = receiving(scene);
-    let receivers = scene.receivers.iter().filter_map(|receiver| match receiver.kind {
-        ReceiverKind::Point { position, normal } => Some((vec![position], Some(normal))),
-        ReceiverKind::Sphere { position } => Some((vec![position], None)),
+    let stands_before = |outline: &[Vector], normal: Option<Vector>| {
+        let mut found = Vec::new();
+        let mut is_free = |&&source: &&usize| {
+            let Face { vertices, normal: facing, .. } = &faces[source];
+            let between = transport.screens.between(outline, normal, vertices, *facing, &mut found);
+            matches!(between, Between::Nothing)
+        };
+        let &source = sources.iter().find(|source| !is_free(source))?;
+        Some(format!("something stands before the surface `{}`", scene.surfaces[faces[source].surface].name))
+    };
+    let of_receiver = |receiver: &Receiver| match receiver.kind {
+        ReceiverKind::Point { position, normal } => stands_before(&[position], Some(normal)),
+        ReceiverKind::Sphere { position } => stands_before(&[position], None),
         ReceiverKind::Ray { .. } | ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => None,
-    });
-    let of_faces = (0..faces.len())
-        .filter(|&index| counts(index) || receives[faces[index].surface])
-        .map(|index| (faces[index].vertices.clone(), Some(faces[index].normal)));
-    let mut found = Vec::new();
-    for (outline, normal) in receivers.chain(of_faces) {
-        for &source in &sources {
-            let source = &faces[source];
-            let between =
-                transport.screens.between(&outline, normal, &source.vertices, source.normal, &mut found);
-            if !matches!(between, Between::Nothing) {
-                let what = &scene.surfaces[source.surface].name;
-                return Some(format!("something stands before the surface `{what}`"));
-            }
-        }
-    }
-    None
+    };
+    let receives = receiving(scene);
+    let of_face = |index: usize| {
+        let is_asked = counts(index) || receives[faces[index].surface];
+        is_asked.then(|| stands_before(&faces[index].vertices, Some(faces[index].normal))).flatten()
+    };
+    let of_faces = || (0..faces.len()).into_par_iter().find_map_first(of_face);
+    scene.receivers.par_iter().find_map_first(of_receiver).or_else(of_faces)
 }

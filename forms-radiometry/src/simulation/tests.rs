@@ -5,6 +5,7 @@ use super::{Answer, Unwatched, plan};
 use crate::geometry::Face;
 use crate::radiosity::Gathering;
 use crate::scene::{Scene, read};
+use crate::scene_text::{point_receiver, polygon, surface, tolerance as asked};
 
 /// Whether numeric code is optimised; where it is not, fewer cases have to do.
 const IS_OPTIMISED: bool = !cfg!(debug_assertions);
@@ -93,8 +94,8 @@ fn by_rays(text: &str) -> Vec<Answer> {
 }
 
 fn closed_room() -> String {
-    let corners = "[[0, 0, 0], [0, 0, 2], [3, 0, 2], [3, 0, 0]]";
-    format!("{ROOM}[[surface]]\nname = \"front\"\nmaterial = \"wall\"\npolygon = {corners}\n")
+    let front = polygon(&[[0.0, 0.0, 0.0], [0.0, 0.0, 2.0], [3.0, 0.0, 2.0], [3.0, 0.0, 0.0]]);
+    ROOM.to_owned() + &surface("front", "wall", &front)
 }
 
 #[test]
@@ -131,14 +132,9 @@ fn answers_to_one_question_differ_less_than_their_errors_and_not_much_less() {
     let all = [("the sky", SKY), ("a lamp", LAMP), ("a point", POINT)];
     let (count, tolerance) = if IS_OPTIMISED { (all.len(), 2e-2) } else { (1, 1e-1) };
     for (name, lights) in &all[..count] {
-        let receiver = |index| {
-            format!(
-                "[[receiver]]\nname = \"{index}\"\nkind = \"point\"\nposition = [1.2, 1.7, 0.4]\nnormal = [0.1, 0.3, 1]\n"
-            )
-        };
+        let receiver = |index: usize| point_receiver(&index.to_string(), [1.2, 1.7, 0.4], [0.1, 0.3, 1.0]);
         let receivers: String = (0..COPIES).map(receiver).collect();
-        let found =
-            by_rays(&format!("{}{receivers}{lights}[solve]\ntolerance = {tolerance}\n", closed_room()));
+        let found = by_rays(&[&closed_room(), &receivers, *lights, &asked(tolerance)].concat());
         let mean = found.iter().map(|answer| answer.value).sum::<f64>() / COPIES as f64;
         let squares =
             |of: fn(&Answer, f64) -> f64| found.iter().map(|answer| of(answer, mean).powi(2)).sum::<f64>();

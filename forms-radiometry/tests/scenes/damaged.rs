@@ -1,8 +1,10 @@
 //! No text whatever makes the readers of scenes and meshes panic, and every error they give has a place.
 
 use crate::{EVERYTHING, PART_OBJ, media, mitsuba, read};
-use forms_radiometry::scene::{SceneError, read_with_files};
-use forms_radiometry::{CORNELL_BOX, simulate_direct};
+use forms_radiometry::scene::{ReceiverKind, Scene, SceneError, read_with_files};
+use forms_radiometry::simulation::{Watch, plan, simulate};
+use forms_radiometry::{CORNELL_BOX, simulate_direct, view_factors};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Marsaglia's xorshift: a fixed sequence, so that a failure can be repeated.
 struct Sequence(u64);
@@ -124,6 +126,154 @@ fn no_mutation_of_a_scene_makes_the_reader_or_the_solver_panic() {
         }
     }
     assert!(right > 200 && wrong > 2000, "{right} right, {wrong} wrong");
+}
+
+/// Whether numeric code is optimised; where it is not, fewer mutants have to do.
+const IS_OPTIMISED: bool = !cfg!(debug_assertions);
+
+/// Diffuse surfaces of every shape, lights and receivers of every kind.
+const DIFFUSE: &str = r#"
+unit = "cm"
+bands = [[400, 500], [500, 600]]
+[[material]]
+name = "white"
+kind = "diffuse"
+reflectance = [0.5, 0.25]
+[[surface]]
+name = "floor"
+material = "white"
+polygon = [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]]
+[[surface]]
+name = "wall"
+material = "white"
+polygon = [[0, 0, 0], [0, 2, 0], [0, 2, 2], [0, 1, 1], [0, 0, 2]]
+two_sided = true
+[[surface]]
+name = "lamp"
+material = "white"
+disk = { center = [1, 1, 2], normal = [0, 0, -1], radius = 0.25 }
+exitance = [20, 25]
+[[light]]
+kind = "point"
+position = [1, 1, 1.5]
+intensity = 30
+[[light]]
+kind = "distant"
+direction = [0, 1, -1]
+irradiance = 3
+[[receiver]]
+name = "point"
+kind = "point"
+position = [1, 0.5, 0]
+normal = [0, 0, 1]
+[[receiver]]
+name = "surface"
+kind = "surface"
+surface = "floor"
+grid = [4, 4]
+[[receiver]]
+name = "ray"
+kind = "ray"
+origin = [1, 1, 1]
+direction = [-1, 0.25, 0]
+[[receiver]]
+name = "sphere"
+kind = "sphere"
+position = [1, 1.5, 1]
+[ambient]
+radiance = 0.1
+[solve]
+tolerance = 0.5
+effects = { interreflection = 2 }
+"#;
+
+/// Stops the work after it has asked so often whether to go on.
+struct Impatient(AtomicUsize);
+
+impl Watch for Impatient {
+    fn progress(&self, _stage: &str, _fraction: f64) {}
+
+    fn is_stopped(&self) -> bool {
+        self.0.fetch_add(1, Ordering::Relaxed) > 100
+    }
+}
+
+/// Simulates a scene roughly, and not for long; whether it can be simulated at all.
+fn is_simulated(mut scene: Scene, text: &str) -> bool {
+    scene.solve.tolerance = scene.solve.tolerance.max(0.5);
+    for receiver in &mut scene.receivers {
+        if let ReceiverKind::Surface { grid: Some(sides), .. } = &mut receiver.kind {
+            *sides = sides.map(|side| side.min(8));
+        }
+    }
+    let Ok(plan) = plan(&scene) else { return false };
+    let found = simulate(&scene, &plan, &Impatient(AtomicUsize::new(0)));
+    for answer in &found.answers {
+        let is_told = answer.value.is_finite() || answer.error == f64::INFINITY;
+        assert!(!answer.value.is_nan() && is_told && answer.error >= 0.0, "{answer:?}\n{text}");
+    }
+    for map in &found.maps {
+        let mut cells = map.values.iter().flatten().zip(map.errors.iter().flatten());
+        assert!(cells.all(|(value, error)| value.is_nan() || !error.is_nan()), "{}\n{text}", map.receiver);
+    }
+    for factor in view_factors(&scene).rows.iter().flatten() {
+        assert!(factor.value.is_finite() && factor.error >= 0.0, "{factor:?}\n{text}");
+    }
+    true
+}
+
+#[test]
+fn mutations_of_diffuse_scenes_that_are_still_scenes_have_answers_or_errors() {
+    const SCENES: [&str; 4] = [
+        DIFFUSE,
+        include_str!("../../../scenes/occluded_lamp.toml"),
+        include_str!("../../../scenes/opposed_squares.toml"),
+        include_str!("../../../scenes/v_groove.toml"),
+    ];
+    let mut sequence = Sequence::new();
+    let (mut simulated, mut refused) = (0, 0);
+    let count = if IS_OPTIMISED { 6000 } else { 120 };
+    for i in 0..count {
+        let text = mutate(SCENES[i % SCENES.len()], &mut sequence);
+        if let Ok(scene) = read(&text, "mutant.toml") {
+            let outcome = if is_simulated(scene, &text) { &mut simulated } else { &mut refused };
+            *outcome += 1;
+        }
+    }
+    assert!(simulated > count / 10, "{simulated} simulated, {refused} refused");
+}
+
+/// The places of the numbers in a text.
+fn numbers(text: &str) -> Vec<std::ops::Range<usize>> {
+    let is_part = |c: char| c.is_ascii_digit() || "-.".contains(c);
+    let mut found = Vec::new();
+    let mut from = 0;
+    while let Some(start) = text[from..].find(is_part).map(|at| from + at) {
+        let end = text[start..].find(|c| !is_part(c)).map_or(text.len(), |at| start + at);
+        found.push(start..end);
+        from = end;
+    }
+    found
+}
+
+#[test]
+fn a_scene_with_one_number_at_the_end_of_its_range_has_answers_or_errors() {
+    let (mut simulated, mut wrong) = (0, 0);
+    let extremes = ["0", "1e-320", "1e-151", "1e-70", "1e70", "1e151", "1e308", "-1e40"];
+    let every = if IS_OPTIMISED { 1 } else { 11 };
+    let places = numbers(DIFFUSE);
+    let cases = places.iter().flat_map(|place| extremes.map(|extreme| (place, extreme)));
+    for (place, extreme) in cases.step_by(every) {
+        let text = format!("{}{extreme}{}", &DIFFUSE[..place.start], &DIFFUSE[place.end..]);
+        match read(&text, "mutant.toml") {
+            Ok(scene) => simulated += usize::from(is_simulated(scene, &text)),
+            Err(errors) => {
+                wrong += 1;
+                check(&text, &errors);
+            }
+        }
+    }
+    assert!(simulated * every > 200 && wrong > 0, "{simulated} simulated, {wrong} refused");
 }
 
 /// A square of two triangles, as PLY: text, and bytes in both orders.

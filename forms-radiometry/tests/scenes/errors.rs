@@ -93,7 +93,7 @@ const OF_SHAPES: &[(&str, &str, &str)] = &[
     ),
     ("[1, 1, 0]", "[1, 0, 0]", "vertex 2 and the one after it coincide"),
     ("[1, 1, 0]", "[1, 1]", "a vertex has 2 values"),
-    ("[1, 1, 0]", "[1, 1e71, 0]", "a coordinate of a vertex is out of range"),
+    ("[1, 1, 0]", "[1, 1e153, 0]", "a coordinate of a vertex is out of range"),
     ("[1, 1, 0]", "[1, nan, 0]", "a coordinate of a vertex is not finite"),
     ("[1, 1, 0], [0, 1, 0]", "[0, 1, 0], [2, 3, 0]", "the edges from vertex 2 and from vertex 4 cross"),
     ("[1, 1, 0], [0, 1, 0]", "[2, 0, 0]", "the polygon encloses no area"),

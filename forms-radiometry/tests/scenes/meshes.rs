@@ -131,7 +131,7 @@ const OF_OBJ: &[(&str, &str, (usize, usize), &str)] = &[
     ("v 1 1 0", "v 1 1", (3, 1), "a vertex has 2 values"),
     ("v 1 1 0", "v 1 1 O", (3, 7), "`O` is no number"),
     ("v 1 1 0", "v 1 1 nan", (3, 7), "a coordinate is not finite"),
-    ("v 1 1 0", "v 1 1 1e71", (3, 7), "a coordinate is out of range"),
+    ("v 1 1 0", "v 1 1 1e153", (3, 7), "a coordinate is out of range"),
     ("v 1 1 0", "v 1 1 0 2", (3, 9), "the vertex has a weight"),
     ("v 1 1 0", "p 1", (3, 1), "`p` is not a vertex or a face of a mesh"),
     ("f 1 2 3 4", "f 1 2 3 5", (5, 1), "face 1: there is no vertex 5"),

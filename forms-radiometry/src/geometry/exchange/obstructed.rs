@@ -8,7 +8,9 @@
 
 use super::areas::{Patch, gauss, patches};
 use super::{Exchange, exchange_of};
-use crate::geometry::{Between, Face, Polygon, Screens, Vector, Workspace, form_factor_of_pieces, line_sum};
+use crate::geometry::{
+    Between, Face, Polygon, Screens, Vector, Workspace, form_factor_of_pieces, line_sum, scale,
+};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -30,8 +32,12 @@ pub fn visible_exchange<'a>(
     others: impl Iterator<Item = &'a Polygon>,
     tolerance: f64,
 ) -> Exchange {
-    let fronts = |polygon| Face::of(0, polygon).filter(|face| !face.is_back);
-    let all: Vec<Face> = others.chain([here, there]).flat_map(fronts).collect();
+    let polygons: Vec<&Polygon> = others.chain([here, there]).collect();
+    let factor = scale::factor(scale::of_all(polygons.iter().map(|polygon| polygon.lengths())));
+    let fronts = |polygon: &Polygon| -> Vec<Face> {
+        Face::of(0, &polygon.scaled(factor)).filter(|face| !face.is_back).collect()
+    };
+    let all: Vec<Face> = polygons.into_iter().flat_map(fronts).collect();
     let screens = Screens::of(&all);
     let mut sum = Exchange::default();
     for from in fronts(here) {
@@ -39,7 +45,7 @@ pub fn visible_exchange<'a>(
             sum += exchange_with(&from, &to, &screens, [tolerance, 0.0]);
         }
     }
-    sum
+    Exchange { area: sum.area / factor / factor, error: sum.error / factor / factor }
 }
 
 /// The exchange area of two faces among screens, to a tolerance relative to itself or to this area, whichever is larger.

@@ -1,7 +1,8 @@
 //! A room of 10 m by 10 m by 4 m with a lamp under its ceiling, whose floor is full of boxes of different heights, turned at random.
 
+use crate::scene_text::{Point, material, polygon, surface};
+use crate::uniform::Uniform;
 use std::f64::consts::TAU;
-use std::fmt::Write;
 
 /// The sides of the room.
 const SIZE: [f64; 3] = [10.0, 10.0, 4.0];
@@ -63,52 +64,42 @@ surface = "left"
 tolerance = 1e-2
 "#;
 
-/// SplitMix64 (Steele, Lea, Flood 2014), as numbers from 0 to 1.
-struct Uniform(u64);
-
-impl Uniform {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
+/// The text of a scene with about this many surfaces, and ten receivers.
+pub(crate) fn asked(surfaces: usize) -> String {
+    with_boxes(surfaces) + RECEIVERS
 }
 
-/// The text of a scene with about this many surfaces.
+/// The room with about this many surfaces, and no receivers.
 pub(crate) fn with_boxes(surfaces: usize) -> String {
     let mut text = String::from("name = \"A room of boxes\"\n");
     for (name, reflectance) in [("paint", 0.7), ("wood", 0.4), ("cloth", 0.2)] {
-        write!(text, "[[material]]\nname = \"{name}\"\nkind = \"diffuse\"\nreflectance = {reflectance}\n")
-            .unwrap();
+        text += &material(name, reflectance);
     }
     shell(&mut text);
     let boxes = surfaces.saturating_sub(SHELL).div_ceil(BOX);
     let columns = (boxes as f64).sqrt().ceil() as usize;
-    let mut random = Uniform(1);
+    let mut random = Uniform::new(1);
     for index in 0..boxes {
         let cell = [index % columns, index / columns];
         add_box(&mut text, index, cell, 1.0 / columns as f64, &mut random);
     }
-    text + RECEIVERS
-}
-
-fn polygon(text: &mut String, name: &str, material: &str, corners: &[[f64; 3]]) {
-    writeln!(text, "[[surface]]\nname = \"{name}\"\nmaterial = \"{material}\"\npolygon = {corners:?}")
-        .unwrap();
+    text
 }
 
 fn shell(text: &mut String) {
     let [x, y, z] = SIZE;
-    polygon(text, "floor", "wood", &[[0.0, 0.0, 0.0], [x, 0.0, 0.0], [x, y, 0.0], [0.0, y, 0.0]]);
-    polygon(text, "ceiling", "paint", &[[0.0, 0.0, z], [0.0, y, z], [x, y, z], [x, 0.0, z]]);
-    polygon(text, "left", "paint", &[[0.0, 0.0, 0.0], [0.0, y, 0.0], [0.0, y, z], [0.0, 0.0, z]]);
-    polygon(text, "right", "paint", &[[x, 0.0, 0.0], [x, 0.0, z], [x, y, z], [x, y, 0.0]]);
-    polygon(text, "front", "paint", &[[0.0, 0.0, 0.0], [0.0, 0.0, z], [x, 0.0, z], [x, 0.0, 0.0]]);
-    polygon(text, "back", "paint", &[[0.0, y, 0.0], [x, y, 0.0], [x, y, z], [0.0, y, z]]);
-    let z = z - 0.1;
-    polygon(text, "lamp", "paint", &[[4.0, 4.0, z], [4.0, 6.0, z], [6.0, 6.0, z], [6.0, 4.0, z]]);
+    let under = z - 0.1;
+    let faces: [(&str, &str, [Point; 4]); SHELL] = [
+        ("floor", "wood", [[0.0, 0.0, 0.0], [x, 0.0, 0.0], [x, y, 0.0], [0.0, y, 0.0]]),
+        ("ceiling", "paint", [[0.0, 0.0, z], [0.0, y, z], [x, y, z], [x, 0.0, z]]),
+        ("left", "paint", [[0.0, 0.0, 0.0], [0.0, y, 0.0], [0.0, y, z], [0.0, 0.0, z]]),
+        ("right", "paint", [[x, 0.0, 0.0], [x, 0.0, z], [x, y, z], [x, y, 0.0]]),
+        ("front", "paint", [[0.0, 0.0, 0.0], [0.0, 0.0, z], [x, 0.0, z], [x, 0.0, 0.0]]),
+        ("back", "paint", [[0.0, y, 0.0], [x, y, 0.0], [x, y, z], [0.0, y, z]]),
+        ("lamp", "paint", [[4.0, 4.0, under], [4.0, 6.0, under], [6.0, 6.0, under], [6.0, 4.0, under]]),
+    ];
+    faces.iter().for_each(|(name, material, corners)| *text += &surface(name, material, &polygon(corners)));
+    // of the lamp, which is the last
     text.push_str("exitance = 100\n");
 }
 
@@ -124,9 +115,9 @@ fn add_box(text: &mut String, index: usize, [column, row]: [usize; 2], size: f64
     };
     let material = if random.next() < 0.5 { "wood" } else { "cloth" };
     let top: Vec<[f64; 3]> = (0..4).map(|i| corner(i, height)).collect();
-    polygon(text, &format!("top {index}"), material, &top);
+    *text += &surface(&format!("top {index}"), material, &polygon(&top));
     for i in 0..4 {
         let side = [corner(i, 0.0), corner(i + 1, 0.0), corner(i + 1, height), corner(i, height)];
-        polygon(text, &format!("side {i} of {index}"), material, &side);
+        *text += &surface(&format!("side {i} of {index}"), material, &polygon(&side));
     }
 }

@@ -1,6 +1,6 @@
 //! One scene, measured: in this process, or in one of its own, whose memory and threads are its own too.
 
-use super::{ONE, room};
+use super::ONE;
 use forms_radiometry::scene::read;
 use forms_radiometry::simulation::{Unwatched, plan, simulate};
 use std::io;
@@ -9,7 +9,8 @@ use std::time::Instant;
 
 /// What was measured: seconds, kibibytes, and the largest relative error that was printed.
 pub(crate) struct Measured {
-    pub(crate) surfaces: usize,
+    /// How many there were of what the scene is measured for.
+    pub(crate) count: usize,
     pub(crate) reading: f64,
     pub(crate) planning: f64,
     pub(crate) answering: f64,
@@ -20,36 +21,35 @@ pub(crate) struct Measured {
 impl Measured {
     /// The figures on a line, for [`elsewhere`].
     pub(crate) fn line(&self) -> String {
-        let Self { surfaces, reading, planning, answering, memory, error } = self;
-        format!("{surfaces} {reading} {planning} {answering} {memory} {error}")
+        let Self { count, reading, planning, answering, memory, error } = self;
+        format!("{count} {reading} {planning} {answering} {memory} {error}")
     }
 
     fn of_line(line: &str) -> Option<Self> {
         let mut words = line.split_whitespace();
-        let surfaces = words.next()?.parse().ok()?;
+        let count = words.next()?.parse().ok()?;
         let mut number = || words.next()?.parse::<f64>().ok();
         let [reading, planning, answering, memory, error] =
             [number()?, number()?, number()?, number()?, number()?];
-        Some(Self { surfaces, reading, planning, answering, memory, error })
+        Some(Self { count, reading, planning, answering, memory, error })
     }
 }
 
-/// Measures in a process with this many threads.
-pub(crate) fn elsewhere(surfaces: usize, threads: usize) -> io::Result<Measured> {
+/// Measures a scene of a kind in a process with this many threads.
+pub(crate) fn elsewhere(kind: &str, count: usize, threads: usize) -> io::Result<Measured> {
     let program = std::env::current_exe()?;
     let mut command = Command::new(program);
-    command.args([ONE, &surfaces.to_string()]).env("RAYON_NUM_THREADS", threads.to_string());
+    command.args([ONE, kind, &count.to_string()]).env("RAYON_NUM_THREADS", threads.to_string());
     let output = command.stderr(std::process::Stdio::inherit()).output()?;
     let text = String::from_utf8_lossy(&output.stdout);
-    let unreadable = || io::Error::other(format!("no figures for {surfaces} surfaces: {text}"));
+    let unreadable = || io::Error::other(format!("no figures for {count} of {kind}: {text}"));
     text.lines().last().and_then(Measured::of_line).ok_or_else(unreadable)
 }
 
-/// Measures in this process.
-pub(crate) fn here(surfaces: usize) -> Measured {
-    let text = room::with_boxes(surfaces);
+/// Measures the scene with this text in this process.
+pub(crate) fn here(count: usize, text: String) -> Measured {
     let begin = Instant::now();
-    let scene = read(&text, "room.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
+    let scene = read(&text, "scene.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
     let reading = begin.elapsed().as_secs_f64();
     drop(text);
     let begin = Instant::now();
@@ -58,14 +58,8 @@ pub(crate) fn here(surfaces: usize) -> Measured {
     let begin = Instant::now();
     let found = simulate(&scene, &plan, &Unwatched);
     let answering = begin.elapsed().as_secs_f64();
-    for answer in &found.answers {
-        eprintln!(
-            "{:12} {:?} {:.6} ± {:.6} ({:.2} s)",
-            answer.receiver, answer.quantity, answer.value, answer.error, answer.seconds
-        );
-    }
     let error = found.history.last().map_or(f64::NAN, |moment| moment.error);
-    Measured { surfaces: scene.surfaces.len(), reading, planning, answering, memory: most_memory(), error }
+    Measured { count, reading, planning, answering, memory: most_memory(), error }
 }
 
 /// The most memory that this process has had, in kibibytes, where the system tells it.

@@ -1,0 +1,176 @@
+//! What is measured: kinds of scenes, in numbers that grow, with one thread and with two; and how that is told.
+
+use super::measured::{self, Measured};
+use super::page::{self, processor};
+use super::plot::{Measure, Plot, Scale, Series as Line};
+use super::{points, room};
+use std::fmt::Write;
+use std::io;
+use std::path::PathBuf;
+
+const THREADS: [usize; 2] = [1, 2];
+
+/// A kind of scene: how it is named on the command line and in words, and its text for a number.
+struct Kind {
+    argument: &'static str,
+    words: &'static str,
+    text: fn(usize) -> String,
+    /// The largest number that does not take too long.
+    most: usize,
+}
+
+/// Kinds of scenes in which the number of one thing grows.
+pub(crate) struct Series {
+    /// What there are more and more of.
+    pub(crate) name: &'static str,
+    pub(crate) numbers: &'static [usize],
+    caption: &'static str,
+    kinds: &'static [Kind],
+    /// Whether memory has a figure too, beside its column of the table.
+    draws_memory: bool,
+}
+
+const SURFACES: Series = Series {
+    name: "surfaces",
+    numbers: &[10, 100, 1_000, 10_000, 100_000],
+    caption: "ten receivers within 1%",
+    kinds: &[Kind { argument: "boxes", words: "room of boxes", text: room::asked, most: usize::MAX }],
+    draws_memory: false,
+};
+
+const RECEIVERS: Series = Series {
+    name: "receivers",
+    numbers: &[100, 1_000, 10_000, 100_000, 1_000_000],
+    caption: "lamps to rounding, the cube within 10%",
+    kinds: &[
+        Kind { argument: "lamp", words: "free lamp", text: points::under_a_lamp, most: usize::MAX },
+        Kind {
+            argument: "plate",
+            words: "lamp behind a plate",
+            text: points::under_a_plate,
+            most: usize::MAX,
+        },
+        Kind { argument: "cube", words: "closed cube", text: points::in_a_cube, most: 100_000 },
+    ],
+    draws_memory: true,
+};
+
+/// All that is measured.
+pub(crate) fn all() -> [Series; 2] {
+    [SURFACES, RECEIVERS]
+}
+
+/// The text of a scene of the kind that is named so.
+pub(crate) fn text(argument: &str, number: usize) -> Option<String> {
+    let all = all();
+    let kind = all.iter().flat_map(|series| series.kinds).find(|kind| kind.argument == argument)?;
+    Some((kind.text)(number))
+}
+
+/// One scene, and what was measured with this many threads.
+pub(crate) struct Row {
+    kind: &'static Kind,
+    threads: usize,
+    found: Measured,
+}
+
+impl Series {
+    /// Measures scenes of every kind in these numbers, and prints the table on the way.
+    pub(crate) fn measured(&self, numbers: &[usize]) -> io::Result<Vec<Row>> {
+        let mut rows = Vec::new();
+        print!("{}", self.head());
+        for kind in self.kinds {
+            for &number in numbers.iter().filter(|&&number| number <= kind.most) {
+                for threads in THREADS {
+                    let found = measured::elsewhere(kind.argument, number, threads)?;
+                    let row = Row { kind, threads, found };
+                    println!("{}", self.line(&row));
+                    rows.push(row);
+                }
+            }
+        }
+        Ok(rows)
+    }
+
+    /// Writes the table and the figures.
+    pub(crate) fn write(&self, rows: &[Row]) -> io::Result<()> {
+        let documents = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../docs");
+        let mut table = format!("Processor: {}.\n\n{}", processor(), self.head());
+        for row in rows {
+            writeln!(table, "{}", self.line(row)).expect("a String takes all text");
+        }
+        let path = documents.join("benchmarks.md");
+        let page = page::replaced(&std::fs::read_to_string(&path)?, &format!("many {}", self.name), &table);
+        std::fs::write(path, page)?;
+        let figure = |ending: &str| documents.join(format!("figures/many_{}{ending}.svg", self.name));
+        std::fs::write(figure(""), self.times(rows).svg())?;
+        if self.draws_memory { std::fs::write(figure("_memory"), self.memory(rows).svg()) } else { Ok(()) }
+    }
+
+    /// Whether there are several kinds of scenes to be told apart.
+    fn has_kinds(&self) -> bool {
+        self.kinds.len() > 1
+    }
+
+    fn head(&self) -> String {
+        let [kind, rule] = if self.has_kinds() { ["| scene ", "|---"] } else { ["", ""] };
+        format!(
+            "{kind}| {} | threads | reading | plan | answers | memory | error, largest |\n\
+             {rule}|---|---|---|---|---|---|---|\n",
+            self.name
+        )
+    }
+
+    fn line(&self, Row { kind, threads, found }: &Row) -> String {
+        let Measured { count, reading, planning, answering, memory, error } = found;
+        let mebibytes = memory / 1024.0;
+        let kind = if self.has_kinds() { format!("| {} ", kind.words) } else { String::new() };
+        format!(
+            "{kind}| {count} | {threads} | {reading:.3} s | {planning:.3} s | {answering:.3} s | {mebibytes:.0} MiB | {error:.1e} |"
+        )
+    }
+
+    fn plot(&self, what: &str, measure: Measure, series: Vec<Line>) -> Plot {
+        Plot {
+            title: format!("{what} against the number of {}", self.name),
+            caption: format!("{}, {}", processor(), self.caption),
+            across: self.name.into(),
+            scale: Scale::Logarithmic,
+            measure,
+            is_paired: measure == Measure::Seconds,
+            series,
+        }
+    }
+
+    fn times(&self, rows: &[Row]) -> Plot {
+        let name = |kind: &Kind, threads: usize| {
+            let what = if self.has_kinds() { kind.words } else { "plan and answers" };
+            format!("{what}, {threads} thread{}", if threads == 1 { "" } else { "s" })
+        };
+        let pairs = self.kinds.iter().flat_map(|kind| THREADS.map(|threads| (kind, threads)));
+        let time = |found: &Measured| found.planning + found.answering;
+        let mut lines: Vec<Line> = pairs
+            .map(|(kind, threads)| Line {
+                name: name(kind, threads),
+                points: points_of(rows, kind, threads, time),
+            })
+            .collect();
+        let points = points_of(rows, &self.kinds[0], 1, |found| found.reading);
+        lines.push(Line { name: "reading the file".into(), points });
+        self.plot("Time", Measure::Seconds, lines)
+    }
+
+    fn memory(&self, rows: &[Row]) -> Plot {
+        let line = |kind: &Kind| Line {
+            name: kind.words.into(),
+            points: points_of(rows, kind, 1, |found| 1024.0 * found.memory),
+        };
+        self.plot("Memory", Measure::Bytes, self.kinds.iter().map(line).collect())
+    }
+}
+
+/// A figure of every scene of a kind, measured with this many threads.
+fn points_of(rows: &[Row], kind: &Kind, threads: usize, figure: fn(&Measured) -> f64) -> Vec<[f64; 2]> {
+    let is_meant = |row: &&Row| row.kind.argument == kind.argument && row.threads == threads;
+    rows.iter().filter(is_meant).map(|row| [row.found.count as f64, figure(&row.found)]).collect()
+}

@@ -1,0 +1,215 @@
+//! Working units: a scene in any unit and of any size becomes the same scene with lengths about 1, and what is found of it is told in
+//! the units of its author.
+//!
+//! ```text
+//! scene in m, cm or mm ─ lengths × 2ᵏ, lights × 2ⁿ ─▶ both about 1 ─ simulation ─▶ irradiance, radiance × 2⁻ⁿ
+//!                                                                                  flux = irradiance × area in m² × 2⁻ⁿ
+//! ```
+//! Form factors are made of fourth powers of lengths, which leave the range of `f64` long before the lengths do. A power of two rounds
+//! nothing. View factors and irradiance do not depend on the unit of lengths; E = I/r² of a point light takes r in metres, as does the
+//! area of a flux. Every answer is in proportion to the lights.
+
+use super::model::{LengthUnit, Light, LightKind, ReceiverKind, Scene, Shape};
+use super::place::Place;
+use crate::geometry::scale;
+use crate::geometry::{Disk, Sphere, Vector};
+use std::borrow::Cow;
+
+/// Lengths of one scene that differ by more than this cannot all be brought near enough to 1.
+const WIDEST: f64 = 1e140;
+
+/// The least radius beside the coordinates of a centre: of a smaller one rounding leaves no circle.
+const LEAST_RADIUS: f64 = 1e-12;
+
+/// A scene in working units.
+#[derive(Clone, Debug)]
+pub(crate) struct WorkingScene<'s> {
+    pub(crate) scene: Cow<'s, Scene>,
+    /// What a length in the file is multiplied by: a power of two.
+    pub(crate) factor: f64,
+    /// The area of a square whose side is the working unit of length, in m².
+    pub(crate) square_metres: f64,
+    /// What irradiance and radiance of the working scene are multiplied by: a power of two.
+    pub(crate) light: f64,
+}
+
+/// The lengths that decide how a scene is scaled.
+struct Lengths {
+    /// The largest distance of anything from the origin, along an axis.
+    largest: f64,
+    /// The least extent of a flat or round piece, and the surface that it belongs to.
+    least: f64,
+    least_surface: usize,
+}
+
+impl Scene {
+    /// The scene with lengths and lights about 1.
+    pub(crate) fn in_working_units(&self) -> WorkingScene<'_> {
+        let factor = Lengths::of(self).factor();
+        let metres = self.unit.metres() / factor;
+        let square_metres = metres * metres;
+        let brightest = self.brightest(square_metres);
+        let darker = scale::factor([brightest; 2]);
+        let has_points = self.lights.iter().any(|light| matches!(light.kind, LightKind::Point { .. }));
+        let mut scene = Cow::Borrowed(self);
+        if factor != 1.0 || (has_points && square_metres != 1.0) {
+            scene.to_mut().scale(factor);
+        }
+        if darker != 1.0 || (has_points && square_metres != 1.0) {
+            scene.to_mut().darken(darker, square_metres);
+        }
+        WorkingScene { scene, factor, square_metres, light: darker.recip() }
+    }
+
+    /// The largest irradiance or radiance that a light makes at distances of about 1 in working units.
+    fn brightest(&self, square_metres: f64) -> f64 {
+        let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
+        let of_light = |light: &Light| match &light.kind {
+            // the quotient itself may overflow or underflow, but not so far that the largest number does not stand for it
+            LightKind::Point { intensity, .. } => {
+                let quotient = largest(intensity) / square_metres;
+                let floor = if largest(intensity) > 0.0 { f64::MIN_POSITIVE } else { 0.0 };
+                quotient.clamp(floor, f64::MAX)
+            }
+            LightKind::Distant { irradiance, .. } => largest(irradiance),
+        };
+        let surfaces = self.surfaces.iter().map(|surface| largest(&surface.radiance));
+        let lights = self.lights.iter().map(of_light);
+        surfaces.chain(lights).fold(largest(&self.ambient.radiance), f64::max)
+    }
+
+    /// Multiplies all lights by a power of two, and gives point lights an intensity by the square of the working unit of length.
+    fn darken(&mut self, darker: f64, square_metres: f64) {
+        let darken = |values: &mut Vec<f64>| values.iter_mut().for_each(|value| *value *= darker);
+        self.surfaces.iter_mut().for_each(|surface| darken(&mut surface.radiance));
+        darken(&mut self.ambient.radiance);
+        for light in &mut self.lights {
+            match &mut light.kind {
+                LightKind::Distant { irradiance, .. } => darken(irradiance),
+                LightKind::Point { intensity, .. } => {
+                    // half of the factor before and half after, as the product of both may be out of range
+                    let half = (0.5 * darker.log2()).floor().exp2();
+                    let other = darker / half;
+                    intensity.iter_mut().for_each(|value| *value = *value * half / square_metres * other);
+                }
+            }
+        }
+    }
+
+    fn scale(&mut self, factor: f64) {
+        let move_point = |point: &mut Vector| *point = factor * *point;
+        for medium in &mut self.media {
+            let coefficients = medium.absorption.iter_mut().chain(&mut medium.scattering);
+            coefficients.for_each(|coefficient| *coefficient /= factor);
+        }
+        for surface in &mut self.surfaces {
+            surface.shape = surface.shape.scaled(factor);
+        }
+        for light in &mut self.lights {
+            if let LightKind::Point { position, .. } = &mut light.kind {
+                move_point(position);
+            }
+        }
+        for receiver in &mut self.receivers {
+            match &mut receiver.kind {
+                ReceiverKind::Point { position, .. } | ReceiverKind::Sphere { position } => {
+                    move_point(position);
+                }
+                ReceiverKind::Ray { origin, .. } => move_point(origin),
+                ReceiverKind::Camera(camera) => move_point(&mut camera.origin),
+                ReceiverKind::Surface { .. } => {}
+            }
+        }
+    }
+
+    /// Lengths that cannot be told beside others: a place, what is wrong there, and what was expected.
+    pub(super) fn lost_lengths(&self) -> Vec<(&Place, String, String)> {
+        let Lengths { largest, least, least_surface } = Lengths::of(self);
+        let widest = self.surfaces.get(least_surface).filter(|_| least < largest / WIDEST).map(|surface| {
+            let name = &surface.name;
+            let message =
+                format!("a part of `{name}` is {least:.0e} across beside coordinates of {largest:.0e}");
+            let expected = format!("lengths in one scene that differ by no more than a factor of {WIDEST:e}");
+            (&surface.place, message, expected)
+        });
+        let lost = self.surfaces.iter().filter_map(|surface| {
+            let (center, radius) = match surface.shape {
+                Shape::Sphere(Sphere { center, radius, .. }) | Shape::Disk(Disk { center, radius, .. }) => {
+                    (center.largest(), radius)
+                }
+                Shape::Polygon(_) | Shape::Mesh(_) => return None,
+            };
+            let message = format!(
+                "the radius {radius:e} of `{}` is lost beside coordinates of {center:.0e}",
+                surface.name
+            );
+            let expected = format!("a radius of {LEAST_RADIUS:e} of the coordinates of the centre, or more");
+            (radius < LEAST_RADIUS * center).then_some((&surface.place, message, expected))
+        });
+        widest.into_iter().chain(lost).collect()
+    }
+}
+
+impl LengthUnit {
+    /// How many metres it is.
+    fn metres(self) -> f64 {
+        match self {
+            Self::Metre => 1.0,
+            Self::Centimetre => 1e-2,
+            Self::Millimetre => 1e-3,
+        }
+    }
+}
+
+impl Shape {
+    fn scaled(&self, factor: f64) -> Self {
+        match self {
+            Self::Polygon(polygon) => Self::Polygon(polygon.scaled(factor)),
+            Self::Mesh(mesh) => Self::Mesh(mesh.scaled(factor).into()),
+            Self::Sphere(sphere) => Self::Sphere(sphere.scaled(factor)),
+            Self::Disk(disk) => Self::Disk(disk.scaled(factor)),
+        }
+    }
+
+    /// How far it reaches from the origin along an axis at most, and the least extent of its pieces.
+    fn lengths(&self) -> [f64; 2] {
+        match self {
+            Self::Polygon(polygon) => polygon.lengths(),
+            Self::Mesh(mesh) => mesh.lengths(),
+            Self::Sphere(sphere) => [sphere.center.largest() + sphere.radius, sphere.radius],
+            Self::Disk(disk) => [disk.center.largest() + disk.radius, disk.radius],
+        }
+    }
+}
+
+impl Lengths {
+    fn of(scene: &Scene) -> Self {
+        let mut lengths = Self { largest: 0.0, least: f64::INFINITY, least_surface: 0 };
+        for (index, surface) in scene.surfaces.iter().enumerate() {
+            let [largest, least] = surface.shape.lengths();
+            lengths.largest = lengths.largest.max(largest);
+            if least < lengths.least {
+                (lengths.least, lengths.least_surface) = (least, index);
+            }
+        }
+        let lights = scene.lights.iter().filter_map(|light| match light.kind {
+            LightKind::Point { position, .. } => Some(position),
+            LightKind::Distant { .. } => None,
+        });
+        let receivers = scene.receivers.iter().filter_map(|receiver| match &receiver.kind {
+            ReceiverKind::Point { position, .. } | ReceiverKind::Sphere { position } => Some(*position),
+            ReceiverKind::Ray { origin, .. } => Some(*origin),
+            ReceiverKind::Camera(camera) => Some(camera.origin),
+            ReceiverKind::Surface { .. } => None,
+        });
+        let farthest = lights.chain(receivers).map(Vector::largest).fold(lengths.largest, f64::max);
+        lengths.largest = farthest;
+        lengths.least = lengths.least.min(farthest);
+        lengths
+    }
+
+    /// What brings them near 1.
+    fn factor(&self) -> f64 {
+        scale::factor([self.largest, self.least])
+    }
+}

@@ -1,0 +1,45 @@
+//! Units: numbers in working units become numbers in those of their quantities.
+
+use super::answer::{Answer, Quantity, Simulation};
+use crate::scene::WorkingScene;
+
+impl Simulation {
+    /// All numbers in the units of their quantities.
+    pub(super) fn leave_working_units(&mut self, working: &WorkingScene) {
+        for answer in &mut self.answers {
+            answer.multiply(working.light);
+            if answer.quantity == Quantity::Flux {
+                answer.multiply(working.square_metres);
+            }
+        }
+        if working.light != 1.0 {
+            let numbers = self.maps.iter_mut().flat_map(|map| map.values.iter_mut().chain(&mut map.errors));
+            numbers.flatten().for_each(|number| *number *= working.light);
+        }
+    }
+}
+
+impl Quantity {
+    /// A number of working units in the unit of this quantity.
+    pub(super) fn in_unit(self, number: f64, working: &WorkingScene) -> f64 {
+        let area = if self == Self::Flux { working.square_metres } else { 1.0 };
+        number * working.light * area
+    }
+}
+
+impl Answer {
+    /// Multiplies by a factor above zero. Where the product is beyond the range of `f64`, the error says so.
+    pub(super) fn multiply(&mut self, factor: f64) {
+        if factor == 1.0 {
+            return;
+        }
+        let value = factor * self.value;
+        let lost = match value.abs() {
+            size if !size.is_finite() => f64::INFINITY,
+            // below the normal numbers, rounding is not relative
+            size if size < f64::MIN_POSITIVE && self.value != 0.0 => f64::MIN_POSITIVE,
+            size => f64::EPSILON * size,
+        };
+        (self.value, self.error) = (value, factor * self.error + lost);
+    }
+}
