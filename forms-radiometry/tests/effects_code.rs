@@ -94,7 +94,8 @@ fn scenes() -> Vec<(&'static str, String, String)> {
         ),
         (
             "all kinds of light",
-            lamp(0.5, &format!("{POINT_LIGHT}{SKY}{POINT}{BALL}")),
+            // to a tolerance at which exact pieces are expected to take less than rays
+            lamp(0.5, &format!("{POINT_LIGHT}{SKY}{POINT}{BALL}")).replace("= 0.2", "= 0.05"),
             "gathered_light, gathered_light - interreflection, edge_form_factor, solid_angle_triangle, \
              exchange_density"
                 .to_owned(),
@@ -179,11 +180,15 @@ fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan()
         let files: BTreeSet<&str> = listed.iter().filter_map(|kernel| parts::file_of(kernel)).collect();
         let of_lines = parts::kernel_files(&counts);
         assert!(of_lines.is_subset(&files), "{name}: {of_lines:?} run, and {files:?} are in the plan");
-        if cfg!(debug_assertions) {
-            // nothing is inlined; of two ways from surface to surface the error decides
-            let unused: Vec<&String> = listed.difference(&run).collect();
-            let by_error = |name: &&String| ["exchange_density", "edge_potential"].contains(&name.as_str());
-            assert!(unused.iter().all(by_error), "{name}: {unused:?} are in the plan and do not run");
+        if parts::has_lines(&counts) {
+            // of two ways from surface to surface the error decides
+            let by_error = ["exchange_density", "edge_potential"];
+            let has_run = |kernel: &str| {
+                run.contains(kernel) || parts::file_of(kernel).is_some_and(|file| of_lines.contains(file))
+            };
+            let unused =
+                listed.iter().find(|kernel| !by_error.contains(&kernel.as_str()) && !has_run(kernel));
+            assert_eq!(unused, None, "{name}: is in the plan and does not run");
         }
     }
 }

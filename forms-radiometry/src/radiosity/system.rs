@@ -13,10 +13,10 @@ use super::solution::of_bands;
 use crate::faces::is_bright;
 use crate::geometry::Vector;
 use crate::kernels::gathered_light::Effects;
-use crate::kernels::irradiance;
 use crate::scene::{MaterialKind, Scene};
 use crate::simulation::Watch;
 use rayon::prelude::*;
+use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The most nodes: the matrix of more does not fit into the memory of a small machine.
@@ -214,7 +214,7 @@ impl<'t> Radiosity<'t> {
 
     /// What the solution of the equations leaves, as a radiance from everywhere.
     pub(crate) fn floor(&self, band: usize) -> f64 {
-        self.tail[band] / irradiance(1.0, 1.0)
+        self.tail[band] / PI
     }
 
     /// What rules of integration leave, relative to an answer: they are exact for light that is the same everywhere.

@@ -4,7 +4,6 @@
 use super::answer::Quantity;
 use crate::faces::is_bright;
 use crate::geometry::Vector;
-use crate::kernels::irradiance;
 use crate::radiosity::{GoalKind, Group, Measure, Radiosity, Scratch, Transport, reflectance};
 use crate::scene::{Receiver, ReceiverKind, Scene};
 use std::f64::consts::PI;
@@ -114,7 +113,7 @@ impl Reading {
                 Some(Met { is_bright: false, .. }) => unchanged(0.0),
                 Some(Met { surface, .. }) => {
                     let bands = scene.surfaces[surface].radiance.iter().zip(reflectance(scene, surface));
-                    bands.map(|(&emitted, rho)| [emitted, rho / irradiance(1.0, 1.0)]).collect()
+                    bands.map(|(&emitted, rho)| [emitted, rho / PI]).collect()
                 }
             },
         }
@@ -148,8 +147,8 @@ fn along(scene: &Scene, ray: [Vector; 2], radiosity: &Radiosity, scratch: &mut S
     let surface = &scene.surfaces[index];
     let arriving = at(position, Measure::Plane(normal), radiosity, scratch);
     let bands = surface.radiance.iter().zip(reflectance(scene, index)).zip(arriving);
-    // π F L with F = 1 is the irradiance under a uniform radiance of 1
-    bands.map(|((emitted, rho), arriving)| emitted + rho * arriving / irradiance(1.0, 1.0)).collect()
+    // E/π is the radiance of what sends the same into all directions
+    bands.map(|((emitted, rho), arriving)| emitted + rho * arriving / PI).collect()
 }
 
 /// What a ray meets first.
