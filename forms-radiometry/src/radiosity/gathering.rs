@@ -12,7 +12,7 @@
 //! it is, however long they take.
 
 use super::paths::{RAYS, VIEW};
-use super::probe::{PATH, STUDENT};
+use super::probe::{FEWEST_PATHS, PATH, STUDENT};
 use super::reference::{Shape, reference};
 use super::system::{MOST_NODES, first_order, reflects};
 use crate::faces::is_bright;
@@ -90,7 +90,7 @@ fn asked(scene: &Scene) -> (usize, usize) {
 
 /// How many paths it takes to find this many numbers within the tolerance.
 fn paths(scene: &Scene, numbers: usize) -> f64 {
-    numbers as f64 * (STUDENT * DEVIATION / scene.solve.tolerance).powi(2)
+    numbers as f64 * (STUDENT * DEVIATION / scene.solve.tolerance).powi(2).max(FEWEST_PATHS)
 }
 
 /// How many nodes of a rough solution take as long as the paths of all readings.

@@ -98,57 +98,29 @@ pub(crate) fn kernels(
     let all_light = gathered.map(|kinds| member(kinds, "what a receiver gathers"));
     let is_another = straight.filter(|straight| Some(*straight) != gathered);
     let direct_light = is_another.map(|kinds| member(kinds, "what comes straight to points of surfaces"));
-    let whole = |name, operations, what| UsedKernel {
-        name,
-        without: Vec::new(),
-        operations,
-        operations_of_all: operations,
-        what,
-    };
-    let row = |is_used: bool, name, operations, what| is_used.then(|| whole(name, operations, what));
+    macro_rules! row {
+        ($is_used:expr, $name:ident, $what:literal) => {
+            ($is_used).then(|| whole(stringify!($name), $name::OPERATIONS, $what))
+        };
+    }
     let table = [
         all_light,
         direct_light,
-        row(views, "edge_form_factor", edge_form_factor::OPERATIONS, "what is seen of a face, edge by edge"),
-        row(
-            views && spheres,
-            "solid_angle_triangle",
-            solid_angle_triangle::OPERATIONS,
-            "what is seen of a face from all sides",
-        ),
-        row(
-            reflections || exchange,
-            "exchange_density",
-            exchange_density::OPERATIONS,
-            "light from point to point of two surfaces",
-        ),
-        row(
-            exchange,
-            "edge_potential",
-            edge_potential::OPERATIONS,
-            "light from surface to surface, edge by edge",
-        ),
-        row(
-            exchange || rays,
-            "irradiance",
-            irradiance::OPERATIONS,
-            "light of a luminaire by its form factor",
-        ),
-        row(rays, "cosine_hemisphere_sample", cosine_hemisphere_sample::OPERATIONS, "rays from surfaces"),
-        row(
-            rays && spheres,
-            "uniform_sphere_sample",
-            uniform_sphere_sample::OPERATIONS,
-            "rays into all directions",
-        ),
-        row(
-            triangles,
-            "uniform_triangle_sample",
-            uniform_triangle_sample::OPERATIONS,
-            "points of triangles from which paths begin",
-        ),
+        row!(views, edge_form_factor, "what is seen of a face, edge by edge"),
+        row!(views && spheres, solid_angle_triangle, "what is seen of a face from all sides"),
+        row!(reflections || exchange, exchange_density, "light from point to point of two surfaces"),
+        row!(exchange, edge_potential, "light from surface to surface, edge by edge"),
+        row!(exchange || rays, irradiance, "light of a luminaire by its form factor"),
+        row!(rays, cosine_hemisphere_sample, "rays from surfaces"),
+        row!(rays && spheres, uniform_sphere_sample, "rays into all directions"),
+        row!(triangles, uniform_triangle_sample, "points of triangles from which paths begin"),
     ];
     table.into_iter().flatten().collect()
+}
+
+/// A kernel without effects.
+fn whole(name: &'static str, operations: usize, what: &'static str) -> UsedKernel {
+    UsedKernel { name, without: Vec::new(), operations, operations_of_all: operations, what }
 }
 
 /// The member of the kernel that gathers these kinds of light.

@@ -28,6 +28,8 @@ pub(super) const STUDENT: f64 = 5.239;
 const UNSEEN: f64 = 9.210;
 /// The first rays of a batch, and the first paths.
 const FIRST: [u32; 2] = [64, 16];
+/// How many paths a number takes at least.
+pub(super) const FEWEST_PATHS: f64 = (BATCHES as u32 * FIRST[1]) as f64;
 /// The most of them.
 const MOST: [u32; 2] = [1 << 18, 1 << 16];
 /// What a path costs in rays.

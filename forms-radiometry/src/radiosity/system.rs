@@ -90,22 +90,7 @@ impl<'t> Radiosity<'t> {
         question: Question,
         watch: &dyn Watch,
     ) -> Self {
-        let orders = question.orders;
-        let mut elements = Vec::new();
-        let pieces = contact::pieces(&transport.faces, transport.screens.resolution());
-        for (index, face) in transport.faces.iter().enumerate() {
-            let is_source = orders != Some(0) && reflects(scene, face.surface);
-            if is_bright(scene, face) && (is_source || question.receives[face.surface]) {
-                elements.extend(pieces[index].iter().flat_map(|piece| Element::of(index, face, piece)));
-            }
-        }
-        // the faces of a polyhedron are as small as its shape asks for: linear polynomials on them are as exact as the shape
-        let is_round_face =
-            |element: &&mut Element| scene.surfaces[transport.faces[element.face].surface].shape.is_round();
-        elements.iter_mut().filter(is_round_face).for_each(|element| element.order = ORDER_ON_ROUND);
-        let nodes = |order| elements.iter().map(|element| element.count_with(order)).sum();
-        let order = first_order(nodes);
-        elements.iter_mut().for_each(|element| element.order = element.order.min(order));
+        let elements = coarsest(scene, transport, &question);
         let straight = question.receives.iter().enumerate();
         let straight = straight
             .map(|(surface, &receives)| if receives { lights.flux(surface, transport) } else { None });
@@ -293,6 +278,26 @@ impl<'t> Radiosity<'t> {
     pub(crate) fn straight_error(&self, surface: usize, band: usize) -> Option<f64> {
         self.straight[surface].as_ref().map(|flux| flux[band][1])
     }
+}
+
+/// The elements before any is split: of all faces from which light goes on, or of which a mean is asked.
+fn coarsest(scene: &Scene, transport: &Transport, question: &Question) -> Vec<Element> {
+    let mut elements = Vec::new();
+    let pieces = contact::pieces(&transport.faces, transport.screens.resolution());
+    for (index, face) in transport.faces.iter().enumerate() {
+        let is_source = question.orders != Some(0) && reflects(scene, face.surface);
+        if is_bright(scene, face) && (is_source || question.receives[face.surface]) {
+            elements.extend(pieces[index].iter().flat_map(|piece| Element::of(index, face, piece)));
+        }
+    }
+    // the faces of a polyhedron are as small as its shape asks for: linear polynomials on them are as exact as the shape
+    let is_round_face =
+        |element: &&mut Element| scene.surfaces[transport.faces[element.face].surface].shape.is_round();
+    elements.iter_mut().filter(is_round_face).for_each(|element| element.order = ORDER_ON_ROUND);
+    let nodes = |order| elements.iter().map(|element| element.count_with(order)).sum();
+    let order = first_order(nodes);
+    elements.iter_mut().for_each(|element| element.order = element.order.min(order));
+    elements
 }
 
 /// Whether a surface reflects light in any band.
