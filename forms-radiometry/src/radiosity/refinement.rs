@@ -30,11 +30,11 @@ const LEAST_CHANGE: f64 = 1e-3;
 impl Radiosity<'_> {
     /// What is known of the elements before any is split: of an element with one node, that it may be dark as well.
     pub(super) fn unknown_changes(&self) -> Vec<[Change; 2]> {
+        let next = |[highest, lower]: [f64; 2]| highest * (highest / highest.max(lower));
         let unknown = |(index, element): (usize, &Element)| {
             let expected = self.largest(|band, scale| {
-                let next = |[highest, lower]: [f64; 2]| highest * (highest / highest.max(lower));
-                let terms = element.reference().highest(self.nodes(index, band)).map(next);
-                terms.map(|term| if scale > 0.0 { (term / scale).max(LEAST_CHANGE) } else { 0.0 })
+                let terms = element.reference().highest(self.nodes(index, band));
+                terms.map(|terms| (next(terms) / scale).max(LEAST_CHANGE))
             });
             [0, 1].map(|i| Change::unknown(if element.is_divisible()[i] { expected[i] } else { 0.0 }))
         };
@@ -46,10 +46,10 @@ impl Radiosity<'_> {
         &self.irradiance[band][self.first[index]..self.first[index + 1]]
     }
 
-    /// The largest of what is found in each band, of which the largest irradiance is said.
+    /// The largest of what is found in each band that has light, of which the largest irradiance is said.
     fn largest(&self, of_band: impl Fn(usize, f64) -> [f64; 2]) -> [f64; 2] {
-        let largest = |irradiance: &Vec<f64>| irradiance.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
-        let bands = self.irradiance.iter().map(largest).enumerate().map(|(band, scale)| of_band(band, scale));
+        let lit = self.brightest.iter().copied().enumerate().filter(|&(_, scale)| scale > 0.0);
+        let bands = lit.map(|(band, scale)| of_band(band, scale));
         bands.fold([0.0; 2], |[a, b]: [f64; 2], [c, d]| [a.max(c), b.max(d)])
     }
 
@@ -124,28 +124,16 @@ impl Radiosity<'_> {
 
     /// Notes the changes of the parts of an element that was divided in some coordinates, and returns by how much they differ from it.
     fn measure(&mut self, parts: Range<usize>, whole: &Element, is_divided: [bool; 2]) -> f64 {
-        let bases: Vec<_> = whole.nodes().map(|node| self.part_at(parts.clone(), node)).collect();
-        let of_whole = |band: usize| -> Vec<f64> {
-            let value = |(part, basis): &(usize, [f64; MOST_NODES_OF_ELEMENT])| {
-                basis.iter().zip(self.nodes(*part, band)).map(|(b, e)| b * e).sum()
-            };
-            bases.iter().map(value).collect()
-        };
-        let relative = |value: f64, scale: f64| if scale > 0.0 { value / scale } else { 0.0 };
-        let highest = |element: &Element, values: &[f64], scale: f64| {
-            element.reference().highest(values).map(|[term, _]| relative(term, scale))
-        };
+        let of_whole = self.at_nodes(parts.clone(), whole);
         let [flux, size] = self.largest(|band, scale| {
-            self.difference(parts.clone(), whole, &of_whole(band), band).map(|value| relative(value, scale))
+            self.difference(parts.clone(), whole, &of_whole[band], band).map(|value| value / scale)
         });
         let measured = flux + CANCELLING * size;
-        let terms = self.largest(|band, scale| highest(whole, &of_whole(band), scale));
-        let divided = [0, 1].map(|i| if is_divided[i] { terms[i] } else { 0.0 });
-        let share = |i: usize| {
-            let sum = divided[0] + divided[1];
-            if sum > 0.0 { divided[i] / sum } else { 0.5 }
+        let highest = |element: &Element, values: &[f64], scale: f64| {
+            element.reference().highest(values).map(|[term, _]| term / scale)
         };
-        let shares = if is_divided == [true; 2] { [share(0), share(1)] } else { [1.0; 2] };
+        let terms = self.largest(|band, scale| highest(whole, &of_whole[band], scale));
+        let shares = shares(terms, is_divided);
         for part in parts {
             let element = &self.elements[part];
             let own = self.largest(|band, scale| highest(element, self.nodes(part, band), scale));
@@ -158,6 +146,18 @@ impl Radiosity<'_> {
             }
         }
         measured
+    }
+
+    /// For each band the irradiance on the parts of an element, at the nodes of the whole.
+    fn at_nodes(&self, parts: Range<usize>, whole: &Element) -> Vec<Vec<f64>> {
+        let bases: Vec<_> = whole.nodes().map(|node| self.part_at(parts.clone(), node)).collect();
+        let of_band = |band: usize| {
+            let value = |(part, basis): &(usize, [f64; MOST_NODES_OF_ELEMENT])| {
+                basis.iter().zip(self.nodes(*part, band)).map(|(b, e)| b * e).sum()
+            };
+            bases.iter().map(value).collect()
+        };
+        (0..self.irradiance.len()).map(of_band).collect()
     }
 
     /// How much the irradiance on the parts of an element differs from what the whole element would make of it: from the polynomial
@@ -180,6 +180,16 @@ impl Radiosity<'_> {
         let first = parts.start;
         let part = parts.into_iter().find(|&part| self.elements[part].contains(point)).unwrap_or(first);
         (part, self.elements[part].basis(point))
+    }
+}
+
+/// The share of each coordinate in a change of an element divided in these, by the highest terms of its polynomial.
+fn shares(terms: [f64; 2], is_divided: [bool; 2]) -> [f64; 2] {
+    let sum = terms[0] + terms[1];
+    match is_divided {
+        [true, true] if sum > 0.0 => terms.map(|term| term / sum),
+        [true, true] => [0.5; 2],
+        _ => [1.0; 2],
     }
 }
 

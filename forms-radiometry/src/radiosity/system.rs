@@ -71,6 +71,8 @@ pub(crate) struct Radiosity<'t> {
     pub(super) first: Vec<usize>,
     /// For each band the irradiance of each node.
     pub(super) irradiance: Vec<Vec<f64>>,
+    /// For each band the largest irradiance of a node.
+    pub(super) brightest: Vec<f64>,
     /// For each band the irradiance of each node straight from lights.
     pub(super) direct: Vec<Vec<f64>>,
     /// Of each surface that receives, for each band, the flux straight from lights with its error, where it is an integral.
@@ -106,6 +108,7 @@ impl<'t> Radiosity<'t> {
             operator: None,
             first: Vec::new(),
             irradiance: Vec::new(),
+            brightest: Vec::new(),
             direct: Vec::new(),
             straight,
             reflected: Vec::new(),
@@ -142,7 +145,8 @@ impl<'t> Radiosity<'t> {
             }
         }
         if self.question.orders == Some(0) {
-            (self.irradiance, self.tail) = (direct.clone(), vec![0.0; direct.len()]);
+            self.tail = vec![0.0; direct.len()];
+            self.take(direct.clone());
             self.direct = direct;
             return;
         }
@@ -151,8 +155,16 @@ impl<'t> Radiosity<'t> {
             .map(|band| self.elements.iter().map(|element| self.reflectance(element, band)).collect())
             .collect();
         let solved = of_bands(&operator, &reflectances, &direct, self.question.orders);
-        (self.irradiance, self.reflected, self.tail) = (solved.irradiance, solved.reflected, solved.tail);
+        (self.reflected, self.tail) = (solved.reflected, solved.tail);
+        self.take(solved.irradiance);
         (self.direct, self.operator) = (direct, Some(operator));
+    }
+
+    /// Takes the irradiance of the nodes.
+    fn take(&mut self, irradiance: Vec<Vec<f64>>) {
+        let largest = |values: &Vec<f64>| values.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
+        self.brightest = irradiance.iter().map(largest).collect();
+        self.irradiance = irradiance;
     }
 
     /// The rows of the nodes of an element, and the light that comes straight to them.
