@@ -31,8 +31,8 @@ pub(crate) fn items(tokens: &[Token]) -> Vec<&[Token]> {
     let mut depth = 0_usize;
     let is_end = |token: &Token| {
         match token.kind {
-            TokenKind::Symbol(Symbol::OpenParen) => depth += 1,
-            TokenKind::Symbol(Symbol::CloseParen) => depth -= 1,
+            TokenKind::Symbol(Symbol::OpenParen | Symbol::OpenBrace) => depth += 1,
+            TokenKind::Symbol(Symbol::CloseParen | Symbol::CloseBrace) => depth -= 1,
             _ => {}
         }
         depth == 0 && token.kind == TokenKind::Symbol(Symbol::Semicolon)
