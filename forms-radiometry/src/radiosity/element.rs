@@ -69,7 +69,11 @@ impl Element {
         }
         if elements.is_empty() {
             let fan = v[1..].windows(2).map(|pair| [v[0], pair[0] - v[0], pair[1] - v[0]]);
-            let fan = fan.filter(|[_, along, across]| face.normal.dot(along.cross(*across)) > 0.0);
+            // one that is no more than rounding beside its face has no coordinates
+            let is_some = |[_, along, across]: &[Vector; 3]| {
+                face.normal.dot(along.cross(*across)) > f64::EPSILON * face.area
+            };
+            let fan = fan.filter(is_some);
             elements.extend(fan.map(|corners| element(Shape::Triangle, corners)));
         }
         elements.into_iter().flat_map(Self::into_compact).collect()
