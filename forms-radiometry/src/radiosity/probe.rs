@@ -161,11 +161,6 @@ impl Paths<'_> {
         true
     }
 
-    /// How many rays this took, or would have taken as long.
-    pub(crate) fn spent(probe: &Probe) -> f64 {
-        BATCHES as f64 * (f64::from(probe.rough.points) + PATH * f64::from(probe.lack.points))
-    }
-
     fn add_rays(&self, probe: &mut Probe, count: u32) {
         let GoalKind::At { position, measure } = probe.what else { return };
         let first = probe.rough.points;
@@ -282,6 +277,11 @@ impl Begins {
 }
 
 impl Probe {
+    /// How many rays it took, or would have taken as long.
+    pub(crate) fn spent(&self) -> f64 {
+        BATCHES as f64 * (f64::from(self.rough.points) + PATH * f64::from(self.lack.points))
+    }
+
     /// Its value in a band, and its error.
     pub(crate) fn found(&self, band: usize) -> [f64; 2] {
         let value = self.exact[band] + self.rough.value(band) + self.lack.value(band);

@@ -74,7 +74,7 @@ impl Work<'_> {
 
     /// Whether rays take longer than so many would, or are seen to: errors fall like the root of their number.
     fn is_too_long(&self, sampled: &[Sampled], found: &[Found], most: f64) -> bool {
-        let spent = |sampled: &Sampled| sampled.probe.as_ref().map_or(0.0, Paths::spent);
+        let spent = |sampled: &Sampled| sampled.probe.as_ref().map_or(0.0, Probe::spent);
         let all: f64 = sampled.iter().map(spent).sum();
         let needed = |((sampled, found), scales): ((&Sampled, &Found), Vec<f64>)| {
             let relative = found.bands.iter().zip(scales).map(|(e, scale)| e.error() / scale);

@@ -217,7 +217,7 @@ impl<'s> Work<'s> {
     {
         let mut radiosity = Radiosity::new(self.scene, transport, lights, self.question(), self.watch);
         let mut found = self.read(&radiosity, None);
-        let begun = history.len() + 1;
+        let mut splits = 0;
         loop {
             let seconds = self.start.elapsed().as_secs_f64();
             history.push(Moment { seconds, error: self.relative_errors(&found).fold(0.0, f64::max) });
@@ -229,9 +229,9 @@ impl<'s> Work<'s> {
                 return (radiosity, found);
             };
             if transport.occlusion {
-                let split = history.len() - begun;
-                left = left.max(BEHIND_SCREENS[split.min(BEHIND_SCREENS.len() - 1)]);
+                left = left.max(BEHIND_SCREENS[splits.min(BEHIND_SCREENS.len() - 1)]);
             }
+            splits += 1;
             found = self.read(&radiosity, Some((&found, left)));
         }
     }

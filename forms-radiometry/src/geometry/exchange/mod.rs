@@ -20,6 +20,7 @@ pub(crate) use obstructed::exchange_with;
 pub use obstructed::visible_exchange;
 
 use super::clip::split;
+use super::scale::power_of_two;
 use super::{Face, Polygon, Vector};
 use forms::math::DoubleDouble;
 use std::ops::AddAssign;
@@ -93,7 +94,7 @@ fn between(here: &Outline, there: &Outline, [n, m]: [Vector; 2], tolerance: f64)
     let [(a, size_a), (b, size_b)] = [&here, &there].map(|outline| ball(outline));
     let (distance, size) = ((b - a).length(), size_a + size_b);
     // a power of two, so that nothing is rounded
-    let unit = distance.max(size).log2().round().exp2();
+    let unit = power_of_two(distance.max(size));
     let scaled = |outline: Vec<Vector>| outline.into_iter().map(|v| unit.recip() * v).collect::<Vec<_>>();
     let [here, there] = [here, there].map(scaled);
     let is_far = distance > FAR * size;
