@@ -101,19 +101,30 @@ impl Element {
     pub(super) fn divided(&self, is_divided: [bool; 2]) -> Vec<Self> {
         match self.shape {
             Shape::Triangle => self.quarters().to_vec(),
-            Shape::Square => {
-                let cuts = |coordinate: usize| -> &[f64] {
-                    match (is_divided[coordinate], self.creases[coordinate]) {
-                        (false, _) => &[0.0, 1.0],
-                        (true, [false, false]) => &[0.0, 0.5, 1.0],
-                        (true, [true, false]) => &[0.0, CREASE, 1.0],
-                        (true, [false, true]) => &[0.0, 1.0 - CREASE, 1.0],
-                        (true, [true, true]) => &[0.0, CREASES, 1.0 - CREASES, 1.0],
-                    }
-                };
-                self.cut([cuts(0), cuts(1)])
-            }
+            Shape::Square => self.cut(self.cuts(is_divided)),
         }
+    }
+
+    /// How many parts there are then.
+    pub(super) fn part_count(&self, is_divided: [bool; 2]) -> usize {
+        match self.shape {
+            Shape::Triangle if is_divided == [false; 2] => 1,
+            Shape::Triangle => 4,
+            Shape::Square => self.cuts(is_divided).map(|cuts| cuts.len() - 1).iter().product(),
+        }
+    }
+
+    /// Where the sides of a parallelogram are cut, in its coordinates.
+    fn cuts(&self, is_divided: [bool; 2]) -> [&'static [f64]; 2] {
+        [0, 1].map(|coordinate| -> &[f64] {
+            match (is_divided[coordinate], self.creases[coordinate]) {
+                (false, _) => &[0.0, 1.0],
+                (true, [false, false]) => &[0.0, 0.5, 1.0],
+                (true, [true, false]) => &[0.0, CREASE, 1.0],
+                (true, [false, true]) => &[0.0, 1.0 - CREASE, 1.0],
+                (true, [true, true]) => &[0.0, CREASES, 1.0 - CREASES, 1.0],
+            }
+        })
     }
 
     /// The parts of a parallelogram between these values of its coordinates, row by row.

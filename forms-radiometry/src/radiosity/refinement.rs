@@ -106,13 +106,10 @@ impl Radiosity<'_> {
         let mut nodes = self.size();
         for (index, coordinate) in order {
             let element = &self.elements[index];
-            let parts = |is_divided: [bool; 2]| {
-                if is_divided == [false; 2] { 1 } else { element.divided(is_divided).len() }
-            };
             let before = chosen[index];
             let mut after = before;
             after[coordinate] = true;
-            nodes += (parts(after) - parts(before)) * element.count();
+            nodes += (element.part_count(after) - element.part_count(before)) * element.count();
             if nodes > MOST_NODES || sum >= BULK * whole {
                 break;
             }

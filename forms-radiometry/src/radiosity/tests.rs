@@ -91,6 +91,7 @@ fn parts_cover_an_element_and_keep_its_polynomials() {
             };
             for is_divided in [[true, false], [false, true], [true, true]] {
                 let parts = element.divided(is_divided);
+                assert_eq!(parts.len(), element.part_count(is_divided));
                 let area: f64 = parts.iter().map(|part| part.area).sum();
                 assert!((area - element.area).abs() < 1e-15);
                 let of_parts: f64 = parts.iter().map(moment).sum();
