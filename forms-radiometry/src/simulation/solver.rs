@@ -10,6 +10,8 @@
 use super::answer::{Answer, ErrorKind, Map, Moment, Plan, Quantity, Simulation};
 use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
+use super::followed::{followed, is_followed};
+use super::left_out::without;
 use super::map::Grid;
 use super::readings::Reading;
 use super::watch::Watch;
@@ -45,14 +47,26 @@ pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
 /// Answers them with light that is gathered as `choose` says for the faces of the scene, which may hide each other or not.
 pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
     let effects = Effects::of(&plan.effects);
-    let merged = (!effects.bands && scene.band_count() > 1).then(|| scene.with_one_band());
-    let working = merged.as_ref().unwrap_or(scene).in_working_units();
+    let mut left = without(scene, &plan.effects);
+    let merged = !effects.bands && scene.band_count() > 1;
+    if merged {
+        left = left.with_one_band();
+    }
+    let working = left.in_working_units();
+    if is_followed(&working.scene) {
+        let mut simulation = followed(&working.scene, &effects, working.square_metres.sqrt(), watch);
+        simulation.leave_working_units(&working);
+        if merged {
+            spread(&mut simulation, scene.band_count());
+        }
+        return simulation;
+    }
     let work = Work::new(&working.scene, effects, choose, watch);
     // one way into the threads instead of one for every loop, each of which would wait for them to wake
     let has_loops = effects.orders != Some(0) || scene.receivers.len() > 1 || work.asks_for_maps();
     let mut simulation = if has_loops { rayon::scope(|_| work.run()) } else { work.run() };
     simulation.leave_working_units(&working);
-    if merged.is_some() {
+    if merged {
         spread(&mut simulation, scene.band_count());
     }
     simulation
@@ -331,7 +345,7 @@ impl<'s> Work<'s> {
                 unreachable!("only surfaces with a grid have maps")
             };
             let name = self.scene.receivers[receiver].name.clone();
-            Map { receiver: name, quantity: Quantity::Irradiance, size, values, errors }
+            Map { receiver: name, quantity: Quantity::Irradiance, size, values, errors, is_image: false }
         };
         grids.iter().map(map).collect()
     }
@@ -344,6 +358,7 @@ impl<'s> Work<'s> {
                 receiver: receiver.clone(),
                 quantity,
                 band: (bands > 1).then_some(band),
+                bin: None,
                 value: estimate.value,
                 error: estimate.error(),
                 kind: ErrorKind::Bound,
