@@ -1,10 +1,11 @@
-//! Exchange with something in between: what the points of one polygon see of the other, integrated over the first.
+//! Exchange with something in between: what the points of the smaller polygon see of the other, integrated over the smaller one.
 //!
 //! ```text
-//! A₁F₁₂ = ∫ F(x) dA,   F(x) Lambert's sum over what is left of the second polygon as x sees it
+//! A₁F₁₂ = A₂F₂₁ = ∫ F(x) dA,   F(x) Lambert's sum over what is left of the other polygon as x sees it
 //! ```
-//! F is exact at a point, whatever hides the other polygon. It has kinks where a shadow begins; patches are halved both ways
-//! where a rule on the whole and on the parts disagrees, worst first.
+//! F is exact at a point, whatever hides the other polygon. It has kinks where the border of a shadow comes to a corner of the other
+//! polygon: seen from the smaller one, shadows move little, and most of them reach no corner at all. Patches are halved both
+//! ways where a rule on the whole and on the parts disagrees, worst first.
 
 use super::areas::{Patch, gauss, patches};
 use super::{Exchange, exchange_of};
@@ -55,6 +56,7 @@ pub(crate) fn exchange_with(
     screens: &Screens,
     [tolerance, least]: [f64; 2],
 ) -> Exchange {
+    let [here, there] = if there.area < here.area { [there, here] } else { [here, there] };
     let (outline, normal) = (&here.vertices, Some(here.normal));
     if !screens.face_each_other(outline, normal, &there.vertices, there.normal) {
         return Exchange::default();
