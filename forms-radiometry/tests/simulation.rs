@@ -197,6 +197,55 @@ fn bands_share_geometry_and_are_answered_each() {
     assert!((found[1].value - 3.0 * found[0].value).abs() <= 1e-14 * found[1].value);
 }
 
+/// A cell of a map, on the plane z = 0.
+struct Cell {
+    middle: [f64; 2],
+    /// The irradiance in both bands.
+    values: [f64; 2],
+}
+
+/// A lamp over a triangle and what else there is, in two bands; and the cells of a map of 19 by 13 of the triangle's front.
+fn triangle(more: &str) -> (String, Vec<Cell>) {
+    const SIZE: [usize; 2] = [19, 13];
+    let text = "bands = [[400, 500], [500, 600]]\n".to_string()
+        + &surface("lamp", "polygon = [[-1,-1,2], [-1,1,2], [1,1,2], [1,-1,2]]", "0", "[1, 3]")
+        + &surface("floor", "polygon = [[-2,-2,0], [3,-2,0], [0,2,0]]", "0", "0")
+        + more;
+    let scene = scene(&format!("{text}{}grid = {SIZE:?}\n", surface_receiver("floor")));
+    let found = simulate(&scene, &plan(&scene).expect("the scene is right"), &Unwatched);
+    let of_bands = &found.maps[0].values;
+    let place = |index: usize, count: usize, length: f64| length * (index as f64 + 0.5) / count as f64 - 2.0;
+    let of_cell = |cell: usize| Cell {
+        middle: [place(cell % SIZE[0], SIZE[0], 5.0), place(cell / SIZE[0], SIZE[1], 4.0)],
+        values: [of_bands[0][cell], of_bands[1][cell]],
+    };
+    (text, (0..SIZE[0] * SIZE[1]).map(of_cell).collect())
+}
+
+#[test]
+fn a_cell_of_a_map_has_what_a_receiver_at_its_middle_has() {
+    let plate = surface("plate", "polygon = [[0,0,1], [1.5,0,1], [1.5,1.5,1], [0,1.5,1]]", "0", "0");
+    for (name, more) in [("free", ""), ("behind a plate", plate.as_str())] {
+        let (text, cells) = triangle(more);
+        // below the sides that meet in (0, 2)
+        let is_inside = |[x, y]: [f64; 2]| 4.0 * x + 3.0 * y < 6.0 && y < 2.0 * x + 2.0;
+        let (inside, outside): (Vec<Cell>, Vec<Cell>) =
+            cells.into_iter().partition(|cell| is_inside(cell.middle));
+        assert!(outside.iter().all(|cell| cell.values.iter().all(|value| value.is_nan())), "{name}");
+        let receiver = |(index, cell): (usize, &Cell)| {
+            let [x, y] = cell.middle;
+            scene_text::point_receiver(&index.to_string(), [x, y, 0.0], [0.0, 0.0, 1.0])
+        };
+        let receivers: String = inside.iter().enumerate().map(receiver).collect();
+        let found = answers(&(text + &receivers));
+        for (answer, value) in found.iter().zip(inside.iter().flat_map(|cell| cell.values)) {
+            let off = (answer.value - value).abs();
+            assert!(off <= 1e-13, "{name}, {}: {} and {value}", answer.receiver, answer.value);
+        }
+        assert_eq!(found.len(), 2 * inside.len());
+    }
+}
+
 #[test]
 fn a_body_that_stands_open_on_another_one_is_seen_as_its_faces() {
     // three of its sides stand over sides of the body below, so that three and four faces share an edge

@@ -11,11 +11,11 @@ use super::measure::Measure;
 use super::operator::{Operator, Row};
 use super::solution::of_bands;
 use crate::faces::is_bright;
-use crate::geometry::Vector;
+use crate::geometry::{Face, Vector};
 use crate::kernels::gathered_light::Effects;
 use crate::scene::{MaterialKind, Scene};
+use crate::sharing::Sharing;
 use crate::simulation::Watch;
-use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -92,11 +92,11 @@ impl<'t> Radiosity<'t> {
         question: Question,
         watch: &dyn Watch,
     ) -> Self {
-        let elements = coarsest(scene, transport, &question);
         let straight = question.receives.iter().enumerate();
-        let straight = straight
-            .map(|(surface, &receives)| if receives { lights.flux(surface, transport) } else { None });
-        let straight = straight.collect();
+        let straight: Vec<_> = straight
+            .map(|(surface, &receives)| if receives { lights.flux(surface, transport) } else { None })
+            .collect();
+        let elements = coarsest(scene, transport, &question, &straight);
         let mut radiosity = Self {
             scene,
             transport,
@@ -128,15 +128,14 @@ impl<'t> Radiosity<'t> {
             self.first.push(self.first[self.first.len() - 1] + element.count());
         }
         let done = AtomicUsize::new(0);
-        let of_elements: Vec<(Vec<Row>, Vec<Vec<f64>>)> = (0..self.elements.len())
-            .into_par_iter()
-            .map_init(Scratch::default, |scratch, index| {
-                let rows = self.rows(index, scratch, watch);
-                let part = done.fetch_add(1, Ordering::Relaxed) as f64 / self.elements.len() as f64;
-                watch.progress("interreflection", part);
-                rows
-            })
-            .collect();
+        let of_element = |scratch: &mut Scratch, index| {
+            let rows = self.rows(index, scratch, watch);
+            let part = done.fetch_add(1, Ordering::Relaxed) as f64 / self.elements.len() as f64;
+            watch.progress("interreflection", part);
+            rows
+        };
+        let of_elements: Vec<(Vec<Row>, Vec<Vec<f64>>)> =
+            Sharing::of(self.operations(self.size())).map(0..self.elements.len(), of_element);
         let (mut rows, mut direct) = (Vec::new(), vec![Vec::new(); self.scene.band_count()]);
         for (of_element, light) in of_elements {
             rows.extend(of_element);
@@ -197,6 +196,12 @@ impl<'t> Radiosity<'t> {
 
     pub(super) fn reflectance(&self, element: &Element, band: usize) -> f64 {
         reflectance(self.scene, self.transport.faces[element.face].surface)[band]
+    }
+
+    /// How many operations it takes at most to gather light at so many points.
+    pub(crate) fn operations(&self, points: usize) -> f64 {
+        let reflected: usize = self.sources().map(|(index, _)| self.outlines[index].len()).sum();
+        self.lights.operations(points, self.transport) + self.transport.operations(points, reflected)
     }
 
     /// How many nodes there are.
@@ -267,13 +272,11 @@ impl<'t> Radiosity<'t> {
     pub(crate) fn mean(&self, surface: usize) -> (Vec<f64>, f64) {
         let straight = self.straight[surface].as_ref();
         let by_nodes = self.question.direct && straight.is_none();
-        let mut sums = vec![0.0; self.irradiance.len()];
-        let mut whole = 0.0;
+        let mut sums = vec![0.0; self.scene.band_count()];
         for (index, element) in self.elements.iter().enumerate() {
             if !self.transport.faces[element.face].is_front_of(surface) {
                 continue;
             }
-            whole += element.area;
             for (area, node) in element.areas().zip(self.first[index]..) {
                 for ((sum, all), direct) in sums.iter_mut().zip(&self.irradiance).zip(&self.direct) {
                     *sum += area * if by_nodes { all[node] } else { all[node] - direct[node] };
@@ -283,6 +286,7 @@ impl<'t> Radiosity<'t> {
         if let Some(flux) = straight.filter(|_| self.question.direct) {
             sums.iter_mut().zip(flux).for_each(|(sum, [flux, _])| *sum += flux);
         }
+        let whole = self.transport.front_area(surface);
         (sums.into_iter().map(|sum| sum / whole).collect(), whole)
     }
 
@@ -292,15 +296,23 @@ impl<'t> Radiosity<'t> {
     }
 }
 
-/// The elements before any is split: of all faces from which light goes on, or of which a mean is asked.
-fn coarsest(scene: &Scene, transport: &Transport, question: &Question) -> Vec<Element> {
+/// The elements before any is split: of all faces from which light goes on, or of which a mean is asked that is not an integral alone.
+fn coarsest(
+    scene: &Scene,
+    transport: &Transport,
+    question: &Question,
+    straight: &[Option<Vec<[f64; 2]>>],
+) -> Vec<Element> {
+    let reflected = question.orders != Some(0);
+    let is_summed = |surface: usize| question.receives[surface] && (reflected || straight[surface].is_none());
+    let has_elements = |face: &Face| {
+        let is_source = reflected && reflects(scene, face.surface);
+        is_bright(scene, face) && (is_source || is_summed(face.surface))
+    };
     let mut elements = Vec::new();
-    let pieces = contact::pieces(&transport.faces, transport.screens.resolution());
-    for (index, face) in transport.faces.iter().enumerate() {
-        let is_source = question.orders != Some(0) && reflects(scene, face.surface);
-        if is_bright(scene, face) && (is_source || question.receives[face.surface]) {
-            elements.extend(pieces[index].iter().flat_map(|piece| Element::of(index, face, piece)));
-        }
+    let pieces = contact::pieces(&transport.faces, transport.screens.resolution(), has_elements);
+    for (index, (face, pieces)) in transport.faces.iter().zip(pieces).enumerate() {
+        elements.extend(pieces.iter().flat_map(|piece| Element::of(index, face, piece)));
     }
     // the faces of a polyhedron are as small as its shape asks for: linear polynomials on them are as exact as the shape
     let is_round_face =

@@ -17,7 +17,7 @@ use crate::faces::{faces, is_round};
 use crate::geometry::Face;
 use crate::radiosity::{Gathering, Goal, Lights, Paths, Question, Radiosity, Scratch, Transport};
 use crate::scene::{ReceiverKind, Scene};
-use rayon::prelude::*;
+use crate::sharing::Sharing;
 use std::collections::HashMap;
 use std::time::Instant;
 
@@ -48,9 +48,7 @@ pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dy
     let merged = (!effects.bands && scene.band_count() > 1).then(|| scene.with_one_band());
     let working = merged.as_ref().unwrap_or(scene).in_working_units();
     let work = Work::new(&working.scene, effects, choose, watch);
-    // one way into the threads instead of one for every loop, each of which would wait for them to wake
-    let has_loops = effects.orders != Some(0) || scene.receivers.len() > 1 || work.asks_for_maps();
-    let mut simulation = if has_loops { rayon::scope(|_| work.run()) } else { work.run() };
+    let mut simulation = work.run();
     simulation.leave_working_units(&working);
     if merged.is_some() {
         spread(&mut simulation, scene.band_count());
@@ -112,11 +110,6 @@ impl<'s> Work<'s> {
         Self { scene, effects, choose, watch, start: Instant::now(), readings, answers, groups }
     }
 
-    fn asks_for_maps(&self) -> bool {
-        let has_map = |kind: &ReceiverKind| matches!(kind, ReceiverKind::Surface { grid: Some(_), .. });
-        self.scene.receivers.iter().any(|receiver| has_map(&receiver.kind))
-    }
-
     fn run(mut self) -> Simulation {
         let is_round_anywhere = is_round(self.scene);
         let mut history = Vec::new();
@@ -124,30 +117,54 @@ impl<'s> Work<'s> {
         for fineness in 0.. {
             let transport = self.transport(fineness);
             let lights = Lights::of(self.scene, &transport);
+            let gathering = (self.choose)(self.scene, &transport.faces, self.effects.occlusion);
             let grids = self.grids(&transport);
-            if fineness == 0 {
+            if fineness == 0 && (is_round_anywhere || !self.is_straight(gathering)) {
                 self.watch_cells(&grids);
             }
-            let (solution, mut found) = self.solved(&transport, &lights, &mut history);
-            let is_compared = coarse.is_some();
-            if let Some(coarse) = coarse {
-                add_changes(&mut found, &coarse);
-            }
-            if !is_round_anywhere
-                || self.watch.is_stopped()
-                || fineness == FINEST
-                || (is_compared && self.is_enough(&found))
-            {
-                let maps = match &solution {
+            let sharing = self.sharing(gathering, &lights, &transport, &grids);
+            let (found, maps) = sharing.enter(|| {
+                let (solution, mut found) = self.solved(gathering, &transport, &lights, &mut history);
+                if let Some(coarse) = &coarse {
+                    add_changes(&mut found, coarse);
+                }
+                let is_last = !is_round_anywhere
+                    || self.watch.is_stopped()
+                    || fineness == FINEST
+                    || (coarse.is_some() && self.is_enough(&found));
+                let maps = is_last.then(|| match &solution {
                     Solution::Elements(radiosity) => self.maps(radiosity, &grids, &found),
                     Solution::Paths(paths) => self.sampled_maps(paths, &grids, &found),
-                };
+                });
+                (found, maps)
+            });
+            if let Some(maps) = maps {
                 let stopped = self.watch.is_stopped();
                 return Simulation { answers: self.answered(&found), maps, history, stopped };
             }
             coarse = Some(found);
         }
         unreachable!("the finest polyhedra are the last")
+    }
+
+    /// Whether all that points get comes straight from lights, in closed forms.
+    fn is_straight(&self, gathering: Gathering) -> bool {
+        self.effects.orders == Some(0) && gathering == Gathering::Pieces
+    }
+
+    /// Whether the loops over readings and cells are worth more than one thread.
+    fn sharing(
+        &self,
+        gathering: Gathering,
+        lights: &Lights,
+        transport: &Transport,
+        grids: &[(usize, Grid)],
+    ) -> Sharing {
+        if !self.is_straight(gathering) {
+            return Sharing::Shared;
+        }
+        let cells: usize = grids.iter().map(|(_, grid)| grid.count()).sum();
+        Sharing::of(lights.operations(self.readings.len() + cells, transport))
     }
 
     fn transport(&self, fineness: usize) -> Transport {
@@ -170,7 +187,7 @@ impl<'s> Work<'s> {
         receivers.filter_map(grid).collect()
     }
 
-    /// Adds readings in some cells of each map, so that maps are refined until these are exact enough.
+    /// Adds readings in some cells of each map, so that maps are refined until these are exact enough, and have errors.
     fn watch_cells(&mut self, grids: &[(usize, Grid)]) {
         for (index, grid) in grids {
             let reading = |cell| Reading::irradiance(*index, cell, grid.normal());
@@ -182,6 +199,7 @@ impl<'s> Work<'s> {
     /// A solution and the readings, by what is expected to take less; by exact pieces where rays were not enough.
     fn solved<'t>(
         &self,
+        gathering: Gathering,
         transport: &'t Transport,
         lights: &'t Lights<'t>,
         history: &mut Vec<Moment>,
@@ -189,7 +207,6 @@ impl<'s> Work<'s> {
     where
         's: 't,
     {
-        let gathering = (self.choose)(self.scene, &transport.faces, self.effects.occlusion);
         if let Gathering::Rays { most } = gathering {
             let paths = Paths::new(self.scene, transport, lights, self.question(), self.watch);
             let found = self.sampled(&paths, is_round(self.scene), most, history);
@@ -273,8 +290,9 @@ impl<'s> Work<'s> {
             };
             Found { bands: values.into_iter().enumerate().map(of_band).collect(), seconds }
         };
-        let mut found: Vec<Found> =
-            self.readings.par_iter().enumerate().map_init(Scratch::default, one).collect();
+        let sharing = Sharing::of(radiosity.operations(self.readings.len()));
+        let readings: Vec<(usize, &Reading)> = self.readings.iter().enumerate().collect();
+        let mut found: Vec<Found> = sharing.map(readings, one);
         let scales = self.scales(&found);
         pool(&mut found, &scales, &self.groups);
         for (found, scales) in found.iter_mut().zip(scales) {
@@ -321,9 +339,11 @@ impl<'s> Work<'s> {
             let watched =
                 || (self.answers..found.len()).filter(|&other| self.readings[other].receiver == receiver);
             let largest =
-                |band: usize| watched().map(|other| found[other].bands[band].error()).fold(0.0, f64::max);
+                |band: usize| watched().map(|other| found[other].bands[band].error()).reduce(f64::max);
             let error = |(band, values): (usize, &Vec<f64>)| {
-                let error = largest(band);
+                // where none is watched, closed forms leave nothing but rounding
+                let brightest = || values.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
+                let error = largest(band).unwrap_or_else(|| ROUNDING * brightest());
                 values.iter().map(|value| if value.is_nan() { f64::NAN } else { error }).collect()
             };
             let errors = values.iter().enumerate().map(error).collect();
