@@ -8,6 +8,9 @@ use super::outlines::Outlines;
 use crate::geometry::{Between, Face, Screens, Vector, Workspace};
 use crate::kernels::edge_form_factor;
 
+/// How many numbers go into a vector of the widest kind.
+const LANES: usize = 8;
+
 /// Points that receive, all looking to one side or to all, and a convex outline that holds them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Group<'g> {
@@ -58,10 +61,12 @@ impl Transport {
         self.fronts(surface).map(|face| face.area).sum()
     }
 
-    /// How many operations it takes at most to see so many edges from so many points: each is computed, as often as a screen may cut it.
+    /// How many operations it takes at most to see so many edges from so many points, in vectors: each edge is computed once, and each screen
+    /// may cut it in single numbers.
     pub(crate) fn operations(&self, points: usize, edges: usize) -> f64 {
         let screens = if self.occlusion { self.screens.count() } else { 0 };
-        points as f64 * edges as f64 * (1 + screens) as f64 * edge_form_factor::OPERATIONS as f64
+        let of_edge = edge_form_factor::OPERATIONS * (1 + LANES * screens);
+        points as f64 * edges as f64 * of_edge as f64
     }
 
     /// Calls `each` with the index of a point and a convex piece that it sees of a luminous outline with this normal,
