@@ -1,6 +1,6 @@
 //! Simulations of whole scenes: known answers, laws, and what dropping an effect may change.
 
-use forms_radiometry::scene::{Scene, read, read_with_files};
+use forms_radiometry::scene::{Effect, Scene, read, read_with_files};
 use forms_radiometry::simulation::{Answer, Quantity, Unwatched, plan, simulate};
 use std::f64::consts::PI;
 
@@ -160,6 +160,28 @@ fn lights_without_extent_shine_where_nothing_stands_before_them() {
         answer(&found, "below", Quantity::Irradiance).0 <= distant * (1.0 + 1e-12),
         "the point is hidden"
     );
+}
+
+#[test]
+fn in_a_convex_room_nothing_hides_a_light_that_is_in_it() {
+    let room = cube([0.5; 6], [0.0; 6]) + &receivers(&["floor"]);
+    let point = |height: f64| {
+        format!("[[light]]\nkind = \"point\"\nposition = [0.5, 0.4, {height}]\nintensity = 3\n")
+    };
+    let distant = "[[light]]\nkind = \"distant\"\ndirection = [0, 1, -1]\nirradiance = 5\n";
+    let screen =
+        surface("screen", "polygon = [[0.2,0.2,0.4], [0.6,0.2,0.4], [0.6,0.6,0.4], [0.2,0.6,0.4]]", "0", "0");
+    for (name, more, is_hidden) in [
+        ("a light in the room", point(0.9), false),
+        ("a light above the ceiling", point(1.1), true),
+        ("a light far away", distant.to_owned(), true),
+        ("a screen", point(0.9) + &screen, true),
+        ("a sky", "[ambient]\nradiance = 1\n".to_owned(), true),
+    ] {
+        let plan = plan(&scene(&format!("{room}{more}"))).expect("the scene is right");
+        let occlusion = plan.effects.iter().find(|planned| planned.effect == Effect::Occlusion);
+        assert_eq!(occlusion.map(|planned| planned.on), Some(is_hidden), "{name}");
+    }
 }
 
 #[test]

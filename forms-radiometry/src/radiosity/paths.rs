@@ -125,6 +125,9 @@ impl<'t> Paths<'t> {
 
     /// How many screens may come between the middle of an element and a light, in the mean over some lights.
     fn screens_before_lights(&self, element: &Element) -> f64 {
+        if !self.transport.occlusion {
+            return 0.0;
+        }
         let faces = self.lights.faces();
         let (mut found, mut sum, mut all) = (Vec::new(), 0.0, 0.0_f64);
         for &face in faces.iter().step_by((faces.len() / LIGHTS_ASKED).max(1)) {

@@ -15,7 +15,7 @@ use super::readings::Reading;
 use super::watch::Watch;
 use crate::faces::{faces, is_round};
 use crate::geometry::Face;
-use crate::radiosity::{Gathering, Goal, Lights, Paths, Question, Radiosity, Scratch, Transport};
+use crate::radiosity::{Gathering, Goal, Hiding, Lights, Paths, Question, Radiosity, Scratch, Transport};
 use crate::scene::{ReceiverKind, Scene};
 use crate::sharing::Sharing;
 use std::collections::HashMap;
@@ -42,7 +42,7 @@ pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
     simulate_by(Gathering::of, scene, plan, watch)
 }
 
-/// Answers them with light that is gathered as `choose` says for the faces of the scene, which may hide each other or not.
+/// Answers them with light that is gathered as `choose` says.
 pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
     let effects = Effects::of(&plan.effects);
     let merged = (!effects.bands && scene.band_count() > 1).then(|| scene.with_one_band());
@@ -56,8 +56,8 @@ pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dy
     simulation
 }
 
-/// How light is gathered in a scene with these faces, which may hide each other or not.
-type Choose = fn(&Scene, &[Face], bool) -> Gathering;
+/// How light is gathered in a scene with these faces, of which it is known what they hide.
+type Choose = fn(&Scene, &[Face], &Question, Hiding) -> Gathering;
 
 /// The answers of one band, for each band.
 fn spread(simulation: &mut Simulation, bands: usize) {
@@ -115,9 +115,10 @@ impl<'s> Work<'s> {
         let mut history = Vec::new();
         let mut coarse: Option<Vec<Found>> = None;
         for fineness in 0.. {
-            let transport = self.transport(fineness);
+            let faces = faces(self.scene, fineness);
+            let gathering = (self.choose)(self.scene, &faces, &self.question(), self.effects.hiding);
+            let transport = self.transport(faces, gathering);
             let lights = Lights::of(self.scene, &transport);
-            let gathering = (self.choose)(self.scene, &transport.faces, self.effects.occlusion);
             let grids = self.grids(&transport);
             if fineness == 0 && (is_round_anywhere || !self.is_straight(gathering)) {
                 self.watch_cells(&grids);
@@ -167,9 +168,8 @@ impl<'s> Work<'s> {
         Sharing::of(lights.operations(self.readings.len() + cells, transport))
     }
 
-    fn transport(&self, fineness: usize) -> Transport {
-        let faces = faces(self.scene, fineness);
-        let screens = self.effects.screens(self.scene, &faces);
+    fn transport(&self, faces: Vec<Face>, gathering: Gathering) -> Transport {
+        let screens = self.effects.screens(self.scene, &faces, gathering);
         let [part, loosest] = if self.effects.orders == Some(0) { [STRAIGHT, 1e-2] } else { [RULES, 1e-3] };
         let accuracy = (part * self.scene.solve.tolerance).clamp(1e-12, loosest);
         Transport { faces, screens, occlusion: self.effects.occlusion, accuracy }

@@ -285,6 +285,27 @@ fn sample_by_rays(scene: &Scene, transport: &Transport) -> Sampled {
     sampled
 }
 
+/// Whether all surfaces, lights and receivers are on one side of every face: then these are parts of the border of a convex room, and
+/// none stands between anything in it.
+fn is_convex_room(scene: &Scene, faces: &[Face], resolution: f64) -> bool {
+    let mut inside: Vec<Vector> = faces.iter().flat_map(|face| &face.vertices).copied().collect();
+    for light in &scene.lights {
+        let LightKind::Point { position, .. } = light.kind else { return false };
+        inside.push(position);
+    }
+    if scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0) {
+        return false;
+    }
+    inside.extend(scene.receivers.iter().filter_map(|receiver| match receiver.kind {
+        ReceiverKind::Point { position, .. } | ReceiverKind::Sphere { position } => Some(position),
+        ReceiverKind::Ray { .. } | ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => None,
+    }));
+    faces.iter().filter(|face| !face.is_back).all(|face| {
+        let heights = || inside.iter().map(|&point| face.normal.dot(point - face.vertices[0]));
+        heights().all(|height| height >= -resolution) || heights().all(|height| height <= resolution)
+    })
+}
+
 /// Whether anything can come between two faces, or between a receiver and a face; and if so, what.
 fn in_between(scene: &Scene, transport: &Transport) -> Option<String> {
     let faces = &transport.faces;
@@ -295,6 +316,9 @@ fn in_between(scene: &Scene, transport: &Transport) -> Option<String> {
     let sources: Vec<usize> = (0..faces.len()).filter(|&index| counts(index)).collect();
     if faces.len() > MANY {
         return Some(format!("among {} faces some may hide others", faces.len()));
+    }
+    if is_convex_room(scene, faces, transport.screens.resolution()) {
+        return None;
     }
     if !scene.lights.is_empty() && !faces.is_empty() {
         return Some("surfaces may hide lights that are points or far away".to_string());
