@@ -10,6 +10,7 @@ mod effects;
 mod estimate;
 mod exposure;
 mod map;
+mod maps;
 mod planning;
 mod readings;
 mod sampled;

@@ -1,10 +1,10 @@
 //! Simulations of whole scenes: known answers, laws, and what dropping an effect may change.
 
 use forms_radiometry::scene::{Effect, Scene, read, read_with_files};
-use forms_radiometry::simulation::{Answer, Quantity, Unwatched, plan, simulate};
+use forms_radiometry::simulation::{Answer, Quantity, Unwatched, Watch, plan, simulate};
 use std::f64::consts::PI;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-#[expect(dead_code, reason = "other tests need the rest")]
 mod scene_text;
 use scene_text::{CUBE, material, polygon, surface_receiver};
 
@@ -265,6 +265,62 @@ fn a_cell_of_a_map_has_what_a_receiver_at_its_middle_has() {
             assert!(off <= 1e-13, "{name}, {}: {} and {value}", answer.receiver, answer.value);
         }
         assert_eq!(found.len(), 2 * inside.len());
+    }
+}
+
+/// Stops the work as soon as it was told so often how far it is.
+struct StopsAfter {
+    most: usize,
+    told: AtomicUsize,
+}
+
+impl Watch for StopsAfter {
+    fn progress(&self, _stage: &str, _fraction: f64) {
+        self.told.fetch_add(1, Ordering::SeqCst);
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.told.load(Ordering::SeqCst) >= self.most
+    }
+}
+
+#[test]
+fn work_that_is_stopped_ends_at_once_with_what_was_found_before() {
+    let room = cube([0.5, 0.7, 0.3, 0.5, 0.5, 0.2], [0.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
+    let screen =
+        surface("screen", "polygon = [[0.2,0.2,0.4], [0.6,0.2,0.4], [0.6,0.6,0.4], [0.2,0.6,0.4]]", "0", "0");
+    let ball = surface("ball", "sphere = { center = [0, 0, 0], radius = 1, inward = true }", "0.5", "1");
+    let at = scene_text::point_receiver("here", [0.3, 0.3, 0.1], [0.0, 0.0, 1.0]);
+    let map = receivers(&["floor"]) + "grid = [5, 4]\n";
+    for (name, text, tolerance) in [
+        ("free", format!("{room}{map}{at}"), 1e-3),
+        ("with a screen", format!("{room}{screen}{map}{at}"), 0.2),
+        ("round", format!("{ball}{at}"), 5e-3),
+    ] {
+        let scene = scene(&(text + &scene_text::tolerance(tolerance)));
+        let plan = plan(&scene).expect("the scene is right");
+        let run = |most: usize| {
+            let watch = StopsAfter { most, told: AtomicUsize::new(0) };
+            let found = simulate(&scene, &plan, &watch);
+            (found, watch.told.into_inner())
+        };
+        let (whole, all) = run(usize::MAX);
+        assert!(!whole.stopped && all > 4, "{name}: {all}");
+        for most in [0, 1, all / 4, all / 2, all - 1] {
+            let (found, told) = run(most);
+            // each thread may be about to tell what it has done
+            let threads = std::thread::available_parallelism().map_or(1, usize::from);
+            assert!(found.stopped && told <= most + threads, "{name}: {told} of {all} after {most}");
+            for answer in &found.answers {
+                let is_meant =
+                    |other: &&Answer| other.receiver == answer.receiver && other.quantity == answer.quantity;
+                let exact = whole.answers.iter().find(is_meant).expect("the same receivers");
+                let off = (answer.value - exact.value).abs();
+                assert!(off <= answer.error + exact.error, "{name} after {most}: {answer:?}, {exact:?}");
+            }
+        }
+        let (found, _) = run(all - 1);
+        assert_eq!(found.answers.len(), whole.answers.len(), "{name}");
     }
 }
 

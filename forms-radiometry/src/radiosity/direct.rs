@@ -16,6 +16,7 @@ use crate::faces::emits;
 use crate::geometry::{Exchange, Face, Vector, exchange_of, exchange_with};
 use crate::kernels::{gathered_light::Effects, irradiance};
 use crate::scene::{LightKind, Scene};
+use crate::simulation::Watch;
 
 /// Exchange below this part of a surface is computed to the absolute error of this part.
 const LEAST: f64 = 1e-3;
@@ -115,15 +116,23 @@ impl<'s> Lights<'s> {
     }
 
     /// For each band, the flux that comes straight to the fronts of a surface, and its error; nothing where light is not that of
-    /// faces alone. It is an integral over both, and not a sum over points that may miss what is near an edge.
-    pub(crate) fn flux(&self, surface: usize, transport: &Transport) -> Option<Vec<[f64; 2]>> {
+    /// faces alone, or the work is stopped. It is an integral over both, and not a sum over points that may miss what is near an edge.
+    pub(crate) fn flux(
+        &self,
+        surface: usize,
+        transport: &Transport,
+        watch: &dyn Watch,
+    ) -> Option<Vec<[f64; 2]>> {
         if self.kinds().surroundings || self.kinds().beams {
             return None;
         }
         let mut flux = vec![[0.0; 2]; self.scene.band_count()];
         for here in transport.fronts(surface) {
             for there in self.faces.iter().map(|&index| &transport.faces[index]) {
-                let Exchange { area, error } = exchanged(here, there, transport);
+                if watch.is_stopped() {
+                    return None;
+                }
+                let Exchange { area, error } = exchanged(here, there, transport, watch);
                 let radiances = &self.scene.surfaces[there.surface].radiance;
                 for ([value, of_value], &radiance) in flux.iter_mut().zip(radiances) {
                     *value += irradiance(area, radiance);
@@ -168,10 +177,11 @@ pub(super) fn kinds(scene: &Scene, faces: &[Face]) -> Effects {
 }
 
 /// The exchange area of two faces of a scene.
-fn exchanged(here: &Face, there: &Face, transport: &Transport) -> Exchange {
+fn exchanged(here: &Face, there: &Face, transport: &Transport, watch: &dyn Watch) -> Exchange {
     let screens = &transport.screens;
     if transport.occlusion {
-        return exchange_with(here, there, screens, [transport.accuracy, LEAST * here.area]);
+        let tolerances = [transport.accuracy, LEAST * here.area];
+        return exchange_with(here, there, screens, tolerances, || watch.is_stopped());
     }
     let face_each_other =
         screens.face_each_other(&here.vertices, Some(here.normal), &there.vertices, there.normal);

@@ -59,6 +59,7 @@ pub(crate) struct Radiosity<'t> {
     pub(super) scene: &'t Scene,
     pub(super) transport: &'t Transport,
     pub(super) lights: &'t Lights<'t>,
+    pub(super) watch: &'t dyn Watch,
     /// The kinds of light that receivers gather.
     kinds: Kinds,
     pub(super) question: Question,
@@ -84,23 +85,24 @@ pub(crate) struct Radiosity<'t> {
 }
 
 impl<'t> Radiosity<'t> {
-    /// The solution on the coarsest elements.
+    /// The solution on the coarsest elements; none yet if the work is stopped before.
     pub(crate) fn new(
         scene: &'t Scene,
         transport: &'t Transport,
         lights: &'t Lights<'t>,
         question: Question,
-        watch: &dyn Watch,
+        watch: &'t dyn Watch,
     ) -> Self {
         let straight = question.receives.iter().enumerate();
         let straight: Vec<_> = straight
-            .map(|(surface, &receives)| if receives { lights.flux(surface, transport) } else { None })
+            .map(|(surface, &receives)| if receives { lights.flux(surface, transport, watch) } else { None })
             .collect();
         let elements = coarsest(scene, transport, &question, &straight);
         let mut radiosity = Self {
             scene,
             transport,
             lights,
+            watch,
             kinds: Kinds::of(question.kinds(lights.kinds())),
             question,
             outlines: Vec::new(),
@@ -115,27 +117,22 @@ impl<'t> Radiosity<'t> {
             tail: Vec::new(),
             elements,
         };
-        radiosity.solve(watch);
+        radiosity.solve();
         radiosity.changes = radiosity.unknown_changes();
         radiosity
     }
 
-    /// Light at the nodes of the elements that there are.
-    pub(super) fn solve(&mut self, watch: &dyn Watch) {
+    /// Light at the nodes of the elements that there are; whether it was found before the work was stopped.
+    pub(super) fn solve(&mut self) -> bool {
         self.outlines = self.elements.iter().map(Element::outline).collect();
         self.first = vec![0];
         for element in &self.elements {
             self.first.push(self.first[self.first.len() - 1] + element.count());
         }
-        let done = AtomicUsize::new(0);
-        let of_element = |scratch: &mut Scratch, index| {
-            let rows = self.rows(index, scratch, watch);
-            let part = done.fetch_add(1, Ordering::Relaxed) as f64 / self.elements.len() as f64;
-            watch.progress("interreflection", part);
-            rows
-        };
-        let of_elements: Vec<(Vec<Row>, Vec<Vec<f64>>)> =
-            Sharing::of(self.operations(self.size())).map(0..self.elements.len(), of_element);
+        let of_elements = self.all_rows();
+        if self.watch.is_stopped() {
+            return false;
+        }
         let (mut rows, mut direct) = (Vec::new(), vec![Vec::new(); self.scene.band_count()]);
         for (of_element, light) in of_elements {
             rows.extend(of_element);
@@ -147,16 +144,34 @@ impl<'t> Radiosity<'t> {
             self.tail = vec![0.0; direct.len()];
             self.take(direct.clone());
             self.direct = direct;
-            return;
+            return true;
         }
         let operator = Operator::new(rows, self.first.clone());
         let reflectances: Vec<Vec<f64>> = (0..self.scene.band_count())
             .map(|band| self.elements.iter().map(|element| self.reflectance(element, band)).collect())
             .collect();
-        let solved = of_bands(&operator, &reflectances, &direct, self.question.orders);
+        let solved = of_bands(&operator, &reflectances, &direct, self.question.orders, self.watch);
+        if self.watch.is_stopped() {
+            return false;
+        }
         (self.reflected, self.tail) = (solved.reflected, solved.tail);
         self.take(solved.irradiance);
         (self.direct, self.operator) = (direct, Some(operator));
+        true
+    }
+
+    /// The rows of the nodes of each element, and the light that comes straight to them.
+    fn all_rows(&self) -> Vec<(Vec<Row>, Vec<Vec<f64>>)> {
+        let done = AtomicUsize::new(0);
+        let of_element = |scratch: &mut Scratch, index| {
+            let rows = self.rows(index, scratch);
+            let part = done.fetch_add(1, Ordering::Relaxed) as f64 / self.elements.len() as f64;
+            if !self.watch.is_stopped() {
+                self.watch.progress("interreflection", part);
+            }
+            rows
+        };
+        Sharing::of(self.operations(self.size())).map(0..self.elements.len(), of_element)
     }
 
     /// Takes the irradiance of the nodes.
@@ -166,22 +181,23 @@ impl<'t> Radiosity<'t> {
         self.irradiance = irradiance;
     }
 
-    /// The rows of the nodes of an element, and the light that comes straight to them.
-    fn rows(&self, index: usize, scratch: &mut Scratch, watch: &dyn Watch) -> (Vec<Row>, Vec<Vec<f64>>) {
+    /// The rows of the nodes of an element, and the light that comes straight to them; only some of it if the work is stopped.
+    fn rows(&self, index: usize, scratch: &mut Scratch) -> (Vec<Row>, Vec<Vec<f64>>) {
         let element = &self.elements[index];
         let points: Vec<Vector> = element.nodes().collect();
         let measure = Measure::Plane(element.normal);
         let group = Group { points: &points, outline: &self.outlines[index], measure };
         let reflects = self.question.orders != Some(0);
         let mut rows = if reflects { vec![Row::default(); points.len()] } else { Vec::new() };
-        if !watch.is_stopped() {
-            for (source, other) in self.sources().filter(|(_, other)| other.face != element.face) {
-                let outline = &self.outlines[source];
-                self.transport.weigh(group, (other, outline), scratch, |node, weights| {
-                    rows[node].elements.push(source as u32);
-                    rows[node].weights.extend_from_slice(weights);
-                });
+        for (source, other) in self.sources().filter(|(_, other)| other.face != element.face) {
+            if self.watch.is_stopped() {
+                return (rows, Vec::new());
             }
+            let outline = &self.outlines[source];
+            self.transport.weigh(group, (other, outline), scratch, |node, weights| {
+                rows[node].elements.push(source as u32);
+                rows[node].weights.extend_from_slice(weights);
+            });
         }
         (rows, self.lights.reaching(group, self.transport, scratch))
     }
@@ -238,7 +254,7 @@ impl<'t> Radiosity<'t> {
         gathered.chunks_exact(bands).map(<[f64]>::to_vec).collect()
     }
 
-    /// The same of all bands, point by point.
+    /// The same of all bands, point by point; only some of it if the work is stopped.
     pub(crate) fn gather(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
         let mut arriving = std::mem::take(&mut scratch.arriving);
         arriving.begin(self.kinds, gathered.len());
@@ -256,6 +272,9 @@ impl<'t> Radiosity<'t> {
     fn add_reflected(&self, group: Group, scratch: &mut Scratch, reflected: &mut [f64]) {
         let bands = self.scene.band_count();
         for (index, element) in self.sources() {
+            if self.watch.is_stopped() {
+                return;
+            }
             let nodes = self.first[index]..self.first[index + 1];
             self.transport.weigh(group, (element, &self.outlines[index]), scratch, |point, weights| {
                 for (band, sum) in reflected[point * bands..][..bands].iter_mut().enumerate() {

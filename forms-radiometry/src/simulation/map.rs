@@ -95,8 +95,15 @@ impl Grid {
         let mut gathered = vec![f64::NAN; bands * self.count()];
         let done = AtomicUsize::new(0);
         let each = |scratch: &mut Scratch, (group, values): (Group, &mut [f64])| {
-            if !watch.is_stopped() && !group.points.is_empty() {
+            if watch.is_stopped() {
+                return;
+            }
+            if !group.points.is_empty() {
                 radiosity.gather(group, scratch, values);
+            }
+            if watch.is_stopped() {
+                values.fill(f64::NAN);
+                return;
             }
             let part = done.fetch_add(1, Ordering::Relaxed) as f64 / self.blocks.len() as f64;
             watch.progress("maps", part);

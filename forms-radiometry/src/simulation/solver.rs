@@ -7,7 +7,7 @@
 //! equations left, and rounding. Where shapes are curved, all is done with two polyhedra, one finer than the other, and what that
 //! changes is added.
 
-use super::answer::{Answer, ErrorKind, Map, Moment, Plan, Quantity, Simulation};
+use super::answer::{Answer, ErrorKind, Moment, Plan, Quantity, Simulation};
 use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
 use super::map::Grid;
@@ -16,7 +16,7 @@ use super::watch::Watch;
 use crate::faces::{faces, is_round};
 use crate::geometry::Face;
 use crate::radiosity::{Gathering, Goal, Hiding, Lights, Paths, Question, Radiosity, Scratch, Transport};
-use crate::scene::{ReceiverKind, Scene};
+use crate::scene::Scene;
 use crate::sharing::Sharing;
 use std::collections::HashMap;
 use std::time::Instant;
@@ -34,8 +34,6 @@ const FINEST: usize = 4;
 /// What is to come at least after each change, relative to it, where surfaces may hide each other: shadows that fall between the
 /// nodes appear when they are closer, and their borders settle no faster than elements shrink.
 const BEHIND_SCREENS: [f64; 3] = [10.0, 2.0, 1.0];
-/// One in so many cells of a map is watched while elements become finer, and at least so many in all.
-const WATCHED: [usize; 2] = [36, 9];
 
 /// Answers the questions of a scene with the effects of a plan.
 pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
@@ -82,7 +80,7 @@ pub(super) struct Work<'s> {
     /// How many readings are answers; those after them are watched cells of maps.
     pub(super) answers: usize,
     /// The group of each reading.
-    groups: Vec<usize>,
+    pub(super) groups: Vec<usize>,
 }
 
 /// What readings and maps are taken from.
@@ -93,7 +91,7 @@ enum Solution<'t> {
 
 /// Readings in groups, each named by the first in it: the components of vector irradiance and the fluence rate of one receiver,
 /// and the watched cells of one map. Any other reading is alone.
-fn groups(readings: &[Reading], answers: usize) -> Vec<usize> {
+pub(super) fn groups(readings: &[Reading], answers: usize) -> Vec<usize> {
     let mut first = HashMap::new();
     let group = |(index, reading): (usize, &Reading)| {
         let is_vector = matches!(reading.quantity, Quantity::VectorIrradiance(_) | Quantity::FluenceRate);
@@ -126,13 +124,17 @@ impl<'s> Work<'s> {
             let sharing = self.sharing(gathering, &lights, &transport, &grids);
             let (found, maps) = sharing.enter(|| {
                 let (solution, mut found) = self.solved(gathering, &transport, &lights, &mut history);
-                if let Some(coarse) = &coarse {
-                    add_changes(&mut found, coarse);
+                let is_stopped = self.watch.is_stopped();
+                let is_compared = compare(&mut found, coarse.take(), fineness);
+                if is_round_anywhere && is_stopped && !is_compared {
+                    // what the shape changes is not known
+                    let estimates = found.iter_mut().flat_map(|found| &mut found.bands);
+                    estimates.for_each(|estimate| estimate.floor = f64::INFINITY);
                 }
                 let is_last = !is_round_anywhere
-                    || self.watch.is_stopped()
+                    || is_stopped
                     || fineness == FINEST
-                    || (coarse.is_some() && self.is_enough(&found));
+                    || (is_compared && self.is_enough(&found));
                 let maps = is_last.then(|| match &solution {
                     Solution::Elements(radiosity) => self.maps(radiosity, &grids, &found),
                     Solution::Paths(paths) => self.sampled_maps(paths, &grids, &found),
@@ -173,27 +175,6 @@ impl<'s> Work<'s> {
         let [part, loosest] = if self.effects.orders == Some(0) { [STRAIGHT, 1e-2] } else { [RULES, 1e-3] };
         let accuracy = (part * self.scene.solve.tolerance).clamp(1e-12, loosest);
         Transport { faces, screens, occlusion: self.effects.occlusion, accuracy }
-    }
-
-    /// The maps that are asked for: the index of the receiver and its cells.
-    fn grids(&self, transport: &Transport) -> Vec<(usize, Grid)> {
-        let receivers = self.scene.receivers.iter().enumerate();
-        let grid = |(index, receiver): (usize, &crate::scene::Receiver)| match receiver.kind {
-            ReceiverKind::Surface { surface, grid: Some(size) } => {
-                Grid::over(transport, surface, size).map(|grid| (index, grid))
-            }
-            _ => None,
-        };
-        receivers.filter_map(grid).collect()
-    }
-
-    /// Adds readings in some cells of each map, so that maps are refined until these are exact enough, and have errors.
-    fn watch_cells(&mut self, grids: &[(usize, Grid)]) {
-        for (index, grid) in grids {
-            let reading = |cell| Reading::irradiance(*index, cell, grid.normal());
-            self.readings.extend(grid.some(WATCHED).map(reading));
-        }
-        self.groups = groups(&self.readings, self.answers);
     }
 
     /// A solution and the readings, by what is expected to take less; by exact pieces where rays were not enough.
@@ -242,14 +223,18 @@ impl<'s> Work<'s> {
                 return (radiosity, found);
             }
             let goals = self.goals(&radiosity, &found);
-            let Some(mut left) = radiosity.refine(&goals, self.watch) else {
+            let Some(mut left) = radiosity.refine(&goals) else {
                 return (radiosity, found);
             };
             if transport.occlusion {
                 left = left.max(BEHIND_SCREENS[splits.min(BEHIND_SCREENS.len() - 1)]);
             }
             splits += 1;
-            found = self.read(&radiosity, Some((&found, left)));
+            let finer = self.read(&radiosity, Some((&found, left)));
+            if self.watch.is_stopped() {
+                return (radiosity, found);
+            }
+            found = finer;
         }
     }
 
@@ -271,12 +256,19 @@ impl<'s> Work<'s> {
         self.readings.iter().zip(found).zip(self.scales(found)).filter_map(goal).collect()
     }
 
-    /// All readings in all bands.
+    /// All readings in all bands; in none where the work was stopped before.
     fn read(&self, radiosity: &Radiosity, before: Option<(&Vec<Found>, f64)>) -> Vec<Found> {
         let one = |scratch: &mut Scratch, (index, reading): (usize, &Reading)| {
             let begin = Instant::now();
-            let values = reading.value(self.scene, radiosity, scratch);
+            let values = if self.watch.is_stopped() {
+                Vec::new()
+            } else {
+                reading.value(self.scene, radiosity, scratch)
+            };
             let seconds = begin.elapsed().as_secs_f64();
+            if self.watch.is_stopped() {
+                return Found { bands: Vec::new(), seconds };
+            }
             let largest = reading.largest(radiosity.transport());
             let of_band = |(band, value): (usize, f64)| {
                 let straight = reading.straight_error(radiosity, band);
@@ -314,7 +306,7 @@ impl<'s> Work<'s> {
     }
 
     /// The errors of all readings in all bands, relative to what their tolerances are. Of an answer that is nothing beside the
-    /// largest of all, such as that of a receiver in the dark, only the error beside that one counts.
+    /// largest of all, such as that of a receiver in the dark, only the error beside that one counts. Of what was not reached nothing is known.
     pub(super) fn relative_errors(&self, found: &[Found]) -> impl Iterator<Item = f64> {
         let scales = self.scales(found);
         let largest = scales.iter().flatten().copied().fold(0.0, f64::max);
@@ -323,37 +315,14 @@ impl<'s> Work<'s> {
             if error == 0.0 { 0.0 } else { error / scale.max(DARK * largest) }
         };
         let pairs = found.iter().zip(scales);
-        let errors: Vec<f64> =
+        let mut errors: Vec<f64> =
             pairs.flat_map(|(found, scales)| found.bands.iter().zip(scales).map(relative)).collect();
+        errors.extend(found.iter().any(Found::is_missing).then_some(f64::INFINITY));
         errors.into_iter()
     }
 
     fn is_enough(&self, found: &[Found]) -> bool {
         self.relative_errors(found).all(|error| error <= self.scene.solve.tolerance)
-    }
-
-    fn maps(&self, radiosity: &Radiosity, grids: &[(usize, Grid)], found: &[Found]) -> Vec<Map> {
-        let bands = self.scene.band_count();
-        let map = |&(receiver, ref grid): &(usize, Grid)| {
-            let values = grid.irradiance(bands, radiosity, self.watch);
-            let watched =
-                || (self.answers..found.len()).filter(|&other| self.readings[other].receiver == receiver);
-            let largest =
-                |band: usize| watched().map(|other| found[other].bands[band].error()).reduce(f64::max);
-            let error = |(band, values): (usize, &Vec<f64>)| {
-                // where none is watched, closed forms leave nothing but rounding
-                let brightest = || values.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
-                let error = largest(band).unwrap_or_else(|| ROUNDING * brightest());
-                values.iter().map(|value| if value.is_nan() { f64::NAN } else { error }).collect()
-            };
-            let errors = values.iter().enumerate().map(error).collect();
-            let ReceiverKind::Surface { grid: Some(size), .. } = self.scene.receivers[receiver].kind else {
-                unreachable!("only surfaces with a grid have maps")
-            };
-            let name = self.scene.receivers[receiver].name.clone();
-            Map { receiver: name, quantity: Quantity::Irradiance, size, values, errors }
-        };
-        grids.iter().map(map).collect()
     }
 
     fn answered(&self, found: &[Found]) -> Vec<Answer> {
@@ -372,6 +341,22 @@ impl<'s> Work<'s> {
             found.bands.clone().into_iter().enumerate().map(of_band)
         };
         self.readings[..self.answers].iter().zip(found).flat_map(answer).collect()
+    }
+}
+
+/// Compares what was found with that of a coarser shape, or takes that back if not everything was reached; whether the errors then tell
+/// what the shape changes.
+fn compare(found: &mut Vec<Found>, coarse: Option<Vec<Found>>, fineness: usize) -> bool {
+    match coarse {
+        Some(coarse) if found.iter().any(Found::is_missing) => {
+            *found = coarse;
+            fineness > 1
+        }
+        Some(coarse) => {
+            add_changes(found, &coarse);
+            true
+        }
+        None => false,
     }
 }
 
