@@ -26,5 +26,5 @@ pub use mesh::{FaceError, Mesh, MeshError};
 pub use polygon::{Polygon, PolygonError};
 pub use round::{Disk, Sphere};
 pub use vector::Vector;
-pub(crate) use visibility::{Between, Face, Screens, Workspace, resolution};
+pub(crate) use visibility::{Between, Face, Met, Screens, Start, Wall, Walls, Workspace, resolution};
 pub(crate) use weld::Welded;

@@ -38,9 +38,11 @@ pub mod geometry;
 pub mod irradiance;
 pub mod kernels;
 mod library;
+mod monte_carlo;
 pub mod output;
 pub mod picture;
 mod radiosity;
+mod sampling;
 pub mod scene;
 #[cfg(test)]
 #[path = "../tests/scene_text/mod.rs"]

@@ -21,8 +21,12 @@ pub use png::png;
 use crate::simulation::Map;
 
 /// The cells of a map in the order of a picture: row by row from above.
-fn from_above<'v>(map: &Map, values: &'v [f64]) -> impl DoubleEndedIterator<Item = &'v [f64]> {
-    values.chunks_exact(map.size[0]).rev()
+fn from_above<'v>(map: &Map, values: &'v [f64]) -> Vec<&'v [f64]> {
+    let mut rows: Vec<&[f64]> = values.chunks_exact(map.size[0]).collect();
+    if !map.is_image {
+        rows.reverse();
+    }
+    rows
 }
 
 /// For each cell the sum of all bands.

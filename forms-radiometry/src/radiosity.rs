@@ -29,7 +29,6 @@ mod paths;
 mod probe;
 mod reference;
 mod refinement;
-mod sequence;
 mod solution;
 mod subdivision;
 mod system;

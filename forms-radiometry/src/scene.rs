@@ -27,6 +27,7 @@ pub use model::{
 };
 pub use place::Place;
 pub use read::{open, read, read_with_files};
+pub(crate) use regions::{FilledSheet, Filling, Piece, filled};
 pub(crate) use simulated::DiffuseScene;
 pub use simulated::not_simulated;
 pub(crate) use working_units::WorkingScene;

@@ -9,6 +9,8 @@ mod answer;
 mod effects;
 mod estimate;
 mod exposure;
+mod followed;
+mod left_out;
 mod map;
 mod maps;
 mod planning;

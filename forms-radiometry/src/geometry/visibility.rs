@@ -10,6 +10,8 @@
 //! ```
 //! What is seen is exact up to rounding: every screen is a cone of directions that is cut out of the luminaire's. A point that lies
 //! in the plane of a screen sees it edge-on: so a surface hides nothing from its own points.
+//!
+//! Rays that go on from surface to surface meet shapes as they are, disks and spheres too: [`walls`].
 
 mod between;
 mod body;
@@ -21,9 +23,11 @@ mod ray;
 mod shaft;
 mod tree;
 mod visible;
+mod walls;
 
 pub(crate) use between::Between;
 pub(crate) use horizon::Workspace;
+pub(crate) use walls::{Met, Start, Wall, Walls};
 
 use super::{Polygon, Vector};
 use body::{Body, bodies};

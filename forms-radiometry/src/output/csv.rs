@@ -14,7 +14,7 @@ pub fn csv(simulation: &Simulation, output: impl Write) -> io::Result<()> {
     let mut lines = Lines { writer: ::csv::Writer::from_writer(output), number: String::new() };
     lines.writer.write_record(HEADER)?;
     for answer in &simulation.answers {
-        lines.begin(&answer.receiver, answer.quantity.name(), answer.band)?;
+        lines.begin(&answer.receiver, answer.quantity.name(), [answer.band, answer.bin])?;
         lines.end(None, answer.value, answer.error)?;
     }
     simulation.maps.iter().try_for_each(|map| lines.map(map))?;
@@ -33,7 +33,7 @@ impl<W: Write> Lines<W> {
         for (band, (values, errors)) in map.values.iter().zip(&map.errors).enumerate() {
             let band = (!is_single).then_some(band);
             for (cell, (&value, &error)) in values.iter().zip(errors).enumerate() {
-                self.begin(&map.receiver, map.quantity.name(), band)?;
+                self.begin(&map.receiver, map.quantity.name(), [band, None])?;
                 self.end(Some([cell % map.size[0], cell / map.size[0]]), value, error)?;
             }
         }
@@ -41,11 +41,11 @@ impl<W: Write> Lines<W> {
     }
 
     /// The receiver, the quantity, the band and the bin.
-    fn begin(&mut self, receiver: &str, quantity: &str, band: Option<usize>) -> io::Result<()> {
+    fn begin(&mut self, receiver: &str, quantity: &str, [band, bin]: [Option<usize>; 2]) -> io::Result<()> {
         self.writer.write_field(receiver)?;
         self.writer.write_field(quantity)?;
         self.optional(band)?;
-        self.optional(None)
+        self.optional(bin)
     }
 
     /// The cell, the value and the error.

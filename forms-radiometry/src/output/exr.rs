@@ -35,7 +35,7 @@ pub fn exr(map: &Map, scene: &Scene) -> io::Result<Vec<u8>> {
 type Channel = AnyChannel<FlatSamples>;
 
 fn channel(map: &Map, name: &str, values: &[f64]) -> Channel {
-    let samples = from_above(map, values).flatten().map(|&value| value as f32).collect();
+    let samples = from_above(map, values).into_iter().flatten().map(|&value| value as f32).collect();
     AnyChannel::new(name, FlatSamples::F32(samples))
 }
 

@@ -2,9 +2,9 @@
 
 use super::gather::Transport;
 use super::measure::Measure;
-use super::sequence::Net;
 use crate::geometry::Vector;
 use crate::kernels::{cosine_hemisphere_sample, uniform_sphere_sample};
+use crate::sampling::{Frame, Net};
 
 /// A direction for a point of the square, and what light from there counts: the mean of radiosity times this over uniform points is the
 /// measure of all that arrives, over π.
@@ -21,9 +21,7 @@ pub(super) fn towards(measure: Measure, [u, v]: [f64; 2]) -> (Vector, f64) {
 
 /// A direction above a plane, with a density like its cosine with the unit normal.
 pub(super) fn above(normal: Vector, [u, v]: [f64; 2]) -> Vector {
-    let [x, y, z] = cosine_hemisphere_sample(u, v);
-    let [along, across] = tangents(normal);
-    x * along + y * across + z * normal
+    Frame::about(normal).place(cosine_hemisphere_sample(u, v))
 }
 
 impl Transport {
@@ -39,18 +37,6 @@ impl Transport {
         let face = move |ray| self.screens.first(position, above(normal, net.point(ray))).map(|hit| hit.face);
         (0..rays).map(face)
     }
-}
-
-/// Two unit vectors that make a right-handed frame with a unit normal. Source: T. Duff et al., Building an orthonormal basis,
-/// revisited (2017).
-fn tangents(normal: Vector) -> [Vector; 2] {
-    let sign = 1_f64.copysign(normal.z);
-    let a = -1.0 / (sign + normal.z);
-    let b = normal.x * normal.y * a;
-    [
-        Vector::new(1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x),
-        Vector::new(b, sign + normal.y * normal.y * a, -normal.y),
-    ]
 }
 
 #[cfg(test)]

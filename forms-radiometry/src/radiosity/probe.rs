@@ -15,9 +15,9 @@ use super::gather::Scratch;
 use super::importance::GoalKind;
 use super::measure::Measure;
 use super::paths::{Paths, Place};
-use super::sequence::{Net, Random, key};
 use super::walk::Begin;
 use crate::geometry::Vector;
+use crate::sampling::{Net, Random, key};
 use rayon::prelude::*;
 
 /// Independent batches.

@@ -11,8 +11,8 @@
 use super::directions::above;
 use super::gather::Scratch;
 use super::paths::{Paths, Place};
-use super::sequence::Random;
 use crate::kernels::irradiance;
+use crate::sampling::Random;
 
 /// The most reflections that a path is followed; what is left then is part of the error.
 const MOST_REFLECTIONS: u32 = 512;

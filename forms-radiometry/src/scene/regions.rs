@@ -18,11 +18,49 @@ use super::error::Report;
 use super::model::{Material, MaterialKind, Scene, Surface};
 use super::working_units::WorkingScene;
 use edges::{Edge, edges};
-use sheets::{Sheet, Side, sheets};
+pub(crate) use sheets::{Piece, Sheet};
+use sheets::{Side, sheets};
 use std::collections::HashMap;
 
 /// A medium by its index, or vacuum.
-pub(super) type Filling = Option<usize>;
+pub(crate) type Filling = Option<usize>;
+
+/// A sheet, and what is on its two sides.
+pub(crate) struct FilledSheet {
+    pub(crate) sheet: Sheet,
+    pub(crate) front: Filling,
+    pub(crate) back: Filling,
+}
+
+/// The sheets of a scene that was checked, in which every region is filled by one medium.
+pub(crate) fn filled(scene: &Scene) -> Vec<FilledSheet> {
+    let (sheets, vertices) = sheets(scene);
+    let mut regions = Regions::new(sheets.len());
+    let is_boundary = |sheet: &Sheet| inside(scene, &scene.surfaces[sheet.surface]).is_some();
+    let has_media = sheets.iter().any(is_boundary);
+    if has_media {
+        let edges = edges(&sheets, &vertices);
+        regions.join_at(&sheets, &edges);
+        // what is no boundary of a medium stands in one
+        rays::seen(&sheets, &edges, |_| true).into_iter().for_each(|(a, b)| regions.join(a, b));
+    }
+    let mut fillings = HashMap::from([(regions.of(Side::Outside), scene.ambient.medium)]);
+    for (index, sheet) in sheets.iter().enumerate() {
+        if let Some(medium) = inside(scene, &scene.surfaces[sheet.surface]) {
+            fillings.insert(regions.of(Side::Back(index)), Some(medium));
+        }
+    }
+    let mut filling = |side: Side| match fillings.get(&regions.of(side)) {
+        Some(filling) => *filling,
+        None => scene.ambient.medium,
+    };
+    let filled = |(index, sheet)| FilledSheet {
+        sheet,
+        front: filling(Side::Front(index)),
+        back: filling(Side::Back(index)),
+    };
+    sheets.into_iter().enumerate().map(filled).collect()
+}
 
 /// What is before the front of a boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -45,12 +83,7 @@ pub(super) fn check(report: &mut Report, scene: &Scene) -> Vec<Front> {
         return Vec::new();
     }
     let mut regions = Regions::new(sheets.len());
-    for (a, b) in edges.iter().flat_map(Edge::facing) {
-        regions.join(a, b);
-    }
-    for sheet in (0..sheets.len()).filter(|&sheet| sheets[sheet].has_rim()) {
-        regions.join(Side::Front(sheet), Side::Back(sheet));
-    }
+    regions.join_at(&sheets, &edges);
     if open_boundaries(report, &working, &sheets, &edges, &mut regions) {
         return Vec::new();
     }
@@ -196,6 +229,16 @@ impl Regions {
             node = self.parents[node];
         }
         node
+    }
+
+    /// Joins the sides that face each other at edges, and both sides of what ends at a rim.
+    fn join_at(&mut self, sheets: &[Sheet], edges: &[Edge]) {
+        for (a, b) in edges.iter().flat_map(Edge::facing) {
+            self.join(a, b);
+        }
+        for sheet in (0..sheets.len()).filter(|&sheet| sheets[sheet].has_rim()) {
+            self.join(Side::Front(sheet), Side::Back(sheet));
+        }
     }
 
     fn join(&mut self, a: Side, b: Side) {

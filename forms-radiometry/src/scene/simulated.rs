@@ -1,11 +1,13 @@
-//! What is simulated of a scene: diffuse surfaces of every shape in a vacuum, all lights, and all receivers that are no camera. A
+//! What is simulated of a scene: nearly all that a file can say. A
 //! scene that asks for more is refused here, with the place of each thing that is asked for, so that an answer is never silently
 //! that of another scene. Pictures are made of less: of direct light between polygons.
 //!
 //! Reading knows nothing of this list. What a solver learns leaves it.
 
 use super::error::SceneError;
-use super::model::{Effect, Force, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Shape, Surface};
+use super::model::{
+    Effect, Force, LightKind, Material, MaterialKind, Receiver, ReceiverKind, Scene, Shape, Surface,
+};
 use super::place::Place;
 use crate::geometry::Polygon;
 
@@ -48,10 +50,8 @@ fn reflectance<'s>(scene: &'s Scene, surface: &Surface) -> Option<&'s [f64]> {
 /// list is empty is simulated as it stands.
 pub fn not_simulated(scene: &Scene) -> Vec<SceneError> {
     let mut refused = Refusals::default();
-    refused.materials(scene);
-    refused.media(scene);
     scene.receivers.iter().for_each(|receiver| refused.receiver(scene, receiver));
-    refused.effects(scene, &[Effect::Direct, Effect::Occlusion, Effect::Interreflection, Effect::Bands]);
+    refused.beams(scene);
     refused.in_order()
 }
 
@@ -135,29 +135,53 @@ impl Refusals {
     }
 
     fn receiver(&mut self, scene: &Scene, receiver: &Receiver) {
-        match receiver.kind {
-            ReceiverKind::Camera(_) => {
-                let what = format!("the receiver `{}` of kind `camera`", receiver.name);
-                self.refuse(&receiver.place, &what, "`point`, `surface`, `ray` or `sphere`");
-            }
-            ReceiverKind::Surface { surface, grid: Some(_) } => {
-                let shape = match scene.surfaces[surface].shape {
-                    Shape::Polygon(_) | Shape::Disk(_) => None,
-                    Shape::Mesh(_) => Some("mesh"),
-                    Shape::Sphere(_) => Some("sphere"),
-                };
-                if let Some(shape) = shape {
-                    self.refuse(
-                        &receiver.place,
-                        &format!("the map of a {shape}"),
-                        "a receiver without `grid`",
-                    );
-                }
-            }
-            _ => {}
+        if let ReceiverKind::Surface { surface, grid: Some(_) } = receiver.kind {
+            let shape = match scene.surfaces[surface].shape {
+                Shape::Polygon(_) | Shape::Disk(_) => return,
+                Shape::Mesh(_) => "mesh",
+                Shape::Sphere(_) => "sphere",
+            };
+            let what = format!("the map of a {shape}");
+            self.refuse(&receiver.place, &what, "a receiver without `grid`");
         }
-        if let Some(time) = &receiver.time {
-            self.refuse(&time.place, "the time that light takes", "a receiver without `time`");
+        let is_raster =
+            matches!(receiver.kind, ReceiverKind::Camera(_) | ReceiverKind::Surface { grid: Some(_), .. });
+        if let Some(time) = receiver.time.as_ref().filter(|_| is_raster) {
+            self.refuse(
+                &time.place,
+                "the time that light takes to each pixel",
+                "a receiver without `time`, or no pixels",
+            );
+        }
+    }
+
+    /// Light that comes from a point, or from one direction, and is bent or mirrored before it meets anything is found by no path
+    /// from a receiver.
+    fn beams(&mut self, scene: &Scene) {
+        let mut by_name = |material: &Material, what: &str| {
+            let what = format!("light of a {what} that `{}` reflects or bends", material.name);
+            self.refuse(&material.place, &what, "lights with an extent: surfaces with a radiance");
+        };
+        let is_off = |effect| scene.solve.forced.iter().any(|f| f.effect == effect && f.force == Force::Off);
+        let Some(light) = scene.lights.first() else { return };
+        let what = match light.kind {
+            LightKind::Point { .. } => "point light",
+            LightKind::Distant { .. } => "distant light",
+        };
+        let ambient = scene.ambient.medium.map(|medium| &scene.media[medium]);
+        for material in &scene.materials {
+            let bends = match &material.kind {
+                MaterialKind::Diffuse { .. } => false,
+                MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => !is_off(Effect::Mirror),
+                MaterialKind::Dielectric { inside } => {
+                    let around = |band: usize| ambient.map_or(1.0, |medium| medium.index[band]);
+                    let index = scene.media[*inside].index.iter().enumerate();
+                    !is_off(Effect::Refraction) && index.into_iter().any(|(band, n)| *n != around(band))
+                }
+            };
+            if bends {
+                by_name(material, what);
+            }
         }
     }
 

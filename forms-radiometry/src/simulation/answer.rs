@@ -64,6 +64,8 @@ pub struct Answer {
     pub quantity: Quantity,
     /// The band, from 0; none where the scene has a single one.
     pub band: Option<usize>,
+    /// The bin of time, from 0; none where the receiver is not resolved in time.
+    pub bin: Option<usize>,
     /// The value.
     pub value: f64,
     /// Its error, in the same unit.
@@ -74,11 +76,11 @@ pub struct Answer {
     pub seconds: f64,
 }
 
-/// The irradiance of a surface, cell by cell.
+/// The irradiance of a surface, cell by cell, or the radiance that a camera sees, pixel by pixel.
 ///
 /// The cells divide the bounding rectangle of the polygon in its plane, whose first axis is the polygon's first edge: columns
 /// follow each other along that edge, and rows away from it. A cell outside of the polygon holds NaN, and so does one that was
-/// not reached before the work was stopped.
+/// not reached before the work was stopped. Pixels follow each other row by row from the upper left of the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map {
     /// The receiver's name.
@@ -91,6 +93,8 @@ pub struct Map {
     pub values: Vec<Vec<f64>>,
     /// For each band the error of each cell, row by row.
     pub errors: Vec<Vec<f64>>,
+    /// Whether it is what a camera sees, so that the first row is the upper one.
+    pub is_image: bool,
 }
 
 /// How exact the answers were at some time of the work.
@@ -138,6 +142,18 @@ impl Quantity {
             Self::Flux => "W",
             Self::Radiance => "W/(m² sr)",
             Self::Exposure | Self::Fluence => "J/m²",
+        }
+    }
+}
+
+impl Answer {
+    /// The unit of the value. Lights of receivers that are resolved in time send a pulse, whose energy takes the place of power.
+    pub fn unit(&self) -> &'static str {
+        match (self.bin, self.quantity.unit()) {
+            (Some(_), "W") => "J",
+            (Some(_), "W/m²") => "J/m²",
+            (Some(_), "W/(m² sr)") => "J/(m² sr)",
+            (_, unit) => unit,
         }
     }
 }

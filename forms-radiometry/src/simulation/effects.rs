@@ -4,6 +4,7 @@ use super::answer::PlannedEffect;
 use super::survey::receiving;
 use crate::faces::faces;
 use crate::geometry::{Face, Screens};
+use crate::monte_carlo;
 use crate::radiosity::{Gathering, Hiding, Question, UsedKernel, kernels};
 use crate::scene::{Effect, Force, ReceiverKind, Scene};
 
@@ -16,6 +17,8 @@ pub(super) struct Effects {
     pub(super) hiding: Hiding,
     /// How often light is reflected at most; as often as it happens, if nothing is said.
     pub(super) orders: Option<u32>,
+    /// How often it is scattered by media at most, likewise.
+    pub(super) scatterings: Option<u32>,
     pub(super) bands: bool,
 }
 
@@ -23,7 +26,7 @@ impl Effects {
     pub(super) fn of(effects: &[PlannedEffect]) -> Self {
         let planned = |effect| effects.iter().find(|planned| planned.effect == effect);
         let is_on = |effect| planned(effect).is_some_and(|planned| planned.on);
-        let orders = match planned(Effect::Interreflection) {
+        let orders = |effect| match planned(effect) {
             Some(planned) if planned.on => planned.orders,
             _ => Some(0),
         };
@@ -35,7 +38,14 @@ impl Effects {
             (false, true) => Hiding::Nothing,
             (false, false) => Hiding::LeftOut,
         };
-        Self { direct: is_on(Effect::Direct), occlusion, hiding, orders, bands: is_on(Effect::Bands) }
+        Self {
+            direct: is_on(Effect::Direct),
+            occlusion,
+            hiding,
+            orders: orders(Effect::Interreflection),
+            scatterings: orders(Effect::Scattering),
+            bands: is_on(Effect::Bands),
+        }
     }
 
     /// What they ask of a solution.
@@ -48,6 +58,11 @@ impl Effects {
         let merged = (!self.bands && scene.band_count() > 1).then(|| scene.with_one_band());
         let scene = merged.as_ref().unwrap_or(scene);
         kernels(scene, &faces(scene, 0), &self.question(scene), self.hiding)
+    }
+
+    /// The kernels that following the paths of a scene runs.
+    pub(super) fn kernels_of_paths(&self, scene: &Scene) -> Vec<UsedKernel> {
+        if self.bands { monte_carlo::kernels(scene) } else { monte_carlo::kernels(&scene.with_one_band()) }
     }
 
     /// What of these faces hides light or is met by rays: those that are asked for, or those by which light is gathered.

@@ -53,7 +53,7 @@ impl Work<'_> {
                 unreachable!("only surfaces with a grid have maps")
             };
             let name = self.scene.receivers[receiver].name.clone();
-            Map { receiver: name, quantity: Quantity::Irradiance, size, values, errors }
+            Map { receiver: name, quantity: Quantity::Irradiance, size, values, errors, is_image: false }
         };
         grids.iter().map(map).collect()
     }

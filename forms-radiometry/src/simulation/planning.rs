@@ -10,7 +10,10 @@
 
 use super::answer::{Plan, PlannedEffect};
 use super::effects::{Effects, forced};
+use super::followed::is_followed;
+use super::left_out::{without, without_forced};
 use super::survey::Survey;
+use crate::monte_carlo::{self, trap};
 use crate::radiosity::orders;
 use crate::scene::{Effect, Force, Scene, SceneError, not_simulated};
 
@@ -26,6 +29,9 @@ pub fn plan(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
     if !refused.is_empty() {
         return Err(refused);
     }
+    if is_followed(&without_forced(scene)) {
+        return plan_of_paths(scene);
+    }
     let survey = Survey::of(&scene.in_working_units());
     if let Some(surface) = survey.trap(scene) {
         let surface = &scene.surfaces[surface];
@@ -34,16 +40,32 @@ pub fn plan(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         let expected = "a reflectance below 1 on one of the surfaces around it, or an opening";
         return Err(vec![SceneError::new(&surface.place, message, expected)]);
     }
-    let mut planning = Planning { scene, survey, left: DROPPED * scene.solve.tolerance };
+    let contains = monte_carlo::Effects::of(scene);
+    let mut planning = Planning { scene, survey, contains, left: DROPPED * scene.solve.tolerance };
     let effects: Vec<PlannedEffect> =
         Effect::ALL.iter().map(|&(_, effect)| planning.decide(effect)).collect();
     let kernels = Effects::of(&effects).kernels(scene);
     Ok(Plan { effects, kernels })
 }
 
+/// The plan of a scene whose light is followed along paths.
+fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
+    let (survey, contains) = (Survey::without_bounds(scene), monte_carlo::Effects::of(scene));
+    let mut planning = Planning { scene, survey, contains, left: DROPPED * scene.solve.tolerance };
+    let effects: Vec<PlannedEffect> =
+        Effect::ALL.iter().map(|&(_, effect)| planning.decide(effect)).collect();
+    let left = without(scene, &effects);
+    if let Some(trap) = trap(&left.in_working_units().scene) {
+        return Err(vec![trap]);
+    }
+    let kernels = Effects::of(&effects).kernels_of_paths(&left);
+    Ok(Plan { effects, kernels })
+}
+
 struct Planning<'s> {
     scene: &'s Scene,
     survey: Survey,
+    contains: monte_carlo::Effects,
     /// What may still be dropped, relative to every answer.
     left: f64,
 }
@@ -100,16 +122,31 @@ impl Planning<'_> {
                 None => absent("every optical number is the same in all bands"),
                 Some(bound) => present("optical numbers differ between bands".to_string(), Some(bound)),
             },
-            Effect::Mirror => absent("no surface is a mirror, a conductor or a dielectric"),
+            Effect::Mirror if self.contains.mirror => {
+                present("there are mirrors or metals".to_string(), None)
+            }
+            Effect::Mirror => absent("no surface is a mirror or a metal"),
+            Effect::Absorption if self.contains.absorption => present("a medium absorbs".to_string(), None),
             Effect::Absorption => absent("no medium absorbs"),
+            Effect::Scattering if self.contains.scattering => present("a medium scatters".to_string(), None),
             Effect::Scattering => absent("no medium scatters"),
-            Effect::Refraction => absent("the refractive index is 1 everywhere"),
-            Effect::Dispersion => absent("nothing refracts"),
+            Effect::Refraction if self.contains.refraction => {
+                present("the refractive index differs between media".to_string(), None)
+            }
+            Effect::Refraction => absent("the refractive index is the same everywhere"),
+            Effect::Dispersion if self.contains.dispersion => {
+                present("a refractive index differs between bands".to_string(), None)
+            }
+            Effect::Dispersion => absent("no refractive index differs between bands"),
+            Effect::Time if self.contains.time => present("a receiver asks for it".to_string(), None),
             Effect::Time => absent("no receiver asks for it"),
         }
     }
 
     fn interreflection(&self) -> String {
+        if self.survey.interreflection.is_none() && self.survey.contraction >= 1.0 {
+            return "diffuse surfaces reflect".to_string();
+        }
         let k = self.survey.contraction;
         let tolerance = self.scene.solve.tolerance;
         let Some(count) = orders(k, tolerance) else {

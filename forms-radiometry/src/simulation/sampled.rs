@@ -163,6 +163,7 @@ impl Work<'_> {
             size: grid.size(),
             values: all(0),
             errors: all(1),
+            is_image: false,
         }
     }
 }

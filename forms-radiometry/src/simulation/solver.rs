@@ -10,6 +10,8 @@
 use super::answer::{Answer, ErrorKind, Moment, Plan, Quantity, Simulation};
 use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
+use super::followed::{followed, is_followed};
+use super::left_out::without;
 use super::map::Grid;
 use super::readings::Reading;
 use super::watch::Watch;
@@ -43,12 +45,24 @@ pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
 /// Answers them with light that is gathered as `choose` says.
 pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
     let effects = Effects::of(&plan.effects);
-    let merged = (!effects.bands && scene.band_count() > 1).then(|| scene.with_one_band());
-    let working = merged.as_ref().unwrap_or(scene).in_working_units();
+    let mut left = without(scene, &plan.effects);
+    let merged = !effects.bands && scene.band_count() > 1;
+    if merged {
+        left = left.with_one_band();
+    }
+    let working = left.in_working_units();
+    if is_followed(&working.scene) {
+        let mut simulation = followed(&working.scene, &effects, working.square_metres.sqrt(), watch);
+        simulation.leave_working_units(&working);
+        if merged {
+            spread(&mut simulation, scene.band_count());
+        }
+        return simulation;
+    }
     let work = Work::new(&working.scene, effects, choose, watch);
     let mut simulation = work.run();
     simulation.leave_working_units(&working);
-    if merged.is_some() {
+    if merged {
         spread(&mut simulation, scene.band_count());
     }
     simulation
@@ -333,6 +347,7 @@ impl<'s> Work<'s> {
                 receiver: receiver.clone(),
                 quantity,
                 band: (bands > 1).then_some(band),
+                bin: None,
                 value: estimate.value,
                 error: estimate.error(),
                 kind: ErrorKind::Bound,

@@ -6,7 +6,7 @@ use crate::geometry::{Between, Face, Screens, Vector};
 use crate::radiosity::{
     Group, Lights, Measure, Question, Radiosity, Scratch, Transport, reflectance, reflects,
 };
-use crate::scene::{LightKind, Receiver, ReceiverKind, Scene, WorkingScene};
+use crate::scene::{LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Surface, WorkingScene};
 use crate::sharing::Sharing;
 use crate::simulation::Unwatched;
 
@@ -95,6 +95,22 @@ impl Survey {
                 spreads(scene).iter().any(|&spread| spread > 0.0).then_some([f64::INFINITY; 2]);
         }
         survey
+    }
+
+    /// What is in a scene whose light is followed along paths, of which no bound is known.
+    pub(super) fn without_bounds(scene: &Scene) -> Self {
+        let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
+        let outside = scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0);
+        let differs = spreads(scene).iter().any(|&spread| spread > 0.0) || has_spread_of_media(scene);
+        Self {
+            emits: !scene.lights.is_empty() || outside || scene.surfaces.iter().any(Surface::emits),
+            reflects: largest_albedo > 0.0,
+            contraction: 1.0,
+            in_between: (!scene.surfaces.is_empty()).then(|| "rays meet what is there".to_string()),
+            interreflection: None,
+            band_spread: differs.then_some([f64::INFINITY; 2]),
+            closed_and_white: false,
+        }
     }
 
     /// The bounds by what straight light makes of every answer.
@@ -203,6 +219,21 @@ fn half_spread_of_light(light: &crate::scene::Light) -> f64 {
         LightKind::Point { intensity, .. } => half_spread(intensity),
         LightKind::Distant { irradiance, .. } => half_spread(irradiance),
     }
+}
+
+/// Whether an optical number of a medium, a mirror or a metal differs between bands.
+fn has_spread_of_media(scene: &Scene) -> bool {
+    let of_media = scene.media.iter().any(|medium| {
+        [&medium.absorption, &medium.scattering, &medium.asymmetry, &medium.index]
+            .into_iter()
+            .any(|values| half_spread(values) > 0.0)
+    });
+    let of_materials = scene.materials.iter().any(|material| match &material.kind {
+        MaterialKind::Mirror { reflectance } => half_spread(reflectance) > 0.0,
+        MaterialKind::Conductor { eta, k } => half_spread(eta) > 0.0 || half_spread(k) > 0.0,
+        MaterialKind::Diffuse { .. } | MaterialKind::Dielectric { .. } => false,
+    });
+    of_media || of_materials
 }
 
 fn all_white(scene: &Scene) -> bool {

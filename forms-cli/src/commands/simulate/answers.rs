@@ -15,6 +15,8 @@ struct Record<'a> {
     quantity: &'a str,
     unit: &'a str,
     band: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bin: Option<usize>,
     value: f64,
     error: f64,
     kind: &'a str,
@@ -23,12 +25,13 @@ struct Record<'a> {
 
 pub(super) fn lines(answers: &[Answer], output: &mut dyn Write) -> io::Result<()> {
     answers.iter().try_for_each(|answer| {
-        let Answer { receiver, quantity, band, value, error, kind, seconds } = answer;
+        let Answer { receiver, quantity, band, bin, value, error, kind, seconds } = answer;
         let record = Record {
             receiver,
             quantity: quantity.name(),
-            unit: quantity.unit(),
+            unit: answer.unit(),
             band: *band,
+            bin: *bin,
             value: *value,
             error: *error,
             kind: kind.name(),
@@ -46,10 +49,10 @@ pub(super) fn table(
     output: &mut dyn Write,
 ) -> io::Result<()> {
     let palette = Palette::of_output();
-    let head = ["receiver", "quantity", "band", "value", "", "unit", "time"].map(str::to_owned);
-    let mut rows: Vec<[String; 7]> = std::iter::once(head).chain(found.answers.iter().map(row)).collect();
+    let head = ["receiver", "quantity", "band", "bin", "value", "", "unit", "time"].map(str::to_owned);
+    let mut rows: Vec<[String; 8]> = std::iter::once(head).chain(found.answers.iter().map(row)).collect();
     point_below_point(&mut rows);
-    let right = [false, false, true, true, false, false, true];
+    let right = [false, false, true, true, true, false, false, true];
     for (place, line) in columns(&rows, right).iter().enumerate() {
         let line = format!("  {line}");
         writeln!(output, "{}", if place == 0 { palette.quiet(&line) } else { line })?;
@@ -69,17 +72,20 @@ pub(super) fn table(
     )
 }
 
+/// The column of values.
+const VALUE: usize = 4;
+
 /// Adds spaces to the values, so that at the right of their column their points are below each other.
-fn point_below_point(rows: &mut [[String; 7]]) {
+fn point_below_point(rows: &mut [[String; 8]]) {
     let behind = |value: &str| value.find('.').map_or(0, |point| value.len() - point);
-    let most = rows.iter().skip(1).map(|row| behind(&row[3])).max().unwrap_or(0);
+    let most = rows.iter().skip(1).map(|row| behind(&row[VALUE])).max().unwrap_or(0);
     for row in rows.iter_mut().skip(1) {
-        let missing = most - behind(&row[3]);
-        row[3].extend(std::iter::repeat_n(' ', missing));
+        let missing = most - behind(&row[VALUE]);
+        row[VALUE].extend(std::iter::repeat_n(' ', missing));
     }
 }
 
-fn row(answer: &Answer) -> [String; 7] {
+fn row(answer: &Answer) -> [String; 8] {
     let [value, error] = measured(answer.value, answer.error);
     let meaning = match answer.kind {
         ErrorKind::Bound => "",
@@ -89,9 +95,10 @@ fn row(answer: &Answer) -> [String; 7] {
         answer.receiver.clone(),
         answer.quantity.name().to_owned(),
         answer.band.map_or(String::new(), |band| band.to_string()),
+        answer.bin.map_or(String::new(), |bin| bin.to_string()),
         value,
         format!("± {error}{meaning}"),
-        answer.quantity.unit().to_owned(),
+        answer.unit().to_owned(),
         time(answer.seconds),
     ]
 }

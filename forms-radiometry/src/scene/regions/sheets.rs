@@ -4,13 +4,14 @@ use crate::geometry::{Disk, Polygon, Sphere, Vector, Welded, resolution};
 use crate::scene::model::{Scene, Shape};
 
 /// A piece of a surface.
-pub(super) struct Sheet {
+pub(crate) struct Sheet {
     /// The index of its surface.
-    pub(super) surface: usize,
-    pub(super) shape: Piece,
+    pub(crate) surface: usize,
+    pub(crate) shape: Piece,
 }
 
-pub(super) enum Piece {
+/// The shape of a sheet.
+pub(crate) enum Piece {
     /// A polygon, and the numbers of its vertices.
     Face(Polygon, Vec<usize>),
     Sphere(Sphere),

@@ -1,0 +1,327 @@
+//! Walls: convex polygons, disks and spheres as rays meet them that go on from one to the next.
+//!
+//! ```text
+//! walls in a tree ─ a ray from a start ─▶ the first wall it meets, where, and on which side
+//! ```
+//! A ray never meets the wall that it leaves, and needs no offset for that. A straight line that leaves a plane does not come back to
+//! it: the wall is left out, and with it all walls whose planes hold the start up to rounding, as those of a surface that was
+//! divided do. A line that leaves a sphere at o comes back, if it goes inside, at −2 o·d, and at no other place, whatever is rounded. So
+//! nothing depends on how far the scene is from the origin, or how large it is.
+
+use super::bounds::Bounds;
+use super::branches::{Branches, Way};
+use super::tree::Tree;
+use super::{Plane, ROUNDING, Vector, resolution};
+use crate::geometry::sides::sides;
+use crate::geometry::{Disk, Sphere};
+use std::ops::ControlFlow;
+
+/// A piece of a surface that rays meet.
+#[derive(Clone, Debug)]
+pub(crate) enum Wall {
+    /// Vertices counter-clockwise seen from the side to which the unit normal points.
+    Polygon {
+        vertices: Vec<Vector>,
+        normal: Vector,
+    },
+    Disk(Disk),
+    Sphere(Sphere),
+}
+
+/// The walls of a scene.
+pub(crate) struct Walls {
+    walls: Vec<Wall>,
+    branches: Option<Branches>,
+    /// What rounding leaves of a distance in the scene.
+    rounding: f64,
+    /// A point that is given counts as lying in a plane that is nearer than this.
+    resolution: f64,
+}
+
+/// Where a ray starts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Start {
+    pub(crate) position: Vector,
+    /// The wall that it leaves, if it leaves one.
+    wall: Option<usize>,
+    /// Planes that are nearer than this are not met.
+    clearance: f64,
+    /// Whether it goes on at the front of the wall that it leaves.
+    is_front: bool,
+}
+
+/// What a ray meets.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Met {
+    pub(crate) wall: usize,
+    /// The distance from the start, in lengths of the direction.
+    pub(crate) distance: f64,
+    pub(crate) position: Vector,
+    /// The unit normal of the wall's front.
+    pub(crate) normal: Vector,
+    /// Whether the ray arrives at the front.
+    pub(crate) is_front: bool,
+}
+
+/// A ray on its way.
+struct Ray<'w> {
+    walls: &'w Walls,
+    start: Start,
+    direction: Vector,
+    reach: f64,
+    /// The wall that is met first so far, and whether at its front.
+    first: Option<(usize, bool)>,
+}
+
+impl Wall {
+    fn bounds(&self) -> Bounds {
+        match self {
+            Self::Polygon { vertices, .. } => Bounds::of(vertices.iter().copied()),
+            Self::Disk(Disk { center, radius, .. }) | Self::Sphere(Sphere { center, radius, .. }) => {
+                Bounds::of([*center].into_iter()).wider(*radius)
+            }
+        }
+    }
+
+    /// The plane that the wall lies in, if it is flat.
+    fn plane(&self) -> Option<Plane> {
+        match self {
+            Self::Polygon { vertices, normal } => Some(Plane { point: vertices[0], normal: *normal }),
+            Self::Disk(disk) => Some(Plane { point: disk.center, normal: disk.normal }),
+            Self::Sphere(_) => None,
+        }
+    }
+
+    /// A point that was found on the wall, as near to it as rounding lets it be, and the unit normal there.
+    fn foot(&self, position: Vector) -> (Vector, Vector) {
+        match self {
+            Self::Polygon { .. } | Self::Disk(_) => {
+                let plane = self.plane().expect("a flat wall has a plane");
+                (position - plane.distance(position) * plane.normal, plane.normal)
+            }
+            Self::Sphere(Sphere { center, radius, inward }) => {
+                let outward = (position - *center).unit().unwrap_or(Vector::new(0.0, 0.0, 1.0));
+                (*center + *radius * outward, if *inward { -outward } else { outward })
+            }
+        }
+    }
+}
+
+impl Walls {
+    pub(crate) fn of(walls: Vec<Wall>) -> Self {
+        let boxes: Vec<Bounds> = walls.iter().map(Wall::bounds).collect();
+        let all = boxes.iter().fold(Bounds::NOTHING, |all, &one| all.with(one));
+        let (rounding, resolution) = if walls.is_empty() {
+            (0.0, 0.0)
+        } else {
+            (ROUNDING * all.extent().max(all.largest()), resolution([all.low, all.high].into_iter()))
+        };
+        let boxes: Vec<Bounds> = boxes.into_iter().map(|one| one.wider(resolution)).collect();
+        let branches = (!walls.is_empty()).then(|| Branches::of(&Tree::of(&boxes)));
+        Self { walls, branches, rounding, resolution }
+    }
+
+    pub(crate) fn get(&self, wall: usize) -> &Wall {
+        &self.walls[wall]
+    }
+
+    /// A start at a place that was given, which may lie on a wall.
+    pub(crate) fn start_at(&self, position: Vector) -> Start {
+        Start { position, wall: None, clearance: self.resolution, is_front: false }
+    }
+
+    /// A start on the wall that a ray has met, to one of its sides.
+    pub(crate) fn start_on(&self, met: &Met, is_front: bool) -> Start {
+        Start { position: met.position, wall: Some(met.wall), clearance: self.rounding, is_front }
+    }
+
+    /// A start at a point of a wall, on its front.
+    pub(crate) fn start_before(&self, wall: usize, position: Vector) -> Start {
+        Start { position, wall: Some(wall), clearance: self.resolution, is_front: true }
+    }
+
+    /// A start in the middle of nothing.
+    pub(crate) fn start_free(&self, position: Vector) -> Start {
+        Start { position, wall: None, clearance: 0.0, is_front: false }
+    }
+
+    /// The first wall that a ray meets within a reach, in lengths of its direction, which is a unit vector.
+    pub(crate) fn first(&self, start: Start, direction: Vector, reach: f64) -> Option<Met> {
+        let branches = self.branches.as_ref()?;
+        let mut ray = Ray { walls: self, start, direction, reach, first: None };
+        branches.walk(&mut ray);
+        let (wall, is_front) = ray.first?;
+        let (position, normal) = self.walls[wall].foot(start.position + ray.reach * direction);
+        Some(Met { wall, distance: ray.reach, position, normal, is_front })
+    }
+}
+
+impl Way for Ray<'_> {
+    fn ray(&self) -> [Vector; 2] {
+        [self.start.position, self.direction]
+    }
+
+    fn end(&self) -> f64 {
+        self.reach
+    }
+
+    fn at(&mut self, leaf: usize) -> ControlFlow<()> {
+        let met = match &self.walls.walls[leaf] {
+            Wall::Sphere(sphere) => self.sphere(leaf, sphere),
+            flat => self.flat(leaf, flat),
+        };
+        if let Some((distance, is_front)) = met {
+            (self.reach, self.first) = (distance, Some((leaf, is_front)));
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+impl Ray<'_> {
+    /// Where the ray meets a flat wall within its reach, and whether at its front.
+    fn flat(&self, index: usize, wall: &Wall) -> Option<(f64, bool)> {
+        let Start { position, wall: left, clearance, .. } = self.start;
+        let plane = wall.plane()?;
+        let height = plane.distance(position);
+        let along = plane.normal.dot(self.direction);
+        let comes_nearer = if height > 0.0 { along < 0.0 } else { along > 0.0 };
+        if left == Some(index) || height.abs() <= clearance || !comes_nearer {
+            return None;
+        }
+        let (distance, is_front) = (-height / along, height > 0.0);
+        let is_inside = match wall {
+            Wall::Polygon { vertices, .. } => {
+                let relative = vertices.iter().map(|&v| v - position);
+                sides(relative, is_front).all(|side| side.dot(self.direction) >= 0.0)
+            }
+            Wall::Disk(disk) => {
+                let off = position + distance * self.direction - disk.center;
+                off.dot(off) <= disk.radius * disk.radius
+            }
+            Wall::Sphere(_) => false,
+        };
+        (distance < self.reach && is_inside).then_some((distance, is_front))
+    }
+
+    /// The same for a sphere: |o + t d|² = R², solved without cancellation by the root that is a sum and the product of both.
+    fn sphere(&self, index: usize, sphere: &Sphere) -> Option<(f64, bool)> {
+        let Start { position, wall: left, is_front, clearance } = self.start;
+        let o = position - sphere.center;
+        let (b, squared) = (o.dot(self.direction), sphere.radius * sphere.radius);
+        let found = |distance: f64, is_outside: bool| {
+            (distance >= 0.0 && distance < self.reach).then_some((distance, is_outside != sphere.inward))
+        };
+        if left == Some(index) {
+            let goes_inside = is_front == sphere.inward;
+            return goes_inside.then(|| found((-2.0 * b).max(0.0), false)).flatten();
+        }
+        // the distance of the centre from the line, squared
+        let beside = o - b * self.direction;
+        let root = squared - beside.dot(beside);
+        if root <= 0.0 {
+            return None;
+        }
+        let half = root.sqrt();
+        let length = o.length();
+        let product = (length - sphere.radius) * (length + sphere.radius);
+        let (near, far) = if b < 0.0 {
+            let far = half - b;
+            (product / far, far)
+        } else {
+            let near = -b - half;
+            (near, product / near)
+        };
+        // a start that was given on the sphere is not before it
+        let is_on = (length - sphere.radius).abs() <= clearance;
+        if product > 0.0 && !is_on {
+            return found(near, true).filter(|_| b < 0.0);
+        }
+        if is_on && b >= 0.0 {
+            return None;
+        }
+        found(if is_on { -2.0 * b } else { far }, false)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UP: Vector = Vector::new(0.0, 0.0, 1.0);
+
+    fn square(half: f64, height: f64, at: Vector) -> Wall {
+        let corner = |x: f64, y: f64| at + Vector::new(x * half, y * half, height);
+        let vertices = vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+        Wall::Polygon { vertices, normal: UP }
+    }
+
+    #[test]
+    fn walls_are_met_where_they_are_and_on_the_side_that_is_turned_to_the_ray() {
+        let sphere =
+            |inward| Wall::Sphere(Sphere { center: Vector::new(0.0, 0.0, 5.0), radius: 1.0, inward });
+        let disk = Wall::Disk(Disk { center: Vector::new(0.0, 0.0, 3.0), normal: -UP, radius: 1.0 });
+        let cases = [
+            (
+                "a polygon from behind",
+                vec![square(1.0, 2.0, Vector::default())],
+                [0.5, 0.5],
+                Some((2.0, false)),
+            ),
+            ("beside a polygon", vec![square(1.0, 2.0, Vector::default())], [1.5, 0.5], None),
+            ("a disk from its front", vec![disk.clone()], [0.5, 0.5], Some((3.0, true))),
+            ("beside a disk", vec![disk.clone()], [0.8, 0.8], None),
+            ("a sphere from outside", vec![sphere(false)], [0.6, 0.0], Some((4.2, true))),
+            ("a hollow sphere from outside", vec![sphere(true)], [0.6, 0.0], Some((4.2, false))),
+            ("the nearer of two", vec![sphere(false), disk], [0.0, 0.0], Some((3.0, true))),
+        ];
+        for (name, walls, [x, y], expected) in cases {
+            let walls = Walls::of(walls);
+            let met = walls.first(walls.start_free(Vector::new(x, y, 0.0)), UP, f64::INFINITY);
+            let found = met.map(|met| ((1e12 * met.distance).round() / 1e12, met.is_front));
+            assert_eq!(found, expected, "{name}");
+        }
+    }
+
+    /// Rays that bounce about in a closed box or sphere, moved far away, and scaled: none leaves, and none meets where it starts.
+    #[test]
+    fn no_ray_leaves_a_closed_room_or_meets_the_wall_it_leaves() {
+        for scale in [1e-6, 1.0, 1e6] {
+            for offset in [0.0, 1e3, 1e8] {
+                let center = offset * scale * Vector::new(1.0, -0.7, 0.3);
+                let inside = Sphere { center, radius: scale, inward: true };
+                for walls in [vec![Wall::Sphere(inside)], cube(center, scale)] {
+                    let walls = Walls::of(walls);
+                    bounce(&walls, center);
+                }
+            }
+        }
+    }
+
+    fn cube(center: Vector, scale: f64) -> Vec<Wall> {
+        let corner = |bits: usize| {
+            let side = |bit: usize| if bits >> bit & 1 == 1 { scale } else { -scale };
+            center + Vector::new(side(0), side(1), side(2))
+        };
+        let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let wall = |face: [usize; 4]| {
+            let vertices: Vec<Vector> = face.map(corner).to_vec();
+            let normal = (vertices[1] - vertices[0]).cross(vertices[3] - vertices[0]).unit();
+            Wall::Polygon { vertices, normal: normal.expect("a face has a normal") }
+        };
+        faces.map(wall).to_vec()
+    }
+
+    fn bounce(walls: &Walls, center: Vector) {
+        let mut samples = crate::sampling::Random::new(4);
+        let mut direction = Vector::new(0.36, 0.48, 0.8);
+        let mut start = walls.start_at(center);
+        for step in 0..20_000 {
+            let met = walls.first(start, direction, f64::INFINITY);
+            let met = met.unwrap_or_else(|| panic!("step {step}: a ray left the room at {center:?}"));
+            start = walls.start_on(&met, met.is_front);
+            let inside = if (center - met.position).dot(met.normal) > 0.0 { met.normal } else { -met.normal };
+            let frame = crate::sampling::Frame::about(inside);
+            direction = frame.place(crate::kernels::cosine_hemisphere_sample(samples.next(), samples.next()));
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! Monte Carlo: light is followed backwards from receivers along random paths, through everything that a scene can say: mirrors, metals,
+//! boundaries of media, media that absorb and scatter, and diffuse surfaces.
+//!
+//! ```text
+//! scene ─▶ world (walls, media, luminaires) ─┐
+//! question ─▶ samples ─▶ first vertex ───────┴─▶ path: vertex ─▶ light straight from luminaires, and the next vertex ─▶ … ─▶ sums
+//! sums of independent replicates ─▶ mean, standard error ─▶ more samples, until the error is small enough
+//! ```
+//! L(x, ω) = Lₑ + T L is expanded into its Neumann series; a path finds one term after the other. At each vertex that spreads light, a direction
+//! to a luminaire and one by the law of the vertex are both taken, and what both can find is weighed by the power heuristic. Every
+//! direction and distance comes from a warp of the library, whose density is the proved reciprocal of its pullback.
+//!
+//! Source: E. Veach, Robust Monte Carlo methods for light transport simulation (1997).
+
+mod boundary;
+mod follow;
+mod kernels;
+mod lattice;
+mod luminaires;
+mod optics;
+mod path;
+mod question;
+mod replicates;
+mod scattering;
+mod trap;
+mod vertex;
+mod warps;
+mod world;
+
+pub(crate) use follow::Follow;
+pub(crate) use kernels::kernels;
+pub(crate) use lattice::{Effects, follower};
+pub(crate) use path::Limits;
+pub(crate) use question::Question;
+pub(crate) use replicates::{Bins, Replicates};
+pub(crate) use trap::trap;
+pub(crate) use world::World;

@@ -1,0 +1,80 @@
+//! Following: a question and a number become one sample: the light of one path, in the sums of what is asked for.
+
+use super::lattice::Lattice;
+use super::path::{Path, Tracer};
+use super::question::{Begin, Question};
+use super::replicates::Sums;
+use super::vertex::{Law, Vertex};
+use crate::geometry::{Start, Vector};
+use crate::sampling::Samples;
+
+/// What follows paths for a group of bands.
+pub(crate) trait Follow: Sync {
+    /// The first of the bands, and how many there are.
+    fn bands(&self) -> [usize; 2];
+
+    /// Adds what a sample finds of a question.
+    fn sample(&self, question: &Question, samples: &mut Samples, sums: &mut Sums);
+}
+
+impl<L: Lattice, const N: usize> Follow for Tracer<'_, L, N> {
+    fn bands(&self) -> [usize; 2] {
+        self.optics.bands
+    }
+
+    fn sample(&self, question: &Question, samples: &mut Samples, sums: &mut Sums) {
+        let [first, count] = self.optics.bands;
+        let mut add = |direction: Vector, value: &[f64; N], way: f64| {
+            let Some(bin) = sums.bin(way) else { return };
+            question.measure(direction, &mut |number, factor| {
+                (0..count).for_each(|band| sums.add([number, first + band, bin], factor * value[band]));
+            });
+        };
+        match question.begin(self.world, samples) {
+            Some(Begin::Sight { start, direction }) => {
+                let path = self.begin(start, direction);
+                self.follow(path, samples, &mut |value, way| add(direction, value, way));
+            }
+            Some(Begin::Receiver { start, normal }) => self.receive(start, normal, samples, &mut add),
+            None => {}
+        }
+    }
+}
+
+impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
+    /// A path that goes out from here.
+    fn begin(&self, start: Start, direction: Vector) -> Path<N> {
+        Path {
+            start,
+            direction,
+            filling: self.world.medium_at(start, direction),
+            throughput: [1.0; N],
+            way: 0.0,
+            vertex: start.position,
+            density: f64::INFINITY,
+            reflections: 0,
+            scatterings: 0,
+            is_straight: true,
+        }
+    }
+
+    /// What a receiver gets, straight and by a path.
+    fn receive(
+        &self,
+        start: Start,
+        normal: Option<Vector>,
+        samples: &mut Samples,
+        add: &mut impl FnMut(Vector, &[f64; N], f64),
+    ) {
+        let law = normal.map_or(Law::Sphere, Law::Plane);
+        let mut path = self.begin(start, normal.unwrap_or(Vector::new(0.0, 0.0, 1.0)));
+        let vertex = Vertex { start, law };
+        if self.limits.direct {
+            self.straight(&path, &vertex, samples, add);
+        }
+        self.leaves(&mut path, &vertex, samples);
+        path.is_straight = true;
+        let direction = path.direction;
+        self.follow(path, samples, &mut |value, way| add(direction, value, way));
+    }
+}

@@ -1,0 +1,63 @@
+//! The kernels of paths: the effects of a scene decide by one table which kernels its paths run.
+
+use super::lattice::Effects;
+use crate::kernels::{
+    basic_radiance, cosine_hemisphere_pdf, cosine_hemisphere_sample, equiangular_pdf, equiangular_sample,
+    free_flight_pdf, free_flight_sample, fresnel_conductor, fresnel_dielectric, henyey_greenstein,
+    henyey_greenstein_direction_sample, spherical_triangle_pdf, spherical_triangle_sample, transmittance,
+    uniform_cone_sample, uniform_disk_sample, uniform_sphere_pdf, uniform_sphere_sample,
+    uniform_triangle_sample,
+};
+use crate::radiosity::UsedKernel;
+use crate::scene::{MaterialKind, ReceiverKind, Scene, Shape};
+
+/// The kernels that the paths of a scene run.
+pub(crate) fn kernels(scene: &Scene) -> Vec<UsedKernel> {
+    let effects = Effects::of(scene);
+    let materials = || scene.surfaces.iter().map(|surface| &scene.materials[surface.material].kind);
+    let shines = |is: fn(&Shape) -> bool| scene.surfaces.iter().any(|s| s.emits() && is(&s.shape));
+    let asks = |is: fn(&ReceiverKind) -> bool| scene.receivers.iter().any(|r| is(&r.kind));
+    let is_flat = |shape: &Shape| matches!(shape, Shape::Polygon(_) | Shape::Mesh(_));
+    let reflects = |kind: &MaterialKind| matches!(kind, MaterialKind::Diffuse { reflectance } if reflectance.iter().any(|&rho| rho > 0.0));
+    let planes = materials().any(reflects)
+        || asks(|kind| matches!(kind, ReceiverKind::Point { .. } | ReceiverKind::Surface { .. }));
+    let surfaces = asks(|kind| matches!(kind, ReceiverKind::Surface { .. }));
+    let spheres = asks(|kind| matches!(kind, ReceiverKind::Sphere { .. }));
+    let metals = materials().any(|kind| matches!(kind, MaterialKind::Conductor { .. }));
+    let (triangles, disks) = (shines(is_flat), shines(|shape| matches!(shape, Shape::Disk(_))));
+    let balls = shines(|shape| matches!(shape, Shape::Sphere(_)));
+    let Effects { absorption, scattering, refraction, .. } = effects;
+    macro_rules! row {
+        ($is_used:expr, $name:ident, $what:literal) => {
+            ($is_used).then(|| UsedKernel {
+                name: stringify!($name),
+                without: Vec::new(),
+                operations: $name::OPERATIONS,
+                operations_of_all: $name::OPERATIONS,
+                what: $what,
+            })
+        };
+    }
+    let table = [
+        row!(planes, cosine_hemisphere_sample, "directions from surfaces"),
+        row!(planes, cosine_hemisphere_pdf, "their density"),
+        row!(spheres, uniform_sphere_sample, "directions to all sides"),
+        row!(spheres, uniform_sphere_pdf, "their density"),
+        row!(triangles, spherical_triangle_sample, "directions to luminaires"),
+        row!(triangles, spherical_triangle_pdf, "their density"),
+        row!(disks, uniform_disk_sample, "points of round luminaires"),
+        row!(balls, uniform_cone_sample, "directions to spheres that shine"),
+        row!(surfaces, uniform_triangle_sample, "points of surfaces that receive"),
+        row!(absorption || scattering, transmittance, "what media leave of light"),
+        row!(scattering, free_flight_sample, "where light is scattered"),
+        row!(scattering, free_flight_pdf, "the density of that"),
+        row!(scattering, equiangular_sample, "where light of a luminaire is scattered"),
+        row!(scattering, equiangular_pdf, "the density of that"),
+        row!(scattering, henyey_greenstein, "how much is scattered into a direction"),
+        row!(scattering, henyey_greenstein_direction_sample, "directions of scattered light"),
+        row!(refraction, fresnel_dielectric, "what boundaries reflect"),
+        row!(refraction, basic_radiance, "radiance in another index"),
+        row!(metals, fresnel_conductor, "what metals reflect"),
+    ];
+    table.into_iter().flatten().collect()
+}

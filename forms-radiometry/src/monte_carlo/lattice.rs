@@ -1,0 +1,123 @@
+//! The lattice of effects: what a scene does not contain is not in the code that follows its paths.
+//!
+//! A member of the lattice is a type, and its effects are constants of it. Every member is compiled ahead of time, and a scene takes its
+//! own from a table when it is loaded.
+
+use super::follow::Follow;
+use super::optics::Optics;
+use super::path::{Limits, Tracer};
+use super::world::World;
+use crate::scene::{Filling, MaterialKind, Scene};
+use std::marker::PhantomData;
+
+/// Which effects the code has.
+pub(super) trait Lattice: Sync + Send {
+    const ABSORPTION: bool;
+    const SCATTERING: bool;
+    const MIRROR: bool;
+    const REFRACTION: bool;
+    const TIME: bool;
+}
+
+/// A member of the lattice.
+struct Member<
+    const ABSORPTION: bool,
+    const SCATTERING: bool,
+    const MIRROR: bool,
+    const REFRACTION: bool,
+    const TIME: bool,
+>;
+
+impl<const A: bool, const S: bool, const M: bool, const R: bool, const T: bool> Lattice
+    for Member<A, S, M, R, T>
+{
+    const ABSORPTION: bool = A;
+    const SCATTERING: bool = S;
+    const MIRROR: bool = M;
+    const REFRACTION: bool = R;
+    const TIME: bool = T;
+}
+
+/// The effects that a scene contains.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Effects {
+    pub(crate) absorption: bool,
+    pub(crate) scattering: bool,
+    pub(crate) mirror: bool,
+    pub(crate) refraction: bool,
+    pub(crate) dispersion: bool,
+    pub(crate) time: bool,
+}
+
+impl Effects {
+    /// Those of a scene: of the materials that surfaces have, and of the media that are somewhere.
+    pub(crate) fn of(scene: &Scene) -> Self {
+        let materials = || scene.surfaces.iter().map(|surface| &scene.materials[surface.material].kind);
+        let inside = materials().filter_map(|kind| match kind {
+            MaterialKind::Dielectric { inside } => Some(Some(*inside)),
+            _ => None,
+        });
+        let fillings: Vec<Filling> = inside.chain([scene.ambient.medium]).collect();
+        let media = || fillings.iter().flatten().map(|&medium| &scene.media[medium]);
+        let any = |values: &[f64]| values.iter().any(|&value| value > 0.0);
+        let index = |filling: &Filling| filling.map_or(&[1.0][..], |medium| &scene.media[medium].index);
+        let differs = |a: &Filling| {
+            (0..scene.band_count()).any(|band| {
+                let of = |filling: &Filling| *index(filling).get(band).unwrap_or(&1.0);
+                of(a) != of(&scene.ambient.medium)
+            })
+        };
+        let refraction = fillings.iter().any(differs);
+        let has_spread = |values: &[f64]| values.iter().any(|value| *value != values[0]);
+        Self {
+            absorption: media().any(|medium| any(&medium.absorption)),
+            scattering: media().any(|medium| any(&medium.scattering)),
+            mirror: materials()
+                .any(|kind| matches!(kind, MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. })),
+            refraction,
+            dispersion: refraction && media().any(|medium| has_spread(&medium.index)),
+            time: scene.receivers.iter().any(|receiver| receiver.time.is_some()),
+        }
+    }
+}
+
+/// How many bands share their paths at most.
+pub(super) const SHARED: usize = 4;
+
+/// What follows paths in a world, for each group of bands that share them: with dispersion every band goes its own way.
+pub(crate) fn follower<'w>(
+    world: &'w World<'w>,
+    effects: Effects,
+    limits: Limits,
+) -> Vec<Box<dyn Follow + 'w>> {
+    let bands = world.scene.band_count();
+    let group = if effects.dispersion { 1 } else { SHARED };
+    let groups = (0..bands).step_by(group).map(|first| (first, group.min(bands - first)));
+    groups
+        .map(|(first, count)| match count {
+            1 => member::<1>(world, effects, limits, first, count),
+            _ => member::<SHARED>(world, effects, limits, first, count),
+        })
+        .collect()
+}
+
+/// The member of the lattice that has these effects.
+fn member<'w, const N: usize>(
+    world: &'w World<'w>,
+    effects: Effects,
+    limits: Limits,
+    first: usize,
+    count: usize,
+) -> Box<dyn Follow + 'w> {
+    let optics = Optics::<N>::of(world.scene, first, count);
+    macro_rules! choose {
+        ([$($chosen:literal),*]) => {
+            Box::new(Tracer::<Member<$($chosen),*>, N> { world, optics, limits, effects: PhantomData })
+        };
+        ([$($chosen:literal),*] $is_on:expr $(, $rest:expr)*) => {
+            if $is_on { choose!([$($chosen,)* true] $($rest),*) } else { choose!([$($chosen,)* false] $($rest),*) }
+        };
+    }
+    let Effects { absorption, scattering, mirror, refraction, time, .. } = effects;
+    choose!([] absorption, scattering, mirror, refraction, time)
+}

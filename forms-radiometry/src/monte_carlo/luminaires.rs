@@ -1,0 +1,310 @@
+//! Luminaires: what emits light becomes directions in which light comes straight from it.
+//!
+//! ```text
+//! triangle   uniform over its solid angle            disk   uniform over its area
+//! sphere     uniform over the cone that it fills, seen from outside; uniform over its area from inside
+//! point, distant light: the one direction that there is
+//! ```
+//! Which luminaire is taken is chosen by power. Densities are of solid angle, and are what a direction has that was found in another way.
+
+use super::warps::{
+    spherical_triangle_pdf, spherical_triangle_sample, uniform_cone_pdf, uniform_cone_sample,
+    uniform_disk_sample, uniform_sphere_sample, uniform_triangle_sample,
+};
+use super::world::Sheet;
+use crate::geometry::{Disk, Met, Sphere, Vector, Wall};
+use crate::kernels::{measure_area_to_solid_angle, measure_solid_angle_to_area};
+use crate::sampling::{Frame, Samples};
+use crate::scene::{LightKind, Scene};
+use std::f64::consts::PI;
+use std::ops::Range;
+
+/// All luminaires of a scene.
+pub(super) struct Luminaires {
+    all: Vec<Luminaire>,
+    /// The chance of each luminaire and of all before it.
+    chances: Vec<f64>,
+    /// The luminaires of each wall.
+    of_walls: Vec<Range<usize>>,
+}
+
+/// Something that emits light.
+pub(super) struct Luminaire {
+    pub(super) source: Source,
+    form: Form,
+    /// How likely it is chosen.
+    chance: f64,
+}
+
+/// Where the optical numbers of a luminaire are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Source {
+    /// A wall of this index, of this surface.
+    Wall { wall: usize, surface: usize },
+    /// A light of this index.
+    Beam(usize),
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Form {
+    Triangle([Vector; 3]),
+    Disk(Disk),
+    Sphere(Sphere),
+    Point(Vector),
+    /// The unit vector along which the light travels.
+    Distant(Vector),
+}
+
+/// A direction to a luminaire.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Towards {
+    pub(super) source: Source,
+    pub(super) direction: Vector,
+    /// How far it is, if it is a point; without end else.
+    pub(super) reach: f64,
+    /// The density of the direction, of which the choice of the luminaire is part; of a beam the reciprocal of what its intensity or
+    /// irradiance is multiplied by.
+    pub(super) density: f64,
+}
+
+impl Luminaires {
+    pub(super) fn of(scene: &Scene, walls: &[Wall], sheets: &[Sheet]) -> Self {
+        let (mut all, mut powers, mut of_walls) = (Vec::new(), Vec::new(), Vec::new());
+        for (wall, (shape, sheet)) in walls.iter().zip(sheets).enumerate() {
+            let first = all.len();
+            let surface = &scene.surfaces[sheet.surface];
+            let radiance = largest(&surface.radiance);
+            if radiance > 0.0 {
+                let sides = if surface.two_sided { 2.0 } else { 1.0 };
+                let source = Source::Wall { wall, surface: sheet.surface };
+                for form in forms(shape) {
+                    powers.push(sides * PI * radiance * form.area());
+                    all.push(Luminaire { source, form, chance: 0.0 });
+                }
+            }
+            of_walls.push(first..all.len());
+        }
+        let extent = extent(walls);
+        for (index, light) in scene.lights.iter().enumerate() {
+            let (form, power) = match &light.kind {
+                LightKind::Point { position, intensity } => {
+                    (Form::Point(*position), 4.0 * PI * largest(intensity))
+                }
+                LightKind::Distant { direction, irradiance } => {
+                    (Form::Distant(*direction), PI * extent * extent * largest(irradiance))
+                }
+            };
+            powers.push(power);
+            all.push(Luminaire { source: Source::Beam(index), form, chance: 0.0 });
+        }
+        let whole: f64 = powers.iter().sum();
+        let mut sum = 0.0;
+        let mut chances = Vec::with_capacity(all.len());
+        for (luminaire, power) in all.iter_mut().zip(powers) {
+            luminaire.chance = power / whole;
+            sum += luminaire.chance;
+            chances.push(sum);
+        }
+        Self { all, chances, of_walls }
+    }
+
+    /// Whether a ray can meet any.
+    pub(super) fn are_met(&self) -> bool {
+        self.all.iter().any(|luminaire| matches!(luminaire.source, Source::Wall { .. }))
+    }
+
+    /// A luminaire by a number from 0 to 1; none where there is none.
+    pub(super) fn choose(&self, number: f64) -> Option<&Luminaire> {
+        let place = self.chances.partition_point(|&chance| chance <= number);
+        self.all.get(place.min(self.all.len().checked_sub(1)?))
+    }
+
+    /// The surface of a luminaire by a number from 0 to 1; none where that is a beam.
+    pub(super) fn emitting(&self, number: f64) -> Option<usize> {
+        match self.choose(number)?.source {
+            Source::Wall { surface, .. } => Some(surface),
+            Source::Beam(_) => None,
+        }
+    }
+
+    /// The density that a direction from a point to the wall that it meets has among those that [`choose`](Self::choose) and
+    /// [`towards`](Luminaire::towards) take.
+    pub(super) fn density(&self, from: Vector, direction: Vector, met: &Met) -> f64 {
+        let of_wall = &self.all[self.of_walls[met.wall].clone()];
+        of_wall.iter().map(|luminaire| luminaire.chance * luminaire.form.density(from, direction, met)).sum()
+    }
+}
+
+impl Luminaire {
+    /// A direction from a point, by a point of the unit square. None where the luminaire cannot be seen from there.
+    pub(super) fn towards(&self, from: Vector, square: [f64; 2]) -> Option<Towards> {
+        let (direction, reach, density) = self.form.towards(from, square)?;
+        let is_found = density > 0.0 && density.is_finite();
+        is_found.then_some(Towards { source: self.source, direction, reach, density: self.chance * density })
+    }
+
+    /// A point of it, by a point of the unit square; none if it is far away.
+    pub(super) fn point(&self, square: [f64; 2]) -> Option<Vector> {
+        match self.form {
+            Form::Point(position) => Some(position),
+            Form::Distant(_) => None,
+            shape => Some(shape.point(square).0),
+        }
+    }
+}
+
+impl Form {
+    fn area(&self) -> f64 {
+        match self {
+            Self::Triangle([a, b, c]) => 0.5 * (*b - *a).cross(*c - *a).length(),
+            Self::Disk(disk) => PI * disk.radius * disk.radius,
+            Self::Sphere(sphere) => 4.0 * PI * sphere.radius * sphere.radius,
+            Self::Point(_) | Self::Distant(_) => 0.0,
+        }
+    }
+
+    /// A point that is uniform over the area, and the normal there.
+    fn point(&self, [u, v]: [f64; 2]) -> (Vector, Vector) {
+        match *self {
+            Self::Triangle([a, b, c]) => {
+                let [p, q] = uniform_triangle_sample(u, v);
+                (a + p * (b - a) + q * (c - a), Vector::default())
+            }
+            Self::Disk(disk) => {
+                let [x, y] = uniform_disk_sample(u, v);
+                (disk.center + disk.radius * Frame::about(disk.normal).place([x, y, 0.0]), disk.normal)
+            }
+            Self::Sphere(sphere) => {
+                let [x, y, z] = uniform_sphere_sample(u, v);
+                let outward = Vector::new(x, y, z);
+                (sphere.center + sphere.radius * outward, outward)
+            }
+            Self::Point(position) => (position, Vector::default()),
+            Self::Distant(direction) => (direction, Vector::default()),
+        }
+    }
+
+    /// A direction to it, how far it is if it is a point, and the density.
+    fn towards(&self, from: Vector, square: [f64; 2]) -> Option<(Vector, f64, f64)> {
+        match *self {
+            Self::Point(position) => {
+                let way = position - from;
+                let direction = way.unit()?;
+                Some((direction, way.length(), way.dot(way)))
+            }
+            Self::Distant(direction) => Some((-direction, f64::INFINITY, 1.0)),
+            Self::Triangle(corners) => {
+                let [a, b, c] = corners.map(|corner| corner - from);
+                let [u, v] = square;
+                let [x, y, z] = spherical_triangle_sample(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, u, v);
+                let direction = Vector::new(x, y, z).unit()?;
+                Some((direction, f64::INFINITY, triangle_density([a, b, c], direction)))
+            }
+            Self::Sphere(sphere) if outside(&sphere, from).is_some() => {
+                let (axis, height) = outside(&sphere, from)?;
+                let direction = Frame::about(axis).place(uniform_cone_sample(height, square[0], square[1]));
+                Some((direction, f64::INFINITY, cone_density(height)))
+            }
+            Self::Disk(_) | Self::Sphere(_) => {
+                let (point, normal) = self.point(square);
+                let way = point - from;
+                let direction = way.unit()?;
+                let density = self.density_of_area(way.dot(way), normal.dot(direction).abs());
+                Some((direction, f64::INFINITY, density))
+            }
+        }
+    }
+
+    /// The density of directions that are uniform over the area.
+    fn density_of_area(&self, squared: f64, cosine: f64) -> f64 {
+        measure_solid_angle_to_area(squared, cosine) / self.area()
+    }
+
+    fn density(&self, from: Vector, direction: Vector, met: &Met) -> f64 {
+        match *self {
+            Self::Triangle(corners) => triangle_density(corners.map(|corner| corner - from), direction),
+            Self::Sphere(sphere) if outside(&sphere, from).is_some() => {
+                outside(&sphere, from).map_or(0.0, |(_, height)| cone_density(height))
+            }
+            Self::Disk(_) | Self::Sphere(_) => {
+                let way = met.position - from;
+                let covered = measure_area_to_solid_angle(way.dot(way), met.normal.dot(direction).abs());
+                1.0 / (covered * self.area())
+            }
+            Self::Point(_) | Self::Distant(_) => 0.0,
+        }
+    }
+}
+
+/// A point that is uniform over the fronts of walls: the wall, the point, and the unit normal there.
+pub(super) fn uniform_on<'w>(
+    walls: impl Iterator<Item = (usize, &'w Wall)>,
+    samples: &mut Samples,
+) -> Option<(usize, Vector, Vector)> {
+    let pieces: Vec<(usize, &Wall, Form)> = walls
+        .flat_map(|(index, wall)| forms(wall).into_iter().map(move |form| (index, wall, form)))
+        .collect();
+    let whole: f64 = pieces.iter().map(|(_, _, form)| form.area()).sum();
+    let mut left = samples.one() * whole;
+    let after = |(_, _, form): &&(usize, &Wall, Form)| {
+        left -= form.area();
+        left <= 0.0
+    };
+    let (wall, shape, form) = pieces.iter().find(after).or(pieces.last())?;
+    let (position, normal) = form.point(samples.pair());
+    let normal = match shape {
+        Wall::Polygon { normal, .. } => *normal,
+        Wall::Sphere(sphere) if sphere.inward => -normal,
+        Wall::Sphere(_) | Wall::Disk(_) => normal,
+    };
+    Some((*wall, position, normal))
+}
+
+/// The forms of a wall: a polygon is a fan of triangles.
+fn forms(wall: &Wall) -> Vec<Form> {
+    match wall {
+        Wall::Polygon { vertices, .. } => {
+            let fan = vertices[1..].windows(2).map(|pair| Form::Triangle([vertices[0], pair[0], pair[1]]));
+            fan.filter(|triangle| triangle.area() > 0.0).collect()
+        }
+        Wall::Disk(disk) => vec![Form::Disk(*disk)],
+        Wall::Sphere(sphere) => vec![Form::Sphere(*sphere)],
+    }
+}
+
+fn triangle_density([a, b, c]: [Vector; 3], direction: Vector) -> f64 {
+    let Vector { x, y, z } = direction;
+    spherical_triangle_pdf(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, x, y, z)
+}
+
+/// From outside of a sphere the direction to its centre, and what the cosine of its limb lacks of 1: with s = R/d, s²/(1 + √(1 − s²)).
+fn outside(sphere: &Sphere, from: Vector) -> Option<(Vector, f64)> {
+    let way = sphere.center - from;
+    let distance = way.length();
+    let sine = sphere.radius / distance;
+    let squared = sine * sine;
+    (sine < 1.0).then(|| way.unit().map(|axis| (axis, squared / (1.0 + (1.0 - squared).sqrt())))).flatten()
+}
+
+/// The density in a cone does not depend on the direction.
+fn cone_density(height: f64) -> f64 {
+    uniform_cone_pdf(height, 0.0, 0.0, 1.0)
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().copied().fold(0.0, f64::max)
+}
+
+/// A length that the scene extends over.
+fn extent(walls: &[Wall]) -> f64 {
+    let corners = walls.iter().flat_map(|wall| match wall {
+        Wall::Polygon { vertices, .. } => vertices.clone(),
+        Wall::Disk(Disk { center, radius, .. }) | Wall::Sphere(Sphere { center, radius, .. }) => {
+            let reach = Vector::new(*radius, *radius, *radius);
+            vec![*center - reach, *center + reach]
+        }
+    });
+    let corners: Vec<Vector> = corners.collect();
+    let Some(&first) = corners.first() else { return 1.0 };
+    corners.iter().map(|&corner| (corner - first).length()).fold(0.0, f64::max)
+}

@@ -1,0 +1,97 @@
+//! Optics: the optical numbers of a scene in a group of bands that share their paths.
+
+use crate::scene::{Filling, LightKind, MaterialKind, Scene};
+
+/// The optical numbers of N bands, the last of which may stand for none and are zero.
+pub(super) struct Optics<const N: usize> {
+    media: Vec<MediumOptics<N>>,
+    /// By surface: what it emits, and how much of the light its material reflects, if that is a number.
+    pub(super) radiances: Vec<[f64; N]>,
+    pub(super) reflectances: Vec<[f64; N]>,
+    /// By light: intensity or irradiance.
+    pub(super) beams: Vec<[f64; N]>,
+    pub(super) outside: [f64; N],
+    /// The first band, and how many there are.
+    pub(super) bands: [usize; 2],
+}
+
+/// A medium in these bands.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MediumOptics<const N: usize> {
+    pub(super) scattering: [f64; N],
+    pub(super) extinction: [f64; N],
+    pub(super) asymmetry: [f64; N],
+    /// The refractive index, which bands that share their paths have in common.
+    pub(super) index: f64,
+}
+
+impl<const N: usize> MediumOptics<N> {
+    const VACUUM: Self = Self { scattering: [0.0; N], extinction: [0.0; N], asymmetry: [0.0; N], index: 1.0 };
+
+    pub(super) fn scatters(&self) -> bool {
+        self.scattering.iter().any(|&scattering| scattering > 0.0)
+    }
+}
+
+impl<const N: usize> Optics<N> {
+    /// The bands from the first on, of which there are at most N.
+    pub(super) fn of(scene: &Scene, first: usize, count: usize) -> Self {
+        let group = |values: &[f64]| {
+            std::array::from_fn(|band| if band < count { values[first + band] } else { 0.0 })
+        };
+        let medium = |medium: &crate::scene::Medium| {
+            let (absorption, scattering) = (group(&medium.absorption), group(&medium.scattering));
+            MediumOptics {
+                scattering,
+                extinction: std::array::from_fn(|band| absorption[band] + scattering[band]),
+                asymmetry: group(&medium.asymmetry),
+                index: medium.index[first],
+            }
+        };
+        let reflectance = |surface: &crate::scene::Surface| match &scene.materials[surface.material].kind {
+            MaterialKind::Diffuse { reflectance } | MaterialKind::Mirror { reflectance } => {
+                group(reflectance)
+            }
+            MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => [0.0; N],
+        };
+        let beam = |light: &crate::scene::Light| match &light.kind {
+            LightKind::Point { intensity, .. } => group(intensity),
+            LightKind::Distant { irradiance, .. } => group(irradiance),
+        };
+        Self {
+            media: scene.media.iter().map(medium).collect(),
+            radiances: scene.surfaces.iter().map(|surface| group(&surface.radiance)).collect(),
+            reflectances: scene.surfaces.iter().map(reflectance).collect(),
+            beams: scene.lights.iter().map(beam).collect(),
+            outside: group(&scene.ambient.radiance),
+            bands: [first, count],
+        }
+    }
+
+    pub(super) fn medium(&self, filling: Filling) -> MediumOptics<N> {
+        filling.map_or(MediumOptics::VACUUM, |medium| self.media[medium])
+    }
+
+    /// Whether nothing bends or reflects light between two media.
+    pub(super) fn is_clear(&self, one: Filling, other: Filling) -> bool {
+        self.medium(one).index == self.medium(other).index
+    }
+}
+
+/// The product, band by band.
+pub(super) fn times<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
+    std::array::from_fn(|band| a[band] * b[band])
+}
+
+pub(super) fn scaled<const N: usize>(factor: f64, a: &[f64; N]) -> [f64; N] {
+    a.map(|value| factor * value)
+}
+
+/// The mean of so many bands.
+pub(super) fn mean<const N: usize>(values: &[f64; N], count: usize) -> f64 {
+    values[..count].iter().sum::<f64>() / count as f64
+}
+
+pub(super) fn largest<const N: usize>(values: &[f64; N]) -> f64 {
+    values.iter().copied().fold(0.0, f64::max)
+}

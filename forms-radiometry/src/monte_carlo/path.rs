@@ -1,0 +1,356 @@
+//! Paths: a ray and what it would bring become contributions, from vertex to vertex.
+//!
+//! ```text
+//! ray ─▶ next wall ─┬─ light that the medium scatters into the segment, from luminaires      (scattering)
+//!                   ├─ scattered before it ─▶ a vertex in the medium                          (scattering)
+//!                   └─ wall ─▶ what it emits, weighed against what was found at the last vertex
+//!                          ├─ diffuse ─▶ light from luminaires, and a vertex on the wall
+//!                          └─ mirror, metal, boundary ─▶ a ray
+//! ```
+//! Weights of paths never grow: where one has become small, the path ends at random, and goes on with the weight of the limit. So
+//! no path counts more than the first ones of its kind, and the variance is finite wherever the sum of all orders is.
+
+use super::boundary::{Passage, reflected, refracted};
+use super::lattice::Lattice;
+use super::luminaires::{Source, Towards};
+use super::optics::{MediumOptics, Optics, largest, mean, scaled, times};
+use super::scattering::Flight;
+use super::vertex::{Law, Vertex};
+use super::world::World;
+use crate::geometry::{Met, Start, Vector};
+use crate::sampling::Samples;
+use crate::scene::{Filling, MaterialKind};
+use std::marker::PhantomData;
+
+/// Paths of less weight than this end at random. The smaller it is, the longer paths are, and the less their lengths spread what they find.
+const FAINT: f64 = 0.1;
+/// A luminaire that is a point is reached where nothing is met before this part of the way.
+const REACHED: f64 = 1.0 - 1e-12;
+
+/// How often light is reflected by diffuse surfaces and scattered by media at most, and what counts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limits {
+    pub(crate) reflections: Option<u32>,
+    pub(crate) scatterings: Option<u32>,
+    /// Whether light that comes straight from luminaires to a receiver counts.
+    pub(crate) direct: bool,
+}
+
+/// Follows paths with the effects of a lattice's member.
+pub(super) struct Tracer<'w, L, const N: usize> {
+    pub(super) world: &'w World<'w>,
+    pub(super) optics: Optics<N>,
+    pub(super) limits: Limits,
+    pub(super) effects: PhantomData<L>,
+}
+
+/// A path on its way.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Path<const N: usize> {
+    pub(super) start: Start,
+    pub(super) direction: Vector,
+    pub(super) filling: Filling,
+    pub(super) throughput: [f64; N],
+    /// The optical length so far, the integral of the index.
+    pub(super) way: f64,
+    /// The last vertex, and the density that the direction had there; without end where a luminaire could not have been found from there.
+    pub(super) vertex: Vector,
+    pub(super) density: f64,
+    pub(super) reflections: u32,
+    pub(super) scatterings: u32,
+    /// Whether nothing has happened to the light yet.
+    pub(super) is_straight: bool,
+}
+
+/// The part of two ways to find the same light that one of them has: the power heuristic.
+fn part(own: f64, other: f64) -> f64 {
+    if own.is_infinite() {
+        return 1.0;
+    }
+    let ratio = other / own;
+    1.0 / (1.0 + ratio * ratio)
+}
+
+fn may_go_on(count: u32, most: Option<u32>) -> bool {
+    most.is_none_or(|most| count < most)
+}
+
+impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
+    /// How many bands there are.
+    fn count(&self) -> usize {
+        if N == 1 { 1 } else { self.optics.bands[1] }
+    }
+
+    fn medium(&self, filling: Filling) -> MediumOptics<N> {
+        self.optics.medium(filling)
+    }
+
+    fn longer(&self, way: f64, medium: &MediumOptics<N>, distance: f64) -> f64 {
+        if L::TIME { way + medium.index * distance } else { way }
+    }
+
+    /// Follows a path to its end, and adds what it finds: a value for each band, and the optical length.
+    pub(super) fn follow(
+        &self,
+        mut path: Path<N>,
+        samples: &mut Samples,
+        add: &mut impl FnMut(&[f64; N], f64),
+    ) {
+        loop {
+            let met = self.world.walls.first(path.start, path.direction, f64::INFINITY);
+            let length = met.as_ref().map_or(f64::INFINITY, |met| met.distance);
+            let medium = self.medium(path.filling);
+            if L::SCATTERING && medium.scatters() {
+                if may_go_on(path.scatterings, self.limits.scatterings) {
+                    self.lit_segment(&path, &medium, length, samples, add);
+                    match medium.flight(length, self.count(), samples) {
+                        Flight::Scattered(distance, factor) => {
+                            path.throughput = times(&path.throughput, &factor);
+                            self.scatter(&mut path, &medium, distance, samples);
+                            if !self.goes_on(&mut path, samples) {
+                                return;
+                            }
+                            continue;
+                        }
+                        Flight::Passed(factor) => path.throughput = times(&path.throughput, &factor),
+                    }
+                } else {
+                    path.throughput = times(&path.throughput, &medium.transmittance(length));
+                }
+            } else if L::ABSORPTION {
+                path.throughput = times(&path.throughput, &medium.transmittance(length));
+            }
+            let Some(met) = met else {
+                if self.limits.direct || !path.is_straight {
+                    add(&times(&path.throughput, &self.optics.outside), f64::INFINITY);
+                }
+                return;
+            };
+            path.way = self.longer(path.way, &medium, length);
+            self.emitted(&path, &met, add);
+            if !self.interacts(&mut path, &met, &medium, samples, add) || !self.goes_on(&mut path, samples) {
+                return;
+            }
+        }
+    }
+
+    /// What a wall emits to the path.
+    fn emitted(&self, path: &Path<N>, met: &Met, add: &mut impl FnMut(&[f64; N], f64)) {
+        let radiance = &self.optics.radiances[self.world.sheets[met.wall].surface];
+        let is_lit = largest(radiance) > 0.0 && self.world.is_bright(met.wall, met.is_front);
+        if !is_lit || (path.is_straight && !self.limits.direct) {
+            return;
+        }
+        let part = if path.density.is_finite() {
+            part(path.density, self.world.luminaires.density(path.vertex, path.direction, met))
+        } else {
+            1.0
+        };
+        add(&scaled(part, &times(&path.throughput, radiance)), path.way);
+    }
+
+    /// What the wall does with the path; whether it goes on.
+    fn interacts(
+        &self,
+        path: &mut Path<N>,
+        met: &Met,
+        medium: &MediumOptics<N>,
+        samples: &mut Samples,
+        add: &mut impl FnMut(&[f64; N], f64),
+    ) -> bool {
+        let (sheet, material) = (&self.world.sheets[met.wall], self.world.material(met.wall));
+        let normal = if met.is_front { met.normal } else { -met.normal };
+        if let MaterialKind::Dielectric { .. } = material {
+            let beyond = sheet.filling(!met.is_front);
+            return self.crosses(path, met, [medium, &self.medium(beyond)], beyond, normal, samples);
+        }
+        if !self.world.is_bright(met.wall, met.is_front) {
+            return false;
+        }
+        if let MaterialKind::Diffuse { .. } = material {
+            let reflectance = &self.optics.reflectances[sheet.surface];
+            if largest(reflectance) == 0.0 || !may_go_on(path.reflections, self.limits.reflections) {
+                return false;
+            }
+            path.throughput = times(&path.throughput, reflectance);
+            path.reflections += 1;
+            let vertex =
+                Vertex { start: self.world.walls.start_on(met, met.is_front), law: Law::Plane(normal) };
+            self.straight(path, &vertex, samples, &mut |_, value, way| add(value, way));
+            self.leaves(path, &vertex, samples);
+            return true;
+        }
+        if L::MIRROR {
+            let passage = reflected(material, &self.optics, medium, path.direction, normal);
+            self.passes(path, met, passage);
+            return true;
+        }
+        false
+    }
+
+    fn passes(&self, path: &mut Path<N>, met: &Met, passage: Passage<N>) {
+        let (direction, throughput, stays) = passage.applied(&path.throughput);
+        (path.direction, path.throughput) = (direction, throughput);
+        path.start = self.world.walls.start_on(met, met.is_front == stays);
+        path.density = f64::INFINITY;
+        path.is_straight = false;
+    }
+
+    /// Crosses the boundary of two media, or is reflected there.
+    fn crosses(
+        &self,
+        path: &mut Path<N>,
+        met: &Met,
+        [medium, other]: [&MediumOptics<N>; 2],
+        beyond: Filling,
+        normal: Vector,
+        samples: &mut Samples,
+    ) -> bool {
+        if L::REFRACTION && medium.index != other.index {
+            let passage = refracted([medium, other], path.direction, normal, samples.one());
+            if let Passage::Refracted(..) = passage {
+                path.filling = beyond;
+            }
+            self.passes(path, met, passage);
+        } else {
+            path.start = self.world.walls.start_on(met, !met.is_front);
+            path.filling = beyond;
+        }
+        true
+    }
+
+    /// Ends a path of little weight at random, and gives the others the weight of those that ended.
+    fn goes_on(&self, path: &mut Path<N>, samples: &mut Samples) -> bool {
+        let weight = largest(&path.throughput);
+        if weight >= FAINT {
+            return true;
+        }
+        let chance = weight / FAINT;
+        path.throughput = path.throughput.map(|t| t / chance);
+        weight > 0.0 && samples.one() < chance
+    }
+
+    /// Lets a path go on from a vertex by its law.
+    pub(super) fn leaves(&self, path: &mut Path<N>, vertex: &Vertex<N>, samples: &mut Samples) {
+        let direction = vertex.law.direction(self.count(), samples);
+        let (weights, density) = vertex.law.weights(direction, self.count());
+        path.throughput = times(&path.throughput, &weights);
+        (path.start, path.direction, path.vertex) = (vertex.start, direction, vertex.start.position);
+        path.density = if self.world.luminaires.are_met() { density } else { f64::INFINITY };
+        path.is_straight = false;
+    }
+
+    fn scatter(&self, path: &mut Path<N>, medium: &MediumOptics<N>, distance: f64, samples: &mut Samples) {
+        path.way = self.longer(path.way, medium, distance);
+        path.scatterings += 1;
+        let vertex = self.scattering(path, medium, distance);
+        self.leaves(path, &vertex, samples);
+    }
+
+    /// The vertex at a distance along the path.
+    fn scattering(&self, path: &Path<N>, medium: &MediumOptics<N>, distance: f64) -> Vertex<N> {
+        let position = path.start.position + distance * path.direction;
+        let law = Law::Phase { forward: path.direction, asymmetry: medium.asymmetry };
+        Vertex { start: self.world.walls.start_free(position), law }
+    }
+
+    /// What a segment scatters to its start of the light that comes straight from luminaires.
+    fn lit_segment(
+        &self,
+        path: &Path<N>,
+        medium: &MediumOptics<N>,
+        length: f64,
+        samples: &mut Samples,
+        add: &mut impl FnMut(&[f64; N], f64),
+    ) {
+        let Some(luminaire) = self.world.luminaires.choose(samples.one()) else { return };
+        let pivot = luminaire.point(samples.pair());
+        let ray = [path.start.position, path.direction];
+        let Some((distance, factor)) = medium.lit_point(ray, length, pivot, self.count(), samples) else {
+            return;
+        };
+        let mut lit = *path;
+        lit.throughput = times(&path.throughput, &factor);
+        lit.way = self.longer(path.way, medium, distance);
+        let vertex = self.scattering(path, medium, distance);
+        if let Some(towards) = luminaire.towards(vertex.start.position, samples.pair()) {
+            self.lit(&lit, &vertex, &towards, &mut |_, value, way| add(value, way));
+        }
+    }
+
+    /// What comes straight from a luminaire to a vertex, whose weight the path has by now; with the direction that it comes from.
+    pub(super) fn straight(
+        &self,
+        path: &Path<N>,
+        vertex: &Vertex<N>,
+        samples: &mut Samples,
+        add: &mut impl FnMut(Vector, &[f64; N], f64),
+    ) {
+        let chosen = self.world.luminaires.choose(samples.one());
+        let square = samples.pair();
+        if let Some(towards) = chosen.and_then(|luminaire| luminaire.towards(vertex.start.position, square)) {
+            self.lit(path, vertex, &towards, add);
+        }
+    }
+
+    fn lit(
+        &self,
+        path: &Path<N>,
+        vertex: &Vertex<N>,
+        towards: &Towards,
+        add: &mut impl FnMut(Vector, &[f64; N], f64),
+    ) {
+        let densities = vertex.law.density(towards.direction);
+        let own = mean(&densities, self.count());
+        if own == 0.0 {
+            return;
+        }
+        let (radiance, part) = match towards.source {
+            Source::Wall { surface, .. } => (&self.optics.radiances[surface], part(towards.density, own)),
+            Source::Beam(light) => (&self.optics.beams[light], 1.0),
+        };
+        let Some((left, way)) = self.reached(vertex.start, path.filling, path.way, towards) else { return };
+        let value = times(&times(&path.throughput, radiance), &times(&densities, &left));
+        add(towards.direction, &scaled(part / towards.density, &value), way);
+    }
+
+    /// What is left of light on the way to a luminaire, and the optical length to there; none where something stands in between.
+    fn reached(
+        &self,
+        mut start: Start,
+        mut filling: Filling,
+        mut way: f64,
+        towards: &Towards,
+    ) -> Option<([f64; N], f64)> {
+        let mut left = [1.0; N];
+        let mut reach = towards.reach;
+        loop {
+            let within = if reach.is_finite() { REACHED * reach } else { reach };
+            let met = self.world.walls.first(start, towards.direction, within);
+            let length = met.as_ref().map_or(reach, |met| met.distance);
+            let medium = self.medium(filling);
+            if L::ABSORPTION || L::SCATTERING {
+                left = times(&left, &medium.transmittance(length));
+            }
+            way = self.longer(way, &medium, length);
+            let Some(met) = met else {
+                let is_beam = matches!(towards.source, Source::Beam(_));
+                return is_beam.then_some((left, way));
+            };
+            match towards.source {
+                Source::Wall { wall, .. } if wall == met.wall => {
+                    return self.world.is_bright(wall, met.is_front).then_some((left, way));
+                }
+                _ => {}
+            }
+            let beyond = self.world.sheets[met.wall].filling(!met.is_front);
+            let is_boundary = matches!(self.world.material(met.wall), MaterialKind::Dielectric { .. });
+            if !is_boundary || (L::REFRACTION && !self.optics.is_clear(filling, beyond)) {
+                return None;
+            }
+            start = self.world.walls.start_on(&met, !met.is_front);
+            filling = beyond;
+            reach -= length;
+        }
+    }
+}

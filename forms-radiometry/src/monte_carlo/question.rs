@@ -1,0 +1,76 @@
+//! Questions: what a receiver asks for, of which every sample takes a part.
+
+use super::luminaires::uniform_on;
+use super::world::World;
+use crate::camera::Camera;
+use crate::geometry::{Start, Vector};
+use crate::sampling::Samples;
+use std::f64::consts::PI;
+
+/// What is asked for.
+#[derive(Clone, Debug)]
+pub(crate) enum Question {
+    /// The irradiance at a point whose unit normal is this.
+    Plane { position: Vector, normal: Vector },
+    /// The fluence rate at a point, and the three components of vector irradiance.
+    Sphere { position: Vector },
+    /// The mean irradiance of the front of a surface.
+    Surface { surface: usize },
+    /// The radiance that arrives from a direction.
+    Sight { origin: Vector, direction: Vector },
+    /// The mean radiance over a pixel of a camera, in column and row from the upper left.
+    Pixel { camera: Camera, pixel: [usize; 2] },
+}
+
+/// The begin of a path.
+pub(super) enum Begin {
+    /// At a receiver with this unit normal, or with none.
+    Receiver { start: Start, normal: Option<Vector> },
+    /// Along a ray.
+    Sight { start: Start, direction: Vector },
+}
+
+impl Question {
+    /// How many numbers answer it.
+    pub(crate) fn numbers(&self) -> usize {
+        if matches!(self, Self::Sphere { .. }) { 4 } else { 1 }
+    }
+
+    /// What the numbers are multiplied by, for light that comes from a direction: a receiver integrates over a law of density one.
+    pub(super) fn measure(&self, direction: Vector, each: &mut impl FnMut(usize, f64)) {
+        match self {
+            Self::Plane { .. } | Self::Surface { .. } => each(0, PI),
+            Self::Sight { .. } | Self::Pixel { .. } => each(0, 1.0),
+            Self::Sphere { .. } => {
+                let travels = [-direction.x, -direction.y, -direction.z];
+                each(0, 4.0 * PI);
+                (0..3).for_each(|axis| each(axis + 1, 4.0 * PI * travels[axis]));
+            }
+        }
+    }
+
+    /// A part of what is asked for.
+    pub(super) fn begin(&self, world: &World, samples: &mut Samples) -> Option<Begin> {
+        let walls = &world.walls;
+        match self {
+            Self::Plane { position, normal } => {
+                Some(Begin::Receiver { start: walls.start_at(*position), normal: Some(*normal) })
+            }
+            Self::Sphere { position } => {
+                Some(Begin::Receiver { start: walls.start_at(*position), normal: None })
+            }
+            Self::Surface { surface } => {
+                let (wall, position, normal) = uniform_on(world.walls_of(*surface), samples)?;
+                Some(Begin::Receiver { start: walls.start_before(wall, position), normal: Some(normal) })
+            }
+            Self::Sight { origin, direction } => {
+                Some(Begin::Sight { start: walls.start_at(*origin), direction: *direction })
+            }
+            Self::Pixel { camera, pixel: [column, row] } => {
+                let [u, v] = samples.pair();
+                let direction = camera.direction(*column as f64 + u, *row as f64 + v).unit()?;
+                Some(Begin::Sight { start: walls.start_at(camera.origin), direction })
+            }
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! Replicates: a question is answered by independent replicates of one point set; their means tell the answer and its standard error.
+//!
+//! ```text
+//! value = Σ mᵣ/R          σ² = Σ (mᵣ − value)²/(R (R − 1))          mᵣ the mean of n samples of replicate r
+//! ```
+//! Within a replicate samples lie more evenly than random ones, which their spread shows only between replicates. The number of samples
+//! doubles from round to round; all sums are taken in one order, so that the answer does not depend on threads.
+
+use super::follow::Follow;
+use super::question::Question;
+use crate::sampling::{Samples, key};
+use rayon::prelude::*;
+
+/// Replicates of a number, and of a pixel or a cell.
+const REPLICATES: usize = 32;
+
+/// A sum with what its rounding left out: Neumaier's (1974).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Sum {
+    sum: f64,
+    rest: f64,
+}
+
+impl Sum {
+    pub(crate) fn add(&mut self, value: f64) {
+        let sum = self.sum + value;
+        self.rest +=
+            if self.sum.abs() >= value.abs() { (self.sum - sum) + value } else { (value - sum) + self.sum };
+        self.sum = sum;
+    }
+
+    pub(crate) fn value(self) -> f64 {
+        self.sum + self.rest
+    }
+}
+
+/// The bins of time that light falls into, by its optical length.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bins {
+    pub(crate) start: f64,
+    pub(crate) width: f64,
+    pub(crate) count: usize,
+}
+
+/// The sums of one replicate: for each number, band and bin.
+#[derive(Clone, Debug)]
+pub(crate) struct Sums {
+    sums: Vec<Sum>,
+    bands: usize,
+    bins: Option<Bins>,
+}
+
+impl Sums {
+    fn new(numbers: usize, bands: usize, bins: Option<Bins>) -> Self {
+        let count = bins.map_or(1, |bins| bins.count);
+        Self { sums: vec![Sum::default(); numbers * bands * count], bands, bins }
+    }
+
+    /// The bin of light that took this optical length; none if it is in no bin.
+    pub(super) fn bin(&self, way: f64) -> Option<usize> {
+        let Some(Bins { start, width, count }) = self.bins else { return Some(0) };
+        let place = ((way - start) / width).floor();
+        (place >= 0.0 && place < count as f64).then_some(place as usize)
+    }
+
+    pub(super) fn add(&mut self, [number, band, bin]: [usize; 3], value: f64) {
+        let bins = self.bins.map_or(1, |bins| bins.count);
+        self.sums[(number * self.bands + band) * bins + bin].add(value);
+    }
+}
+
+/// The replicates of a question.
+#[derive(Clone, Debug)]
+pub(crate) struct Replicates {
+    key: u64,
+    of: Vec<Sums>,
+    /// How many samples each replicate has.
+    pub(crate) samples: u32,
+}
+
+impl Replicates {
+    /// Replicates without samples, of a question that this key names.
+    pub(crate) fn new(key: u64, question: &Question, bands: usize, bins: Option<Bins>) -> Self {
+        Self { key, of: vec![Sums::new(question.numbers(), bands, bins); REPLICATES], samples: 0 }
+    }
+
+    /// Adds samples up to so many.
+    pub(crate) fn extend(&mut self, to: u32, question: &Question, followers: &[Box<dyn Follow + '_>]) {
+        let (from, own) = (self.samples, self.key);
+        let extend = |(replicate, sums): (usize, &mut Sums)| {
+            let key = key(own, replicate as u64);
+            for index in from..to {
+                for follower in followers {
+                    let mut samples = Samples::new(key ^ follower.bands()[0] as u64, index);
+                    follower.sample(question, &mut samples, sums);
+                }
+            }
+        };
+        self.of.par_iter_mut().enumerate().for_each(extend);
+        self.samples = to;
+    }
+
+    /// How many values there are: numbers, bands and bins.
+    pub(crate) fn len(&self) -> usize {
+        self.of[0].sums.len()
+    }
+
+    /// A value, and its standard error.
+    pub(crate) fn found(&self, place: usize) -> [f64; 2] {
+        let mean = |sums: &Sums| sums.sums[place].value() / f64::from(self.samples);
+        let count = self.of.len() as f64;
+        let value = self.of.iter().map(mean).sum::<f64>() / count;
+        let squares: f64 = self.of.iter().map(|sums| (mean(sums) - value).powi(2)).sum();
+        [value, (squares / (count * (count - 1.0))).sqrt()]
+    }
+}

@@ -1,0 +1,123 @@
+//! Media along a ray: what is left of light, where it is scattered, and where light that is scattered once is looked for.
+//!
+//! ```text
+//! transmittance   e^(−σ d)
+//! free flight     t with the density σ e^(−σ t); beyond the end of the segment light passes
+//! lit point       t with half the density of free flight within the segment, and half that of the angle at a luminaire
+//! ```
+//! Bands have extinctions of their own: the distance is taken by one of them at random, and its density is the mean of all.
+//!
+//! Source: C. Kulla, M. Fajardo, Importance sampling techniques for path tracing in participating media (2012).
+
+use super::optics::{MediumOptics, mean};
+use super::vertex::one_of;
+use super::warps::{equiangular_pdf, equiangular_sample, free_flight_pdf, free_flight_sample, transmittance};
+use crate::geometry::Vector;
+use crate::sampling::Samples;
+
+/// Optical thickness beyond which nothing is left: e^−45 is 3e−20.
+const OPAQUE: f64 = 45.0;
+/// The least distance of a luminaire from a ray beside the length of the segment, below which the angle at it says nothing.
+const LEAST_HEIGHT: f64 = 1e-12;
+
+/// What a flight through a medium ends with.
+pub(super) enum Flight<const N: usize> {
+    /// Scattered at this distance, with this factor: scattering, transmittance, over the density.
+    Scattered(f64, [f64; N]),
+    /// At the end of the segment, with this factor.
+    Passed([f64; N]),
+}
+
+impl<const N: usize> MediumOptics<N> {
+    /// What is left after a distance, which may be without end.
+    pub(super) fn transmittance(&self, distance: f64) -> [f64; N] {
+        self.extinction.map(|extinction| if extinction > 0.0 { left(extinction, distance) } else { 1.0 })
+    }
+
+    /// A flight over a segment.
+    pub(super) fn flight(&self, length: f64, count: usize, samples: &mut Samples) -> Flight<N> {
+        let chosen = self.extinction[one_of(count, samples)];
+        let number = samples.one();
+        let distance = if chosen > 0.0 { free_flight_sample(chosen, number) } else { f64::INFINITY };
+        if distance < length {
+            let left = self.transmittance(distance);
+            let densities: [f64; N] = std::array::from_fn(|band| self.extinction[band] * left[band]);
+            let density = mean(&densities, count);
+            return Flight::Scattered(
+                distance,
+                std::array::from_fn(|band| self.scattering[band] * left[band] / density),
+            );
+        }
+        let left = self.transmittance(length);
+        let chance = mean(&left, count);
+        Flight::Passed(left.map(|left| left / chance))
+    }
+
+    /// A distance along a segment at which light from a point is looked for, and for each band σₛ times what is left of light on the way
+    /// there, over the density. `pivot` is where the light is thought to come from, if it comes from near.
+    pub(super) fn lit_point(
+        &self,
+        [origin, direction]: [Vector; 2],
+        length: f64,
+        pivot: Option<Vector>,
+        count: usize,
+        samples: &mut Samples,
+    ) -> Option<(f64, [f64; N])> {
+        let extinction = mean(&self.extinction, count);
+        let thinnest = self.extinction[..count].iter().copied().fold(f64::INFINITY, f64::min);
+        let length = length.min(OPAQUE / thinnest.max(f64::MIN_POSITIVE));
+        if !length.is_finite() {
+            return None;
+        }
+        let angle = pivot.and_then(|pivot| Angle::at(pivot, [origin, direction], length));
+        // the number tells which distribution, and then a distance of it
+        let number = samples.one();
+        let within = -(-extinction * length).exp_m1();
+        let flight = |number: f64| free_flight_sample(extinction, number * within);
+        let distance = match &angle {
+            None => flight(number),
+            Some(angle) if number < 0.5 => angle.distance(2.0 * number),
+            Some(_) => flight(2.0 * number - 1.0),
+        };
+        let distance = distance.clamp(0.0, length);
+        let of_flight = free_flight_pdf(extinction, distance) / within;
+        let density = angle.map_or(of_flight, |angle| 0.5 * (of_flight + angle.density(distance)));
+        let left = self.transmittance(distance);
+        let factor = std::array::from_fn(|band| self.scattering[band] * left[band] / density);
+        (density > 0.0).then_some((distance, factor))
+    }
+}
+
+fn left(extinction: f64, distance: f64) -> f64 {
+    if distance.is_finite() { transmittance(extinction, distance) } else { 0.0 }
+}
+
+/// A segment by the angle that it covers at a luminaire: along the ray from abreast of it, at the height h.
+struct Angle {
+    height: f64,
+    abreast: f64,
+    length: f64,
+}
+
+impl Angle {
+    fn at(pivot: Vector, [origin, direction]: [Vector; 2], length: f64) -> Option<Self> {
+        let way = pivot - origin;
+        let abreast = way.dot(direction);
+        let height = (way - abreast * direction).length();
+        (height > LEAST_HEIGHT * length).then_some(Self { height, abreast, length })
+    }
+
+    fn ends(&self) -> [f64; 2] {
+        [-self.abreast, self.length - self.abreast]
+    }
+
+    fn distance(&self, number: f64) -> f64 {
+        let [from, to] = self.ends();
+        self.abreast + equiangular_sample(self.height, from, to, number)
+    }
+
+    fn density(&self, distance: f64) -> f64 {
+        let [from, to] = self.ends();
+        equiangular_pdf(self.height, from, to, (distance - self.abreast).clamp(from, to))
+    }
+}

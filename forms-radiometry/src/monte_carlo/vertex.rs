@@ -1,0 +1,82 @@
+//! Vertices: where light is spread, and the law by which it is.
+//!
+//! ```text
+//! plane    cos θ/π      a diffuse surface, or a receiver that is one: E = π ∫ L cos θ/π dω
+//! sphere   1/(4π)       a receiver of light from all sides: φ = 4π ∫ L/(4π) dω
+//! phase    Henyey and Greenstein, of each band: light that a medium scatters
+//! ```
+//! All laws are densities of directions. Of several bands with different laws one is chosen at random to take a direction, and the density of
+//! that is the mean of all.
+
+use super::optics::mean;
+use super::warps::{
+    cosine_hemisphere_pdf, cosine_hemisphere_sample, henyey_greenstein, henyey_greenstein_direction_sample,
+    uniform_sphere_pdf, uniform_sphere_sample,
+};
+use crate::geometry::{Start, Vector};
+use crate::sampling::{Frame, Samples};
+
+/// A place where light is spread.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Vertex<const N: usize> {
+    pub(super) start: Start,
+    pub(super) law: Law<N>,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Law<const N: usize> {
+    /// The unit normal of the side that receives.
+    Plane(Vector),
+    Sphere,
+    /// The direction that light would go on to, seen from the receiver, and for each band the mean cosine.
+    Phase {
+        forward: Vector,
+        asymmetry: [f64; N],
+    },
+}
+
+impl<const N: usize> Law<N> {
+    /// The density of a direction, for each band.
+    pub(super) fn density(&self, direction: Vector) -> [f64; N] {
+        match self {
+            Self::Plane(normal) => {
+                let cosine = normal.dot(direction);
+                // the density depends on the cosine alone
+                [if cosine > 0.0 { cosine_hemisphere_pdf(1.0, 0.0, cosine.min(1.0)) } else { 0.0 }; N]
+            }
+            Self::Sphere => [uniform_sphere_pdf(0.0, 0.0, 1.0); N],
+            Self::Phase { forward, asymmetry } => {
+                let cosine = forward.dot(direction).clamp(-1.0, 1.0);
+                asymmetry.map(|g| henyey_greenstein(g, cosine))
+            }
+        }
+    }
+
+    /// A direction by the law, of so many bands.
+    pub(super) fn direction(&self, count: usize, samples: &mut Samples) -> Vector {
+        let [u, v] = samples.pair();
+        match self {
+            Self::Plane(normal) => Frame::about(*normal).place(cosine_hemisphere_sample(u, v)),
+            Self::Sphere => {
+                let [x, y, z] = uniform_sphere_sample(u, v);
+                Vector::new(x, y, z)
+            }
+            Self::Phase { forward, asymmetry } => {
+                let g = asymmetry[one_of(count, samples)];
+                Frame::about(*forward).place(henyey_greenstein_direction_sample(g, u, v))
+            }
+        }
+    }
+
+    /// What the density of each band is beside that of the direction which was taken, and that one.
+    pub(super) fn weights(&self, direction: Vector, count: usize) -> ([f64; N], f64) {
+        let densities = self.density(direction);
+        let taken = mean(&densities, count);
+        (densities.map(|density| density / taken), taken)
+    }
+}
+
+/// One of so many bands, at random.
+pub(super) fn one_of(count: usize, samples: &mut Samples) -> usize {
+    if count == 1 { 0 } else { ((samples.one() * count as f64) as usize).min(count - 1) }
+}

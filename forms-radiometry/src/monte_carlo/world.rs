@@ -1,0 +1,79 @@
+//! The world: a scene becomes walls with media on both sides, and luminaires.
+
+use super::luminaires::Luminaires;
+use crate::geometry::{Met, Start, Vector, Wall, Walls};
+use crate::scene::{FilledSheet, Filling, MaterialKind, Piece, Scene, filled};
+
+/// A scene as paths see it.
+pub(crate) struct World<'s> {
+    pub(crate) scene: &'s Scene,
+    pub(super) walls: Walls,
+    /// What each wall belongs to.
+    pub(super) sheets: Vec<Sheet>,
+    pub(super) luminaires: Luminaires,
+}
+
+/// What a wall belongs to.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sheet {
+    pub(super) surface: usize,
+    /// The media at its front and at its back.
+    pub(super) fillings: [Filling; 2],
+}
+
+impl Sheet {
+    /// The medium at one of its sides.
+    pub(super) fn filling(&self, is_front: bool) -> Filling {
+        self.fillings[usize::from(!is_front)]
+    }
+}
+
+impl<'s> World<'s> {
+    pub(crate) fn new(scene: &'s Scene) -> Self {
+        let (mut walls, mut sheets) = (Vec::new(), Vec::new());
+        for FilledSheet { sheet, front, back } in filled(scene) {
+            let of_sheet = walls_of(sheet.shape);
+            let belongs = Sheet { surface: sheet.surface, fillings: [front, back] };
+            sheets.extend(of_sheet.iter().map(|_| belongs));
+            walls.extend(of_sheet);
+        }
+        let luminaires = Luminaires::of(scene, &walls, &sheets);
+        Self { scene, walls: Walls::of(walls), sheets, luminaires }
+    }
+
+    /// The medium that a ray starts in.
+    pub(super) fn medium_at(&self, start: Start, direction: Vector) -> Filling {
+        match self.walls.first(start, direction, f64::INFINITY) {
+            Some(Met { wall, is_front, .. }) => self.sheets[wall].filling(is_front),
+            None => self.scene.ambient.medium,
+        }
+    }
+
+    /// Whether light comes from a side of a wall: it is a front, or that of a surface with two sides.
+    pub(super) fn is_bright(&self, wall: usize, is_front: bool) -> bool {
+        is_front || self.scene.surfaces[self.sheets[wall].surface].two_sided
+    }
+
+    /// The law of reflection of a wall.
+    pub(super) fn material(&self, wall: usize) -> &MaterialKind {
+        &self.scene.materials[self.scene.surfaces[self.sheets[wall].surface].material].kind
+    }
+
+    /// The walls of a surface.
+    pub(super) fn walls_of(&self, surface: usize) -> impl Iterator<Item = (usize, &Wall)> {
+        let is_of = move |&wall: &usize| self.sheets[wall].surface == surface;
+        (0..self.sheets.len()).filter(is_of).map(|wall| (wall, self.walls.get(wall)))
+    }
+}
+
+fn walls_of(piece: Piece) -> Vec<Wall> {
+    match piece {
+        Piece::Face(polygon, _) => {
+            let normal = polygon.normal();
+            let pieces = polygon.convex_pieces().iter();
+            pieces.map(|vertices| Wall::Polygon { vertices: vertices.clone(), normal }).collect()
+        }
+        Piece::Sphere(sphere) => vec![Wall::Sphere(sphere)],
+        Piece::Disk(disk) => vec![Wall::Disk(disk)],
+    }
+}

@@ -1,0 +1,9 @@
+//! Sampling: keys become points of the unit square, and these directions about an axis.
+//!
+//! Warps themselves are kernels ([`kernels`](crate::kernels)); here is what they are given, and what turns their axis to where it is wanted.
+
+mod frame;
+mod sequence;
+
+pub(crate) use frame::Frame;
+pub(crate) use sequence::{Net, Random, Samples, key};

@@ -1,0 +1,220 @@
+//! Point sets of low discrepancy and random numbers: a key becomes points of the unit square, or numbers one after another.
+//!
+//! ```text
+//! key ─▶ random bits ─▶ shift of the sequence (Net), or the numbers themselves (Random)
+//! key, index ─▶ point of as many dimensions as are asked for (Samples)
+//! ```
+//! The sequence is the (0, 2)-sequence of van der Corput and Sobol: of the first 4ⁿ points one lies in each cell of any of the grids
+//! of 4ⁿ equal cells whose sides are powers of two. A random digital shift keeps that, and makes every point uniform, so that means
+//! over the points have no bias. Points of many dimensions are made of one such point for each pair of them: each pair has the
+//! sequence in an order of its own, and scrambled in Owen's way, digit by digit as the digits before say, so that pairs know nothing of
+//! each other and errors of smooth integrands cancel. Keys alone decide everything: answers do not depend on threads.
+//!
+//! Sources: T. Kollig, A. Keller, Efficient multidimensional sampling (2002); B. Burley, Practical hash-based Owen scrambling (2020);
+//! G. Steele, D. Lea, C. Flood, Fast splittable pseudorandom number generators (2014).
+
+/// Digits of a coordinate: so many that the middle of each of the least intervals is a number in (0, 1).
+const DIGITS: u32 = 52;
+
+/// A key made of another one and a number.
+pub(crate) fn key(parent: u64, number: u64) -> u64 {
+    mixed(parent ^ mixed(number.wrapping_add(0x9e37_79b9_7f4a_7c15)))
+}
+
+/// A bijection of 64 bits that leaves no trace of order: that of SplitMix64.
+fn mixed(bits: u64) -> u64 {
+    let bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    bits ^ (bits >> 31)
+}
+
+/// The middle of one of the least intervals.
+fn number(digits: u64) -> f64 {
+    (digits as f64 + 0.5) / (1_u64 << DIGITS) as f64
+}
+
+/// Random numbers from 0 to 1, without the ends.
+pub(crate) struct Random(u64);
+
+impl Random {
+    pub(crate) fn new(key: u64) -> Self {
+        Self(key)
+    }
+
+    pub(crate) fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        number(mixed(self.0) >> (64 - DIGITS))
+    }
+}
+
+/// A sequence of points of the unit square with a shift of its own.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Net {
+    shift: [u64; 2],
+}
+
+impl Net {
+    pub(crate) fn new(of: u64) -> Self {
+        Self { shift: [0, 1].map(|axis| key(of, axis) >> (64 - DIGITS)) }
+    }
+
+    /// One of the points; no coordinate is 0 or 1.
+    pub(crate) fn point(&self, index: u32) -> [f64; 2] {
+        let shifted = |radical: u32, shift| number((u64::from(radical) << (DIGITS - 32)) ^ shift);
+        [shifted(index.reverse_bits(), self.shift[0]), shifted(sobol(index), self.shift[1])]
+    }
+}
+
+/// The second coordinate of Sobol: the binary digits of an index times Pascal's triangle modulo two.
+fn sobol(mut index: u32) -> u32 {
+    let (mut column, mut sum) = (1 << 31, 0);
+    while index != 0 {
+        if index & 1 == 1 {
+            sum ^= column;
+        }
+        column ^= column >> 1;
+        index >>= 1;
+    }
+    sum
+}
+
+/// The pairs of dimensions that have points of low discrepancy: of what depends on more, so much happened at random before
+/// that plain random numbers do as well.
+const EVEN_PAIRS: u32 = 16;
+
+/// One point of a sequence in as many dimensions as are asked for.
+#[derive(Clone, Debug)]
+pub(crate) struct Samples {
+    key: u64,
+    index: u32,
+    pair: u32,
+}
+
+impl Samples {
+    /// The point with this index of the sequence that a key names. The first 2ⁿ points lie evenly, for every n.
+    pub(crate) fn new(key: u64, index: u32) -> Self {
+        Self { key, index, pair: 0 }
+    }
+
+    /// The next two coordinates, from 0 to 1 without the ends.
+    pub(crate) fn pair(&mut self) -> [f64; 2] {
+        let seed = key(self.key, u64::from(self.pair));
+        let rest = key(seed, u64::from(self.index));
+        let is_even = self.pair < EVEN_PAIRS;
+        self.pair += 1;
+        if !is_even {
+            return [rest, mixed(rest)].map(|bits| number(bits >> (64 - DIGITS)));
+        }
+        let place = scrambled(self.index, seed as u32);
+        let [first, second] = [place.reverse_bits(), sobol(place)];
+        let seeds = mixed(seed);
+        // digits beyond the sequence's own are random
+        let digits = |sequence: u32, seed: u64, rest: u64| {
+            let own = u64::from(scrambled(sequence, seed as u32)) << (DIGITS - 32);
+            number(own | (rest >> (64 - (DIGITS - 32))))
+        };
+        [digits(first, seeds, rest), digits(second, seeds >> 32, rest << 32)]
+    }
+
+    /// The next coordinate.
+    pub(crate) fn one(&mut self) -> f64 {
+        self.pair()[0]
+    }
+}
+
+/// A permutation in which each binary digit is changed or not as the digits above it and a seed say: the hash of Laine and Karras of
+/// the digits in reverse.
+fn scrambled(digits: u32, seed: u32) -> u32 {
+    let mut x = digits.reverse_bits().wrapping_add(seed);
+    for factor in [0x6c50_b47c_u32, 0xb82f_1e52, 0xc7af_e638, 0x8d22_f6e6] {
+        x ^= x.wrapping_mul(factor);
+    }
+    x.reverse_bits()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_elementary_cell_has_one_point() {
+        for shift in 0..4 {
+            let net = Net::new(key(7, shift));
+            for bits in [4, 6, 8] {
+                for rows in 0..=bits {
+                    let (columns, rows) = (1_usize << (bits - rows), 1_usize << rows);
+                    let mut counts = vec![0; columns * rows];
+                    for index in 0..1 << bits {
+                        let [u, v] = net.point(index);
+                        counts[(v * rows as f64) as usize * columns + (u * columns as f64) as usize] += 1;
+                    }
+                    assert!(counts.iter().all(|&count| count == 1), "{columns} by {rows}: {counts:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn each_pair_of_dimensions_lies_evenly() {
+        for (pair, bits) in [(0, 4), (1, 6), (7, 8), (EVEN_PAIRS - 1, 8)] {
+            for rows in 0..=bits {
+                let (columns, rows) = (1_usize << (bits - rows), 1_usize << rows);
+                let mut counts = vec![0; columns * rows];
+                for index in 0..1 << bits {
+                    let mut samples = Samples::new(key(9, 4), index);
+                    (0..pair).for_each(|_| drop(samples.pair()));
+                    let [u, v] = samples.pair();
+                    counts[(v * rows as f64) as usize * columns + (u * columns as f64) as usize] += 1;
+                }
+                assert!(counts.iter().all(|&count| count == 1), "{pair}, {columns} by {rows}: {counts:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn pairs_of_dimensions_know_nothing_of_each_other() {
+        const POINTS: u32 = 1 << 12;
+        let point = |index: u32| {
+            let mut samples = Samples::new(key(2, 3), index);
+            let pairs: Vec<[f64; 2]> = (0..EVEN_PAIRS + 2).map(|_| samples.pair()).collect();
+            pairs.as_flattened().iter().map(|x| x - 0.5).collect::<Vec<f64>>()
+        };
+        let points: Vec<Vec<f64>> = (0..POINTS).map(point).collect();
+        let dimensions = points[0].len();
+        for a in 0..dimensions {
+            for b in a + 1..dimensions {
+                let correlation = points.iter().map(|x| 12.0 * x[a] * x[b]).sum::<f64>() / f64::from(POINTS);
+                // of independent points it is beyond 5/√n once in 10⁶
+                assert!(correlation.abs() < 5.0 / f64::from(POINTS).sqrt(), "{a}, {b}: {correlation}");
+            }
+        }
+    }
+
+    #[test]
+    fn means_of_scrambled_points_have_no_bias_and_little_spread() {
+        let mean = |seed: u64| {
+            let value = |index| {
+                let mut samples = Samples::new(key(seed, 0), index);
+                let [[u, v], [s, t]] = [samples.pair(), samples.pair()];
+                (u * v).sqrt() + s * s * t
+            };
+            (0..1024).map(value).sum::<f64>() / 1024.0
+        };
+        let means: Vec<f64> = (0..64).map(mean).collect();
+        let exact = 4.0 / 9.0 + 1.0 / 6.0;
+        let error = means.iter().sum::<f64>() / 64.0 - exact;
+        let deviation = (means.iter().map(|mean| (mean - exact).powi(2)).sum::<f64>() / 64.0).sqrt();
+        // random points would deviate by 1e-2
+        assert!(deviation < 1e-3 && error.abs() < 4.0 * deviation / 8.0, "{error}, {deviation}");
+    }
+
+    #[test]
+    fn random_numbers_are_uniform() {
+        let mut random = Random::new(1);
+        let mut counts = [0_i32; 16];
+        (0..1 << 14).for_each(|_| counts[(16.0 * random.next()) as usize] += 1);
+        let squares: i32 = counts.iter().map(|count| (count - (1 << 10)).pow(2)).sum();
+        // chi square with 15 degrees of freedom: beyond 45 once in 10⁴
+        assert!(f64::from(squares) / 1024.0 < 45.0, "{counts:?}");
+    }
+}

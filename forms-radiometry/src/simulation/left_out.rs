@@ -1,0 +1,85 @@
+//! What is left out: a scene becomes the same scene without the effects that a plan turns off.
+//!
+//! ```text
+//! mirror       mirrors and metals are black            refraction   every index is 1
+//! absorption   σₐ = 0                                  dispersion   every index is the middle of its bands
+//! scattering   σₛ = 0                                  time         receivers are not resolved in time
+//! ```
+//! A boundary with nothing on both sides goes, so that what is left may be a scene of diffuse surfaces in a vacuum.
+
+use super::answer::PlannedEffect;
+use super::effects::forced;
+use crate::scene::{Effect, Force, MaterialKind, Medium, Scene};
+
+/// The scene without what the plan turns off.
+pub(super) fn without(scene: &Scene, effects: &[PlannedEffect]) -> Scene {
+    let is_off = |effect| effects.iter().any(|planned| planned.effect == effect && !planned.on);
+    leave_out(scene, &is_off)
+}
+
+/// The scene without what its file turns off.
+pub(super) fn without_forced(scene: &Scene) -> Scene {
+    leave_out(scene, &|effect| forced(scene, effect) == Some(Force::Off))
+}
+
+fn leave_out(scene: &Scene, is_off: &dyn Fn(Effect) -> bool) -> Scene {
+    let mut scene = scene.clone();
+    if is_off(Effect::Mirror) {
+        let bands = scene.band_count();
+        for material in &mut scene.materials {
+            if matches!(material.kind, MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. }) {
+                material.kind = MaterialKind::Diffuse { reflectance: vec![0.0; bands] };
+            }
+        }
+    }
+    for medium in &mut scene.media {
+        if is_off(Effect::Absorption) {
+            medium.absorption.fill(0.0);
+        }
+        if is_off(Effect::Scattering) {
+            medium.scattering.fill(0.0);
+        }
+        if is_off(Effect::Refraction) {
+            medium.index.fill(1.0);
+        } else if is_off(Effect::Dispersion) {
+            let middle = middle(&medium.index);
+            medium.index.fill(middle);
+        }
+    }
+    if is_off(Effect::Time) {
+        scene.receivers.iter_mut().for_each(|receiver| receiver.time = None);
+    }
+    if scene.media.iter().all(Medium::is_vacuum) {
+        remove_boundaries(&mut scene);
+    }
+    scene
+}
+
+/// Halfway between the least and the largest.
+fn middle(values: &[f64]) -> f64 {
+    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    0.5 * least + 0.5 * largest
+}
+
+/// Takes away surfaces that are nothing but boundaries, of which none emits light or is asked about.
+fn remove_boundaries(scene: &mut Scene) {
+    use crate::scene::ReceiverKind;
+    let is_asked_for = |index: usize| {
+        let is_it =
+            |kind: &ReceiverKind| matches!(kind, ReceiverKind::Surface { surface, .. } if *surface == index);
+        scene.receivers.iter().any(|receiver| is_it(&receiver.kind))
+    };
+    let is_boundary = |index: &usize| {
+        let surface = &scene.surfaces[*index];
+        let kind = &scene.materials[surface.material].kind;
+        matches!(kind, MaterialKind::Dielectric { .. }) && !surface.emits() && !is_asked_for(*index)
+    };
+    let kept: Vec<usize> = (0..scene.surfaces.len()).filter(|index| !is_boundary(index)).collect();
+    for receiver in &mut scene.receivers {
+        if let ReceiverKind::Surface { surface, .. } = &mut receiver.kind {
+            *surface = kept.iter().position(|kept| kept == surface).expect("what is asked about is kept");
+        }
+    }
+    scene.surfaces = kept.into_iter().map(|index| scene.surfaces[index].clone()).collect();
+}
