@@ -90,8 +90,8 @@ impl Work<'_> {
                 let key = cell.map_or(own, |cell| key(own, 1 + cell as u64));
                 let replicates = Replicates::new(key, &question, self.scene.band_count(), bins);
                 let begin = Instant::now();
-                let of_group = |follower: &Box<dyn Follow + '_>| follower.expanded(&question);
-                let expanded: Option<Vec<_>> = self.followers.iter().map(of_group).collect();
+                let groups = self.followers.iter().map(|follower| follower.expanded(&question));
+                let expanded: Option<Vec<_>> = groups.collect();
                 let expanded = expanded.filter(|_| bins.is_none()).map(|groups| groups.concat());
                 let seconds = begin.elapsed().as_secs_f64();
                 self.asked.push(Asked { receiver: index, cell, question, replicates, expanded, seconds });
