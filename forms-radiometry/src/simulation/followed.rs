@@ -13,7 +13,7 @@ use super::solver::ROUNDING;
 use super::watch::Watch;
 use crate::faces::faces;
 use crate::geometry::Screens;
-use crate::monte_carlo::{self, Bins, Follow, Limits, Question, Replicates, World, follower};
+use crate::monte_carlo::{self, Bins, Follow, LEFT_OUT, Limits, Question, Replicates, World, follower};
 use crate::radiosity::Transport;
 use crate::sampling::key;
 use crate::scene::{MaterialKind, Medium, Receiver, ReceiverKind, Scene, TimeBins};
@@ -78,11 +78,16 @@ struct Asked {
     replicates: Replicates,
     /// For each band the value and its error, where no samples are needed.
     expanded: Option<Vec<[f64; 2]>>,
+    /// What rounding and images that are left out may make of a value, relative to it.
+    floor: f64,
     seconds: f64,
 }
 
 impl Work<'_> {
     fn ask(&mut self, metres: f64) {
+        let effects = monte_carlo::Effects::of(self.scene);
+        let has_images = !self.scene.lights.is_empty() && (effects.mirror || effects.refraction);
+        let floor = ROUNDING + if has_images { LEFT_OUT * self.scene.solve.tolerance } else { 0.0 };
         for (index, receiver) in self.scene.receivers.iter().enumerate() {
             let bins = receiver.time.as_ref().map(|time| bins(time, metres));
             let own = key(self.scene.solve.seed, index as u64);
@@ -94,7 +99,15 @@ impl Work<'_> {
                 let expanded: Option<Vec<_>> = groups.collect();
                 let expanded = expanded.filter(|_| bins.is_none()).map(|groups| groups.concat());
                 let seconds = begin.elapsed().as_secs_f64();
-                self.asked.push(Asked { receiver: index, cell, question, replicates, expanded, seconds });
+                self.asked.push(Asked {
+                    receiver: index,
+                    cell,
+                    question,
+                    replicates,
+                    expanded,
+                    floor,
+                    seconds,
+                });
             };
             if !matches!(receiver.kind, ReceiverKind::Camera(_)) {
                 add(None, question(receiver));
@@ -278,10 +291,10 @@ impl Asked {
     fn found(&self, place: usize) -> [f64; 2] {
         if let Some(expanded) = &self.expanded {
             let [value, error] = expanded[place];
-            return [value, error + ROUNDING * value.abs()];
+            return [value, error + self.floor * value.abs()];
         }
         let [value, error] = self.replicates.found(place);
-        [value, error.hypot(ROUNDING * value)]
+        [value, error.hypot(self.floor * value)]
     }
 
     /// The largest value of each band.
