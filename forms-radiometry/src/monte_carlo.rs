@@ -14,6 +14,7 @@
 
 mod boundary;
 mod follow;
+mod kept;
 mod kernels;
 mod lattice;
 mod luminaires;
@@ -28,10 +29,11 @@ mod warps;
 mod world;
 
 pub(crate) use follow::Follow;
+pub(crate) use kept::KeptSums;
 pub(crate) use kernels::kernels;
 pub(crate) use lattice::{Effects, follower};
 pub(crate) use path::Limits;
 pub(crate) use question::Question;
-pub(crate) use replicates::{Bins, Replicates};
+pub(crate) use replicates::{Bins, REPLICATES, Replicates, Sum};
 pub(crate) use trap::trap;
 pub(crate) use world::World;

@@ -10,9 +10,10 @@
 use super::answer::{Answer, ErrorKind, Map, Moment, Plan, Quantity, Simulation};
 use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
-use super::followed::{followed, is_followed};
-use super::left_out::without;
+use super::followed::followed;
+use super::job::Job;
 use super::map::Grid;
+use super::prepared::Prepared;
 use super::readings::Reading;
 use super::watch::Watch;
 use crate::faces::{faces, is_round};
@@ -46,46 +47,22 @@ pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
 
 /// Answers them with light that is gathered as `choose` says for the faces of the scene, which may hide each other or not.
 pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
-    let effects = Effects::of(&plan.effects);
-    let mut left = without(scene, &plan.effects);
-    let merged = !effects.bands && scene.band_count() > 1;
-    if merged {
-        left = left.with_one_band();
+    let prepared = Prepared::of(scene, plan);
+    let working = prepared.working();
+    if prepared.is_followed() {
+        let all = followed(prepared.task(&working), Job::default(), watch);
+        let all = all.expect("there is no state that could be of another simulation");
+        return prepared.finished(all, &working);
     }
-    let working = left.in_working_units();
-    if is_followed(&working.scene) {
-        let mut simulation = followed(&working.scene, &effects, working.square_metres.sqrt(), watch);
-        simulation.leave_working_units(&working);
-        if merged {
-            spread(&mut simulation, scene.band_count());
-        }
-        return simulation;
-    }
-    let work = Work::new(&working.scene, effects, choose, watch);
+    let work = Work::new(&working.scene, prepared.effects, choose, watch);
     // one way into the threads instead of one for every loop, each of which would wait for them to wake
-    let has_loops = effects.orders != Some(0) || scene.receivers.len() > 1 || work.asks_for_maps();
-    let mut simulation = if has_loops { rayon::scope(|_| work.run()) } else { work.run() };
-    simulation.leave_working_units(&working);
-    if merged {
-        spread(&mut simulation, scene.band_count());
-    }
-    simulation
+    let has_loops = prepared.effects.orders != Some(0) || scene.receivers.len() > 1 || work.asks_for_maps();
+    let found = if has_loops { rayon::scope(|_| work.run()) } else { work.run() };
+    prepared.finished(found, &working)
 }
 
 /// How light is gathered in a scene with these faces, which may hide each other or not.
 type Choose = fn(&Scene, &[Face], bool) -> Gathering;
-
-/// The answers of one band, for each band.
-fn spread(simulation: &mut Simulation, bands: usize) {
-    let of_bands = |answer: Answer| {
-        (0..bands).map(move |band| Answer { band: Some(band), ..answer.clone() }).collect::<Vec<_>>()
-    };
-    simulation.answers = std::mem::take(&mut simulation.answers).into_iter().flat_map(of_bands).collect();
-    for map in &mut simulation.maps {
-        map.values = vec![map.values[0].clone(); bands];
-        map.errors = vec![map.errors[0].clone(); bands];
-    }
-}
 
 /// What a simulation works on.
 pub(super) struct Work<'s> {
