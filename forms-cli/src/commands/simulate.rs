@@ -10,6 +10,7 @@ mod answers;
 mod digits;
 mod figure;
 mod files;
+mod instructions;
 mod kept;
 mod merge;
 mod plan;
@@ -75,8 +76,8 @@ struct Planned {
 
 /// Simulates a scene and shows what was found.
 pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Result<Status> {
-    if let Some(instructions) = request.instructions {
-        instructions.choose();
+    if let Err(message) = request.instructions.map_or(Ok(()), instructions::choose) {
+        return Ok(refuse(&message));
     }
     let planned = match planned(request) {
         Ok(planned) => planned,
