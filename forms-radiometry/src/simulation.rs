@@ -16,6 +16,7 @@ mod followed;
 mod job;
 mod left_out;
 mod map;
+mod maps;
 mod planning;
 mod prepared;
 mod readings;

@@ -86,37 +86,46 @@ pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Res
             return Ok(Status::Error);
         }
     };
-    let (folder, kept, state, progress) = match ready(request, &planned) {
+    let mut ready = match ready(request, &planned) {
         Ok(ready) => ready,
         Err(message) => return Ok(refuse(&message)),
     };
     let Planned { scene, plan, .. } = &planned;
     if request.json { plan::lines(plan, output) } else { plan::table(plan, scene, output) }?;
     output.flush()?;
-    let start = Instant::now();
-    let found = if is_by_paths(scene, plan) {
-        let share = request.share.unwrap_or(Share::WHOLE);
-        let job = Job { budget: request.budget, share, state, keeper: Some(&kept) };
-        simulation::simulate_job(scene, plan, job, &progress)
-    } else {
-        Ok(simulation::simulate(scene, plan, &progress))
+    let work = match work(request, &planned, &mut ready) {
+        Ok(work) => work,
+        Err(message) => return Ok(refuse(&message)),
     };
-    progress.end();
-    let mut found = match found {
-        Ok(found) => found,
-        Err(error) => return Ok(refuse(&format!("the checkpoint cannot be gone on from: {error}"))),
-    };
+    let Ready { folder, kept, .. } = ready;
     let failure = kept.checkpoint.as_ref().and_then(Checkpoint::failure);
     failure.iter().for_each(|message| eprintln!("error: {message}"));
-    if let Some(exposure) = request.exposure {
-        exposure.add_to(&mut found);
-    }
-    let work = Work { found, time: start.elapsed() };
     let status = match &kept.part {
         Some(part) => shared(request, part, &work, output)?,
         None => finish(&Asked { scene, folder, json: request.json }, &work, output)?,
     };
     Ok(if failure.is_some() { status.max(Status::Error) } else { status })
+}
+
+/// Does the work.
+fn work(request: &Request<'_>, planned: &Planned, ready: &mut Ready) -> Result<Work, String> {
+    let Planned { scene, plan, .. } = planned;
+    let start = Instant::now();
+    let found = if ready.is_by_paths {
+        let share = request.share.unwrap_or(Share::WHOLE);
+        let state = ready.state.take();
+        let job = Job { budget: request.budget, share, state, keeper: Some(&ready.kept) };
+        simulation::simulate_job(scene, plan, job, &ready.progress)
+            .map_err(|error| format!("the work cannot go on from the checkpoint: {error}"))
+    } else {
+        Ok(simulation::simulate(scene, plan, &ready.progress))
+    };
+    ready.progress.end();
+    let mut found = found?;
+    if let Some(exposure) = request.exposure {
+        exposure.add_to(&mut found);
+    }
+    Ok(Work { found, time: start.elapsed() })
 }
 
 fn planned(request: &Request<'_>) -> Result<Planned, Vec<String>> {
@@ -131,17 +140,24 @@ fn planned(request: &Request<'_>) -> Result<Planned, Vec<String>> {
     Ok(Planned { scene, sources, plan })
 }
 
-/// Everything that is written to, the state to go on from, and who watches.
-type Ready = (Option<PathBuf>, Kept, Option<State>, Progress);
+/// What the work writes to, goes on from, and is watched by.
+struct Ready {
+    folder: Option<PathBuf>,
+    kept: Kept,
+    state: Option<State>,
+    is_by_paths: bool,
+    progress: Progress,
+}
 
 /// Whether the work can be done as asked, which is found out before it begins.
 fn ready(request: &Request<'_>, planned: &Planned) -> Result<Ready, String> {
     let (mut kept, mut state) = (Kept::default(), None);
-    if is_by_paths(&planned.scene, &planned.plan) {
+    let is_by_paths = is_by_paths(&planned.scene, &planned.plan);
+    if is_by_paths {
         let share = request.share.unwrap_or(Share::WHOLE);
-        let identity = Identity::new(&planned.sources, &planned.plan, request.budget, share);
+        let identity = || Identity::new(&planned.sources, &planned.plan, request.budget, share);
         if let Some(file) = request.checkpoint {
-            let (checkpoint, found) = Checkpoint::open(file, identity.clone(), request.every)?;
+            let (checkpoint, found) = Checkpoint::open(file, identity(), request.every)?;
             if found.is_some() {
                 eprintln!("note: the work goes on from `{file}`");
             }
@@ -149,7 +165,7 @@ fn ready(request: &Request<'_>, planned: &Planned) -> Result<Ready, String> {
         }
         if let (Some(_), Some(file)) = (request.share, request.out) {
             let belongs_to = PartOf {
-                identity,
+                identity: identity(),
                 sources: planned.sources.clone(),
                 exposure: request.exposure.map(Exposure::seconds),
                 instructions: request.instructions.map(|set| set.name().to_lowercase()),
@@ -160,20 +176,19 @@ fn ready(request: &Request<'_>, planned: &Planned) -> Result<Ready, String> {
         solved_as_a_whole(request)?;
     }
     let folder = request.out.filter(|_| request.share.is_none()).map(files::folder).transpose()?;
-    Ok((folder, kept, state, Progress::watch()?))
+    Ok(Ready { folder, kept, state, is_by_paths, progress: Progress::watch()? })
 }
 
 /// What scenes without paths have no use for.
 fn solved_as_a_whole(request: &Request<'_>) -> Result<(), String> {
     let why = "this scene is solved as a whole, without paths";
-    let remedy = "leave it out";
     if let Some(share) = request.share {
         return Err(format!(
             "{why}, and is not divided into shares: instead of --shard {share}, run it once without"
         ));
     }
     if request.budget.is_some() {
-        return Err(format!("{why}, and has no samples that --samples could count: {remedy}"));
+        return Err(format!("{why}, and has no samples that --samples could count: leave it out"));
     }
     if request.checkpoint.is_some() {
         eprintln!("note: {why}: it needs no checkpoint, and none is written");

@@ -133,7 +133,7 @@ impl StateFile {
         output: &mut dyn Write,
     ) -> io::Result<()> {
         let mut output = Checked { output, hash: blake3::Hasher::new() };
-        write!(output, "{}{VERSION}\n", self.title())?;
+        writeln!(output, "{}{VERSION}", self.title())?;
         postcard::to_io(belongs_to, &mut output).map_err(io::Error::other)?;
         snapshot.write(&mut output)?;
         let check = output.hash.finalize();

@@ -44,7 +44,7 @@ pub(super) fn followed(task: Task<'_>, job: Job<'_>, watch: &dyn Watch) -> Resul
         direct: task.effects.direct,
     };
     let followers = follower(&world, monte_carlo::Effects::of(task.scene), limits);
-    let mut work = Work::new(task, &job, watch);
+    let mut work = Work::new(task, &job, &followers, watch);
     if let Some(state) = job.state {
         work.restore(state)?;
     }
@@ -59,9 +59,9 @@ pub(super) fn merged(
     parts: Vec<(Share, State)>,
     watch: &dyn Watch,
 ) -> Result<Simulation, Misfit> {
-    let mut work = Work::new(task, job, watch);
+    let mut work = Work::new(task, job, &[], watch);
     parts.into_iter().try_for_each(|(share, state)| work.take(share, state))?;
-    if work.asked.iter().any(|asked| asked.replicates.samples == 0) {
+    if !work.asked.iter().all(Asked::is_answered) {
         return Err(Misfit);
     }
     work.is_done = true;
@@ -96,11 +96,11 @@ struct Work<'w> {
 }
 
 impl<'w> Work<'w> {
-    fn new(task: Task<'w>, job: &Job<'w>, watch: &'w dyn Watch) -> Self {
+    fn new(task: Task<'w>, job: &Job<'w>, followers: &[Box<dyn Follow + '_>], watch: &'w dyn Watch) -> Self {
         Self {
             scene: task.scene,
             division: Division { share: job.share, budget: job.budget },
-            asked: asked(task.scene, task.metres),
+            asked: asked(task.scene, task.metres, followers),
             scales: None,
             keeper: job.keeper,
             watch,
@@ -114,9 +114,17 @@ impl<'w> Work<'w> {
     /// Rounds of samples, until all is exact enough, or nothing can be gained, or it is stopped.
     fn run(&mut self, followers: &[Box<dyn Follow + '_>]) {
         self.keep_if(true);
+        let mut is_noted = true;
         while !self.is_done && self.reach(followers) {
-            self.note();
+            // a pilot has many short rounds
+            is_noted = self.scales.is_some() || self.division.budget.is_some() || self.history.is_empty();
+            if is_noted {
+                self.note();
+            }
             self.is_done = !self.aim();
+        }
+        if !(self.is_done && is_noted) {
+            self.note();
         }
         self.keep_if(true);
     }
@@ -157,7 +165,10 @@ impl<'w> Work<'w> {
         let division = self.division;
         let mut has_begun = false;
         for (question, asked) in self.asked.iter_mut().enumerate() {
-            if asked.target == 0 && (asked.cell.is_some() || division.has(question)) {
+            if asked.target == 0
+                && asked.expanded.is_none()
+                && (asked.cell.is_some() || division.has(question))
+            {
                 asked.aim(MOST);
                 has_begun = true;
             }
@@ -184,11 +195,12 @@ impl<'w> Work<'w> {
         let is_open = |&question: &usize| {
             let asked = &self.asked[question];
             match self.division.budget {
+                _ if asked.expanded.is_some() => false,
                 Some(budget) => asked.replicates.samples < budget.of_replicate(),
                 None => asked.error(&self.scales_of(asked)) > self.scene.solve.tolerance && asked.may_go_on(),
             }
         };
-        let own = (0..self.asked.len()).filter(|&question| self.division.has(question));
+        let own = (0..self.asked.len()).into_par_iter().filter(|&question| self.division.has(question));
         let open: Vec<usize> = own.filter(is_open).collect();
         let most = self.division.budget.map_or(MOST, |budget| budget.of_replicate());
         open.iter().for_each(|&question| self.asked[question].aim(most));
@@ -213,16 +225,17 @@ impl<'w> Work<'w> {
     fn note(&mut self) {
         let Division { share, budget } = self.division;
         let own = || self.asked.iter().enumerate().filter(|(question, _)| self.division.has(*question));
-        let spent =
-            own().map(|(_, asked)| f64::from(asked.replicates.samples)).sum::<f64>() / own().count() as f64;
-        let is_told = (budget.is_none() || share.is_whole()) && spent > 0.0;
+        let answered: Vec<&Asked> =
+            own().map(|(_, asked)| asked).filter(|asked| asked.is_answered()).collect();
+        let is_told = (budget.is_none() || share.is_whole()) && !answered.is_empty();
         let error = is_told.then(|| {
             let scales = self.largest();
-            let relative = |(_, asked): (usize, &Asked)| {
-                asked.error(&scales[asked.receiver][usize::from(asked.cell.is_some())])
-            };
-            own().filter(|(_, asked)| asked.replicates.samples > 0).map(relative).fold(0.0, f64::max)
+            let scale = |asked: &Asked| &scales[asked.receiver][usize::from(asked.cell.is_some())];
+            answered.par_iter().map(|asked| asked.error(scale(asked))).reduce(|| 0.0, f64::max)
         });
+        let sampled = || own().filter(|(_, asked)| asked.expanded.is_none());
+        let spent: f64 = sampled().map(|(_, asked)| f64::from(asked.replicates.samples)).sum();
+        let spent = spent / sampled().count().max(1) as f64;
         let exact = error.map_or(0.0, |error| (self.scene.solve.tolerance / error).powi(2));
         let done = budget.map_or(exact, |budget| spent / f64::from(budget.of_replicate()));
         self.watch.progress("paths", done.min(1.0));
@@ -234,11 +247,11 @@ impl<'w> Work<'w> {
     fn largest(&self) -> Vec<[Vec<f64>; 2]> {
         let bands = self.scene.band_count();
         let mut largest = vec![[vec![0.0_f64; bands], vec![0.0_f64; bands]]; self.scene.receivers.len()];
-        for asked in self.asked.iter().filter(|asked| asked.replicates.samples > 0) {
+        let answered: Vec<&Asked> = self.asked.iter().filter(|asked| asked.is_answered()).collect();
+        let values: Vec<Vec<f64>> = answered.par_iter().map(|asked| asked.largest(bands)).collect();
+        for (asked, values) in answered.iter().zip(values) {
             let scales = &mut largest[asked.receiver][usize::from(asked.cell.is_some())];
-            for (scale, value) in scales.iter_mut().zip(asked.largest(bands)) {
-                *scale = scale.max(value);
-            }
+            scales.iter_mut().zip(values).for_each(|(scale, value)| *scale = scale.max(value));
         }
         largest
     }

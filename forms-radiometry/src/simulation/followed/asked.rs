@@ -29,6 +29,8 @@ pub(super) struct Asked {
     pub(super) cell: Option<usize>,
     pub(super) question: Question,
     pub(super) replicates: Replicates,
+    /// For each band the value and its error, where no samples are needed.
+    pub(super) expanded: Option<Vec<[f64; 2]>>,
     /// How many samples each replicate is to get before it is asked again whether that is enough.
     pub(super) target: u32,
     pub(super) seconds: f64,
@@ -62,8 +64,8 @@ impl Division {
     }
 }
 
-/// All questions of a scene. `metres` is the working unit of length.
-pub(super) fn asked(scene: &Scene, metres: f64) -> Vec<Asked> {
+/// All questions of a scene. `metres` is the working unit of length; `followers` answer what needs no samples.
+pub(super) fn asked(scene: &Scene, metres: f64, followers: &[Box<dyn Follow + '_>]) -> Vec<Asked> {
     let mut all: Vec<Asked> = Vec::new();
     for (index, receiver) in scene.receivers.iter().enumerate() {
         let bins = receiver.time.as_ref().map(|time| bins(time, metres));
@@ -71,10 +73,19 @@ pub(super) fn asked(scene: &Scene, metres: f64) -> Vec<Asked> {
         for (cell, question) in questions(scene, receiver) {
             let key = cell.map_or(own_key, |cell| key(own_key, 1 + cell as u64));
             let replicates = Replicates::new(key, &question, scene.band_count(), bins);
-            all.push(Asked { receiver: index, cell, question, replicates, target: 0, seconds: 0.0 });
+            let begin = Instant::now();
+            let expanded = expanded(&question, followers).filter(|_| bins.is_none());
+            let seconds = begin.elapsed().as_secs_f64();
+            all.push(Asked { receiver: index, cell, question, replicates, expanded, target: 0, seconds });
         }
     }
     all
+}
+
+/// What answers a question without samples, for each band, if all followers can.
+fn expanded(question: &Question, followers: &[Box<dyn Follow + '_>]) -> Option<Vec<[f64; 2]>> {
+    let groups: Option<Vec<_>> = followers.iter().map(|follower| follower.expanded(question)).collect();
+    groups.filter(|groups| !groups.is_empty()).map(|groups| groups.concat())
 }
 
 /// The questions of a receiver: its number, if it asks for one, and its cells or pixels.
@@ -108,6 +119,11 @@ fn questions(scene: &Scene, receiver: &Receiver) -> Vec<(Option<usize>, Question
 }
 
 impl Asked {
+    /// Whether there is an answer, however inexact.
+    pub(super) fn is_answered(&self) -> bool {
+        self.expanded.is_some() || self.replicates.samples > 0
+    }
+
     /// Whether it has the samples that it is to get.
     pub(super) fn is_there(&self) -> bool {
         self.replicates.samples >= self.target
@@ -139,6 +155,10 @@ impl Asked {
 
     /// A value and its standard error, with rounding.
     pub(super) fn found(&self, place: usize) -> [f64; 2] {
+        if let Some(expanded) = &self.expanded {
+            let [value, error] = expanded[place];
+            return [value, error + ROUNDING * value.abs()];
+        }
         let [value, error] = self.replicates.found(place);
         [value, error.hypot(ROUNDING * value)]
     }
@@ -166,6 +186,9 @@ impl Asked {
     }
 
     pub(super) fn may_go_on(&self) -> bool {
+        if self.expanded.is_some() {
+            return false;
+        }
         let is_nothing = || (0..self.replicates.len()).all(|place| self.replicates.found(place) == [0.0; 2]);
         self.replicates.samples < MOST && !(self.replicates.samples >= NOTHING && is_nothing())
     }

@@ -14,7 +14,7 @@ impl Work<'_> {
                 ReceiverKind::Camera(_) => answers.extend(self.mean_of_pixels(index)),
                 _ => {
                     let is_number = |asked: &&Asked| {
-                        asked.receiver == index && asked.cell.is_none() && asked.replicates.samples > 0
+                        asked.receiver == index && asked.cell.is_none() && asked.is_answered()
                     };
                     if let Some(asked) = self.asked.iter().find(is_number) {
                         answers.extend(self.numbers(asked));
@@ -52,7 +52,7 @@ impl Work<'_> {
                         bin: receiver.time.is_some().then_some(bin),
                         value: factor * value,
                         error: factor * error,
-                        kind: ErrorKind::Sigma,
+                        kind: if asked.expanded.is_some() { ErrorKind::Bound } else { ErrorKind::Sigma },
                         seconds: asked.seconds,
                     });
                 }
@@ -65,7 +65,7 @@ impl Work<'_> {
     fn mean_of_pixels(&self, receiver: usize) -> Vec<Answer> {
         let bands = self.scene.band_count();
         let pixels: Vec<&Asked> = self.asked.iter().filter(|asked| asked.receiver == receiver).collect();
-        if pixels.iter().any(|pixel| pixel.replicates.samples == 0) {
+        if !pixels.iter().all(|pixel| pixel.is_answered()) {
             return Vec::new();
         }
         let count = pixels.len() as f64;
@@ -98,7 +98,7 @@ impl Work<'_> {
             let nothing = vec![vec![f64::NAN; size[0] * size[1]]; bands];
             let (mut values, mut errors) = (nothing.clone(), nothing);
             for asked in self.asked.iter().filter(|asked| asked.receiver == index) {
-                let Some(cell) = asked.cell.filter(|_| asked.replicates.samples > 0) else { continue };
+                let Some(cell) = asked.cell.filter(|_| asked.is_answered()) else { continue };
                 for band in 0..bands {
                     [values[band][cell], errors[band][cell]] = asked.found(band);
                 }

@@ -28,6 +28,7 @@ struct KeptAsked {
     target: u32,
     samples: u32,
     seconds: f64,
+    expanded: Option<Vec<[f64; 2]>>,
     sums: KeptSums,
 }
 
@@ -45,6 +46,7 @@ struct WrittenAsked<'w> {
     target: u32,
     samples: u32,
     seconds: f64,
+    expanded: Option<&'w [[f64; 2]]>,
     sums: Vec<Option<&'w [Sum]>>,
 }
 
@@ -76,14 +78,14 @@ impl<'w> Snapshot<'w> {
         let division = self.work.division;
         let asked = |(question, asked): (usize, &'w Asked)| {
             // of work that is done nobody needs what a pilot found of other shares
-            if self.work.is_done && !division.has(question) {
-                return WrittenAsked { target: 0, samples: 0, seconds: asked.seconds, sums: Vec::new() };
-            }
+            let is_kept = !self.work.is_done || division.has(question);
+            let is_meant = |replicate| division.has_replicate(question, replicate);
             WrittenAsked {
-                target: asked.target,
-                samples: asked.replicates.samples,
+                target: if is_kept { asked.target } else { 0 },
+                samples: if is_kept { asked.replicates.samples } else { 0 },
                 seconds: asked.seconds,
-                sums: asked.replicates.kept(|replicate| division.has_replicate(question, replicate)),
+                expanded: asked.expanded.as_deref().filter(|_| is_kept),
+                sums: if is_kept { asked.replicates.kept(is_meant) } else { Vec::new() },
             }
         };
         let history = self.work.history.iter().map(|moment| [moment.seconds, moment.error]);
@@ -111,7 +113,7 @@ impl State {
     /// Whether two states say the same, except for the time that it took.
     pub fn is_same_as(&self, other: &Self) -> bool {
         let is_same = |(a, b): (&KeptAsked, &KeptAsked)| {
-            (a.target, a.samples) == (b.target, b.samples) && a.sums == b.sums
+            (a.target, a.samples) == (b.target, b.samples) && a.expanded == b.expanded && a.sums == b.sums
         };
         (self.is_done, &self.scales) == (other.is_done, &other.scales)
             && self.asked.len() == other.asked.len()
@@ -127,6 +129,9 @@ impl Work<'_> {
         }
         for (question, (asked, kept)) in self.asked.iter_mut().zip(state.asked).enumerate() {
             (asked.target, asked.seconds) = (kept.target, kept.seconds);
+            if kept.expanded.is_some() {
+                asked.expanded = kept.expanded;
+            }
             let is_meant = |replicate| self.division.has_replicate(question, replicate);
             if !asked.replicates.restore(kept.samples, kept.sums, is_meant) {
                 return Err(Misfit);
@@ -147,6 +152,9 @@ impl Work<'_> {
         let division = Division { share, ..self.division };
         for (question, (asked, kept)) in self.asked.iter_mut().zip(state.asked).enumerate() {
             asked.seconds += kept.seconds;
+            if division.has(question) {
+                asked.expanded = kept.expanded;
+            }
             let is_meant = |replicate| division.has_replicate(question, replicate);
             if division.has(question) && !asked.replicates.restore(kept.samples, kept.sums, is_meant) {
                 return Err(Misfit);
