@@ -2,8 +2,8 @@
 
 use forms_radiometry::scene::{Scene, Sources};
 use forms_radiometry::simulation::{
-    Budget, Identity, Job, Keeper, Map, Misfit, Plan, Share, Simulation, Snapshot, State, StateFile,
-    Unwatched, Watch, is_by_paths, merge, plan, simulate, simulate_job,
+    Budget, ErrorKind, Identity, Job, Keeper, Map, Misfit, Plan, Share, Simulation, Snapshot, State,
+    StateFile, Unwatched, Watch, is_by_paths, merge, plan, simulate, simulate_job,
 };
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -14,7 +14,7 @@ use scene_text::{material, point_receiver, polygon, surface, tolerance};
 
 const TOLERANCE: f64 = 0.1;
 
-/// A lamp before a mirror, over a floor with a map.
+/// A lamp before a mirror, over a floor with a map, and a ray that is answered without samples.
 fn hall(bands: &str) -> Scene {
     let mirror = "[[material]]\nname = \"silver\"\nkind = \"mirror\"\nreflectance = 0.9\n";
     let floor = polygon(&[[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
@@ -26,8 +26,12 @@ fn hall(bands: &str) -> Scene {
         mirror.to_owned(),
         surface("floor", "grey", &floor),
         surface("wall", "silver", &wall),
-        surface("lamp", "grey", &format!("{lamp}\nradiance = 1")),
+        material("black", 0.0),
+        surface("lamp", "black", &format!("{lamp}\nradiance = 1")),
         point_receiver("here", [1.0, 0.5, 0.1], [0.0, 0.0, 1.0]),
+        // the image of the lamp, which needs no samples
+        "[[receiver]]\nname = \"sight\"\nkind = \"ray\"\norigin = [1, 0.5, 0.5]\ndirection = [-1, 0, 0.3]\n"
+            .to_owned(),
         "[[receiver]]\nname = \"map\"\nkind = \"surface\"\nsurface = \"floor\"\ngrid = [4, 2]\n".to_owned(),
         tolerance(TOLERANCE),
     ];
@@ -123,6 +127,9 @@ fn shares_that_were_stopped_come_to_the_bits_of_one_run() {
         let parts = shares.map(|share| (share, resumed(&scene, &plan, budget, share).1)).collect();
         let merged = merge(&scene, &plan, budget, parts).expect("all shares");
         assert_eq!(bits(&merged), bits(&whole), "{count} shares, {samples:?}");
+        let kinds = |found: &Simulation| found.answers.iter().map(|answer| answer.kind).collect::<Vec<_>>();
+        assert_eq!(kinds(&merged), kinds(&whole));
+        assert!(kinds(&whole).contains(&ErrorKind::Bound) && kinds(&whole).contains(&ErrorKind::Sigma));
     }
 }
 
