@@ -1,7 +1,9 @@
 //! The command line.
 
 use clap::{Parser, Subcommand, ValueEnum};
-use forms_radiometry::simulation::Exposure;
+use forms::math::Instructions;
+use forms_radiometry::simulation::{Budget, Exposure, Share};
+use std::time::Duration;
 
 /// Exterior calculus that proves identities exactly and turns them into numeric kernels.
 ///
@@ -125,15 +127,48 @@ pub(crate) enum Command {
     ///
     /// Ctrl-C stops the work: what is there by then is printed and written. Exit status: 0 if the work was done, 2 if the
     /// scene has errors or a file cannot be written, 130 if the work was stopped.
+    ///
+    /// Work by paths that was killed goes on from its --checkpoint, to the same bits, and can be divided among machines: each
+    /// does one --shard, and `forms merge` puts the parts together to what one run would have given, bit for bit.
     Simulate {
         /// A scene, in TOML or of Mitsuba 3 (.xml)
         scene: String,
-        /// Write results.csv, error.svg, and for each map an EXR and a PNG file into this folder
+        /// Write results.csv, error.svg, and for each map an EXR and a PNG file into this folder; with --shard the file of the part
         #[arg(long, value_name = "DIR")]
         out: Option<String>,
+        /// Keep the state of the work in this file, and go on from it if it is there
+        #[arg(long, value_name = "FILE")]
+        checkpoint: Option<String>,
+        /// Seconds from one state that is kept to the next
+        #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = interval, requires = "checkpoint")]
+        every: Duration,
+        /// Do one of n equal shares of the work, the first of which is 1/n, and write it to the file --out
+        #[arg(long, value_name = "i/n", requires = "out")]
+        shard: Option<Share>,
+        /// Give each number, cell and pixel so many samples, a multiple of 32, instead of what the tolerance asks for
+        #[arg(long, value_name = "COUNT", value_parser = budget)]
+        samples: Option<Budget>,
+        /// Compute with these vector instructions and not with the best there are: baseline has the same bits on all processors
+        #[arg(long, value_name = "NAME", value_parser = instructions)]
+        isa: Option<Instructions>,
         /// Add the exposure behind each irradiance, and the fluence behind each fluence rate, over this time in J/m²
         #[arg(long, value_name = "SECONDS", value_parser = exposure, allow_negative_numbers = true)]
         exposure: Option<Exposure>,
+        /// One JSON object a line
+        #[arg(long)]
+        json: bool,
+    },
+    /// Put the parts of a simulation together that were written with --shard, to what one run gives
+    ///
+    /// The parts may be given in any order, and more than once. One that is missing, damaged or of other work is named, with
+    /// the call that makes it. Exit status: 0 if all is there, 2 if not.
+    Merge {
+        /// The files that `forms simulate --shard` has written
+        #[arg(required = true, value_name = "PART")]
+        parts: Vec<String>,
+        /// Write results.csv, error.svg, and for each map an EXR and a PNG file into this folder
+        #[arg(long, value_name = "DIR")]
+        out: Option<String>,
         /// One JSON object a line
         #[arg(long)]
         json: bool,
@@ -172,6 +207,28 @@ pub(crate) enum Tier {
     Plain,
     /// As it is generated
     Stable,
+}
+
+/// The time between two states that are kept.
+fn interval(text: &str) -> Result<Duration, String> {
+    let seconds = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+    seconds.ok_or_else(|| "expected a number of seconds of at least 0".to_owned())
+}
+
+/// A number of samples.
+fn budget(text: &str) -> Result<Budget, String> {
+    let samples: u64 = text.parse().map_err(|_| "expected a whole number".to_owned())?;
+    Budget::new(samples).map_err(|error| error.to_string())
+}
+
+/// Vector instructions that this processor has.
+fn instructions(text: &str) -> Result<Instructions, String> {
+    let available = Instructions::available();
+    let found = available.iter().find(|set| set.name().eq_ignore_ascii_case(text));
+    found.copied().ok_or_else(|| {
+        let names: Vec<String> = available.iter().map(|set| set.name().to_lowercase()).collect();
+        format!("this processor has {}", names.join(", "))
+    })
 }
 
 /// A time of exposure.

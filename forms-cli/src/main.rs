@@ -9,6 +9,7 @@
 //!                        ├─ emit     ─▶ Rust source
 //!                        ├─ kernels  ─▶ the library
 //!                        ├─ simulate ─▶ the plan, numbers and pictures of a scene (drawing)
+//!                        ├─ merge    ─▶ the same, of parts that several machines simulated
 //!                        ├─ view-factors ─▶ the matrix of a scene
 //!                        └─ tour     ─▶ all of it, shown
 //! ```

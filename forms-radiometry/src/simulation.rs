@@ -6,14 +6,19 @@
 //! Who watches is told of progress, and can stop the work: what is there by then is returned.
 
 mod answer;
+mod arithmetic;
+mod by_paths;
 mod effects;
 mod estimate;
 mod exposure;
+mod file;
 mod followed;
+mod job;
 mod left_out;
 mod map;
 mod maps;
 mod planning;
+mod prepared;
 mod readings;
 mod sampled;
 mod solver;
@@ -25,7 +30,12 @@ mod watch;
 
 pub use crate::radiosity::UsedKernel;
 pub use answer::{Answer, ErrorKind, Map, Moment, Plan, PlannedEffect, Quantity, Simulation};
+pub use arithmetic::Arithmetic;
+pub use by_paths::{is_by_paths, merge, simulate_job};
 pub use exposure::{Exposure, NoTime};
+pub use file::{Identity, NoState, StateFile};
+pub use followed::{Misfit, Snapshot, State};
+pub use job::{Budget, Job, Keeper, NoBudget, NoShare, Share};
 pub use planning::plan;
 pub use solver::simulate;
 pub use watch::{Unwatched, Watch};

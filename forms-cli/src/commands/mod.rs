@@ -48,10 +48,21 @@ pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<S
             };
             accuracy::accuracy(&request, output)
         }
-        Some(Command::Simulate { scene, out, exposure, json }) => {
-            let request = simulate::Request { scene, out: out.as_deref(), exposure: *exposure, json: *json };
+        Some(Command::Simulate { scene, out, checkpoint, every, shard, samples, isa, exposure, json }) => {
+            let request = simulate::Request {
+                scene,
+                out: out.as_deref(),
+                checkpoint: checkpoint.as_deref(),
+                every: *every,
+                share: *shard,
+                budget: *samples,
+                instructions: *isa,
+                exposure: *exposure,
+                json: *json,
+            };
             simulate::simulate(&request, output)
         }
+        Some(Command::Merge { parts, out, json }) => simulate::merge(parts, out.as_deref(), *json, output),
         Some(Command::ViewFactors { scene, json }) => view_factors::view_factors(scene, *json, output),
         Some(Command::Kernels) => kernels::kernels(output),
     }

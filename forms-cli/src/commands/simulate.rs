@@ -2,22 +2,32 @@
 //!
 //! ```text
 //! scene ─▶ plan ──▶ table or JSON
-//!           └─ simulate (progress: a bar, Ctrl-C) ─▶ answers ─┬─▶ table or JSON
-//!                                                             └─▶ files: CSV, EXR, PNG, SVG
+//!           └─ simulate (progress: a bar, Ctrl-C; kept: checkpoint, part) ─▶ answers ─┬─▶ table or JSON
+//!                                                            parts ─▶ merge ─▶ answers └─▶ files: CSV, EXR, PNG, SVG
 //! ```
 
 mod answers;
 mod digits;
 mod figure;
 mod files;
+mod instructions;
+mod kept;
+mod merge;
 mod plan;
 mod progress;
 
 use super::refuse;
+use crate::json::write_record;
+use crate::layout::duration;
 use crate::palette::Palette;
 use crate::status::Status;
-use forms_radiometry::scene::{self, Scene, SceneError};
-use forms_radiometry::simulation::{self, Exposure, Plan, Simulation};
+use forms::math::Instructions;
+use forms_radiometry::scene::{Scene, SceneError, Sources};
+use forms_radiometry::simulation::{
+    self, Budget, Exposure, Identity, Job, Plan, Share, Simulation, State, is_by_paths,
+};
+use kept::{Checkpoint, Kept, Part, PartOf};
+pub(crate) use merge::merge;
 use progress::Progress;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -27,8 +37,17 @@ use std::time::{Duration, Instant};
 pub(crate) struct Request<'a> {
     /// The file of the scene.
     pub(crate) scene: &'a str,
-    /// Where files are written, if anywhere.
+    /// Where files are written, if anywhere; of a share its file.
     pub(crate) out: Option<&'a str>,
+    /// The file that the work goes on from, if any, and how often that is written.
+    pub(crate) checkpoint: Option<&'a str>,
+    pub(crate) every: Duration,
+    /// The share of the work that is done, if not all of it.
+    pub(crate) share: Option<Share>,
+    /// The samples of each number, if that is not left to the tolerance.
+    pub(crate) budget: Option<Budget>,
+    /// The vector instructions, if they were chosen.
+    pub(crate) instructions: Option<Instructions>,
     /// The time of which exposures are added, if any are.
     pub(crate) exposure: Option<Exposure>,
     /// One JSON object a line.
@@ -41,42 +60,140 @@ struct Work {
     time: Duration,
 }
 
+/// What is shown of it, and where.
+struct Asked<'a> {
+    scene: &'a Scene,
+    folder: Option<PathBuf>,
+    json: bool,
+}
+
+/// A scene that was read, and what is simulated of it.
+struct Planned {
+    scene: Scene,
+    sources: Sources,
+    plan: Plan,
+}
+
 /// Simulates a scene and shows what was found.
 pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Result<Status> {
-    let (scene, plan) = match planned(request) {
+    if let Err(message) = request.instructions.map_or(Ok(()), instructions::choose) {
+        return Ok(refuse(&message));
+    }
+    let planned = match planned(request) {
         Ok(planned) => planned,
         Err(messages) => {
             messages.iter().for_each(|message| eprintln!("error: {message}"));
             return Ok(Status::Error);
         }
     };
-    let ready = request.out.map(files::folder).transpose();
-    let (folder, progress) = match ready.and_then(|folder| Ok((folder, Progress::watch()?))) {
+    let mut ready = match ready(request, &planned) {
         Ok(ready) => ready,
         Err(message) => return Ok(refuse(&message)),
     };
-    if request.json { plan::lines(&plan, output) } else { plan::table(&plan, &scene, output) }?;
+    let Planned { scene, plan, .. } = &planned;
+    if request.json { plan::lines(plan, output) } else { plan::table(plan, scene, output) }?;
     output.flush()?;
+    let work = match work(request, &planned, &mut ready) {
+        Ok(work) => work,
+        Err(message) => return Ok(refuse(&message)),
+    };
+    let Ready { folder, kept, .. } = ready;
+    let failure = kept.checkpoint.as_ref().and_then(Checkpoint::failure);
+    failure.iter().for_each(|message| eprintln!("error: {message}"));
+    let status = match &kept.part {
+        Some(part) => shared(request, part, &work, output)?,
+        None => finish(&Asked { scene, folder, json: request.json }, &work, output)?,
+    };
+    Ok(if failure.is_some() { status.max(Status::Error) } else { status })
+}
+
+/// Does the work.
+fn work(request: &Request<'_>, planned: &Planned, ready: &mut Ready) -> Result<Work, String> {
+    let Planned { scene, plan, .. } = planned;
     let start = Instant::now();
-    let mut found = simulation::simulate(&scene, &plan, &progress);
+    let found = if ready.is_by_paths {
+        let share = request.share.unwrap_or(Share::WHOLE);
+        let state = ready.state.take();
+        let job = Job { budget: request.budget, share, state, keeper: Some(&ready.kept) };
+        simulation::simulate_job(scene, plan, job, &ready.progress)
+            .map_err(|error| format!("the work cannot go on from the checkpoint: {error}"))
+    } else {
+        Ok(simulation::simulate(scene, plan, &ready.progress))
+    };
+    ready.progress.end();
+    let mut found = found?;
     if let Some(exposure) = request.exposure {
         exposure.add_to(&mut found);
     }
-    let work = Work { found, time: start.elapsed() };
-    progress.end();
-    finish(request, &scene, &work, folder, output)
+    Ok(Work { found, time: start.elapsed() })
 }
 
-fn planned(request: &Request<'_>) -> Result<(Scene, Plan), Vec<String>> {
+fn planned(request: &Request<'_>) -> Result<Planned, Vec<String>> {
     let file = request.scene;
     let messages = |errors: Vec<SceneError>| errors.iter().map(SceneError::to_string).collect::<Vec<_>>();
-    let scene = scene::open(Path::new(file)).map_err(messages)?;
+    let (scene, sources) = Sources::open(Path::new(file)).map_err(messages)?;
     if scene.receivers.is_empty() {
         return Err(vec![nothing_asked(file)]);
     }
     request.exposure.map_or(Ok(()), |exposure| exposure.check(&scene)).map_err(messages)?;
     let plan = simulation::plan(&scene).map_err(messages)?;
-    Ok((scene, plan))
+    Ok(Planned { scene, sources, plan })
+}
+
+/// What the work writes to, goes on from, and is watched by.
+struct Ready {
+    folder: Option<PathBuf>,
+    kept: Kept,
+    state: Option<State>,
+    is_by_paths: bool,
+    progress: Progress,
+}
+
+/// Whether the work can be done as asked, which is found out before it begins.
+fn ready(request: &Request<'_>, planned: &Planned) -> Result<Ready, String> {
+    let (mut kept, mut state) = (Kept::default(), None);
+    let is_by_paths = is_by_paths(&planned.scene, &planned.plan);
+    if is_by_paths {
+        let share = request.share.unwrap_or(Share::WHOLE);
+        let identity = || Identity::new(&planned.sources, &planned.plan, request.budget, share);
+        if let Some(file) = request.checkpoint {
+            let (checkpoint, found) = Checkpoint::open(file, identity(), request.every)?;
+            if found.is_some() {
+                eprintln!("note: the work goes on from `{file}`");
+            }
+            (kept.checkpoint, state) = (Some(checkpoint), found);
+        }
+        if let (Some(_), Some(file)) = (request.share, request.out) {
+            let belongs_to = PartOf {
+                identity: identity(),
+                sources: planned.sources.clone(),
+                exposure: request.exposure.map(Exposure::seconds),
+                instructions: request.instructions.map(|set| set.name().to_lowercase()),
+            };
+            kept.part = Some(Part::new(file, belongs_to)?);
+        }
+    } else {
+        solved_as_a_whole(request)?;
+    }
+    let folder = request.out.filter(|_| request.share.is_none()).map(files::folder).transpose()?;
+    Ok(Ready { folder, kept, state, is_by_paths, progress: Progress::watch()? })
+}
+
+/// What scenes without paths have no use for.
+fn solved_as_a_whole(request: &Request<'_>) -> Result<(), String> {
+    let why = "this scene is solved as a whole, without paths";
+    if let Some(share) = request.share {
+        return Err(format!(
+            "{why}, and is not divided into shares: instead of --shard {share}, run it once without"
+        ));
+    }
+    if request.budget.is_some() {
+        return Err(format!("{why}, and has no samples that --samples could count: leave it out"));
+    }
+    if request.checkpoint.is_some() {
+        eprintln!("note: {why}: it needs no checkpoint, and none is written");
+    }
+    Ok(())
 }
 
 /// What to add to a scene that has no receiver.
@@ -92,14 +209,55 @@ fn nothing_asked(file: &str) -> String {
     format!("{file}: the scene has no receiver, so there is nothing to simulate: {add}")
 }
 
+/// Says what became of a share.
+fn shared(request: &Request<'_>, part: &Part, work: &Work, output: &mut dyn Write) -> io::Result<Status> {
+    let (share, file) = (request.share.unwrap_or(Share::WHOLE), request.out.unwrap_or_default());
+    let [own, all] = match part.written() {
+        Some(Ok(units)) => units,
+        Some(Err(message)) => return Ok(refuse(&message)),
+        None => {
+            let rest = if request.checkpoint.is_some() {
+                "the same call goes on with it"
+            } else {
+                "nothing is kept of it"
+            };
+            eprintln!("stopped: share {share} is not done, and `{file}` is not written; {rest}");
+            return Ok(Status::Stopped);
+        }
+    };
+    if request.json {
+        let record = SharedRecord { share: share.to_string(), part: file, units: own, of: all };
+        write_record(output, &record)?;
+        return Ok(Status::AsStated);
+    }
+    let units = if request.budget.is_some() {
+        "replicates of numbers, cells and pixels"
+    } else {
+        "numbers, cells and pixels"
+    };
+    let taken = duration(work.time);
+    let line = format!("share {share}, {own} of {all} {units}, in {taken}, written to {file}");
+    writeln!(output, "{}", Palette::of_output().quiet(&line))?;
+    if own == 0 {
+        let more =
+            if request.budget.is_some() { "" } else { "; with --samples each is divided into 32 replicates" };
+        eprintln!("note: there are fewer {units} than shares, and none is left for this one{more}");
+    }
+    Ok(Status::AsStated)
+}
+
+/// A share that is done, as an object.
+#[derive(serde::Serialize)]
+struct SharedRecord<'a> {
+    share: String,
+    part: &'a str,
+    units: usize,
+    of: usize,
+}
+
 /// Writes the files first: whoever reads the output may go away.
-fn finish(
-    request: &Request<'_>,
-    scene: &Scene,
-    Work { found, time }: &Work,
-    folder: Option<PathBuf>,
-    output: &mut dyn Write,
-) -> io::Result<Status> {
+fn finish(asked: &Asked<'_>, Work { found, time }: &Work, output: &mut dyn Write) -> io::Result<Status> {
+    let Asked { scene, folder, json } = asked;
     let (written, refused) =
         folder.as_ref().map(|folder| files::write(scene, found, folder)).unwrap_or_default();
     let mut status = if refused.is_empty() { Status::AsStated } else { Status::Error };
@@ -108,11 +266,11 @@ fn finish(
         eprintln!("stopped: answers may be missing, or be less exact than was asked for");
         status = Status::Stopped;
     }
-    if request.json {
+    if *json {
         answers::lines(&found.answers, output)?;
     } else {
         answers::table(found, *time, scene.solve.tolerance, output)?;
-        if let Some(folder) = folder.filter(|_| !written.is_empty()) {
+        if let Some(folder) = folder.as_ref().filter(|_| !written.is_empty()) {
             let line = format!("written to {}: {}", folder.display(), written.join(", "));
             writeln!(output, "{}", Palette::of_output().quiet(&line))?;
         }

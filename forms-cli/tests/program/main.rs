@@ -1,8 +1,11 @@
 //! The program, run as its users run it: exit statuses, both kinds of output, and what it says of mistakes.
 
+mod checkpoints;
+mod hall;
 mod kernels;
 mod process;
 mod readme;
+mod shares;
 mod simulate;
 
 use process::{Folder, Run, forms, forms_with_threads};
@@ -165,7 +168,7 @@ fn help_and_version_are_there() {
     let folder = Folder::with(&[]);
     let help = forms(&folder, &["--help"]);
     assert_eq!(help.status, 0);
-    for command in ["prove", "show", "eval", "emit", "simulate", "kernels"] {
+    for command in ["prove", "show", "eval", "emit", "simulate", "merge", "kernels"] {
         assert!(help.output.contains(command));
     }
     let version = forms(&folder, &["--version"]);

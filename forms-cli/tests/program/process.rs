@@ -4,6 +4,7 @@ use std::io::{BufRead, BufReader, Read, Write};
 use std::path::PathBuf;
 use std::process::{Child, Command, Output, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
 
 /// A folder that lasts as long as its test.
 pub(crate) struct Folder(PathBuf);
@@ -97,6 +98,18 @@ pub(crate) fn interrupted(folder: &Folder, arguments: &[&str], part: &str) -> Ru
     let mut ended = run(child.wait_with_output().expect("the program ends"));
     ended.output = read;
     ended
+}
+
+/// Runs the program on so many threads and kills it after a time; whether it was still at work.
+pub(crate) fn killed(folder: &Folder, arguments: &[&str], threads: &str, wait: Duration) -> bool {
+    let mut command = command(folder, arguments);
+    command.env("RAYON_NUM_THREADS", threads).stdout(Stdio::null()).stderr(Stdio::null());
+    let mut child = command.spawn().expect("the program starts");
+    std::thread::sleep(wait);
+    let is_working = child.try_wait().expect("the program can be asked").is_none();
+    let _ = child.kill();
+    child.wait().expect("the program ends");
+    is_working
 }
 
 fn command(folder: &Folder, arguments: &[&str]) -> Command {

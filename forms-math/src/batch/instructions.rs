@@ -2,6 +2,10 @@
 
 use super::block::{Arguments, Kernel, Values, rows_of};
 use super::method::{Element, Method};
+use std::sync::OnceLock;
+
+/// What was chosen for this program.
+static CHOSEN: OnceLock<Instructions> = OnceLock::new();
 
 /// Vector instructions that this processor has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,8 +24,18 @@ enum Set {
 }
 
 impl Instructions {
-    /// What is fastest.
+    /// What was [chosen](Self::choose), or else what is fastest.
     pub fn best() -> Self {
+        CHOSEN.get().copied().unwrap_or_else(Self::fastest)
+    }
+
+    /// Makes these the best for the rest of the program, so that its batches have the same bits on all processors that have them;
+    /// whether nothing else was chosen before.
+    pub fn choose(self) -> bool {
+        *CHOSEN.get_or_init(|| self) == self
+    }
+
+    fn fastest() -> Self {
         #[cfg(target_arch = "x86_64")]
         {
             if Set::Avx512.is_available() {

@@ -10,12 +10,13 @@ use super::follow::Follow;
 use super::question::Question;
 use crate::sampling::{Samples, key};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 /// Replicates of a number, and of a pixel or a cell.
-const REPLICATES: usize = 32;
+pub(crate) const REPLICATES: usize = 32;
 
 /// A sum with what its rounding left out: Neumaier's (1974).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Sum {
     sum: f64,
     rest: f64,
@@ -45,7 +46,7 @@ pub(crate) struct Bins {
 /// The sums of one replicate: for each number, band and bin.
 #[derive(Clone, Debug)]
 pub(crate) struct Sums {
-    sums: Vec<Sum>,
+    pub(super) sums: Vec<Sum>,
     bands: usize,
     bins: Option<Bins>,
 }
@@ -73,7 +74,7 @@ impl Sums {
 #[derive(Clone, Debug)]
 pub(crate) struct Replicates {
     key: u64,
-    of: Vec<Sums>,
+    pub(super) of: Vec<Sums>,
     /// How many samples each replicate has.
     pub(crate) samples: u32,
 }
@@ -84,8 +85,14 @@ impl Replicates {
         Self { key, of: vec![Sums::new(question.numbers(), bands, bins); REPLICATES], samples: 0 }
     }
 
-    /// Adds samples up to so many.
-    pub(crate) fn extend(&mut self, to: u32, question: &Question, followers: &[Box<dyn Follow + '_>]) {
+    /// Adds samples up to so many, to the replicates that are meant.
+    pub(crate) fn extend(
+        &mut self,
+        to: u32,
+        question: &Question,
+        followers: &[Box<dyn Follow + '_>],
+        is_meant: impl Fn(usize) -> bool + Sync,
+    ) {
         let (from, own) = (self.samples, self.key);
         let extend = |(replicate, sums): (usize, &mut Sums)| {
             let key = key(own, replicate as u64);
@@ -96,7 +103,8 @@ impl Replicates {
                 }
             }
         };
-        self.of.par_iter_mut().enumerate().for_each(extend);
+        let all = self.of.par_iter_mut().enumerate();
+        all.filter(|(replicate, _)| is_meant(*replicate)).for_each(extend);
         self.samples = to;
     }
 

@@ -20,16 +20,21 @@ const WAVELENGTH: Domain = Domain { expected: "a wavelength in nm, above 0", con
 ///
 /// A name that ends in `.xml` is a scene of Mitsuba 3, any other a scene in TOML.
 pub fn open(path: &Path) -> Result<Scene, Vec<SceneError>> {
+    let text = text_of(path)?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    read_with_files(&text, &path.to_string_lossy(), &|file| std::fs::read(folder.join(file)))
+}
+
+/// The text in a file.
+pub(super) fn text_of(path: &Path) -> Result<String, Vec<SceneError>> {
     let name = path.to_string_lossy();
     let whole = |message: String| vec![SceneError::of_file(&name, message)];
     let bytes = std::fs::read(path).map_err(|error| whole(format!("the file cannot be read: {error}")))?;
-    let text = String::from_utf8(bytes).map_err(|error| {
+    String::from_utf8(bytes).map_err(|error| {
         let line =
             error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|&&b| b == b'\n').count();
         whole(format!("the file is not text in UTF-8, from line {} on", line + 1))
-    })?;
-    let folder = path.parent().unwrap_or(Path::new(""));
-    read_with_files(&text, &name, &|file| std::fs::read(folder.join(file)))
+    })
 }
 
 /// Reads a scene that names no files. `file_name` appears in the errors; nothing is opened.

@@ -34,6 +34,11 @@ impl Exposure {
         if seconds.is_finite() && seconds > 0.0 { Ok(Self { seconds }) } else { Err(NoTime(seconds)) }
     }
 
+    /// How many seconds it lasts.
+    pub fn seconds(self) -> f64 {
+        self.seconds
+    }
+
     /// Whether the light of a scene is steady: receivers that are resolved in time ask for that of a pulse.
     ///
     /// # Errors

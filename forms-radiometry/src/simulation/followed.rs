@@ -1,52 +1,72 @@
 //! Answers by paths: receivers become questions, and these get more samples until they are exact enough.
 //!
 //! ```text
-//! receivers ─▶ questions ─▶ replicates ─ twice as many samples where the error is too large ─▶ answers, maps, images
+//! receivers ─▶ questions ─▶ pilot: scales ─▶ replicates ─ twice as many samples where the error is too large ─▶ answers, maps, images
+//!                                              └─▶ snapshots, from which the work goes on, and shares, which are put together
 //! ```
-//! The tolerance is of one standard error, relative to the answer; of the components of a vector, the bins of a time, the cells of a map
-//! and the pixels of an image to the largest of them.
+//! The tolerance is of one standard error, relative to the answer; of the components of a vector and the bins of a time to the largest
+//! of them; of the cells of a map and the pixels of an image to the largest that a pilot found. After the pilot, how many samples a
+//! question gets depends on nothing but itself: not on threads, on pauses, or on which other questions are answered beside it.
 
-use super::answer::{Answer, ErrorKind, Map, Moment, Quantity, Simulation};
+mod asked;
+mod findings;
+mod scale;
+mod state;
+
+use super::answer::{Moment, Simulation};
 use super::effects::Effects;
-use super::map::Grid;
-use super::solver::ROUNDING;
+use super::job::{Job, Keeper, Share};
 use super::watch::Watch;
-use crate::faces::faces;
-use crate::geometry::Screens;
-use crate::monte_carlo::{self, Bins, Follow, LEFT_OUT, Limits, Question, Replicates, World, follower};
-use crate::radiosity::Transport;
-use crate::sampling::key;
-use crate::scene::{MaterialKind, Medium, Receiver, ReceiverKind, Scene, TimeBins};
+use crate::monte_carlo::{self, Follow, Limits, World, follower};
+use crate::scene::{MaterialKind, Medium, Receiver, ReceiverKind, Scene};
+pub(super) use asked::MOST;
+use asked::{Asked, Division, asked};
 use rayon::prelude::*;
+use scale::{Scales, settled};
+pub use state::{Misfit, Snapshot, State};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-/// The first samples of each replicate of a number, and of a cell or a pixel.
-const FIRST: [u32; 2] = [32, 1];
-/// The most samples of a replicate.
-const MOST: u32 = 1 << 31;
-/// Samples of a replicate after which it is asked whether to stop.
-const STEP: u32 = 1 << 12;
-/// Where so many samples of each replicate found nothing, there is no use in more.
-const NOTHING: u32 = 1 << 14;
-/// The speed of light, in m/s.
-const LIGHT: f64 = 299_792_458.0;
+/// A scene in working units, the effects that are simulated, and the working unit of length in metres.
+#[derive(Clone, Copy)]
+pub(super) struct Task<'s> {
+    pub(super) scene: &'s Scene,
+    pub(super) effects: &'s Effects,
+    pub(super) metres: f64,
+}
 
-/// Answers the questions of a scene in working units by paths. `metres` is the working unit of length.
-pub(super) fn followed(scene: &Scene, effects: &Effects, metres: f64, watch: &dyn Watch) -> Simulation {
-    let world = World::new(scene);
-    let limits =
-        Limits { reflections: effects.orders, scatterings: effects.scatterings, direct: effects.direct };
-    let followers = follower(&world, monte_carlo::Effects::of(scene), limits);
-    let mut work =
-        Work { scene, followers, asked: Vec::new(), watch, start: Instant::now(), history: Vec::new() };
-    work.ask(metres);
-    work.run();
-    Simulation {
-        answers: work.answers(),
-        maps: work.maps(),
-        history: work.history,
-        stopped: watch.is_stopped(),
+/// Answers the questions of a scene by paths, or does what a job says of that.
+pub(super) fn followed(task: Task<'_>, job: Job<'_>, watch: &dyn Watch) -> Result<Simulation, Misfit> {
+    let world = World::new(task.scene);
+    let limits = Limits {
+        reflections: task.effects.orders,
+        scatterings: task.effects.scatterings,
+        direct: task.effects.direct,
+    };
+    let followers = follower(&world, monte_carlo::Effects::of(task.scene), limits);
+    let mut work = Work::new(task, &job, &followers, watch);
+    if let Some(state) = job.state {
+        work.restore(state)?;
     }
+    work.run(&followers);
+    Ok(work.simulation())
+}
+
+/// The answers of a scene from the states at the end of all shares of it.
+pub(super) fn merged(
+    task: Task<'_>,
+    job: &Job<'_>,
+    parts: Vec<(Share, State)>,
+    watch: &dyn Watch,
+) -> Result<Simulation, Misfit> {
+    let mut work = Work::new(task, job, &[], watch);
+    parts.into_iter().try_for_each(|(share, state)| work.take(share, state))?;
+    if !work.asked.iter().all(Asked::is_answered) {
+        return Err(Misfit);
+    }
+    work.is_done = true;
+    work.note();
+    Ok(work.simulation())
 }
 
 /// Whether a scene asks for more than diffuse surfaces in a vacuum and numbers and maps of them.
@@ -62,302 +82,186 @@ pub(super) fn is_followed(scene: &Scene) -> bool {
 
 struct Work<'w> {
     scene: &'w Scene,
-    followers: Vec<Box<dyn Follow + 'w>>,
+    division: Division,
     asked: Vec<Asked>,
+    /// The scales of cells, once the pilot has found them.
+    scales: Option<Scales>,
+    keeper: Option<&'w dyn Keeper>,
     watch: &'w dyn Watch,
     start: Instant,
+    /// The seconds that the work took before it was interrupted.
+    before: f64,
     history: Vec<Moment>,
+    is_done: bool,
 }
 
-/// A question of a receiver.
-struct Asked {
-    receiver: usize,
-    /// The cell of a map or the pixel of an image, if it is one.
-    cell: Option<usize>,
-    question: Question,
-    replicates: Replicates,
-    /// For each band the value and its error, where no samples are needed.
-    expanded: Option<Vec<[f64; 2]>>,
-    /// What rounding and images that are left out may make of a value, relative to it.
-    floor: f64,
-    seconds: f64,
-}
-
-impl Work<'_> {
-    fn ask(&mut self, metres: f64) {
-        let effects = monte_carlo::Effects::of(self.scene);
-        let has_images = !self.scene.lights.is_empty() && (effects.mirror || effects.refraction);
-        let floor = ROUNDING + if has_images { LEFT_OUT * self.scene.solve.tolerance } else { 0.0 };
-        for (index, receiver) in self.scene.receivers.iter().enumerate() {
-            let bins = receiver.time.as_ref().map(|time| bins(time, metres));
-            let own = key(self.scene.solve.seed, index as u64);
-            let mut add = |cell: Option<usize>, question: Question| {
-                let key = cell.map_or(own, |cell| key(own, 1 + cell as u64));
-                let replicates = Replicates::new(key, &question, self.scene.band_count(), bins);
-                let begin = Instant::now();
-                let groups = self.followers.iter().map(|follower| follower.expanded(&question));
-                let expanded: Option<Vec<_>> = groups.collect();
-                let expanded = expanded.filter(|_| bins.is_none()).map(|groups| groups.concat());
-                let seconds = begin.elapsed().as_secs_f64();
-                self.asked.push(Asked {
-                    receiver: index,
-                    cell,
-                    question,
-                    replicates,
-                    expanded,
-                    floor,
-                    seconds,
-                });
-            };
-            if !matches!(receiver.kind, ReceiverKind::Camera(_)) {
-                add(None, question(receiver));
-            }
-            match &receiver.kind {
-                ReceiverKind::Surface { surface, grid: Some(size) } => {
-                    let Some(grid) = grid(self.scene, *surface, *size) else { continue };
-                    let normal = grid.normal();
-                    for (cell, position) in grid.cells().iter().enumerate() {
-                        if let Some(position) = *position {
-                            add(Some(cell), Question::Plane { position, normal });
-                        }
-                    }
-                }
-                ReceiverKind::Camera(camera) => {
-                    let [columns, rows] = camera.resolution;
-                    for cell in 0..columns * rows {
-                        let pixel = [cell % columns, cell / columns];
-                        add(Some(cell), Question::Pixel { camera: camera.clone(), pixel });
-                    }
-                }
-                _ => {}
-            }
+impl<'w> Work<'w> {
+    fn new(task: Task<'w>, job: &Job<'w>, followers: &[Box<dyn Follow + '_>], watch: &'w dyn Watch) -> Self {
+        Self {
+            scene: task.scene,
+            division: Division { share: job.share, budget: job.budget },
+            asked: asked(task.scene, task.metres, followers),
+            scales: None,
+            keeper: job.keeper,
+            watch,
+            start: Instant::now(),
+            before: 0.0,
+            history: Vec::new(),
+            is_done: false,
         }
     }
 
-    /// Rounds of samples, until all is exact enough, or nothing can be gained.
-    fn run(&mut self) {
-        if self.asked.iter().all(|asked| asked.expanded.is_some()) {
-            let scales = self.scales();
-            let errors = self.asked.iter().zip(&scales).map(|(asked, scales)| asked.error(scales));
-            let seconds = self.start.elapsed().as_secs_f64();
-            self.history.push(Moment { seconds, error: errors.fold(0.0, f64::max) });
+    /// Rounds of samples, until all is exact enough, or nothing can be gained, or it is stopped.
+    fn run(&mut self, followers: &[Box<dyn Follow + '_>]) {
+        self.keep_if(true);
+        let mut is_noted = true;
+        while !self.is_done && self.reach(followers) {
+            // a pilot has many short rounds
+            is_noted = self.scales.is_some() || self.division.budget.is_some() || self.history.is_empty();
+            if is_noted {
+                self.note();
+            }
+            self.is_done = !self.aim();
         }
-        let mut pending: Vec<usize> =
-            (0..self.asked.len()).filter(|&index| self.asked[index].expanded.is_none()).collect();
-        while !pending.is_empty() && !self.watch.is_stopped() {
-            let mut is_pending = vec![false; self.asked.len()];
-            pending.iter().for_each(|&index| is_pending[index] = true);
-            let (followers, watch) = (&self.followers, self.watch);
-            let asked = self.asked.par_iter_mut().zip(&is_pending).filter(|(_, is_pending)| **is_pending);
-            asked.for_each(|(asked, _)| asked.double(followers, watch));
-            let scales = self.scales();
-            let tolerance = self.scene.solve.tolerance;
-            let worst = |(asked, scales): (&Asked, &Vec<f64>)| asked.error(scales);
-            let error = self.asked.iter().zip(&scales).map(worst).fold(0.0, f64::max);
-            self.history.push(Moment { seconds: self.start.elapsed().as_secs_f64(), error });
-            watch.progress("paths", (tolerance / error).powi(2).min(1.0));
-            pending.retain(|&index| {
-                let asked = &self.asked[index];
-                asked.error(&scales[index]) > tolerance && asked.may_go_on()
+        if !(self.is_done && is_noted) {
+            self.note();
+        }
+        self.keep_if(true);
+    }
+
+    /// Samples of all questions up to their targets; whether they got there before the work was stopped.
+    fn reach(&mut self, followers: &[Box<dyn Follow + '_>]) -> bool {
+        let (division, watch, keeper) = (self.division, self.watch, self.keeper);
+        while self.asked.iter().any(|asked| !asked.is_there()) {
+            // whoever asks for pauses all the time still gets on
+            let has_begun = AtomicBool::new(false);
+            let is_paused = || watch.is_stopped() || keeper.is_some_and(Keeper::is_due);
+            let questions = self.asked.par_iter_mut().enumerate().filter(|(_, asked)| !asked.is_there());
+            questions.for_each(|(question, asked)| {
+                if !(has_begun.swap(true, Ordering::Relaxed) && is_paused()) {
+                    let is_meant = |replicate| division.has_replicate(question, replicate);
+                    asked.reach(followers, is_meant, is_paused);
+                }
             });
+            if watch.is_stopped() {
+                return false;
+            }
+            self.keep_if(keeper.is_some_and(Keeper::is_due));
+        }
+        true
+    }
+
+    /// New targets: those of the pilot until it has found the scales, then twice as many samples where the error is too large. Whether
+    /// there are any.
+    fn aim(&mut self) -> bool {
+        if self.division.budget.is_none() && self.scales.is_none() {
+            return self.begin() || self.pilot() || self.refine();
+        }
+        self.refine()
+    }
+
+    /// The first targets, of all cells and of what belongs to the share; whether there are any.
+    fn begin(&mut self) -> bool {
+        let division = self.division;
+        let mut has_begun = false;
+        for (question, asked) in self.asked.iter_mut().enumerate() {
+            if asked.target == 0
+                && asked.expanded.is_none()
+                && (asked.cell.is_some() || division.has(question))
+            {
+                asked.aim(MOST);
+                has_begun = true;
+            }
+        }
+        has_begun
+    }
+
+    /// More samples where that tells the scales; or else the scales.
+    fn pilot(&mut self) -> bool {
+        match settled(&self.asked, self.scene.receivers.len(), self.scene.band_count()) {
+            Ok(scales) => {
+                self.scales = Some(scales);
+                false
+            }
+            Err(open) => {
+                open.into_iter().for_each(|question| self.asked[question].aim(MOST));
+                true
+            }
         }
     }
 
-    /// For each question what its tolerance is relative to in each band: the largest of its values, and of all cells of its map.
-    fn scales(&self) -> Vec<Vec<f64>> {
-        let bands = self.scene.band_count();
-        let mut of_receivers = vec![[vec![0.0_f64; bands], vec![0.0_f64; bands]]; self.scene.receivers.len()];
-        for asked in &self.asked {
-            let scales = &mut of_receivers[asked.receiver][usize::from(asked.cell.is_some())];
-            for (scale, largest) in scales.iter_mut().zip(asked.largest(bands)) {
-                *scale = scale.max(largest);
-            }
-        }
-        let of = |asked: &Asked| of_receivers[asked.receiver][usize::from(asked.cell.is_some())].clone();
-        self.asked.iter().map(of).collect()
-    }
-
-    fn answers(&self) -> Vec<Answer> {
-        let mut answers = Vec::new();
-        for (index, receiver) in self.scene.receivers.iter().enumerate() {
-            match &receiver.kind {
-                ReceiverKind::Camera(_) => answers.extend(self.mean_of_pixels(index)),
-                _ => {
-                    let is_number = |asked: &&Asked| asked.receiver == index && asked.cell.is_none();
-                    if let Some(asked) = self.asked.iter().find(is_number) {
-                        answers.extend(self.numbers(asked));
-                    }
-                }
-            }
-        }
-        answers
-    }
-
-    /// The answers of a question that is no cell.
-    fn numbers(&self, asked: &Asked) -> Vec<Answer> {
-        let receiver = &self.scene.receivers[asked.receiver];
-        let bands = self.scene.band_count();
-        let quantities: Vec<(Quantity, usize, f64)> = match receiver.kind {
-            ReceiverKind::Point { .. } => vec![(Quantity::Irradiance, 0, 1.0)],
-            ReceiverKind::Surface { surface, .. } => {
-                vec![(Quantity::Irradiance, 0, 1.0), (Quantity::Flux, 0, area(self.scene, surface))]
-            }
-            ReceiverKind::Ray { .. } | ReceiverKind::Camera(_) => vec![(Quantity::Radiance, 0, 1.0)],
-            ReceiverKind::Sphere { .. } => std::iter::once((Quantity::FluenceRate, 0, 1.0))
-                .chain((0..3).map(|axis| (Quantity::VectorIrradiance(axis), axis + 1, 1.0)))
-                .collect(),
-        };
-        let bins = receiver.time.as_ref().map_or(1, |time| time.bins);
-        let mut answers = Vec::with_capacity(quantities.len() * bands * bins);
-        for (quantity, number, factor) in quantities {
-            for band in 0..bands {
-                for bin in 0..bins {
-                    let [value, error] = asked.found((number * bands + band) * bins + bin);
-                    answers.push(Answer {
-                        receiver: receiver.name.clone(),
-                        quantity,
-                        band: (bands > 1).then_some(band),
-                        bin: receiver.time.is_some().then_some(bin),
-                        value: factor * value,
-                        error: factor * error,
-                        kind: if asked.expanded.is_some() { ErrorKind::Bound } else { ErrorKind::Sigma },
-                        seconds: asked.seconds,
-                    });
-                }
-            }
-        }
-        answers
-    }
-
-    /// The mean radiance of an image, for each band.
-    fn mean_of_pixels(&self, receiver: usize) -> Vec<Answer> {
-        let bands = self.scene.band_count();
-        let pixels: Vec<&Asked> = self.asked.iter().filter(|asked| asked.receiver == receiver).collect();
-        let count = pixels.len() as f64;
-        let of_band = |band: usize| {
-            let found = pixels.iter().map(|pixel| pixel.found(band));
-            let [sum, squares] =
-                found.fold([0.0; 2], |[sum, squares], [value, error]| [sum + value, squares + error * error]);
-            Answer {
-                receiver: self.scene.receivers[receiver].name.clone(),
-                quantity: Quantity::Radiance,
-                band: (bands > 1).then_some(band),
-                bin: None,
-                value: sum / count,
-                error: squares.sqrt() / count,
-                kind: ErrorKind::Sigma,
-                seconds: pixels.iter().map(|pixel| pixel.seconds).sum(),
+    /// Twice as many samples where the budget is not spent, or the error is too large.
+    fn refine(&mut self) -> bool {
+        let is_open = |&question: &usize| {
+            let asked = &self.asked[question];
+            match self.division.budget {
+                _ if asked.expanded.is_some() => false,
+                Some(budget) => asked.replicates.samples < budget.of_replicate(),
+                None => asked.error(&self.scales_of(asked)) > self.scene.solve.tolerance && asked.may_go_on(),
             }
         };
-        (0..bands).map(of_band).collect()
+        let own = (0..self.asked.len()).into_par_iter().filter(|&question| self.division.has(question));
+        let open: Vec<usize> = own.filter(is_open).collect();
+        let most = self.division.budget.map_or(MOST, |budget| budget.of_replicate());
+        open.iter().for_each(|&question| self.asked[question].aim(most));
+        !open.is_empty()
     }
 
-    fn maps(&self) -> Vec<Map> {
-        let map = |(index, receiver): (usize, &Receiver)| {
-            let (size, quantity, is_image) = match &receiver.kind {
-                ReceiverKind::Surface { grid: Some(size), .. } => (*size, Quantity::Irradiance, false),
-                ReceiverKind::Camera(camera) => (camera.resolution, Quantity::Radiance, true),
-                _ => return None,
-            };
-            let bands = self.scene.band_count();
-            let nothing = vec![vec![f64::NAN; size[0] * size[1]]; bands];
-            let (mut values, mut errors) = (nothing.clone(), nothing);
-            for asked in self.asked.iter().filter(|asked| asked.receiver == index) {
-                let Some(cell) = asked.cell.filter(|_| asked.replicates.samples > 0) else { continue };
-                for band in 0..bands {
-                    [values[band][cell], errors[band][cell]] = asked.found(band);
-                }
-            }
-            Some(Map { receiver: receiver.name.clone(), quantity, size, values, errors, is_image })
-        };
-        self.scene.receivers.iter().enumerate().filter_map(map).collect()
-    }
-}
-
-impl Asked {
-    /// Twice as many samples, or the first ones, as long as nobody stops it.
-    fn double(&mut self, followers: &[Box<dyn Follow + '_>], watch: &dyn Watch) {
-        let begin = Instant::now();
-        let first = FIRST[usize::from(self.cell.is_some())];
-        let to = if self.replicates.samples == 0 { first } else { 2 * self.replicates.samples };
-        while self.replicates.samples < to && !(self.replicates.samples > 0 && watch.is_stopped()) {
-            let next = to.min(self.replicates.samples + STEP);
-            self.replicates.extend(next, &self.question, followers);
+    /// What the tolerance of a question is relative to in each band.
+    fn scales_of(&self, asked: &Asked) -> Vec<f64> {
+        match (&self.scales, asked.cell) {
+            (Some(scales), Some(_)) => scales[asked.receiver].clone(),
+            _ => asked.largest(self.scene.band_count()),
         }
-        self.seconds += begin.elapsed().as_secs_f64();
     }
 
-    /// A value and its standard error, with rounding.
-    fn found(&self, place: usize) -> [f64; 2] {
-        if let Some(expanded) = &self.expanded {
-            let [value, error] = expanded[place];
-            return [value, error + self.floor * value.abs()];
+    fn keep_if(&self, is_time: bool) {
+        if let Some(keeper) = self.keeper.filter(|_| is_time) {
+            keeper.keep(&Snapshot { work: self });
         }
-        let [value, error] = self.replicates.found(place);
-        [value, error.hypot(self.floor * value)]
     }
 
-    /// The largest value of each band.
-    fn largest(&self, bands: usize) -> Vec<f64> {
-        let bins = self.replicates.len() / (self.question.numbers() * bands);
-        let mut largest = vec![0.0_f64; bands];
-        for place in 0..self.replicates.len() {
-            let band = place / bins % bands;
-            largest[band] = largest[band].max(self.found(place)[0].abs());
+    /// Tells how far the work is: how exact what belongs to the share is by now, or which part of the budget is spent.
+    fn note(&mut self) {
+        let Division { share, budget } = self.division;
+        let own = || self.asked.iter().enumerate().filter(|(question, _)| self.division.has(*question));
+        let answered: Vec<&Asked> =
+            own().map(|(_, asked)| asked).filter(|asked| asked.is_answered()).collect();
+        let is_told = (budget.is_none() || share.is_whole()) && !answered.is_empty();
+        let error = is_told.then(|| {
+            let scales = self.largest();
+            let scale = |asked: &Asked| &scales[asked.receiver][usize::from(asked.cell.is_some())];
+            answered.par_iter().map(|asked| asked.error(scale(asked))).reduce(|| 0.0, f64::max)
+        });
+        let sampled = || own().filter(|(_, asked)| asked.expanded.is_none());
+        let spent: f64 = sampled().map(|(_, asked)| f64::from(asked.replicates.samples)).sum();
+        let spent = spent / sampled().count().max(1) as f64;
+        let exact = error.map_or(0.0, |error| (self.scene.solve.tolerance / error).powi(2));
+        let done = budget.map_or(exact, |budget| spent / f64::from(budget.of_replicate()));
+        self.watch.progress("paths", done.min(1.0));
+        let seconds = self.before + self.start.elapsed().as_secs_f64();
+        self.history.extend(error.map(|error| Moment { seconds, error }));
+    }
+
+    /// For each receiver the largest value in each band, of its number and of its cells.
+    fn largest(&self) -> Vec<[Vec<f64>; 2]> {
+        let bands = self.scene.band_count();
+        let mut largest = vec![[vec![0.0_f64; bands], vec![0.0_f64; bands]]; self.scene.receivers.len()];
+        let answered: Vec<&Asked> = self.asked.iter().filter(|asked| asked.is_answered()).collect();
+        let values: Vec<Vec<f64>> = answered.par_iter().map(|asked| asked.largest(bands)).collect();
+        for (asked, values) in answered.iter().zip(values) {
+            let scales = &mut largest[asked.receiver][usize::from(asked.cell.is_some())];
+            scales.iter_mut().zip(values).for_each(|(scale, value)| *scale = scale.max(value));
         }
         largest
     }
 
-    /// The largest error relative to the scales of bands; none where nothing was found.
-    fn error(&self, scales: &[f64]) -> f64 {
-        let bands = scales.len();
-        let bins = self.replicates.len() / (self.question.numbers() * bands);
-        let relative = |place: usize| {
-            let [_, error] = self.found(place);
-            if error == 0.0 { 0.0 } else { error / scales[place / bins % bands] }
-        };
-        (0..self.replicates.len()).map(relative).fold(0.0, f64::max)
-    }
-
-    fn may_go_on(&self) -> bool {
-        let is_nothing = || (0..self.replicates.len()).all(|place| self.replicates.found(place) == [0.0; 2]);
-        self.replicates.samples < MOST && !(self.replicates.samples >= NOTHING && is_nothing())
-    }
-}
-
-fn question(receiver: &Receiver) -> Question {
-    match &receiver.kind {
-        ReceiverKind::Point { position, normal } => Question::Plane { position: *position, normal: *normal },
-        ReceiverKind::Surface { surface, .. } => Question::Surface { surface: *surface },
-        ReceiverKind::Ray { origin, direction } => Question::Sight { origin: *origin, direction: *direction },
-        ReceiverKind::Sphere { position } => Question::Sphere { position: *position },
-        ReceiverKind::Camera(camera) => Question::Pixel { camera: camera.clone(), pixel: [0, 0] },
-    }
-}
-
-/// Bins of time as bins of optical length.
-fn bins(time: &TimeBins, metres: f64) -> Bins {
-    let length = LIGHT / metres;
-    Bins { start: time.start * length, width: time.width * length, count: time.bins }
-}
-
-/// The area of the front of a surface.
-fn area(scene: &Scene, surface: usize) -> f64 {
-    use crate::scene::Shape;
-    use std::f64::consts::PI;
-    match &scene.surfaces[surface].shape {
-        Shape::Sphere(sphere) => 4.0 * PI * sphere.radius * sphere.radius,
-        Shape::Disk(disk) => PI * disk.radius * disk.radius,
-        Shape::Polygon(_) | Shape::Mesh(_) => {
-            let faces = faces(scene, 0);
-            faces.iter().filter(|face| face.is_front_of(surface)).map(|face| face.area).sum()
+    fn simulation(self) -> Simulation {
+        Simulation {
+            answers: self.answers(),
+            maps: self.maps(),
+            stopped: !self.is_done,
+            history: self.history,
         }
     }
-}
-
-/// The grid over a surface.
-fn grid(scene: &Scene, surface: usize, size: [usize; 2]) -> Option<Grid> {
-    let faces = faces(scene, 2);
-    let screens = Screens::none(&faces);
-    Grid::over(&Transport { faces, screens, occlusion: false, accuracy: 1.0 }, surface, size)
 }

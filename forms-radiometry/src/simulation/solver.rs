@@ -10,9 +10,10 @@
 use super::answer::{Answer, ErrorKind, Moment, Plan, Quantity, Simulation};
 use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
-use super::followed::{followed, is_followed};
-use super::left_out::without;
+use super::followed::followed;
+use super::job::Job;
 use super::map::Grid;
+use super::prepared::Prepared;
 use super::readings::Reading;
 use super::watch::Watch;
 use crate::faces::{faces, is_round};
@@ -44,44 +45,19 @@ pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
 
 /// Answers them with light that is gathered as `choose` says.
 pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
-    let effects = Effects::of(&plan.effects);
-    let mut left = without(scene, &plan.effects);
-    let merged = !effects.bands && scene.band_count() > 1;
-    if merged {
-        left = left.with_one_band();
+    let prepared = Prepared::of(scene, plan);
+    let working = prepared.working();
+    if prepared.is_followed() {
+        let all = followed(prepared.task(&working), Job::default(), watch);
+        let all = all.expect("there is no state that could be of another simulation");
+        return prepared.finished(all, &working);
     }
-    let working = left.in_working_units();
-    if is_followed(&working.scene) {
-        let mut simulation = followed(&working.scene, &effects, working.square_metres.sqrt(), watch);
-        simulation.leave_working_units(&working);
-        if merged {
-            spread(&mut simulation, scene.band_count());
-        }
-        return simulation;
-    }
-    let work = Work::new(&working.scene, effects, choose, watch);
-    let mut simulation = work.run();
-    simulation.leave_working_units(&working);
-    if merged {
-        spread(&mut simulation, scene.band_count());
-    }
-    simulation
+    let work = Work::new(&working.scene, prepared.effects, choose, watch);
+    prepared.finished(work.run(), &working)
 }
 
 /// How light is gathered in a scene with these faces, of which it is known what they hide.
 type Choose = fn(&Scene, &[Face], &Question, Hiding) -> Gathering;
-
-/// The answers of one band, for each band.
-fn spread(simulation: &mut Simulation, bands: usize) {
-    let of_bands = |answer: Answer| {
-        (0..bands).map(move |band| Answer { band: Some(band), ..answer.clone() }).collect::<Vec<_>>()
-    };
-    simulation.answers = std::mem::take(&mut simulation.answers).into_iter().flat_map(of_bands).collect();
-    for map in &mut simulation.maps {
-        map.values = vec![map.values[0].clone(); bands];
-        map.errors = vec![map.errors[0].clone(); bands];
-    }
-}
 
 /// What a simulation works on.
 pub(super) struct Work<'s> {

@@ -1,0 +1,166 @@
+//! `forms merge`: parts of a simulation become what one run of it gives, if they are all there and of the same work.
+//!
+//! ```text
+//! PART… ─▶ read ─▶ of one work? ─▶ each share once? ─▶ states of all shares ─▶ answers, as of one run
+//! ```
+
+use super::kept::PartOf;
+use super::{Asked, Work, finish, plan};
+use crate::commands::refuse;
+use crate::status::Status;
+use forms_radiometry::scene::SceneError;
+use forms_radiometry::simulation::{self, Exposure, Share, State, StateFile};
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use std::time::Duration;
+
+/// A part that was read.
+struct Part<'a> {
+    file: &'a str,
+    belongs_to: PartOf,
+    state: State,
+}
+
+/// Puts parts together and shows what was found.
+pub(crate) fn merge(
+    files: &[String],
+    out: Option<&str>,
+    json: bool,
+    output: &mut dyn Write,
+) -> io::Result<Status> {
+    let (parts, mut messages) = read(files);
+    let Some(first) = parts.first() else {
+        messages.iter().for_each(|message| eprintln!("error: {message}"));
+        return Ok(Status::Error);
+    };
+    messages.extend(strangers(&parts));
+    if messages.is_empty() {
+        let (repeated, notes) = repetitions(&parts);
+        notes.iter().for_each(|note| eprintln!("note: {note}"));
+        messages = repeated;
+    }
+    messages.extend(missing(first, &parts));
+    if !messages.is_empty() {
+        messages.iter().for_each(|message| eprintln!("error: {message}"));
+        return Ok(Status::Error);
+    }
+    let folder = match out.map(super::files::folder).transpose() {
+        Ok(folder) => folder,
+        Err(message) => return Ok(refuse(&message)),
+    };
+    match merged(parts) {
+        Ok((scene, planned, exposure, work)) => {
+            if json { plan::lines(&planned, output) } else { plan::table(&planned, &scene, output) }?;
+            let work = with_exposure(work, exposure);
+            finish(&Asked { scene: &scene, folder, json }, &work, output)
+        }
+        Err(messages) => {
+            messages.iter().for_each(|message| eprintln!("error: {message}"));
+            Ok(Status::Error)
+        }
+    }
+}
+
+/// The parts that can be read, and what is wrong with the others.
+fn read(files: &[String]) -> (Vec<Part<'_>>, Vec<String>) {
+    let (mut parts, mut messages) = (Vec::new(), Vec::new());
+    for file in files {
+        let bytes = match std::fs::read(file) {
+            Ok(bytes) => bytes,
+            Err(error) => {
+                messages.push(format!("the part `{file}` cannot be read: {error}"));
+                continue;
+            }
+        };
+        match StateFile::Part.read::<PartOf>(&bytes) {
+            Ok((belongs_to, state)) => parts.push(Part { file, belongs_to, state }),
+            Err(error) => messages
+                .push(format!("the part `{file}` {error}: make it again by its `forms simulate --shard`")),
+        }
+    }
+    (parts, messages)
+}
+
+/// Parts of other work than the first.
+fn strangers(parts: &[Part<'_>]) -> Vec<String> {
+    let first = &parts[0];
+    let message = |part: &Part<'_>| {
+        let [ours, theirs] = [first, part].map(|part| &part.belongs_to);
+        let (share, of) = (theirs.identity.share(), ours.identity.share().count());
+        let difference = if share.count() != of {
+            Some(format!("it is share {share}, and the work is divided by {of} there"))
+        } else if ours.exposure != theirs.exposure {
+            Some("it is of another exposure".to_owned())
+        } else {
+            ours.identity.with_share(share).difference(&theirs.identity)
+        };
+        difference.map(|difference| {
+            format!("the part `{}` does not go with `{}`: {difference}", part.file, first.file)
+        })
+    };
+    parts.iter().filter_map(message).collect()
+}
+
+/// Shares that are there twice and differ, and notes about those that do not.
+fn repetitions(parts: &[Part<'_>]) -> (Vec<String>, Vec<String>) {
+    let mut seen: BTreeMap<Share, &Part<'_>> = BTreeMap::new();
+    let (mut messages, mut notes) = (Vec::new(), Vec::new());
+    for part in parts {
+        let share = part.belongs_to.identity.share();
+        let Some(other) = seen.insert(share, part) else { continue };
+        let names = format!("`{}` and `{}` are both share {share}", other.file, part.file);
+        if other.state.is_same_as(&part.state) {
+            notes.push(format!("{names} and say the same: it counts once"));
+        } else {
+            messages.push(format!(
+                "{names} and differ, which the same work on the same kind of machine never does: make both again"
+            ));
+        }
+    }
+    (messages, notes)
+}
+
+/// Shares that are not there, with the calls that make them.
+fn missing(first: &Part<'_>, parts: &[Part<'_>]) -> Vec<String> {
+    let PartOf { identity, sources, exposure, instructions } = &first.belongs_to;
+    let has = |share: &Share| parts.iter().any(|part| part.belongs_to.identity.share() == *share);
+    let message = |share: Share| {
+        let mut call = format!("forms simulate {} --shard {share}", sources.name());
+        if let Some(budget) = identity.budget() {
+            call += &format!(" --samples {}", budget.samples());
+        }
+        if let Some(seconds) = exposure {
+            call += &format!(" --exposure {seconds}");
+        }
+        if let Some(name) = instructions {
+            call += &format!(" --isa {name}");
+        }
+        format!("share {share} is missing: make it by\n  {call} --out PART")
+    };
+    identity.share().all().filter(|share| !has(share)).map(message).collect()
+}
+
+type Merged = (forms_radiometry::scene::Scene, simulation::Plan, Option<Exposure>, Work);
+
+/// What all shares come to.
+fn merged(parts: Vec<Part<'_>>) -> Result<Merged, Vec<String>> {
+    let messages = |errors: Vec<SceneError>| errors.iter().map(SceneError::to_string).collect::<Vec<_>>();
+    let PartOf { identity, sources, .. } = &parts[0].belongs_to;
+    let (budget, exposure) = (identity.budget(), parts[0].belongs_to.exposure());
+    let scene = sources.read().map_err(messages)?;
+    let plan = simulation::plan(&scene).map_err(messages)?;
+    let states: BTreeMap<Share, State> =
+        parts.into_iter().map(|part| (part.belongs_to.identity.share(), part.state)).collect();
+    let found = simulation::merge(&scene, &plan, budget, states.into_iter().collect())
+        .map_err(|error| vec![format!("the parts cannot be put together: {error}")])?;
+    let seconds = found.history.last().map_or(0.0, |moment| moment.seconds);
+    let time = Duration::try_from_secs_f64(seconds).unwrap_or_default();
+    Ok((scene, plan, exposure, Work { found, time }))
+}
+
+fn with_exposure(mut work: Work, exposure: Option<Exposure>) -> Work {
+    if let Some(exposure) = exposure {
+        exposure.add_to(&mut work.found);
+    }
+    work
+}

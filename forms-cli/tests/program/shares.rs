@@ -1,0 +1,150 @@
+//! `forms simulate --shard` and `forms merge`: shares come to what one run gives, and what does not go together is named.
+
+use crate::hall::{FILES, LAMP, hall};
+use crate::process::{Folder, forms, forms_with_threads};
+
+/// The files that a run without shares writes, and those of its shares.
+fn assert_shares_are_the_whole(folder: &Folder, count: usize, threads: [&str; 2], options: &[&str]) {
+    let simulate = |rest: &[&str], threads: &str| {
+        let run = forms_with_threads(folder, &[&["simulate", "hall.toml"], options, rest].concat(), threads);
+        assert_eq!((run.status, run.errors.as_str()), (0, ""), "{rest:?}");
+    };
+    simulate(&["--out", "whole"], threads[0]);
+    let parts: Vec<String> = (1..=count).map(|share| format!("{share}.part")).collect();
+    for (place, part) in parts.iter().enumerate() {
+        let share = format!("{}/{count}", place + 1);
+        simulate(&["--shard", &share, "--out", part], threads[place % 2]);
+    }
+    let last_first: Vec<&str> = parts.iter().rev().map(String::as_str).collect();
+    let run = forms(folder, &[&["merge"], last_first.as_slice(), &["--out", "merged"]].concat());
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    for file in FILES {
+        let [whole, merged] = ["whole", "merged"].map(|name| folder.read(&format!("{name}/{file}")));
+        assert!(!whole.is_empty() && whole == merged, "{file} of {count} shares, {options:?}");
+    }
+}
+
+#[test]
+fn shares_come_to_the_bits_of_one_run_however_many_there_are() {
+    let folder = Folder::with(&[("hall.toml", &hall(0.1))]);
+    for (count, threads) in [(1, ["1", "2"]), (3, ["2", "1"]), (7, ["1", "2"])] {
+        assert_shares_are_the_whole(&folder, count, threads, &[]);
+        assert_shares_are_the_whole(&folder, count, threads, &["--samples", "1000"]);
+    }
+    assert_shares_are_the_whole(&folder, 2, ["1", "2"], &["--exposure", "2.5", "--isa", "baseline"]);
+}
+
+/// The standard output of a run in JSON, without the times.
+fn untimed(output: &str) -> Vec<String> {
+    output.lines().map(|line| line.split(",\"seconds\"").next().unwrap_or(line).to_owned()).collect()
+}
+
+#[test]
+fn one_receiver_is_divided_into_its_replicates_where_the_samples_are_counted() {
+    let text = hall(0.1);
+    let (surfaces, _) = text.split_once("[[receiver]]\nname = \"map\"").expect("a second receiver");
+    let folder = Folder::with(&[("hall.toml", surfaces)]);
+    let counted = ["--samples", "640", "--json"];
+    let whole = forms(&folder, &[&["simulate", "hall.toml"], counted.as_slice()].concat());
+    let mut parts = Vec::new();
+    for share in ["1/5", "2/5", "3/5", "4/5", "5/5"] {
+        let part = share.replace('/', "of");
+        let run = forms(
+            &folder,
+            &[&["simulate", "hall.toml", "--shard", share, "--out", &part], counted.as_slice()].concat(),
+        );
+        let units = if share < "3/5" { 7 } else { 6 };
+        let record = format!("{{\"share\":\"{share}\",\"part\":\"{part}\",\"units\":{units},\"of\":32}}");
+        assert_eq!((run.status, run.output.lines().last()), (0, Some(record.as_str())), "{}", run.errors);
+        parts.push(part);
+    }
+    let parts: Vec<&str> = parts.iter().map(String::as_str).collect();
+    let merged = forms(&folder, &[&["merge", "--json"], parts.as_slice()].concat());
+    assert_eq!((merged.status, untimed(&merged.output)), (0, untimed(&whole.output)), "{}", merged.errors);
+
+    let run = forms(&folder, &["simulate", "hall.toml", "--shard", "2/2", "--out", "empty"]);
+    assert_eq!(run.status, 0);
+    assert!(
+        run.errors.contains("none is left for this one; with --samples each is divided into 32"),
+        "{}",
+        run.errors
+    );
+}
+
+#[test]
+fn a_part_that_is_missing_damaged_of_other_work_or_repeated_is_named() {
+    let other = hall(0.1).replace("0.9", "0.8");
+    let folder = Folder::with(&[("hall.toml", &hall(0.1)), ("other.toml", &other)]);
+    let simulate = |arguments: &[&str]| {
+        let run = forms(&folder, &[&["simulate"], arguments].concat());
+        assert_eq!(run.status, 0, "{}", run.errors);
+    };
+    simulate(&["hall.toml", "--shard", "1/2", "--out", "a"]);
+    simulate(&["hall.toml", "--shard", "2/2", "--out", "b"]);
+    simulate(&["hall.toml", "--shard", "2/2", "--out", "b again"]);
+    simulate(&["hall.toml", "--shard", "2/3", "--out", "of three"]);
+    simulate(&["hall.toml", "--shard", "2/2", "--samples", "64", "--out", "counted"]);
+    simulate(&["hall.toml", "--shard", "2/2", "--exposure", "2", "--out", "exposed"]);
+    simulate(&["hall.toml", "--shard", "2/2", "--isa", "baseline", "--out", "baseline"]);
+    simulate(&["other.toml", "--shard", "2/2", "--out", "other"]);
+    simulate(&["hall.toml", "--checkpoint", "checkpoint"]);
+    let mut bytes = folder.read("b");
+    let middle = bytes.len() / 2;
+    bytes[middle] ^= 1;
+    folder.write("damaged", &bytes);
+    folder.write("cut", &folder.read("b")[..middle]);
+    let cases: [(&[&str], &[&str]); 11] = [
+        (&["a"], &["share 2/2 is missing", "forms simulate hall.toml --shard 2/2 --out PART"]),
+        (&["exposed"], &["share 1/2 is missing", "--shard 1/2 --exposure 2 --out PART"]),
+        (&["counted"], &["share 1/2 is missing", "--shard 1/2 --samples 64 --out PART"]),
+        (&["a", "damaged"], &["the part `damaged` is damaged", "share 2/2 is missing"]),
+        (&["a", "cut"], &["the part `cut` is damaged"]),
+        (&["a", "hall.toml"], &["the part `hall.toml` was not written by this program"]),
+        (&["a", "checkpoint"], &["the part `checkpoint` was not written by this program"]),
+        (&["a", "nowhere"], &["the part `nowhere` cannot be read"]),
+        (&["a", "of three"], &["the part `of three` does not go with `a`", "it is share 2/3"]),
+        (&["a", "counted"], &["the part `counted` does not go with `a`", "64 samples of each"]),
+        (&["a", "other"], &["the part `other` does not go with `a`", "another scene"]),
+    ];
+    for (parts, messages) in cases {
+        let run = forms(&folder, &[&["merge"], parts].concat());
+        assert_eq!((run.status, run.output.as_str()), (2, ""), "{parts:?}");
+        messages
+            .iter()
+            .for_each(|message| assert!(run.errors.contains(message), "{message}: {}", run.errors));
+    }
+    let run = forms(&folder, &["merge", "a", "b", "b again"]);
+    assert_eq!(run.status, 0, "{}", run.errors);
+    assert!(run.errors.contains("`b` and `b again` are both share 2/2 and say the same"), "{}", run.errors);
+    if forms::math::Instructions::best().name() != "baseline" {
+        let run = forms(&folder, &["merge", "a", "baseline"]);
+        assert_eq!(run.status, 2);
+        assert!(run.errors.contains("computed with other instructions"), "{}", run.errors);
+    }
+}
+
+#[test]
+fn the_call_is_checked_before_the_work() {
+    let folder = Folder::with(&[("hall.toml", &hall(0.1)), ("lamp.toml", LAMP)]);
+    let cases: [(&[&str], &str); 8] = [
+        (&["hall.toml", "--shard", "1/2"], "--out"),
+        (
+            &["hall.toml", "--shard", "0/2", "--out", "a"],
+            "`0/2` is no share: expected i/n with i from 1 to n",
+        ),
+        (&["hall.toml", "--shard", "3/2", "--out", "a"], "`3/2` is no share"),
+        (&["hall.toml", "--samples", "0"], "0 samples cannot be had"),
+        (&["hall.toml", "--isa", "abacus"], "this processor has baseline"),
+        (&["hall.toml", "--shard", "1/2", "--out", "no/where"], "the part `no/where` cannot be written"),
+        (
+            &["lamp.toml", "--shard", "1/2", "--out", "a"],
+            "solved as a whole, without paths, and is not divided",
+        ),
+        (&["lamp.toml", "--samples", "64"], "has no samples that --samples could count"),
+    ];
+    for (arguments, message) in cases {
+        let run = forms(&folder, &[&["simulate"], arguments].concat());
+        assert_eq!((run.status, run.output.as_str()), (2, ""), "{arguments:?}");
+        assert!(run.errors.contains(message), "{arguments:?}: {}", run.errors);
+    }
+}

@@ -1,0 +1,222 @@
+//! What is asked: receivers become questions, each with its replicates and the number of samples that these are to get.
+
+use super::super::job::{Budget, Share};
+use super::super::map::Grid;
+use super::super::solver::ROUNDING;
+use crate::faces::faces;
+use crate::geometry::Screens;
+use crate::monte_carlo::{self, Bins, Follow, LEFT_OUT, Question, REPLICATES, Replicates};
+use crate::radiosity::Transport;
+use crate::sampling::key;
+use crate::scene::{Receiver, ReceiverKind, Scene, TimeBins};
+use std::time::Instant;
+
+/// The first samples of each replicate of a number, and of a cell or a pixel.
+const FIRST: [u32; 2] = [32, 1];
+/// The most samples of a replicate.
+pub(in super::super) const MOST: u32 = 1 << 31;
+/// Samples of a replicate after which it is asked whether to pause.
+const STEP: u32 = 1 << 12;
+/// Where so many samples of each replicate found nothing, there is no use in more.
+const NOTHING: u32 = 1 << 14;
+/// The speed of light, in m/s.
+const LIGHT: f64 = 299_792_458.0;
+
+/// A question of a receiver.
+pub(super) struct Asked {
+    pub(super) receiver: usize,
+    /// The cell of a map or the pixel of an image, if it is one.
+    pub(super) cell: Option<usize>,
+    pub(super) question: Question,
+    pub(super) replicates: Replicates,
+    /// For each band the value and its error, where no samples are needed.
+    pub(super) expanded: Option<Vec<[f64; 2]>>,
+    /// What rounding and images that are left out may make of a value, relative to it.
+    floor: f64,
+    /// How many samples each replicate is to get before it is asked again whether that is enough.
+    pub(super) target: u32,
+    pub(super) seconds: f64,
+}
+
+/// What of the work belongs to a share: questions, or with a budget their replicates.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Division {
+    pub(super) share: Share,
+    pub(super) budget: Option<Budget>,
+}
+
+impl Division {
+    /// Whether anything of a question belongs to it.
+    pub(super) fn has(self, question: usize) -> bool {
+        match self.budget {
+            Some(_) => (0..REPLICATES).any(|replicate| self.has_replicate(question, replicate)),
+            None => self.share.has(question),
+        }
+    }
+
+    /// How many units of the work belong to it, and how many there are.
+    pub(super) fn units(self, questions: usize) -> [usize; 2] {
+        let all = if self.budget.is_some() { questions * REPLICATES } else { questions };
+        [(0..all).filter(|&unit| self.share.has(unit)).count(), all]
+    }
+
+    /// Whether a replicate of a question gets samples if any of them do.
+    pub(super) fn has_replicate(self, question: usize, replicate: usize) -> bool {
+        self.budget.is_none() || self.share.has(question * REPLICATES + replicate)
+    }
+}
+
+/// All questions of a scene. `metres` is the working unit of length; `followers` answer what needs no samples.
+pub(super) fn asked(scene: &Scene, metres: f64, followers: &[Box<dyn Follow + '_>]) -> Vec<Asked> {
+    let mut all: Vec<Asked> = Vec::new();
+    let effects = monte_carlo::Effects::of(scene);
+    let has_images = !scene.lights.is_empty() && (effects.mirror || effects.refraction);
+    let floor = ROUNDING + if has_images { LEFT_OUT * scene.solve.tolerance } else { 0.0 };
+    for (index, receiver) in scene.receivers.iter().enumerate() {
+        let bins = receiver.time.as_ref().map(|time| bins(time, metres));
+        let own_key = key(scene.solve.seed, index as u64);
+        for (cell, question) in questions(scene, receiver) {
+            let key = cell.map_or(own_key, |cell| key(own_key, 1 + cell as u64));
+            let replicates = Replicates::new(key, &question, scene.band_count(), bins);
+            let begin = Instant::now();
+            let expanded = expanded(&question, followers).filter(|_| bins.is_none());
+            let seconds = begin.elapsed().as_secs_f64();
+            all.push(Asked {
+                receiver: index,
+                cell,
+                question,
+                replicates,
+                expanded,
+                floor,
+                target: 0,
+                seconds,
+            });
+        }
+    }
+    all
+}
+
+/// What answers a question without samples, for each band, if all followers can.
+fn expanded(question: &Question, followers: &[Box<dyn Follow + '_>]) -> Option<Vec<[f64; 2]>> {
+    let groups: Option<Vec<_>> = followers.iter().map(|follower| follower.expanded(question)).collect();
+    groups.filter(|groups| !groups.is_empty()).map(|groups| groups.concat())
+}
+
+/// The questions of a receiver: its number, if it asks for one, and its cells or pixels.
+fn questions(scene: &Scene, receiver: &Receiver) -> Vec<(Option<usize>, Question)> {
+    match &receiver.kind {
+        ReceiverKind::Point { position, normal } => {
+            vec![(None, Question::Plane { position: *position, normal: *normal })]
+        }
+        ReceiverKind::Ray { origin, direction } => {
+            vec![(None, Question::Sight { origin: *origin, direction: *direction })]
+        }
+        ReceiverKind::Sphere { position } => vec![(None, Question::Sphere { position: *position })],
+        ReceiverKind::Surface { surface, grid: size } => {
+            let mean = (None, Question::Surface { surface: *surface });
+            let Some(grid) = size.and_then(|size| grid(scene, *surface, size)) else { return vec![mean] };
+            let normal = grid.normal();
+            let cell = |(cell, position): (usize, &Option<_>)| {
+                position.map(|position| (Some(cell), Question::Plane { position, normal }))
+            };
+            std::iter::once(mean).chain(grid.cells().iter().enumerate().filter_map(cell)).collect()
+        }
+        ReceiverKind::Camera(camera) => {
+            let [columns, rows] = camera.resolution;
+            let pixel = |cell: usize| {
+                let pixel = [cell % columns, cell / columns];
+                (Some(cell), Question::Pixel { camera: camera.clone(), pixel })
+            };
+            (0..columns * rows).map(pixel).collect()
+        }
+    }
+}
+
+impl Asked {
+    /// Whether there is an answer, however inexact.
+    pub(super) fn is_answered(&self) -> bool {
+        self.expanded.is_some() || self.replicates.samples > 0
+    }
+
+    /// Whether it has the samples that it is to get.
+    pub(super) fn is_there(&self) -> bool {
+        self.replicates.samples >= self.target
+    }
+
+    /// Samples up to the target, or until there is a pause: one step of them at least.
+    pub(super) fn reach(
+        &mut self,
+        followers: &[Box<dyn Follow + '_>],
+        is_meant: impl Fn(usize) -> bool + Sync,
+        is_paused: impl Fn() -> bool,
+    ) {
+        let begin = Instant::now();
+        loop {
+            let next = self.target.min(self.replicates.samples.saturating_add(STEP));
+            self.replicates.extend(next, &self.question, followers, &is_meant);
+            if self.is_there() || is_paused() {
+                break;
+            }
+        }
+        self.seconds += begin.elapsed().as_secs_f64();
+    }
+
+    /// The next target: the first samples, or twice as many as there are, up to a most.
+    pub(super) fn aim(&mut self, most: u32) {
+        let doubled = self.replicates.samples.saturating_mul(2);
+        self.target = doubled.max(FIRST[usize::from(self.cell.is_some())]).min(most);
+    }
+
+    /// A value and its standard error, with rounding.
+    pub(super) fn found(&self, place: usize) -> [f64; 2] {
+        if let Some(expanded) = &self.expanded {
+            let [value, error] = expanded[place];
+            return [value, error + self.floor * value.abs()];
+        }
+        let [value, error] = self.replicates.found(place);
+        [value, error.hypot(self.floor * value)]
+    }
+
+    /// The largest value of each band.
+    pub(super) fn largest(&self, bands: usize) -> Vec<f64> {
+        let bins = self.replicates.len() / (self.question.numbers() * bands);
+        let mut largest = vec![0.0_f64; bands];
+        for place in 0..self.replicates.len() {
+            let band = place / bins % bands;
+            largest[band] = largest[band].max(self.found(place)[0].abs());
+        }
+        largest
+    }
+
+    /// The largest error relative to the scales of bands; none where nothing was found.
+    pub(super) fn error(&self, scales: &[f64]) -> f64 {
+        let bands = scales.len();
+        let bins = self.replicates.len() / (self.question.numbers() * bands);
+        let relative = |place: usize| {
+            let [_, error] = self.found(place);
+            if error == 0.0 { 0.0 } else { error / scales[place / bins % bands] }
+        };
+        (0..self.replicates.len()).map(relative).fold(0.0, f64::max)
+    }
+
+    pub(super) fn may_go_on(&self) -> bool {
+        if self.expanded.is_some() {
+            return false;
+        }
+        let is_nothing = || (0..self.replicates.len()).all(|place| self.replicates.found(place) == [0.0; 2]);
+        self.replicates.samples < MOST && !(self.replicates.samples >= NOTHING && is_nothing())
+    }
+}
+
+/// Bins of time as bins of optical length.
+fn bins(time: &TimeBins, metres: f64) -> Bins {
+    let length = LIGHT / metres;
+    Bins { start: time.start * length, width: time.width * length, count: time.bins }
+}
+
+/// The grid over a surface.
+fn grid(scene: &Scene, surface: usize, size: [usize; 2]) -> Option<Grid> {
+    let faces = faces(scene, 2);
+    let screens = Screens::none(&faces);
+    Grid::over(&Transport { faces, screens, occlusion: false, accuracy: 1.0 }, surface, size)
+}

@@ -1,0 +1,124 @@
+//! Findings: what replicates say becomes the answers of receivers, maps and images.
+
+use super::super::answer::{Answer, ErrorKind, Map, Quantity};
+use super::Work;
+use super::asked::Asked;
+use crate::faces::faces;
+use crate::scene::{Receiver, ReceiverKind, Scene};
+
+impl Work<'_> {
+    pub(super) fn answers(&self) -> Vec<Answer> {
+        let mut answers = Vec::new();
+        for (index, receiver) in self.scene.receivers.iter().enumerate() {
+            match &receiver.kind {
+                ReceiverKind::Camera(_) => answers.extend(self.mean_of_pixels(index)),
+                _ => {
+                    let is_number = |asked: &&Asked| {
+                        asked.receiver == index && asked.cell.is_none() && asked.is_answered()
+                    };
+                    if let Some(asked) = self.asked.iter().find(is_number) {
+                        answers.extend(self.numbers(asked));
+                    }
+                }
+            }
+        }
+        answers
+    }
+
+    /// The answers of a question that is no cell.
+    fn numbers(&self, asked: &Asked) -> Vec<Answer> {
+        let receiver = &self.scene.receivers[asked.receiver];
+        let bands = self.scene.band_count();
+        let quantities: Vec<(Quantity, usize, f64)> = match receiver.kind {
+            ReceiverKind::Point { .. } => vec![(Quantity::Irradiance, 0, 1.0)],
+            ReceiverKind::Surface { surface, .. } => {
+                vec![(Quantity::Irradiance, 0, 1.0), (Quantity::Flux, 0, area(self.scene, surface))]
+            }
+            ReceiverKind::Ray { .. } | ReceiverKind::Camera(_) => vec![(Quantity::Radiance, 0, 1.0)],
+            ReceiverKind::Sphere { .. } => std::iter::once((Quantity::FluenceRate, 0, 1.0))
+                .chain((0..3).map(|axis| (Quantity::VectorIrradiance(axis), axis + 1, 1.0)))
+                .collect(),
+        };
+        let bins = receiver.time.as_ref().map_or(1, |time| time.bins);
+        let mut answers = Vec::with_capacity(quantities.len() * bands * bins);
+        for (quantity, number, factor) in quantities {
+            for band in 0..bands {
+                for bin in 0..bins {
+                    let [value, error] = asked.found((number * bands + band) * bins + bin);
+                    answers.push(Answer {
+                        receiver: receiver.name.clone(),
+                        quantity,
+                        band: (bands > 1).then_some(band),
+                        bin: receiver.time.is_some().then_some(bin),
+                        value: factor * value,
+                        error: factor * error,
+                        kind: if asked.expanded.is_some() { ErrorKind::Bound } else { ErrorKind::Sigma },
+                        seconds: asked.seconds,
+                    });
+                }
+            }
+        }
+        answers
+    }
+
+    /// The mean radiance of an image, for each band.
+    fn mean_of_pixels(&self, receiver: usize) -> Vec<Answer> {
+        let bands = self.scene.band_count();
+        let pixels: Vec<&Asked> = self.asked.iter().filter(|asked| asked.receiver == receiver).collect();
+        if !pixels.iter().all(|pixel| pixel.is_answered()) {
+            return Vec::new();
+        }
+        let count = pixels.len() as f64;
+        let of_band = |band: usize| {
+            let found = pixels.iter().map(|pixel| pixel.found(band));
+            let [sum, squares] =
+                found.fold([0.0; 2], |[sum, squares], [value, error]| [sum + value, squares + error * error]);
+            Answer {
+                receiver: self.scene.receivers[receiver].name.clone(),
+                quantity: Quantity::Radiance,
+                band: (bands > 1).then_some(band),
+                bin: None,
+                value: sum / count,
+                error: squares.sqrt() / count,
+                kind: ErrorKind::Sigma,
+                seconds: pixels.iter().map(|pixel| pixel.seconds).sum(),
+            }
+        };
+        (0..bands).map(of_band).collect()
+    }
+
+    pub(super) fn maps(&self) -> Vec<Map> {
+        let map = |(index, receiver): (usize, &Receiver)| {
+            let (size, quantity, is_image) = match &receiver.kind {
+                ReceiverKind::Surface { grid: Some(size), .. } => (*size, Quantity::Irradiance, false),
+                ReceiverKind::Camera(camera) => (camera.resolution, Quantity::Radiance, true),
+                _ => return None,
+            };
+            let bands = self.scene.band_count();
+            let nothing = vec![vec![f64::NAN; size[0] * size[1]]; bands];
+            let (mut values, mut errors) = (nothing.clone(), nothing);
+            for asked in self.asked.iter().filter(|asked| asked.receiver == index) {
+                let Some(cell) = asked.cell.filter(|_| asked.is_answered()) else { continue };
+                for band in 0..bands {
+                    [values[band][cell], errors[band][cell]] = asked.found(band);
+                }
+            }
+            Some(Map { receiver: receiver.name.clone(), quantity, size, values, errors, is_image })
+        };
+        self.scene.receivers.iter().enumerate().filter_map(map).collect()
+    }
+}
+
+/// The area of the front of a surface.
+fn area(scene: &Scene, surface: usize) -> f64 {
+    use crate::scene::Shape;
+    use std::f64::consts::PI;
+    match &scene.surfaces[surface].shape {
+        Shape::Sphere(sphere) => 4.0 * PI * sphere.radius * sphere.radius,
+        Shape::Disk(disk) => PI * disk.radius * disk.radius,
+        Shape::Polygon(_) | Shape::Mesh(_) => {
+            let faces = faces(scene, 0);
+            faces.iter().filter(|face| face.is_front_of(surface)).map(|face| face.area).sum()
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! States: what is done of a simulation, as sums and numbers of samples, from which it goes on as if it had never stopped.
+
+use super::Work;
+use super::asked::{Asked, Division};
+use super::scale::Scales;
+use crate::monte_carlo::{KeptSums, Sum};
+use crate::simulation::{Moment, Share};
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::io::{self, Write};
+
+/// The state of a simulation at some time, to be written down.
+pub struct Snapshot<'w> {
+    pub(super) work: &'w Work<'w>,
+}
+
+/// A state that was written down.
+#[derive(Clone, Debug, Deserialize)]
+pub struct State {
+    is_done: bool,
+    scales: Option<Scales>,
+    history: Vec<[f64; 2]>,
+    asked: Vec<KeptAsked>,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+struct KeptAsked {
+    target: u32,
+    samples: u32,
+    seconds: f64,
+    expanded: Option<Vec<[f64; 2]>>,
+    sums: KeptSums,
+}
+
+/// What a [`State`] is read from.
+#[derive(Serialize)]
+struct Written<'w> {
+    is_done: bool,
+    scales: &'w Option<Scales>,
+    history: Vec<[f64; 2]>,
+    asked: Vec<WrittenAsked<'w>>,
+}
+
+#[derive(Serialize)]
+struct WrittenAsked<'w> {
+    target: u32,
+    samples: u32,
+    seconds: f64,
+    expanded: Option<&'w [[f64; 2]]>,
+    sums: Vec<Option<&'w [Sum]>>,
+}
+
+/// A state that is of another simulation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Misfit;
+
+impl fmt::Display for Misfit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "what was kept is of another simulation")
+    }
+}
+
+impl std::error::Error for Misfit {}
+
+impl<'w> Snapshot<'w> {
+    /// Whether nothing is left to do.
+    pub fn is_done(&self) -> bool {
+        self.work.is_done
+    }
+
+    /// How many numbers, cells and pixels it is about, with a budget their replicates, and how many there are of them in all shares.
+    pub fn units(&self) -> [usize; 2] {
+        self.work.division.units(self.work.asked.len())
+    }
+
+    /// Writes the state down, every number with all its bits.
+    pub fn write(&self, output: &mut dyn Write) -> io::Result<()> {
+        let division = self.work.division;
+        let asked = |(question, asked): (usize, &'w Asked)| {
+            // of work that is done nobody needs what a pilot found of other shares
+            let is_kept = !self.work.is_done || division.has(question);
+            let is_meant = |replicate| division.has_replicate(question, replicate);
+            WrittenAsked {
+                target: if is_kept { asked.target } else { 0 },
+                samples: if is_kept { asked.replicates.samples } else { 0 },
+                seconds: asked.seconds,
+                expanded: asked.expanded.as_deref().filter(|_| is_kept),
+                sums: if is_kept { asked.replicates.kept(is_meant) } else { Vec::new() },
+            }
+        };
+        let history = self.work.history.iter().map(|moment| [moment.seconds, moment.error]);
+        let written = Written {
+            is_done: self.work.is_done,
+            scales: &self.work.scales,
+            history: history.collect(),
+            asked: self.work.asked.iter().enumerate().map(asked).collect(),
+        };
+        postcard::to_io(&written, output).map(|_| ()).map_err(io::Error::other)
+    }
+}
+
+impl State {
+    /// The state that was written down; none if it cannot be understood.
+    pub fn read(bytes: &[u8]) -> Option<Self> {
+        postcard::take_from_bytes(bytes).ok().filter(|(_, rest)| rest.is_empty()).map(|(state, _)| state)
+    }
+
+    /// Whether nothing is left to do.
+    pub fn is_done(&self) -> bool {
+        self.is_done
+    }
+
+    /// Whether two states say the same, except for the time that it took.
+    pub fn is_same_as(&self, other: &Self) -> bool {
+        let is_same = |(a, b): (&KeptAsked, &KeptAsked)| {
+            (a.target, a.samples) == (b.target, b.samples) && a.expanded == b.expanded && a.sums == b.sums
+        };
+        (self.is_done, &self.scales) == (other.is_done, &other.scales)
+            && self.asked.len() == other.asked.len()
+            && self.asked.iter().zip(&other.asked).all(is_same)
+    }
+}
+
+impl Work<'_> {
+    /// Goes on from a state.
+    pub(super) fn restore(&mut self, state: State) -> Result<(), Misfit> {
+        if state.asked.len() != self.asked.len() {
+            return Err(Misfit);
+        }
+        for (question, (asked, kept)) in self.asked.iter_mut().zip(state.asked).enumerate() {
+            (asked.target, asked.seconds) = (kept.target, kept.seconds);
+            if kept.expanded.is_some() {
+                asked.expanded = kept.expanded;
+            }
+            let is_meant = |replicate| self.division.has_replicate(question, replicate);
+            if !asked.replicates.restore(kept.samples, kept.sums, is_meant) {
+                return Err(Misfit);
+            }
+        }
+        self.scales = state.scales;
+        let moment = |[seconds, error]: [f64; 2]| Moment { seconds, error };
+        self.history = state.history.into_iter().map(moment).collect();
+        self.before = self.history.last().map_or(0.0, |moment| moment.seconds);
+        Ok(())
+    }
+
+    /// Takes what belongs to a share from the state at its end.
+    pub(super) fn take(&mut self, share: Share, state: State) -> Result<(), Misfit> {
+        if state.asked.len() != self.asked.len() || !state.is_done {
+            return Err(Misfit);
+        }
+        let division = Division { share, ..self.division };
+        for (question, (asked, kept)) in self.asked.iter_mut().zip(state.asked).enumerate() {
+            asked.seconds += kept.seconds;
+            if division.has(question) {
+                asked.expanded = kept.expanded;
+            }
+            let is_meant = |replicate| division.has_replicate(question, replicate);
+            if division.has(question) && !asked.replicates.restore(kept.samples, kept.sums, is_meant) {
+                return Err(Misfit);
+            }
+        }
+        let seconds = state.history.last().map_or(0.0, |[seconds, _]| *seconds);
+        self.before = self.before.max(seconds);
+        Ok(())
+    }
+}

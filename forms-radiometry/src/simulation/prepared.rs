@@ -1,0 +1,63 @@
+//! Preparation: a scene and its plan become the scene that is simulated, in working units, and what was found of that becomes what was
+//! asked for.
+
+use super::answer::{Answer, Plan, Simulation};
+use super::effects::Effects;
+use super::followed::{Task, is_followed};
+use super::left_out::without;
+use crate::scene::{Scene, WorkingScene};
+
+/// A scene as it is simulated.
+pub(super) struct Prepared {
+    pub(super) effects: Effects,
+    /// What is left of the scene.
+    left: Scene,
+    /// The bands that are simulated as a single one, if any are.
+    merged: Option<usize>,
+}
+
+impl Prepared {
+    pub(super) fn of(scene: &Scene, plan: &Plan) -> Self {
+        let effects = Effects::of(&plan.effects);
+        let left = without(scene, &plan.effects);
+        let merged = (!effects.bands && scene.band_count() > 1).then_some(scene.band_count());
+        let left = if merged.is_some() { left.with_one_band() } else { left };
+        Self { effects, left, merged }
+    }
+
+    /// Whether light is followed along paths.
+    pub(super) fn is_followed(&self) -> bool {
+        is_followed(&self.left)
+    }
+
+    /// What is left of the scene, in working units.
+    pub(super) fn working(&self) -> WorkingScene<'_> {
+        self.left.in_working_units()
+    }
+
+    /// What is done by paths.
+    pub(super) fn task<'s>(&'s self, working: &'s WorkingScene) -> Task<'s> {
+        Task { scene: &working.scene, effects: &self.effects, metres: working.square_metres.sqrt() }
+    }
+
+    /// What was found, in the units of its quantities and for all bands.
+    pub(super) fn finished(&self, mut simulation: Simulation, working: &WorkingScene) -> Simulation {
+        simulation.leave_working_units(working);
+        if let Some(bands) = self.merged {
+            spread(&mut simulation, bands);
+        }
+        simulation
+    }
+}
+
+/// The answers of one band, for each band.
+fn spread(simulation: &mut Simulation, bands: usize) {
+    let of_bands = |answer: Answer| {
+        (0..bands).map(move |band| Answer { band: Some(band), ..answer.clone() }).collect::<Vec<_>>()
+    };
+    simulation.answers = std::mem::take(&mut simulation.answers).into_iter().flat_map(of_bands).collect();
+    for map in &mut simulation.maps {
+        map.values = vec![map.values[0].clone(); bands];
+        map.errors = vec![map.errors[0].clone(); bands];
+    }
+}
