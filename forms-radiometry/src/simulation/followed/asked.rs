@@ -5,7 +5,7 @@ use super::super::map::Grid;
 use super::super::solver::ROUNDING;
 use crate::faces::faces;
 use crate::geometry::Screens;
-use crate::monte_carlo::{Bins, Follow, Question, REPLICATES, Replicates};
+use crate::monte_carlo::{Bins, Effects, Follow, LEFT_OUT, Question, REPLICATES, Replicates};
 use crate::radiosity::Transport;
 use crate::sampling::key;
 use crate::scene::{Receiver, ReceiverKind, Scene, TimeBins};
@@ -31,6 +31,8 @@ pub(super) struct Asked {
     pub(super) replicates: Replicates,
     /// For each band the value and its error, where no samples are needed.
     pub(super) expanded: Option<Vec<[f64; 2]>>,
+    /// What rounding and images that are left out may make of a value, relative to it.
+    floor: f64,
     /// How many samples each replicate is to get before it is asked again whether that is enough.
     pub(super) target: u32,
     pub(super) seconds: f64,
@@ -66,6 +68,9 @@ impl Division {
 
 /// All questions of a scene. `metres` is the working unit of length; `followers` answer what needs no samples.
 pub(super) fn asked(scene: &Scene, metres: f64, followers: &[Box<dyn Follow + '_>]) -> Vec<Asked> {
+    let effects = Effects::of(scene);
+    let has_images = !scene.lights.is_empty() && (effects.mirror || effects.refraction);
+    let floor = ROUNDING + if has_images { LEFT_OUT * scene.solve.tolerance } else { 0.0 };
     let mut all: Vec<Asked> = Vec::new();
     for (index, receiver) in scene.receivers.iter().enumerate() {
         let bins = receiver.time.as_ref().map(|time| bins(time, metres));
@@ -76,7 +81,16 @@ pub(super) fn asked(scene: &Scene, metres: f64, followers: &[Box<dyn Follow + '_
             let begin = Instant::now();
             let expanded = expanded(&question, followers).filter(|_| bins.is_none());
             let seconds = begin.elapsed().as_secs_f64();
-            all.push(Asked { receiver: index, cell, question, replicates, expanded, target: 0, seconds });
+            all.push(Asked {
+                receiver: index,
+                cell,
+                question,
+                replicates,
+                expanded,
+                floor,
+                target: 0,
+                seconds,
+            });
         }
     }
     all
@@ -157,10 +171,10 @@ impl Asked {
     pub(super) fn found(&self, place: usize) -> [f64; 2] {
         if let Some(expanded) = &self.expanded {
             let [value, error] = expanded[place];
-            return [value, error + ROUNDING * value.abs()];
+            return [value, error + self.floor * value.abs()];
         }
         let [value, error] = self.replicates.found(place);
-        [value, error.hypot(ROUNDING * value)]
+        [value, error.hypot(self.floor * value)]
     }
 
     /// The largest value of each band.
