@@ -5,7 +5,7 @@ use super::super::map::Grid;
 use super::super::solver::ROUNDING;
 use crate::faces::faces;
 use crate::geometry::Screens;
-use crate::monte_carlo::{self, Bins, Follow, LEFT_OUT, Question, REPLICATES, Replicates};
+use crate::monte_carlo::{Bins, Effects, Follow, LEFT_OUT, Question, REPLICATES, Replicates};
 use crate::radiosity::Transport;
 use crate::sampling::key;
 use crate::scene::{Receiver, ReceiverKind, Scene, TimeBins};
@@ -68,10 +68,10 @@ impl Division {
 
 /// All questions of a scene. `metres` is the working unit of length; `followers` answer what needs no samples.
 pub(super) fn asked(scene: &Scene, metres: f64, followers: &[Box<dyn Follow + '_>]) -> Vec<Asked> {
-    let mut all: Vec<Asked> = Vec::new();
-    let effects = monte_carlo::Effects::of(scene);
+    let effects = Effects::of(scene);
     let has_images = !scene.lights.is_empty() && (effects.mirror || effects.refraction);
     let floor = ROUNDING + if has_images { LEFT_OUT * scene.solve.tolerance } else { 0.0 };
+    let mut all: Vec<Asked> = Vec::new();
     for (index, receiver) in scene.receivers.iter().enumerate() {
         let bins = receiver.time.as_ref().map(|time| bins(time, metres));
         let own_key = key(scene.solve.seed, index as u64);
