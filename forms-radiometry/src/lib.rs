@@ -46,8 +46,8 @@ mod sampling;
 pub mod scene;
 #[cfg(test)]
 #[path = "../tests/scene_text/mod.rs"]
-#[expect(dead_code, reason = "tests beside the library need the rest")]
 mod scene_text;
+mod sharing;
 mod sight;
 pub mod simulation;
 mod spectrum;

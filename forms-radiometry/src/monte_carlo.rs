@@ -13,7 +13,9 @@
 //! Source: E. Veach, Robust Monte Carlo methods for light transport simulation (1997).
 
 mod boundary;
+mod expansion;
 mod follow;
+mod images;
 mod kernels;
 mod lattice;
 mod luminaires;
@@ -29,7 +31,7 @@ mod world;
 
 pub(crate) use follow::Follow;
 pub(crate) use kernels::kernels;
-pub(crate) use lattice::{Effects, follower};
+pub(crate) use lattice::{Effects, follower, has_too_many_images};
 pub(crate) use path::Limits;
 pub(crate) use question::Question;
 pub(crate) use replicates::{Bins, Replicates};

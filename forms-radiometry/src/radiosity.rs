@@ -39,7 +39,7 @@ mod weights;
 
 pub(crate) use direct::Lights;
 pub(crate) use gather::{Group, Scratch, Transport};
-pub(crate) use gathering::Gathering;
+pub(crate) use gathering::{Gathering, Hiding};
 pub(crate) use importance::{Goal, GoalKind};
 pub use kernels::UsedKernel;
 pub(crate) use kernels::kernels;

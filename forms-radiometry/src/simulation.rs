@@ -12,6 +12,7 @@ mod exposure;
 mod followed;
 mod left_out;
 mod map;
+mod maps;
 mod planning;
 mod readings;
 mod sampled;

@@ -60,7 +60,9 @@ fn with_fineness(scene: &Scene, fineness: usize) -> ViewFactors {
     let row = |from: &&Face| {
         let mut row = vec![Exchange::default(); count];
         let tolerances = [scene.solve.tolerance, LEAST * from.area];
-        sides.iter().for_each(|to| row[to.surface] += exchange_with(from, to, &screens, tolerances));
+        sides
+            .iter()
+            .for_each(|to| row[to.surface] += exchange_with(from, to, &screens, tolerances, || false));
         row
     };
     let of_sides: Vec<Vec<Exchange>> = sides.par_iter().map(row).collect();

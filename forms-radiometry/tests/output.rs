@@ -21,6 +21,7 @@ fn map(bands: usize) -> Map {
         size: [3, 2],
         values: (0..bands).map(values).collect(),
         errors: vec![vec![1e-300, 2e-7, 0.0, 1e21, 0.5, f64::NAN]; bands],
+        is_image: false,
     }
 }
 
@@ -29,6 +30,7 @@ fn simulation(bands: usize) -> Simulation {
         receiver: NAME.to_owned(),
         quantity,
         band,
+        bin: None,
         value: 1.0 / 3.0,
         error: 1e-17,
         kind: ErrorKind::Bound,

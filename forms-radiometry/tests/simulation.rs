@@ -1,10 +1,10 @@
 //! Simulations of whole scenes: known answers, laws, and what dropping an effect may change.
 
-use forms_radiometry::scene::{Scene, read, read_with_files};
-use forms_radiometry::simulation::{Answer, Quantity, Unwatched, plan, simulate};
+use forms_radiometry::scene::{Effect, Scene, read, read_with_files};
+use forms_radiometry::simulation::{Answer, Quantity, Unwatched, Watch, plan, simulate};
 use std::f64::consts::PI;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-#[expect(dead_code, reason = "other tests need the rest")]
 mod scene_text;
 use scene_text::{CUBE, material, polygon, surface_receiver};
 
@@ -163,6 +163,28 @@ fn lights_without_extent_shine_where_nothing_stands_before_them() {
 }
 
 #[test]
+fn in_a_convex_room_nothing_hides_a_light_that_is_in_it() {
+    let room = cube([0.5; 6], [0.0; 6]) + &receivers(&["floor"]);
+    let point = |height: f64| {
+        format!("[[light]]\nkind = \"point\"\nposition = [0.5, 0.4, {height}]\nintensity = 3\n")
+    };
+    let distant = "[[light]]\nkind = \"distant\"\ndirection = [0, 1, -1]\nirradiance = 5\n";
+    let screen =
+        surface("screen", "polygon = [[0.2,0.2,0.4], [0.6,0.2,0.4], [0.6,0.6,0.4], [0.2,0.6,0.4]]", "0", "0");
+    for (name, more, is_hidden) in [
+        ("a light in the room", point(0.9), false),
+        ("a light above the ceiling", point(1.1), true),
+        ("a light far away", distant.to_owned(), true),
+        ("a screen", point(0.9) + &screen, true),
+        ("a sky", "[ambient]\nradiance = 1\n".to_owned(), true),
+    ] {
+        let plan = plan(&scene(&format!("{room}{more}"))).expect("the scene is right");
+        let occlusion = plan.effects.iter().find(|planned| planned.effect == Effect::Occlusion);
+        assert_eq!(occlusion.map(|planned| planned.on), Some(is_hidden), "{name}");
+    }
+}
+
+#[test]
 fn a_uniform_sky_gives_what_is_not_hidden() {
     // Nusselt: a parallel square above hides its form factor
     let screen = surface("screen", "polygon = [[-1,-1,1], [1,-1,1], [1,1,1], [-1,1,1]]", "0", "0");
@@ -195,6 +217,111 @@ fn bands_share_geometry_and_are_answered_each() {
     let found = answers(&text);
     assert_eq!(found.iter().map(|answer| answer.band).collect::<Vec<_>>(), [Some(0), Some(1)]);
     assert!((found[1].value - 3.0 * found[0].value).abs() <= 1e-14 * found[1].value);
+}
+
+/// A cell of a map, on the plane z = 0.
+struct Cell {
+    middle: [f64; 2],
+    /// The irradiance in both bands.
+    values: [f64; 2],
+}
+
+/// A lamp over a triangle and what else there is, in two bands; and the cells of a map of 19 by 13 of the triangle's front.
+fn triangle(more: &str) -> (String, Vec<Cell>) {
+    const SIZE: [usize; 2] = [19, 13];
+    let text = "bands = [[400, 500], [500, 600]]\n".to_string()
+        + &surface("lamp", "polygon = [[-1,-1,2], [-1,1,2], [1,1,2], [1,-1,2]]", "0", "[1, 3]")
+        + &surface("floor", "polygon = [[-2,-2,0], [3,-2,0], [0,2,0]]", "0", "0")
+        + more;
+    let scene = scene(&format!("{text}{}grid = {SIZE:?}\n", surface_receiver("floor")));
+    let found = simulate(&scene, &plan(&scene).expect("the scene is right"), &Unwatched);
+    let of_bands = &found.maps[0].values;
+    let place = |index: usize, count: usize, length: f64| length * (index as f64 + 0.5) / count as f64 - 2.0;
+    let of_cell = |cell: usize| Cell {
+        middle: [place(cell % SIZE[0], SIZE[0], 5.0), place(cell / SIZE[0], SIZE[1], 4.0)],
+        values: [of_bands[0][cell], of_bands[1][cell]],
+    };
+    (text, (0..SIZE[0] * SIZE[1]).map(of_cell).collect())
+}
+
+#[test]
+fn a_cell_of_a_map_has_what_a_receiver_at_its_middle_has() {
+    let plate = surface("plate", "polygon = [[0,0,1], [1.5,0,1], [1.5,1.5,1], [0,1.5,1]]", "0", "0");
+    for (name, more) in [("free", ""), ("behind a plate", plate.as_str())] {
+        let (text, cells) = triangle(more);
+        // below the sides that meet in (0, 2)
+        let is_inside = |[x, y]: [f64; 2]| 4.0 * x + 3.0 * y < 6.0 && y < 2.0 * x + 2.0;
+        let (inside, outside): (Vec<Cell>, Vec<Cell>) =
+            cells.into_iter().partition(|cell| is_inside(cell.middle));
+        assert!(outside.iter().all(|cell| cell.values.iter().all(|value| value.is_nan())), "{name}");
+        let receiver = |(index, cell): (usize, &Cell)| {
+            let [x, y] = cell.middle;
+            scene_text::point_receiver(&index.to_string(), [x, y, 0.0], [0.0, 0.0, 1.0])
+        };
+        let receivers: String = inside.iter().enumerate().map(receiver).collect();
+        let found = answers(&(text + &receivers));
+        for (answer, value) in found.iter().zip(inside.iter().flat_map(|cell| cell.values)) {
+            let off = (answer.value - value).abs();
+            assert!(off <= 1e-13, "{name}, {}: {} and {value}", answer.receiver, answer.value);
+        }
+        assert_eq!(found.len(), 2 * inside.len());
+    }
+}
+
+/// Stops the work as soon as it was told so often how far it is.
+struct StopsAfter {
+    most: usize,
+    told: AtomicUsize,
+}
+
+impl Watch for StopsAfter {
+    fn progress(&self, _stage: &str, _fraction: f64) {
+        self.told.fetch_add(1, Ordering::SeqCst);
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.told.load(Ordering::SeqCst) >= self.most
+    }
+}
+
+#[test]
+fn work_that_is_stopped_ends_at_once_with_what_was_found_before() {
+    let room = cube([0.5, 0.7, 0.3, 0.5, 0.5, 0.2], [0.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
+    let screen =
+        surface("screen", "polygon = [[0.2,0.2,0.4], [0.6,0.2,0.4], [0.6,0.6,0.4], [0.2,0.6,0.4]]", "0", "0");
+    let ball = surface("ball", "sphere = { center = [0, 0, 0], radius = 1, inward = true }", "0.5", "1");
+    let at = scene_text::point_receiver("here", [0.3, 0.3, 0.1], [0.0, 0.0, 1.0]);
+    let map = receivers(&["floor"]) + "grid = [5, 4]\n";
+    for (name, text, tolerance) in [
+        ("free", format!("{room}{map}{at}"), 1e-3),
+        ("with a screen", format!("{room}{screen}{map}{at}"), 0.2),
+        ("round", format!("{ball}{at}"), 5e-3),
+    ] {
+        let scene = scene(&(text + &scene_text::tolerance(tolerance)));
+        let plan = plan(&scene).expect("the scene is right");
+        let run = |most: usize| {
+            let watch = StopsAfter { most, told: AtomicUsize::new(0) };
+            let found = simulate(&scene, &plan, &watch);
+            (found, watch.told.into_inner())
+        };
+        let (whole, all) = run(usize::MAX);
+        assert!(!whole.stopped && all > 4, "{name}: {all}");
+        for most in [0, 1, all / 4, all / 2, all - 1] {
+            let (found, told) = run(most);
+            // each thread may be about to tell what it has done
+            let threads = std::thread::available_parallelism().map_or(1, usize::from);
+            assert!(found.stopped && told <= most + threads, "{name}: {told} of {all} after {most}");
+            for answer in &found.answers {
+                let is_meant =
+                    |other: &&Answer| other.receiver == answer.receiver && other.quantity == answer.quantity;
+                let exact = whole.answers.iter().find(is_meant).expect("the same receivers");
+                let off = (answer.value - exact.value).abs();
+                assert!(off <= answer.error + exact.error, "{name} after {most}: {answer:?}, {exact:?}");
+            }
+        }
+        let (found, _) = run(all - 1);
+        assert_eq!(found.answers.len(), whole.answers.len(), "{name}");
+    }
 }
 
 #[test]

@@ -33,6 +33,11 @@ impl Vector {
         )
     }
 
+    /// Its coordinates in order.
+    pub(crate) fn coordinates(self) -> [f64; 3] {
+        [self.x, self.y, self.z]
+    }
+
     /// The largest absolute value of a coordinate; not a number if a coordinate is none.
     pub(crate) fn largest(self) -> f64 {
         [self.x, self.y, self.z].into_iter().fold(0.0, |m: f64, c| if c.abs() <= m { m } else { c.abs() })

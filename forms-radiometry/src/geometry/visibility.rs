@@ -139,6 +139,11 @@ impl Screens {
         self.resolution
     }
 
+    /// How many there are.
+    pub(crate) fn count(&self) -> usize {
+        self.screens.len()
+    }
+
     /// The screens that faces make. Each front is followed by its back, if that is among the faces at all.
     pub(crate) fn of(faces: &[Face]) -> Self {
         let mut screens = Self::met_by_rays(faces);

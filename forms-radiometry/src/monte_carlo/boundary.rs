@@ -50,24 +50,38 @@ pub(super) fn reflected<const N: usize>(
     Passage::Reflected(mirrored(direction, normal), factor)
 }
 
-/// What happens at the boundary from one medium to another, by a number from 0 to 1; `normal` points to the ray.
-pub(super) fn refracted<const N: usize>(
+/// What can happen at the boundary from one medium to another, each with its part of the light: reflection, and passage where there is
+/// any; `normal` points to the ray.
+pub(super) fn passages<const N: usize>(
     [from, to]: [&MediumOptics<N>; 2],
     direction: Vector,
     normal: Vector,
-    number: f64,
-) -> Passage<N> {
+) -> [Option<(f64, Passage<N>)>; 2] {
     let cosine = (-normal.dot(direction)).clamp(0.0, 1.0);
     let relative = to.index / from.index;
     let reflectance = fresnel_dielectric(relative, cosine);
     // by Snell's law; what is left under the root is positive where not all is reflected
     let radicand = (relative - 1.0) * (relative + 1.0) + cosine * cosine;
-    if number < reflectance || radicand <= 0.0 {
-        return Passage::Reflected(mirrored(direction, normal), [1.0; N]);
+    let bent = (radicand > 0.0 && reflectance < 1.0)
+        .then(|| (direction + (cosine - radicand.sqrt()) * normal).unit())
+        .flatten();
+    let passed = bent
+        .map(|bent| (1.0 - reflectance, Passage::Refracted(bent, basic_radiance(1.0, to.index, from.index))));
+    let part = if passed.is_some() { reflectance } else { 1.0 };
+    [Some((part, Passage::Reflected(mirrored(direction, normal), [1.0; N]))), passed]
+}
+
+/// What happens there, by a number from 0 to 1.
+pub(super) fn refracted<const N: usize>(
+    media: [&MediumOptics<N>; 2],
+    direction: Vector,
+    normal: Vector,
+    number: f64,
+) -> Passage<N> {
+    match passages(media, direction, normal) {
+        [Some((part, _)), Some((_, passed))] if number >= part => passed,
+        [reflected, _] => reflected.map_or(Passage::Reflected(direction, [0.0; N]), |(_, passage)| passage),
     }
-    let bent = direction + (cosine - radicand.sqrt()) * normal;
-    let Some(bent) = bent.unit() else { return Passage::Reflected(mirrored(direction, normal), [1.0; N]) };
-    Passage::Refracted(bent, basic_radiance(1.0, to.index, from.index))
 }
 
 impl<const N: usize> Passage<N> {

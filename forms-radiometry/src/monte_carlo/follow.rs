@@ -13,6 +13,9 @@ pub(crate) trait Follow: Sync {
     /// The first of the bands, and how many there are.
     fn bands(&self) -> [usize; 2];
 
+    /// What answers a question without samples, for each band with its error, if anything does.
+    fn expanded(&self, question: &Question) -> Option<Vec<[f64; 2]>>;
+
     /// Adds what a sample finds of a question.
     fn sample(&self, question: &Question, samples: &mut Samples, sums: &mut Sums);
 }
@@ -20,6 +23,11 @@ pub(crate) trait Follow: Sync {
 impl<L: Lattice, const N: usize> Follow for Tracer<'_, L, N> {
     fn bands(&self) -> [usize; 2] {
         self.optics.bands
+    }
+
+    fn expanded(&self, question: &Question) -> Option<Vec<[f64; 2]>> {
+        let Question::Sight { origin, direction } = question else { return None };
+        self.expansion(self.world.walls.start_at(*origin), *direction)
     }
 
     fn sample(&self, question: &Question, samples: &mut Samples, sums: &mut Sums) {

@@ -4,6 +4,7 @@
 //! own from a table when it is loaded.
 
 use super::follow::Follow;
+use super::images::Images;
 use super::optics::Optics;
 use super::path::{Limits, Tracer};
 use super::world::World;
@@ -101,6 +102,15 @@ pub(crate) fn follower<'w>(
         .collect()
 }
 
+/// Whether the images of lights in flat walls are more than can be listed.
+pub(crate) fn has_too_many_images(scene: &Scene) -> bool {
+    if scene.lights.is_empty() {
+        return false;
+    }
+    let world = World::new(scene);
+    (0..scene.band_count()).any(|band| Images::of(&world, &Optics::<1>::of(scene, band, 1)).is_cut)
+}
+
 /// The member of the lattice that has these effects.
 fn member<'w, const N: usize>(
     world: &'w World<'w>,
@@ -110,9 +120,10 @@ fn member<'w, const N: usize>(
     count: usize,
 ) -> Box<dyn Follow + 'w> {
     let optics = Optics::<N>::of(world.scene, first, count);
+    let images = Images::of(world, &optics);
     macro_rules! choose {
         ([$($chosen:literal),*]) => {
-            Box::new(Tracer::<Member<$($chosen),*>, N> { world, optics, limits, effects: PhantomData })
+            Box::new(Tracer::<Member<$($chosen),*>, N> { world, optics, images, limits, effects: PhantomData })
         };
         ([$($chosen:literal),*] $is_on:expr $(, $rest:expr)*) => {
             if $is_on { choose!([$($chosen,)* true] $($rest),*) } else { choose!([$($chosen,)* false] $($rest),*) }

@@ -236,28 +236,44 @@ impl Form {
     }
 }
 
-/// A point that is uniform over the fronts of walls: the wall, the point, and the unit normal there.
-pub(super) fn uniform_on<'w>(
-    walls: impl Iterator<Item = (usize, &'w Wall)>,
-    samples: &mut Samples,
-) -> Option<(usize, Vector, Vector)> {
-    let pieces: Vec<(usize, &Wall, Form)> = walls
-        .flat_map(|(index, wall)| forms(wall).into_iter().map(move |form| (index, wall, form)))
-        .collect();
-    let whole: f64 = pieces.iter().map(|(_, _, form)| form.area()).sum();
-    let mut left = samples.one() * whole;
-    let after = |(_, _, form): &&(usize, &Wall, Form)| {
-        left -= form.area();
-        left <= 0.0
-    };
-    let (wall, shape, form) = pieces.iter().find(after).or(pieces.last())?;
-    let (position, normal) = form.point(samples.pair());
-    let normal = match shape {
-        Wall::Polygon { normal, .. } => *normal,
-        Wall::Sphere(sphere) if sphere.inward => -normal,
-        Wall::Sphere(_) | Wall::Disk(_) => normal,
-    };
-    Some((*wall, position, normal))
+/// The front of a surface, of which points are taken that are uniform over its area.
+pub(super) struct Front {
+    /// The wall, the form and the unit normal if it is flat.
+    pieces: Vec<(usize, Form, Option<Vector>)>,
+    /// The area of each piece and of all before it.
+    areas: Vec<f64>,
+}
+
+impl Front {
+    pub(super) fn of<'w>(walls: impl Iterator<Item = (usize, &'w Wall)>) -> Self {
+        let (mut pieces, mut areas, mut sum) = (Vec::new(), Vec::new(), 0.0);
+        for (index, wall) in walls {
+            let normal = match wall {
+                Wall::Polygon { normal, .. } => Some(*normal),
+                Wall::Disk(disk) => Some(disk.normal),
+                Wall::Sphere(_) => None,
+            };
+            for form in forms(wall) {
+                sum += form.area();
+                areas.push(sum);
+                pieces.push((index, form, normal));
+            }
+        }
+        Self { pieces, areas }
+    }
+
+    /// A point: the wall, the place, and the unit normal there.
+    pub(super) fn point(&self, samples: &mut Samples) -> Option<(usize, Vector, Vector)> {
+        let along = samples.one() * self.areas.last()?;
+        let place = self.areas.partition_point(|&area| area <= along).min(self.areas.len() - 1);
+        let (wall, form, normal) = &self.pieces[place];
+        let (position, outward) = form.point(samples.pair());
+        let normal = normal.unwrap_or(match form {
+            Form::Sphere(sphere) if sphere.inward => -outward,
+            _ => outward,
+        });
+        Some((*wall, position, normal))
+    }
 }
 
 /// The forms of a wall: a polygon is a fan of triangles.

@@ -11,6 +11,7 @@
 //! no path counts more than the first ones of its kind, and the variance is finite wherever the sum of all orders is.
 
 use super::boundary::{Passage, reflected, refracted};
+use super::images::{Image, Images};
 use super::lattice::Lattice;
 use super::luminaires::{Source, Towards};
 use super::optics::{MediumOptics, Optics, largest, mean, scaled, times};
@@ -43,6 +44,7 @@ pub(crate) struct Limits {
 pub(super) struct Tracer<'w, L, const N: usize> {
     pub(super) world: &'w World<'w>,
     pub(super) optics: Optics<N>,
+    pub(super) images: Images<N>,
     pub(super) limits: Limits,
     pub(super) effects: PhantomData<L>,
 }
@@ -270,6 +272,9 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         samples: &mut Samples,
         add: &mut impl FnMut(&[f64; N], f64),
     ) {
+        if L::MIRROR || L::REFRACTION {
+            self.imaged_segment(path, medium, length, samples, add);
+        }
         let Some(luminaire) = self.world.luminaires.choose(samples.one()) else { return };
         let pivot = luminaire.point(samples.pair());
         let ray = [path.start.position, path.direction];
@@ -293,6 +298,11 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         samples: &mut Samples,
         add: &mut impl FnMut(Vector, &[f64; N], f64),
     ) {
+        if L::MIRROR || L::REFRACTION {
+            for image in self.images.choose(samples.one()) {
+                self.imaged(path, vertex, image, add);
+            }
+        }
         let chosen = self.world.luminaires.choose(samples.one());
         let square = samples.pair();
         if let Some(towards) = chosen.and_then(|luminaire| luminaire.towards(vertex.start.position, square)) {
@@ -319,6 +329,41 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let Some((left, way)) = self.reached(vertex.start, path.filling, path.way, towards) else { return };
         let value = times(&times(&path.throughput, radiance), &times(&densities, &left));
         add(towards.direction, &scaled(part / towards.density, &value), way);
+    }
+
+    /// What comes from an image of a light to a vertex.
+    fn imaged(
+        &self,
+        path: &Path<N>,
+        vertex: &Vertex<N>,
+        (image, chance): (&Image<N>, f64),
+        add: &mut impl FnMut(Vector, &[f64; N], f64),
+    ) {
+        let Some(coming) = image.coming(self.world, &self.optics, vertex.start, path.filling) else { return };
+        let densities = vertex.law.density(coming.direction);
+        let value = times(&times(&path.throughput, &coming.irradiance), &densities);
+        add(coming.direction, &scaled(1.0 / chance, &value), path.way + coming.way);
+    }
+
+    /// What a segment scatters of the light of an image.
+    fn imaged_segment(
+        &self,
+        path: &Path<N>,
+        medium: &MediumOptics<N>,
+        length: f64,
+        samples: &mut Samples,
+        add: &mut impl FnMut(&[f64; N], f64),
+    ) {
+        for (image, chance) in self.images.choose(samples.one()) {
+            let ray = [path.start.position, path.direction];
+            let lit = medium.lit_point(ray, length, image.point(), self.count(), samples);
+            let Some((distance, factor)) = lit else { continue };
+            let mut lit = *path;
+            lit.throughput = times(&path.throughput, &factor);
+            lit.way = self.longer(path.way, medium, distance);
+            let vertex = self.scattering(path, medium, distance);
+            self.imaged(&lit, &vertex, (image, chance), &mut |_, value, way| add(value, way));
+        }
     }
 
     /// What is left of light on the way to a luminaire, and the optical length to there; none where something stands in between.

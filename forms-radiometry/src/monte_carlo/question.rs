@@ -1,6 +1,5 @@
 //! Questions: what a receiver asks for, of which every sample takes a part.
 
-use super::luminaires::uniform_on;
 use super::world::World;
 use crate::camera::Camera;
 use crate::geometry::{Start, Vector};
@@ -60,7 +59,7 @@ impl Question {
                 Some(Begin::Receiver { start: walls.start_at(*position), normal: None })
             }
             Self::Surface { surface } => {
-                let (wall, position, normal) = uniform_on(world.walls_of(*surface), samples)?;
+                let (wall, position, normal) = world.fronts[*surface].point(samples)?;
                 Some(Begin::Receiver { start: walls.start_before(wall, position), normal: Some(normal) })
             }
             Self::Sight { origin, direction } => {

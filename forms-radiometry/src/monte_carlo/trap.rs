@@ -9,7 +9,7 @@
 //! orders does not exist.
 
 use super::boundary::{Passage, reflected, refracted};
-use super::luminaires::uniform_on;
+use super::luminaires::Front;
 use super::optics::Optics;
 use super::warps::{
     cosine_hemisphere_sample, free_flight_sample, henyey_greenstein_direction_sample, uniform_sphere_sample,
@@ -89,7 +89,7 @@ impl Search<'_> {
         };
         let (start, direction) = match world.luminaires.emitting(number) {
             Some(surface) => {
-                let (wall, position, normal) = uniform_on(world.walls_of(surface), samples)?;
+                let (wall, position, normal) = world.fronts[surface].point(samples)?;
                 let direction = Frame::about(normal).place(cosine_hemisphere_sample(square[0], square[1]));
                 (world.walls.start_before(wall, position), direction)
             }
@@ -165,11 +165,12 @@ impl Search<'_> {
         };
         let mirrors: Vec<usize> = (0..world.sheets.len()).filter(is_perfect).collect();
         let faces_another = |&&wall: &&usize| {
-            let shape = world.walls.get(wall);
+            let front = Front::of(std::iter::once((wall, world.walls.get(wall))));
             let mut samples = (0..POINTS).map(|index| Samples::new(key(19, wall as u64), index));
             samples.any(|mut samples| {
-                let on = uniform_on(std::iter::once((wall, shape)), &mut samples);
-                on.is_some_and(|(_, position, normal)| self.comes_back(wall, position, normal))
+                front
+                    .point(&mut samples)
+                    .is_some_and(|(_, position, normal)| self.comes_back(wall, position, normal))
             })
         };
         let found = mirrors.iter().filter(|_| has_light).find(faces_another)?;

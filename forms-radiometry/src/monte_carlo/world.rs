@@ -1,6 +1,6 @@
 //! The world: a scene becomes walls with media on both sides, and luminaires.
 
-use super::luminaires::Luminaires;
+use super::luminaires::{Front, Luminaires};
 use crate::geometry::{Met, Start, Vector, Wall, Walls};
 use crate::scene::{FilledSheet, Filling, MaterialKind, Piece, Scene, filled};
 
@@ -11,6 +11,8 @@ pub(crate) struct World<'s> {
     /// What each wall belongs to.
     pub(super) sheets: Vec<Sheet>,
     pub(super) luminaires: Luminaires,
+    /// The front of each surface.
+    pub(super) fronts: Vec<Front>,
 }
 
 /// What a wall belongs to.
@@ -38,7 +40,13 @@ impl<'s> World<'s> {
             walls.extend(of_sheet);
         }
         let luminaires = Luminaires::of(scene, &walls, &sheets);
-        Self { scene, walls: Walls::of(walls), sheets, luminaires }
+        let mut of_surfaces = vec![Vec::new(); scene.surfaces.len()];
+        for (wall, sheet) in sheets.iter().enumerate() {
+            of_surfaces[sheet.surface].push(wall);
+        }
+        let front = |own: &Vec<usize>| Front::of(own.iter().map(|&wall| (wall, &walls[wall])));
+        let fronts = of_surfaces.iter().map(front).collect();
+        Self { scene, walls: Walls::of(walls), sheets, luminaires, fronts }
     }
 
     /// The medium that a ray starts in.
@@ -57,12 +65,6 @@ impl<'s> World<'s> {
     /// The law of reflection of a wall.
     pub(super) fn material(&self, wall: usize) -> &MaterialKind {
         &self.scene.materials[self.scene.surfaces[self.sheets[wall].surface].material].kind
-    }
-
-    /// The walls of a surface.
-    pub(super) fn walls_of(&self, surface: usize) -> impl Iterator<Item = (usize, &Wall)> {
-        let is_of = move |&wall: &usize| self.sheets[wall].surface == surface;
-        (0..self.sheets.len()).filter(is_of).map(|wall| (wall, self.walls.get(wall)))
     }
 }
 

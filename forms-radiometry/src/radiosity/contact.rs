@@ -47,9 +47,16 @@ impl ConvexPiece {
     }
 }
 
-/// The convex pieces of each face that the others leave uncut.
-pub(super) fn pieces(faces: &[Face], resolution: f64) -> Vec<Vec<ConvexPiece>> {
+/// The convex pieces that the others leave uncut of each face of which they are wanted.
+pub(super) fn pieces(
+    faces: &[Face],
+    resolution: f64,
+    is_wanted: impl Fn(&Face) -> bool,
+) -> Vec<Vec<ConvexPiece>> {
     let cut = |face: &Face| {
+        if !is_wanted(face) {
+            return Vec::new();
+        }
         let mut pieces = Vec::new();
         let others = faces.iter().filter(|other| faces.len() <= MANY && !other.is_back);
         let contacts: Vec<Contact> = others.filter_map(|other| contact(face, other, resolution)).collect();
@@ -210,7 +217,7 @@ mod tests {
             ("a wall at its border", wall(2.0, 0.0), 1),
             ("a wall beside it", wall(3.0, 0.0), 1),
         ] {
-            let pieces = pieces(&[floor.clone(), other], 1e-9);
+            let pieces = pieces(&[floor.clone(), other], 1e-9, |_| true);
             assert_eq!(pieces[0].len(), expected, "{name}");
         }
     }
@@ -238,7 +245,7 @@ mod tests {
             ("a wall along a small part", wall([1.5, 2.0], 1.0), false),
             ("a face that goes down from a side", wall([0.0, 2.0], -1.0), false),
         ] {
-            let creases = &pieces(&[floor.clone(), other], 1e-9)[0][0].creases;
+            let creases = &pieces(&[floor.clone(), other], 1e-9, |_| true)[0][0].creases;
             assert_eq!(creases[..], [false, expected, false, false], "{name}");
         }
     }
@@ -248,7 +255,7 @@ mod tests {
         let corner = |x, y| Vector::new(x, y, 0.0);
         let floor = face(vec![corner(0.0, 0.0), corner(4.0, 0.0), corner(4.0, 4.0), corner(0.0, 4.0)]);
         let faces: Vec<Face> = std::iter::once(floor).chain(others.iter().cloned()).collect();
-        pieces(&faces, 1e-9).swap_remove(0).into_iter().map(|piece| piece.outline).collect()
+        pieces(&faces, 1e-9, |_| true).swap_remove(0).into_iter().map(|piece| piece.outline).collect()
     }
 
     fn side([a, b]: [[f64; 2]; 2]) -> Face {

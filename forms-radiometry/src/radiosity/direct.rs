@@ -10,12 +10,13 @@
 //! [`arriving`](super::arriving).
 
 use super::arriving::{Arriving, Kinds};
-use super::gather::{Group, Scratch, Seen, Transport};
+use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use crate::faces::emits;
 use crate::geometry::{Exchange, Face, Vector, exchange_of, exchange_with};
 use crate::kernels::{gathered_light::Effects, irradiance};
 use crate::scene::{LightKind, Scene};
+use crate::simulation::Watch;
 
 /// Exchange below this part of a surface is computed to the absolute error of this part.
 const LEAST: f64 = 1e-3;
@@ -44,6 +45,12 @@ impl<'s> Lights<'s> {
     /// The faces that have to be seen for what comes straight to a point.
     pub(super) fn faces(&self) -> &[usize] {
         &self.faces
+    }
+
+    /// How many operations it takes at most to find what comes straight to so many points. A light without extent counts as an edge.
+    pub(crate) fn operations(&self, points: usize, transport: &Transport) -> f64 {
+        let of_faces: usize = self.faces.iter().map(|&index| transport.faces[index].vertices.len()).sum();
+        transport.operations(points, of_faces + self.scene.lights.len())
     }
 
     /// What each point of a group gets, for each band.
@@ -86,49 +93,46 @@ impl<'s> Lights<'s> {
     /// Adds what faces emit, and what comes from outside beside them.
     fn add_faces(&self, group: Group, transport: &Transport, scratch: &mut Scratch, arriving: &mut Arriving) {
         let bands = self.scene.band_count();
-        let mut outlines = std::mem::take(&mut scratch.outlines);
-        let mut factors = vec![0.0; group.points.len()];
         // of each point the form factor of directions in which no face stands, for every band
         arriving.open.fill(group.measure.whole());
         for &index in &self.faces {
             let face = &transport.faces[index];
-            let luminaire = (face.vertices.as_slice(), face.normal);
-            factors.fill(0.0);
-            match transport.seen(group, luminaire, scratch) {
-                Seen::Nothing => continue,
-                Seen::Whole => outlines.add_whole(group.points, luminaire.0, group.measure, &mut factors),
-                Seen::Parts => {
-                    outlines.clear();
-                    transport.take_outlines(group, luminaire, scratch, &mut outlines);
-                    outlines.add_pieces(group.measure, &mut factors);
-                }
-            }
-            for (open, factor) in arriving.open.chunks_exact_mut(bands).zip(&factors) {
-                open.iter_mut().for_each(|open| *open -= factor);
+            let Some(measures) = transport.measured(group, (&face.vertices, face.normal), scratch) else {
+                continue;
+            };
+            for (open, measure) in arriving.open.chunks_exact_mut(bands).zip(measures) {
+                open.iter_mut().for_each(|open| *open -= measure);
             }
             if emits(self.scene, face) {
                 let radiance = &self.scene.surfaces[face.surface].radiance;
-                let of_points = arriving.emitted.chunks_exact_mut(bands).zip(&factors);
-                of_points.for_each(|(sum, &factor)| {
-                    sum.iter_mut().zip(radiance).for_each(|(sum, radiance)| *sum += factor * radiance);
+                let of_points = arriving.emitted.chunks_exact_mut(bands).zip(measures);
+                of_points.for_each(|(sum, &measure)| {
+                    sum.iter_mut().zip(radiance).for_each(|(sum, radiance)| *sum += measure * radiance);
                 });
             }
         }
-        scratch.outlines = outlines;
         let outside = &self.scene.ambient.radiance;
         arriving.outside.chunks_exact_mut(bands).for_each(|of_point| of_point.copy_from_slice(outside));
     }
 
     /// For each band, the flux that comes straight to the fronts of a surface, and its error; nothing where light is not that of
-    /// faces alone. It is an integral over both, and not a sum over points that may miss what is near an edge.
-    pub(crate) fn flux(&self, surface: usize, transport: &Transport) -> Option<Vec<[f64; 2]>> {
+    /// faces alone, or the work is stopped. It is an integral over both, and not a sum over points that may miss what is near an edge.
+    pub(crate) fn flux(
+        &self,
+        surface: usize,
+        transport: &Transport,
+        watch: &dyn Watch,
+    ) -> Option<Vec<[f64; 2]>> {
         if self.kinds().surroundings || self.kinds().beams {
             return None;
         }
         let mut flux = vec![[0.0; 2]; self.scene.band_count()];
         for here in transport.fronts(surface) {
             for there in self.faces.iter().map(|&index| &transport.faces[index]) {
-                let Exchange { area, error } = exchanged(here, there, transport);
+                if watch.is_stopped() {
+                    return None;
+                }
+                let Exchange { area, error } = exchanged(here, there, transport, watch);
                 let radiances = &self.scene.surfaces[there.surface].radiance;
                 for ([value, of_value], &radiance) in flux.iter_mut().zip(radiances) {
                     *value += irradiance(area, radiance);
@@ -173,10 +177,11 @@ pub(super) fn kinds(scene: &Scene, faces: &[Face]) -> Effects {
 }
 
 /// The exchange area of two faces of a scene.
-fn exchanged(here: &Face, there: &Face, transport: &Transport) -> Exchange {
+fn exchanged(here: &Face, there: &Face, transport: &Transport, watch: &dyn Watch) -> Exchange {
     let screens = &transport.screens;
     if transport.occlusion {
-        return exchange_with(here, there, screens, [transport.accuracy, LEAST * here.area]);
+        let tolerances = [transport.accuracy, LEAST * here.area];
+        return exchange_with(here, there, screens, tolerances, || watch.is_stopped());
     }
     let face_each_other =
         screens.face_each_other(&here.vertices, Some(here.normal), &there.vertices, there.normal);

@@ -6,6 +6,10 @@ use super::arriving::Arriving;
 use super::measure::Measure;
 use super::outlines::Outlines;
 use crate::geometry::{Between, Face, Screens, Vector, Workspace};
+use crate::kernels::edge_form_factor;
+
+/// How many numbers go into a vector of the widest kind.
+const LANES: usize = 8;
 
 /// Points that receive, all looking to one side or to all, and a convex outline that holds them.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +34,9 @@ pub(crate) struct Transport {
 pub(crate) struct Scratch {
     between: Vec<u32>,
     view: Workspace,
-    pub(super) outlines: Outlines,
+    outlines: Outlines,
+    /// Of each point of a group the measure, over π, of what it sees of a luminaire.
+    measures: Vec<f64>,
     pub(super) arriving: Arriving,
 }
 
@@ -53,6 +59,14 @@ impl Transport {
     /// Their area.
     pub(crate) fn front_area(&self, surface: usize) -> f64 {
         self.fronts(surface).map(|face| face.area).sum()
+    }
+
+    /// How many operations it takes at most to see so many edges from so many points, in vectors: each edge is computed once, and each screen
+    /// may cut it in single numbers.
+    pub(crate) fn operations(&self, points: usize, edges: usize) -> f64 {
+        let screens = if self.occlusion { self.screens.count() } else { 0 };
+        let of_edge = edge_form_factor::OPERATIONS * (1 + LANES * screens);
+        points as f64 * edges as f64 * of_edge as f64
     }
 
     /// Calls `each` with the index of a point and a convex piece that it sees of a luminous outline with this normal,
@@ -127,16 +141,40 @@ impl Transport {
         }
     }
 
-    /// Takes the outlines of what the points of a group see, after what may come in between was looked for: borders where sums over edges
-    /// are asked for and one shadow is all that there is, else pieces.
-    pub(super) fn take_outlines(
+    /// The measure, over π, of what each point of a group sees of a luminous outline with this normal; nothing where none sees any of it.
+    pub(super) fn measured<'s>(
+        &self,
+        group: Group,
+        luminaire: (&[Vector], Vector),
+        scratch: &'s mut Scratch,
+    ) -> Option<&'s [f64]> {
+        let seen = self.seen(group, luminaire, scratch);
+        if seen == Seen::Nothing {
+            return None;
+        }
+        let Scratch { between, view, outlines, measures, .. } = scratch;
+        measures.clear();
+        measures.resize(group.points.len(), 0.0);
+        if seen == Seen::Whole {
+            outlines.add_whole(group.points, luminaire.0, group.measure, measures);
+        } else {
+            outlines.clear();
+            self.take_outlines(group, luminaire, between, view, outlines);
+            outlines.add_pieces(group.measure, measures);
+        }
+        Some(measures)
+    }
+
+    /// Takes the outlines of what the points of a group see with these screens in between: borders where sums over edges are asked for and
+    /// one shadow is all that there is, else pieces.
+    fn take_outlines(
         &self,
         group: Group,
         luminaire @ (outline, normal): (&[Vector], Vector),
-        scratch: &mut Scratch,
+        between: &[u32],
+        view: &mut Workspace,
         outlines: &mut Outlines,
     ) {
-        let Scratch { between, view, .. } = scratch;
         let horizon = group.measure.horizon();
         let by_edges = group.measure != Measure::Sphere;
         for (index, &point) in group.points.iter().enumerate() {

@@ -33,7 +33,7 @@ pub(crate) enum GoalKind {
 }
 
 impl Radiosity<'_> {
-    /// What a uniform irradiance of each element would change in the goals, over all reflections.
+    /// What a uniform irradiance of each element would change in the goals, over all reflections; only some of it if the work is stopped.
     pub(super) fn importance(&self, goals: &[Goal]) -> Vec<f64> {
         let bands = 0..self.scene.band_count();
         let strongest: Vec<f64> = self
@@ -56,6 +56,9 @@ impl Radiosity<'_> {
         let (mut sum, mut last) = (straight.clone(), straight);
         if let Some(operator) = &self.operator {
             for _ in 0..MOST_REFLECTIONS {
+                if self.watch.is_stopped() {
+                    break;
+                }
                 last = operator.apply_transposed(&strongest, &last);
                 sum.iter_mut().zip(&last).for_each(|(sum, last)| *sum += last);
             }
@@ -70,6 +73,9 @@ impl Radiosity<'_> {
                 let points = [position];
                 let group = Group { points: &points, outline: &points, measure };
                 for (index, element) in self.sources() {
+                    if self.watch.is_stopped() {
+                        return;
+                    }
                     let nodes = &mut straight[self.first[index]..];
                     self.transport.weigh(group, (element, &self.outlines[index]), scratch, |_, weights| {
                         for (node, weight) in nodes.iter_mut().zip(weights) {

@@ -8,7 +8,7 @@
 use super::contact::ConvexPiece;
 use super::direct::kinds;
 use super::element::Element;
-use super::gathering::Gathering;
+use super::gathering::{Gathering, Hiding};
 use super::system::{Question, reflects};
 use crate::faces::is_bright;
 use crate::geometry::Face;
@@ -55,12 +55,12 @@ struct Computed {
 }
 
 impl Computed {
-    fn of(scene: &Scene, faces: &[Face], question: &Question, occlusion: bool) -> Self {
+    fn of(scene: &Scene, faces: &[Face], question: &Question, hiding: Hiding) -> Self {
         let straight = kinds(scene, faces);
         let reflected = question.orders != Some(0)
             && faces.iter().any(|f| is_bright(scene, f) && reflects(scene, f.surface));
         // where rays take too long, pieces follow
-        let (rays, pieces) = match Gathering::of(scene, faces, occlusion) {
+        let (rays, pieces) = match Gathering::of(scene, faces, question, hiding) {
             Gathering::Pieces => (false, true),
             Gathering::Rays { most } => (true, most.is_finite()),
         };
@@ -87,14 +87,9 @@ impl Computed {
 }
 
 /// The kernels that the simulation of a scene with these faces runs.
-pub(crate) fn kernels(
-    scene: &Scene,
-    faces: &[Face],
-    question: &Question,
-    occlusion: bool,
-) -> Vec<UsedKernel> {
+pub(crate) fn kernels(scene: &Scene, faces: &[Face], question: &Question, hiding: Hiding) -> Vec<UsedKernel> {
     let Computed { gathered, straight, views, spheres, reflections, exchange, rays, triangles } =
-        Computed::of(scene, faces, question, occlusion);
+        Computed::of(scene, faces, question, hiding);
     let all_light = gathered.map(|kinds| member(kinds, "what a receiver gathers"));
     let is_another = straight.filter(|straight| Some(*straight) != gathered);
     let direct_light = is_another.map(|kinds| member(kinds, "what comes straight to points of surfaces"));

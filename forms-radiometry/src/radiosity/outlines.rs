@@ -11,9 +11,14 @@ use super::measure::Measure;
 use crate::geometry::Vector;
 use crate::kernels::edge_form_factor;
 
+/// Fewer rows than this are computed one by one: less than a block of rows takes a batch as long as 55 rows take one by one (1 µs).
+const FEW: usize = 55;
+
 /// Corners in columns, reused from luminaire to luminaire.
 #[derive(Default)]
 pub(super) struct Outlines {
+    /// The points that see.
+    points: [Vec<f64>; 3],
     corners: [Vec<f64>; 3],
     /// Of each piece the point that sees it and where its corners end, the first one again among them.
     pieces: Vec<(usize, usize)>,
@@ -40,11 +45,13 @@ impl Outlines {
             }
             return;
         };
-        let coordinates: [fn(Vector) -> f64; 3] = [|v| v.x, |v| v.y, |v| v.z];
-        for (column, coordinate) in self.corners.iter_mut().zip(coordinates) {
+        for (axis, (column, of_points)) in self.corners.iter_mut().zip(&mut self.points).enumerate() {
+            of_points.clear();
+            of_points.extend(points.iter().map(|point| point.coordinates()[axis]));
             column.clear();
-            for &corner in luminaire.iter().chain(luminaire.first()) {
-                column.extend(points.iter().map(|&point| coordinate(corner) - coordinate(point)));
+            for corner in luminaire.iter().chain(luminaire.first()) {
+                let place = corner.coordinates()[axis];
+                column.extend(of_points.iter().map(|point| place - point));
             }
         }
         self.measure_rows(along, points.len());
@@ -107,6 +114,15 @@ impl Outlines {
     fn measure_rows(&mut self, along: Vector, step: usize) {
         let [x, y, z] = &self.corners;
         let rows = x.len() - step;
+        if rows < FEW {
+            let [nx, ny, nz] = along.coordinates();
+            let edge = |(from, to): (usize, usize)| {
+                edge_form_factor(x[to], y[to], z[to], x[from], y[from], z[from], nx, ny, nz)
+            };
+            self.values.clear();
+            self.values.extend((0..rows).zip(step..).map(edge));
+            return;
+        }
         for (column, value) in self.along.iter_mut().zip([along.x, along.y, along.z]) {
             // from group to group the direction is mostly the same
             if column.first() != Some(&value) {

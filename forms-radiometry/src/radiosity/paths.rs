@@ -46,6 +46,7 @@ pub(crate) struct Paths<'t> {
     pub(super) scene: &'t Scene,
     pub(super) transport: &'t Transport,
     lights: &'t Lights<'t>,
+    pub(super) watch: &'t dyn Watch,
     pub(super) question: Question,
     pub(super) subdivision: Subdivision,
     /// Whether rays meet faces that emit, and what is outside, instead of an exact sum over them.
@@ -81,7 +82,7 @@ impl<'t> Paths<'t> {
         transport: &'t Transport,
         lights: &'t Lights<'t>,
         question: Question,
-        watch: &dyn Watch,
+        watch: &'t dyn Watch,
     ) -> Self {
         let subdivision =
             Subdivision::of(scene, &transport.faces, &question.receives, worthwhile_nodes(scene));
@@ -89,6 +90,7 @@ impl<'t> Paths<'t> {
             scene,
             transport,
             lights,
+            watch,
             question,
             subdivision,
             by_rays: false,
@@ -100,7 +102,7 @@ impl<'t> Paths<'t> {
         };
         paths.by_rays = paths.lights_are_met();
         paths.brightest = paths.brightest_light();
-        paths.solve(watch);
+        paths.solve();
         paths
     }
 
@@ -125,6 +127,9 @@ impl<'t> Paths<'t> {
 
     /// How many screens may come between the middle of an element and a light, in the mean over some lights.
     fn screens_before_lights(&self, element: &Element) -> f64 {
+        if !self.transport.occlusion {
+            return 0.0;
+        }
         let faces = self.lights.faces();
         let (mut found, mut sum, mut all) = (Vec::new(), 0.0, 0.0_f64);
         for &face in faces.iter().step_by((faces.len() / LIGHTS_ASKED).max(1)) {
@@ -137,7 +142,8 @@ impl<'t> Paths<'t> {
         sum / all.max(1.0)
     }
 
-    fn solve(&mut self, watch: &dyn Watch) {
+    fn solve(&mut self) {
+        let watch = self.watch;
         let bands = self.scene.band_count();
         let count = self.subdivision.nodes.len();
         let done = AtomicUsize::new(0);
@@ -148,14 +154,13 @@ impl<'t> Paths<'t> {
             .with_min_len(16)
             .map_init(Scratch::default, |scratch, &element| {
                 let done = done.fetch_add(1, Ordering::Relaxed);
+                if watch.is_stopped() {
+                    return (Row::default(), vec![0.0; bands]);
+                }
                 if done.is_multiple_of(64) {
                     watch.progress("interreflection", done as f64 / count as f64);
                 }
-                if watch.is_stopped() {
-                    (Row::default(), vec![0.0; bands])
-                } else {
-                    self.row(element as usize, scratch)
-                }
+                self.row(element as usize, scratch)
             })
             .collect();
         let mut direct = vec![Vec::with_capacity(count); bands];
@@ -165,7 +170,7 @@ impl<'t> Paths<'t> {
             direct.iter_mut().zip(light).for_each(|(band, value)| band.push(value));
         }
         let operator = Operator::new(rows, (0..=count).collect());
-        let solved = of_bands(&operator, &self.reflectances(), &direct, self.question.orders);
+        let solved = of_bands(&operator, &self.reflectances(), &direct, self.question.orders, watch);
         self.contraction = solved.contraction;
         (self.direct, self.irradiance, self.reflected) = (direct, solved.irradiance, solved.reflected);
     }

@@ -35,6 +35,9 @@ const MOST: [u32; 2] = [1 << 18, 1 << 16];
 /// What a path costs in rays.
 pub(super) const PATH: f64 = 16.0;
 
+/// After how many points of a batch it is asked whether the work is stopped.
+const ASKED: u32 = 32;
+
 /// A mean over points, in batches.
 #[derive(Clone, Debug)]
 struct Mean {
@@ -105,7 +108,7 @@ impl Mean {
 }
 
 impl Paths<'_> {
-    /// A number that is asked for, with its first rays and paths. Different keys are independent.
+    /// A number that is asked for, with its first rays and paths, if the work is not stopped before. Different keys are independent.
     pub(crate) fn probe(&self, what: GoalKind, number: u64) -> Probe {
         let bands = self.scene.band_count();
         let mut scratch = Scratch::default();
@@ -150,7 +153,7 @@ impl Paths<'_> {
             if is_open { relative(mean).powi(2) / (cost * f64::from(mean.points)) } else { 0.0 }
         };
         let gains = [gain(&probe.rough, 1.0, MOST[0]), gain(&probe.lack, PATH, MOST[1])];
-        if gains[0].max(gains[1]).is_nan() || gains[0].max(gains[1]) <= 0.0 {
+        if self.watch.is_stopped() || gains[0].max(gains[1]).is_nan() || gains[0].max(gains[1]) <= 0.0 {
             return false;
         }
         if gains[0] > gains[1] {
@@ -168,13 +171,18 @@ impl Paths<'_> {
             let net = Net::new(key(probe.key, batch as u64));
             let mut sums = vec![0.0; self.scene.band_count()];
             for index in first..first + count {
+                if self.is_stopped_at(index) {
+                    break;
+                }
                 let (direction, weight) = towards(measure, net.point(index));
                 self.gather(position, direction, weight, &mut sums);
             }
             sums
         };
         let sums = (0..BATCHES).into_par_iter().map(batch).collect();
-        probe.rough.add(count, sums);
+        if !self.watch.is_stopped() {
+            probe.rough.add(count, sums);
+        }
     }
 
     fn add_paths(&self, probe: &mut Probe, count: u32) {
@@ -187,6 +195,9 @@ impl Paths<'_> {
             let (mut scratch, mut cut) = (Scratch::default(), 0.0_f64);
             let (mut sums, mut unused, mut weights) = (vec![0.0; bands], vec![0.0; bands], vec![0.0; bands]);
             for index in first..first + count {
+                if self.is_stopped_at(index) {
+                    break;
+                }
                 let Some((place, begin, weight)) = begins.at(self, net.point(index), &mut unused) else {
                     continue;
                 };
@@ -204,9 +215,17 @@ impl Paths<'_> {
             (sums, cut)
         };
         let (sums, cuts): (Vec<Vec<f64>>, Vec<f64>) = (0..BATCHES).into_par_iter().map(batch).unzip();
+        if self.watch.is_stopped() {
+            return;
+        }
         let before = probe.cut * f64::from(first);
         probe.cut = (before + cuts.iter().sum::<f64>() / BATCHES as f64) / f64::from(first + count);
         probe.lack.add(count, sums);
+    }
+
+    /// Whether the work is stopped, asked now and then.
+    fn is_stopped_at(&self, index: u32) -> bool {
+        index.is_multiple_of(ASKED) && self.watch.is_stopped()
     }
 
     fn begins(&self, what: GoalKind) -> Begins {

@@ -13,7 +13,6 @@ use super::importance::Goal;
 use super::reference::MOST_NODES as MOST_NODES_OF_ELEMENT;
 use super::system::{MOST_NODES, Radiosity};
 use crate::geometry::Vector;
-use crate::simulation::Watch;
 use std::ops::Range;
 
 /// The part of all that matters that the elements have which are split next. It is large because the errors of elements of one size
@@ -54,9 +53,12 @@ impl Radiosity<'_> {
     }
 
     /// Splits the elements that matter most, and solves again. Returns how much what is to come still matters, relative to
-    /// what this changed; nothing if there is nothing to split, or no room for more.
-    pub(crate) fn refine(&mut self, goals: &[Goal], watch: &dyn Watch) -> Option<f64> {
+    /// what this changed; nothing if there is nothing to split, no room for more, or no time: then the solution stays what it was.
+    pub(crate) fn refine(&mut self, goals: &[Goal]) -> Option<f64> {
         let matter = self.matter(goals);
+        if self.watch.is_stopped() {
+            return None;
+        }
         let chosen = self.chosen(&matter);
         if !chosen.iter().flatten().any(|&is_chosen| is_chosen) {
             return None;
@@ -73,8 +75,13 @@ impl Radiosity<'_> {
             changes.resize(elements.len(), self.changes[index]);
         }
         let before = std::mem::replace(&mut self.elements, elements);
-        self.changes = changes;
-        self.solve(watch);
+        let changes_before = std::mem::replace(&mut self.changes, changes);
+        let (outlines, first) = (self.outlines.clone(), self.first.clone());
+        if !self.solve() {
+            (self.elements, self.changes, self.outlines, self.first) =
+                (before, changes_before, outlines, first);
+            return None;
+        }
         let importance = self.importance(goals);
         let mut settled = 0.0;
         for (whole, parts) in split {

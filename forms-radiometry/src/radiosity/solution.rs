@@ -7,6 +7,7 @@
 //! steps where the series would take thousands.
 
 use super::operator::Operator;
+use crate::simulation::Watch;
 
 /// The most powers before the space is begun again.
 const POWERS: usize = 60;
@@ -46,12 +47,14 @@ pub(super) struct Solved {
     pub(super) contraction: f64,
 }
 
-/// The solution for each band, of at most this many reflections if a number is said. Reflectances are those of the elements.
+/// The solution for each band, of at most this many reflections if a number is said; a rough one if the work is stopped. Reflectances are
+/// those of the elements.
 pub(super) fn of_bands(
     operator: &Operator,
     reflectances: &[Vec<f64>],
     direct: &[Vec<f64>],
     orders: Option<u32>,
+    watch: &dyn Watch,
 ) -> Solved {
     let (irradiance, reflected, tail) = (Vec::new(), Vec::new(), Vec::new());
     let mut solved = Solved { irradiance, reflected, tail, contraction: 0.0 };
@@ -59,11 +62,11 @@ pub(super) fn of_bands(
         let contraction = operator.contraction(reflectances);
         let (irradiance, reflected, residual) = match orders {
             Some(orders) => {
-                let [all, but_one] = neumann(operator, reflectances, direct, orders);
+                let [all, but_one] = neumann(operator, reflectances, direct, orders, watch);
                 (all, but_one, 0.0)
             }
             None => {
-                let (all, residual) = all_orders(operator, reflectances, direct);
+                let (all, residual) = all_orders(operator, reflectances, direct, watch);
                 (all.clone(), all, residual)
             }
         };
@@ -81,13 +84,14 @@ pub(super) fn neumann(
     reflectances: &[f64],
     direct: &[f64],
     orders: u32,
+    watch: &dyn Watch,
 ) -> [Vec<f64>; 2] {
     let (mut sum, mut last) = (direct.to_vec(), direct.to_vec());
     let mut before = sum.clone();
     for _ in 0..orders {
         last = operator.apply(reflectances, &last);
         before.clone_from(&sum);
-        if last.iter().all(|&value| value == 0.0) {
+        if watch.is_stopped() || last.iter().all(|&value| value == 0.0) {
             break;
         }
         sum.iter_mut().zip(&last).for_each(|(sum, last)| *sum += last);
@@ -96,7 +100,12 @@ pub(super) fn neumann(
 }
 
 /// The irradiance after all reflections, and the largest residual |D + G E − E| that is left.
-pub(super) fn all_orders(operator: &Operator, reflectances: &[f64], direct: &[f64]) -> (Vec<f64>, f64) {
+pub(super) fn all_orders(
+    operator: &Operator,
+    reflectances: &[f64],
+    direct: &[f64],
+    watch: &dyn Watch,
+) -> (Vec<f64>, f64) {
     let residual = |e: &[f64]| -> Vec<f64> {
         let reflected = operator.apply(reflectances, e);
         direct.iter().zip(reflected).zip(e).map(|((d, g), e)| d + g - e).collect()
@@ -105,10 +114,10 @@ pub(super) fn all_orders(operator: &Operator, reflectances: &[f64], direct: &[f6
     let mut found = direct.to_vec();
     let mut left = residual(&found);
     for _ in 0..RESTARTS {
-        if largest(&left) <= RESIDUAL * largest(direct) {
+        if watch.is_stopped() || largest(&left) <= RESIDUAL * largest(direct) {
             break;
         }
-        let step = minimal_residual(operator, reflectances, &left, RESIDUAL * norm(direct));
+        let step = minimal_residual(operator, reflectances, &left, RESIDUAL * norm(direct), watch);
         let next: Vec<f64> = found.iter().zip(step).map(|(found, step)| found + step).collect();
         let left_next = residual(&next);
         if norm(&left_next) >= norm(&left) {
@@ -121,7 +130,13 @@ pub(super) fn all_orders(operator: &Operator, reflectances: &[f64], direct: &[f6
 }
 
 /// The x in the space of the powers of G applied to b for which |b − (1 − G) x| is least.
-fn minimal_residual(operator: &Operator, reflectances: &[f64], b: &[f64], enough: f64) -> Vec<f64> {
+fn minimal_residual(
+    operator: &Operator,
+    reflectances: &[f64],
+    b: &[f64],
+    enough: f64,
+    watch: &dyn Watch,
+) -> Vec<f64> {
     let scale = norm(b);
     let mut powers = vec![b.iter().map(|value| value / scale).collect::<Vec<f64>>()];
     // the columns of an upper triangle, made by rotations, and the right-hand side that they turn
@@ -155,7 +170,7 @@ fn minimal_residual(operator: &Operator, reflectances: &[f64], b: &[f64], enough
         let turned = right[step];
         right[step] = c * turned;
         right.push(-s * turned);
-        if right[step + 1].abs() <= enough || rest <= f64::EPSILON * length {
+        if watch.is_stopped() || right[step + 1].abs() <= enough || rest <= f64::EPSILON * length {
             break;
         }
         powers.push(next.iter().map(|x| x / rest).collect());

@@ -11,11 +11,11 @@ use super::measure::Measure;
 use super::operator::{Operator, Row};
 use super::solution::of_bands;
 use crate::faces::is_bright;
-use crate::geometry::Vector;
+use crate::geometry::{Face, Vector};
 use crate::kernels::gathered_light::Effects;
 use crate::scene::{MaterialKind, Scene};
+use crate::sharing::Sharing;
 use crate::simulation::Watch;
-use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -59,6 +59,7 @@ pub(crate) struct Radiosity<'t> {
     pub(super) scene: &'t Scene,
     pub(super) transport: &'t Transport,
     pub(super) lights: &'t Lights<'t>,
+    pub(super) watch: &'t dyn Watch,
     /// The kinds of light that receivers gather.
     kinds: Kinds,
     pub(super) question: Question,
@@ -84,23 +85,24 @@ pub(crate) struct Radiosity<'t> {
 }
 
 impl<'t> Radiosity<'t> {
-    /// The solution on the coarsest elements.
+    /// The solution on the coarsest elements; none yet if the work is stopped before.
     pub(crate) fn new(
         scene: &'t Scene,
         transport: &'t Transport,
         lights: &'t Lights<'t>,
         question: Question,
-        watch: &dyn Watch,
+        watch: &'t dyn Watch,
     ) -> Self {
-        let elements = coarsest(scene, transport, &question);
         let straight = question.receives.iter().enumerate();
-        let straight = straight
-            .map(|(surface, &receives)| if receives { lights.flux(surface, transport) } else { None });
-        let straight = straight.collect();
+        let straight: Vec<_> = straight
+            .map(|(surface, &receives)| if receives { lights.flux(surface, transport, watch) } else { None })
+            .collect();
+        let elements = coarsest(scene, transport, &question, &straight);
         let mut radiosity = Self {
             scene,
             transport,
             lights,
+            watch,
             kinds: Kinds::of(question.kinds(lights.kinds())),
             question,
             outlines: Vec::new(),
@@ -115,28 +117,22 @@ impl<'t> Radiosity<'t> {
             tail: Vec::new(),
             elements,
         };
-        radiosity.solve(watch);
+        radiosity.solve();
         radiosity.changes = radiosity.unknown_changes();
         radiosity
     }
 
-    /// Light at the nodes of the elements that there are.
-    pub(super) fn solve(&mut self, watch: &dyn Watch) {
+    /// Light at the nodes of the elements that there are; whether it was found before the work was stopped.
+    pub(super) fn solve(&mut self) -> bool {
         self.outlines = self.elements.iter().map(Element::outline).collect();
         self.first = vec![0];
         for element in &self.elements {
             self.first.push(self.first[self.first.len() - 1] + element.count());
         }
-        let done = AtomicUsize::new(0);
-        let of_elements: Vec<(Vec<Row>, Vec<Vec<f64>>)> = (0..self.elements.len())
-            .into_par_iter()
-            .map_init(Scratch::default, |scratch, index| {
-                let rows = self.rows(index, scratch, watch);
-                let part = done.fetch_add(1, Ordering::Relaxed) as f64 / self.elements.len() as f64;
-                watch.progress("interreflection", part);
-                rows
-            })
-            .collect();
+        let of_elements = self.all_rows();
+        if self.watch.is_stopped() {
+            return false;
+        }
         let (mut rows, mut direct) = (Vec::new(), vec![Vec::new(); self.scene.band_count()]);
         for (of_element, light) in of_elements {
             rows.extend(of_element);
@@ -148,16 +144,34 @@ impl<'t> Radiosity<'t> {
             self.tail = vec![0.0; direct.len()];
             self.take(direct.clone());
             self.direct = direct;
-            return;
+            return true;
         }
         let operator = Operator::new(rows, self.first.clone());
         let reflectances: Vec<Vec<f64>> = (0..self.scene.band_count())
             .map(|band| self.elements.iter().map(|element| self.reflectance(element, band)).collect())
             .collect();
-        let solved = of_bands(&operator, &reflectances, &direct, self.question.orders);
+        let solved = of_bands(&operator, &reflectances, &direct, self.question.orders, self.watch);
+        if self.watch.is_stopped() {
+            return false;
+        }
         (self.reflected, self.tail) = (solved.reflected, solved.tail);
         self.take(solved.irradiance);
         (self.direct, self.operator) = (direct, Some(operator));
+        true
+    }
+
+    /// The rows of the nodes of each element, and the light that comes straight to them.
+    fn all_rows(&self) -> Vec<(Vec<Row>, Vec<Vec<f64>>)> {
+        let done = AtomicUsize::new(0);
+        let of_element = |scratch: &mut Scratch, index| {
+            let rows = self.rows(index, scratch);
+            let part = done.fetch_add(1, Ordering::Relaxed) as f64 / self.elements.len() as f64;
+            if !self.watch.is_stopped() {
+                self.watch.progress("interreflection", part);
+            }
+            rows
+        };
+        Sharing::of(self.operations(self.size())).map(0..self.elements.len(), of_element)
     }
 
     /// Takes the irradiance of the nodes.
@@ -167,22 +181,23 @@ impl<'t> Radiosity<'t> {
         self.irradiance = irradiance;
     }
 
-    /// The rows of the nodes of an element, and the light that comes straight to them.
-    fn rows(&self, index: usize, scratch: &mut Scratch, watch: &dyn Watch) -> (Vec<Row>, Vec<Vec<f64>>) {
+    /// The rows of the nodes of an element, and the light that comes straight to them; only some of it if the work is stopped.
+    fn rows(&self, index: usize, scratch: &mut Scratch) -> (Vec<Row>, Vec<Vec<f64>>) {
         let element = &self.elements[index];
         let points: Vec<Vector> = element.nodes().collect();
         let measure = Measure::Plane(element.normal);
         let group = Group { points: &points, outline: &self.outlines[index], measure };
         let reflects = self.question.orders != Some(0);
         let mut rows = if reflects { vec![Row::default(); points.len()] } else { Vec::new() };
-        if !watch.is_stopped() {
-            for (source, other) in self.sources().filter(|(_, other)| other.face != element.face) {
-                let outline = &self.outlines[source];
-                self.transport.weigh(group, (other, outline), scratch, |node, weights| {
-                    rows[node].elements.push(source as u32);
-                    rows[node].weights.extend_from_slice(weights);
-                });
+        for (source, other) in self.sources().filter(|(_, other)| other.face != element.face) {
+            if self.watch.is_stopped() {
+                return (rows, Vec::new());
             }
+            let outline = &self.outlines[source];
+            self.transport.weigh(group, (other, outline), scratch, |node, weights| {
+                rows[node].elements.push(source as u32);
+                rows[node].weights.extend_from_slice(weights);
+            });
         }
         (rows, self.lights.reaching(group, self.transport, scratch))
     }
@@ -197,6 +212,12 @@ impl<'t> Radiosity<'t> {
 
     pub(super) fn reflectance(&self, element: &Element, band: usize) -> f64 {
         reflectance(self.scene, self.transport.faces[element.face].surface)[band]
+    }
+
+    /// How many operations it takes at most to gather light at so many points.
+    pub(crate) fn operations(&self, points: usize) -> f64 {
+        let reflected: usize = self.sources().map(|(index, _)| self.outlines[index].len()).sum();
+        self.lights.operations(points, self.transport) + self.transport.operations(points, reflected)
     }
 
     /// How many nodes there are.
@@ -233,7 +254,7 @@ impl<'t> Radiosity<'t> {
         gathered.chunks_exact(bands).map(<[f64]>::to_vec).collect()
     }
 
-    /// The same of all bands, point by point.
+    /// The same of all bands, point by point; only some of it if the work is stopped.
     pub(crate) fn gather(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
         let mut arriving = std::mem::take(&mut scratch.arriving);
         arriving.begin(self.kinds, gathered.len());
@@ -251,6 +272,9 @@ impl<'t> Radiosity<'t> {
     fn add_reflected(&self, group: Group, scratch: &mut Scratch, reflected: &mut [f64]) {
         let bands = self.scene.band_count();
         for (index, element) in self.sources() {
+            if self.watch.is_stopped() {
+                return;
+            }
             let nodes = self.first[index]..self.first[index + 1];
             self.transport.weigh(group, (element, &self.outlines[index]), scratch, |point, weights| {
                 for (band, sum) in reflected[point * bands..][..bands].iter_mut().enumerate() {
@@ -267,13 +291,11 @@ impl<'t> Radiosity<'t> {
     pub(crate) fn mean(&self, surface: usize) -> (Vec<f64>, f64) {
         let straight = self.straight[surface].as_ref();
         let by_nodes = self.question.direct && straight.is_none();
-        let mut sums = vec![0.0; self.irradiance.len()];
-        let mut whole = 0.0;
+        let mut sums = vec![0.0; self.scene.band_count()];
         for (index, element) in self.elements.iter().enumerate() {
             if !self.transport.faces[element.face].is_front_of(surface) {
                 continue;
             }
-            whole += element.area;
             for (area, node) in element.areas().zip(self.first[index]..) {
                 for ((sum, all), direct) in sums.iter_mut().zip(&self.irradiance).zip(&self.direct) {
                     *sum += area * if by_nodes { all[node] } else { all[node] - direct[node] };
@@ -283,6 +305,7 @@ impl<'t> Radiosity<'t> {
         if let Some(flux) = straight.filter(|_| self.question.direct) {
             sums.iter_mut().zip(flux).for_each(|(sum, [flux, _])| *sum += flux);
         }
+        let whole = self.transport.front_area(surface);
         (sums.into_iter().map(|sum| sum / whole).collect(), whole)
     }
 
@@ -292,15 +315,23 @@ impl<'t> Radiosity<'t> {
     }
 }
 
-/// The elements before any is split: of all faces from which light goes on, or of which a mean is asked.
-fn coarsest(scene: &Scene, transport: &Transport, question: &Question) -> Vec<Element> {
+/// The elements before any is split: of all faces from which light goes on, or of which a mean is asked that is not an integral alone.
+fn coarsest(
+    scene: &Scene,
+    transport: &Transport,
+    question: &Question,
+    straight: &[Option<Vec<[f64; 2]>>],
+) -> Vec<Element> {
+    let reflected = question.orders != Some(0);
+    let is_summed = |surface: usize| question.receives[surface] && (reflected || straight[surface].is_none());
+    let has_elements = |face: &Face| {
+        let is_source = reflected && reflects(scene, face.surface);
+        is_bright(scene, face) && (is_source || is_summed(face.surface))
+    };
     let mut elements = Vec::new();
-    let pieces = contact::pieces(&transport.faces, transport.screens.resolution());
-    for (index, face) in transport.faces.iter().enumerate() {
-        let is_source = question.orders != Some(0) && reflects(scene, face.surface);
-        if is_bright(scene, face) && (is_source || question.receives[face.surface]) {
-            elements.extend(pieces[index].iter().flat_map(|piece| Element::of(index, face, piece)));
-        }
+    let pieces = contact::pieces(&transport.faces, transport.screens.resolution(), has_elements);
+    for (index, (face, pieces)) in transport.faces.iter().zip(pieces).enumerate() {
+        elements.extend(pieces.iter().flat_map(|piece| Element::of(index, face, piece)));
     }
     // the faces of a polyhedron are as small as its shape asks for: linear polynomials on them are as exact as the shape
     let is_round_face =

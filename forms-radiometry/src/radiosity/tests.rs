@@ -9,6 +9,7 @@ use super::solution::{all_orders, neumann, orders};
 use super::weights;
 use crate::geometry::{Face, Vector};
 use crate::kernels::irradiance_linear_luminaire;
+use crate::simulation::Unwatched;
 
 /// A triangle above the origin that looks down, and the face that it is.
 fn triangle([a, b, c]: [Vector; 3]) -> Face {
@@ -145,8 +146,8 @@ fn all_orders_at_once_are_the_limit_of_the_series() {
     let operator = operator(40);
     let reflectances: Vec<f64> = (0..40).map(|i| 0.5 + 0.01 * f64::from(i)).collect();
     let direct: Vec<f64> = (0..40).map(|i| f64::from(i % 5)).collect();
-    let (at_once, residual) = all_orders(&operator, &reflectances, &direct);
-    let [series, _] = neumann(&operator, &reflectances, &direct, 500);
+    let (at_once, residual) = all_orders(&operator, &reflectances, &direct, &Unwatched);
+    let [series, _] = neumann(&operator, &reflectances, &direct, 500, &Unwatched);
     assert!(residual < 1e-12, "{residual:e}");
     for (a, b) in at_once.iter().zip(&series) {
         assert!((a - b).abs() < 1e-11, "{a} and {b}");
@@ -159,7 +160,7 @@ fn all_orders_at_once_are_the_limit_of_the_series() {
 fn an_order_is_the_light_of_one_more_reflection() {
     let operator = operator(10);
     let (reflectances, direct) = (vec![0.5; 10], vec![1.0; 10]);
-    let [two, one] = neumann(&operator, &reflectances, &direct, 2);
+    let [two, one] = neumann(&operator, &reflectances, &direct, 2, &Unwatched);
     let reflected = operator.apply(&reflectances, &one);
     for i in 0..10 {
         assert!((two[i] - (direct[i] + reflected[i])).abs() < 1e-15);

@@ -162,7 +162,7 @@ mod tests {
                 let mut counts = vec![0; columns * rows];
                 for index in 0..1 << bits {
                     let mut samples = Samples::new(key(9, 4), index);
-                    (0..pair).for_each(|_| drop(samples.pair()));
+                    (0..pair).for_each(|_| _ = samples.pair());
                     let [u, v] = samples.pair();
                     counts[(v * rows as f64) as usize * columns + (u * columns as f64) as usize] += 1;
                 }

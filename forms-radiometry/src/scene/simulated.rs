@@ -5,9 +5,7 @@
 //! Reading knows nothing of this list. What a solver learns leaves it.
 
 use super::error::SceneError;
-use super::model::{
-    Effect, Force, LightKind, Material, MaterialKind, Receiver, ReceiverKind, Scene, Shape, Surface,
-};
+use super::model::{Effect, Force, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Shape, Surface};
 use super::place::Place;
 use crate::geometry::Polygon;
 
@@ -155,32 +153,42 @@ impl Refusals {
         }
     }
 
-    /// Light that comes from a point, or from one direction, and is bent or mirrored before it meets anything is found by no path
-    /// from a receiver.
+    /// Light that comes from a point, or from one direction, and is turned by a curved surface, is found by no path from a receiver; nor is
+    /// that of a point beyond a boundary that bends it. Flat surfaces have images of it.
     fn beams(&mut self, scene: &Scene) {
-        let mut by_name = |material: &Material, what: &str| {
-            let what = format!("light of a {what} that `{}` reflects or bends", material.name);
-            self.refuse(&material.place, &what, "lights with an extent: surfaces with a radiance");
-        };
         let is_off = |effect| scene.solve.forced.iter().any(|f| f.effect == effect && f.force == Force::Off);
-        let Some(light) = scene.lights.first() else { return };
-        let what = match light.kind {
-            LightKind::Point { .. } => "point light",
-            LightKind::Distant { .. } => "distant light",
-        };
-        let ambient = scene.ambient.medium.map(|medium| &scene.media[medium]);
-        for material in &scene.materials {
-            let bends = match &material.kind {
-                MaterialKind::Diffuse { .. } => false,
-                MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => !is_off(Effect::Mirror),
+        let has_point = scene.lights.iter().any(|light| matches!(light.kind, LightKind::Point { .. }));
+        let around = |band: usize| scene.ambient.medium.map_or(1.0, |medium| scene.media[medium].index[band]);
+        for surface in scene.surfaces.iter().filter(|_| !scene.lights.is_empty()) {
+            let [bends, mirrors] = match &scene.materials[surface.material].kind {
+                MaterialKind::Diffuse { .. } => [false; 2],
+                MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => {
+                    [false, !is_off(Effect::Mirror)]
+                }
                 MaterialKind::Dielectric { inside } => {
-                    let around = |band: usize| ambient.map_or(1.0, |medium| medium.index[band]);
-                    let index = scene.media[*inside].index.iter().enumerate();
-                    !is_off(Effect::Refraction) && index.into_iter().any(|(band, n)| *n != around(band))
+                    let index = &scene.media[*inside].index;
+                    let differs = (0..index.len()).any(|band| index[band] != around(band));
+                    [differs && !is_off(Effect::Refraction); 2]
                 }
             };
-            if bends {
-                by_name(material, what);
+            let is_curved = matches!(surface.shape, Shape::Sphere(_));
+            if is_curved && mirrors {
+                let what = format!(
+                    "light of a point or from far away that the curved surface `{}` turns",
+                    surface.name
+                );
+                self.refuse(
+                    &surface.place,
+                    &what,
+                    "flat surfaces, or lights with an extent: surfaces with a radiance",
+                );
+            } else if bends && has_point {
+                let what = format!("light of a point that is bent at `{}`", surface.name);
+                self.refuse(
+                    &surface.place,
+                    &what,
+                    "a distant light, or one with an extent: a surface with a radiance",
+                );
             }
         }
     }

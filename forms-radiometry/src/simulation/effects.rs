@@ -5,7 +5,7 @@ use super::survey::receiving;
 use crate::faces::faces;
 use crate::geometry::{Face, Screens};
 use crate::monte_carlo;
-use crate::radiosity::{Question, UsedKernel, kernels};
+use crate::radiosity::{Gathering, Hiding, Question, UsedKernel, kernels};
 use crate::scene::{Effect, Force, ReceiverKind, Scene};
 
 /// What the solver does.
@@ -13,6 +13,8 @@ use crate::scene::{Effect, Force, ReceiverKind, Scene};
 pub(super) struct Effects {
     pub(super) direct: bool,
     pub(super) occlusion: bool,
+    /// What surfaces hide.
+    pub(super) hiding: Hiding,
     /// How often light is reflected at most; as often as it happens, if nothing is said.
     pub(super) orders: Option<u32>,
     /// How often it is scattered by media at most, likewise.
@@ -28,9 +30,18 @@ impl Effects {
             Some(planned) if planned.on => planned.orders,
             _ => Some(0),
         };
+        let occlusion = is_on(Effect::Occlusion);
+        // what is found to be absent changes nothing for certain
+        let is_absent = planned(Effect::Occlusion).is_some_and(|planned| planned.bound == Some(0.0));
+        let hiding = match (occlusion, is_absent) {
+            (true, _) => Hiding::Simulated,
+            (false, true) => Hiding::Nothing,
+            (false, false) => Hiding::LeftOut,
+        };
         Self {
             direct: is_on(Effect::Direct),
-            occlusion: is_on(Effect::Occlusion),
+            occlusion,
+            hiding,
             orders: orders(Effect::Interreflection),
             scatterings: orders(Effect::Scattering),
             bands: is_on(Effect::Bands),
@@ -46,7 +57,7 @@ impl Effects {
     pub(super) fn kernels(&self, scene: &Scene) -> Vec<UsedKernel> {
         let merged = (!self.bands && scene.band_count() > 1).then(|| scene.with_one_band());
         let scene = merged.as_ref().unwrap_or(scene);
-        kernels(scene, &faces(scene, 0), &self.question(scene), self.occlusion)
+        kernels(scene, &faces(scene, 0), &self.question(scene), self.hiding)
     }
 
     /// The kernels that following the paths of a scene runs.
@@ -54,11 +65,11 @@ impl Effects {
         if self.bands { monte_carlo::kernels(scene) } else { monte_carlo::kernels(&scene.with_one_band()) }
     }
 
-    /// What of these faces hides light or is met by the rays that are asked for.
-    pub(super) fn screens(&self, scene: &Scene, faces: &[Face]) -> Screens {
+    /// What of these faces hides light or is met by rays: those that are asked for, or those by which light is gathered.
+    pub(super) fn screens(&self, scene: &Scene, faces: &[Face], gathering: Gathering) -> Screens {
         if self.occlusion {
             Screens::of(faces)
-        } else if asks_for_rays(scene) {
+        } else if asks_for_rays(scene) || gathering != Gathering::Pieces {
             Screens::met_by_rays(faces)
         } else {
             Screens::none(faces)

@@ -63,11 +63,18 @@ impl Estimate {
     }
 }
 
-/// A reading in all bands, and how long it took.
+/// A reading in all bands, in none if it was not reached, and how long it took.
 #[derive(Clone, Debug)]
 pub(super) struct Found {
     pub(super) bands: Vec<Estimate>,
     pub(super) seconds: f64,
+}
+
+impl Found {
+    /// Whether it was not reached.
+    pub(super) fn is_missing(&self) -> bool {
+        self.bands.is_empty()
+    }
 }
 
 /// Raises changes that are small beside those of all readings, each relative to its scale, and beside those of its group.

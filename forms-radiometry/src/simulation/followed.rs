@@ -76,6 +76,8 @@ struct Asked {
     cell: Option<usize>,
     question: Question,
     replicates: Replicates,
+    /// For each band the value and its error, where no samples are needed.
+    expanded: Option<Vec<[f64; 2]>>,
     seconds: f64,
 }
 
@@ -87,7 +89,12 @@ impl Work<'_> {
             let mut add = |cell: Option<usize>, question: Question| {
                 let key = cell.map_or(own, |cell| key(own, 1 + cell as u64));
                 let replicates = Replicates::new(key, &question, self.scene.band_count(), bins);
-                self.asked.push(Asked { receiver: index, cell, question, replicates, seconds: 0.0 });
+                let begin = Instant::now();
+                let groups = self.followers.iter().map(|follower| follower.expanded(&question));
+                let expanded: Option<Vec<_>> = groups.collect();
+                let expanded = expanded.filter(|_| bins.is_none()).map(|groups| groups.concat());
+                let seconds = begin.elapsed().as_secs_f64();
+                self.asked.push(Asked { receiver: index, cell, question, replicates, expanded, seconds });
             };
             if !matches!(receiver.kind, ReceiverKind::Camera(_)) {
                 add(None, question(receiver));
@@ -116,7 +123,14 @@ impl Work<'_> {
 
     /// Rounds of samples, until all is exact enough, or nothing can be gained.
     fn run(&mut self) {
-        let mut pending: Vec<usize> = (0..self.asked.len()).collect();
+        if self.asked.iter().all(|asked| asked.expanded.is_some()) {
+            let scales = self.scales();
+            let errors = self.asked.iter().zip(&scales).map(|(asked, scales)| asked.error(scales));
+            let seconds = self.start.elapsed().as_secs_f64();
+            self.history.push(Moment { seconds, error: errors.fold(0.0, f64::max) });
+        }
+        let mut pending: Vec<usize> =
+            (0..self.asked.len()).filter(|&index| self.asked[index].expanded.is_none()).collect();
         while !pending.is_empty() && !self.watch.is_stopped() {
             let mut is_pending = vec![false; self.asked.len()];
             pending.iter().for_each(|&index| is_pending[index] = true);
@@ -193,7 +207,7 @@ impl Work<'_> {
                         bin: receiver.time.is_some().then_some(bin),
                         value: factor * value,
                         error: factor * error,
-                        kind: ErrorKind::Sigma,
+                        kind: if asked.expanded.is_some() { ErrorKind::Bound } else { ErrorKind::Sigma },
                         seconds: asked.seconds,
                     });
                 }
@@ -262,6 +276,10 @@ impl Asked {
 
     /// A value and its standard error, with rounding.
     fn found(&self, place: usize) -> [f64; 2] {
+        if let Some(expanded) = &self.expanded {
+            let [value, error] = expanded[place];
+            return [value, error + ROUNDING * value.abs()];
+        }
         let [value, error] = self.replicates.found(place);
         [value, error.hypot(ROUNDING * value)]
     }

@@ -3,56 +3,63 @@
 use super::watch::Watch;
 use crate::geometry::{Face, Vector};
 use crate::radiosity::{Group, Measure, Radiosity, Scratch, Transport};
-use rayon::prelude::*;
+use crate::sharing::Sharing;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The cells along each side of a block that shares the search for what stands in between.
 const BLOCK: usize = 8;
-/// Blocks that one thread takes at least: of what nothing hides a block takes less than handing it over.
-const SHARED: usize = 4;
 
 /// The cells of a map.
 pub(super) struct Grid {
     normal: Vector,
     size: [usize; 2],
-    /// The middles of the cells, row by row, where they lie on the surface.
-    cells: Vec<Option<Vector>>,
+    /// The middles of the cells that lie on the surface, block by block.
+    points: Vec<Vector>,
+    /// The cell of each of them, counted row by row.
+    cells: Vec<usize>,
+    blocks: Vec<Block>,
+}
+
+/// Cells that follow each other along both sides, as far as they lie on the surface.
+struct Block {
+    /// Where its points end; they begin where those of the block before it end.
+    end: usize,
+    /// The points at its corners, if all are on the surface.
+    corners: Option<Vec<Vector>>,
 }
 
 impl Grid {
     /// The grid over the front of a planar surface: its first axis is the first edge of its first face.
     pub(super) fn over(transport: &Transport, surface: usize, size: [usize; 2]) -> Option<Self> {
         let faces = || transport.fronts(surface);
-        let first = faces().next()?;
-        let corner = first.vertices[0];
-        let along = (first.vertices[1] - corner).unit()?;
-        let across = first.normal.cross(along);
-        let extent = |axis: Vector| {
-            let places = faces().flat_map(|face| &face.vertices).map(|&v| axis.dot(v - corner));
-            places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| {
-                (low.min(place), high.max(place))
-            })
-        };
-        let ((left, right), (low, high)) = (extent(along), extent(across));
-        let [columns, rows] = size;
-        let place = |index: usize, count: usize, low: f64, high: f64| {
-            low + (high - low) * (index as f64 + 0.5) / count as f64
-        };
-        let across_columns: Vec<Vector> =
-            (0..columns).map(|column| corner + place(column, columns, left, right) * along).collect();
-        let up_rows: Vec<Vector> = (0..rows).map(|row| place(row, rows, low, high) * across).collect();
+        let normal = faces().next()?.normal;
+        let [across_columns, up_rows] = middles(transport, surface, size)?;
         let middle = |[column, row]: [usize; 2]| across_columns[column] + up_rows[row];
-        let mut cells = vec![None; columns * rows];
-        for block in blocks(size) {
-            let corners: Vec<Vector> = block.corners().into_iter().map(middle).collect();
+        let [columns, rows] = size;
+        let (mut points, mut cells) =
+            (Vec::with_capacity(columns * rows), Vec::with_capacity(columns * rows));
+        let mut blocks = Vec::new();
+        for cut in cuts(size) {
+            let corners: Vec<Vector> = cut.corners().into_iter().map(middle).collect();
             let is_inside = faces().any(|face| corners.iter().all(|&point| lies_on(point, face)));
-            for cell @ [column, row] in block.cells() {
-                let point = middle(cell);
-                let is_on = is_inside || faces().any(|face| lies_on(point, face));
-                cells[row * columns + column] = is_on.then_some(point);
+            let is_on = |point: Vector| is_inside || faces().any(|face| lies_on(point, face));
+            let [[left, low], [right, high]] = [cut.first, cut.last];
+            for (row, &up) in (low..=high).zip(&up_rows[low..=high]) {
+                let first = row * columns;
+                let of_row = &across_columns[left..=right];
+                if is_inside {
+                    points.extend(of_row.iter().map(|&across| across + up));
+                    cells.extend(first + left..=first + right);
+                } else {
+                    let on_surface = (first + left..).zip(of_row).filter(|(_, across)| is_on(**across + up));
+                    cells.extend(on_surface.clone().map(|(cell, _)| cell));
+                    points.extend(on_surface.map(|(_, &across)| across + up));
+                }
             }
+            let corners = corners.iter().all(|&corner| is_on(corner)).then_some(corners);
+            blocks.push(Block { end: points.len(), corners });
         }
-        Some(Self { normal: first.normal, size, cells })
+        Some(Self { normal, size, points, cells, blocks })
     }
 
     /// The unit normal of the surface.
@@ -66,80 +73,75 @@ impl Grid {
     }
 
     /// The middles of the cells, row by row, where they lie on the surface.
-    pub(super) fn cells(&self) -> &[Option<Vector>] {
-        &self.cells
+    pub(super) fn cells(&self) -> Vec<Option<Vector>> {
+        let mut cells = vec![None; self.size[0] * self.size[1]];
+        self.cells.iter().zip(&self.points).for_each(|(&cell, &point)| cells[cell] = Some(point));
+        cells
+    }
+
+    /// How many cells lie on the surface.
+    pub(super) fn count(&self) -> usize {
+        self.points.len()
     }
 
     /// Cells spread over the surface: one in so many, but no fewer than at least, as far as there are.
     pub(super) fn some(&self, [one_in, at_least]: [usize; 2]) -> impl Iterator<Item = Vector> {
-        let on_surface = || self.cells.iter().copied().flatten();
-        let step = one_in.min(on_surface().count() / at_least).max(1);
-        on_surface().skip(step / 2).step_by(step)
+        let step = one_in.min(self.count() / at_least).max(1);
+        self.cells().into_iter().flatten().skip(step / 2).step_by(step)
     }
 
     /// The irradiance of all cells, for each band row by row; not a number off the surface, and where the work was stopped before.
     pub(super) fn irradiance(&self, bands: usize, radiosity: &Radiosity, watch: &dyn Watch) -> Vec<Vec<f64>> {
-        let blocks: Vec<Block> = blocks(self.size).collect();
+        let mut gathered = vec![f64::NAN; bands * self.count()];
         let done = AtomicUsize::new(0);
-        let found: Vec<(Vec<usize>, Vec<f64>)> = blocks
-            .par_iter()
-            .with_min_len(SHARED)
-            .map_init(Scratch::default, |scratch, block| {
-                let found = if watch.is_stopped() {
-                    (Vec::new(), Vec::new())
-                } else {
-                    self.block(block, bands, radiosity, scratch)
-                };
-                let part = done.fetch_add(1, Ordering::Relaxed) as f64 / blocks.len() as f64;
-                watch.progress("maps", part);
-                found
-            })
-            .collect();
-        let mut values = vec![vec![f64::NAN; self.cells.len()]; bands];
-        for (cells, of_cells) in found {
-            for (cell, of_bands) in cells.into_iter().zip(of_cells.chunks_exact(bands)) {
-                values.iter_mut().zip(of_bands).for_each(|(band, &value)| band[cell] = value);
+        let each = |scratch: &mut Scratch, (group, values): (Group, &mut [f64])| {
+            if watch.is_stopped() {
+                return;
             }
+            if !group.points.is_empty() {
+                radiosity.gather(group, scratch, values);
+            }
+            if watch.is_stopped() {
+                values.fill(f64::NAN);
+                return;
+            }
+            let part = done.fetch_add(1, Ordering::Relaxed) as f64 / self.blocks.len() as f64;
+            watch.progress("maps", part);
+        };
+        let parts = self.parts(bands, &mut gathered);
+        Sharing::of(radiosity.operations(self.count())).map(parts, each);
+        let mut values = vec![vec![f64::NAN; self.size[0] * self.size[1]]; bands];
+        for (&cell, of_bands) in self.cells.iter().zip(gathered.chunks_exact(bands)) {
+            values.iter_mut().zip(of_bands).for_each(|(band, &value)| band[cell] = value);
         }
         values
     }
 
-    /// The cells of a block that lie on the surface, and their irradiance in each band, cell by cell.
-    fn block(
-        &self,
-        block: &Block,
-        bands: usize,
-        radiosity: &Radiosity,
-        scratch: &mut Scratch,
-    ) -> (Vec<usize>, Vec<f64>) {
-        let index = |[column, row]: [usize; 2]| row * self.size[0] + column;
-        let on_surface = |cell: [usize; 2]| self.cells[index(cell)].map(|point| (index(cell), point));
-        let (mut cells, mut points) = (Vec::with_capacity(BLOCK * BLOCK), Vec::with_capacity(BLOCK * BLOCK));
-        for (cell, point) in block.cells().filter_map(on_surface) {
-            cells.push(cell);
-            points.push(point);
-        }
-        let mut values = vec![0.0; bands * points.len()];
-        if !points.is_empty() {
+    /// Each block with the part of a list that its cells have, cell by cell and band by band.
+    fn parts<'g>(&'g self, bands: usize, mut values: &'g mut [f64]) -> Vec<(Group<'g>, &'g mut [f64])> {
+        let measure = Measure::Plane(self.normal);
+        let mut start = 0;
+        let part = |block: &'g Block| {
+            let points = &self.points[start..block.end];
+            start = block.end;
             // where a corner is off the surface, the hull of the others is not that of the cells
-            let corners: Option<Vec<Vector>> =
-                block.corners().into_iter().map(|corner| self.cells[index(corner)]).collect();
-            let outline = corners.as_deref().unwrap_or(&points);
-            let group = Group { points: &points, outline, measure: Measure::Plane(self.normal) };
-            radiosity.gather(group, scratch, &mut values);
-        }
-        (cells, values)
+            let outline = block.corners.as_deref().unwrap_or(points);
+            let (own, rest) = std::mem::take(&mut values).split_at_mut(bands * points.len());
+            values = rest;
+            (Group { points, outline, measure }, own)
+        };
+        self.blocks.iter().map(part).collect()
     }
 }
 
-/// Cells that follow each other along both sides: the first and the last of them.
-struct Block {
+/// A rectangle of cells: the first and the last of them.
+struct Cut {
     first: [usize; 2],
     last: [usize; 2],
 }
 
-/// The blocks of a grid of this size, row by row.
-fn blocks([columns, rows]: [usize; 2]) -> impl Iterator<Item = Block> {
+/// The rectangles of blocks of a grid of this size, row by row.
+fn cuts([columns, rows]: [usize; 2]) -> impl Iterator<Item = Cut> {
     let ends = |count: usize| {
         (0..count)
             .step_by(BLOCK)
@@ -148,18 +150,12 @@ fn blocks([columns, rows]: [usize; 2]) -> impl Iterator<Item = Block> {
     };
     let across = ends(columns);
     ends(rows).into_iter().flat_map(move |[low, high]| {
-        let block = move |[left, right]: [usize; 2]| Block { first: [left, low], last: [right, high] };
-        across.clone().into_iter().map(block)
+        let cut = move |[left, right]: [usize; 2]| Cut { first: [left, low], last: [right, high] };
+        across.clone().into_iter().map(cut)
     })
 }
 
-impl Block {
-    /// Its cells, row by row.
-    fn cells(&self) -> impl Iterator<Item = [usize; 2]> {
-        let [[left, low], [right, high]] = [self.first, self.last];
-        (low..=high).flat_map(move |row| (left..=right).map(move |column| [column, row]))
-    }
-
+impl Cut {
     /// The cells at its corners, one after the other around it; of a block of one row or column two, of a single cell one.
     fn corners(&self) -> Vec<[usize; 2]> {
         let [[left, low], [right, high]] = [self.first, self.last];
@@ -170,6 +166,24 @@ impl Block {
         }
         corners
     }
+}
+
+/// The middles of the columns of a grid over the front of a surface, in its lowest edge, and of the rows as ways up from there.
+fn middles(transport: &Transport, surface: usize, [columns, rows]: [usize; 2]) -> Option<[Vec<Vector>; 2]> {
+    let faces = || transport.fronts(surface);
+    let first = faces().next()?;
+    let corner = first.vertices[0];
+    let along = (first.vertices[1] - corner).unit()?;
+    let across = first.normal.cross(along);
+    let places = |axis: Vector, count: usize| {
+        let places = faces().flat_map(|face| &face.vertices).map(|&v| axis.dot(v - corner));
+        let (low, high) = places
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| (low.min(place), high.max(place)));
+        (0..count).map(move |index| low + (high - low) * (index as f64 + 0.5) / count as f64)
+    };
+    let across_columns = places(along, columns).map(|place| corner + place * along).collect();
+    let up_rows = places(across, rows).map(|place| place * across).collect();
+    Some([across_columns, up_rows])
 }
 
 /// Whether a point of the plane of a convex face lies on it.

@@ -13,9 +13,9 @@ use super::effects::{Effects, forced};
 use super::followed::is_followed;
 use super::left_out::{without, without_forced};
 use super::survey::Survey;
-use crate::monte_carlo::{self, trap};
+use crate::monte_carlo::{self, has_too_many_images, trap};
 use crate::radiosity::orders;
-use crate::scene::{Effect, Force, Scene, SceneError, not_simulated};
+use crate::scene::{Effect, Force, ForcedEffect, Scene, SceneError, not_simulated};
 
 /// The part of the tolerance that what is dropped may take.
 const DROPPED: f64 = 0.5;
@@ -50,13 +50,26 @@ pub fn plan(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
 
 /// The plan of a scene whose light is followed along paths.
 fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
+    let is_pervious =
+        |forced: &&ForcedEffect| forced.effect == Effect::Occlusion && forced.force == Force::Off;
+    if let Some(forced) = scene.solve.forced.iter().find(is_pervious) {
+        let message = "light that is followed along paths cannot pass through surfaces";
+        return Err(vec![SceneError::new(&forced.place, message, "no `occlusion`, or \"on\"")]);
+    }
     let (survey, contains) = (Survey::without_bounds(scene), monte_carlo::Effects::of(scene));
     let mut planning = Planning { scene, survey, contains, left: DROPPED * scene.solve.tolerance };
     let effects: Vec<PlannedEffect> =
         Effect::ALL.iter().map(|&(_, effect)| planning.decide(effect)).collect();
     let left = without(scene, &effects);
-    if let Some(trap) = trap(&left.in_working_units().scene) {
+    let working = left.in_working_units();
+    if let Some(trap) = trap(&working.scene) {
         return Err(vec![trap]);
+    }
+    if let Some(light) = scene.lights.first().filter(|_| has_too_many_images(&working.scene)) {
+        let message = "flat surfaces have too many images of lights without extent";
+        let expected =
+            "fewer surfaces that mirror or bend light, or lights with an extent: surfaces with a radiance";
+        return Err(vec![SceneError::new(&light.place, message, expected)]);
     }
     let kernels = Effects::of(&effects).kernels_of_paths(&left);
     Ok(Plan { effects, kernels })

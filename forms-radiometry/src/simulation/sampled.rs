@@ -61,9 +61,11 @@ impl Work<'_> {
             let found = self.found(&sampled);
             let error = self.relative_errors(&found).fold(0.0, f64::max);
             history.push(Moment { seconds: self.start.elapsed().as_secs_f64(), error });
+            if self.watch.is_stopped() {
+                return found;
+            }
             self.watch.progress("receivers", (tolerance / error).powi(2).min(1.0));
-            if self.watch.is_stopped()
-                || error <= tolerance
+            if error <= tolerance
                 || self.is_too_long(&sampled, &found, most)
                 || !self.improve(paths, &mut sampled, &found, tolerance)
             {
@@ -142,6 +144,9 @@ impl Work<'_> {
                 scales.iter().enumerate().all(of_band)
             };
             while !is_enough(&probe) && paths.improve(&mut probe, scales) {}
+            if self.watch.is_stopped() {
+                return None;
+            }
             let done = done.fetch_add(1, Ordering::Relaxed);
             self.watch.progress("maps", done as f64 / cells.len() as f64);
             Some(probe)

@@ -7,7 +7,7 @@
 //! equations left, and rounding. Where shapes are curved, all is done with two polyhedra, one finer than the other, and what that
 //! changes is added.
 
-use super::answer::{Answer, ErrorKind, Map, Moment, Plan, Quantity, Simulation};
+use super::answer::{Answer, ErrorKind, Moment, Plan, Quantity, Simulation};
 use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
 use super::followed::{followed, is_followed};
@@ -17,9 +17,9 @@ use super::readings::Reading;
 use super::watch::Watch;
 use crate::faces::{faces, is_round};
 use crate::geometry::Face;
-use crate::radiosity::{Gathering, Goal, Lights, Paths, Question, Radiosity, Scratch, Transport};
-use crate::scene::{ReceiverKind, Scene};
-use rayon::prelude::*;
+use crate::radiosity::{Gathering, Goal, Hiding, Lights, Paths, Question, Radiosity, Scratch, Transport};
+use crate::scene::Scene;
+use crate::sharing::Sharing;
 use std::collections::HashMap;
 use std::time::Instant;
 
@@ -36,15 +36,13 @@ const FINEST: usize = 4;
 /// What is to come at least after each change, relative to it, where surfaces may hide each other: shadows that fall between the
 /// nodes appear when they are closer, and their borders settle no faster than elements shrink.
 const BEHIND_SCREENS: [f64; 3] = [10.0, 2.0, 1.0];
-/// One in so many cells of a map is watched while elements become finer, and at least so many in all.
-const WATCHED: [usize; 2] = [36, 9];
 
 /// Answers the questions of a scene with the effects of a plan.
 pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
     simulate_by(Gathering::of, scene, plan, watch)
 }
 
-/// Answers them with light that is gathered as `choose` says for the faces of the scene, which may hide each other or not.
+/// Answers them with light that is gathered as `choose` says.
 pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
     let effects = Effects::of(&plan.effects);
     let mut left = without(scene, &plan.effects);
@@ -62,9 +60,7 @@ pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dy
         return simulation;
     }
     let work = Work::new(&working.scene, effects, choose, watch);
-    // one way into the threads instead of one for every loop, each of which would wait for them to wake
-    let has_loops = effects.orders != Some(0) || scene.receivers.len() > 1 || work.asks_for_maps();
-    let mut simulation = if has_loops { rayon::scope(|_| work.run()) } else { work.run() };
+    let mut simulation = work.run();
     simulation.leave_working_units(&working);
     if merged {
         spread(&mut simulation, scene.band_count());
@@ -72,8 +68,8 @@ pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dy
     simulation
 }
 
-/// How light is gathered in a scene with these faces, which may hide each other or not.
-type Choose = fn(&Scene, &[Face], bool) -> Gathering;
+/// How light is gathered in a scene with these faces, of which it is known what they hide.
+type Choose = fn(&Scene, &[Face], &Question, Hiding) -> Gathering;
 
 /// The answers of one band, for each band.
 fn spread(simulation: &mut Simulation, bands: usize) {
@@ -98,7 +94,7 @@ pub(super) struct Work<'s> {
     /// How many readings are answers; those after them are watched cells of maps.
     pub(super) answers: usize,
     /// The group of each reading.
-    groups: Vec<usize>,
+    pub(super) groups: Vec<usize>,
 }
 
 /// What readings and maps are taken from.
@@ -109,7 +105,7 @@ enum Solution<'t> {
 
 /// Readings in groups, each named by the first in it: the components of vector irradiance and the fluence rate of one receiver,
 /// and the watched cells of one map. Any other reading is alone.
-fn groups(readings: &[Reading], answers: usize) -> Vec<usize> {
+pub(super) fn groups(readings: &[Reading], answers: usize) -> Vec<usize> {
     let mut first = HashMap::new();
     let group = |(index, reading): (usize, &Reading)| {
         let is_vector = matches!(reading.quantity, Quantity::VectorIrradiance(_) | Quantity::FluenceRate);
@@ -126,36 +122,40 @@ impl<'s> Work<'s> {
         Self { scene, effects, choose, watch, start: Instant::now(), readings, answers, groups }
     }
 
-    fn asks_for_maps(&self) -> bool {
-        let has_map = |kind: &ReceiverKind| matches!(kind, ReceiverKind::Surface { grid: Some(_), .. });
-        self.scene.receivers.iter().any(|receiver| has_map(&receiver.kind))
-    }
-
     fn run(mut self) -> Simulation {
         let is_round_anywhere = is_round(self.scene);
         let mut history = Vec::new();
         let mut coarse: Option<Vec<Found>> = None;
         for fineness in 0.. {
-            let transport = self.transport(fineness);
+            let faces = faces(self.scene, fineness);
+            let gathering = (self.choose)(self.scene, &faces, &self.question(), self.effects.hiding);
+            let transport = self.transport(faces, gathering);
             let lights = Lights::of(self.scene, &transport);
             let grids = self.grids(&transport);
-            if fineness == 0 {
+            if fineness == 0 && (is_round_anywhere || !self.is_straight(gathering)) {
                 self.watch_cells(&grids);
             }
-            let (solution, mut found) = self.solved(&transport, &lights, &mut history);
-            let is_compared = coarse.is_some();
-            if let Some(coarse) = coarse {
-                add_changes(&mut found, &coarse);
-            }
-            if !is_round_anywhere
-                || self.watch.is_stopped()
-                || fineness == FINEST
-                || (is_compared && self.is_enough(&found))
-            {
-                let maps = match &solution {
+            let sharing = self.sharing(gathering, &lights, &transport, &grids);
+            let (found, maps) = sharing.enter(|| {
+                let (solution, mut found) = self.solved(gathering, &transport, &lights, &mut history);
+                let is_stopped = self.watch.is_stopped();
+                let is_compared = compare(&mut found, coarse.take(), fineness);
+                if is_round_anywhere && is_stopped && !is_compared {
+                    // what the shape changes is not known
+                    let estimates = found.iter_mut().flat_map(|found| &mut found.bands);
+                    estimates.for_each(|estimate| estimate.floor = f64::INFINITY);
+                }
+                let is_last = !is_round_anywhere
+                    || is_stopped
+                    || fineness == FINEST
+                    || (is_compared && self.is_enough(&found));
+                let maps = is_last.then(|| match &solution {
                     Solution::Elements(radiosity) => self.maps(radiosity, &grids, &found),
                     Solution::Paths(paths) => self.sampled_maps(paths, &grids, &found),
-                };
+                });
+                (found, maps)
+            });
+            if let Some(maps) = maps {
                 let stopped = self.watch.is_stopped();
                 return Simulation { answers: self.answered(&found), maps, history, stopped };
             }
@@ -164,38 +164,37 @@ impl<'s> Work<'s> {
         unreachable!("the finest polyhedra are the last")
     }
 
-    fn transport(&self, fineness: usize) -> Transport {
-        let faces = faces(self.scene, fineness);
-        let screens = self.effects.screens(self.scene, &faces);
+    /// Whether all that points get comes straight from lights, in closed forms.
+    fn is_straight(&self, gathering: Gathering) -> bool {
+        self.effects.orders == Some(0) && gathering == Gathering::Pieces
+    }
+
+    /// Whether the loops over readings and cells are worth more than one thread.
+    fn sharing(
+        &self,
+        gathering: Gathering,
+        lights: &Lights,
+        transport: &Transport,
+        grids: &[(usize, Grid)],
+    ) -> Sharing {
+        if !self.is_straight(gathering) {
+            return Sharing::Shared;
+        }
+        let cells: usize = grids.iter().map(|(_, grid)| grid.count()).sum();
+        Sharing::of(lights.operations(self.readings.len() + cells, transport))
+    }
+
+    fn transport(&self, faces: Vec<Face>, gathering: Gathering) -> Transport {
+        let screens = self.effects.screens(self.scene, &faces, gathering);
         let [part, loosest] = if self.effects.orders == Some(0) { [STRAIGHT, 1e-2] } else { [RULES, 1e-3] };
         let accuracy = (part * self.scene.solve.tolerance).clamp(1e-12, loosest);
         Transport { faces, screens, occlusion: self.effects.occlusion, accuracy }
     }
 
-    /// The maps that are asked for: the index of the receiver and its cells.
-    fn grids(&self, transport: &Transport) -> Vec<(usize, Grid)> {
-        let receivers = self.scene.receivers.iter().enumerate();
-        let grid = |(index, receiver): (usize, &crate::scene::Receiver)| match receiver.kind {
-            ReceiverKind::Surface { surface, grid: Some(size) } => {
-                Grid::over(transport, surface, size).map(|grid| (index, grid))
-            }
-            _ => None,
-        };
-        receivers.filter_map(grid).collect()
-    }
-
-    /// Adds readings in some cells of each map, so that maps are refined until these are exact enough.
-    fn watch_cells(&mut self, grids: &[(usize, Grid)]) {
-        for (index, grid) in grids {
-            let reading = |cell| Reading::irradiance(*index, cell, grid.normal());
-            self.readings.extend(grid.some(WATCHED).map(reading));
-        }
-        self.groups = groups(&self.readings, self.answers);
-    }
-
     /// A solution and the readings, by what is expected to take less; by exact pieces where rays were not enough.
     fn solved<'t>(
         &self,
+        gathering: Gathering,
         transport: &'t Transport,
         lights: &'t Lights<'t>,
         history: &mut Vec<Moment>,
@@ -203,7 +202,6 @@ impl<'s> Work<'s> {
     where
         's: 't,
     {
-        let gathering = (self.choose)(self.scene, &transport.faces, self.effects.occlusion);
         if let Gathering::Rays { most } = gathering {
             let paths = Paths::new(self.scene, transport, lights, self.question(), self.watch);
             let found = self.sampled(&paths, is_round(self.scene), most, history);
@@ -239,14 +237,18 @@ impl<'s> Work<'s> {
                 return (radiosity, found);
             }
             let goals = self.goals(&radiosity, &found);
-            let Some(mut left) = radiosity.refine(&goals, self.watch) else {
+            let Some(mut left) = radiosity.refine(&goals) else {
                 return (radiosity, found);
             };
             if transport.occlusion {
                 left = left.max(BEHIND_SCREENS[splits.min(BEHIND_SCREENS.len() - 1)]);
             }
             splits += 1;
-            found = self.read(&radiosity, Some((&found, left)));
+            let finer = self.read(&radiosity, Some((&found, left)));
+            if self.watch.is_stopped() {
+                return (radiosity, found);
+            }
+            found = finer;
         }
     }
 
@@ -268,12 +270,19 @@ impl<'s> Work<'s> {
         self.readings.iter().zip(found).zip(self.scales(found)).filter_map(goal).collect()
     }
 
-    /// All readings in all bands.
+    /// All readings in all bands; in none where the work was stopped before.
     fn read(&self, radiosity: &Radiosity, before: Option<(&Vec<Found>, f64)>) -> Vec<Found> {
         let one = |scratch: &mut Scratch, (index, reading): (usize, &Reading)| {
             let begin = Instant::now();
-            let values = reading.value(self.scene, radiosity, scratch);
+            let values = if self.watch.is_stopped() {
+                Vec::new()
+            } else {
+                reading.value(self.scene, radiosity, scratch)
+            };
             let seconds = begin.elapsed().as_secs_f64();
+            if self.watch.is_stopped() {
+                return Found { bands: Vec::new(), seconds };
+            }
             let largest = reading.largest(radiosity.transport());
             let of_band = |(band, value): (usize, f64)| {
                 let straight = reading.straight_error(radiosity, band);
@@ -287,8 +296,9 @@ impl<'s> Work<'s> {
             };
             Found { bands: values.into_iter().enumerate().map(of_band).collect(), seconds }
         };
-        let mut found: Vec<Found> =
-            self.readings.par_iter().enumerate().map_init(Scratch::default, one).collect();
+        let sharing = Sharing::of(radiosity.operations(self.readings.len()));
+        let readings: Vec<(usize, &Reading)> = self.readings.iter().enumerate().collect();
+        let mut found: Vec<Found> = sharing.map(readings, one);
         let scales = self.scales(&found);
         pool(&mut found, &scales, &self.groups);
         for (found, scales) in found.iter_mut().zip(scales) {
@@ -310,7 +320,7 @@ impl<'s> Work<'s> {
     }
 
     /// The errors of all readings in all bands, relative to what their tolerances are. Of an answer that is nothing beside the
-    /// largest of all, such as that of a receiver in the dark, only the error beside that one counts.
+    /// largest of all, such as that of a receiver in the dark, only the error beside that one counts. Of what was not reached nothing is known.
     pub(super) fn relative_errors(&self, found: &[Found]) -> impl Iterator<Item = f64> {
         let scales = self.scales(found);
         let largest = scales.iter().flatten().copied().fold(0.0, f64::max);
@@ -319,35 +329,14 @@ impl<'s> Work<'s> {
             if error == 0.0 { 0.0 } else { error / scale.max(DARK * largest) }
         };
         let pairs = found.iter().zip(scales);
-        let errors: Vec<f64> =
+        let mut errors: Vec<f64> =
             pairs.flat_map(|(found, scales)| found.bands.iter().zip(scales).map(relative)).collect();
+        errors.extend(found.iter().any(Found::is_missing).then_some(f64::INFINITY));
         errors.into_iter()
     }
 
     fn is_enough(&self, found: &[Found]) -> bool {
         self.relative_errors(found).all(|error| error <= self.scene.solve.tolerance)
-    }
-
-    fn maps(&self, radiosity: &Radiosity, grids: &[(usize, Grid)], found: &[Found]) -> Vec<Map> {
-        let bands = self.scene.band_count();
-        let map = |&(receiver, ref grid): &(usize, Grid)| {
-            let values = grid.irradiance(bands, radiosity, self.watch);
-            let watched =
-                || (self.answers..found.len()).filter(|&other| self.readings[other].receiver == receiver);
-            let largest =
-                |band: usize| watched().map(|other| found[other].bands[band].error()).fold(0.0, f64::max);
-            let error = |(band, values): (usize, &Vec<f64>)| {
-                let error = largest(band);
-                values.iter().map(|value| if value.is_nan() { f64::NAN } else { error }).collect()
-            };
-            let errors = values.iter().enumerate().map(error).collect();
-            let ReceiverKind::Surface { grid: Some(size), .. } = self.scene.receivers[receiver].kind else {
-                unreachable!("only surfaces with a grid have maps")
-            };
-            let name = self.scene.receivers[receiver].name.clone();
-            Map { receiver: name, quantity: Quantity::Irradiance, size, values, errors, is_image: false }
-        };
-        grids.iter().map(map).collect()
     }
 
     fn answered(&self, found: &[Found]) -> Vec<Answer> {
@@ -367,6 +356,22 @@ impl<'s> Work<'s> {
             found.bands.clone().into_iter().enumerate().map(of_band)
         };
         self.readings[..self.answers].iter().zip(found).flat_map(answer).collect()
+    }
+}
+
+/// Compares what was found with that of a coarser shape, or takes that back if not everything was reached; whether the errors then tell
+/// what the shape changes.
+fn compare(found: &mut Vec<Found>, coarse: Option<Vec<Found>>, fineness: usize) -> bool {
+    match coarse {
+        Some(coarse) if found.iter().any(Found::is_missing) => {
+            *found = coarse;
+            fineness > 1
+        }
+        Some(coarse) => {
+            add_changes(found, &coarse);
+            true
+        }
+        None => false,
     }
 }
 

@@ -7,8 +7,8 @@ use crate::radiosity::{
     Group, Lights, Measure, Question, Radiosity, Scratch, Transport, reflectance, reflects,
 };
 use crate::scene::{LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Surface, WorkingScene};
+use crate::sharing::Sharing;
 use crate::simulation::Unwatched;
-use rayon::prelude::*;
 
 /// How many faces are asked at most what they see.
 const ASKED: usize = 64;
@@ -49,6 +49,17 @@ struct Sampled {
     direct: f64,
 }
 
+impl Sampled {
+    /// What these points and others together tell.
+    fn beside(self, other: Self) -> Self {
+        Self {
+            contraction: self.contraction.max(other.contraction),
+            closure: self.closure.min(other.closure),
+            direct: self.direct.max(other.direct),
+        }
+    }
+}
+
 impl Survey {
     pub(super) fn of(working: &WorkingScene) -> Self {
         let scene = working.scene.as_ref();
@@ -77,9 +88,7 @@ impl Survey {
                 && all_white(scene),
         };
         if !is_large {
-            let question = Question { orders: Some(0), receives: receiving(scene), direct: true };
-            let straight = Radiosity::new(scene, &transport, &lights, question, &Unwatched);
-            survey.bound(working, &straight, sampled.direct);
+            survey.bound(working, &transport, &lights, sampled.direct);
         } else {
             // bounds take exact direct light, of every surface that is a receiver
             survey.band_spread =
@@ -105,7 +114,7 @@ impl Survey {
     }
 
     /// The bounds by what straight light makes of every answer.
-    fn bound(&mut self, working: &WorkingScene, straight: &Radiosity, direct: f64) {
+    fn bound(&mut self, working: &WorkingScene, transport: &Transport, lights: &Lights, direct: f64) {
         let scene = working.scene.as_ref();
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
         // ‖E‖ ≤ ‖D‖/(1 − k), and what is reflected is ρ E/π from everywhere
@@ -113,7 +122,7 @@ impl Survey {
         let reflected = largest_albedo * everywhere / std::f64::consts::PI;
         let [of_albedo, of_light] = spreads(scene);
         let spread = (of_light + of_albedo * everywhere / std::f64::consts::PI) / (1.0 - self.contraction);
-        let bounds = bounds(working, straight, [reflected, spread]);
+        let bounds = bounds(working, transport, lights, [reflected, spread]);
         let is_bound = self.contraction < 1.0 && !scene.receivers.is_empty();
         let [interreflection, bands] = bounds;
         self.interreflection = is_bound.then_some(interreflection);
@@ -137,14 +146,22 @@ impl Survey {
 }
 
 /// What each of these radiances from everywhere makes of an answer at most: in its unit, and beside what straight light makes of it.
-fn bounds(working: &WorkingScene, straight: &Radiosity, radiances: [f64; 2]) -> [[f64; 2]; 2] {
+fn bounds(
+    working: &WorkingScene,
+    transport: &Transport,
+    lights: &Lights,
+    radiances: [f64; 2],
+) -> [[f64; 2]; 2] {
     const NOTHING: [[f64; 2]; 2] = [[0.0; 2]; 2];
     if radiances == [0.0; 2] {
         return NOTHING;
     }
+    let scene = working.scene.as_ref();
+    let question = Question { orders: Some(0), receives: receiving(scene), direct: true };
+    let straight = &Radiosity::new(scene, transport, lights, question, &Unwatched);
     let of_reading = |scratch: &mut Scratch, reading: Reading| {
         let largest = reading.largest(straight.transport());
-        let values = reading.value(&working.scene, straight, scratch);
+        let values = reading.value(scene, straight, scratch);
         let least = values.iter().map(|value| value.abs()).fold(f64::INFINITY, f64::min);
         let bound = |radiance| match radiance {
             0.0 => [0.0; 2],
@@ -155,12 +172,13 @@ fn bounds(working: &WorkingScene, straight: &Radiosity, radiances: [f64; 2]) -> 
     let larger = |a: [[f64; 2]; 2], b: [[f64; 2]; 2]| {
         [0, 1].map(|radiance| [0, 1].map(|kind| f64::max(a[radiance][kind], b[radiance][kind])))
     };
-    let of_receiver = |scratch: &mut Scratch, (index, receiver)| {
+    let of_receiver = |scratch: &mut Scratch, (index, receiver): (usize, &Receiver)| {
         let readings = Reading::of(index, receiver).into_iter();
         readings.map(|reading| of_reading(scratch, reading)).fold(NOTHING, larger)
     };
-    let receivers = working.scene.receivers.par_iter().enumerate();
-    receivers.map_init(Scratch::default, of_receiver).reduce(|| NOTHING, larger)
+    let receivers: Vec<(usize, &Receiver)> = scene.receivers.iter().enumerate().collect();
+    let sharing = Sharing::of(straight.operations(receivers.len()));
+    sharing.map(receivers, of_receiver).into_iter().fold(NOTHING, larger)
 }
 
 /// Whether each surface is a receiver.
@@ -225,36 +243,52 @@ fn all_white(scene: &Scene) -> bool {
 
 /// What some faces see and get straight from lights, from points near their corners and in their middles.
 fn sample(scene: &Scene, transport: &Transport, lights: &Lights) -> Sampled {
-    let mut scratch = Scratch::default();
     let is_source = |face: &Face| is_bright(scene, face) && reflects(scene, face.surface);
     let reflecting: Vec<usize> =
         (0..transport.faces.len()).filter(|&index| is_source(&transport.faces[index])).collect();
-    let mut sampled = Sampled { contraction: 0.0, closure: f64::INFINITY, direct: 0.0 };
-    for &index in reflecting.iter().step_by(reflecting.len().div_ceil(ASKED).max(1)) {
-        let face = &transport.faces[index];
-        let sum = face.vertices.iter().fold(Vector::default(), |sum, &v| sum + v);
-        let middle = (1.0 / face.vertices.len() as f64) * sum;
-        let mut points = vec![middle];
-        points.extend(face.vertices.iter().map(|&corner| middle + 0.9 * (corner - middle)));
-        let group = Group { points: &points, outline: &points, measure: Measure::Plane(face.normal) };
-        let mut rows = vec![vec![0.0; scene.band_count()]; points.len()];
-        let mut closure = vec![0.0; points.len()];
-        for &other in reflecting.iter().filter(|&&other| other != index) {
-            let seen = &transport.faces[other];
-            transport.see(group, (&seen.vertices, seen.normal), &mut scratch, |point, piece| {
-                let factor = group.measure.of(piece);
-                closure[point] += factor;
-                for (row, rho) in rows[point].iter_mut().zip(reflectance(scene, seen.surface)) {
-                    *row += rho * factor;
-                }
-            });
-        }
-        let direct = lights.reaching(group, transport, &mut scratch);
-        sampled.contraction = rows.into_iter().flatten().fold(sampled.contraction, f64::max);
-        sampled.closure = closure.into_iter().fold(sampled.closure, f64::min);
-        sampled.direct = direct.into_iter().flatten().fold(sampled.direct, f64::max);
+    let asked: Vec<usize> =
+        reflecting.iter().copied().step_by(reflecting.len().div_ceil(ASKED).max(1)).collect();
+    let corners = |faces: &[usize]| faces.iter().map(|&index| transport.faces[index].vertices.len()).sum();
+    let sharing = Sharing::of(transport.operations(corners(&asked), corners(&reflecting)));
+    let of_face =
+        |scratch: &mut Scratch, index| sample_face(index, &reflecting, scene, transport, lights, scratch);
+    let sampled = Sampled { contraction: 0.0, closure: f64::INFINITY, direct: 0.0 };
+    sharing.map(asked, of_face).into_iter().fold(sampled, Sampled::beside)
+}
+
+/// What one of the reflecting faces does.
+fn sample_face(
+    index: usize,
+    reflecting: &[usize],
+    scene: &Scene,
+    transport: &Transport,
+    lights: &Lights,
+    scratch: &mut Scratch,
+) -> Sampled {
+    let face = &transport.faces[index];
+    let sum = face.vertices.iter().fold(Vector::default(), |sum, &v| sum + v);
+    let middle = (1.0 / face.vertices.len() as f64) * sum;
+    let mut points = vec![middle];
+    points.extend(face.vertices.iter().map(|&corner| middle + 0.9 * (corner - middle)));
+    let group = Group { points: &points, outline: &points, measure: Measure::Plane(face.normal) };
+    let mut rows = vec![vec![0.0; scene.band_count()]; points.len()];
+    let mut closure = vec![0.0; points.len()];
+    for &other in reflecting.iter().filter(|&&other| other != index) {
+        let seen = &transport.faces[other];
+        transport.see(group, (&seen.vertices, seen.normal), scratch, |point, piece| {
+            let factor = group.measure.of(piece);
+            closure[point] += factor;
+            for (row, rho) in rows[point].iter_mut().zip(reflectance(scene, seen.surface)) {
+                *row += rho * factor;
+            }
+        });
     }
-    sampled
+    let direct = lights.reaching(group, transport, scratch);
+    Sampled {
+        contraction: rows.into_iter().flatten().fold(0.0, f64::max),
+        closure: closure.into_iter().fold(f64::INFINITY, f64::min),
+        direct: direct.into_iter().flatten().fold(0.0, f64::max),
+    }
 }
 
 /// What some faces see from their middles, by the ends of rays; nothing of direct light.
@@ -282,6 +316,27 @@ fn sample_by_rays(scene: &Scene, transport: &Transport) -> Sampled {
     sampled
 }
 
+/// Whether all surfaces, lights and receivers are on one side of every face: then these are parts of the border of a convex room, and
+/// none stands between anything in it.
+fn is_convex_room(scene: &Scene, faces: &[Face], resolution: f64) -> bool {
+    let mut inside: Vec<Vector> = faces.iter().flat_map(|face| &face.vertices).copied().collect();
+    for light in &scene.lights {
+        let LightKind::Point { position, .. } = light.kind else { return false };
+        inside.push(position);
+    }
+    if scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0) {
+        return false;
+    }
+    inside.extend(scene.receivers.iter().filter_map(|receiver| match receiver.kind {
+        ReceiverKind::Point { position, .. } | ReceiverKind::Sphere { position } => Some(position),
+        ReceiverKind::Ray { .. } | ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => None,
+    }));
+    faces.iter().filter(|face| !face.is_back).all(|face| {
+        let heights = || inside.iter().map(|&point| face.normal.dot(point - face.vertices[0]));
+        heights().all(|height| height >= -resolution) || heights().all(|height| height <= resolution)
+    })
+}
+
 /// Whether anything can come between two faces, or between a receiver and a face; and if so, what.
 fn in_between(scene: &Scene, transport: &Transport) -> Option<String> {
     let faces = &transport.faces;
@@ -292,6 +347,9 @@ fn in_between(scene: &Scene, transport: &Transport) -> Option<String> {
     let sources: Vec<usize> = (0..faces.len()).filter(|&index| counts(index)).collect();
     if faces.len() > MANY {
         return Some(format!("among {} faces some may hide others", faces.len()));
+    }
+    if is_convex_room(scene, faces, transport.screens.resolution()) {
+        return None;
     }
     if !scene.lights.is_empty() && !faces.is_empty() {
         return Some("surfaces may hide lights that are points or far away".to_string());
@@ -319,6 +377,8 @@ fn in_between(scene: &Scene, transport: &Transport) -> Option<String> {
         let is_asked = counts(index) || receives[faces[index].surface];
         is_asked.then(|| stands_before(&faces[index].vertices, Some(faces[index].normal))).flatten()
     };
-    let of_faces = || (0..faces.len()).into_par_iter().find_map_first(of_face);
-    scene.receivers.par_iter().find_map_first(of_receiver).or_else(of_faces)
+    let corners: usize = faces.iter().map(|face| face.vertices.len()).sum();
+    let edges: usize = sources.iter().map(|&index| faces[index].vertices.len()).sum();
+    let sharing = Sharing::of(transport.operations(corners + scene.receivers.len(), edges));
+    sharing.find_map(&scene.receivers, of_receiver).or_else(|| sharing.find_map(0..faces.len(), of_face))
 }

@@ -2,10 +2,13 @@
 
 use super::solver::simulate_by;
 use super::{Answer, Unwatched, plan};
+use crate::faces::faces;
 use crate::geometry::Face;
-use crate::radiosity::Gathering;
+use crate::radiosity::{Gathering, Hiding, Question};
 use crate::scene::{Scene, read};
-use crate::scene_text::{point_receiver, polygon, surface, tolerance as asked};
+use crate::scene_text::{
+    CUBE, material, point_receiver, polygon, surface, surface_receiver, tolerance as asked,
+};
 
 /// Whether numeric code is optimised; where it is not, fewer cases have to do.
 const IS_OPTIMISED: bool = !cfg!(debug_assertions);
@@ -81,7 +84,7 @@ kind = "surface"
 surface = "floor"
 "#;
 
-type Choose = fn(&Scene, &[Face], bool) -> Gathering;
+type Choose = fn(&Scene, &[Face], &Question, Hiding) -> Gathering;
 
 fn by(gathering: Choose, text: &str) -> Vec<Answer> {
     let scene = read(text, "test.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
@@ -90,7 +93,7 @@ fn by(gathering: Choose, text: &str) -> Vec<Answer> {
 }
 
 fn by_rays(text: &str) -> Vec<Answer> {
-    by(|_, _, _| Gathering::Rays { most: f64::INFINITY }, text)
+    by(|_, _, _, _| Gathering::Rays { most: f64::INFINITY }, text)
 }
 
 fn closed_room() -> String {
@@ -117,12 +120,42 @@ fn rays_and_exact_pieces_find_the_same_light() {
             let solve = format!("[solve]\ntolerance = {tolerance}\neffects = {{ {effects} }}\n");
             format!("{}{RECEIVERS}{lights}{solve}", closed_room())
         });
-        for (a, b) in by(|_, _, _| Gathering::Pieces, &pieces).iter().zip(by_rays(&rays)) {
+        for (a, b) in by(|_, _, _, _| Gathering::Pieces, &pieces).iter().zip(by_rays(&rays)) {
             let (off, allowed) = ((a.value - b.value).abs(), a.error + b.error);
             let what = format!("{name}: {} {:?}", a.receiver, a.quantity);
             assert!(off <= allowed, "{what}: {} ± {:e} and {} ± {:e}", a.value, a.error, b.value, b.error);
         }
     }
+}
+
+/// A closed room without obstacles: nothing stands between anything, so that rays meet what pieces see.
+#[test]
+fn where_nothing_is_hidden_rays_and_exact_pieces_find_the_same_light_too() {
+    let faces = CUBE.map(|(name, corners)| surface(name, "wall", &polygon(&corners)));
+    let receivers = point_receiver("point", [0.3, 0.4, 0.2], [0.1, 0.3, 1.0]) + &surface_receiver("back");
+    let light = "[[light]]\nkind = \"point\"\nposition = [0.6, 0.5, 0.8]\nintensity = 2\n";
+    let room =
+        |tolerance| [&material("wall", 0.6), &faces.concat(), &receivers, light, &asked(tolerance)].concat();
+    let rays = by_rays(&room(5e-2));
+    for (a, b) in by(|_, _, _, _| Gathering::Pieces, &room(1e-2)).iter().zip(&rays) {
+        let (off, allowed) = ((a.value - b.value).abs(), a.error + b.error);
+        assert!(off <= allowed, "{} {:?}: {} and {}, {allowed:e}", a.receiver, a.quantity, a.value, b.value);
+    }
+}
+
+/// Many faces and one rough number: rays are taken, unless they would meet what the file leaves out.
+#[test]
+fn what_is_left_out_is_not_met_by_rays() {
+    let sphere = "sphere = { center = [0, 0, 0], radius = 1, inward = true }";
+    let wall = material("wall", 0.6) + &surface("shell", "wall", &format!("{sphere}\nexitance = 1"));
+    let receiver = point_receiver("point", [0.0, 0.0, 0.2], [0.0, 0.0, 1.0]);
+    let scene = read(&(wall + &receiver + &asked(0.1)), "test.toml").expect("the scene is right");
+    let question = |orders| Question { orders, receives: vec![false], direct: true };
+    let gathering = |orders, hiding| Gathering::of(&scene, &faces(&scene, 0), &question(orders), hiding);
+    assert!(matches!(gathering(None, Hiding::Simulated), Gathering::Rays { .. }));
+    assert!(matches!(gathering(None, Hiding::Nothing), Gathering::Rays { .. }));
+    assert_eq!(gathering(None, Hiding::LeftOut), Gathering::Pieces);
+    assert_eq!(gathering(Some(0), Hiding::Nothing), Gathering::Pieces);
 }
 
 /// Receivers that ask the same many times: each gets rays of its own.

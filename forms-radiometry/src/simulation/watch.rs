@@ -5,7 +5,7 @@ pub trait Watch: Sync {
     /// What is being done, and which fraction of it is.
     fn progress(&self, stage: &str, fraction: f64);
 
-    /// Whether to stop as soon as there is something to return.
+    /// Whether to stop, with what there is by then. Once it says so it does not change its mind.
     fn is_stopped(&self) -> bool;
 }
 

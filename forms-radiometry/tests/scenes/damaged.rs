@@ -194,7 +194,7 @@ impl Watch for Impatient {
     fn progress(&self, _stage: &str, _fraction: f64) {}
 
     fn is_stopped(&self) -> bool {
-        self.0.fetch_add(1, Ordering::Relaxed) > 100
+        self.0.fetch_add(1, Ordering::Relaxed) > 3000
     }
 }
 

@@ -10,6 +10,8 @@ const UNCERTAIN: usize = 6;
 
 /// The value, and its error.
 pub(super) fn measured(value: f64, error: f64) -> [String; 2] {
+    // a zero has no sign
+    let value = value + 0.0;
     if !(value.is_finite() && error.is_finite()) {
         return [format!("{value:.UNCERTAIN$e}"), error.to_string()];
     }
@@ -20,7 +22,7 @@ pub(super) fn measured(value: f64, error: f64) -> [String; 2] {
     // the place of the last digit, as a power of ten
     let last = (power(error) - 1).max(size - MOST + 1);
     let value = match size {
-        LEAST_POWER..=MOST_POWER if last <= 0 => format!("{value:.*}", last.unsigned_abs() as usize),
+        LEAST_POWER..=MOST_POWER if last <= 0 => fixed(value, last.unsigned_abs() as usize),
         _ => scientific(value, last),
     };
     let error = match power(error) {
@@ -43,6 +45,13 @@ pub(super) fn rough(number: f64) -> String {
 /// The power of ten of the first digit; of zero none that matters.
 fn power(number: f64) -> i32 {
     if number == 0.0 { i32::MIN / 2 } else { number.abs().log10().floor() as i32 }
+}
+
+/// So many digits behind the point; without a sign where all of them are zero.
+fn fixed(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    let is_zero = !text.contains(|letter: char| matches!(letter, '1'..='9'));
+    text.strip_prefix('-').filter(|_| is_zero).map_or_else(|| text.clone(), str::to_owned)
 }
 
 /// Digits up to a place; none of a value far below it.
@@ -85,6 +94,22 @@ mod tests {
     fn no_more_digits_are_shown_than_a_number_has() {
         let [value, error] = measured(1.0 / 3.0, 1e-30);
         assert_eq!((value.as_str(), error.as_str()), ("0.33333333333333331", "1.0e-30"));
+    }
+
+    #[test]
+    fn a_zero_has_no_sign() {
+        let cases = [
+            (-0.0, 1e-3, "0.0000"),
+            (-1e-9, 1e-3, "0.0000"),
+            (-0.000_04, 1e-3, "0.0000"),
+            (-0.000_06, 1e-3, "-0.0001"),
+            (-0.0, 0.0, "0"),
+            (-0.0, f64::INFINITY, "0.000000e0"),
+            (-1.0e-12, 1.0e-9, "0"),
+        ];
+        for (value, error, shown) in cases {
+            assert_eq!(measured(value, error)[0], shown, "{value} ± {error}");
+        }
     }
 
     #[test]

@@ -1,10 +1,11 @@
-//! Exchange with something in between: what the points of one polygon see of the other, integrated over the first.
+//! Exchange with something in between: what the points of the smaller polygon see of the other, integrated over the smaller one.
 //!
 //! ```text
-//! A₁F₁₂ = ∫ F(x) dA,   F(x) Lambert's sum over what is left of the second polygon as x sees it
+//! A₁F₁₂ = A₂F₂₁ = ∫ F(x) dA,   F(x) Lambert's sum over what is left of the other polygon as x sees it
 //! ```
-//! F is exact at a point, whatever hides the other polygon. It has kinks where a shadow begins; patches are halved both ways
-//! where a rule on the whole and on the parts disagrees, worst first.
+//! F is exact at a point, whatever hides the other polygon. It has kinks where the border of a shadow comes to a corner of the other
+//! polygon: seen from the smaller one, shadows move little, and most of them reach no corner at all. Patches are halved both
+//! ways where a rule on the whole and on the parts disagrees, worst first.
 
 use super::areas::{Patch, gauss, patches};
 use super::{Exchange, exchange_of};
@@ -42,19 +43,22 @@ pub fn visible_exchange<'a>(
     let mut sum = Exchange::default();
     for from in fronts(here) {
         for to in fronts(there) {
-            sum += exchange_with(&from, &to, &screens, [tolerance, 0.0]);
+            sum += exchange_with(&from, &to, &screens, [tolerance, 0.0], || false);
         }
     }
     Exchange { area: sum.area / factor / factor, error: sum.error / factor / factor }
 }
 
-/// The exchange area of two faces among screens, to a tolerance relative to itself or to this area, whichever is larger.
+/// The exchange area of two faces among screens, to a tolerance relative to itself or to this area, whichever is larger, or as exact as
+/// it is when it is stopped.
 pub(crate) fn exchange_with(
     here: &Face,
     there: &Face,
     screens: &Screens,
     [tolerance, least]: [f64; 2],
+    is_stopped: impl Fn() -> bool,
 ) -> Exchange {
+    let [here, there] = if there.area < here.area { [there, here] } else { [here, there] };
     let (outline, normal) = (&here.vertices, Some(here.normal));
     if !screens.face_each_other(outline, normal, &there.vertices, there.normal) {
         return Exchange::default();
@@ -63,8 +67,11 @@ pub(crate) fn exchange_with(
     match screens.between(outline, normal, &there.vertices, there.normal, &mut found) {
         Between::All => Exchange::default(),
         Between::Nothing => exchange_of(here, there, tolerance),
-        Between::Some => View { screens, between: &found, there, normal: here.normal }
-            .integral(&here.vertices, [tolerance, least]),
+        Between::Some => View { screens, between: &found, there, normal: here.normal }.integral(
+            &here.vertices,
+            [tolerance, least],
+            is_stopped,
+        ),
     }
 }
 
@@ -84,7 +91,12 @@ struct Part {
 }
 
 impl View<'_> {
-    fn integral(&self, outline: &[Vector], [tolerance, least]: [f64; 2]) -> Exchange {
+    fn integral(
+        &self,
+        outline: &[Vector],
+        [tolerance, least]: [f64; 2],
+        is_stopped: impl Fn() -> bool,
+    ) -> Exchange {
         let mut work = Workspace::default();
         let mut queue: BinaryHeap<Part> = BinaryHeap::new();
         for patch in patches(outline) {
@@ -95,7 +107,7 @@ impl View<'_> {
             queue.iter().fold((0.0, 0.0), |(area, error), part| (area + part.area, error + part.error))
         };
         let (mut area, mut error) = sums(&queue);
-        while error > tolerance * area.abs().max(least) && queue.len() < MOST_PATCHES {
+        while error > tolerance * area.abs().max(least) && queue.len() < MOST_PATCHES && !is_stopped() {
             let Some(worst) = queue.pop() else { break };
             let quarters = self.quarters(&worst.patch, worst.area, &mut work);
             area += quarters.iter().map(|part| part.area).sum::<f64>() - worst.area;

@@ -29,6 +29,8 @@ pub(super) struct Border {
     signs: Signs,
     /// The same of the shadow that takes a part of the luminaire.
     kept: (Vec<[Vector; 2]>, Signs),
+    /// Where the edges of both outlines pass through the other one.
+    passages: [[Passage; MOST]; 2],
     /// A line along the border.
     line: Vec<Vector>,
 }
@@ -177,7 +179,7 @@ impl Border {
     /// Calls `each` with the lines of the border that the shadow kept leaves. Says whether it did: signs may not be sure, or contradict
     /// each other.
     fn draw(&mut self, luminaire: &[Vector], each: impl FnMut(&[Vector])) -> bool {
-        let Self { kept: (edges, signs), line, .. } = self;
+        let Self { kept: (edges, signs), passages, line, .. } = self;
         let reach = luminaire.iter().fold(0.0, |reach: f64, v| reach.max(v.largest()));
         let mut corners = Corners::default();
         for (k, [a, b]) in edges.iter().enumerate() {
@@ -192,7 +194,7 @@ impl Border {
                 corners.bits[k] |= u32::from(distance > 0.0) << j;
             }
         }
-        lines(luminaire, edges, (&corners, signs), line, each)
+        lines(luminaire, edges, (&corners, signs), (passages, line), each)
     }
 }
 
@@ -206,7 +208,7 @@ fn lines(
     luminaire: &[Vector],
     edges: &[[Vector; 2]],
     signs: (&Corners, &Signs),
-    line: &mut Vec<Vector>,
+    (passages, line): (&mut [[Passage; MOST]; 2], &mut Vec<Vector>),
     mut each: impl FnMut(&[Vector]),
 ) -> bool {
     let hidden = inside(&signs.0.bits, edges.len());
@@ -214,11 +216,14 @@ fn lines(
     if (0..luminaire.len()).all(|corner| is_in(hidden, corner)) {
         return true;
     }
-    let Some([passages, of_shadow]) = passages(luminaire, edges.len(), signs) else { return false };
+    if !find_passages(luminaire, edges.len(), signs, passages) {
+        return false;
+    }
+    let [of_luminaire, of_shadow] = passages;
     let next = |corner: usize| (corner + 1) % luminaire.len();
     line.clear();
     line.extend((!is_in(hidden, 0)).then_some(luminaire[0]));
-    for (j, [enter, leave]) in passages[..luminaire.len()].iter().enumerate() {
+    for (j, [enter, leave]) in of_luminaire[..luminaire.len()].iter().enumerate() {
         if let Some(at) = enter {
             line.push(*at);
             each(line);
@@ -245,14 +250,17 @@ fn is_in(bits: u32, place: usize) -> bool {
     bits >> place & 1 == 1
 }
 
-/// Where the luminaire's edges pass through the shadow, and where the shadow's pass through the luminaire; nothing where that contradicts
-/// which corners are inside.
-fn passages(
+/// Finds where the luminaire's edges pass through the shadow, and where the shadow's pass through the luminaire; says whether that agrees
+/// with which corners are inside.
+fn find_passages(
     luminaire: &[Vector],
     edges: usize,
     (corners, signs): (&Corners, &Signs),
-) -> Option<[[Passage; MOST]; 2]> {
-    let mut passages = [[[None; 2]; MOST]; 2];
+    passages: &mut [[Passage; MOST]; 2],
+) -> bool {
+    let [of_luminaire, of_shadow] = passages;
+    of_luminaire[..luminaire.len()].fill([None; 2]);
+    of_shadow[..edges].fill([None; 2]);
     for (j, &a) in luminaire.iter().enumerate() {
         let next = (j + 1) % luminaire.len();
         let through_plane = signs.starts[j] ^ signs.ends[j];
@@ -266,12 +274,12 @@ fn passages(
             let ways = [(0, j, from > 0.0), (1, k, is_in(signs.starts[j], k))];
             for (outline, edge, is_leaving) in ways {
                 if passages[outline][edge][usize::from(is_leaving)].replace(at).is_some() {
-                    return None;
+                    return false;
                 }
             }
         }
     }
-    agree(&passages, [luminaire.len(), edges], (corners, signs)).then_some(passages)
+    agree(passages, [luminaire.len(), edges], (corners, signs))
 }
 
 /// Whether edges pass as they have to by which of their ends are inside. If none passes, one outline lies in the other or beside it.
@@ -286,7 +294,7 @@ fn agree(
     let fits_luminaire =
         |j: usize| fits(&of_luminaire[j], [is_in(hidden, j), is_in(hidden, (j + 1) % corners)]);
     let fits_shadow = |k: usize| fits(&of_shadow[k], [is_in(starts, k), is_in(ends, k)]);
-    let meets = starts != 0 || of_luminaire.iter().flatten().any(Option::is_some);
+    let meets = starts != 0 || of_luminaire[..corners].iter().flatten().any(Option::is_some);
     (is_apart || meets) && (0..corners).all(fits_luminaire) && (0..edges).all(fits_shadow)
 }
 

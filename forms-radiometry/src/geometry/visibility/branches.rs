@@ -7,6 +7,7 @@
 use super::Vector;
 use super::bounds::Bounds;
 use super::tree::Tree;
+use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
 /// What tells a leaf from a branch.
@@ -105,8 +106,8 @@ impl Branches {
         let inverse = [1.0 / direction.x, 1.0 / direction.y, 1.0 / direction.z];
         let first = inverse.map(|inverse| usize::from(inverse < 0.0));
         let slopes = Slopes { origin: self.relative(origin), inverse, first };
-        let mut waiting: Vec<(f64, u32)> = Vec::with_capacity(64);
-        waiting.extend(self.root.map(|root| (0.0, root)));
+        // a ray takes less than an allocation would
+        let mut waiting: SmallVec<[(f64, u32); 64]> = self.root.map(|root| (0.0, root)).into_iter().collect();
         while let Some((entered, mut below)) = waiting.pop() {
             if entered > way.end() {
                 continue;

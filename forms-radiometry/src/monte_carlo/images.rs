@@ -1,0 +1,392 @@
+//! Images: what flat mirrors and flat boundaries of media make of lights without extent, which no path from a receiver would find.
+//!
+//! ```text
+//! light ─ reflected or bent by one flat wall after the other, while enough of it is left ─▶ images
+//! vertex, image ─▶ the one ray between them, if it meets these walls and no others ─▶ light, as from a light
+//! ```
+//! A point light at p has its image in a plane mirror at p − 2 ((p − a)·n) n. Parallel light stays parallel at a flat boundary, reflected or bent;
+//! beyond it a beam is wider or narrower by its cosine: E₂ = (1 − R) E₁ cos θ₁/cos θ₂. Light that a wall turns goes on to another one only
+//! where that lies on its way.
+
+use super::boundary::{Passage, passages, reflected};
+use super::optics::{MediumOptics, Optics, largest, scaled, times};
+use super::world::World;
+use crate::geometry::{Met, Start, Vector, Wall, split};
+use crate::scene::{Filling, LightKind, MaterialKind};
+
+/// The most images; of more than these a scene is refused.
+const MOST: usize = 4096;
+/// So many images are all looked at; of more one is chosen.
+const FEW: usize = 16;
+/// Images that have less than this part of the tolerance of their light are left out.
+const FAINT: f64 = 1e-3;
+
+/// The images of all lights in a scene.
+pub(super) struct Images<const N: usize> {
+    all: Vec<Image<N>>,
+    chances: Vec<f64>,
+    /// Whether there are more than could be listed.
+    pub(super) is_cut: bool,
+}
+
+/// An image of a light.
+#[derive(Clone, Debug)]
+pub(super) struct Image<const N: usize> {
+    place: Place,
+    /// What is left of the intensity or irradiance; of a point light in metals, where that depends on the angle, at most.
+    light: [f64; N],
+    /// The walls, as a ray from a receiver meets them.
+    steps: Vec<Step>,
+    /// How likely it is chosen.
+    chance: f64,
+}
+
+/// Where an image is.
+#[derive(Clone, Copy, Debug)]
+enum Place {
+    Point(Vector),
+    /// The unit vector along which the light travels.
+    Far(Vector),
+}
+
+/// What a wall does with the light of an image.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    wall: usize,
+    /// The side at which a ray from a receiver arrives.
+    is_front: bool,
+    is_bent: bool,
+}
+
+/// A light on its way from wall to wall.
+#[derive(Clone, Debug)]
+struct Sent<const N: usize> {
+    place: Place,
+    light: [f64; N],
+    filling: Filling,
+    steps: Vec<Step>,
+    /// The part of the last wall that it meets; before the first one nothing.
+    lit: Vec<Vector>,
+}
+
+/// What comes from an image to a place.
+pub(super) struct Coming<const N: usize> {
+    /// The direction that it comes from.
+    pub(super) direction: Vector,
+    /// For each band the irradiance of what faces it.
+    pub(super) irradiance: [f64; N],
+    /// The optical length.
+    pub(super) way: f64,
+}
+
+impl<const N: usize> Images<N> {
+    pub(super) fn of(world: &World, optics: &Optics<N>) -> Self {
+        let mut images = Self { all: Vec::new(), chances: Vec::new(), is_cut: false };
+        let smooth: Vec<usize> =
+            (0..world.sheets.len()).filter(|&wall| is_smooth(world, optics, wall)).collect();
+        if smooth.is_empty() {
+            return images;
+        }
+        for (index, light) in world.scene.lights.iter().enumerate() {
+            let (place, filling) = match light.kind {
+                LightKind::Point { position, .. } => {
+                    let start = world.walls.start_at(position);
+                    (Place::Point(position), world.medium_at(start, Vector::new(0.6, 0.0, 0.8)))
+                }
+                LightKind::Distant { direction, .. } => (Place::Far(direction), world.scene.ambient.medium),
+            };
+            let sent =
+                Sent { place, light: optics.beams[index], filling, steps: Vec::new(), lit: Vec::new() };
+            let least = FAINT * world.scene.solve.tolerance * largest(&optics.beams[index]);
+            images.add_images(world, optics, &smooth, sent, least);
+        }
+        let whole: f64 = images.all.iter().map(|image| largest(&image.light)).sum();
+        let mut sum = 0.0;
+        for image in &mut images.all {
+            image.chance = largest(&image.light) / whole;
+            sum += image.chance;
+            images.chances.push(sum);
+        }
+        images
+    }
+
+    /// Adds the images that smooth walls make of a light, and of its images, the strongest first.
+    fn add_images(&mut self, world: &World, optics: &Optics<N>, smooth: &[usize], sent: Sent<N>, least: f64) {
+        let mut waiting = vec![sent];
+        while let Some(sent) = waiting.pop() {
+            for &wall in smooth {
+                for is_front in [true, false] {
+                    for next in sent.after(world, optics, wall, is_front) {
+                        if largest(&next.light) <= least {
+                            continue;
+                        }
+                        if self.all.len() == MOST {
+                            self.is_cut = true;
+                            return;
+                        }
+                        let steps = next.steps.iter().rev().copied().collect();
+                        self.all.push(Image { place: next.place, light: next.light, steps, chance: 0.0 });
+                        waiting.push(next);
+                    }
+                }
+            }
+        }
+    }
+
+    /// All images where they are few, else one of them by a number from 0 to 1; each with how likely it is taken.
+    pub(super) fn choose(&self, number: f64) -> impl Iterator<Item = (&Image<N>, f64)> {
+        let place =
+            self.chances.partition_point(|&chance| chance <= number).min(self.all.len().saturating_sub(1));
+        let are_few = self.all.len() <= FEW;
+        let taken = if are_few { &self.all[..] } else { &self.all[place..=place] };
+        taken.iter().map(move |image| (image, if are_few { 1.0 } else { image.chance }))
+    }
+}
+
+/// Whether a wall reflects or bends light in one direction only.
+fn is_smooth<const N: usize>(world: &World, optics: &Optics<N>, wall: usize) -> bool {
+    match world.material(wall) {
+        MaterialKind::Diffuse { .. } => false,
+        MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => true,
+        MaterialKind::Dielectric { .. } => {
+            let [front, back] = world.sheets[wall].fillings;
+            !optics.is_clear(front, back)
+        }
+    }
+}
+
+/// A point of a flat wall and its unit normal on one side; nothing of a curved one.
+fn plane(wall: &Wall, is_front: bool) -> Option<(Vector, Vector)> {
+    let (point, normal) = match wall {
+        Wall::Polygon { vertices, normal } => (vertices[0], *normal),
+        Wall::Disk(disk) => (disk.center, disk.normal),
+        Wall::Sphere(_) => return None,
+    };
+    Some((point, if is_front { normal } else { -normal }))
+}
+
+impl<const N: usize> Sent<N> {
+    /// What a wall makes of the light that arrives at one of its sides.
+    fn after(&self, world: &World, optics: &Optics<N>, wall: usize, is_front: bool) -> Vec<Self> {
+        let Some((point, normal)) = plane(world.walls.get(wall), is_front) else { return Vec::new() };
+        let sheet = &world.sheets[wall];
+        let arrives = match self.place {
+            Place::Point(position) => normal.dot(position - point) > 0.0,
+            Place::Far(direction) => normal.dot(direction) < 0.0,
+        };
+        let is_same = self.steps.last().is_some_and(|last| last.wall == wall && !last.is_bent);
+        if !arrives || is_same || sheet.filling(is_front) != self.filling {
+            return Vec::new();
+        }
+        let lit = self.lit_on(world.walls.get(wall), point, normal);
+        if lit.is_empty() {
+            return Vec::new();
+        }
+        let material = world.material(wall);
+        let medium = optics.medium(self.filling);
+        let next = |place: Place, light: [f64; N], is_bent: bool| {
+            let mut steps = self.steps.clone();
+            // light that was bent goes on from the other side, where a ray from a receiver arrives
+            steps.push(Step { wall, is_front: is_front != is_bent, is_bent });
+            let filling = if is_bent { sheet.filling(!is_front) } else { self.filling };
+            Self { place, light, filling, steps, lit: lit.clone() }
+        };
+        let is_boundary = matches!(material, MaterialKind::Dielectric { .. });
+        match self.place {
+            Place::Point(position) if !is_boundary && world.is_bright(wall, is_front) => {
+                let image = position - (2.0 * normal.dot(position - point)) * normal;
+                // a metal reflects most at a grazing angle: all
+                let factor = if let MaterialKind::Mirror { .. } = material {
+                    optics.reflectances[sheet.surface]
+                } else {
+                    [1.0; N]
+                };
+                vec![next(Place::Point(image), times(&self.light, &factor), false)]
+            }
+            Place::Far(direction) if is_boundary => {
+                let other = optics.medium(sheet.filling(!is_front));
+                let bent = |passage: Passage<N>, part: f64| match passage {
+                    Passage::Reflected(direction, _) => {
+                        next(Place::Far(direction), scaled(part, &self.light), false)
+                    }
+                    Passage::Refracted(beyond, _) => {
+                        let widened = normal.dot(direction) / normal.dot(beyond);
+                        next(Place::Far(beyond), scaled(part * widened, &self.light), true)
+                    }
+                };
+                let [reflected, refracted] = passages([&medium, &other], direction, normal);
+                [reflected, refracted]
+                    .into_iter()
+                    .flatten()
+                    .map(|(part, passage)| bent(passage, part))
+                    .collect()
+            }
+            Place::Far(direction) if world.is_bright(wall, is_front) => {
+                match reflected(material, optics, &medium, direction, normal) {
+                    Passage::Reflected(direction, factor) => {
+                        vec![next(Place::Far(direction), times(&self.light, &factor), false)]
+                    }
+                    Passage::Refracted(..) => Vec::new(),
+                }
+            }
+            _ => Vec::new(),
+        }
+    }
+}
+
+impl<const N: usize> Sent<N> {
+    /// The part of a wall that the light reaches from the last one, if nothing stands in between: what of the last one is before the wall and
+    /// in the cone of rays over it, moved on along these rays. `point` and `normal` are those of the side at which it arrives.
+    fn lit_on(&self, wall: &Wall, point: Vector, normal: Vector) -> Vec<Vector> {
+        let outline = outline(wall);
+        if self.steps.is_empty() {
+            return outline;
+        }
+        let (mut lit, mut rest) = (Vec::new(), Vec::new());
+        split(&self.lit, |v| normal.dot(v - point), &mut lit, &mut rest);
+        let middle = (1.0 / outline.len() as f64) * outline.iter().fold(Vector::default(), |sum, &v| sum + v);
+        for (i, &a) in outline.iter().enumerate() {
+            let along = outline[(i + 1) % outline.len()] - a;
+            let side = along.cross(self.ray_through(a));
+            let inward = if side.dot(middle - a) < 0.0 { -side } else { side };
+            let mut inside = Vec::new();
+            split(&lit, |v| inward.dot(v - a), &mut inside, &mut rest);
+            lit = inside;
+        }
+        let moved = |v: Vector| {
+            let ray = self.ray_through(v);
+            v + (normal.dot(point - v) / normal.dot(ray)) * ray
+        };
+        lit.into_iter().map(moved).collect()
+    }
+
+    /// The direction of the light's ray through a point.
+    fn ray_through(&self, through: Vector) -> Vector {
+        match self.place {
+            Place::Point(position) => through - position,
+            Place::Far(direction) => direction,
+        }
+    }
+}
+
+/// The corners of a flat wall; of a disk those of a polygon around it.
+fn outline(wall: &Wall) -> Vec<Vector> {
+    match wall {
+        Wall::Polygon { vertices, .. } => vertices.clone(),
+        Wall::Disk(disk) => {
+            let wider = |v: Vector| disk.center + 1.02 * (v - disk.center);
+            disk.polygon(0).into_iter().map(wider).collect()
+        }
+        Wall::Sphere(_) => Vec::new(),
+    }
+}
+
+impl<const N: usize> Image<N> {
+    /// Where it seems to be; none if it is far away.
+    pub(super) fn point(&self) -> Option<Vector> {
+        match self.place {
+            Place::Point(position) => Some(position),
+            Place::Far(_) => None,
+        }
+    }
+
+    /// What comes from the image to a place in a medium; none where something else is in the way.
+    pub(super) fn coming(
+        &self,
+        world: &World,
+        optics: &Optics<N>,
+        start: Start,
+        filling: Filling,
+    ) -> Option<Coming<N>> {
+        let (direction, distance) = match self.place {
+            Place::Point(position) => {
+                let way = position - start.position;
+                (way.unit()?, way.length())
+            }
+            Place::Far(direction) => (-direction, f64::INFINITY),
+        };
+        let mut ray = Ray { start, direction, filling, left: distance, factor: self.light, way: 0.0 };
+        let mut steps = self.steps.iter();
+        loop {
+            let reach = if ray.left.is_finite() { (1.0 - 1e-12) * ray.left } else { ray.left };
+            let met = world.walls.first(ray.start, ray.direction, reach);
+            let medium = optics.medium(ray.filling);
+            ray.passes(&medium, met.as_ref());
+            let Some(met) = met else {
+                let squared = if distance.is_finite() { distance * distance } else { 1.0 };
+                let is_done = steps.next().is_none();
+                let irradiance = ray.factor.map(|factor| factor / squared);
+                return is_done.then_some(Coming { direction, irradiance, way: ray.way });
+            };
+            let beyond = world.sheets[met.wall].filling(!met.is_front);
+            if is_smooth(world, optics, met.wall) {
+                let step =
+                    steps.next().filter(|step| step.wall == met.wall && step.is_front == met.is_front)?;
+                ray.turns(world, optics, &met, step.is_bent, beyond)?;
+            } else if matches!(world.material(met.wall), MaterialKind::Dielectric { .. }) {
+                ray.start = world.walls.start_on(&met, !met.is_front);
+                ray.filling = beyond;
+            } else {
+                return None;
+            }
+        }
+    }
+}
+
+/// A ray from a receiver to an image.
+struct Ray<const N: usize> {
+    start: Start,
+    direction: Vector,
+    filling: Filling,
+    left: f64,
+    factor: [f64; N],
+    way: f64,
+}
+
+impl<const N: usize> Ray<N> {
+    /// Goes through a medium to what it meets, or to the light.
+    fn passes(&mut self, medium: &MediumOptics<N>, met: Option<&Met>) {
+        let length = met.map_or(self.left, |met| met.distance);
+        self.factor = times(&self.factor, &medium.transmittance(length));
+        self.way += medium.index * length;
+        self.left -= length;
+    }
+
+    /// Is reflected or bent, as it has to be. What boundaries leave of parallel light is in the image already; a metal's part of a point
+    /// light is known here.
+    fn turns(
+        &mut self,
+        world: &World,
+        optics: &Optics<N>,
+        met: &Met,
+        is_bent: bool,
+        beyond: Filling,
+    ) -> Option<()> {
+        let normal = if met.is_front { met.normal } else { -met.normal };
+        let material = world.material(met.wall);
+        let medium = optics.medium(self.filling);
+        let direction = if let MaterialKind::Dielectric { .. } = material {
+            let [reflected, refracted] = passages([&medium, &optics.medium(beyond)], self.direction, normal);
+            let (_, passage) = if is_bent { refracted? } else { reflected? };
+            match passage {
+                Passage::Reflected(direction, _) | Passage::Refracted(direction, _) => direction,
+            }
+        } else {
+            let Passage::Reflected(direction, factor) =
+                reflected(material, optics, &medium, self.direction, normal)
+            else {
+                return None;
+            };
+            if self.left.is_finite() && matches!(material, MaterialKind::Conductor { .. }) {
+                self.factor = times(&self.factor, &factor);
+            }
+            direction
+        };
+        self.direction = direction;
+        self.start = world.walls.start_on(met, met.is_front != is_bent);
+        if is_bent {
+            self.filling = beyond;
+        }
+        Some(())
+    }
+}

@@ -1,0 +1,91 @@
+//! Sharing: a loop is run by one thread or shared by all, as its operations tell.
+//!
+//! ```text
+//! rows × operations of a kernel ─▶ Sharing ─┬─ Alone:  in the thread that asks, in order
+//!                                           └─ Shared: by all threads; results in the same order
+//! ```
+//! What is found does not depend on it.
+
+use rayon::prelude::*;
+
+/// Operations below which one thread is done before others would be worth it. In vectors it does so many in some 0.15 ms; a loop that is
+/// shared waits 10 to 50 µs for the others to wake.
+const WORTHWHILE: f64 = 2e6;
+
+/// Whether a loop is shared by threads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sharing {
+    Alone,
+    Shared,
+}
+
+impl Sharing {
+    /// Of a loop of so many operations.
+    pub(crate) fn of(operations: f64) -> Self {
+        if operations < WORTHWHILE { Self::Alone } else { Self::Shared }
+    }
+
+    /// Does some work inside of the threads, if it has loops that are shared: one way in, instead of one for every loop, each of which
+    /// would wait for them to wake.
+    pub(crate) fn enter<R: Send>(self, work: impl FnOnce() -> R + Send) -> R {
+        match self {
+            Self::Alone => work(),
+            Self::Shared => rayon::scope(|_| work()),
+        }
+    }
+
+    /// What is made of the first item of which something is.
+    pub(crate) fn find_map<I, R: Send>(
+        self,
+        items: I,
+        each: impl Fn(<I as IntoIterator>::Item) -> Option<R> + Send + Sync,
+    ) -> Option<R>
+    where
+        I: IntoIterator + IntoParallelIterator<Item = <I as IntoIterator>::Item>,
+    {
+        match self {
+            Self::Alone => items.into_iter().find_map(each),
+            Self::Shared => items.into_par_iter().find_map_first(each),
+        }
+    }
+
+    /// What is made of each item, in their order, with lists that each thread keeps from item to item.
+    pub(crate) fn map<I, S: Default, R: Send>(
+        self,
+        items: I,
+        each: impl Fn(&mut S, <I as IntoIterator>::Item) -> R + Send + Sync,
+    ) -> Vec<R>
+    where
+        I: IntoIterator
+            + IntoParallelIterator<Item = <I as IntoIterator>::Item, Iter: IndexedParallelIterator>,
+    {
+        match self {
+            Self::Alone => {
+                let mut lists = S::default();
+                items.into_iter().map(|item| each(&mut lists, item)).collect()
+            }
+            Self::Shared => items.into_par_iter().map_init(S::default, each).collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_loop_gives_the_same_alone_and_shared() {
+        let squares = |sharing: Sharing| {
+            sharing.map(0..1000_usize, |sum: &mut usize, item| {
+                *sum += 1;
+                item * item
+            })
+        };
+        assert_eq!(squares(Sharing::Alone), squares(Sharing::Shared));
+        let first_even =
+            |sharing: Sharing| sharing.find_map(1..1000_usize, |item| item.is_multiple_of(2).then_some(item));
+        assert_eq!([first_even(Sharing::Alone), first_even(Sharing::Shared)], [Some(2); 2]);
+        assert_eq!(Sharing::of(0.9 * WORTHWHILE), Sharing::Alone);
+        assert_eq!(Sharing::of(WORTHWHILE), Sharing::Shared);
+    }
+}

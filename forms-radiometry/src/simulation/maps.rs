@@ -1,0 +1,60 @@
+//! Maps of a simulation: receivers with a grid become cells, some of which are watched while elements become finer, and these maps.
+
+use super::answer::{Map, Quantity};
+use super::estimate::{Estimate, Found};
+use super::map::Grid;
+use super::readings::Reading;
+use super::solver::{ROUNDING, Work, groups};
+use crate::radiosity::{Radiosity, Transport};
+use crate::scene::ReceiverKind;
+
+/// One in so many cells of a map is watched while elements become finer, and at least so many in all.
+const WATCHED: [usize; 2] = [36, 9];
+
+impl Work<'_> {
+    /// The maps that are asked for: the index of the receiver and its cells.
+    pub(super) fn grids(&self, transport: &Transport) -> Vec<(usize, Grid)> {
+        let receivers = self.scene.receivers.iter().enumerate();
+        let grid = |(index, receiver): (usize, &crate::scene::Receiver)| match receiver.kind {
+            ReceiverKind::Surface { surface, grid: Some(size) } => {
+                Grid::over(transport, surface, size).map(|grid| (index, grid))
+            }
+            _ => None,
+        };
+        receivers.filter_map(grid).collect()
+    }
+
+    /// Adds readings in some cells of each map, so that maps are refined until these are exact enough, and have errors.
+    pub(super) fn watch_cells(&mut self, grids: &[(usize, Grid)]) {
+        for (index, grid) in grids {
+            let reading = |cell| Reading::irradiance(*index, cell, grid.normal());
+            self.readings.extend(grid.some(WATCHED).map(reading));
+        }
+        self.groups = groups(&self.readings, self.answers);
+    }
+
+    /// The maps, cell by cell, each with the largest error of those of its cells that were watched.
+    pub(super) fn maps(&self, radiosity: &Radiosity, grids: &[(usize, Grid)], found: &[Found]) -> Vec<Map> {
+        let bands = self.scene.band_count();
+        let map = |&(receiver, ref grid): &(usize, Grid)| {
+            let values = grid.irradiance(bands, radiosity, self.watch);
+            let watched =
+                || (self.answers..found.len()).filter(|&other| self.readings[other].receiver == receiver);
+            let of_cell = |cell: &Found, band| cell.bands.get(band).map_or(f64::INFINITY, Estimate::error);
+            let largest = |band: usize| watched().map(|other| of_cell(&found[other], band)).reduce(f64::max);
+            let error = |(band, values): (usize, &Vec<f64>)| {
+                // where none is watched, closed forms leave nothing but rounding
+                let brightest = || values.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
+                let error = largest(band).unwrap_or_else(|| ROUNDING * brightest());
+                values.iter().map(|value| if value.is_nan() { f64::NAN } else { error }).collect()
+            };
+            let errors = values.iter().enumerate().map(error).collect();
+            let ReceiverKind::Surface { grid: Some(size), .. } = self.scene.receivers[receiver].kind else {
+                unreachable!("only surfaces with a grid have maps")
+            };
+            let name = self.scene.receivers[receiver].name.clone();
+            Map { receiver: name, quantity: Quantity::Irradiance, size, values, errors, is_image: false }
+        };
+        grids.iter().map(map).collect()
+    }
+}
