@@ -49,7 +49,7 @@ pub(super) fn followed(scene: &Scene, effects: &Effects, metres: f64, watch: &dy
     }
 }
 
-/// Whether a scene asks for more than diffuse surfaces in a vacuum and numbers and maps of them.
+/// Whether a scene asks for more than diffuse surfaces in a clear medium and numbers and maps of them.
 pub(super) fn is_followed(scene: &Scene) -> bool {
     let is_diffuse = |kind: &MaterialKind| matches!(kind, MaterialKind::Diffuse { .. });
     let is_number =
@@ -57,7 +57,7 @@ pub(super) fn is_followed(scene: &Scene) -> bool {
     let ambient = scene.ambient.medium.map(|medium| &scene.media[medium]);
     !(scene.surfaces.iter().all(|surface| is_diffuse(&scene.materials[surface.material].kind))
         && scene.receivers.iter().all(is_number)
-        && ambient.is_none_or(Medium::is_vacuum))
+        && ambient.is_none_or(Medium::is_clear))
 }
 
 struct Work<'w> {
