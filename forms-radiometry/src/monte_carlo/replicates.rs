@@ -3,6 +3,8 @@
 //! ```text
 //! value = Σ mᵣ/R          σ² = Σ (mᵣ − value)²/(R (R − 1))          mᵣ the mean of n samples of replicate r
 //! ```
+//! Where no sample found anything, the spread tells nothing; how much a sample brings that finds something is told apart.
+//!
 //! Within a replicate samples lie more evenly than random ones, which their spread shows only between replicates. The number of samples
 //! doubles from round to round; all sums are taken in one order, so that the answer does not depend on threads.
 
@@ -46,6 +48,8 @@ pub(crate) struct Bins {
 #[derive(Clone, Debug)]
 pub(crate) struct Sums {
     sums: Vec<Sum>,
+    /// Of all that was added, the sizes and the number.
+    added: [f64; 2],
     bands: usize,
     bins: Option<Bins>,
 }
@@ -53,7 +57,7 @@ pub(crate) struct Sums {
 impl Sums {
     fn new(numbers: usize, bands: usize, bins: Option<Bins>) -> Self {
         let count = bins.map_or(1, |bins| bins.count);
-        Self { sums: vec![Sum::default(); numbers * bands * count], bands, bins }
+        Self { sums: vec![Sum::default(); numbers * bands * count], added: [0.0; 2], bands, bins }
     }
 
     /// The bin of light that took this optical length; none if it is in no bin.
@@ -66,6 +70,9 @@ impl Sums {
     pub(super) fn add(&mut self, [number, band, bin]: [usize; 3], value: f64) {
         let bins = self.bins.map_or(1, |bins| bins.count);
         self.sums[(number * self.bands + band) * bins + bin].add(value);
+        if value != 0.0 {
+            self.added = [self.added[0] + value.abs(), self.added[1] + 1.0];
+        }
     }
 }
 
@@ -98,6 +105,16 @@ impl Replicates {
         };
         self.of.par_iter_mut().enumerate().for_each(extend);
         self.samples = to;
+    }
+
+    /// Of all that was added, the sizes and the number.
+    pub(crate) fn added(&self) -> [f64; 2] {
+        self.of.iter().fold([0.0; 2], |[sizes, count], sums| [sizes + sums.added[0], count + sums.added[1]])
+    }
+
+    /// How many samples all replicates have.
+    pub(crate) fn count(&self) -> f64 {
+        self.of.len() as f64 * f64::from(self.samples)
     }
 
     /// How many values there are: numbers, bands and bins.

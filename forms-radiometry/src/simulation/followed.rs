@@ -5,6 +5,9 @@
 //! ```
 //! The tolerance is of one standard error, relative to the answer; of the components of a vector, the bins of a time, the cells of a map
 //! and the pixels of an image to the largest of them.
+//!
+//! Where no sample found anything, one more could: the error is then what a sample of the same receiver brings that finds something, on average,
+//! over the number of samples; and if none did, what light of the brightest radiance would bring.
 
 use super::answer::{Answer, ErrorKind, Map, Moment, Quantity, Simulation};
 use super::effects::Effects;
@@ -26,8 +29,6 @@ const FIRST: [u32; 2] = [32, 1];
 const MOST: u32 = 1 << 31;
 /// Samples of a replicate after which it is asked whether to stop.
 const STEP: u32 = 1 << 12;
-/// Where so many samples of each replicate found nothing, there is no use in more.
-const NOTHING: u32 = 1 << 14;
 /// The speed of light, in m/s.
 const LIGHT: f64 = 299_792_458.0;
 
@@ -78,6 +79,8 @@ struct Asked {
     replicates: Replicates,
     /// For each band the value and its error, where no samples are needed.
     expanded: Option<Vec<[f64; 2]>>,
+    /// What a sample may bring where none has found anything yet.
+    unseen: f64,
     seconds: f64,
 }
 
@@ -94,7 +97,15 @@ impl Work<'_> {
                 let expanded: Option<Vec<_>> = groups.collect();
                 let expanded = expanded.filter(|_| bins.is_none()).map(|groups| groups.concat());
                 let seconds = begin.elapsed().as_secs_f64();
-                self.asked.push(Asked { receiver: index, cell, question, replicates, expanded, seconds });
+                self.asked.push(Asked {
+                    receiver: index,
+                    cell,
+                    question,
+                    replicates,
+                    expanded,
+                    unseen: 0.0,
+                    seconds,
+                });
             };
             if !matches!(receiver.kind, ReceiverKind::Camera(_)) {
                 add(None, question(receiver));
@@ -137,6 +148,7 @@ impl Work<'_> {
             let (followers, watch) = (&self.followers, self.watch);
             let asked = self.asked.par_iter_mut().zip(&is_pending).filter(|(_, is_pending)| **is_pending);
             asked.for_each(|(asked, _)| asked.double(followers, watch));
+            self.estimate_unseen();
             let scales = self.scales();
             let tolerance = self.scene.solve.tolerance;
             let worst = |(asked, scales): (&Asked, &Vec<f64>)| asked.error(scales);
@@ -147,6 +159,23 @@ impl Work<'_> {
                 let asked = &self.asked[index];
                 asked.error(&scales[index]) > tolerance && asked.may_go_on()
             });
+        }
+    }
+
+    /// For each question what a sample brings that finds something, on average over all cells of its map.
+    fn estimate_unseen(&mut self) {
+        let brightest = self.scene.surfaces.iter().map(|surface| &surface.radiance);
+        let brightest =
+            brightest.chain([&self.scene.ambient.radiance]).flatten().copied().fold(0.0, f64::max);
+        let mut of_receivers = vec![[[0.0; 2]; 2]; self.scene.receivers.len()];
+        for asked in &self.asked {
+            let [sizes, count] = asked.replicates.added();
+            let sums = &mut of_receivers[asked.receiver][usize::from(asked.cell.is_some())];
+            *sums = [sums[0] + sizes, sums[1] + count];
+        }
+        for asked in &mut self.asked {
+            let [sizes, count] = of_receivers[asked.receiver][usize::from(asked.cell.is_some())];
+            asked.unseen = if count > 0.0 { sizes / count } else { asked.question.largest(brightest) };
         }
     }
 
@@ -281,7 +310,13 @@ impl Asked {
             return [value, error + ROUNDING * value.abs()];
         }
         let [value, error] = self.replicates.found(place);
-        [value, error.hypot(ROUNDING * value)]
+        let is_nothing = value == 0.0 && error == 0.0;
+        let unseen = if is_nothing && self.replicates.samples > 0 {
+            self.unseen / self.replicates.count()
+        } else {
+            0.0
+        };
+        [value, error.hypot(ROUNDING * value) + unseen]
     }
 
     /// The largest value of each band.
@@ -295,20 +330,20 @@ impl Asked {
         largest
     }
 
-    /// The largest error relative to the scales of bands; none where nothing was found.
+    /// The largest error relative to the scales of bands; where nothing was found, to what a sample may bring.
     fn error(&self, scales: &[f64]) -> f64 {
         let bands = scales.len();
         let bins = self.replicates.len() / (self.question.numbers() * bands);
         let relative = |place: usize| {
             let [_, error] = self.found(place);
-            if error == 0.0 { 0.0 } else { error / scales[place / bins % bands] }
+            let scale = scales[place / bins % bands];
+            if error == 0.0 { 0.0 } else { error / if scale > 0.0 { scale } else { self.unseen } }
         };
         (0..self.replicates.len()).map(relative).fold(0.0, f64::max)
     }
 
     fn may_go_on(&self) -> bool {
-        let is_nothing = || (0..self.replicates.len()).all(|place| self.replicates.found(place) == [0.0; 2]);
-        self.replicates.samples < MOST && !(self.replicates.samples >= NOTHING && is_nothing())
+        self.replicates.samples < MOST
     }
 }
 
