@@ -30,6 +30,7 @@ mod warps;
 mod world;
 
 pub(crate) use follow::Follow;
+pub(crate) use images::LEFT_OUT;
 pub(crate) use kernels::kernels;
 pub(crate) use lattice::{Effects, follower, has_too_many_images};
 pub(crate) use path::Limits;

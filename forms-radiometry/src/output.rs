@@ -3,7 +3,8 @@
 //! ```text
 //! Simulation ─┬─ csv ─▶ results.csv: every number, every cell of every map
 //!             └─ Map ─┬─ exr ─▶ the values as they are, a channel for each band
-//!                     └─ png ─▶ a picture on a scale of colours
+//!                     ├─ png ─▶ a map as a picture on a scale of colours
+//!                     └─ photograph ─▶ an image as the eye would see it
 //! ```
 //! The pictures show a surface as it is seen from its front, with the first edge of its polygon below: the last row of
 //! a map is the first one of a picture.
@@ -11,18 +12,20 @@
 mod csv;
 mod exr;
 mod names;
+mod photograph;
 mod png;
 
 pub use csv::csv;
 pub use exr::exr;
 pub use names::file_names;
+pub use photograph::photograph;
 pub use png::png;
 
 use crate::simulation::Map;
 
 /// The cells of a map in the order of a picture: row by row from above.
-fn from_above<'v>(map: &Map, values: &'v [f64]) -> Vec<&'v [f64]> {
-    let mut rows: Vec<&[f64]> = values.chunks_exact(map.size[0]).collect();
+fn from_above<'v, T>(map: &Map, values: &'v [T]) -> Vec<&'v [T]> {
+    let mut rows: Vec<&[T]> = values.chunks_exact(map.size[0]).collect();
     if !map.is_image {
         rows.reverse();
     }

@@ -1,6 +1,6 @@
 //! Colour: radiance in wavelength bands becomes linear sRGB, as an eye adapted to the lamps sees it.
 
-use crate::scene::{Band, Scene};
+use crate::scene::{Band, LightKind, Scene};
 
 /// Linear sRGB, or a weight for each of its components.
 pub(crate) type Colour = [f64; 3];
@@ -36,8 +36,13 @@ pub(crate) fn band_colours(scene: &Scene) -> Vec<Colour> {
     }
     let bands: Vec<[f64; 3]> = scene.bands.iter().map(mean_response).collect();
     let mut white = [0.0; 3];
-    for surface in &scene.surfaces {
-        for (&radiance, response) in surface.radiance.iter().zip(&bands) {
+    let of_lights = scene.lights.iter().map(|light| match &light.kind {
+        LightKind::Point { intensity, .. } => intensity,
+        LightKind::Distant { irradiance, .. } => irradiance,
+    });
+    let of_surfaces = scene.surfaces.iter().map(|surface| &surface.radiance);
+    for spectrum in of_surfaces.chain(of_lights).chain([&scene.ambient.radiance]) {
+        for (&radiance, response) in spectrum.iter().zip(&bands) {
             add_scaled(&mut white, radiance, *response);
         }
     }

@@ -20,6 +20,8 @@ const MOST: usize = 4096;
 const FEW: usize = 16;
 /// Images that have less than this part of the tolerance of their light are left out.
 const FAINT: f64 = 1e-3;
+/// What all that are left out have together, as part of the tolerance: a few of each of the last that are not.
+pub(crate) const LEFT_OUT: f64 = 1e-2;
 
 /// The images of all lights in a scene.
 pub(super) struct Images<const N: usize> {
@@ -133,11 +135,11 @@ impl<const N: usize> Images<N> {
         }
     }
 
-    /// All images where they are few, else one of them by a number from 0 to 1; each with how likely it is taken.
-    pub(super) fn choose(&self, number: f64) -> impl Iterator<Item = (&Image<N>, f64)> {
+    /// All images where they are few or all are asked for, else one of them by a number from 0 to 1; each with how likely it is taken.
+    pub(super) fn choose(&self, number: f64, asks_for_all: bool) -> impl Iterator<Item = (&Image<N>, f64)> {
         let place =
             self.chances.partition_point(|&chance| chance <= number).min(self.all.len().saturating_sub(1));
-        let are_few = self.all.len() <= FEW;
+        let are_few = asks_for_all || self.all.len() <= FEW;
         let taken = if are_few { &self.all[..] } else { &self.all[place..=place] };
         taken.iter().map(move |image| (image, if are_few { 1.0 } else { image.chance }))
     }

@@ -299,7 +299,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         add: &mut impl FnMut(Vector, &[f64; N], f64),
     ) {
         if L::MIRROR || L::REFRACTION {
-            for image in self.images.choose(samples.one()) {
+            // what a receiver, or the first thing that a ray meets, gets of them is the same for all its samples
+            for image in self.images.choose(samples.one(), path.is_straight) {
                 self.imaged(path, vertex, image, add);
             }
         }
@@ -354,7 +355,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         samples: &mut Samples,
         add: &mut impl FnMut(&[f64; N], f64),
     ) {
-        for (image, chance) in self.images.choose(samples.one()) {
+        for (image, chance) in self.images.choose(samples.one(), false) {
             let ray = [path.start.position, path.direction];
             let lit = medium.lit_point(ray, length, image.point(), self.count(), samples);
             let Some((distance, factor)) = lit else { continue };

@@ -11,15 +11,21 @@ use std::io::{self, Cursor};
 ///
 /// A single band is the channel `Y`. Of several the channels are `band0`, `band1`, … and what viewers show: `R`, `G` and
 /// `B`, the colour in linear sRGB under which the lamps are white, or, where no band is visible, `Y`, the sum of all.
-/// Cells without a value are NaN. Values beyond the range of `f32` are infinite or zero.
+/// An image has its errors in channels `error`, or `error0`, `error1`, …, too. Cells without a value are NaN. Values beyond the range of `f32` are infinite or zero.
 pub fn exr(map: &Map, scene: &Scene) -> io::Result<Vec<u8>> {
-    let channels = match &map.values[..] {
+    let mut channels = match &map.values[..] {
         [values] => vec![channel(map, "Y", values)],
         bands => {
             let raw = |(band, values): (usize, &Vec<f64>)| channel(map, &format!("band{band}"), values);
             bands.iter().enumerate().map(raw).chain(shown(map, scene)).collect()
         }
     };
+    if map.is_image {
+        let name =
+            |band: usize| if map.errors.len() == 1 { "error".to_owned() } else { format!("error{band}") };
+        channels
+            .extend(map.errors.iter().enumerate().map(|(band, errors)| channel(map, &name(band), errors)));
+    }
     let channels = AnyChannels::sort(channels.into());
     let size = (map.size[0], map.size[1]);
     let mut image = Image::from_encoded_channels(size, Encoding::SMALL_LOSSLESS, channels);

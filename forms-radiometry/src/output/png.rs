@@ -23,15 +23,23 @@ pub fn png(map: &Map) -> io::Result<Vec<u8>> {
         let line: Vec<u8> = colours.flat_map(|colour| std::iter::repeat_n(colour, scale)).flatten().collect();
         (0..scale).for_each(|_| pixels.extend_from_slice(&line));
     }
+    encoded(map.size.map(|cells| cells * scale), &pixels, description(map, greatest))
+}
+
+/// The file of pixels with a text that describes them.
+pub(super) fn encoded(
+    [width, height]: [usize; 2],
+    pixels: &[u8],
+    description: String,
+) -> io::Result<Vec<u8>> {
     let mut file = Vec::new();
-    let [width, height] = map.size.map(|cells| (cells * scale) as u32);
-    let mut encoder = ::png::Encoder::new(&mut file, width, height);
+    let mut encoder = ::png::Encoder::new(&mut file, width as u32, height as u32);
     encoder.set_color(::png::ColorType::Rgba);
     encoder.set_depth(::png::BitDepth::Eight);
     encoder.set_source_srgb(::png::SrgbRenderingIntent::Perceptual);
-    encoder.add_itxt_chunk("Description".to_owned(), description(map, greatest))?;
+    encoder.add_itxt_chunk("Description".to_owned(), description)?;
     let mut writer = encoder.write_header()?;
-    writer.write_image_data(&pixels)?;
+    writer.write_image_data(pixels)?;
     writer.finish()?;
     Ok(file)
 }

@@ -16,7 +16,7 @@ use super::solver::ROUNDING;
 use super::watch::Watch;
 use crate::faces::faces;
 use crate::geometry::Screens;
-use crate::monte_carlo::{self, Bins, Follow, Limits, Question, Replicates, World, follower};
+use crate::monte_carlo::{self, Bins, Follow, LEFT_OUT, Limits, Question, Replicates, World, follower};
 use crate::radiosity::Transport;
 use crate::sampling::key;
 use crate::scene::{MaterialKind, Medium, Receiver, ReceiverKind, Scene, TimeBins};
@@ -81,11 +81,16 @@ struct Asked {
     expanded: Option<Vec<[f64; 2]>>,
     /// What a sample may bring where none has found anything yet.
     unseen: f64,
+    /// What rounding and images that are left out may make of a value, relative to it.
+    floor: f64,
     seconds: f64,
 }
 
 impl Work<'_> {
     fn ask(&mut self, metres: f64) {
+        let effects = monte_carlo::Effects::of(self.scene);
+        let has_images = !self.scene.lights.is_empty() && (effects.mirror || effects.refraction);
+        let floor = ROUNDING + if has_images { LEFT_OUT * self.scene.solve.tolerance } else { 0.0 };
         for (index, receiver) in self.scene.receivers.iter().enumerate() {
             let bins = receiver.time.as_ref().map(|time| bins(time, metres));
             let own = key(self.scene.solve.seed, index as u64);
@@ -104,6 +109,7 @@ impl Work<'_> {
                     replicates,
                     expanded,
                     unseen: 0.0,
+                    floor,
                     seconds,
                 });
             };
@@ -307,7 +313,7 @@ impl Asked {
     fn found(&self, place: usize) -> [f64; 2] {
         if let Some(expanded) = &self.expanded {
             let [value, error] = expanded[place];
-            return [value, error + ROUNDING * value.abs()];
+            return [value, error + self.floor * value.abs()];
         }
         let [value, error] = self.replicates.found(place);
         let is_nothing = value == 0.0 && error == 0.0;
@@ -316,7 +322,7 @@ impl Asked {
         } else {
             0.0
         };
-        [value, error.hypot(ROUNDING * value) + unseen]
+        [value, error.hypot(self.floor * value) + unseen]
     }
 
     /// The largest value of each band.

@@ -1,7 +1,7 @@
 //! The files of `--out`: a folder, and what was found, written into it.
 
 use super::figure;
-use forms_radiometry::output::{csv, exr, file_names, png};
+use forms_radiometry::output::{csv, exr, file_names, photograph, png};
 use forms_radiometry::scene::Scene;
 use forms_radiometry::simulation::Simulation;
 use std::fs::File;
@@ -26,7 +26,9 @@ pub(super) fn write(scene: &Scene, found: &Simulation, folder: &Path) -> (Vec<St
     let names = file_names(found.maps.iter().map(|map| map.receiver.as_str()));
     for (map, name) in found.maps.iter().zip(&names) {
         files.write(&format!("{name}.exr"), |output| output.write_all(&exr(map, scene)?));
-        files.write(&format!("{name}.png"), |output| output.write_all(&png(map)?));
+        files.write(&format!("{name}.png"), |output| {
+            output.write_all(&if map.is_image { photograph(map, scene)? } else { png(map)? })
+        });
     }
     let figure = figure::svg(&scene.name, &found.history, scene.solve.tolerance);
     files.write(FIGURE, |output| output.write_all(figure.as_bytes()));
