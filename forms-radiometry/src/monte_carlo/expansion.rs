@@ -6,7 +6,9 @@
 //!              ├─ mirror, metal ─▶ one ray            what is left of a ray is 1 at first, and is multiplied by ρ or R, 1 − R, e^(−σ d)
 //!              └─ boundary ─▶ two rays
 //! ```
-//! Rays of which hardly anything is left are given up: that and the brightest radiance there is bound the error.
+//! Rays of which hardly anything is left are given up: that and the brightest radiance that there can be bound the error. What a wall emits and
+//! what it reflects add up, L ≤ Lₑ + ρ L, so that no L/n² is above the largest Lₑ/(n² (1 − ρ)) of a wall; at boundaries L/n² is a mean of both
+//! sides.
 
 use super::boundary::{Passage, passages, reflected};
 use super::lattice::Lattice;
@@ -38,6 +40,7 @@ struct Terms<const N: usize> {
 impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     /// The radiance along a ray in each band, with its error; none where light is scattered or reflected by a diffuse surface on the way.
     pub(super) fn expansion(&self, start: Start, direction: Vector) -> Option<Vec<[f64; 2]>> {
+        let brightest = self.brightest()?;
         let filling = self.world.medium_at(start, direction);
         let mut waiting = vec![Ray { start, direction, filling, left: [1.0; N], is_straight: true }];
         let mut terms = Terms { sum: [0.0; N], missing: [0.0; N] };
@@ -50,10 +53,32 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             }
             self.expand(ray, least, &mut terms, &mut waiting)?;
         }
-        let brightest = self.optics.radiances.iter().chain([&self.optics.outside]);
-        let brightest = brightest.map(largest).fold(0.0, f64::max);
         let [_, count] = self.optics.bands;
-        Some((0..count).map(|band| [terms.sum[band], brightest * terms.missing[band]]).collect())
+        Some((0..count).map(|band| [terms.sum[band], brightest[band] * terms.missing[band]]).collect())
+    }
+
+    /// For each band what no radiance is above; none where walls that emit light reflect or transmit all of some light.
+    fn brightest(&self) -> Option<[f64; N]> {
+        let mut brightest = self.optics.outside;
+        for (surface, radiance) in
+            self.optics.radiances.iter().enumerate().filter(|(_, it)| largest(it) > 0.0)
+        {
+            let reflectance = self.optics.reflectances[surface];
+            let kind = &self.world.scene.materials[self.world.scene.surfaces[surface].material].kind;
+            if matches!(kind, MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. }) {
+                return None;
+            }
+            // where light meets a diffuse wall that reflects, there is no expansion
+            let reflectance =
+                if matches!(kind, MaterialKind::Mirror { .. }) { reflectance } else { [0.0; N] };
+            if largest(&reflectance) >= 1.0 {
+                return None;
+            }
+            brightest =
+                std::array::from_fn(|band| brightest[band].max(radiance[band] / (1.0 - reflectance[band])));
+        }
+        let [least, most] = self.optics.indices();
+        Some(scaled((most / least).powi(2), &brightest))
     }
 
     /// Adds what a ray meets, and the rays that go on from there.

@@ -62,6 +62,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             density: f64::INFINITY,
             reflections: 0,
             scatterings: 0,
+            turns: 0,
             is_straight: true,
         }
     }

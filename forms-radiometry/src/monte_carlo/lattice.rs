@@ -76,7 +76,8 @@ impl Effects {
             mirror: materials()
                 .any(|kind| matches!(kind, MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. })),
             refraction,
-            dispersion: refraction && media().any(|medium| has_spread(&medium.index)),
+            // also of one medium everywhere: metals in it reflect by their index over its own, and light takes n d/c
+            dispersion: media().any(|medium| has_spread(&medium.index)),
             time: scene.receivers.iter().any(|receiver| receiver.time.is_some()),
         }
     }

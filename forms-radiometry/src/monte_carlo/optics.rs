@@ -72,6 +72,12 @@ impl<const N: usize> Optics<N> {
         filling.map_or(MediumOptics::VACUUM, |medium| self.media[medium])
     }
 
+    /// The least and the largest refractive index, of vacuum and all media.
+    pub(super) fn indices(&self) -> [f64; 2] {
+        let indices = self.media.iter().map(|medium| medium.index);
+        indices.fold([1.0, 1.0], |[least, most]: [f64; 2], index| [least.min(index), most.max(index)])
+    }
+
     /// Whether nothing bends or reflects light between two media.
     pub(super) fn is_clear(&self, one: Filling, other: Filling) -> bool {
         self.medium(one).index == self.medium(other).index

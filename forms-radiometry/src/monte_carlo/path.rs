@@ -25,6 +25,9 @@ use std::marker::PhantomData;
 
 /// Paths of less weight than this end at random. The smaller it is, the longer paths are, and the less their lengths spread what they find.
 const FAINT: f64 = 0.1;
+/// A path that has been reflected or bent so often without being spread is caught where light from luminaires cannot get either: else the
+/// scene would have been refused.
+const CAUGHT: u32 = 4096;
 /// A luminaire that is a point is reached where nothing is met before this part of the way.
 const REACHED: f64 = 1.0 - 1e-12;
 
@@ -60,6 +63,8 @@ pub(super) struct Path<const N: usize> {
     pub(super) density: f64,
     pub(super) reflections: u32,
     pub(super) scatterings: u32,
+    /// How often it was reflected or bent since it was spread last.
+    pub(super) turns: u32,
     /// Whether nothing has happened to the light yet.
     pub(super) is_straight: bool,
 }
@@ -184,18 +189,20 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         }
         if L::MIRROR {
             let passage = reflected(material, &self.optics, medium, path.direction, normal);
-            self.passes(path, met, passage);
-            return true;
+            return self.passes(path, met, passage);
         }
         false
     }
 
-    fn passes(&self, path: &mut Path<N>, met: &Met, passage: Passage<N>) {
+    /// Sends the path on from a smooth surface; whether it can still get away.
+    fn passes(&self, path: &mut Path<N>, met: &Met, passage: Passage<N>) -> bool {
         let (direction, throughput, stays) = passage.applied(&path.throughput);
         (path.direction, path.throughput) = (direction, throughput);
         path.start = self.world.walls.start_on(met, met.is_front == stays);
         path.density = f64::INFINITY;
         path.is_straight = false;
+        path.turns += 1;
+        path.turns < CAUGHT
     }
 
     /// Crosses the boundary of two media, or is reflected there.
@@ -213,11 +220,10 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             if let Passage::Refracted(..) = passage {
                 path.filling = beyond;
             }
-            self.passes(path, met, passage);
-        } else {
-            path.start = self.world.walls.start_on(met, !met.is_front);
-            path.filling = beyond;
+            return self.passes(path, met, passage);
         }
+        path.start = self.world.walls.start_on(met, !met.is_front);
+        path.filling = beyond;
         true
     }
 
@@ -240,6 +246,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         (path.start, path.direction, path.vertex) = (vertex.start, direction, vertex.start.position);
         path.density = if self.world.luminaires.are_met() { density } else { f64::INFINITY };
         path.is_straight = false;
+        path.turns = 0;
     }
 
     fn scatter(&self, path: &mut Path<N>, medium: &MediumOptics<N>, distance: f64, samples: &mut Samples) {

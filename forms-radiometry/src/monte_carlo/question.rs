@@ -35,6 +35,15 @@ impl Question {
         if matches!(self, Self::Sphere { .. }) { 4 } else { 1 }
     }
 
+    /// The largest number that light brings of which no radiance is above this.
+    pub(crate) fn largest(&self, radiance: f64) -> f64 {
+        match self {
+            Self::Plane { .. } | Self::Surface { .. } => PI * radiance,
+            Self::Sight { .. } | Self::Pixel { .. } => radiance,
+            Self::Sphere { .. } => 4.0 * PI * radiance,
+        }
+    }
+
     /// What the numbers are multiplied by, for light that comes from a direction: a receiver integrates over a law of density one.
     pub(super) fn measure(&self, direction: Vector, each: &mut impl FnMut(usize, f64)) {
         match self {

@@ -108,6 +108,11 @@ impl Replicates {
         self.samples = to;
     }
 
+    /// How many samples all replicates have.
+    pub(crate) fn count(&self) -> f64 {
+        self.of.len() as f64 * f64::from(self.samples)
+    }
+
     /// How many values there are: numbers, bands and bins.
     pub(crate) fn len(&self) -> usize {
         self.of[0].sums.len()

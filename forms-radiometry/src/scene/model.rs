@@ -76,10 +76,14 @@ pub struct Medium {
 }
 
 impl Medium {
+    /// Whether it neither absorbs nor scatters: σₐ = σₛ = 0.
+    pub fn is_clear(&self) -> bool {
+        self.absorption.iter().chain(&self.scattering).all(|&coefficient| coefficient == 0.0)
+    }
+
     /// Whether it is, for light, nothing: σₐ = σₛ = 0 and n = 1.
     pub fn is_vacuum(&self) -> bool {
-        let all = |values: &[f64], value: f64| values.iter().all(|&v| v == value);
-        all(&self.absorption, 0.0) && all(&self.scattering, 0.0) && all(&self.index, 1.0)
+        self.is_clear() && self.index.iter().all(|&index| index == 1.0)
     }
 }
 

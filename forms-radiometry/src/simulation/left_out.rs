@@ -1,7 +1,7 @@
 //! What is left out: a scene becomes the same scene without the effects that a plan turns off.
 //!
 //! ```text
-//! mirror       mirrors and metals are black            refraction   every index is 1
+//! mirror       mirrors and metals are black            refraction   every index is that of the ambient medium
 //! absorption   σₐ = 0                                  dispersion   every index is the middle of its bands
 //! scattering   σₛ = 0                                  time         receivers are not resolved in time
 //! ```
@@ -32,6 +32,7 @@ fn leave_out(scene: &Scene, is_off: &dyn Fn(Effect) -> bool) -> Scene {
             }
         }
     }
+    let around = scene.ambient.medium.map(|medium| scene.media[medium].index.clone());
     for medium in &mut scene.media {
         if is_off(Effect::Absorption) {
             medium.absorption.fill(0.0);
@@ -40,8 +41,12 @@ fn leave_out(scene: &Scene, is_off: &dyn Fn(Effect) -> bool) -> Scene {
             medium.scattering.fill(0.0);
         }
         if is_off(Effect::Refraction) {
-            medium.index.fill(1.0);
-        } else if is_off(Effect::Dispersion) {
+            match &around {
+                Some(around) => medium.index.clone_from(around),
+                None => medium.index.fill(1.0),
+            }
+        }
+        if is_off(Effect::Dispersion) {
             let middle = middle(&medium.index);
             medium.index.fill(middle);
         }

@@ -33,6 +33,8 @@ pub(super) struct Asked {
     pub(super) expanded: Option<Vec<[f64; 2]>>,
     /// What rounding and images that are left out may make of a value, relative to it.
     floor: f64,
+    /// The largest number that light of the brightest radiance brings.
+    brightest: f64,
     /// How many samples each replicate is to get before it is asked again whether that is enough.
     pub(super) target: u32,
     pub(super) seconds: f64,
@@ -72,6 +74,8 @@ pub(super) fn asked(scene: &Scene, metres: f64, followers: &[Box<dyn Follow + '_
     let has_images = !scene.lights.is_empty() && (effects.mirror || effects.refraction);
     let floor = ROUNDING + if has_images { LEFT_OUT * scene.solve.tolerance } else { 0.0 };
     let mut all: Vec<Asked> = Vec::new();
+    let radiances = scene.surfaces.iter().map(|surface| &surface.radiance).chain([&scene.ambient.radiance]);
+    let brightest = radiances.flatten().copied().fold(0.0, f64::max);
     for (index, receiver) in scene.receivers.iter().enumerate() {
         let bins = receiver.time.as_ref().map(|time| bins(time, metres));
         let own_key = key(scene.solve.seed, index as u64);
@@ -81,6 +85,7 @@ pub(super) fn asked(scene: &Scene, metres: f64, followers: &[Box<dyn Follow + '_
             let begin = Instant::now();
             let expanded = expanded(&question, followers).filter(|_| bins.is_none());
             let seconds = begin.elapsed().as_secs_f64();
+            let brightest = question.largest(brightest);
             all.push(Asked {
                 receiver: index,
                 cell,
@@ -88,6 +93,7 @@ pub(super) fn asked(scene: &Scene, metres: f64, followers: &[Box<dyn Follow + '_
                 replicates,
                 expanded,
                 floor,
+                brightest,
                 target: 0,
                 seconds,
             });
@@ -174,7 +180,10 @@ impl Asked {
             return [value, error + self.floor * value.abs()];
         }
         let [value, error] = self.replicates.found(place);
-        [value, error.hypot(self.floor * value)]
+        // where no sample found anything, one more could find the brightest light
+        let is_nothing = value == 0.0 && error == 0.0 && self.replicates.samples > 0;
+        let unseen = if is_nothing { self.brightest / self.replicates.count() } else { 0.0 };
+        [value, error.hypot(self.floor * value) + unseen]
     }
 
     /// The largest value of each band.
@@ -188,13 +197,14 @@ impl Asked {
         largest
     }
 
-    /// The largest error relative to the scales of bands; none where nothing was found.
+    /// The largest error relative to the scales of bands; where nothing was found, to the brightest light.
     pub(super) fn error(&self, scales: &[f64]) -> f64 {
         let bands = scales.len();
         let bins = self.replicates.len() / (self.question.numbers() * bands);
         let relative = |place: usize| {
             let [_, error] = self.found(place);
-            if error == 0.0 { 0.0 } else { error / scales[place / bins % bands] }
+            let scale = scales[place / bins % bands];
+            if error == 0.0 { 0.0 } else { error / if scale > 0.0 { scale } else { self.brightest } }
         };
         (0..self.replicates.len()).map(relative).fold(0.0, f64::max)
     }

@@ -1,0 +1,63 @@
+//! Images: the mean of all pixels is that of the radiance over the film.
+
+use super::Claim;
+use super::elements::{camera, cuboid, filled_with, glass, medium, shining, sky, square};
+use super::integral::integral;
+use super::scene_text::{material, surface};
+
+/// How wide and how high half of the film is at unit distance, at a vertical field of view of 60 degrees and a shape of 4 to 3.
+fn half_film() -> [f64; 2] {
+    let high = 30.0_f64.to_radians().tan();
+    [high * 4.0 / 3.0, high]
+}
+
+/// The mean over the film of what is seen at the secant of the angle to the line of sight.
+fn mean(seen: impl Fn(f64) -> f64) -> f64 {
+    let [wide, high] = half_film();
+    let row = |b: f64| integral([0.0, wide], |a| seen((1.0 + a * a + b * b).sqrt()));
+    integral([0.0, high], row) / (wide * high)
+}
+
+fn looking_down() -> String {
+    camera([[0.0, 0.0, 2.0], [0.0; 3], [0.0, 1.0, 0.0]], 60.0, [4, 3])
+}
+
+/// A floor that shines below a haze that absorbs.
+pub(crate) fn floor_in_haze() -> Claim {
+    let tables = [
+        medium("haze", [&0.4, &0, &0, &1]),
+        filled_with("haze"),
+        material("black", 0),
+        surface("floor", "black", &shining(&square(0.0, 99.0, true), 1)),
+        looking_down(),
+    ];
+    Claim::new("a floor seen through haze", &tables).radiance("camera", mean(|secant| (-0.8 * secant).exp()))
+}
+
+pub(super) fn claims() -> Vec<Claim> {
+    let sea = [
+        medium("black water", [&9, &0, &0, &1.33]),
+        super::elements::dielectric("black water"),
+        cuboid("sea", "black water", [[-999.0, -999.0, -99.0], [999.0, 999.0, 0.0]], false, ""),
+        sky(1),
+        looking_down(),
+    ];
+    vec![
+        floor_in_haze(),
+        Claim::new("the sky in black water", &sea)
+            .radiance("camera", mean(|secant| super::integral::fresnel(1.33, 1.0 / secant))),
+        Claim::new(
+            "a floor under glass that reflects nothing",
+            &[
+                glass("clear", 1),
+                cuboid("plate", "clear", [[-9.0, -9.0, 0.5], [9.0, 9.0, 1.0]], false, ""),
+                medium("haze", [&0.4, &0, &0, &1]),
+                filled_with("haze"),
+                material("black", 0),
+                surface("floor", "black", &shining(&square(0.0, 99.0, true), 1)),
+                looking_down(),
+            ],
+        )
+        .radiance("camera", mean(|secant| (-0.6 * secant).exp())),
+    ]
+}

@@ -1,0 +1,203 @@
+//! Known answers of scenes whose light is followed along paths: each claim is a scene, and what its receivers get by a closed form, an integral
+//! that is taken here, or a number of the project's table of references.
+//!
+//! ```text
+//! name, tables of a scene file ─▶ scene ─ seed, tolerance ─▶ answers beside their true values
+//! ```
+
+mod absorption;
+mod boundaries;
+pub(crate) mod coverage;
+pub(crate) mod elements;
+mod emitters;
+mod fog;
+mod forced;
+mod furnaces;
+mod images;
+mod integral;
+mod mirrors;
+#[path = "../../scene_text/mod.rs"]
+#[expect(dead_code, reason = "other tests need the rest")]
+pub(crate) mod scene_text;
+mod slabs;
+mod spectra;
+mod times;
+
+pub(crate) use furnaces::furnace_of;
+pub(crate) use images::floor_in_haze;
+
+use forms_radiometry::scene::{Scene, read};
+use forms_radiometry::simulation::{Answer, ErrorKind, Quantity, Unwatched, plan, simulate};
+
+/// A scene whose answers are known.
+pub(crate) struct Claim {
+    pub(crate) name: &'static str,
+    text: String,
+    expected: Vec<Expected>,
+    /// The tolerance that tests ask for.
+    pub(crate) tolerance: f64,
+}
+
+/// What a receiver is known to get.
+struct Expected {
+    receiver: &'static str,
+    quantity: Quantity,
+    band: Option<usize>,
+    bin: Option<usize>,
+    value: f64,
+}
+
+/// An answer beside the true value, and the largest true value of its receiver in its band.
+#[derive(Debug)]
+pub(crate) struct Compared {
+    pub(crate) answer: Answer,
+    pub(crate) truth: f64,
+    pub(crate) largest: f64,
+}
+
+impl Claim {
+    fn new(name: &'static str, tables: &[String]) -> Self {
+        Self { name, text: tables.concat(), expected: Vec::new(), tolerance: 5e-2 }
+    }
+
+    /// The same claim with another tolerance in tests.
+    fn within(mut self, tolerance: f64) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    fn expects(
+        mut self,
+        receiver: &'static str,
+        quantity: Quantity,
+        [band, bin]: [Option<usize>; 2],
+        value: f64,
+    ) -> Self {
+        self.expected.push(Expected { receiver, quantity, band, bin, value });
+        self
+    }
+
+    fn radiance(self, receiver: &'static str, value: f64) -> Self {
+        self.expects(receiver, Quantity::Radiance, [None; 2], value)
+    }
+
+    fn irradiance(self, receiver: &'static str, value: f64) -> Self {
+        self.expects(receiver, Quantity::Irradiance, [None; 2], value)
+    }
+
+    fn flux(self, receiver: &'static str, value: f64) -> Self {
+        self.expects(receiver, Quantity::Flux, [None; 2], value)
+    }
+
+    /// The fluence rate and the components of vector irradiance.
+    fn fluence(self, receiver: &'static str, value: f64, vector: [f64; 3]) -> Self {
+        let rate = self.expects(receiver, Quantity::FluenceRate, [None; 2], value);
+        let component = |claim: Self, (axis, &value): (usize, &f64)| {
+            claim.expects(receiver, Quantity::VectorIrradiance(axis), [None; 2], value)
+        };
+        vector.iter().enumerate().fold(rate, component)
+    }
+
+    /// One value for each band.
+    fn bands(self, receiver: &'static str, quantity: Quantity, values: &[f64]) -> Self {
+        let of_band = |claim: Self, (band, &value): (usize, &f64)| {
+            claim.expects(receiver, quantity, [Some(band), None], value)
+        };
+        values.iter().enumerate().fold(self, of_band)
+    }
+
+    /// One value for each bin of time.
+    fn bins(self, receiver: &'static str, quantity: Quantity, values: &[f64]) -> Self {
+        let of_bin = |claim: Self, (bin, &value): (usize, &f64)| {
+            claim.expects(receiver, quantity, [None, Some(bin)], value)
+        };
+        values.iter().enumerate().fold(self, of_bin)
+    }
+
+    /// The scene.
+    pub(crate) fn scene(&self) -> Scene {
+        read(&self.text, "claim.toml")
+            .unwrap_or_else(|errors| panic!("{}: {}\n{}", self.name, errors[0], self.text))
+    }
+
+    /// What is found with a seed and a tolerance, beside what is known.
+    pub(crate) fn compared(&self, seed: u64, tolerance: f64) -> Vec<Compared> {
+        let mut scene = self.scene();
+        (scene.solve.seed, scene.solve.tolerance) = (seed, tolerance);
+        self.beside(&answers(self.name, &scene))
+    }
+
+    /// Answers beside what is known.
+    pub(crate) fn beside(&self, answers: &[Answer]) -> Vec<Compared> {
+        self.expected.iter().map(|expected| self.one_beside(answers, expected)).collect()
+    }
+
+    fn one_beside(&self, answers: &[Answer], expected: &Expected) -> Compared {
+        let is_meant = |answer: &&Answer| {
+            answer.receiver == expected.receiver
+                && answer.quantity == expected.quantity
+                && answer.band == expected.band
+                && answer.bin == expected.bin
+        };
+        let answer = answers.iter().find(is_meant);
+        let answer = answer.unwrap_or_else(|| panic!("{}: {} is answered", self.name, expected.receiver));
+        let is_beside =
+            |other: &&Expected| other.receiver == expected.receiver && other.band == expected.band;
+        let values = self.expected.iter().filter(is_beside).map(|other| other.value.abs());
+        let largest = values.fold(0.0, f64::max);
+        Compared { answer: answer.clone(), truth: expected.value, largest }
+    }
+}
+
+impl Compared {
+    /// How far the answer is off, in its standard errors; none where it is exact but for rounding of so much, relative to the largest of its
+    /// receiver, for a bound that it keeps, or where no sample found anything and the error allows for that.
+    pub(crate) fn deviations(&self, rounding: f64) -> Option<f64> {
+        let off = (self.answer.value - self.truth).abs();
+        let least = rounding * self.largest;
+        let is_exact = match self.answer.kind {
+            ErrorKind::Bound => off <= self.answer.error + least,
+            ErrorKind::Sigma if self.answer.value == 0.0 => off <= self.answer.error,
+            ErrorKind::Sigma => self.answer.error <= least && off <= least,
+        };
+        (!is_exact).then(|| off / self.answer.error)
+    }
+}
+
+/// What the receivers of a scene get, as planned.
+pub(crate) fn answers(name: &str, scene: &Scene) -> Vec<Answer> {
+    let plan = plan(scene).unwrap_or_else(|errors| panic!("{name}: {}", errors[0]));
+    simulate(scene, &plan, &Unwatched).answers
+}
+
+/// A claim about a floor in haze that is wrong by a factor.
+pub(crate) fn off_by(factor: f64) -> Claim {
+    let mut claim = floor_in_haze();
+    claim.expected.iter_mut().for_each(|expected| expected.value *= factor);
+    claim
+}
+
+/// All claims, and those that take long.
+pub(crate) fn all_and_long() -> Vec<Claim> {
+    let mut claims = all();
+    claims.push(furnace_of(0.99));
+    claims
+}
+
+/// All claims.
+pub(crate) fn all() -> Vec<Claim> {
+    let families = [
+        furnaces::claims(),
+        slabs::claims(),
+        absorption::claims(),
+        boundaries::claims(),
+        mirrors::claims(),
+        fog::claims(),
+        emitters::claims(),
+        spectra::claims(),
+        forced::claims(),
+        times::claims(),
+        images::claims(),
+    ];
+    families.into_iter().flatten().collect()
+}
