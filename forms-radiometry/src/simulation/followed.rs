@@ -161,10 +161,12 @@ impl Work<'_> {
             let error = self.asked.iter().zip(&scales).map(worst).fold(0.0, f64::max);
             self.history.push(Moment { seconds: self.start.elapsed().as_secs_f64(), error });
             watch.progress("paths", (tolerance / error).powi(2).min(1.0));
-            pending.retain(|&index| {
+            // among all: what others of its receiver found may change what is asked of one that was exact enough
+            let may_go_on = |&index: &usize| {
                 let asked = &self.asked[index];
-                asked.error(&scales[index]) > tolerance && asked.may_go_on()
-            });
+                asked.expanded.is_none() && asked.error(&scales[index]) > tolerance && asked.may_go_on()
+            };
+            pending = (0..self.asked.len()).filter(may_go_on).collect();
         }
     }
 
@@ -336,14 +338,16 @@ impl Asked {
         largest
     }
 
-    /// The largest error relative to the scales of bands; where nothing was found, to what a sample may bring.
+    /// The largest error relative to the scales of bands; where nothing was found, to that of the brightest band, or to what a sample may bring.
     fn error(&self, scales: &[f64]) -> f64 {
         let bands = scales.len();
         let bins = self.replicates.len() / (self.question.numbers() * bands);
+        let brightest = scales.iter().copied().fold(0.0, f64::max);
+        let otherwise = if brightest > 0.0 { brightest } else { self.unseen };
         let relative = |place: usize| {
             let [_, error] = self.found(place);
             let scale = scales[place / bins % bands];
-            if error == 0.0 { 0.0 } else { error / if scale > 0.0 { scale } else { self.unseen } }
+            if error == 0.0 { 0.0 } else { error / if scale > 0.0 { scale } else { otherwise } }
         };
         (0..self.replicates.len()).map(relative).fold(0.0, f64::max)
     }
