@@ -261,6 +261,12 @@ fn scale(answer: &Answer, answers: &[Answer]) -> f64 {
     }
     match answer.quantity {
         VectorIrradiance(_) => find(answers, &answer.receiver, FluenceRate).value,
+        // of a band in which nothing was found, an error is of what could have been
+        _ if answer.value == 0.0 => {
+            let is_beside =
+                |other: &&Answer| other.receiver == answer.receiver && other.quantity == answer.quantity;
+            answers.iter().filter(is_beside).map(|other| other.value).fold(0.0, f64::max)
+        }
         _ => answer.value.abs(),
     }
 }
