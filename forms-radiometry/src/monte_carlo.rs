@@ -15,6 +15,7 @@
 mod boundary;
 mod expansion;
 mod follow;
+mod imaged;
 mod images;
 mod kept;
 mod kernels;

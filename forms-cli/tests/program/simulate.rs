@@ -156,7 +156,8 @@ fn what_cannot_be_done_is_said_before_the_work() {
     let scene = room(POINT);
     let ball = room(&format!(
         "{POINT}[[surface]]\nname = \"ball\"\nmaterial = \"silver\"\nsphere = {{ center = [0, 0, 2], radius = 0.1 }}\n\
-        [[material]]\nname = \"silver\"\nkind = \"mirror\"\nreflectance = 0.9\n"
+        [[material]]\nname = \"silver\"\nkind = \"mirror\"\nreflectance = 0.9\n\
+        [[light]]\nkind = \"point\"\nposition = [0, 0, 1]\nintensity = 1\n"
     ));
     let nothing = "<scene version=\"3.0.0\"/>";
     let files = [
@@ -171,7 +172,7 @@ fn what_cannot_be_done_is_said_before_the_work() {
         (&["missing.toml"], "error: missing.toml: "),
         (&["dark.toml"], "add a receiver, for example\n  [[receiver]]"),
         (&["dark.xml"], "add a sensor"),
-        (&["ball.toml"], "ball.toml:26:8: the material `silver` of kind `mirror` is not simulated"),
+        (&["ball.toml"], "far away that the curved surface `ball` turns is not simulated"),
         (&["room.toml", "--out", "taken"], "the folder `taken` cannot be made: "),
         (&["room.toml", "--out", "taken/below"], "the folder `taken/below` cannot be made: "),
     ];

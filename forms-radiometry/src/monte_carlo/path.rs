@@ -11,7 +11,7 @@
 //! no path counts more than the first ones of its kind, and the variance is finite wherever the sum of all orders is.
 
 use super::boundary::{Passage, reflected, refracted};
-use super::images::{Image, Images};
+use super::images::Images;
 use super::lattice::Lattice;
 use super::luminaires::{Source, Towards};
 use super::optics::{MediumOptics, Optics, largest, mean, scaled, times};
@@ -84,7 +84,7 @@ fn may_go_on(count: u32, most: Option<u32>) -> bool {
 
 impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     /// How many bands there are.
-    fn count(&self) -> usize {
+    pub(super) fn count(&self) -> usize {
         if N == 1 { 1 } else { self.optics.bands[1] }
     }
 
@@ -92,7 +92,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         self.optics.medium(filling)
     }
 
-    fn longer(&self, way: f64, medium: &MediumOptics<N>, distance: f64) -> f64 {
+    pub(super) fn longer(&self, way: f64, medium: &MediumOptics<N>, distance: f64) -> f64 {
         if L::TIME { way + medium.index * distance } else { way }
     }
 
@@ -257,7 +257,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     }
 
     /// The vertex at a distance along the path.
-    fn scattering(&self, path: &Path<N>, medium: &MediumOptics<N>, distance: f64) -> Vertex<N> {
+    pub(super) fn scattering(&self, path: &Path<N>, medium: &MediumOptics<N>, distance: f64) -> Vertex<N> {
         let position = path.start.position + distance * path.direction;
         let law = Law::Phase { forward: path.direction, asymmetry: medium.asymmetry };
         Vertex { start: self.world.walls.start_free(position), law }
@@ -330,41 +330,6 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let Some((left, way)) = self.reached(vertex.start, path.filling, path.way, towards) else { return };
         let value = times(&times(&path.throughput, radiance), &times(&densities, &left));
         add(towards.direction, &scaled(part / towards.density, &value), way);
-    }
-
-    /// What comes from an image of a light to a vertex.
-    fn imaged(
-        &self,
-        path: &Path<N>,
-        vertex: &Vertex<N>,
-        (image, chance): (&Image<N>, f64),
-        add: &mut impl FnMut(Vector, &[f64; N], f64),
-    ) {
-        let Some(coming) = image.coming(self.world, &self.optics, vertex.start, path.filling) else { return };
-        let densities = vertex.law.density(coming.direction);
-        let value = times(&times(&path.throughput, &coming.irradiance), &densities);
-        add(coming.direction, &scaled(1.0 / chance, &value), path.way + coming.way);
-    }
-
-    /// What a segment scatters of the light of an image.
-    fn imaged_segment(
-        &self,
-        path: &Path<N>,
-        medium: &MediumOptics<N>,
-        length: f64,
-        samples: &mut Samples,
-        add: &mut impl FnMut(&[f64; N], f64),
-    ) {
-        for (image, chance) in self.images.choose(samples.one(), false) {
-            let ray = [path.start.position, path.direction];
-            let lit = medium.lit_point(ray, length, image.point(), self.count(), samples);
-            let Some((distance, factor)) = lit else { continue };
-            let mut lit = *path;
-            lit.throughput = times(&path.throughput, &factor);
-            lit.way = self.longer(path.way, medium, distance);
-            let vertex = self.scattering(path, medium, distance);
-            self.imaged(&lit, &vertex, (image, chance), &mut |_, value, way| add(value, way));
-        }
     }
 
     /// What is left of light on the way to a luminaire, and the optical length to there; none where something stands in between.
