@@ -142,7 +142,7 @@ pub(crate) enum Command {
         /// Seconds from one state that is kept to the next
         #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = interval, requires = "checkpoint")]
         every: Duration,
-        /// Do one of n equal shares of the work, the first of which is 1/n, and write it to the file --out
+        /// Do one of n equal shares of the work, i from 1 to n or from 0 to n − 1, and write it to the file --out
         #[arg(long, value_name = "i/n", requires = "out")]
         shard: Option<Share>,
         /// Give each number, cell and pixel so many samples, a multiple of 32, instead of what the tolerance asks for

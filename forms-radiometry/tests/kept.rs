@@ -204,3 +204,11 @@ fn work_is_told_from_other_work() {
         assert!(one.difference(other).is_some_and(|told| told.contains(part)), "{part}");
     }
 }
+
+#[test]
+fn shares_may_be_counted_from_zero() {
+    let share = |text: &str| text.parse::<Share>();
+    let from_zero: Vec<_> = ["1/3", "2/3", "0/3"].map(share).into_iter().collect();
+    assert_eq!(from_zero, ["1/3", "2/3", "3/3"].map(share));
+    assert!(share("4/3").is_err() && share("0/0").is_err() && share("-1/3").is_err());
+}

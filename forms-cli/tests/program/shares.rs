@@ -129,10 +129,10 @@ fn the_call_is_checked_before_the_work() {
     let cases: [(&[&str], &str); 8] = [
         (&["hall.toml", "--shard", "1/2"], "--out"),
         (
-            &["hall.toml", "--shard", "0/2", "--out", "a"],
-            "`0/2` is no share: expected i/n with i from 1 to n",
+            &["hall.toml", "--shard", "3/2", "--out", "a"],
+            "`3/2` is no share: expected i/n with i from 1 to n",
         ),
-        (&["hall.toml", "--shard", "3/2", "--out", "a"], "`3/2` is no share"),
+        (&["hall.toml", "--shard", "0/0", "--out", "a"], "`0/0` is no share"),
         (&["hall.toml", "--samples", "0"], "0 samples cannot be had"),
         (&["hall.toml", "--isa", "abacus"], "this processor has baseline"),
         (&["hall.toml", "--shard", "1/2", "--out", "no/where"], "the part `no/where` cannot be written"),

@@ -27,7 +27,11 @@ pub struct NoShare(String);
 
 impl fmt::Display for NoShare {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}` is no share: expected i/n with i from 1 to n, for example 2/7", self.0)
+        write!(
+            f,
+            "`{}` is no share: expected i/n with i from 1 to n, or from 0 to n - 1, for example 2/7",
+            self.0
+        )
     }
 }
 
@@ -70,6 +74,8 @@ impl FromStr for Share {
     fn from_str(text: &str) -> Result<Self, NoShare> {
         let parts = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
         match parts {
+            // whoever counts from 0 to n − 1 has the same shares, the last of them first
+            Some((0, of)) if of > 0 => Ok(Self { part: of, of }),
             Some((part, of)) if (1..=of).contains(&part) => Ok(Self { part, of }),
             _ => Err(NoShare(text.to_owned())),
         }
