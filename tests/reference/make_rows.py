@@ -11,11 +11,11 @@ import json
 from pathlib import Path
 
 from rows import axis, distances, exchange, gathering, luminaire, media, microfacets, polygons, round, spherical, square
-from rows import view_factors
+from rows import smooth, view_factors
 from rows.table import ROWS
 
 TOPICS = (polygons, luminaire, round, view_factors, media, axis, square, microfacets, distances, spherical, exchange)
-TOPICS += (gathering,)
+TOPICS += (gathering, smooth)
 
 
 def main():

@@ -8,9 +8,9 @@
 //! the factors R and 1 − R.
 
 use super::optics::{MediumOptics, Optics, times};
-use super::warps::fresnel_dielectric;
+use super::warps::{fresnel_conductor, fresnel_dielectric};
 use crate::geometry::Vector;
-use crate::kernels::{basic_radiance, fresnel_conductor};
+use crate::kernels::basic_radiance;
 use crate::scene::MaterialKind;
 
 /// What a ray does at a smooth boundary.

@@ -9,6 +9,7 @@ pub(super) use crate::kernels::equiangular_pdf::unguarded as equiangular_pdf;
 pub(super) use crate::kernels::equiangular_sample::unguarded as equiangular_sample;
 pub(super) use crate::kernels::free_flight_pdf::unguarded as free_flight_pdf;
 pub(super) use crate::kernels::free_flight_sample::unguarded as free_flight_sample;
+pub(super) use crate::kernels::fresnel_conductor::unguarded as fresnel_conductor;
 pub(super) use crate::kernels::fresnel_dielectric::unguarded as fresnel_dielectric;
 pub(super) use crate::kernels::henyey_greenstein::unguarded as henyey_greenstein;
 pub(super) use crate::kernels::henyey_greenstein_direction_sample::unguarded as henyey_greenstein_direction_sample;
