@@ -2,8 +2,10 @@
 //!
 //! Warps themselves are kernels ([`kernels`](crate::kernels)); here is what they are given, and what turns their axis to where it is wanted.
 
+mod choice;
 mod frame;
 mod sequence;
 
+pub(crate) use choice::chosen;
 pub(crate) use frame::Frame;
 pub(crate) use sequence::{Net, Random, Samples, key};

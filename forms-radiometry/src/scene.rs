@@ -21,6 +21,7 @@ mod surface;
 mod value;
 mod working_units;
 
+pub(crate) use bands::middle;
 pub use error::SceneError;
 pub use model::{
     Ambient, Band, Effect, Force, ForcedEffect, LengthUnit, Light, LightKind, Material, MaterialKind, Medium,

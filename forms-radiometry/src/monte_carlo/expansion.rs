@@ -61,7 +61,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     fn brightest(&self) -> Option<[f64; N]> {
         let mut brightest = self.optics.outside;
         for (surface, radiance) in
-            self.optics.radiances.iter().enumerate().filter(|(_, it)| largest(it) > 0.0)
+            self.optics.radiances.iter().enumerate().filter(|(_, radiance)| largest(*radiance) > 0.0)
         {
             let reflectance = self.optics.reflectances[surface];
             let kind = &self.world.scene.materials[self.world.scene.surfaces[surface].material].kind;

@@ -33,13 +33,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         add: &mut impl FnMut(&[f64; N], f64),
     ) {
         for (image, chance) in self.images.choose(samples.one(), false) {
-            let ray = [path.start.position, path.direction];
-            let lit = medium.lit_point(ray, length, image.point(), self.count(), samples);
-            let Some((distance, factor)) = lit else { continue };
-            let mut lit = *path;
-            lit.throughput = times(&path.throughput, &factor);
-            lit.way = self.longer(path.way, medium, distance);
-            let vertex = self.scattering(path, medium, distance);
+            let lit = self.lit_point(path, medium, length, image.point(), samples);
+            let Some((lit, vertex)) = lit else { continue };
             self.imaged(&lit, &vertex, (image, chance), &mut |_, value, way| add(value, way));
         }
     }

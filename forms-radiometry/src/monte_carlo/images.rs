@@ -12,6 +12,7 @@ use super::boundary::{Passage, passages, reflected};
 use super::optics::{MediumOptics, Optics, largest, scaled, times};
 use super::world::World;
 use crate::geometry::{Met, Start, Vector, Wall, split};
+use crate::sampling::chosen;
 use crate::scene::{Filling, LightKind, MaterialKind};
 
 /// The most images; of more than these a scene is refused.
@@ -137,10 +138,9 @@ impl<const N: usize> Images<N> {
 
     /// All images where they are few or all are asked for, else one of them by a number from 0 to 1; each with how likely it is taken.
     pub(super) fn choose(&self, number: f64, asks_for_all: bool) -> impl Iterator<Item = (&Image<N>, f64)> {
-        let place =
-            self.chances.partition_point(|&chance| chance <= number).min(self.all.len().saturating_sub(1));
         let are_few = asks_for_all || self.all.len() <= FEW;
-        let taken = if are_few { &self.all[..] } else { &self.all[place..=place] };
+        let one = chosen(&self.chances, number).filter(|_| !are_few);
+        let taken = one.map_or(&self.all[..], |place| &self.all[place..=place]);
         taken.iter().map(move |image| (image, if are_few { 1.0 } else { image.chance }))
     }
 }

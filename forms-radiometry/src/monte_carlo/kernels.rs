@@ -29,13 +29,7 @@ pub(crate) fn kernels(scene: &Scene) -> Vec<UsedKernel> {
     let Effects { absorption, scattering, refraction, .. } = effects;
     macro_rules! row {
         ($is_used:expr, $name:ident, $what:literal) => {
-            ($is_used).then(|| UsedKernel {
-                name: stringify!($name),
-                without: Vec::new(),
-                operations: $name::OPERATIONS,
-                operations_of_all: $name::OPERATIONS,
-                what: $what,
-            })
+            ($is_used).then(|| UsedKernel::whole(stringify!($name), $name::OPERATIONS, $what))
         };
     }
     let table = [

@@ -104,12 +104,10 @@ pub(crate) fn follower<'w>(
 }
 
 /// Whether the images of lights in flat walls are more than can be listed.
-pub(crate) fn has_too_many_images(scene: &Scene) -> bool {
-    if scene.lights.is_empty() {
-        return false;
-    }
-    let world = World::new(scene);
-    (0..scene.band_count()).any(|band| Images::of(&world, &Optics::<1>::of(scene, band, 1)).is_cut)
+pub(crate) fn has_too_many_images(world: &World) -> bool {
+    let scene = world.scene;
+    !scene.lights.is_empty()
+        && (0..scene.band_count()).any(|band| Images::of(world, &Optics::<1>::of(scene, band, 1)).is_cut)
 }
 
 /// The member of the lattice that has these effects.

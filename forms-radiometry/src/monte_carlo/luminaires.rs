@@ -7,6 +7,7 @@
 //! ```
 //! Which luminaire is taken is chosen by power. Densities are of solid angle, and are what a direction has that was found in another way.
 
+use super::optics::largest;
 use super::warps::{
     spherical_triangle_pdf, spherical_triangle_sample, uniform_cone_pdf, uniform_cone_sample,
     uniform_disk_sample, uniform_sphere_sample, uniform_triangle_sample,
@@ -14,7 +15,7 @@ use super::warps::{
 use super::world::Sheet;
 use crate::geometry::{Disk, Met, Sphere, Vector, Wall};
 use crate::kernels::{measure_area_to_solid_angle, measure_solid_angle_to_area};
-use crate::sampling::{Frame, Samples};
+use crate::sampling::{Frame, Samples, chosen};
 use crate::scene::{LightKind, Scene};
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -115,8 +116,7 @@ impl Luminaires {
 
     /// A luminaire by a number from 0 to 1; none where there is none.
     pub(super) fn choose(&self, number: f64) -> Option<&Luminaire> {
-        let place = self.chances.partition_point(|&chance| chance <= number);
-        self.all.get(place.min(self.all.len().checked_sub(1)?))
+        chosen(&self.chances, number).map(|place| &self.all[place])
     }
 
     /// The surface of a luminaire by a number from 0 to 1; none where that is a beam.
@@ -265,8 +265,7 @@ impl Front {
     /// A point: the wall, the place, and the unit normal there.
     pub(super) fn point(&self, samples: &mut Samples) -> Option<(usize, Vector, Vector)> {
         let along = samples.one() * self.areas.last()?;
-        let place = self.areas.partition_point(|&area| area <= along).min(self.areas.len() - 1);
-        let (wall, form, normal) = &self.pieces[place];
+        let (wall, form, normal) = &self.pieces[chosen(&self.areas, along)?];
         let (position, outward) = form.point(samples.pair());
         let normal = normal.unwrap_or(match form {
             Form::Sphere(sphere) if sphere.inward => -outward,
@@ -305,10 +304,6 @@ fn outside(sphere: &Sphere, from: Vector) -> Option<(Vector, f64)> {
 /// The density in a cone does not depend on the direction.
 fn cone_density(height: f64) -> f64 {
     uniform_cone_pdf(height, 0.0, 0.0, 1.0)
-}
-
-fn largest(values: &[f64]) -> f64 {
-    values.iter().copied().fold(0.0, f64::max)
 }
 
 /// A length that the scene extends over.

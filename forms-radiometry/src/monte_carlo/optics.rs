@@ -98,6 +98,6 @@ pub(super) fn mean<const N: usize>(values: &[f64; N], count: usize) -> f64 {
     values[..count].iter().sum::<f64>() / count as f64
 }
 
-pub(super) fn largest<const N: usize>(values: &[f64; N]) -> f64 {
+pub(super) fn largest(values: &[f64]) -> f64 {
     values.iter().copied().fold(0.0, f64::max)
 }

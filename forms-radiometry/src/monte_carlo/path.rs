@@ -84,7 +84,7 @@ fn may_go_on(count: u32, most: Option<u32>) -> bool {
 
 impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     /// How many bands there are.
-    pub(super) fn count(&self) -> usize {
+    fn count(&self) -> usize {
         if N == 1 { 1 } else { self.optics.bands[1] }
     }
 
@@ -92,7 +92,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         self.optics.medium(filling)
     }
 
-    pub(super) fn longer(&self, way: f64, medium: &MediumOptics<N>, distance: f64) -> f64 {
+    fn longer(&self, way: f64, medium: &MediumOptics<N>, distance: f64) -> f64 {
         if L::TIME { way + medium.index * distance } else { way }
     }
 
@@ -257,10 +257,27 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     }
 
     /// The vertex at a distance along the path.
-    pub(super) fn scattering(&self, path: &Path<N>, medium: &MediumOptics<N>, distance: f64) -> Vertex<N> {
+    fn scattering(&self, path: &Path<N>, medium: &MediumOptics<N>, distance: f64) -> Vertex<N> {
         let position = path.start.position + distance * path.direction;
         let law = Law::Phase { forward: path.direction, asymmetry: medium.asymmetry };
         Vertex { start: self.world.walls.start_free(position), law }
+    }
+
+    /// A point of a segment at which light is looked for, and the path as far as there.
+    pub(super) fn lit_point(
+        &self,
+        path: &Path<N>,
+        medium: &MediumOptics<N>,
+        length: f64,
+        pivot: Option<Vector>,
+        samples: &mut Samples,
+    ) -> Option<(Path<N>, Vertex<N>)> {
+        let ray = [path.start.position, path.direction];
+        let (distance, factor) = medium.lit_point(ray, length, pivot, self.count(), samples)?;
+        let mut lit = *path;
+        lit.throughput = times(&path.throughput, &factor);
+        lit.way = self.longer(path.way, medium, distance);
+        Some((lit, self.scattering(path, medium, distance)))
     }
 
     /// What a segment scatters to its start of the light that comes straight from luminaires.
@@ -277,14 +294,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         }
         let Some(luminaire) = self.world.luminaires.choose(samples.one()) else { return };
         let pivot = luminaire.point(samples.pair());
-        let ray = [path.start.position, path.direction];
-        let Some((distance, factor)) = medium.lit_point(ray, length, pivot, self.count(), samples) else {
-            return;
-        };
-        let mut lit = *path;
-        lit.throughput = times(&path.throughput, &factor);
-        lit.way = self.longer(path.way, medium, distance);
-        let vertex = self.scattering(path, medium, distance);
+        let Some((lit, vertex)) = self.lit_point(path, medium, length, pivot, samples) else { return };
         if let Some(towards) = luminaire.towards(vertex.start.position, samples.pair()) {
             self.lit(&lit, &vertex, &towards, &mut |_, value, way| add(value, way));
         }

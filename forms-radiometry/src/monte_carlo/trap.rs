@@ -17,7 +17,7 @@ use super::warps::{
 use super::world::World;
 use crate::geometry::{Met, Start, Vector, Wall};
 use crate::sampling::{Frame, Samples, key};
-use crate::scene::{Filling, LightKind, MaterialKind, Scene, SceneError};
+use crate::scene::{Filling, LightKind, MaterialKind, SceneError};
 use rayon::prelude::*;
 
 /// How many rays are followed, and for how many turns.
@@ -30,11 +30,11 @@ const PARALLEL: f64 = 1e-12;
 /// Points of a mirror that are asked whether they see the other one.
 const POINTS: u32 = 64;
 
-/// The trap that light of a scene in working units reaches, if there is one.
-pub(crate) fn trap(scene: &Scene) -> Option<SceneError> {
-    let world = World::new(scene);
+/// The trap that light of a world reaches, if there is one.
+pub(crate) fn trap(world: &World) -> Option<SceneError> {
+    let scene = world.scene;
     let surface = (0..scene.band_count()).find_map(|band| {
-        let search = Search { world: &world, optics: Optics::of(scene, band, 1) };
+        let search = Search { world, optics: Optics::of(scene, band, 1) };
         search.mirrors().or_else(|| search.closed())
     })?;
     let surface = &scene.surfaces[surface];

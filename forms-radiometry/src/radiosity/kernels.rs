@@ -95,7 +95,7 @@ pub(crate) fn kernels(scene: &Scene, faces: &[Face], question: &Question, hiding
     let direct_light = is_another.map(|kinds| member(kinds, "what comes straight to points of surfaces"));
     macro_rules! row {
         ($is_used:expr, $name:ident, $what:literal) => {
-            ($is_used).then(|| whole(stringify!($name), $name::OPERATIONS, $what))
+            ($is_used).then(|| UsedKernel::whole(stringify!($name), $name::OPERATIONS, $what))
         };
     }
     let table = [
@@ -113,9 +113,11 @@ pub(crate) fn kernels(scene: &Scene, faces: &[Face], question: &Question, hiding
     table.into_iter().flatten().collect()
 }
 
-/// A kernel without effects.
-fn whole(name: &'static str, operations: usize, what: &'static str) -> UsedKernel {
-    UsedKernel { name, without: Vec::new(), operations, operations_of_all: operations, what }
+impl UsedKernel {
+    /// A kernel without effects.
+    pub(crate) fn whole(name: &'static str, operations: usize, what: &'static str) -> Self {
+        Self { name, without: Vec::new(), operations, operations_of_all: operations, what }
+    }
 }
 
 /// The member of the kernel that gathers these kinds of light.

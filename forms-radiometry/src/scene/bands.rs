@@ -39,9 +39,14 @@ impl Scene {
 }
 
 fn merge(values: &mut Vec<f64>) {
+    if !values.is_empty() {
+        *values = vec![middle(values)];
+    }
+}
+
+/// Halfway between the least and the largest.
+pub(crate) fn middle(values: &[f64]) -> f64 {
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
     let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    if !values.is_empty() {
-        *values = vec![0.5 * least + 0.5 * largest];
-    }
+    0.5 * least + 0.5 * largest
 }

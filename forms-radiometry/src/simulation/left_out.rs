@@ -9,7 +9,7 @@
 
 use super::answer::PlannedEffect;
 use super::effects::forced;
-use crate::scene::{Effect, Force, MaterialKind, Medium, Scene};
+use crate::scene::{Effect, Force, MaterialKind, Medium, ReceiverKind, Scene, middle};
 
 /// The scene without what the plan turns off.
 pub(super) fn without(scene: &Scene, effects: &[PlannedEffect]) -> Scene {
@@ -60,16 +60,8 @@ fn leave_out(scene: &Scene, is_off: &dyn Fn(Effect) -> bool) -> Scene {
     scene
 }
 
-/// Halfway between the least and the largest.
-fn middle(values: &[f64]) -> f64 {
-    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-    let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    0.5 * least + 0.5 * largest
-}
-
 /// Takes away surfaces that are nothing but boundaries, of which none emits light or is asked about.
 fn remove_boundaries(scene: &mut Scene) {
-    use crate::scene::ReceiverKind;
     let is_asked_for = |index: usize| {
         let is_it =
             |kind: &ReceiverKind| matches!(kind, ReceiverKind::Surface { surface, .. } if *surface == index);

@@ -13,7 +13,7 @@ use super::effects::{Effects, forced};
 use super::followed::is_followed;
 use super::left_out::{without, without_forced};
 use super::survey::Survey;
-use crate::monte_carlo::{self, has_too_many_images, trap};
+use crate::monte_carlo::{self, World, has_too_many_images, trap};
 use crate::radiosity::orders;
 use crate::scene::{Effect, Force, ForcedEffect, Scene, SceneError, not_simulated};
 
@@ -40,10 +40,7 @@ pub fn plan(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         let expected = "a reflectance below 1 on one of the surfaces around it, or an opening";
         return Err(vec![SceneError::new(&surface.place, message, expected)]);
     }
-    let contains = monte_carlo::Effects::of(scene);
-    let mut planning = Planning { scene, survey, contains, left: DROPPED * scene.solve.tolerance };
-    let effects: Vec<PlannedEffect> =
-        Effect::ALL.iter().map(|&(_, effect)| planning.decide(effect)).collect();
+    let effects = decided(scene, survey);
     let kernels = Effects::of(&effects).kernels(scene);
     Ok(Plan { effects, kernels })
 }
@@ -56,16 +53,14 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         let message = "light that is followed along paths cannot pass through surfaces";
         return Err(vec![SceneError::new(&forced.place, message, "no `occlusion`, or \"on\"")]);
     }
-    let (survey, contains) = (Survey::without_bounds(scene), monte_carlo::Effects::of(scene));
-    let mut planning = Planning { scene, survey, contains, left: DROPPED * scene.solve.tolerance };
-    let effects: Vec<PlannedEffect> =
-        Effect::ALL.iter().map(|&(_, effect)| planning.decide(effect)).collect();
+    let effects = decided(scene, Survey::without_bounds(scene));
     let left = without(scene, &effects);
     let working = left.in_working_units();
-    if let Some(trap) = trap(&working.scene) {
+    let world = World::new(&working.scene);
+    if let Some(trap) = trap(&world) {
         return Err(vec![trap]);
     }
-    if let Some(light) = scene.lights.first().filter(|_| has_too_many_images(&working.scene)) {
+    if let Some(light) = scene.lights.first().filter(|_| has_too_many_images(&world)) {
         let message = "flat surfaces have too many images of lights without extent";
         let expected =
             "fewer surfaces that mirror or bend light, or lights with an extent: surfaces with a radiance";
@@ -73,6 +68,13 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
     }
     let kernels = Effects::of(&effects).kernels_of_paths(&left);
     Ok(Plan { effects, kernels })
+}
+
+/// What is decided about every effect, one after the other.
+fn decided(scene: &Scene, survey: Survey) -> Vec<PlannedEffect> {
+    let contains = monte_carlo::Effects::of(scene);
+    let mut planning = Planning { scene, survey, contains, left: DROPPED * scene.solve.tolerance };
+    Effect::ALL.iter().map(|&(_, effect)| planning.decide(effect)).collect()
 }
 
 struct Planning<'s> {

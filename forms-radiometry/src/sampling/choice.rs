@@ -1,0 +1,19 @@
+//! Choices: a number becomes one of several things, each as likely as its part of a running sum.
+
+/// The place of the first running sum above a number; the last one where rounding leaves none, and nothing where there are none.
+pub(crate) fn chosen(sums: &[f64], number: f64) -> Option<usize> {
+    Some(sums.partition_point(|&sum| sum <= number).min(sums.len().checked_sub(1)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_chooses_the_thing_in_whose_part_it_lies() {
+        let sums = [0.25, 0.25, 1.0];
+        let cases = [(0.0, 0), (0.2, 0), (0.25, 2), (0.9, 2), (1.0, 2)];
+        cases.into_iter().for_each(|(number, place)| assert_eq!(chosen(&sums, number), Some(place)));
+        assert_eq!(chosen(&[], 0.5), None);
+    }
+}
