@@ -13,6 +13,8 @@ mod estimate;
 mod exposure;
 mod file;
 mod followed;
+mod goals;
+mod images;
 mod job;
 mod left_out;
 mod map;

@@ -119,14 +119,19 @@ impl Work<'_> {
     }
 
     /// The maps: each cell is sampled until it is exact enough beside the largest of those that were watched.
-    pub(super) fn sampled_maps(&self, paths: &Paths, grids: &[(usize, Grid)], found: &[Found]) -> Vec<Map> {
+    pub(super) fn sampled_maps(
+        &self,
+        paths: &Paths,
+        grids: &[(usize, Grid)],
+        found: &[Found],
+    ) -> Vec<(usize, Map)> {
         let scales = self.scales(found);
         let map = |&(receiver, ref grid): &(usize, Grid)| {
             let watched =
                 (self.answers..found.len()).find(|&other| self.readings[other].receiver == receiver);
             let scales =
                 watched.map_or_else(|| vec![0.0; self.scene.band_count()], |other| scales[other].clone());
-            self.sampled_map(paths, receiver, grid, &scales)
+            (receiver, self.sampled_map(paths, receiver, grid, &scales))
         };
         grids.iter().map(map).collect()
     }
