@@ -6,7 +6,7 @@ use forms_radiometry::simulation::Plan;
 
 const WIDTH: f64 = 720.0;
 /// The frame of the errors: left, top, right and bottom.
-const FRAME: [f64; 4] = [76.0, 74.0, 700.0, 372.0];
+const FRAME: [f64; 4] = [76.0, 74.0, 686.0, 372.0];
 /// Where the names of effects end, where bars begin and where the longest ends; the height of a row, and of a bar in it.
 const BARS: [f64; 3] = [190.0, 200.0, 560.0];
 const ROW: f64 = 22.0;
@@ -128,7 +128,7 @@ fn errors(svg: &mut String, measured: &Measured) {
         text(svg, [left + 6.0, bottom - 7.0], "start", "quiet", &format!("{rounding}, far below"));
     }
     if last.is_sampled {
-        slope(svg, &axes, last);
+        slope(svg, &axes, rungs);
     }
     let said: Vec<_> = rungs.iter().map(|rung| axes.place(rung.seconds, rung.said)).collect();
     let off = || rungs.iter().filter_map(|rung| rung.off.map(|off| axes.place(rung.seconds, off)));
@@ -137,8 +137,8 @@ fn errors(svg: &mut String, measured: &Measured) {
     legend(svg, left, 0, what);
     line(svg, [0, 0], &said);
     if off().next().is_some() {
-        let hollow = if below.is_empty() { "" } else { "; hollow: below the figure" };
-        legend(svg, (left + right) / 2.0, 1, &format!("true, of what is known{hollow}"));
+        let hollow = if below.is_empty() { "" } else { " (hollow: below)" };
+        legend(svg, (left + right) / 2.0, 1, &format!("true, where known{hollow}"));
         line(svg, [1, 1], &within);
         below.iter().for_each(|&[x, _]| line(svg, [1, 2], &[[x, bottom]]));
     }
@@ -150,9 +150,10 @@ fn legend(svg: &mut String, x: f64, look: usize, words: &str) {
     text(svg, [x + 38.0, y + 4.5], "start", "ink", words);
 }
 
-/// The line along which the error of samples falls: as the root of the time, through the last run.
-fn slope(svg: &mut String, axes: &Axes, last: &Rung) {
-    let [time, error] = [last.seconds.log10(), logarithm(last.said)];
+/// The line along which the error of samples falls: as the root of the time, through the middle of the runs.
+fn slope(svg: &mut String, axes: &Axes, rungs: &[Rung]) {
+    let mean = |of: fn(&Rung) -> f64| rungs.iter().map(of).sum::<f64>() / rungs.len() as f64;
+    let [time, error] = [mean(|rung| rung.seconds.log10()), mean(|rung| logarithm(rung.said))];
     let [low, high] = axes.across.range;
     let [bottom, top] = axes.up.range;
     // where it enters and leaves the frame
@@ -162,14 +163,17 @@ fn slope(svg: &mut String, axes: &Axes, last: &Rung) {
         |time_there: f64| [axes.across.place(time_there), axes.up.place(error - 0.5 * (time_there - time))];
     let [[x0, y0], [x1, y1]] = [at(begin), at(end)];
     put(svg, format_args!("<path class=\"slope\" d=\"M{x0:.1} {y0:.1}L{x1:.1} {y1:.1}\"/>"));
-    let [x, y] = at(begin + 0.3 * (end - begin));
-    text(svg, [x + 6.0, y - 6.0], "start", "quiet", "slope −1/2");
+    if y1 + 18.0 < FRAME[3] {
+        text(svg, [x1 - 4.0, y1 + 16.0], "end", "quiet", "slope −1/2");
+    } else {
+        text(svg, [x1 + 2.0, y1 - 22.0], "start", "quiet", "slope −1/2");
+    }
 }
 
 /// Bars of the time as planned and without each effect, and the operations of the kernels; where the figure ends.
 fn costs(svg: &mut String, costs: &Costs, plan: &Plan) -> f64 {
     let mut y = FRAME[3] + 72.0;
-    let head = format!("time with each effect off, to {:.1e} of what is left", costs.tolerance);
+    let head = format!("time with each effect turned off, with tolerance {:.1e}", costs.tolerance);
     text(svg, [FRAME[0], y], "start", "ink", &head);
     let rows = std::iter::once(("as planned".to_owned(), costs.seconds, "bar all"));
     let without =

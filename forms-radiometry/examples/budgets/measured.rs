@@ -1,10 +1,10 @@
 //! What is measured of a scene: runs with tolerances that fall, one with half the error, and ones without each effect.
 
-use super::gallery::{self, Problem, scene};
+use super::gallery::{self, Problem, said, scene};
 use super::known::{GALLERY, Known};
 use super::run::{Run, forced};
 use forms_radiometry::scene::{Effect, Force, Scene};
-use forms_radiometry::simulation::{Answer, ErrorParts};
+use forms_radiometry::simulation::{Answer, ErrorParts, plan};
 use std::path::Path;
 
 /// Each tolerance is this part of the one before.
@@ -173,7 +173,7 @@ fn costs(scene: &Scene, rungs: &[Rung]) -> Result<Costs, Problem> {
     let short = rungs.iter().rev().find(|rung| rung.seconds <= LONG);
     let Some(rung) = short.or(rungs.first()) else { return Err("there is no tolerance to run with".into()) };
     let scene = with_tolerance(scene, rung.tolerance);
-    let plan = Run::of(&scene)?.plan;
+    let plan = plan(&scene).map_err(said)?;
     let mut without = Vec::new();
     for effect in plan.effects.iter().filter(|planned| planned.on).map(|planned| planned.effect) {
         let scene = forced(&scene, &[effect], Force::Off);
