@@ -12,8 +12,10 @@ const STEP: f64 = 0.5;
 /// The tolerances, relative to that of the file: from the loosest to the tightest; and the loosest of all.
 const RANGE: [f64; 2] = [16.0, 0.1];
 const LOOSEST: f64 = 0.5;
-/// The runs with tolerances that fall end with the first that takes longer than this, in seconds.
+/// The runs with tolerances that fall end with the first that takes longer than this, in seconds, but there are so many at least, and the
+/// scene as it is.
 const LONG: f64 = 2.0;
+const FEWEST: usize = 3;
 
 /// A run of the scene with some tolerance.
 pub(crate) struct Rung {
@@ -86,7 +88,7 @@ fn with_tolerance(scene: &Scene, tolerance: f64) -> Scene {
     scene
 }
 
-/// Runs with tolerances that fall, and the one as planned where these reach it.
+/// Runs with tolerances that fall, and the one as planned among them.
 fn rungs(scene: &Scene, known: &[Known], planned: &Run) -> Result<Vec<Rung>, Problem> {
     let own = scene.solve.tolerance;
     let mut rungs = Vec::new();
@@ -102,9 +104,12 @@ fn rungs(scene: &Scene, known: &[Known], planned: &Run) -> Result<Vec<Rung>, Pro
         } else {
             rungs.push(rung(tolerance, &Run::of(&with_tolerance(scene, tolerance))?, known));
         }
-        if rungs.last().is_some_and(|rung: &Rung| rung.seconds > LONG) {
+        if rungs.len() >= FEWEST && rungs.last().is_some_and(|rung: &Rung| rung.seconds > LONG) {
             break;
         }
+    }
+    if rungs.last().is_some_and(|rung| rung.tolerance > own) {
+        rungs.push(rung(own, planned, known));
     }
     Ok(rungs)
 }
