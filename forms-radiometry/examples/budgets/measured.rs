@@ -142,7 +142,7 @@ fn scale(known: &Known, answers: &[Answer]) -> f64 {
     summands.fold(known.value.abs(), f64::max)
 }
 
-/// What may halve the error: half of it asked for, and what the plan dropped, kept.
+/// What may halve the error: its receiver asked alone, to half of the error, and what the plan dropped, kept.
 fn halved(scene: &Scene, planned: &Run) -> Result<Vec<Halved>, Problem> {
     let Some(worst) = planned.found.worst() else { return Ok(Vec::new()) };
     let parts = worst.parts;
@@ -161,14 +161,16 @@ fn halved(scene: &Scene, planned: &Run) -> Result<Vec<Halved>, Problem> {
     if 2.0 * parts.rounding < worst.error {
         let tolerance = 0.5 * planned.error();
         let more = [
-            (parts.quadrature, "finer elements"),
+            (parts.quadrature, "finer quadrature"),
             (parts.orders, "more orders"),
             (parts.sampling, "more samples"),
             (parts.effects, "fewer effects dropped"),
         ];
         let largest = more.into_iter().max_by(|one, other| one.0.total_cmp(&other.0));
         let what = largest.map_or("", |(_, what)| what);
-        run(format!("{what}, by tolerance = {tolerance:.1e}"), &with_tolerance(scene, tolerance))?;
+        let mut alone = with_tolerance(scene, tolerance);
+        alone.receivers.retain(|receiver| receiver.name == worst.receiver);
+        run(format!("{what}, of it alone to {tolerance:.1e}"), &alone)?;
     }
     Ok(tried)
 }

@@ -34,15 +34,14 @@ fn part(part: f64) -> String {
 
 /// What halves the error for the least time, and what that costs.
 fn half(measured: &Measured, parts: &ErrorParts) -> String {
-    let before = measured.planned.seconds;
     if let Some(halved) = measured.cheapest() {
-        return format!("{}: {:+.2e} s", halved.what, halved.seconds - before);
+        return format!("{}: {:.2e} s", halved.what, halved.seconds);
     }
     let tried = measured.halved.iter().min_by(|one, other| one.error.total_cmp(&other.error));
     match tried {
         Some(tried) => {
             let left = tried.error / measured.planned.error();
-            format!("none: {} leaves {left:.2} of it, {:+.2e} s", tried.what, tried.seconds - before)
+            format!("none: {} leaves {left:.2} of it, in {:.2e} s", tried.what, tried.seconds)
         }
         None if parts.rounding > 0.0 => "none: it is rounding".to_owned(),
         None => "none".to_owned(),
