@@ -12,6 +12,7 @@ mod film;
 
 use super::answer::{Answer, ErrorKind, Map, Quantity};
 use super::estimate::Found;
+use super::parts::ErrorParts;
 use super::readings::Reading;
 use super::solver::{ROUNDING, Work};
 use crate::camera::Camera;
@@ -100,7 +101,7 @@ impl Work<'_> {
             let begin = Instant::now();
             let watched = self.watched(index, found);
             let map = self.image((index, camera), radiosity, sight, &watched);
-            let means = self.means(&map, begin.elapsed().as_secs_f64());
+            let means = self.means(&map, &watched.scales, begin.elapsed().as_secs_f64());
             Image { receiver: index, map, means }
         });
         images.collect()
@@ -169,18 +170,24 @@ impl Work<'_> {
     }
 
     /// The mean of an image, for each band; none if it is not all there.
-    fn means(&self, map: &Map, seconds: f64) -> Vec<Answer> {
+    fn means(&self, map: &Map, scales: &[f64], seconds: f64) -> Vec<Answer> {
         let bands = map.values.len();
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
-        let answer = |band: usize| Answer {
-            receiver: map.receiver.clone(),
-            quantity: Quantity::Radiance,
-            band: (bands > 1).then_some(band),
-            bin: None,
-            value: mean(&map.values[band]),
-            error: mean(&map.errors[band]),
-            kind: ErrorKind::Bound,
-            seconds,
+        let answer = |band: usize| {
+            let error = mean(&map.errors[band]);
+            let rounding = (ROUNDING * scales[band]).min(error);
+            let parts = ErrorParts { rounding, quadrature: error - rounding, ..ErrorParts::default() };
+            Answer {
+                receiver: map.receiver.clone(),
+                quantity: Quantity::Radiance,
+                band: (bands > 1).then_some(band),
+                bin: None,
+                value: mean(&map.values[band]),
+                error: parts.error(ErrorKind::Bound),
+                parts,
+                kind: ErrorKind::Bound,
+                seconds,
+            }
         };
         let is_whole = map.values.iter().flatten().all(|value| !value.is_nan());
         if is_whole { (0..bands).map(answer).collect() } else { Vec::new() }

@@ -4,6 +4,7 @@
 use super::answer::{Map, Moment, Quantity};
 use super::estimate::{Estimate, Found};
 use super::map::Grid;
+use super::parts::ErrorParts;
 use super::readings::Reading;
 use super::solver::{DARK, ROUNDING, Work};
 use crate::radiosity::{GoalKind, Measure, Paths, Probe};
@@ -109,9 +110,15 @@ impl Work<'_> {
         let one = |Sampled { of, made_of, seconds, .. }: &Sampled| {
             let probe = &sampled[*of].probe;
             let of_band = |(band, [offset, factor]): (usize, &[f64; 2])| {
-                let [value, error] = probe.as_ref().map_or([0.0; 2], |probe| probe.found(band));
-                let value = offset + factor * value;
-                Estimate::exact(value, factor * error + ROUNDING * value.abs())
+                let value = offset + factor * probe.as_ref().map_or(0.0, |probe| probe.value(band));
+                let rounding = ROUNDING * value.abs();
+                let of_probe = |[sampling, orders]: [f64; 2]| ErrorParts {
+                    rounding,
+                    orders: factor * orders,
+                    sampling: factor * sampling,
+                    ..ErrorParts::default()
+                };
+                Estimate::exact(value, of_probe(probe.as_ref().map_or([0.0; 2], |probe| probe.errors(band))))
             };
             Found { bands: made_of.iter().enumerate().map(of_band).collect(), seconds: *seconds }
         };

@@ -14,6 +14,7 @@ use super::followed::followed;
 use super::images::Image;
 use super::job::Job;
 use super::map::Grid;
+use super::parts::ErrorParts;
 use super::prepared::Prepared;
 use super::readings::Reading;
 use super::watch::Watch;
@@ -123,7 +124,7 @@ impl<'s> Work<'s> {
                 if is_round_anywhere && is_stopped && !is_compared {
                     // what the shape changes is not known
                     let estimates = found.iter_mut().flat_map(|found| &mut found.bands);
-                    estimates.for_each(|estimate| estimate.floor = f64::INFINITY);
+                    estimates.for_each(|estimate| estimate.floor.quadrature = f64::INFINITY);
                 }
                 let is_last = !is_round_anywhere
                     || is_stopped
@@ -252,13 +253,13 @@ impl<'s> Work<'s> {
             let largest = reading.largest(radiosity.transport());
             let of_band = |(band, value): (usize, f64)| {
                 let straight = reading.straight_error(radiosity, band);
-                if self.effects.orders == Some(0)
-                    && let Some(error) = straight
-                {
-                    return Estimate::exact(value, error);
+                let integral = ErrorParts { quadrature: straight.unwrap_or(0.0), ..ErrorParts::default() };
+                if self.effects.orders == Some(0) && straight.is_some() {
+                    return Estimate::exact(value, integral);
                 }
                 let before = before.map(|(before, left, _)| (&before[index].bands[band], left));
-                Estimate::new(value, before, largest * radiosity.floor(band) + straight.unwrap_or(0.0))
+                let orders = largest * radiosity.floor(band);
+                Estimate::new(value, before, ErrorParts { orders, ..integral })
             };
             Found { bands: values.into_iter().enumerate().map(of_band).collect(), seconds }
         };
@@ -271,7 +272,8 @@ impl<'s> Work<'s> {
         for (found, scales) in found.iter_mut().zip(scales) {
             for (estimate, scale) in found.bands.iter_mut().zip(scales) {
                 let of_elements = if estimate.is_exact() { 0.0 } else { radiosity.rules() + spared };
-                estimate.floor += (of_elements + ROUNDING) * scale;
+                estimate.floor.quadrature += of_elements * scale;
+                estimate.floor.rounding += ROUNDING * scale;
             }
         }
         found
@@ -340,6 +342,7 @@ impl<'s> Work<'s> {
                     bin: None,
                     value: estimate.value,
                     error: estimate.error(),
+                    parts: estimate.parts(),
                     kind: ErrorKind::Bound,
                     seconds: found.seconds,
                 };
@@ -370,7 +373,7 @@ fn compare(found: &mut Vec<Found>, coarse: Option<Vec<Found>>, fineness: usize) 
 fn add_changes(found: &mut [Found], coarse: &[Found]) {
     for (found, coarse) in found.iter_mut().zip(coarse) {
         for (estimate, coarse) in found.bands.iter_mut().zip(&coarse.bands) {
-            estimate.floor += (estimate.value - coarse.value).abs();
+            estimate.floor.quadrature += (estimate.value - coarse.value).abs();
         }
     }
 }
