@@ -63,12 +63,21 @@ mod tests {
 
     #[test]
     fn points_that_rounding_takes_off_a_line_make_no_triangle() {
-        for off in [0.0, 1e-10, 1e-15, 1e-20, 1e-151] {
+        for (off, scale) in
+            [0.0, 1e-12, 1e-15, 1e-20, 1e-151].into_iter().flat_map(|off| [(off, 1.0), (off, 0.01)])
+        {
             let corners =
                 [[0.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 2.0, 2.0], [off, 1.0, 1.0], [0.0, 0.0, 2.0]];
-            let vertices = corners.map(|[x, y, z]| Vector::new(x, y, z));
-            let triangles = triangulate(&vertices, Vector::new(1.0, 2e-16, -2e-16));
-            assert_eq!(triangles.len(), 2, "{off}");
+            let vertices = corners.map(|corner| {
+                let [x, y, z] = corner.map(|place| scale * place);
+                Vector::new(x, y, z)
+            });
+            let normal = Vector::new(1.0, 2e-16, -2e-16);
+            let triangles = triangulate(&vertices, normal);
+            let areas: Vec<f64> = triangles.iter().map(|t| 0.5 * turn(t[0], t[1], t[2], normal)).collect();
+            let sum: f64 = areas.iter().sum();
+            assert!((sum - 3.0 * scale * scale).abs() < 1e-11 * scale * scale, "{off}: {areas:?}");
+            assert!(areas.iter().all(|area| *area > 0.9 * scale * scale), "{off}: {areas:?}");
         }
     }
 }

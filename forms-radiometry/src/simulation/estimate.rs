@@ -39,6 +39,7 @@ pub(super) struct Estimate {
 impl Estimate {
     /// A first value, or one that comes after another.
     pub(super) fn new(value: f64, before: Option<(&Self, f64)>, floor: ErrorParts) -> Self {
+        let (value, floor) = known(value, floor);
         let Some((before, left)) = before else {
             return Self { value, changed: f64::INFINITY, change: f64::INFINITY, left: 1.0, floor };
         };
@@ -50,6 +51,7 @@ impl Estimate {
 
     /// A value that finer elements do not change, with its error.
     pub(super) fn exact(value: f64, floor: ErrorParts) -> Self {
+        let (value, floor) = known(value, floor);
         Self { value, changed: 0.0, change: 0.0, left: 0.0, floor }
     }
 
@@ -62,11 +64,22 @@ impl Estimate {
     pub(super) fn parts(&self) -> ErrorParts {
         let refined =
             if self.change == 0.0 { 0.0 } else { SAFETY * self.left.clamp(LEFT[0], LEFT[1]) * self.change };
-        ErrorParts { quadrature: refined + self.floor.quadrature, ..self.floor }
+        let parts = ErrorParts { quadrature: refined + self.floor.quadrature, ..self.floor };
+        known(self.value, parts).1
     }
 
     pub(super) fn error(&self) -> f64 {
         self.parts().error(ErrorKind::Bound)
+    }
+}
+
+/// A value and its error, where numbers beyond the range of `f64` left none: then nothing is known of it, and it says so.
+fn known(value: f64, error: ErrorParts) -> (f64, ErrorParts) {
+    let unknown = ErrorParts { quadrature: f64::INFINITY, ..ErrorParts::default() };
+    match (value.is_nan(), error.error(ErrorKind::Bound).is_nan()) {
+        (true, _) => (0.0, unknown),
+        (false, true) => (value, unknown),
+        (false, false) => (value, error),
     }
 }
 
