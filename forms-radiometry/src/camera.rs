@@ -56,6 +56,21 @@ impl Camera {
         let [width, height] = self.resolution.map(|side| side as f64);
         self.forward + (2.0 * x / width - 1.0) * self.right + (1.0 - 2.0 * y / height) * self.up
     }
+
+    /// The film point in which a point before the pinhole is seen that lies this way from it: the inverse of
+    /// [`direction`](Self::direction).
+    pub(crate) fn film(&self, way: Vector) -> [f64; 2] {
+        let depth = way.dot(self.forward);
+        let along = |axis: Vector| way.dot(axis) / (axis.dot(axis) * depth);
+        let [width, height] = self.resolution.map(|side| side as f64);
+        [0.5 * width * (1.0 + along(self.right)), 0.5 * height * (1.0 - along(self.up))]
+    }
+
+    /// Normals of the four planes through the pinhole and the borders of the film, towards what is seen.
+    pub(crate) fn sides(&self) -> [Vector; 4] {
+        let [right, up] = [self.right, self.up].map(|axis| (1.0 / axis.dot(axis)) * axis);
+        [self.forward + right, self.forward - right, self.forward + up, self.forward - up]
+    }
 }
 
 #[cfg(test)]
@@ -74,6 +89,25 @@ mod tests {
         ];
         for (name, (x, y), expected) in cases {
             assert!((camera.direction(x, y) - expected).length() < 1e-15, "{name}");
+        }
+    }
+
+    #[test]
+    fn a_point_is_seen_where_the_film_looks_and_between_the_sides() {
+        let (origin, target, up) =
+            (Vector::new(1.0, 2.0, 3.0), Vector::new(-2.0, 5.0, 8.0), Vector::new(0.0, 1.0, 0.2));
+        let camera = Camera::new(origin, target, up, 75.0, [200, 100]).unwrap();
+        for (x, y, is_on_film) in [
+            (0.1, 0.1, true),
+            (30.0, 77.0, true),
+            (199.9, 99.9, true),
+            (-1.0, 50.0, false),
+            (7.0, 101.0, false),
+        ] {
+            let way = 3.7 * camera.direction(x, y);
+            let [u, v] = camera.film(way);
+            assert!((u - x).abs().max((v - y).abs()) < 1e-12, "({x}, {y})");
+            assert_eq!(camera.sides().iter().all(|side| side.dot(way) > 0.0), is_on_film, "({x}, {y})");
         }
     }
 

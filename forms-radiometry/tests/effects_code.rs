@@ -144,7 +144,8 @@ fn the_counted_scene_has_answers() {
         why: String::new(),
         bound: None,
     };
-    let plan = Plan { effects: Effect::ALL.into_iter().map(effect).collect(), kernels: Vec::new() };
+    let plan =
+        Plan { effects: Effect::ALL.into_iter().map(effect).collect(), kernels: Vec::new(), dropped: 0.0 };
     let found = simulate(&scene(name), &plan, &Unwatched);
     assert!(found.answers.iter().all(|answer| answer.value.is_finite()), "{name}");
 }

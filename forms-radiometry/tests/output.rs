@@ -3,7 +3,7 @@
 use exr::prelude::{ReadChannels, ReadLayers};
 use forms_radiometry::output::{csv, exr, png};
 use forms_radiometry::scene::{self, Scene};
-use forms_radiometry::simulation::{Answer, ErrorKind, Map, Quantity, Simulation};
+use forms_radiometry::simulation::{Answer, ErrorKind, ErrorParts, Map, Quantity, Simulation};
 use std::collections::HashMap;
 use std::io::Cursor;
 
@@ -33,6 +33,7 @@ fn simulation(bands: usize) -> Simulation {
         bin: None,
         value: 1.0 / 3.0,
         error: 1e-17,
+        parts: ErrorParts { rounding: 1e-17, ..ErrorParts::default() },
         kind: ErrorKind::Bound,
         seconds: 0.0,
     };

@@ -135,10 +135,19 @@ fn what_the_plan_drops_changes_less_than_its_bound() {
     let bound: f64 =
         planned.effects.iter().filter(|planned| !planned.on).filter_map(|planned| planned.bound).sum();
     let (with_plan, _) = answer(&answers(&text), "here", Quantity::Irradiance);
+    let text_of_plan = text.clone();
     let all = text + "[solve]\neffects = { occlusion = \"on\", interreflection = \"on\", bands = \"on\" }\n";
     let (with_all, error) = answer(&answers(&all), "here", Quantity::Irradiance);
     assert!((with_plan - with_all).abs() <= bound + error, "{with_plan} and {with_all}, bound {bound:e}");
     assert!(bound > 0.0 && bound < 1e-3 * with_all);
+    // the bound is part of the error, which stays within the tolerance
+    let found = &answers(&text_of_plan)[0];
+    assert!(found.parts.effects > 0.0 && found.parts.effects <= bound, "{found:?}");
+    assert!(
+        (with_plan - with_all).abs() <= found.error + error,
+        "{with_plan} and {with_all}, said {found:?}"
+    );
+    assert!(found.error <= 1e-3 * found.value, "{found:?}");
 }
 
 #[test]

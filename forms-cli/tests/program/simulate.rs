@@ -93,6 +93,26 @@ fn the_text_is_the_plan_and_the_answers_as_tables() {
     assert!(run.output.contains("largest error relative to its answer"), "{}", run.output);
 }
 
+#[test]
+fn the_parts_of_the_largest_error_are_told_where_there_are_several() {
+    let lamp = "[[material]]\nname = \"black\"\nkind = \"diffuse\"\nreflectance = 0\n\
+        [[surface]]\nname = \"floor\"\nmaterial = \"black\"\npolygon = [[0,0,0], [1,0,0], [1,1,0], [0,1,0]]\n\
+        [[surface]]\nname = \"lamp\"\nmaterial = \"black\"\nexitance = 1\n\
+        polygon = [[0,0,1e4], [0,1,1e4], [1,1,1e4], [1,0,1e4]]\n";
+    let surface = format!("{lamp}{MAP}");
+    let point = format!("{lamp}{POINT}");
+    let folder = Folder::with(&[("surface.toml", &surface), ("point.toml", &point)]);
+    let output = |scene| forms(&folder, &["simulate", scene]).output;
+    let found = output("surface.toml");
+    let parts = found.lines().find_map(|line| line.strip_prefix("that error is ")).expect("the parts");
+    assert!(parts.contains("% quadrature") && parts.contains("% rounding"), "{parts}");
+    let percents =
+        parts.split(", ").map(|part| part.split('%').next().unwrap().parse::<f64>().expect("a number"));
+    assert_eq!(percents.sum::<f64>(), 100.0, "{parts}");
+    // of a closed form there is nothing but rounding
+    assert!(!output("point.toml").contains("that error is"));
+}
+
 /// The channels of an EXR file and its width and height.
 fn channels(folder: &Folder, name: &str) -> (HashMap<String, Vec<f32>>, (usize, usize)) {
     let image = exr::prelude::read_first_flat_layer_from_file(folder.path(name)).expect("OpenEXR");

@@ -15,7 +15,7 @@ const ONE_COLUMN: usize = 4;
 /// Half the width of a mark.
 const MARK: f64 = 4.0;
 
-const STYLE: &str = "\
+pub(crate) const STYLE: &str = "\
     .paper{fill:#fff}.ink{fill:#222}.quiet{fill:#666}.grid{stroke:#e2e2e2}.frame{stroke:#999}.title{font-weight:bold;font-size:15px}\
     .s0{--c:#b5482f}.s1{--c:#2f6f9f}.s2{--c:#4d7f3a}.s3{--c:#7a559c}.line{stroke:var(--c);fill:none;stroke-width:1.8}\
     .mark{stroke:var(--c);fill:var(--c);stroke-width:1.4}.hollow{fill:#fff}\
@@ -68,13 +68,13 @@ impl Measure {
 }
 
 /// The range of an axis and the paper it falls on.
-struct Axis {
-    range: [f64; 2],
-    paper: [f64; 2],
+pub(crate) struct Axis {
+    pub(crate) range: [f64; 2],
+    pub(crate) paper: [f64; 2],
 }
 
 impl Axis {
-    fn place(&self, value: f64) -> f64 {
+    pub(crate) fn place(&self, value: f64) -> f64 {
         let share = (value - self.range[0]) / (self.range[1] - self.range[0]);
         self.paper[0] + share * (self.paper[1] - self.paper[0])
     }
@@ -190,7 +190,7 @@ impl Plot {
 }
 
 /// A line with a mark at each place.
-fn line(svg: &mut String, [colour, mark]: [usize; 2], places: &[[f64; 2]]) {
+pub(crate) fn line(svg: &mut String, [colour, mark]: [usize; 2], places: &[[f64; 2]]) {
     let points: Vec<String> = places.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
     put(
         svg,
@@ -215,11 +215,11 @@ fn line(svg: &mut String, [colour, mark]: [usize; 2], places: &[[f64; 2]]) {
     put(svg, format_args!("</g>"));
 }
 
-fn rule(svg: &mut String, class: &str, [x0, y0]: [f64; 2], [x1, y1]: [f64; 2]) {
+pub(crate) fn rule(svg: &mut String, class: &str, [x0, y0]: [f64; 2], [x1, y1]: [f64; 2]) {
     put(svg, format_args!("<path class=\"{class}\" d=\"M{x0:.1} {y0:.1}L{x1:.1} {y1:.1}\"/>"));
 }
 
-fn text(svg: &mut String, [x, y]: [f64; 2], anchor: &str, class: &str, words: &str) {
+pub(crate) fn text(svg: &mut String, [x, y]: [f64; 2], anchor: &str, class: &str, words: &str) {
     let words = escaped(words);
     put(
         svg,
@@ -229,11 +229,11 @@ fn text(svg: &mut String, [x, y]: [f64; 2], anchor: &str, class: &str, words: &s
     );
 }
 
-fn put(svg: &mut String, element: std::fmt::Arguments<'_>) {
+pub(crate) fn put(svg: &mut String, element: std::fmt::Arguments<'_>) {
     writeln!(svg, "{element}").expect("a String takes all text");
 }
 
-fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;")
 }
 

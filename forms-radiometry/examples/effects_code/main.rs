@@ -70,7 +70,8 @@ fn run(file: &Path, on: &str) -> Result<(), Problem> {
             bound: None,
         }
     };
-    let plan = Plan { effects: Effect::ALL.into_iter().map(planned).collect(), kernels: Vec::new() };
+    let plan =
+        Plan { effects: Effect::ALL.into_iter().map(planned).collect(), kernels: Vec::new(), dropped: 0.0 };
     let found = simulate(&scene, &plan, &Unwatched);
     let are_numbers = found.answers.iter().all(|answer| answer.value.is_finite());
     if are_numbers { Ok(()) } else { Err("an answer is no number".into()) }

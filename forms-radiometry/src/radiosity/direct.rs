@@ -62,12 +62,23 @@ impl<'s> Lights<'s> {
     ) -> Vec<Vec<f64>> {
         let bands = self.scene.band_count();
         let mut gathered = vec![0.0; bands * group.points.len()];
+        self.gather(group, transport, scratch, &mut gathered);
+        gathered.chunks_exact(bands).map(<[f64]>::to_vec).collect()
+    }
+
+    /// The same, point by point and band by band.
+    pub(super) fn gather(
+        &self,
+        group: Group,
+        transport: &Transport,
+        scratch: &mut Scratch,
+        gathered: &mut [f64],
+    ) {
         let mut arriving = std::mem::take(&mut scratch.arriving);
         arriving.begin(self.kinds, gathered.len());
         self.add_arriving(group, transport, scratch, &mut arriving);
-        arriving.gather(self.kinds, &mut gathered);
+        arriving.gather(self.kinds, gathered);
         scratch.arriving = arriving;
-        gathered.chunks_exact(bands).map(<[f64]>::to_vec).collect()
     }
 
     /// Adds what arrives at the points of a group straight from lights.

@@ -12,7 +12,7 @@
 //! hide each other and could not be split once within the most nodes could not tell their error: then rays it is, however long they take.
 //!
 //! Rays always meet what stands in between. So where something does and is not to be simulated, there are none; nor where nothing is hidden
-//! or reflected, and all light has closed forms.
+//! or reflected, and all light has closed forms; nor where there are images.
 
 use super::paths::{RAYS, VIEW};
 use super::probe::{FEWEST_PATHS, PATH, STUDENT};
@@ -58,7 +58,7 @@ impl Gathering {
     /// How light is gathered in a scene with these faces.
     pub(crate) fn of(scene: &Scene, faces: &[Face], question: &Question, hiding: Hiding) -> Self {
         let is_straight = hiding == Hiding::Nothing && question.orders == Some(0);
-        if is_straight || hiding == Hiding::LeftOut {
+        if is_straight || hiding == Hiding::LeftOut || asks_for_images(scene) {
             return Self::Pieces;
         }
         let is_hidden = hiding == Hiding::Simulated;
@@ -79,6 +79,11 @@ impl Gathering {
             false => Self::Pieces,
         }
     }
+}
+
+/// Whether there are images, all of whose pixels share what exact pieces take.
+fn asks_for_images(scene: &Scene) -> bool {
+    scene.receivers.iter().any(|receiver| matches!(receiver.kind, ReceiverKind::Camera(_)))
 }
 
 /// How many faces reflect.

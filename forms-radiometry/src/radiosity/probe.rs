@@ -301,11 +301,21 @@ impl Probe {
         BATCHES as f64 * (f64::from(self.rough.points) + PATH * f64::from(self.lack.points))
     }
 
+    /// Its value in a band.
+    pub(crate) fn value(&self, band: usize) -> f64 {
+        self.exact[band] + self.rough.value(band) + self.lack.value(band)
+    }
+
+    /// How far rays and paths may be off in a band, and what reflections may add after which paths were cut off.
+    pub(crate) fn errors(&self, band: usize) -> [f64; 2] {
+        let (rough, lack) = (&self.rough, &self.lack);
+        let sampling = rough.spread[band].hypot(lack.spread[band]) + rough.unseen(band) + lack.unseen(band);
+        [sampling, self.cut]
+    }
+
     /// Its value in a band, and its error.
     pub(crate) fn found(&self, band: usize) -> [f64; 2] {
-        let value = self.exact[band] + self.rough.value(band) + self.lack.value(band);
-        let (rough, lack) = (&self.rough, &self.lack);
-        let error = rough.spread[band].hypot(lack.spread[band]) + rough.unseen(band) + lack.unseen(band);
-        [value, error + self.cut]
+        let [sampling, orders] = self.errors(band);
+        [self.value(band), sampling + orders]
     }
 }

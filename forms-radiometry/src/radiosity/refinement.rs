@@ -26,6 +26,33 @@ const CANCELLING: f64 = 0.05;
 /// irradiance.
 const LEAST_CHANGE: f64 = 1e-3;
 
+/// What is asked of a refinement.
+pub(crate) struct Asking {
+    pub(crate) goals: Vec<Goal>,
+    /// Of the relative errors of these goals the sum, infinite before any is known, and that of their squares.
+    pub(crate) errors: [f64; 2],
+    /// The relative error that may come from elements that are spared.
+    pub(crate) sparing: f64,
+}
+
+impl Asking {
+    /// The relative error that all elements together make of a goal, by how much they matter, but no less than what is known of it.
+    fn typical(&self, matter: f64) -> f64 {
+        let [sum, squares] = self.errors;
+        if sum.is_finite() { (matter / sum).max(squares / sum) } else { f64::INFINITY }
+    }
+}
+
+/// What a refinement leaves.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Refined {
+    /// How much what is to come still matters, relative to what this changed.
+    pub(crate) left: f64,
+    /// The relative error by elements that were spared though they are expected to change. All of them count in full: errors that cancel
+    /// among elements of one size no longer do where some of these are split. Nothing before errors are known.
+    pub(crate) spared: f64,
+}
+
 impl Radiosity<'_> {
     /// What is known of the elements before any is split: of an element with one node, that it may be dark as well.
     pub(super) fn unknown_changes(&self) -> Vec<[Change; 2]> {
@@ -52,14 +79,14 @@ impl Radiosity<'_> {
         bands.fold([0.0; 2], |[a, b]: [f64; 2], [c, d]| [a.max(c), b.max(d)])
     }
 
-    /// Splits the elements that matter most, and solves again. Returns how much what is to come still matters, relative to
-    /// what this changed; nothing if there is nothing to split, no room for more, or no time: then the solution stays what it was.
-    pub(crate) fn refine(&mut self, goals: &[Goal]) -> Option<f64> {
-        let matter = self.matter(goals);
+    /// Splits the elements that matter most, and solves again. Nothing if there is nothing to split, no room for more, or no time: then the
+    /// solution stays what it was.
+    pub(crate) fn refine(&mut self, asking: &Asking) -> Option<Refined> {
+        let matter = self.matter(&asking.goals);
         if self.watch.is_stopped() {
             return None;
         }
-        let chosen = self.chosen(&matter);
+        let (chosen, spared) = self.chosen(&matter, asking);
         if !chosen.iter().flatten().any(|&is_chosen| is_chosen) {
             return None;
         }
@@ -82,7 +109,7 @@ impl Radiosity<'_> {
                 (before, changes_before, outlines, first);
             return None;
         }
-        let importance = self.importance(goals);
+        let importance = self.importance(&asking.goals);
         let mut settled = 0.0;
         for (whole, parts) in split {
             let measured = self.measure(parts.clone(), &before[whole], chosen[whole]);
@@ -92,7 +119,7 @@ impl Radiosity<'_> {
             changes.iter().map(|change| product(change.remaining(), z)).sum::<f64>()
         };
         let left: f64 = self.changes.iter().zip(&importance).map(of_element).sum();
-        Some(if settled > 0.0 { left / settled } else { 1.0 })
+        Some(Refined { left: if settled > 0.0 { left / settled } else { 1.0 }, spared })
     }
 
     /// How much the changes that are expected of each element matter to the goals.
@@ -101,13 +128,15 @@ impl Radiosity<'_> {
         changes.map(|(changes, z)| changes.map(|change| product(change.expected, z))).collect()
     }
 
-    /// The elements that are split next, in which coordinates.
-    fn chosen(&self, matter: &[[f64; 2]]) -> Vec<[bool; 2]> {
+    /// The elements that are split next, in which coordinates, and the relative error by the others.
+    fn chosen(&self, matter: &[[f64; 2]], asking: &Asking) -> (Vec<[bool; 2]>, f64) {
         let pairs = (0..self.elements.len()).flat_map(|index| [(index, 0), (index, 1)]);
         let of = |(index, coordinate): (usize, usize)| matter[index][coordinate];
         let mut order: Vec<(usize, usize)> = pairs.filter(|&pair| of(pair) > 0.0).collect();
         order.sort_by(|&a, &b| of(b).total_cmp(&of(a)));
         let whole: f64 = matter.iter().flatten().sum();
+        let typical = asking.typical(whole);
+        let enough = BULK.min(1.0 - asking.sparing / typical) * whole;
         let mut sum = 0.0;
         let mut chosen = vec![[false; 2]; self.elements.len()];
         let mut nodes = self.size();
@@ -117,13 +146,13 @@ impl Radiosity<'_> {
             let mut after = before;
             after[coordinate] = true;
             nodes += (element.part_count(after) - element.part_count(before)) * element.count();
-            if nodes > MOST_NODES || sum >= BULK * whole {
+            if nodes > MOST_NODES || sum >= enough {
                 break;
             }
             sum += matter[index][coordinate];
             chosen[index] = after;
         }
-        chosen
+        (chosen, if typical.is_finite() { (whole - sum) / whole * typical } else { 0.0 })
     }
 
     /// Notes the changes of the parts of an element that was divided in some coordinates, and returns by how much they differ from it.

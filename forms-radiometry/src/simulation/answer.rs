@@ -1,5 +1,6 @@
 //! What a simulation says: the plan, and values with their errors.
 
+use super::parts::ErrorParts;
 use crate::radiosity::UsedKernel;
 use crate::scene::Effect;
 
@@ -10,6 +11,8 @@ pub struct Plan {
     pub effects: Vec<PlannedEffect>,
     /// The kernels that the simulation runs with these effects.
     pub kernels: Vec<UsedKernel>,
+    /// What all that was left out because it matters less than the tolerance can change in an answer, relative to it.
+    pub dropped: f64,
 }
 
 /// What a plan decides about one effect.
@@ -70,6 +73,8 @@ pub struct Answer {
     pub value: f64,
     /// Its error, in the same unit.
     pub error: f64,
+    /// What the error is made of: together these are the error, as [`ErrorParts::error`] says.
+    pub parts: ErrorParts,
     /// What the error means.
     pub kind: ErrorKind,
     /// The time that the receiver took, in seconds; what all receivers share is not part of it.
@@ -143,6 +148,28 @@ impl Quantity {
             Self::Radiance => "W/(m² sr)",
             Self::Exposure | Self::Fluence => "J/m²",
         }
+    }
+}
+
+impl Simulation {
+    /// What the error of an answer is relative to: its value; of a component of a vector and of a bin of time the largest of all of them.
+    pub fn scale(&self, answer: &Answer) -> f64 {
+        let is_of_vector =
+            |quantity| matches!(quantity, Quantity::VectorIrradiance(_) | Quantity::FluenceRate);
+        let is_beside = |other: &&Answer| {
+            other.receiver == answer.receiver
+                && other.band == answer.band
+                && (other.quantity == answer.quantity
+                    || (is_of_vector(other.quantity) && is_of_vector(answer.quantity)))
+        };
+        self.answers.iter().filter(is_beside).map(|other| other.value.abs()).fold(0.0, f64::max)
+    }
+
+    /// The answer whose error is the largest part of what it is relative to, the first of several; none where there is no light.
+    pub fn worst(&self) -> Option<&Answer> {
+        let relative = |answer: &Answer| answer.error / self.scale(answer);
+        let lit = self.answers.iter().filter(|answer| self.scale(answer) > 0.0);
+        lit.rev().max_by(|one, other| relative(one).total_cmp(&relative(other)))
     }
 }
 

@@ -6,7 +6,7 @@ use crate::faces::faces;
 use crate::geometry::{Face, Screens};
 use crate::monte_carlo;
 use crate::radiosity::{Gathering, Hiding, Question, UsedKernel, kernels};
-use crate::scene::{Effect, Force, ReceiverKind, Scene};
+use crate::scene::{Effect, Force, Receiver, ReceiverKind, Scene};
 
 /// What the solver does.
 #[derive(Clone, Copy, Debug)]
@@ -79,7 +79,9 @@ impl Effects {
 
 /// Whether a receiver asks what a ray meets.
 pub(super) fn asks_for_rays(scene: &Scene) -> bool {
-    scene.receivers.iter().any(|receiver| matches!(receiver.kind, ReceiverKind::Ray { .. }))
+    let is_seen =
+        |receiver: &Receiver| matches!(receiver.kind, ReceiverKind::Ray { .. } | ReceiverKind::Camera(_));
+    scene.receivers.iter().any(is_seen)
 }
 
 /// How the scene forces an effect, if it does.

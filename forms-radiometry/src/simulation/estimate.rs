@@ -8,6 +8,9 @@
 //! of all those of the same receiver: the components of a vector, the cells of a map. A reading that does not change at all is none
 //! of the elements'.
 
+use super::answer::ErrorKind;
+use super::parts::ErrorParts;
+
 /// The safety of the estimate.
 const SAFETY: f64 = 1.5;
 /// The least and the largest that refinements to come are taken to settle.
@@ -29,13 +32,13 @@ pub(super) struct Estimate {
     change: f64,
     /// What refinements to come settle, relative to what the last one settled.
     left: f64,
-    /// What the solution of the equations, the shape of surfaces, and rounding leave.
-    pub(super) floor: f64,
+    /// What finer elements leave: the solution of the equations, rules of integration, the shape of surfaces, and rounding.
+    pub(super) floor: ErrorParts,
 }
 
 impl Estimate {
     /// A first value, or one that comes after another.
-    pub(super) fn new(value: f64, before: Option<(&Self, f64)>, floor: f64) -> Self {
+    pub(super) fn new(value: f64, before: Option<(&Self, f64)>, floor: ErrorParts) -> Self {
         let Some((before, left)) = before else {
             return Self { value, changed: f64::INFINITY, change: f64::INFINITY, left: 1.0, floor };
         };
@@ -46,8 +49,8 @@ impl Estimate {
     }
 
     /// A value that finer elements do not change, with its error.
-    pub(super) fn exact(value: f64, error: f64) -> Self {
-        Self { value, changed: 0.0, change: 0.0, left: 0.0, floor: error }
+    pub(super) fn exact(value: f64, floor: ErrorParts) -> Self {
+        Self { value, changed: 0.0, change: 0.0, left: 0.0, floor }
     }
 
     /// Whether finer elements do not change it.
@@ -55,11 +58,15 @@ impl Estimate {
         self.left == 0.0
     }
 
+    /// What its error is made of: what elements leave is of the quadrature.
+    pub(super) fn parts(&self) -> ErrorParts {
+        let refined =
+            if self.change == 0.0 { 0.0 } else { SAFETY * self.left.clamp(LEFT[0], LEFT[1]) * self.change };
+        ErrorParts { quadrature: refined + self.floor.quadrature, ..self.floor }
+    }
+
     pub(super) fn error(&self) -> f64 {
-        if self.change == 0.0 {
-            return self.floor;
-        }
-        SAFETY * self.left.clamp(LEFT[0], LEFT[1]) * self.change + self.floor
+        self.parts().error(ErrorKind::Bound)
     }
 }
 

@@ -16,7 +16,9 @@ mod state;
 use super::answer::{Moment, Simulation};
 use super::effects::Effects;
 use super::job::{Job, Keeper, Share};
+use super::survey::MANY;
 use super::watch::Watch;
+use crate::faces::{faces, is_round};
 use crate::monte_carlo::{self, Follow, Limits, World, follower};
 use crate::scene::{MaterialKind, Medium, Receiver, ReceiverKind, Scene};
 pub(super) use asked::MOST;
@@ -69,15 +71,15 @@ pub(super) fn merged(
     Ok(work.simulation())
 }
 
-/// Whether a scene asks for more than diffuse surfaces in a vacuum and numbers and maps of them.
+/// Whether a scene asks for more than diffuse surfaces in a vacuum, numbers and maps of them, and images of flat ones that are not too many.
 pub(super) fn is_followed(scene: &Scene) -> bool {
     let is_diffuse = |kind: &MaterialKind| matches!(kind, MaterialKind::Diffuse { .. });
-    let is_number =
-        |receiver: &Receiver| receiver.time.is_none() && !matches!(receiver.kind, ReceiverKind::Camera(_));
     let ambient = scene.ambient.medium.map(|medium| &scene.media[medium]);
+    let is_image = |receiver: &Receiver| matches!(receiver.kind, ReceiverKind::Camera(_));
     !(scene.surfaces.iter().all(|surface| is_diffuse(&scene.materials[surface.material].kind))
-        && scene.receivers.iter().all(is_number)
+        && scene.receivers.iter().all(|receiver| receiver.time.is_none())
         && ambient.is_none_or(Medium::is_vacuum))
+        || (scene.receivers.iter().any(is_image) && (is_round(scene) || faces(scene, 0).len() > MANY))
 }
 
 struct Work<'w> {

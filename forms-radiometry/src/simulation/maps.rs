@@ -24,17 +24,25 @@ impl Work<'_> {
         receivers.filter_map(grid).collect()
     }
 
-    /// Adds readings in some cells of each map, so that maps are refined until these are exact enough, and have errors.
-    pub(super) fn watch_cells(&mut self, grids: &[(usize, Grid)]) {
+    /// Adds readings in some cells of each of these maps and in some pixels of each image, so that elements are refined until these are
+    /// exact enough, and maps have errors.
+    pub(super) fn watch_some(&mut self, grids: &[(usize, Grid)], sight: &Transport) {
         for (index, grid) in grids {
             let reading = |cell| Reading::irradiance(*index, cell, grid.normal());
             self.readings.extend(grid.some(WATCHED).map(reading));
         }
+        let pixels = self.watched_pixels(sight);
+        self.readings.extend(pixels);
         self.groups = groups(&self.readings, self.answers);
     }
 
-    /// The maps, cell by cell, each with the largest error of those of its cells that were watched.
-    pub(super) fn maps(&self, radiosity: &Radiosity, grids: &[(usize, Grid)], found: &[Found]) -> Vec<Map> {
+    /// The maps with the numbers of their receivers, cell by cell, each with the largest error of those of its cells that were watched.
+    pub(super) fn maps(
+        &self,
+        radiosity: &Radiosity,
+        grids: &[(usize, Grid)],
+        found: &[Found],
+    ) -> Vec<(usize, Map)> {
         let bands = self.scene.band_count();
         let map = |&(receiver, ref grid): &(usize, Grid)| {
             let values = grid.irradiance(bands, radiosity, self.watch);
@@ -53,7 +61,8 @@ impl Work<'_> {
                 unreachable!("only surfaces with a grid have maps")
             };
             let name = self.scene.receivers[receiver].name.clone();
-            Map { receiver: name, quantity: Quantity::Irradiance, size, values, errors, is_image: false }
+            let quantity = Quantity::Irradiance;
+            (receiver, Map { receiver: name, quantity, size, values, errors, is_image: false })
         };
         grids.iter().map(map).collect()
     }

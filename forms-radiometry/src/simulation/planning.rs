@@ -40,9 +40,9 @@ pub fn plan(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         let expected = "a reflectance below 1 on one of the surfaces around it, or an opening";
         return Err(vec![SceneError::new(&surface.place, message, expected)]);
     }
-    let effects = decided(scene, survey);
+    let (effects, dropped) = decided(scene, survey);
     let kernels = Effects::of(&effects).kernels(scene);
-    Ok(Plan { effects, kernels })
+    Ok(Plan { effects, kernels, dropped })
 }
 
 /// The plan of a scene whose light is followed along paths.
@@ -53,7 +53,7 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         let message = "light that is followed along paths cannot pass through surfaces";
         return Err(vec![SceneError::new(&forced.place, message, "no `occlusion`, or \"on\"")]);
     }
-    let effects = decided(scene, Survey::without_bounds(scene));
+    let (effects, dropped) = decided(scene, Survey::without_bounds(scene));
     let left = without(scene, &effects);
     let working = left.in_working_units();
     let world = World::new(&working.scene);
@@ -67,14 +67,16 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         return Err(vec![SceneError::new(&light.place, message, expected)]);
     }
     let kernels = Effects::of(&effects).kernels_of_paths(&left);
-    Ok(Plan { effects, kernels })
+    Ok(Plan { effects, kernels, dropped })
 }
 
-/// What is decided about every effect, one after the other.
-fn decided(scene: &Scene, survey: Survey) -> Vec<PlannedEffect> {
+/// What is decided about every effect, one after the other, and what all that is dropped can change, relative to an answer.
+fn decided(scene: &Scene, survey: Survey) -> (Vec<PlannedEffect>, f64) {
     let contains = monte_carlo::Effects::of(scene);
-    let mut planning = Planning { scene, survey, contains, left: DROPPED * scene.solve.tolerance };
-    Effect::ALL.iter().map(|&(_, effect)| planning.decide(effect)).collect()
+    let most = DROPPED * scene.solve.tolerance;
+    let mut planning = Planning { scene, survey, contains, left: most, dropped: 0.0 };
+    let effects = Effect::ALL.iter().map(|&(_, effect)| planning.decide(effect)).collect();
+    (effects, planning.dropped)
 }
 
 struct Planning<'s> {
@@ -83,6 +85,8 @@ struct Planning<'s> {
     contains: monte_carlo::Effects,
     /// What may still be dropped, relative to every answer.
     left: f64,
+    /// What is dropped so far, likewise.
+    dropped: f64,
 }
 
 /// What was found of an effect.
@@ -112,6 +116,7 @@ impl Planning<'_> {
             None => match bound {
                 Some([absolute, relative]) if relative <= self.left => {
                     self.left -= relative;
+                    self.dropped += relative;
                     planned(false, None, format!("it matters less than the tolerance; {why}"), Some(absolute))
                 }
                 _ => planned(true, None, why, Some(0.0)),

@@ -5,6 +5,7 @@ use super::answer::{Answer, Plan, Simulation};
 use super::effects::Effects;
 use super::followed::{Task, is_followed};
 use super::left_out::without;
+use super::parts::ErrorParts;
 use crate::scene::{Scene, WorkingScene};
 
 /// A scene as it is simulated.
@@ -14,6 +15,8 @@ pub(super) struct Prepared {
     left: Scene,
     /// The bands that are simulated as a single one, if any are.
     merged: Option<usize>,
+    /// What the plan drops, relative to every answer; the rest of the tolerance is that of the work.
+    dropped: f64,
 }
 
 impl Prepared {
@@ -21,8 +24,9 @@ impl Prepared {
         let effects = Effects::of(&plan.effects);
         let left = without(scene, &plan.effects);
         let merged = (!effects.bands && scene.band_count() > 1).then_some(scene.band_count());
-        let left = if merged.is_some() { left.with_one_band() } else { left };
-        Self { effects, left, merged }
+        let mut left = if merged.is_some() { left.with_one_band() } else { left };
+        left.solve.tolerance -= plan.dropped;
+        Self { effects, left, merged, dropped: plan.dropped }
     }
 
     /// Whether light is followed along paths.
@@ -43,11 +47,31 @@ impl Prepared {
     /// What was found, in the units of its quantities and for all bands.
     pub(super) fn finished(&self, mut simulation: Simulation, working: &WorkingScene) -> Simulation {
         simulation.leave_working_units(working);
+        if self.dropped > 0.0 {
+            add_dropped(&mut simulation, self.dropped);
+        }
         if let Some(bands) = self.merged {
             spread(&mut simulation, bands);
         }
         simulation
     }
+}
+
+/// Adds what the plan drops to every error. It was bounded for the least answer of a receiver, so that of a component of a vector is at
+/// most that of the largest, and that of a cell at most that of the mean.
+fn add_dropped(simulation: &mut Simulation, dropped: f64) {
+    let scales: Vec<f64> = simulation.answers.iter().map(|answer| simulation.scale(answer)).collect();
+    for (answer, scale) in simulation.answers.iter_mut().zip(scales) {
+        answer.add(ErrorParts { effects: dropped * scale, ..ErrorParts::default() });
+    }
+    let Simulation { answers, maps, history, .. } = simulation;
+    for map in maps {
+        let is_mean = |answer: &&Answer| answer.receiver == map.receiver && answer.quantity == map.quantity;
+        for (errors, mean) in map.errors.iter_mut().zip(answers.iter().filter(is_mean)) {
+            errors.iter_mut().for_each(|error| *error += mean.parts.effects);
+        }
+    }
+    history.iter_mut().for_each(|moment| moment.error += dropped);
 }
 
 /// The answers of one band, for each band.

@@ -61,6 +61,11 @@ impl Reading {
         Self { receiver, quantity: Quantity::Irradiance, what }
     }
 
+    /// The radiance that arrives along a ray.
+    pub(super) fn radiance(receiver: usize, origin: Vector, direction: Vector) -> Self {
+        Self { receiver, quantity: Quantity::Radiance, what: What::Ray { origin, direction } }
+    }
+
     /// The error of what comes straight from lights, which is a closed form at points, and over surfaces an integral; nothing where
     /// it is summed over nodes.
     pub(super) fn straight_error(&self, radiosity: &Radiosity, band: usize) -> Option<f64> {

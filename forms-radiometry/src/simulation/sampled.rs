@@ -4,6 +4,7 @@
 use super::answer::{Map, Moment, Quantity};
 use super::estimate::{Estimate, Found};
 use super::map::Grid;
+use super::parts::ErrorParts;
 use super::readings::Reading;
 use super::solver::{DARK, ROUNDING, Work};
 use crate::radiosity::{GoalKind, Measure, Paths, Probe};
@@ -109,9 +110,15 @@ impl Work<'_> {
         let one = |Sampled { of, made_of, seconds, .. }: &Sampled| {
             let probe = &sampled[*of].probe;
             let of_band = |(band, [offset, factor]): (usize, &[f64; 2])| {
-                let [value, error] = probe.as_ref().map_or([0.0; 2], |probe| probe.found(band));
-                let value = offset + factor * value;
-                Estimate::exact(value, factor * error + ROUNDING * value.abs())
+                let value = offset + factor * probe.as_ref().map_or(0.0, |probe| probe.value(band));
+                let rounding = ROUNDING * value.abs();
+                let of_probe = |[sampling, orders]: [f64; 2]| ErrorParts {
+                    rounding,
+                    orders: factor * orders,
+                    sampling: factor * sampling,
+                    ..ErrorParts::default()
+                };
+                Estimate::exact(value, of_probe(probe.as_ref().map_or([0.0; 2], |probe| probe.errors(band))))
             };
             Found { bands: made_of.iter().enumerate().map(of_band).collect(), seconds: *seconds }
         };
@@ -119,14 +126,19 @@ impl Work<'_> {
     }
 
     /// The maps: each cell is sampled until it is exact enough beside the largest of those that were watched.
-    pub(super) fn sampled_maps(&self, paths: &Paths, grids: &[(usize, Grid)], found: &[Found]) -> Vec<Map> {
+    pub(super) fn sampled_maps(
+        &self,
+        paths: &Paths,
+        grids: &[(usize, Grid)],
+        found: &[Found],
+    ) -> Vec<(usize, Map)> {
         let scales = self.scales(found);
         let map = |&(receiver, ref grid): &(usize, Grid)| {
             let watched =
                 (self.answers..found.len()).find(|&other| self.readings[other].receiver == receiver);
             let scales =
                 watched.map_or_else(|| vec![0.0; self.scene.band_count()], |other| scales[other].clone());
-            self.sampled_map(paths, receiver, grid, &scales)
+            (receiver, self.sampled_map(paths, receiver, grid, &scales))
         };
         grids.iter().map(map).collect()
     }

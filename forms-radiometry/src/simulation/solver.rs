@@ -7,18 +7,20 @@
 //! equations left, and rounding. Where shapes are curved, all is done with two polyhedra, one finer than the other, and what that
 //! changes is added.
 
-use super::answer::{Answer, ErrorKind, Moment, Plan, Quantity, Simulation};
+use super::answer::{Answer, ErrorKind, Map, Moment, Plan, Quantity, Simulation};
 use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
 use super::followed::followed;
+use super::images::Image;
 use super::job::Job;
 use super::map::Grid;
+use super::parts::ErrorParts;
 use super::prepared::Prepared;
 use super::readings::Reading;
 use super::watch::Watch;
 use crate::faces::{faces, is_round};
 use crate::geometry::Face;
-use crate::radiosity::{Gathering, Goal, Hiding, Lights, Paths, Question, Radiosity, Scratch, Transport};
+use crate::radiosity::{Gathering, Hiding, Lights, Paths, Question, Radiosity, Refined, Scratch, Transport};
 use crate::scene::Scene;
 use crate::sharing::Sharing;
 use std::collections::HashMap;
@@ -108,8 +110,11 @@ impl<'s> Work<'s> {
             let transport = self.transport(faces, gathering);
             let lights = Lights::of(self.scene, &transport);
             let grids = self.grids(&transport);
-            if fineness == 0 && (is_round_anywhere || !self.is_straight(gathering)) {
-                self.watch_cells(&grids);
+            let own_sight = self.sight(&transport);
+            let sight = own_sight.as_ref().unwrap_or(&transport);
+            if fineness == 0 {
+                let is_watched = is_round_anywhere || !self.is_straight(gathering);
+                self.watch_some(if is_watched { &grids } else { &[] }, sight);
             }
             let sharing = self.sharing(gathering, &lights, &transport, &grids);
             let (found, maps) = sharing.enter(|| {
@@ -119,21 +124,22 @@ impl<'s> Work<'s> {
                 if is_round_anywhere && is_stopped && !is_compared {
                     // what the shape changes is not known
                     let estimates = found.iter_mut().flat_map(|found| &mut found.bands);
-                    estimates.for_each(|estimate| estimate.floor = f64::INFINITY);
+                    estimates.for_each(|estimate| estimate.floor.quadrature = f64::INFINITY);
                 }
                 let is_last = !is_round_anywhere
                     || is_stopped
                     || fineness == FINEST
                     || (is_compared && self.is_enough(&found));
                 let maps = is_last.then(|| match &solution {
-                    Solution::Elements(radiosity) => self.maps(radiosity, &grids, &found),
-                    Solution::Paths(paths) => self.sampled_maps(paths, &grids, &found),
+                    Solution::Elements(radiosity) => {
+                        (self.maps(radiosity, &grids, &found), self.images(radiosity, sight, &found))
+                    }
+                    Solution::Paths(paths) => (self.sampled_maps(paths, &grids, &found), Vec::new()),
                 });
                 (found, maps)
             });
-            if let Some(maps) = maps {
-                let stopped = self.watch.is_stopped();
-                return Simulation { answers: self.answered(&found), maps, history, stopped };
+            if let Some((maps, images)) = maps {
+                return self.simulation(&found, (maps, images), history);
             }
             coarse = Some(found);
         }
@@ -154,6 +160,9 @@ impl<'s> Work<'s> {
         grids: &[(usize, Grid)],
     ) -> Sharing {
         if !self.is_straight(gathering) {
+            return Sharing::Shared;
+        }
+        if self.cameras().next().is_some() {
             return Sharing::Shared;
         }
         let cells: usize = grids.iter().map(|(_, grid)| grid.count()).sum();
@@ -212,15 +221,15 @@ impl<'s> Work<'s> {
             if self.watch.is_stopped() || self.is_enough(&found) {
                 return (radiosity, found);
             }
-            let goals = self.goals(&radiosity, &found);
-            let Some(mut left) = radiosity.refine(&goals) else {
+            let Some(Refined { mut left, spared }) = radiosity.refine(&self.asking(&radiosity, &found))
+            else {
                 return (radiosity, found);
             };
             if transport.occlusion {
                 left = left.max(BEHIND_SCREENS[splits.min(BEHIND_SCREENS.len() - 1)]);
             }
             splits += 1;
-            let finer = self.read(&radiosity, Some((&found, left)));
+            let finer = self.read(&radiosity, Some((&found, left, spared)));
             if self.watch.is_stopped() {
                 return (radiosity, found);
             }
@@ -228,26 +237,8 @@ impl<'s> Work<'s> {
         }
     }
 
-    /// The readings that are not exact enough, each weighted by how far it is from that.
-    fn goals(&self, radiosity: &Radiosity, found: &[Found]) -> Vec<Goal> {
-        let goal = |((reading, found), scales): ((&Reading, &Found), Vec<f64>)| {
-            let relative = |(estimate, scale): (&Estimate, f64)| {
-                let error = estimate.error();
-                if error.is_finite() { error / scale } else { f64::INFINITY }
-            };
-            let worst =
-                found.bands.iter().zip(&scales).map(|(e, &scale)| relative((e, scale))).fold(0.0, f64::max);
-            let scale = scales.iter().copied().fold(0.0, f64::max);
-            let weight = if worst.is_finite() { worst / scale } else { 1.0 / scale };
-            let weight = weight * reading.of_goal(radiosity.transport());
-            let what = reading.goal(self.scene, radiosity.transport())?;
-            (worst > self.scene.solve.tolerance && weight.is_finite()).then_some(Goal { what, weight })
-        };
-        self.readings.iter().zip(found).zip(self.scales(found)).filter_map(goal).collect()
-    }
-
     /// All readings in all bands; in none where the work was stopped before.
-    fn read(&self, radiosity: &Radiosity, before: Option<(&Vec<Found>, f64)>) -> Vec<Found> {
+    fn read(&self, radiosity: &Radiosity, before: Option<(&Vec<Found>, f64, f64)>) -> Vec<Found> {
         let one = |scratch: &mut Scratch, (index, reading): (usize, &Reading)| {
             let begin = Instant::now();
             let values = if self.watch.is_stopped() {
@@ -262,13 +253,13 @@ impl<'s> Work<'s> {
             let largest = reading.largest(radiosity.transport());
             let of_band = |(band, value): (usize, f64)| {
                 let straight = reading.straight_error(radiosity, band);
-                if self.effects.orders == Some(0)
-                    && let Some(error) = straight
-                {
-                    return Estimate::exact(value, error);
+                let integral = ErrorParts { quadrature: straight.unwrap_or(0.0), ..ErrorParts::default() };
+                if self.effects.orders == Some(0) && straight.is_some() {
+                    return Estimate::exact(value, integral);
                 }
-                let before = before.map(|(before, left)| (&before[index].bands[band], left));
-                Estimate::new(value, before, largest * radiosity.floor(band) + straight.unwrap_or(0.0))
+                let before = before.map(|(before, left, _)| (&before[index].bands[band], left));
+                let orders = largest * radiosity.floor(band);
+                Estimate::new(value, before, ErrorParts { orders, ..integral })
             };
             Found { bands: values.into_iter().enumerate().map(of_band).collect(), seconds }
         };
@@ -277,10 +268,12 @@ impl<'s> Work<'s> {
         let mut found: Vec<Found> = sharing.map(readings, one);
         let scales = self.scales(&found);
         pool(&mut found, &scales, &self.groups);
+        let spared = before.map_or(0.0, |(.., spared)| spared);
         for (found, scales) in found.iter_mut().zip(scales) {
             for (estimate, scale) in found.bands.iter_mut().zip(scales) {
-                let rules = if estimate.is_exact() { 0.0 } else { radiosity.rules() };
-                estimate.floor += (rules + ROUNDING) * scale;
+                let of_elements = if estimate.is_exact() { 0.0 } else { radiosity.rules() + spared };
+                estimate.floor.quadrature += of_elements * scale;
+                estimate.floor.rounding += ROUNDING * scale;
             }
         }
         found
@@ -315,23 +308,48 @@ impl<'s> Work<'s> {
         self.relative_errors(found).all(|error| error <= self.scene.solve.tolerance)
     }
 
-    fn answered(&self, found: &[Found]) -> Vec<Answer> {
-        let answer = |(reading, found): (&Reading, &Found)| {
-            let receiver = self.scene.receivers[reading.receiver].name.clone();
-            let (quantity, seconds, bands) = (reading.quantity, found.seconds, found.bands.len());
-            let of_band = move |(band, estimate): (usize, Estimate)| Answer {
-                receiver: receiver.clone(),
-                quantity,
-                band: (bands > 1).then_some(band),
-                bin: None,
-                value: estimate.value,
-                error: estimate.error(),
-                kind: ErrorKind::Bound,
-                seconds,
-            };
-            found.bands.clone().into_iter().enumerate().map(of_band)
-        };
-        self.readings[..self.answers].iter().zip(found).flat_map(answer).collect()
+    /// What was found, in the order of the receivers.
+    fn simulation(
+        &self,
+        found: &[Found],
+        (mut maps, images): (Vec<(usize, Map)>, Vec<Image>),
+        history: Vec<Moment>,
+    ) -> Simulation {
+        let mut answers = self.answered(found);
+        for Image { receiver, map, means } in images {
+            answers.extend(means.into_iter().map(|mean| (receiver, mean)));
+            maps.push((receiver, map));
+        }
+        answers.sort_by_key(|(receiver, _)| *receiver);
+        maps.sort_by_key(|(receiver, _)| *receiver);
+        Simulation {
+            answers: answers.into_iter().map(|(_, answer)| answer).collect(),
+            maps: maps.into_iter().map(|(_, map)| map).collect(),
+            history,
+            stopped: self.watch.is_stopped(),
+        }
+    }
+
+    /// The answers that are readings, each with the number of its receiver.
+    fn answered(&self, found: &[Found]) -> Vec<(usize, Answer)> {
+        let mut answers = Vec::new();
+        for (reading, found) in self.readings[..self.answers].iter().zip(found) {
+            for (band, estimate) in found.bands.iter().enumerate() {
+                let answer = Answer {
+                    receiver: self.scene.receivers[reading.receiver].name.clone(),
+                    quantity: reading.quantity,
+                    band: (found.bands.len() > 1).then_some(band),
+                    bin: None,
+                    value: estimate.value,
+                    error: estimate.error(),
+                    parts: estimate.parts(),
+                    kind: ErrorKind::Bound,
+                    seconds: found.seconds,
+                };
+                answers.push((reading.receiver, answer));
+            }
+        }
+        answers
     }
 }
 
@@ -355,7 +373,7 @@ fn compare(found: &mut Vec<Found>, coarse: Option<Vec<Found>>, fineness: usize) 
 fn add_changes(found: &mut [Found], coarse: &[Found]) {
     for (found, coarse) in found.iter_mut().zip(coarse) {
         for (estimate, coarse) in found.bands.iter_mut().zip(&coarse.bands) {
-            estimate.floor += (estimate.value - coarse.value).abs();
+            estimate.floor.quadrature += (estimate.value - coarse.value).abs();
         }
     }
 }

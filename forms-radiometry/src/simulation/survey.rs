@@ -1,5 +1,6 @@
 //! The survey of a scene: what is there, and how much light passes from surface to surface, at points of the coarsest elements.
 
+use super::answer::Quantity;
 use super::readings::Reading;
 use crate::faces::{emits, faces, is_bright};
 use crate::geometry::{Between, Face, Screens, Vector};
@@ -15,7 +16,7 @@ const ASKED: usize = 64;
 /// Rays from each of them in large scenes.
 const RAYS: u32 = 256;
 /// Scenes with more faces than this are surveyed by rays: bounds are not found then, nor whether anything stands in between.
-const MANY: usize = 256;
+pub(super) const MANY: usize = 256;
 /// The part of the way from what was found to the largest that is possible by which a norm is raised: it was found at points.
 const MARGIN: f64 = 0.25;
 /// What closes a scene up to rounding.
@@ -173,12 +174,20 @@ fn bounds(
         [0, 1].map(|radiance| [0, 1].map(|kind| f64::max(a[radiance][kind], b[radiance][kind])))
     };
     let of_receiver = |scratch: &mut Scratch, (index, receiver): (usize, &Receiver)| {
+        if let ReceiverKind::Camera(_) = receiver.kind {
+            return radiances.map(|radiance| of_image(radiance, working));
+        }
         let readings = Reading::of(index, receiver).into_iter();
         readings.map(|reading| of_reading(scratch, reading)).fold(NOTHING, larger)
     };
     let receivers: Vec<(usize, &Receiver)> = scene.receivers.iter().enumerate().collect();
     let sharing = Sharing::of(straight.operations(receivers.len()));
     sharing.map(receivers, of_receiver).into_iter().fold(NOTHING, larger)
+}
+
+/// What a radiance from everywhere adds to an image: all of itself to each pixel, of which the darkest may be black without it.
+fn of_image(radiance: f64, working: &WorkingScene) -> [f64; 2] {
+    if radiance == 0.0 { [0.0; 2] } else { [Quantity::Radiance.in_unit(radiance, working), f64::INFINITY] }
 }
 
 /// Whether each surface is a receiver.

@@ -1,6 +1,7 @@
 //! Units: numbers in working units become numbers in those of their quantities.
 
 use super::answer::{Answer, Quantity, Simulation};
+use super::parts::ErrorParts;
 use crate::scene::WorkingScene;
 
 impl Simulation {
@@ -40,6 +41,14 @@ impl Answer {
             size if size < f64::MIN_POSITIVE && self.value != 0.0 => f64::MIN_POSITIVE,
             size => f64::EPSILON * size,
         };
-        (self.value, self.error) = (value, factor * self.error + lost);
+        self.value = value;
+        self.parts = self.parts.scaled(factor);
+        self.add(ErrorParts { rounding: lost, ..ErrorParts::default() });
+    }
+
+    /// Adds to the error.
+    pub(super) fn add(&mut self, parts: ErrorParts) {
+        self.parts = self.parts + parts;
+        self.error = self.parts.error(self.kind);
     }
 }

@@ -4,7 +4,7 @@ use super::digits::{measured, rough};
 use crate::json::write_record;
 use crate::layout::{columns, counted, duration};
 use crate::palette::Palette;
-use forms_radiometry::simulation::{Answer, ErrorKind, Simulation};
+use forms_radiometry::simulation::{Answer, ErrorKind, ErrorParts, Simulation};
 use std::io::{self, Write};
 use std::time::Duration;
 
@@ -25,7 +25,7 @@ struct Record<'a> {
 
 pub(super) fn lines(answers: &[Answer], output: &mut dyn Write) -> io::Result<()> {
     answers.iter().try_for_each(|answer| {
-        let Answer { receiver, quantity, band, bin, value, error, kind, seconds } = answer;
+        let Answer { receiver, quantity, band, bin, value, error, kind, seconds, .. } = answer;
         let record = Record {
             receiver,
             quantity: quantity.name(),
@@ -41,7 +41,8 @@ pub(super) fn lines(answers: &[Answer], output: &mut dyn Write) -> io::Result<()
     })
 }
 
-/// A line for each number, and how long the work took and how exact the numbers are altogether.
+/// A line for each number, how long the work took and how exact the numbers are altogether, and what the error is made of, if that is
+/// more than one thing.
 pub(super) fn table(
     found: &Simulation,
     taken: Duration,
@@ -69,7 +70,23 @@ pub(super) fn table(
         output,
         "{}",
         if end.error <= tolerance { palette.quiet(&summary) } else { palette.notable(&summary) }
-    )
+    )?;
+    let made_of = found.worst().map(|answer| parts(&answer.parts)).filter(|parts| parts.len() > 1);
+    made_of.map_or(Ok(()), |parts| {
+        let line = format!("that error is {}", parts.join(", "));
+        writeln!(output, "{}", palette.quiet(&line))
+    })
+}
+
+/// The parts of an error that are some of it, the largest first: `93% quadrature`.
+fn parts(parts: &ErrorParts) -> Vec<String> {
+    let all = parts.all();
+    let sum: f64 = all.iter().sum();
+    let shares =
+        all.into_iter().zip(ErrorParts::NAMES).map(|(part, name)| ((100.0 * part / sum).round(), name));
+    let mut shares: Vec<(f64, &str)> = shares.filter(|(percent, _)| *percent >= 1.0).collect();
+    shares.sort_by(|one, other| other.0.total_cmp(&one.0));
+    shares.into_iter().map(|(percent, name)| format!("{percent}% {name}")).collect()
 }
 
 /// The column of values.

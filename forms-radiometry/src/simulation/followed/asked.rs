@@ -1,7 +1,9 @@
 //! What is asked: receivers become questions, each with its replicates and the number of samples that these are to get.
 
+use super::super::answer::ErrorKind;
 use super::super::job::{Budget, Share};
 use super::super::map::Grid;
+use super::super::parts::ErrorParts;
 use super::super::solver::ROUNDING;
 use crate::faces::faces;
 use crate::geometry::Screens;
@@ -31,8 +33,8 @@ pub(super) struct Asked {
     pub(super) replicates: Replicates,
     /// For each band the value and its error, where no samples are needed.
     pub(super) expanded: Option<Vec<[f64; 2]>>,
-    /// What rounding and images that are left out may make of a value, relative to it.
-    floor: f64,
+    /// What images that are left out may make of a value, relative to it.
+    left_out: f64,
     /// The largest number that light of the brightest radiance brings.
     brightest: f64,
     /// How many samples each replicate is to get before it is asked again whether that is enough.
@@ -72,7 +74,7 @@ impl Division {
 pub(super) fn asked(scene: &Scene, metres: f64, followers: &[Box<dyn Follow + '_>]) -> Vec<Asked> {
     let effects = Effects::of(scene);
     let has_images = !scene.lights.is_empty() && (effects.mirror || effects.refraction);
-    let floor = ROUNDING + if has_images { LEFT_OUT * scene.solve.tolerance } else { 0.0 };
+    let left_out = if has_images { LEFT_OUT * scene.solve.tolerance } else { 0.0 };
     let mut all: Vec<Asked> = Vec::new();
     let radiances = scene.surfaces.iter().map(|surface| &surface.radiance).chain([&scene.ambient.radiance]);
     let brightest = radiances.flatten().copied().fold(0.0, f64::max);
@@ -92,7 +94,7 @@ pub(super) fn asked(scene: &Scene, metres: f64, followers: &[Box<dyn Follow + '_
                 question,
                 replicates,
                 expanded,
-                floor,
+                left_out,
                 brightest,
                 target: 0,
                 seconds,
@@ -173,17 +175,31 @@ impl Asked {
         self.target = doubled.max(FIRST[usize::from(self.cell.is_some())]).min(most);
     }
 
-    /// A value and its standard error, with rounding.
+    /// What its errors mean.
+    pub(super) fn kind(&self) -> ErrorKind {
+        if self.expanded.is_some() { ErrorKind::Bound } else { ErrorKind::Sigma }
+    }
+
+    /// A value and its error.
     pub(super) fn found(&self, place: usize) -> [f64; 2] {
-        if let Some(expanded) = &self.expanded {
-            let [value, error] = expanded[place];
-            return [value, error + self.floor * value.abs()];
-        }
-        let [value, error] = self.replicates.found(place);
-        // where no sample found anything, one more could find the brightest light
-        let is_nothing = value == 0.0 && error == 0.0 && self.replicates.samples > 0;
-        let unseen = if is_nothing { self.brightest / self.replicates.count() } else { 0.0 };
-        [value, error.hypot(self.floor * value) + unseen]
+        let (value, parts) = self.found_in_parts(place);
+        [value, parts.error(self.kind())]
+    }
+
+    /// A value, and what its error is made of: rays that are given up, paths, images that are left out, and rounding.
+    pub(super) fn found_in_parts(&self, place: usize) -> (f64, ErrorParts) {
+        let (value, orders, sampling) = match &self.expanded {
+            Some(expanded) => (expanded[place][0], expanded[place][1], 0.0),
+            None => {
+                let [value, error] = self.replicates.found(place);
+                // where no sample found anything, one more could find the brightest light
+                let is_nothing = value == 0.0 && error == 0.0 && self.replicates.samples > 0;
+                let unseen = if is_nothing { self.brightest / self.replicates.count() } else { 0.0 };
+                (value, 0.0, error + unseen)
+            }
+        };
+        let [rounding, images] = [ROUNDING, self.left_out].map(|part| part * value.abs());
+        (value, ErrorParts { rounding, orders: orders + images, sampling, ..ErrorParts::default() })
     }
 
     /// The largest value of each band.

@@ -1,6 +1,7 @@
 //! Findings: what replicates say becomes the answers of receivers, maps and images.
 
 use super::super::answer::{Answer, ErrorKind, Map, Quantity};
+use super::super::parts::ErrorParts;
 use super::Work;
 use super::asked::Asked;
 use crate::faces::faces;
@@ -44,15 +45,17 @@ impl Work<'_> {
         for (quantity, number, factor) in quantities {
             for band in 0..bands {
                 for bin in 0..bins {
-                    let [value, error] = asked.found((number * bands + band) * bins + bin);
+                    let (value, parts) = asked.found_in_parts((number * bands + band) * bins + bin);
+                    let (parts, kind) = (parts.scaled(factor), asked.kind());
                     answers.push(Answer {
                         receiver: receiver.name.clone(),
                         quantity,
                         band: (bands > 1).then_some(band),
                         bin: receiver.time.is_some().then_some(bin),
                         value: factor * value,
-                        error: factor * error,
-                        kind: if asked.expanded.is_some() { ErrorKind::Bound } else { ErrorKind::Sigma },
+                        error: parts.error(kind),
+                        parts,
+                        kind,
                         seconds: asked.seconds,
                     });
                 }
@@ -70,16 +73,17 @@ impl Work<'_> {
         }
         let count = pixels.len() as f64;
         let of_band = |band: usize| {
-            let found = pixels.iter().map(|pixel| pixel.found(band));
-            let [sum, squares] =
-                found.fold([0.0; 2], |[sum, squares], [value, error]| [sum + value, squares + error * error]);
+            let found = || pixels.iter().map(|pixel| pixel.found_in_parts(band));
+            let sum: f64 = found().map(|(value, _)| value).sum();
+            let parts = ErrorParts::of_mean(found().map(|(_, parts)| parts));
             Answer {
                 receiver: self.scene.receivers[receiver].name.clone(),
                 quantity: Quantity::Radiance,
                 band: (bands > 1).then_some(band),
                 bin: None,
                 value: sum / count,
-                error: squares.sqrt() / count,
+                error: parts.error(ErrorKind::Sigma),
+                parts,
                 kind: ErrorKind::Sigma,
                 seconds: pixels.iter().map(|pixel| pixel.seconds).sum(),
             }

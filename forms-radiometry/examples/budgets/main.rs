@@ -1,0 +1,60 @@
+//! Error budgets: of every scene of the gallery what its error is made of, what half of it costs, and how it falls in time.
+//!
+//! ```text
+//! scenes/*.toml ─┬─ as they are ─────────────────▶ parts of the worst error ─┐
+//!                ├─ half the error asked for ────▶ time of halving it ───────┴─▶ a row of docs/benchmarks.md
+//!                ├─ tolerances that fall ────────▶ errors against time ──────┬─▶ docs/figures/scenes/*.svg
+//!                └─ effects forced off, one each ▶ time of each effect ──────┘
+//! ```
+//! `cargo run --release -p forms-radiometry --example budgets [--write] [SCENE…]` measures all scenes or those that are named, and prints the
+//! table; with `--write` the figures are written anew, and with all scenes the page.
+
+mod figure;
+#[path = "../gallery/mod.rs"]
+mod gallery;
+#[path = "../../tests/known/mod.rs"]
+#[expect(dead_code, reason = "how tests run the scenes is there too")]
+mod known;
+mod measured;
+#[path = "../../../forms-core/benches/page/mod.rs"]
+mod page;
+#[path = "../../../forms-core/examples/scaling/plot.rs"]
+#[expect(dead_code, reason = "plots of other axes are there too")]
+mod plot;
+#[path = "../gallery/run.rs"]
+mod run;
+mod table;
+
+use gallery::Problem;
+use measured::Measured;
+
+const WRITE: &str = "--write";
+
+fn main() -> Result<(), Problem> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let is_written = arguments.iter().any(|word| word == WRITE);
+    let named: Vec<&String> = arguments.iter().filter(|word| *word != WRITE).collect();
+    let mut table = format!("Processor: {}.\n\n{}", page::processor(), table::HEAD);
+    print!("{table}");
+    let documents = gallery::folder().join("../docs");
+    for file in gallery::files()? {
+        let name = gallery::name(&file);
+        if !(named.is_empty() || named.contains(&&name)) {
+            continue;
+        }
+        let measured = Measured::of(&file)?;
+        let row = table::row(&measured)?;
+        print!("{row}");
+        table += &row;
+        if is_written {
+            let folder = documents.join("figures/scenes");
+            std::fs::create_dir_all(&folder)?;
+            std::fs::write(folder.join(format!("{name}.svg")), figure::svg(&measured))?;
+        }
+    }
+    if is_written && named.is_empty() {
+        let path = documents.join("benchmarks.md");
+        std::fs::write(&path, page::replaced(&std::fs::read_to_string(&path)?, "error budgets", &table))?;
+    }
+    Ok(())
+}

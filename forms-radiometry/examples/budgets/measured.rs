@@ -1,0 +1,193 @@
+//! What is measured of a scene: runs with tolerances that fall, one with half the error, and ones without each effect.
+
+use super::gallery::{self, Problem, said, scene};
+use super::known::{GALLERY, Known};
+use super::run::{Run, forced};
+use forms_radiometry::scene::{Effect, Force, Scene};
+use forms_radiometry::simulation::{Answer, ErrorParts, plan};
+use std::path::Path;
+
+/// Each tolerance is this part of the one before.
+const STEP: f64 = 0.5;
+/// The tolerances, relative to that of the file: from the loosest to the tightest; and the loosest of all.
+const RANGE: [f64; 2] = [16.0, 0.1];
+const LOOSEST: f64 = 0.5;
+/// The runs with tolerances that fall end with the first that takes longer than this, in seconds, but there are so many at least, and the
+/// scene as it is.
+const LONG: f64 = 2.0;
+const FEWEST: usize = 3;
+
+/// A run of the scene with some tolerance.
+pub(crate) struct Rung {
+    pub(crate) tolerance: f64,
+    pub(crate) seconds: f64,
+    /// The largest error of an answer, a cell or a pixel, relative to it.
+    pub(crate) said: f64,
+    /// Of the worst answer the part of the error that is rounding, likewise, and whether samples are the largest part.
+    pub(crate) rounding: f64,
+    pub(crate) is_sampled: bool,
+    /// How far what is known is off, relative to it.
+    pub(crate) off: Option<f64>,
+}
+
+/// What halves the error, or what was tried.
+pub(crate) struct Halved {
+    /// What is asked for: a tolerance, or an effect that the plan dropped.
+    pub(crate) what: String,
+    pub(crate) seconds: f64,
+    pub(crate) error: f64,
+}
+
+/// The costs of effects: with a tolerance the time as planned, and with each of them off.
+pub(crate) struct Costs {
+    pub(crate) tolerance: f64,
+    pub(crate) seconds: f64,
+    pub(crate) without: Vec<(Effect, f64)>,
+}
+
+/// All of a scene.
+pub(crate) struct Measured {
+    pub(crate) name: String,
+    pub(crate) planned: Run,
+    /// What is tried to halve the error; nothing where all of it is rounding.
+    pub(crate) halved: Vec<Halved>,
+    /// The runs, from the loosest tolerance to the tightest.
+    pub(crate) rungs: Vec<Rung>,
+    pub(crate) costs: Costs,
+}
+
+impl Measured {
+    pub(crate) fn of(file: &Path) -> Result<Self, Problem> {
+        let name = gallery::name(file);
+        let scene = scene(&std::fs::read_to_string(file)?, &name)?;
+        let own = format!("{name}.toml");
+        let known = GALLERY.iter().find(|exhibit| exhibit.file == own).map_or(&[][..], |it| it.known);
+        let planned = Run::of(&scene)?;
+        let rungs = rungs(&scene, known, &planned)?;
+        let halved = halved(&scene, &planned)?;
+        let costs = costs(&scene, &rungs)?;
+        Ok(Self { name, planned, halved, rungs, costs })
+    }
+
+    /// The answer with the worst error.
+    pub(crate) fn worst(&self) -> Result<&Answer, Problem> {
+        self.planned.found.worst().ok_or_else(|| format!("{}: there is no light", self.name).into())
+    }
+
+    /// What takes the least time of all that halves the error.
+    pub(crate) fn cheapest(&self) -> Option<&Halved> {
+        let half = 0.5 * self.planned.error();
+        let halves = self.halved.iter().filter(|halved| halved.error <= half);
+        halves.min_by(|one, other| one.seconds.total_cmp(&other.seconds))
+    }
+}
+
+fn with_tolerance(scene: &Scene, tolerance: f64) -> Scene {
+    let mut scene = scene.clone();
+    scene.solve.tolerance = tolerance;
+    scene
+}
+
+/// Runs with tolerances that fall, and the one as planned among them.
+fn rungs(scene: &Scene, known: &[Known], planned: &Run) -> Result<Vec<Rung>, Problem> {
+    let own = scene.solve.tolerance;
+    let mut rungs = Vec::new();
+    let mut factor = RANGE[0];
+    while factor >= RANGE[1] {
+        let tolerance = factor * own;
+        factor *= STEP;
+        if tolerance > LOOSEST {
+            continue;
+        }
+        if tolerance == own {
+            rungs.push(rung(own, planned, known));
+        } else {
+            rungs.push(rung(tolerance, &Run::of(&with_tolerance(scene, tolerance))?, known));
+        }
+        if rungs.len() >= FEWEST && rungs.last().is_some_and(|rung: &Rung| rung.seconds > LONG) {
+            break;
+        }
+    }
+    if rungs.last().is_some_and(|rung| rung.tolerance > own) {
+        rungs.push(rung(own, planned, known));
+    }
+    Ok(rungs)
+}
+
+fn rung(tolerance: f64, run: &Run, known: &[Known]) -> Rung {
+    let worst = run.found.worst();
+    let part =
+        |of: fn(&ErrorParts) -> f64| worst.map_or(0.0, |worst| of(&worst.parts) / run.found.scale(worst));
+    let off = |known: &Known| {
+        let [value, _] = known.found(&run.found.answers);
+        (value - known.value).abs() / scale(known, &run.found.answers)
+    };
+    Rung {
+        tolerance,
+        seconds: run.seconds,
+        said: run.found.history.last().map_or(0.0, |moment| moment.error),
+        rounding: part(|parts| parts.rounding),
+        is_sampled: part(|parts| parts.sampling) > 0.5 * run.error(),
+        off: known.iter().map(off).reduce(f64::max),
+    }
+}
+
+/// What an error of a known sum is relative to: the largest of its value and of the answers that it is made of.
+fn scale(known: &Known, answers: &[Answer]) -> f64 {
+    let of_receiver = |receiver: &str| {
+        let own = answers.iter().filter(move |answer| answer.receiver == receiver);
+        own.map(|answer| answer.value.abs()).fold(0.0, f64::max)
+    };
+    let summands = known.sum.iter().map(|(factor, receiver, _)| factor.abs() * of_receiver(receiver));
+    summands.fold(known.value.abs(), f64::max)
+}
+
+/// What may halve the error: its receiver asked alone, to half of the error, and what the plan dropped, kept.
+fn halved(scene: &Scene, planned: &Run) -> Result<Vec<Halved>, Problem> {
+    let Some(worst) = planned.found.worst() else { return Ok(Vec::new()) };
+    let parts = worst.parts;
+    let mut tried = Vec::new();
+    let mut run = |what: String, scene: &Scene| -> Result<(), Problem> {
+        let run = Run::of(scene)?;
+        tried.push(Halved { what, seconds: run.seconds, error: run.error() });
+        Ok(())
+    };
+    if parts.effects > 0.0 {
+        let dropped = planned.plan.effects.iter().filter(|planned| !planned.on);
+        for effect in dropped.filter(|planned| planned.bound > Some(0.0)).map(|planned| planned.effect) {
+            run(format!("keep {}", effect.name()), &forced(scene, &[effect], Force::On))?;
+        }
+    }
+    if 2.0 * parts.rounding < worst.error {
+        let tolerance = 0.5 * planned.error();
+        let more = [
+            (parts.quadrature, "finer quadrature"),
+            (parts.orders, "more orders"),
+            (parts.sampling, "more samples"),
+            (parts.effects, "fewer effects dropped"),
+        ];
+        let largest = more.into_iter().max_by(|one, other| one.0.total_cmp(&other.0));
+        let what = largest.map_or("", |(_, what)| what);
+        let mut alone = with_tolerance(scene, tolerance);
+        alone.receivers.retain(|receiver| receiver.name == worst.receiver);
+        run(format!("{what}, of it alone to {tolerance:.1e}"), &alone)?;
+    }
+    Ok(tried)
+}
+
+/// The time without each effect that can be off, with the tightest tolerance that does not take long.
+fn costs(scene: &Scene, rungs: &[Rung]) -> Result<Costs, Problem> {
+    let short = rungs.iter().rev().find(|rung| rung.seconds <= LONG);
+    let Some(rung) = short.or(rungs.first()) else { return Err("there is no tolerance to run with".into()) };
+    let scene = with_tolerance(scene, rung.tolerance);
+    let plan = plan(&scene).map_err(said)?;
+    let mut without = Vec::new();
+    for effect in plan.effects.iter().filter(|planned| planned.on).map(|planned| planned.effect) {
+        let scene = forced(&scene, &[effect], Force::Off);
+        // without occlusion rays would pass through what they meet: what cannot be off is refused
+        if let Ok(run) = Run::of(&scene) {
+            without.push((effect, run.seconds));
+        }
+    }
+    Ok(Costs { tolerance: rung.tolerance, seconds: rung.seconds, without })
+}

@@ -1,0 +1,152 @@
+//! Sight: what an eye sees of all faces becomes convex pieces, and points of these send radiance to it.
+//!
+//! ```text
+//! faces, elements ─ visible from the eye ─▶ pieces ─ points of them ─▶ L = Lₑ + ρ/π (D + what is reflected to them)
+//! ```
+//! Pieces are exact. So is D, the light that comes straight to a point. What is reflected to it is either gathered as receivers gather, or
+//! taken from the polynomials of the element that it lies on, which is quick.
+
+use super::gather::{Group, Scratch, Transport};
+use super::measure::Measure;
+use super::system::{Radiosity, reflectance, reflects};
+use crate::faces::{emits, is_bright};
+use crate::geometry::Vector;
+use crate::scene::Scene;
+use crate::sharing::Sharing;
+use std::f64::consts::PI;
+
+/// A convex piece of a face that an eye sees.
+pub(crate) struct SeenPiece {
+    face: usize,
+    /// The element that it is a part of, where reflections are simulated.
+    element: Option<usize>,
+    /// The unit normal of its face.
+    pub(crate) normal: Vector,
+    /// The ways from the eye to its corners.
+    pub(crate) outline: Vec<Vector>,
+}
+
+/// How what is reflected to a point is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Reflected {
+    /// As receivers gather: from all elements.
+    Gathered,
+    /// From the polynomials of its own element.
+    Interpolated,
+}
+
+impl SeenPiece {
+    /// Whether what is reflected to it may be taken from polynomials.
+    pub(crate) fn has_polynomials(&self) -> bool {
+        self.element.is_some()
+    }
+}
+
+impl Transport {
+    /// The pieces that an eye sees of the outline of a face, or of an element of it.
+    fn seen_from(
+        &self,
+        eye: Vector,
+        (face, element): (usize, Option<usize>),
+        outline: &[Vector],
+        scratch: &mut Scratch,
+    ) -> Vec<SeenPiece> {
+        let points = [eye];
+        let group = Group { points: &points, outline: &points, measure: Measure::Sphere };
+        let normal = self.faces[face].normal;
+        let mut pieces = Vec::new();
+        self.see(group, (outline, normal), scratch, |_, piece| {
+            pieces.push(SeenPiece { face, element, normal, outline: piece.to_vec() });
+        });
+        pieces
+    }
+
+    /// The pieces that an eye sees of faces that emit light.
+    pub(crate) fn luminous_from(&self, scene: &Scene, eye: Vector) -> Vec<SeenPiece> {
+        let mut scratch = Scratch::default();
+        let luminous = (0..self.faces.len()).filter(|&face| emits(scene, &self.faces[face]));
+        luminous
+            .flat_map(|face| self.seen_from(eye, (face, None), &self.faces[face].vertices, &mut scratch))
+            .collect()
+    }
+}
+
+impl Radiosity<'_> {
+    /// The pieces that an eye sees: all of what stands around it with `all`, else only of what sends light. `sight` is the geometry with all
+    /// that hides.
+    pub(crate) fn seen_from(&self, eye: Vector, sight: &Transport, all: bool) -> Vec<SeenPiece> {
+        let faces = &self.transport.faces;
+        let sends = |index: usize| {
+            let face = &faces[index];
+            emits(self.scene, face) || (is_bright(self.scene, face) && reflects(self.scene, face.surface))
+        };
+        let mut has_elements = vec![false; faces.len()];
+        let mut targets: Vec<(usize, Option<usize>)> = Vec::new();
+        for (index, element) in self.sources() {
+            has_elements[element.face] = true;
+            targets.push((element.face, Some(index)));
+        }
+        let others = (0..faces.len()).filter(|&index| !has_elements[index] && (all || sends(index)));
+        targets.extend(others.map(|index| (index, None)));
+        let of_target = |scratch: &mut Scratch, (face, element): (usize, Option<usize>)| {
+            let outline = element.map_or(&faces[face].vertices, |element| &self.outlines[element]);
+            if self.watch.is_stopped() {
+                Vec::new()
+            } else {
+                sight.seen_from(eye, (face, element), outline, scratch)
+            }
+        };
+        let sharing = Sharing::of(sight.operations(1, 4 * targets.len()));
+        sharing.map(targets, of_target).into_iter().flatten().collect()
+    }
+
+    /// The radiance that points of a piece send, point by point and band by band; the outline holds the points.
+    pub(crate) fn radiance(
+        &self,
+        piece: &SeenPiece,
+        [points, outline]: [&[Vector]; 2],
+        reflected: Reflected,
+        scratch: &mut Scratch,
+        radiance: &mut [f64],
+    ) {
+        let face = &self.transport.faces[piece.face];
+        if !is_bright(self.scene, face) {
+            radiance.fill(0.0);
+            return;
+        }
+        let emitted = &self.scene.surfaces[face.surface].radiance;
+        let bands = emitted.len();
+        if !reflects(self.scene, face.surface) {
+            radiance.chunks_exact_mut(bands).for_each(|of_point| of_point.copy_from_slice(emitted));
+            return;
+        }
+        let group = Group { points, outline, measure: Measure::Plane(piece.normal) };
+        match piece.element.filter(|_| reflected == Reflected::Interpolated) {
+            Some(element) => self.gather_on(element, group, scratch, radiance),
+            None => self.gather(group, scratch, radiance),
+        }
+        let reflectances = reflectance(self.scene, face.surface);
+        for of_point in radiance.chunks_exact_mut(bands) {
+            for ((value, emitted), rho) in of_point.iter_mut().zip(emitted).zip(reflectances) {
+                *value = emitted + rho / PI * *value;
+            }
+        }
+    }
+
+    /// The irradiance of points of an element: D exactly, the rest from its polynomials.
+    fn gather_on(&self, element: usize, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
+        let bands = self.scene.band_count();
+        gathered.fill(0.0);
+        if self.question.direct {
+            self.lights.gather(group, self.transport, scratch, gathered);
+        }
+        let nodes = self.first[element]..self.first[element + 1];
+        for (&point, of_point) in group.points.iter().zip(gathered.chunks_exact_mut(bands)) {
+            let basis = self.elements[element].basis(point);
+            for (value, (all, direct)) in of_point.iter_mut().zip(self.irradiance.iter().zip(&self.direct)) {
+                let nodes = basis.iter().zip(all[nodes.clone()].iter().zip(&direct[nodes.clone()]));
+                *value += nodes.map(|(b, (all, direct))| b * (all - direct)).sum::<f64>();
+            }
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! Goals: the readings that are not exact enough say which elements are made finer.
+
+use super::estimate::{Estimate, Found};
+use super::solver::Work;
+use crate::radiosity::{Asking, Goal, Radiosity};
+
+/// The part that elements may take which are not split though they are expected to change.
+const SPARED: f64 = 0.3;
+
+impl Work<'_> {
+    /// The readings that are not exact enough, each weighted by how far it is from that.
+    pub(super) fn asking(&self, radiosity: &Radiosity, found: &[Found]) -> Asking {
+        let sparing = SPARED * self.scene.solve.tolerance;
+        let mut asking = Asking { goals: Vec::new(), errors: [0.0; 2], sparing };
+        for ((reading, found), scales) in self.readings.iter().zip(found).zip(self.scales(found)) {
+            let relative = |(estimate, scale): (&Estimate, &f64)| {
+                let error = estimate.error();
+                if error.is_finite() { error / scale } else { f64::INFINITY }
+            };
+            let worst = found.bands.iter().zip(&scales).map(relative).fold(0.0, f64::max);
+            let scale = scales.iter().copied().fold(0.0, f64::max);
+            let weight = if worst.is_finite() { worst / scale } else { 1.0 / scale };
+            let weight = weight * reading.of_goal(radiosity.transport());
+            let Some(what) = reading.goal(self.scene, radiosity.transport()) else { continue };
+            if worst > self.scene.solve.tolerance && weight.is_finite() {
+                asking.goals.push(Goal { what, weight });
+                asking.errors[0] += worst;
+                asking.errors[1] += worst * worst;
+            }
+        }
+        asking
+    }
+}

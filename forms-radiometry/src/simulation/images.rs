@@ -1,0 +1,195 @@
+//! Images of diffuse surfaces: what a camera sees of them becomes pixels, from the same solution that receivers gather from.
+//!
+//! ```text
+//! pinhole ─▶ pieces that it sees ─▶ polygons of the film ─▶ mean radiance of each pixel, the borders of surfaces exactly
+//!            some pixels are watched while elements become finer ─▶ errors, and how large radiance is
+//! ```
+//! The tolerance is relative to the brightest pixel. The image has one error by what elements may still change, and each pixel its own by the
+//! rules of its integral.
+
+mod block;
+mod film;
+
+use super::answer::{Answer, ErrorKind, Map, Quantity};
+use super::estimate::Found;
+use super::parts::ErrorParts;
+use super::readings::Reading;
+use super::solver::{ROUNDING, Work};
+use crate::camera::Camera;
+use crate::geometry::{Screens, Vector};
+use crate::radiosity::{Radiosity, Scratch, Transport};
+use crate::scene::ReceiverKind;
+use crate::sharing::Sharing;
+use block::View;
+use film::{Block, area, blocks, middle, projected};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+
+/// One in so many pixels is watched, at least and at most so many in all.
+const WATCHED: usize = 36;
+const FEWEST: usize = 9;
+const MOST: usize = 512;
+/// The part of the tolerance that may be left beside the error of elements.
+const RULES: f64 = 0.25;
+
+/// An image and its mean.
+pub(super) struct Image {
+    pub(super) receiver: usize,
+    pub(super) map: Map,
+    pub(super) means: Vec<Answer>,
+}
+
+/// Errors of an image, for each band.
+struct Watched {
+    /// The largest radiance of a pixel.
+    scales: Vec<f64>,
+    /// The largest error of a pixel, by elements that may still change.
+    errors: Vec<f64>,
+}
+
+impl Work<'_> {
+    /// The cameras, with the numbers of their receivers.
+    pub(super) fn cameras(&self) -> impl Iterator<Item = (usize, &Camera)> {
+        let receivers = self.scene.receivers.iter().enumerate();
+        receivers.filter_map(|(index, receiver)| match &receiver.kind {
+            ReceiverKind::Camera(camera) => Some((index, camera)),
+            _ => None,
+        })
+    }
+
+    /// The geometry with all that hides from a camera: an eye sees nothing through surfaces, even where none hides light. None if that is the
+    /// geometry that light passes through, or there is no camera.
+    pub(super) fn sight(&self, transport: &Transport) -> Option<Transport> {
+        let is_another = !transport.occlusion && self.cameras().next().is_some();
+        is_another.then(|| Transport {
+            faces: transport.faces.clone(),
+            screens: Screens::of(&transport.faces),
+            occlusion: true,
+            accuracy: transport.accuracy,
+        })
+    }
+
+    /// The readings of pixels that are watched, so that elements are refined until images are exact enough, and have errors: some all over
+    /// the image, and one for each piece of a luminaire that fills a pixel, because tolerances are relative to the brightest one.
+    pub(super) fn watched_pixels(&self, sight: &Transport) -> Vec<Reading> {
+        let of_camera = |(index, camera): (usize, &Camera)| {
+            let [columns, rows] = camera.resolution;
+            let count = columns * rows;
+            let some = (count / WATCHED).clamp(FEWEST.min(count), MOST);
+            let spread = (0..some).map(|number| {
+                let pixel = (2 * number + 1) * count / (2 * some);
+                [pixel % columns, pixel / columns].map(|place| place as f64 + 0.5)
+            });
+            let pieces = sight.luminous_from(self.scene, camera.origin);
+            let luminous = pieces.iter().map(|piece| projected(camera, &piece.outline));
+            let luminous = luminous.filter(|polygon| area(polygon) >= 1.0).map(|polygon| {
+                let Vector { x, y, .. } = middle(&polygon);
+                [x, y]
+            });
+            let reading = |[x, y]: [f64; 2]| {
+                let direction = camera.direction(x, y).unit();
+                direction.map(|direction| Reading::radiance(index, camera.origin, direction))
+            };
+            spread.chain(luminous).filter_map(reading).collect::<Vec<_>>()
+        };
+        self.cameras().flat_map(of_camera).collect()
+    }
+
+    /// The images, with the means of their pixels.
+    pub(super) fn images(&self, radiosity: &Radiosity, sight: &Transport, found: &[Found]) -> Vec<Image> {
+        let images = self.cameras().map(|(index, camera)| {
+            let begin = Instant::now();
+            let watched = self.watched(index, found);
+            let map = self.image((index, camera), radiosity, sight, &watched);
+            let means = self.means(&map, &watched.scales, begin.elapsed().as_secs_f64());
+            Image { receiver: index, map, means }
+        });
+        images.collect()
+    }
+
+    /// What the watched pixels of a camera tell.
+    fn watched(&self, receiver: usize, found: &[Found]) -> Watched {
+        let bands = self.scene.band_count();
+        let mut watched = Watched { scales: vec![0.0; bands], errors: vec![0.0; bands] };
+        let own = (self.answers..found.len()).filter(|&reading| self.readings[reading].receiver == receiver);
+        for found in own.map(|reading| &found[reading]) {
+            if found.is_missing() {
+                watched.errors.fill(f64::INFINITY);
+            }
+            for (band, estimate) in found.bands.iter().enumerate() {
+                watched.scales[band] = watched.scales[band].max(estimate.value.abs());
+                watched.errors[band] = watched.errors[band].max(estimate.error());
+            }
+        }
+        watched
+    }
+
+    /// The pixels of a camera; not a number where the work was stopped before.
+    fn image(
+        &self,
+        (receiver, camera): (usize, &Camera),
+        radiosity: &Radiosity,
+        sight: &Transport,
+        watched: &Watched,
+    ) -> Map {
+        let tolerance = self.scene.solve.tolerance;
+        let outside = &self.scene.ambient.radiance;
+        let bands = outside.len();
+        let is_seen_past = outside.iter().any(|&radiance| radiance > 0.0);
+        let pieces = radiosity.seen_from(camera.origin, sight, is_seen_past);
+        // where every watched pixel is dark, the first rule tells how bright others are
+        let allowed = |&scale: &f64| if scale > 0.0 { RULES * tolerance * scale } else { f64::INFINITY };
+        let allowed: Vec<f64> = watched.scales.iter().map(allowed).collect();
+        let view = View { camera, radiosity, pieces: &pieces, outside, allowed: &allowed };
+        let blocks = blocks(camera, &pieces);
+        let done = AtomicUsize::new(0);
+        let of_block = |scratch: &mut Scratch, block: &Block| {
+            if self.watch.is_stopped() {
+                return None;
+            }
+            let pixels = view.pixels(block, scratch);
+            self.watch.progress("images", done.fetch_add(1, Ordering::Relaxed) as f64 / blocks.len() as f64);
+            Some(pixels).filter(|_| !self.watch.is_stopped())
+        };
+        let found = Sharing::Shared.map(&blocks, of_block);
+        let [columns, rows] = camera.resolution;
+        let nothing = vec![vec![f64::NAN; columns * rows]; bands];
+        let (mut values, mut errors) = (nothing.clone(), nothing);
+        for (block, pixels) in blocks.iter().zip(found) {
+            let width = block.to[0] - block.from[0];
+            for (index, &[value, of_rules]) in pixels.iter().flatten().enumerate() {
+                let (pixel, band) = (index / bands, index % bands);
+                let place = (block.from[1] + pixel / width) * columns + block.from[0] + pixel % width;
+                values[band][place] = value;
+                errors[band][place] = of_rules + watched.errors[band] + ROUNDING * watched.scales[band];
+            }
+        }
+        let name = self.scene.receivers[receiver].name.clone();
+        let quantity = Quantity::Radiance;
+        Map { receiver: name, quantity, size: camera.resolution, values, errors, is_image: true }
+    }
+
+    /// The mean of an image, for each band; none if it is not all there.
+    fn means(&self, map: &Map, scales: &[f64], seconds: f64) -> Vec<Answer> {
+        let bands = map.values.len();
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+        let answer = |band: usize| {
+            let error = mean(&map.errors[band]);
+            let rounding = (ROUNDING * scales[band]).min(error);
+            let parts = ErrorParts { rounding, quadrature: error - rounding, ..ErrorParts::default() };
+            Answer {
+                receiver: map.receiver.clone(),
+                quantity: Quantity::Radiance,
+                band: (bands > 1).then_some(band),
+                bin: None,
+                value: mean(&map.values[band]),
+                error: parts.error(ErrorKind::Bound),
+                parts,
+                kind: ErrorKind::Bound,
+                seconds,
+            }
+        };
+        let is_whole = map.values.iter().flatten().all(|value| !value.is_nan());
+        if is_whole { (0..bands).map(answer).collect() } else { Vec::new() }
+    }
+}

@@ -1,0 +1,226 @@
+//! Pixels of a block: what is seen in each becomes its mean radiance, with the error that the rules of integration leave.
+//!
+//! ```text
+//! a polygon of the film in a pixel ─▶ triangles with 3 points each, exact to the second degree ─▶ ∫ L
+//!                                     └ beside the middle of the polygon alone ─▶ error ─ too large ─▶ its quarters
+//! ```
+//! L = Lₑ + ρ E/π at the point that a film point sees. Borders of what is seen are exact; shadows within it are found by the rule. Reflected
+//! light is taken from polynomials where these agree with what receivers gather, and corrected where they do not.
+
+use super::film::{Block, Polygon, area, area_of_triangle, middle, quarters, triangles};
+use crate::camera::Camera;
+use crate::geometry::Vector;
+use crate::radiosity::{Radiosity, Reflected, Scratch, SeenPiece};
+
+/// How often parts of a pixel are quartered at most.
+const QUARTERED: usize = 5;
+/// The part of what a pixel may err by that one of its parts may leave as it is.
+const SMALL: f64 = 1.0 / 16.0;
+/// One in so many parts is asked whether polynomials agree with what receivers gather, and the part of what a pixel may err by that they may
+/// differ.
+const CHECKED: usize = 8;
+const POLYNOMIALS: f64 = 0.5;
+/// What is less of a pixel than this is no more than rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// What a camera looks at.
+pub(super) struct View<'v> {
+    pub(super) camera: &'v Camera,
+    pub(super) radiosity: &'v Radiosity<'v>,
+    pub(super) pieces: &'v [SeenPiece],
+    /// The radiance of the surroundings, for each band.
+    pub(super) outside: &'v [f64],
+    /// For each band what rules and polynomials may leave in a pixel.
+    pub(super) allowed: &'v [f64],
+}
+
+/// A part of a pixel in which one piece is seen.
+struct Part {
+    pixel: usize,
+    polygon: Polygon,
+    /// For each band ∫ L over it, and its error.
+    found: Vec<[f64; 2]>,
+}
+
+impl View<'_> {
+    /// For each pixel of a block, band by band, its mean radiance and the error of the rules.
+    pub(super) fn pixels(&self, block: &Block, scratch: &mut Scratch) -> Vec<[f64; 2]> {
+        let bands = self.outside.len();
+        let count = (block.to[0] - block.from[0]) * (block.to[1] - block.from[1]);
+        let mut sums = vec![[0.0; 2]; count * bands];
+        let mut open = vec![1.0; count];
+        let of_piece = |(piece, polygon): &(usize, Polygon)| {
+            let parts = block.pixels(polygon).into_iter();
+            let parts = parts.map(|(pixel, polygon)| Part { pixel, polygon, found: Vec::new() }).collect();
+            (*piece, self.outline(*piece, polygon), parts)
+        };
+        let mut seen: Vec<(usize, Vec<Vector>, Vec<Part>)> = block.seen.iter().map(of_piece).collect();
+        for part in seen.iter().flat_map(|(_, _, parts)| parts) {
+            open[part.pixel] -= area(&part.polygon);
+        }
+        for quartered in 0..=QUARTERED {
+            sums.fill([0.0; 2]);
+            for (piece, outline, parts) in &mut seen {
+                self.integrate(*piece, outline, parts, scratch);
+                parts.iter().for_each(|part| add(&mut sums[part.pixel * bands..][..bands], &part.found));
+            }
+            let is_open = |pixel: usize| self.is_beyond(&sums[pixel * bands..][..bands], 1.0);
+            if quartered == QUARTERED || !(0..count).any(is_open) {
+                break;
+            }
+            for (_, _, parts) in &mut seen {
+                *parts = std::mem::take(parts)
+                    .into_iter()
+                    .flat_map(|part| {
+                        let is_divided = is_open(part.pixel) && self.is_beyond(&part.found, SMALL);
+                        if is_divided { part.quarters() } else { vec![part] }
+                    })
+                    .collect();
+            }
+        }
+        for (of_pixel, open) in sums.chunks_exact_mut(bands).zip(open) {
+            let open = if open > ROUNDING { open } else { 0.0 };
+            of_pixel.iter_mut().zip(self.outside).for_each(|([value, _], outside)| *value += open * outside);
+        }
+        sums
+    }
+
+    /// Whether an error is beyond this part of what is allowed.
+    fn is_beyond(&self, found: &[[f64; 2]], part: f64) -> bool {
+        found.iter().zip(self.allowed).any(|([_, error], allowed)| *error > part * allowed)
+    }
+
+    /// The points of a piece that film points see.
+    fn outline(&self, piece: usize, polygon: &[Vector]) -> Vec<Vector> {
+        let SeenPiece { normal, outline, .. } = &self.pieces[piece];
+        let height = normal.dot(outline[0]);
+        let point = |film: &Vector| {
+            let direction = self.camera.direction(film.x, film.y);
+            self.camera.origin + (height / normal.dot(direction)) * direction
+        };
+        polygon.iter().map(point).collect()
+    }
+
+    /// Integrates over the parts that have no integral yet.
+    fn integrate(&self, piece: usize, outline: &[Vector], parts: &mut [Part], scratch: &mut Scratch) {
+        let mut open: Vec<&mut Part> = parts.iter_mut().filter(|part| part.found.is_empty()).collect();
+        if open.is_empty() {
+            return;
+        }
+        let film: Vec<Vec<Vector>> = open.iter().map(|part| part.points()).collect();
+        let radiance = self.radiance(piece, outline, &film.concat(), Reflected::Interpolated, scratch);
+        let bands = self.outside.len();
+        let mut of_points = radiance.chunks_exact(bands);
+        for (part, points) in open.iter_mut().zip(&film) {
+            part.integrate(of_points.by_ref().take(points.len()));
+        }
+        if self.pieces[piece].has_polynomials() {
+            let firsts = film.iter().scan(0, |end, points| Some(std::mem::replace(end, *end + points.len())));
+            let polynomials: Vec<&[f64]> =
+                firsts.map(|first| &radiance[first * bands..][..2 * bands]).collect();
+            self.correct(piece, outline, &mut open, (&film, &polynomials), scratch);
+        }
+    }
+
+    /// Corrects what polynomials made of reflected light by what receivers gather: at some middles, which tell the error; where that is too
+    /// much, at all of them. `polynomials` has the radiance in the middle of each part and in the node after it.
+    fn correct(
+        &self,
+        piece: usize,
+        outline: &[Vector],
+        open: &mut [&mut Part],
+        (film, polynomials): (&[Vec<Vector>], &[&[f64]]),
+        scratch: &mut Scratch,
+    ) {
+        let bands = self.outside.len();
+        let checked: Vec<usize> = (0..open.len()).step_by(CHECKED).chain([open.len() - 1]).collect();
+        let middles: Vec<Vector> = checked.iter().map(|&part| film[part][0]).collect();
+        let gathered = self.radiance(piece, outline, &middles, Reflected::Gathered, scratch);
+        let mut largest = vec![0.0_f64; bands];
+        for (&part, gathered) in checked.iter().zip(gathered.chunks_exact(bands)) {
+            for ((largest, gathered), polynomial) in largest.iter_mut().zip(gathered).zip(polynomials[part]) {
+                *largest = largest.max((gathered - polynomial).abs());
+            }
+        }
+        if largest.iter().zip(self.allowed).all(|(largest, allowed)| *largest <= POLYNOMIALS * allowed) {
+            for part in open {
+                let whole = area(&part.polygon);
+                part.found
+                    .iter_mut()
+                    .zip(&largest)
+                    .for_each(|([_, error], largest)| *error += whole * largest);
+            }
+            return;
+        }
+        let points: Vec<Vector> = film.iter().flat_map(|points| &points[..2]).copied().collect();
+        let gathered = self.radiance(piece, outline, &points, Reflected::Gathered, scratch);
+        for ((part, gathered), polynomials) in
+            open.iter_mut().zip(gathered.chunks_exact(2 * bands)).zip(polynomials)
+        {
+            let whole = area(&part.polygon);
+            for (band, [value, error]) in part.found.iter_mut().enumerate() {
+                let [in_middle, beside] =
+                    [band, bands + band].map(|place| gathered[place] - polynomials[place]);
+                *value += whole * in_middle;
+                *error += whole * (beside - in_middle).abs();
+            }
+        }
+    }
+
+    /// The radiance that film points see of a piece, point by point and band by band.
+    fn radiance(
+        &self,
+        piece: usize,
+        outline: &[Vector],
+        film: &[Vector],
+        reflected: Reflected,
+        scratch: &mut Scratch,
+    ) -> Vec<f64> {
+        let points = self.outline(piece, film);
+        let mut radiance = vec![0.0; points.len() * self.outside.len()];
+        self.radiosity.radiance(&self.pieces[piece], [&points, outline], reflected, scratch, &mut radiance);
+        radiance
+    }
+}
+
+impl Part {
+    /// Its middle, and the points of the rule.
+    fn points(&self) -> Vec<Vector> {
+        std::iter::once(middle(&self.polygon)).chain(triangles(&self.polygon).flat_map(nodes)).collect()
+    }
+
+    /// Takes the integral from the radiance at these points, with the difference to that by the middle alone.
+    fn integrate<'r>(&mut self, mut radiance: impl Iterator<Item = &'r [f64]>) {
+        let whole = area(&self.polygon);
+        let in_middle = radiance.next().expect("the middle is the first");
+        self.found = vec![[0.0; 2]; in_middle.len()];
+        for triangle in triangles(&self.polygon) {
+            let weight = area_of_triangle(triangle) / 3.0;
+            for of_point in radiance.by_ref().take(3) {
+                self.found.iter_mut().zip(of_point).for_each(|([sum, _], value)| *sum += weight * value);
+            }
+        }
+        let found = self.found.iter_mut().zip(in_middle);
+        found.for_each(|([sum, error], in_middle)| *error = (*sum - whole * in_middle).abs());
+    }
+
+    fn quarters(self) -> Vec<Self> {
+        let part = |polygon| Self { pixel: self.pixel, polygon, found: Vec::new() };
+        quarters(&self.polygon).into_iter().map(part).collect()
+    }
+}
+
+fn add(sums: &mut [[f64; 2]], found: &[[f64; 2]]) {
+    for ([sum, errors], [value, error]) in sums.iter_mut().zip(found) {
+        *sum += value;
+        *errors += error;
+    }
+}
+
+/// The points of a triangle whose mean is exact for polynomials of the second degree.
+///
+/// Source: A. H. Stroud, Approximate calculation of multiple integrals (1971), T₂: 2-1.
+fn nodes([a, b, c]: [Vector; 3]) -> [Vector; 3] {
+    let node = |near: Vector, one: Vector, other: Vector| (1.0 / 6.0) * (4.0 * near + one + other);
+    [node(a, b, c), node(b, c, a), node(c, a, b)]
+}
