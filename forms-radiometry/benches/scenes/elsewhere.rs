@@ -1,16 +1,11 @@
-//! The same works by other programs: the scripts of `elsewhere`, run one after the other, and what they print.
+//! The same works by other programs: the scripts of a bench's folder `elsewhere`, run one after the other, and what they print.
 
 use std::io;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// The scripts, and the modules that have to be installed for them.
-const SCRIPTS: [(&str, &[&str]); 4] = [
-    ("by_numpy.py", &["numpy"]),
-    ("by_mitsuba.py", &["numpy", "mitsuba"]),
-    ("by_radiance.py", &["numpy", "pyradiance"]),
-    ("by_pyviewfactor.py", &["numpy", "pyviewfactor", "numba"]),
-];
+/// A script, and the modules that have to be installed for it.
+pub(crate) type Script = (&'static str, &'static [&'static str]);
 
 /// A line that a script printed.
 pub(crate) struct Line {
@@ -24,16 +19,18 @@ pub(crate) struct Line {
     pub(crate) remark: String,
 }
 
-/// What all scripts print whose modules are installed. Of each other one it is told what is missing.
-pub(crate) fn run_all(folder: &Path) -> io::Result<Vec<Line>> {
+/// What all scripts of a bench print whose modules are installed. Of each other one it is told what is missing. `folder` holds what
+/// they read.
+pub(crate) fn run_all(bench: &str, scripts: &[Script], folder: &Path) -> io::Result<Vec<Line>> {
+    let of_scripts = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches").join(bench).join("elsewhere");
     let mut lines = Vec::new();
-    for (script, modules) in SCRIPTS {
+    for (script, modules) in scripts {
         let missing: Vec<&str> = modules.iter().copied().filter(|module| !is_installed(module)).collect();
         if !missing.is_empty() {
             println!("{script} is left out: `pip install {}` installs what it needs", missing.join(" "));
             continue;
         }
-        lines.extend(run(script, folder)?);
+        lines.extend(run(&of_scripts.join(script), folder)?);
     }
     Ok(lines)
 }
@@ -44,13 +41,17 @@ fn is_installed(module: &str) -> bool {
     found.is_ok_and(|status| status.success())
 }
 
-fn run(script: &str, folder: &Path) -> io::Result<Vec<Line>> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/scenes/elsewhere").join(script);
-    let output = Command::new("python3").arg("-B").arg(path).arg(folder).stderr(Stdio::inherit()).output()?;
+fn run(script: &Path, folder: &Path) -> io::Result<Vec<Line>> {
+    let output =
+        Command::new("python3").arg("-B").arg(script).arg(folder).stderr(Stdio::inherit()).output()?;
     let text = String::from_utf8_lossy(&output.stdout);
     print!("{text}");
     if !output.status.success() {
-        println!("{script} ended with {}: what it had not printed by then is left out", output.status);
+        println!(
+            "{} ended with {}: what it had not printed by then is left out",
+            script.display(),
+            output.status
+        );
     }
     Ok(text.lines().filter_map(Line::read).collect())
 }

@@ -9,45 +9,49 @@
 //! (by `python3`) and the tables printed; `--write` writes them into the page too. `--table WORD…` measures only view factors and the
 //! works whose titles contain one of the words, and no other program.
 
+mod cells;
 mod clock;
 mod elsewhere;
+mod options;
 #[path = "../../../forms-core/benches/page/mod.rs"]
 mod page;
 #[path = "../../../forms-core/examples/scaling/clock.rs"]
 mod processor_clock;
+mod run;
 mod squares;
 mod table;
 mod work;
 
 use criterion::Criterion;
+use elsewhere::Script;
+use options::Options;
 use std::path::Path;
 use std::time::Duration;
 
+const SCRIPTS: [Script; 4] = [
+    ("by_numpy.py", &["numpy"]),
+    ("by_mitsuba.py", &["numpy", "mitsuba"]),
+    ("by_radiance.py", &["numpy", "pyradiance"]),
+    ("by_pyviewfactor.py", &["numpy", "pyviewfactor", "numba"]),
+];
+
 fn main() -> std::io::Result<()> {
-    let (options, words): (Vec<String>, Vec<String>) =
-        std::env::args().skip(1).partition(|argument| argument.starts_with('-'));
-    let has = |name: &str| options.iter().any(|option| option == name);
-    if !has("--table") && !has("--write") {
+    let options = Options::read();
+    if !options.are_tables() {
         by_criterion();
         return Ok(());
     }
-    let wanted = |title: &str| words.is_empty() || words.iter().any(|word| title.contains(word.as_str()));
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("scenes");
     std::fs::create_dir_all(&folder)?;
     let pairs = squares::all();
     let factors = squares::measured(&pairs, &folder)?;
-    let works: Vec<work::Work> = work::all().into_iter().filter(|work| wanted(work.title)).collect();
+    let works: Vec<work::Work> =
+        work::all().into_iter().filter(|work| options.is_wanted(work.title)).collect();
     let maps: Vec<work::Measured> =
         works.iter().map(|work| work.measured(&folder)).collect::<Result<_, _>>()?;
-    let others = if words.is_empty() { elsewhere::run_all(&folder)? } else { Vec::new() };
-    let table = table::markdown(&maps, &factors, &others);
-    print!("{table}");
-    if has("--write") && words.is_empty() {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/benchmarks.md");
-        let page = page::replaced(&std::fs::read_to_string(&path)?, "scenes", &table);
-        std::fs::write(path, page)?;
-    }
-    Ok(())
+    let others =
+        if options.are_all() { elsewhere::run_all("scenes", &SCRIPTS, &folder)? } else { Vec::new() };
+    options.put("scenes", &table::markdown(&maps, &factors, &others))
 }
 
 fn by_criterion() {

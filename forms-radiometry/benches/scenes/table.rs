@@ -1,9 +1,9 @@
 //! The tables: works by rows and programs by columns, and the ratios that the goals are about.
 
+use crate::cells::{heads, ratio, row, shown, time};
 use crate::elsewhere::Line;
 use crate::page::processor;
 use crate::{squares, work};
-use std::fmt::Write;
 
 /// Both tables in Markdown, after the name of the processor.
 pub(crate) fn markdown(maps: &[work::Measured], factors: &squares::Measured, others: &[Line]) -> String {
@@ -31,8 +31,7 @@ const HEADS: [&str; 11] = [
 
 fn of_maps(maps: &[work::Measured], others: &[Line]) -> String {
     let mut text = String::new();
-    row(&mut text, &HEADS.map(str::to_string));
-    row(&mut text, &HEADS.map(|_| "---".to_string()));
+    heads(&mut text, &HEADS);
     for measured in maps {
         let by = |program: &str| {
             let is_meant =
@@ -59,14 +58,6 @@ fn of_maps(maps: &[work::Measured], others: &[Line]) -> String {
         row(&mut text, &cells);
     }
     text + "\n"
-}
-
-fn time(line: Option<&Line>) -> String {
-    line.map_or_else(|| "–".to_string(), |line| shown(line.seconds))
-}
-
-fn ratio(line: Option<&Line>, seconds: f64) -> String {
-    line.map_or_else(|| "–".to_string(), |line| in_figures(line.seconds / seconds))
 }
 
 /// How other programs got there.
@@ -106,20 +97,4 @@ fn of_factors(factors: &squares::Measured, others: &[Line]) -> String {
         row(&mut text, &cells);
     }
     text
-}
-
-fn row(text: &mut String, cells: &[String]) {
-    writeln!(text, "| {} |", cells.join(" | ")).expect("a String takes all text");
-}
-
-/// A time in the unit that suits it.
-fn shown(seconds: f64) -> String {
-    let units = [(1.0, "s"), (1e-3, "ms"), (1e-6, "µs")];
-    let (unit, name) = units.into_iter().find(|(unit, _)| seconds >= *unit).unwrap_or((1e-9, "ns"));
-    format!("{} {name}", in_figures(seconds / unit))
-}
-
-/// Two figures, or all before the point.
-fn in_figures(value: f64) -> String {
-    if value >= 10.0 { format!("{value:.0}") } else { format!("{value:.1}") }
 }

@@ -1,17 +1,14 @@
 //! The works: a scene file, what is asked of it, and what counts as its error.
 
 use crate::clock::seconds;
+use crate::run::{cornell_box, open, relative_error, simulated, values};
 use forms_radiometry::output::csv;
-use forms_radiometry::scene::{
-    Effect, Force, ForcedEffect, MaterialKind, Receiver, ReceiverKind, Scene, read,
-};
-use forms_radiometry::simulation::{Simulation, Unwatched, plan, simulate};
+use forms_radiometry::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene};
+use forms_radiometry::simulation::Simulation;
 use std::fs::File;
 use std::io;
 use std::path::Path;
 
-/// The band of the Cornell box that is simulated: one number for each reflectance.
-const BAND: usize = 8;
 /// The surfaces of the Cornell box whose maps are asked for, 4096 cells in all.
 const SURFACES: [&str; 4] = ["floor", "back", "right", "short_top"];
 /// Columns and rows of each of these maps.
@@ -48,7 +45,6 @@ pub(crate) struct Measured<'w> {
 
 /// Every work.
 pub(crate) fn all() -> Vec<Work> {
-    let open = |text: &str, name: &str| read(text, name).unwrap_or_else(|errors| panic!("{}", errors[0]));
     let lamp = |name, title, text| Work {
         name,
         title,
@@ -64,7 +60,7 @@ pub(crate) fn all() -> Vec<Work> {
         target: 1e-2,
         goal,
         tolerances,
-        scene: cornell_box(open(forms_radiometry::CORNELL_BOX, name), force),
+        scene: with_maps(cornell_box(), force),
     };
     vec![
         lamp("lamp", "4096 receivers under a lamp", include_str!("files/lamp.toml")),
@@ -81,17 +77,8 @@ pub(crate) fn all() -> Vec<Work> {
     ]
 }
 
-/// One band of the Cornell box, with maps of some surfaces.
-fn cornell_box(mut scene: Scene, interreflection: Option<Force>) -> Scene {
-    let only = |values: &mut Vec<f64>| *values = vec![values[BAND]];
-    scene.bands = Vec::new();
-    for material in &mut scene.materials {
-        if let MaterialKind::Diffuse { reflectance } = &mut material.kind {
-            only(reflectance);
-        }
-    }
-    scene.surfaces.iter_mut().for_each(|surface| only(&mut surface.radiance));
-    only(&mut scene.ambient.radiance);
+/// The Cornell box with maps of some surfaces.
+fn with_maps(mut scene: Scene, interreflection: Option<Force>) -> Scene {
     let place = scene.receivers[0].place.clone();
     let map = |name: &str| {
         let surface = scene.surfaces.iter().position(|surface| surface.name == name);
@@ -134,25 +121,4 @@ impl Work {
         scene.solve.tolerance = tolerance;
         scene
     }
-}
-
-fn simulated(scene: &Scene) -> Simulation {
-    let plan = plan(scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    simulate(scene, &plan, &Unwatched)
-}
-
-/// The cells of all maps; where there is no map, the answers.
-fn values(simulation: &Simulation) -> Vec<f64> {
-    if simulation.maps.is_empty() {
-        return simulation.answers.iter().map(|answer| answer.value).collect();
-    }
-    let cells = simulation.maps.iter().flat_map(|map| &map.values[0]);
-    cells.copied().filter(|value| !value.is_nan()).collect()
-}
-
-/// The root of the mean square error over the mean.
-fn relative_error(found: &[f64], reference: &[f64]) -> f64 {
-    assert_eq!(found.len(), reference.len(), "both have the same cells");
-    let squares: f64 = found.iter().zip(reference).map(|(a, b)| (a - b).powi(2)).sum();
-    (squares * found.len() as f64).sqrt() / reference.iter().sum::<f64>()
 }

@@ -127,3 +127,28 @@ impl Replicates {
         [value, (squares / (count * (count - 1.0))).sqrt()]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Samples of each replicate where there are 2³⁰ in all.
+    const SAMPLES: u64 = 1 << 25;
+    const DIGITS: u32 = 52;
+
+    #[test]
+    fn a_sum_of_all_samples_that_are_ever_taken_keeps_its_digits() {
+        // whole numbers, of which 128 bits hold the sum
+        let numbers = || (0..SAMPLES).map(|index| key(1, index) >> (64 - DIGITS));
+        let small = |number: f64| number / (1_u64 << DIGITS) as f64;
+        let exact = small(numbers().map(u128::from).sum::<u128>() as f64);
+        let (mut sum, mut plain) = (Sum::default(), 0.0);
+        for number in numbers() {
+            sum.add(small(number as f64));
+            plain += small(number as f64);
+        }
+        let error = |found: f64| (found / exact - 1.0).abs();
+        assert!(error(sum.value()) <= f64::EPSILON, "{}", error(sum.value()));
+        assert!(error(plain) > f64::EPSILON, "a plain sum would do");
+    }
+}

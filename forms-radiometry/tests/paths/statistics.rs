@@ -2,6 +2,8 @@
 
 use crate::claims::coverage::Coverage;
 use crate::claims::{self, Claim, Compared};
+use forms_radiometry::simulation::Budget;
+use rayon::prelude::*;
 
 fn named(name: &str) -> Claim {
     let found = claims::all_and_long().into_iter().find(|claim| claim.name == name);
@@ -52,5 +54,31 @@ fn errors_of_a_furnace_fall_with_the_number_of_samples_and_none_is_far_off() {
         // the tolerance holds for one standard error, and samples are doubled until it does
         assert!(deviation <= 1.3 * tolerance && deviation < 0.8 * last, "{tolerance}: {deviation}, {last}");
         last = deviation;
+    }
+}
+
+/// The root mean square error of all that a claim says, over seeds, with so many samples.
+fn error_over_seeds(claim: &Claim, seeds: u64, samples: u64) -> f64 {
+    let budget = Budget::new(samples).unwrap_or_else(|error| panic!("{error}"));
+    let all = (1..=seeds).into_par_iter().flat_map_iter(|seed| claim.sampled(seed, budget));
+    let squares: Vec<f64> =
+        all.map(|found| ((found.answer.value - found.truth) / found.largest).powi(2)).collect();
+    (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
+}
+
+#[test]
+fn errors_over_seeds_never_rise_with_the_number_of_samples() {
+    const SEEDS: u64 = 32;
+    // the root of a mean square of n numbers spreads by 1/√(2n), and the ratio of two by √2 times that; three times so much
+    let spread = 3.0 / (SEEDS as f64).sqrt();
+    for claim in [named("a slab of albedo 0.9 and thickness 1"), claims::furnace_of(0.5)] {
+        let errors: Vec<f64> = (6..=11).map(|power| error_over_seeds(&claim, SEEDS, 1 << power)).collect();
+        assert!(
+            errors.windows(2).all(|pair| pair[1] <= (1.0 + spread) * pair[0]),
+            "{}: {errors:?}",
+            claim.name
+        );
+        // with four times as many samples half of it is left, or less
+        assert!(errors.windows(3).all(|three| three[2] < three[0]), "{}: {errors:?}", claim.name);
     }
 }

@@ -3,60 +3,25 @@
     pip install mitsuba
 
 Direct light is sampled at the receivers themselves, one point of the lamp a sample. Reflected light is the radiance that the
-path integrator finds in a ray onto the receiver, times π/ρ; its roulette is the default one. Each sampler is tried. Samples are
-taken fourfold until the error is reached; after a run of some length the rest is extrapolated by error ~ 1/√samples, and the
-remark says so. Compiling is not in the times.
-
-On processors with AVX-512 the path integrator needs LLVM 16 or newer: DRJIT_LIBLLVM_PATH names its library.
+path integrator finds in a ray onto the receiver, times π/ρ; its roulette is the default one. Each sampler is tried.
 """
 
 import math
-import statistics
 import tempfile
 import time
-from pathlib import Path
 
 import drjit as dr
 import mitsuba as mi
 import numpy as np
 
 import scene
-
-mi.set_variant("llvm_ad_mono")
-
-PROGRAM = f"Mitsuba {mi.__version__}"
-# the first one is Mitsuba's default; the others spread samples more evenly
-SAMPLERS = ("independent", "multijitter", "ldsampler")
-# so many runs with other seeds are the error of few receivers
-SEEDS = 32
-# samples of one pass, all receivers together
-WAVEFRONT = 1 << 24
-# seconds; after a run that takes longer the rest is extrapolated
-LONGEST = 0.7
-
-
-def shape(polygon, reflectance, radiance, folder, name):
-    """A rectangle where it emits, else a mesh."""
-    bsdf = {"type": "diffuse", "reflectance": reflectance}
-    if radiance > 0:
-        middle = polygon.mean(axis=0)
-        along, across = (polygon[1] - polygon[0]) / 2, (polygon[3] - polygon[0]) / 2
-        frame = np.eye(4)
-        frame[:3, 0], frame[:3, 1], frame[:3, 3] = along, across, middle
-        frame[:3, 2] = np.cross(along, across) / np.linalg.norm(np.cross(along, across))
-        emitter = {"type": "area", "radiance": radiance}
-        return {"type": "rectangle", "to_world": mi.ScalarTransform4f(frame), "bsdf": bsdf, "emitter": emitter}
-    path = folder / f"{name}.obj"
-    corners = "".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in polygon.tolist())
-    triangles = "".join(f"f 1 {i} {i + 1}\n" for i in range(2, len(polygon)))
-    path.write_text(corners + triangles)
-    return {"type": "obj", "filename": str(path), "face_normals": True, "bsdf": bsdf}
+from with_mitsuba import PROGRAM, SAMPLERS, difference, passes_of, shape, time_to
 
 
 def load(here):
     with tempfile.TemporaryDirectory() as folder:
         shapes = {
-            name: shape(polygon, here.reflectance[name], here.radiance[name], Path(folder), name)
+            name: shape(polygon, here.reflectance[name], here.radiance[name], folder, name)
             for name, polygon in here.polygons.items()
         }
         return mi.load_dict({"type": "scene", **shapes})
@@ -97,9 +62,7 @@ class Receivers:
 
     def run(self, arriving, sampler_type, samples, seed):
         """The mean of so many samples a receiver, and the seconds that it took."""
-        passes = 1
-        while samples // passes * self.count > WAVEFRONT and samples // passes > 1:
-            passes *= 4
+        passes = passes_of(samples, self.count)
         each = samples // passes
         total = np.zeros(self.count)
         start = time.perf_counter()
@@ -112,41 +75,14 @@ class Receivers:
         return total / (each * passes), time.perf_counter() - start
 
 
-def measured(receivers, arriving, sampler, samples, exact):
-    """The error of so many samples and their seconds, the median of three runs; and what was found."""
-    receivers.run(arriving, sampler, samples, 1)
-    runs = [receivers.run(arriving, sampler, samples, seed) for seed in range(2, 5 if receivers.count > SEEDS else 2 + SEEDS)]
-    errors = [scene.relative_error(found, exact) for found, _ in runs]
-    taken = statistics.median(seconds for _, seconds in runs)
-    return math.sqrt(np.mean(np.square(errors))), taken, np.mean([found for found, _ in runs], axis=0)
-
-
-def time_to(receivers, arriving, sampler, exact, target):
-    """Seconds until the error is reached, that error, how it was reached, and what was found by then."""
-    samples, before = 16, None
-    while True:
-        error, taken, found = measured(receivers, arriving, sampler, samples, exact)
-        if error <= target:
-            if before is not None:
-                # between the last two runs, on a line through both in logarithms
-                share = math.log(before[1] / target) / math.log(before[1] / error)
-                taken, error = before[0] * (taken / before[0]) ** share, target
-            return taken, error, f"at most {samples} samples a receiver", found
-        if taken > LONGEST or samples >= 1 << 22:
-            how = f"extrapolated from {error:.1e} after {samples} samples a receiver"
-            return taken * (error / target) ** 2, target, how, found
-        # powers of four: no sampler rounds them
-        samples, before = samples * 4, (taken, error)
-
-
 def told(name, target, arriving_of):
     receivers = Receivers(name)
     exact = scene.reference(name)
-    known = np.isfinite(exact)
+    arriving = arriving_of(receivers)
     for sampler in SAMPLERS:
-        taken, error, how, found = time_to(receivers, arriving_of(receivers), sampler, exact, target)
-        off = found[known].mean() / exact[known].mean() - 1
-        scene.told(f"{PROGRAM} ({sampler})", name, taken, error, f"{how}; means differ by {off:+.1e}")
+        run = lambda samples, seed: receivers.run(arriving, sampler, samples, seed)
+        taken, error, how, found = time_to(run, exact, target)
+        scene.told(f"{PROGRAM} ({sampler})", name, taken, error, f"{how}; {difference(found, exact)}")
 
 
 def of_orders(depth):

@@ -27,7 +27,9 @@ pub(crate) use furnaces::furnace_of;
 pub(crate) use images::floor_in_haze;
 
 use forms_radiometry::scene::{Scene, read};
-use forms_radiometry::simulation::{Answer, ErrorKind, Quantity, Unwatched, plan, simulate};
+use forms_radiometry::simulation::{
+    Answer, Budget, ErrorKind, Job, Plan, Quantity, Unwatched, plan, simulate, simulate_job,
+};
 
 /// A scene whose answers are known.
 pub(crate) struct Claim {
@@ -127,6 +129,16 @@ impl Claim {
         self.beside(&answers(self.name, &scene))
     }
 
+    /// What is found with a seed and so many samples, beside what is known.
+    pub(crate) fn sampled(&self, seed: u64, budget: Budget) -> Vec<Compared> {
+        let mut scene = self.scene();
+        scene.solve.seed = seed;
+        let plan = planned(self.name, &scene);
+        let job = Job { budget: Some(budget), ..Job::default() };
+        let found = simulate_job(&scene, &plan, job, &Unwatched);
+        self.beside(&found.unwrap_or_else(|error| panic!("{}: {error}", self.name)).answers)
+    }
+
     /// Answers beside what is known.
     pub(crate) fn beside(&self, answers: &[Answer]) -> Vec<Compared> {
         self.expected.iter().map(|expected| self.one_beside(answers, expected)).collect()
@@ -166,8 +178,11 @@ impl Compared {
 
 /// What the receivers of a scene get, as planned.
 pub(crate) fn answers(name: &str, scene: &Scene) -> Vec<Answer> {
-    let plan = plan(scene).unwrap_or_else(|errors| panic!("{name}: {}", errors[0]));
-    simulate(scene, &plan, &Unwatched).answers
+    simulate(scene, &planned(name, scene), &Unwatched).answers
+}
+
+fn planned(name: &str, scene: &Scene) -> Plan {
+    plan(scene).unwrap_or_else(|errors| panic!("{name}: {}", errors[0]))
 }
 
 /// A claim about a floor in haze that is wrong by a factor.

@@ -1,0 +1,85 @@
+//! Light along paths beside Mitsuba 3: slabs that scatter, an image of the Cornell box, a furnace of which every pixel is known, and absorption
+//! along a ray; and how the error falls as samples become more.
+//!
+//! ```text
+//! scenes/*.toml ─▶ work ─┬─ criterion
+//!                        ├─ measure ─▶ seconds to an error, outliers ────────────────────┐
+//!                        ├─ told: scene, reference as JSON ─▶ elsewhere/by_mitsuba.py ────┼─▶ table ─▶ the terminal, docs/benchmarks.md
+//!                        └─ convergence ─▶ error over seeds against the number of samples ┘
+//! ```
+//! `cargo bench --bench paths` has criterion measure this program's part. With `--table` Mitsuba is run as well (by `python3`) and the
+//! tables printed; `--write` writes them into the page too. `--table WORD…` is only about the works whose titles contain one of the words.
+
+#[path = "../scenes/cells.rs"]
+mod cells;
+#[path = "../scenes/clock.rs"]
+mod clock;
+mod convergence;
+#[path = "../scenes/elsewhere.rs"]
+mod elsewhere;
+mod measure;
+#[path = "../scenes/options.rs"]
+mod options;
+mod outliers;
+#[path = "../../../forms-core/benches/page/mod.rs"]
+mod page;
+#[path = "../scenes/run.rs"]
+mod run;
+mod table;
+mod told;
+mod work;
+
+use convergence::Series;
+use criterion::Criterion;
+use elsewhere::Script;
+use measure::Measured;
+use options::Options;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+use work::Work;
+
+const SCRIPTS: [Script; 1] = [("by_mitsuba.py", &["numpy", "mitsuba"])];
+
+fn main() -> io::Result<()> {
+    let options = Options::read();
+    if !options.are_tables() {
+        by_criterion();
+        return Ok(());
+    }
+    let works: Vec<Work> = work::all().into_iter().filter(|work| options.is_wanted(work.title)).collect();
+    let folder = emptied()?;
+    let mut measured = Vec::new();
+    for work in &works {
+        let reference = work.reference();
+        told::write(work, &reference, &folder)?;
+        measured.push(Measured::of(work, &reference));
+    }
+    let others = elsewhere::run_all("paths", &SCRIPTS, &folder)?;
+    let series = convergence::all().into_iter().filter(|series| options.is_wanted(series.title));
+    let series: Vec<_> = series.map(Series::measured).collect();
+    options.put("paths", &table::markdown(&measured, &others, &series))
+}
+
+/// The folder in which the script finds the works, without those of the last run.
+fn emptied() -> io::Result<PathBuf> {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("paths");
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder)?;
+    }
+    std::fs::create_dir_all(&folder)?;
+    Ok(folder)
+}
+
+fn by_criterion() {
+    let mut criterion = Criterion::default()
+        .sample_size(10)
+        .measurement_time(Duration::from_secs(1))
+        .warm_up_time(Duration::from_millis(200))
+        .configure_from_args();
+    for work in work::all() {
+        let scene = work.first();
+        criterion.bench_function(work.title, |bencher| bencher.iter(|| run::simulated(&scene)));
+    }
+    criterion.final_summary();
+}

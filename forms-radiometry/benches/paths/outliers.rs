@@ -1,0 +1,34 @@
+//! Pixels that are farther from the truth than their errors allow, where every pixel is known.
+
+use forms_radiometry::simulation::Simulation;
+
+/// So many errors off, a pixel is an outlier.
+const FAR: f64 = 5.0;
+/// What rounding may make of a value, relative to it.
+const ROUNDING: f64 = 1e-12;
+
+/// How far a value is off, in its errors.
+fn deviations(value: f64, error: f64, known: f64) -> f64 {
+    let off = (value - known).abs();
+    if off <= ROUNDING * known { 0.0 } else { off / error }
+}
+
+/// What there is to say of images all of whose pixels have one known value, as the script says it of other programs.
+pub(crate) fn told(simulations: &[Simulation], known: f64) -> String {
+    let pixels = || {
+        let maps = simulations.iter().flat_map(|simulation| &simulation.maps);
+        maps.flat_map(|map| map.values[0].iter().zip(&map.errors[0]).map(|(&value, &error)| (value, error)))
+    };
+    let all: Vec<f64> = pixels().map(|(value, error)| deviations(value, error, known)).collect();
+    let far = all.iter().filter(|&&deviations| deviations > FAR).count();
+    let most = all.iter().copied().fold(0.0, f64::max);
+    let brightest = pixels().map(|(value, _)| value / known).fold(0.0, f64::max);
+    let means = simulations.iter().flat_map(|simulation| &simulation.answers);
+    let means: Vec<String> =
+        means.map(|answer| format!("{:.1}", deviations(answer.value, answer.error, known))).collect();
+    format!(
+        "{far} of {} pixels beyond {FAR} σ, the farthest at {most:.1}, the brightest {brightest:.2} times what is right; means are off by {} σ",
+        all.len(),
+        means.join(", "),
+    )
+}

@@ -1,0 +1,188 @@
+//! The works: a scene with one receiver, the error that is asked for, and what is known of the answer.
+
+use crate::run::{cornell_box, open, simulated, values};
+use forms_radiometry::camera::Camera;
+use forms_radiometry::geometry::Vector;
+use forms_radiometry::scene::{MaterialKind, Receiver, ReceiverKind, Scene};
+use std::f64::consts::PI;
+
+/// The reflectance of the furnace.
+pub(crate) const RHO: f64 = 0.99;
+/// Columns and rows of the image of the Cornell box.
+const CORNELL: [usize; 2] = [64, 64];
+/// Columns and rows of that of the furnace.
+const FURNACE: [usize; 2] = [100, 100];
+
+/// A scene and what is asked of it.
+pub(crate) struct Work {
+    /// What the script calls it.
+    pub(crate) name: &'static str,
+    /// What the table calls it.
+    pub(crate) title: &'static str,
+    /// The relative error that is asked for: the root of the mean square over seeds and pixels, over the mean.
+    pub(crate) target: f64,
+    /// How many times slower than this program Mitsuba should at least be, if that is a goal.
+    pub(crate) goal: Option<f64>,
+    /// The loosest tolerance that is tried.
+    pub(crate) tolerance: f64,
+    pub(crate) scene: Scene,
+    known: Known,
+}
+
+/// What is known of the answers.
+enum Known {
+    /// All of them.
+    Value(f64),
+    /// What this program finds with so many seeds and a tolerance.
+    Found { seeds: u64, tolerance: f64 },
+}
+
+/// Every work.
+pub(crate) fn all() -> Vec<Work> {
+    let scattered = |name, title, tau, receiver, part: f64| Work {
+        name,
+        title,
+        target: 1e-3,
+        goal: Some(3.0),
+        tolerance: 1e-1,
+        scene: only(slab(0.0, tau), receiver),
+        known: Known::Value(PI * part),
+    };
+    let absorbed = |name, title, tau: f64| Work {
+        name,
+        title,
+        target: 1e-2,
+        goal: None,
+        tolerance: 1e-2,
+        scene: upwards(slab(tau, 0.0)),
+        known: Known::Value((-tau).exp()),
+    };
+    vec![
+        scattered("slab_1_t", "slab, τ = 1, transmitted", 1.0, "transmitted", 1.0 - REFLECTED_BY_1),
+        scattered("slab_1_r", "slab, τ = 1, reflected", 1.0, "reflected", REFLECTED_BY_1),
+        scattered("slab_10_t", "slab, τ = 10, transmitted", 10.0, "transmitted", 1.0 - REFLECTED_BY_10),
+        scattered("slab_10_r", "slab, τ = 10, reflected", 10.0, "reflected", REFLECTED_BY_10),
+        Work {
+            name: "cornell",
+            title: "Cornell box, image of 64 × 64 pixels",
+            target: 1e-2,
+            goal: Some(5.0),
+            tolerance: 3e-2,
+            scene: seen_by_camera(cornell_box()),
+            known: Known::Found { seeds: 1, tolerance: 1e-3 },
+        },
+        Work {
+            name: "furnace",
+            title: "furnace, ρ = 0.99, image of 100 × 100 pixels",
+            target: 3e-2,
+            goal: None,
+            tolerance: 1e-1,
+            scene: furnace(RHO),
+            known: Known::Value(1.0 / (1.0 - RHO)),
+        },
+        absorbed("absorption_1", "absorption along a ray, τ = 1", 1.0),
+        absorbed("absorption_10", "absorption along a ray, τ = 10", 10.0),
+    ]
+}
+
+/// What slabs of these optical thicknesses reflect of isotropic light, where nothing is absorbed; the rest passes.
+/// Source: the integral equation of radiative transfer in a slab, solved to 12 digits (van de Hulst 1980 has tables of it).
+pub(crate) const REFLECTED_BY_1: f64 = 0.446_594_006_673;
+pub(crate) const REFLECTED_BY_10: f64 = 0.883_254_886_487;
+
+/// The slab of the gallery with these coefficients; its thickness is 1.
+pub(crate) fn slab(absorption: f64, scattering: f64) -> Scene {
+    let mut scene = open(include_str!("../../../scenes/slab.toml"), "slab.toml");
+    (scene.media[0].absorption, scene.media[0].scattering) = (vec![absorption], vec![scattering]);
+    scene
+}
+
+/// A scene with one of its receivers.
+pub(crate) fn only(mut scene: Scene, receiver: &str) -> Scene {
+    scene.receivers.retain(|other| other.name == receiver);
+    assert_eq!(scene.receivers.len(), 1, "the scene has one receiver `{receiver}`");
+    scene
+}
+
+/// A scene with this receiver.
+pub(crate) fn asked_for(mut scene: Scene, kind: ReceiverKind) -> Scene {
+    let Receiver { place, .. } = scene.receivers.swap_remove(0);
+    scene.receivers = vec![Receiver { name: "here".to_string(), kind, time: None, place }];
+    scene
+}
+
+/// What arrives from straight above at the middle of the lower plate of a slab.
+fn upwards(slab: Scene) -> Scene {
+    let (origin, direction) = (Vector::default(), Vector::new(0.0, 0.0, 1.0));
+    asked_for(slab, ReceiverKind::Ray { origin, direction })
+}
+
+/// The scene that its camera sees, in an image of few pixels.
+fn seen_by_camera(mut scene: Scene) -> Scene {
+    scene.receivers.retain_mut(|receiver| match &mut receiver.kind {
+        ReceiverKind::Camera(camera) => {
+            camera.resolution = CORNELL;
+            true
+        }
+        _ => false,
+    });
+    scene
+}
+
+/// The gallery's furnace with walls of another reflectance.
+pub(crate) fn white(reflectance: f64) -> Scene {
+    let mut scene = open(include_str!("../../../scenes/furnace.toml"), "furnace.toml");
+    scene.materials[0].kind = MaterialKind::Diffuse { reflectance: vec![reflectance] };
+    scene
+}
+
+/// The furnace, with a camera in it.
+fn furnace(reflectance: f64) -> Scene {
+    let [origin, target] = [Vector::new(0.1, 0.2, 0.3), Vector::new(0.9, 0.7, 0.5)];
+    let camera = Camera::new(origin, target, Vector::new(0.0, 0.0, 1.0), 60.0, FURNACE);
+    asked_for(white(reflectance), ReceiverKind::Camera(camera.expect("it has a direction")))
+}
+
+impl Work {
+    /// The scene with the loosest tolerance.
+    pub(crate) fn first(&self) -> Scene {
+        self.with(1, self.tolerance)
+    }
+
+    /// The scene with a seed and a tolerance.
+    pub(crate) fn with(&self, seed: u64, tolerance: f64) -> Scene {
+        let mut scene = self.scene.clone();
+        (scene.solve.seed, scene.solve.tolerance) = (seed, tolerance);
+        scene
+    }
+
+    /// How many values there are.
+    pub(crate) fn count(&self) -> usize {
+        match &self.scene.receivers[0].kind {
+            ReceiverKind::Camera(camera) => camera.resolution.iter().product(),
+            _ => 1,
+        }
+    }
+
+    /// The value of all answers, where it is known.
+    pub(crate) fn known(&self) -> Option<f64> {
+        match self.known {
+            Known::Value(value) => Some(value),
+            Known::Found { .. } => None,
+        }
+    }
+
+    /// The values that count as right.
+    pub(crate) fn reference(&self) -> Vec<f64> {
+        let Known::Found { seeds, tolerance } = self.known else {
+            return vec![self.known().unwrap_or(f64::NAN); self.count()];
+        };
+        let mut sums = vec![0.0; self.count()];
+        for seed in 0..seeds {
+            // other seeds than those that are measured
+            let found = values(&simulated(&self.with((1 << 32) + seed, tolerance)));
+            sums.iter_mut().zip(found).for_each(|(sum, value)| *sum += value / seeds as f64);
+        }
+        sums
+    }
+}

@@ -1,0 +1,49 @@
+//! What a bench is told on the command line: nothing for criterion, `--table WORD…` for tables, `--write` for tables in the page.
+
+use crate::page::replaced;
+use std::io;
+use std::path::Path;
+
+/// What is asked of the bench.
+pub(crate) struct Options {
+    options: Vec<String>,
+    words: Vec<String>,
+}
+
+impl Options {
+    /// Those of the command line.
+    pub(crate) fn read() -> Self {
+        let (options, words) = std::env::args().skip(1).partition(|argument| argument.starts_with('-'));
+        Self { options, words }
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.options.iter().any(|option| option == name)
+    }
+
+    /// Whether tables are asked for, and not criterion.
+    pub(crate) fn are_tables(&self) -> bool {
+        self.has("--table") || self.has("--write")
+    }
+
+    /// Whether a work with this title is: it contains one of the words, if there are any.
+    pub(crate) fn is_wanted(&self, title: &str) -> bool {
+        self.are_all() || self.words.iter().any(|word| title.contains(word.as_str()))
+    }
+
+    /// Whether all works are.
+    pub(crate) fn are_all(&self) -> bool {
+        self.words.is_empty()
+    }
+
+    /// Prints the tables, and writes them into a part of the page if that is asked for and they are complete.
+    pub(crate) fn put(&self, part: &str, tables: &str) -> io::Result<()> {
+        print!("{tables}");
+        if self.has("--write") && self.are_all() {
+            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/benchmarks.md");
+            let page = replaced(&std::fs::read_to_string(&path)?, part, tables);
+            std::fs::write(path, page)?;
+        }
+        Ok(())
+    }
+}
