@@ -81,14 +81,10 @@ fn what_stands_before_hides_even_where_no_light_is_hidden() {
     for effects in ["", "[solve]\neffects = { occlusion = \"off\" }\n"] {
         let simulation = simulated(&(text.clone() + effects));
         let Map { values, .. } = image(&simulation);
-        for pixel in 0..N * N {
+        for (pixel, value) in values[0].iter().enumerate() {
             let part = |at, z| covered(on_film(at, z), [pixel % N, pixel / N], N);
             let expected = 3.0 * (part(far, 2.0) - part(near, 0.5));
-            assert!(
-                (values[0][pixel] - expected).abs() <= 1e-12,
-                "{pixel}: {}, not {expected}",
-                values[0][pixel]
-            );
+            assert!((value - expected).abs() <= 1e-12, "{pixel}: {value}, not {expected}");
         }
     }
 }

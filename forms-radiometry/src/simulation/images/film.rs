@@ -129,7 +129,7 @@ fn strips(polygon: &Polygon, axis: Axis, width: usize, end: usize) -> Vec<(usize
 
 /// The area of a convex polygon of the film.
 pub(super) fn area(polygon: &[Vector]) -> f64 {
-    triangles(polygon).map(|triangle| area_of_triangle(triangle)).sum()
+    triangles(polygon).map(area_of_triangle).sum()
 }
 
 /// The triangles of the fan of a convex polygon.
