@@ -13,8 +13,6 @@ use crate::work::Work;
 use forms_radiometry::simulation::Simulation;
 use std::time::Instant;
 
-/// So many seeds are the error of one number, and of an image.
-const SEEDS: [u64; 2] = [32, 3];
 /// A run that is shorter than this, in seconds, is timed as a part of many.
 const SHORT: f64 = 5e-3;
 /// After a run that is longer than this the rest is extrapolated.
@@ -42,10 +40,9 @@ struct Runs {
 
 impl Runs {
     fn of(work: &Work, reference: &[f64], tolerance: f64) -> Self {
-        let seeds = SEEDS[usize::from(work.count() > 1)];
         let mut times = Vec::new();
         let mut simulations = Vec::new();
-        for seed in 1..=seeds {
+        for seed in 1..=work.seeds {
             let scene = work.with(seed, tolerance);
             let start = Instant::now();
             simulations.push(simulated(&scene));
@@ -59,8 +56,8 @@ impl Runs {
         }
         let found: Vec<Vec<f64>> = simulations.iter().map(values).collect();
         let squares: f64 = found.iter().map(|found| relative_error(found, reference).powi(2)).sum();
-        let mean = found.iter().flatten().sum::<f64>() / reference.iter().sum::<f64>() / seeds as f64;
-        Self { tolerance, seconds, error: (squares / seeds as f64).sqrt(), mean, simulations }
+        let mean = found.iter().flatten().sum::<f64>() / reference.iter().sum::<f64>() / work.seeds as f64;
+        Self { tolerance, seconds, error: (squares / work.seeds as f64).sqrt(), mean, simulations }
     }
 
     /// What there is to say of the values.

@@ -24,13 +24,16 @@ pub(crate) fn write(work: &Work, reference: &[f64], folder: &Path) -> io::Result
 
 fn of_surface(scene: &Scene, surface: &Surface) -> Value {
     let polygon = surface.shape.as_polygon().expect("these scenes are made of polygons");
-    let MaterialKind::Diffuse { reflectance } = &scene.materials[surface.material].kind else {
-        panic!("these scenes are made of diffuse surfaces")
+    let (reflectance, is_mirror) = match &scene.materials[surface.material].kind {
+        MaterialKind::Diffuse { reflectance } => (reflectance[0], false),
+        MaterialKind::Mirror { reflectance } => (reflectance[0], true),
+        _ => panic!("these scenes are made of diffuse surfaces and mirrors"),
     };
     json!({
         "name": surface.name,
         "polygon": polygon.vertices().iter().map(|&vertex| of(vertex)).collect::<Vec<_>>(),
-        "reflectance": reflectance[0],
+        "reflectance": reflectance,
+        "is_mirror": is_mirror,
         "radiance": surface.radiance[0],
     })
 }

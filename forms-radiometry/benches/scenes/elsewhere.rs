@@ -1,6 +1,6 @@
 //! The same works by other programs: the scripts of a bench's folder `elsewhere`, run one after the other, and what they print.
 
-use std::io;
+use std::io::{self, BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -42,18 +42,20 @@ fn is_installed(module: &str) -> bool {
 }
 
 fn run(script: &Path, folder: &Path) -> io::Result<Vec<Line>> {
-    let output =
-        Command::new("python3").arg("-B").arg(script).arg(folder).stderr(Stdio::inherit()).output()?;
-    let text = String::from_utf8_lossy(&output.stdout);
-    print!("{text}");
-    if !output.status.success() {
-        println!(
-            "{} ended with {}: what it had not printed by then is left out",
-            script.display(),
-            output.status
-        );
+    let mut python = Command::new("python3");
+    let mut running = python.arg("-B").arg(script).arg(folder).stdout(Stdio::piped()).spawn()?;
+    let mut lines = Vec::new();
+    // what is there by now is told at once: a script may take long
+    for line in running.stdout.take().into_iter().flat_map(|output| BufReader::new(output).lines()) {
+        let line = line?;
+        println!("{line}");
+        lines.extend(Line::read(&line));
     }
-    Ok(text.lines().filter_map(Line::read).collect())
+    let status = running.wait()?;
+    if !status.success() {
+        println!("{} ended with {status}: what it had not printed by then is left out", script.display());
+    }
+    Ok(lines)
 }
 
 impl Line {

@@ -3,8 +3,8 @@
     pip install mitsuba
 
 A work is a file FOLDER/NAME.json that the bench writes: the scene in numbers, and what is right. Where a medium is everywhere the
-integrator is `volpath`, else `path`. Roulette is as it is by default, and as good as none: by default paths go on with a probability of 0.95
-at most from the fifth vertex on, whatever their weight, and where less is lost weights grow for ever. An image is rendered; irradiance is π
+integrator is `volpath`, else `path`. Roulette begins where it does by default, and late: by default paths go on with a probability of 0.95 at
+most from the fifth vertex on, whatever their weight, and where less is lost weights grow for ever. An image is rendered; irradiance is π
 times the mean radiance of directions by the cosine law.
 
 Of an image whose pixels are known, 32 renderings with other seeds tell each pixel's mean and its standard error.
@@ -26,8 +26,8 @@ import numpy as np
 import scene
 from with_mitsuba import PROGRAM, SAMPLERS, SEEDS, difference, passes_of, shape, time_to
 
-# the depth from which paths end at random: Mitsuba's default, and never
-DEFAULT, NEVER = 5, 1 << 20
+# the depth from which paths end at random: Mitsuba's default, and one at which little is left of the light
+DEFAULT, LATE = 5, 512
 # how far a receiver is before the surface that it is on, in units of the scene
 OFF = 1e-6
 # the first samples of a number and of a pixel
@@ -55,13 +55,15 @@ class Work:
     def shape(self, surface, folder):
         polygon = np.array(surface["polygon"], float)
         one = shape(polygon, surface["reflectance"], surface["radiance"], folder, surface["name"])
+        if surface["is_mirror"]:
+            one["bsdf"] = {"type": "conductor", "material": "none", "specular_reflectance": surface["reflectance"]}
         return {**one, "exterior": self.medium} if self.medium else one
 
     def variants(self):
         """Samplers with the depth of roulette: all of an image, and of a number those that are of use, after the default."""
         if self.is_image:
-            return [(sampler, depth) for depth in (DEFAULT, NEVER) for sampler in SAMPLERS]
-        return [(SAMPLERS[0], DEFAULT)] + [(sampler, NEVER) for sampler in SAMPLERS]
+            return [(sampler, depth) for depth in (DEFAULT, LATE) for sampler in SAMPLERS]
+        return [(SAMPLERS[0], DEFAULT)] + [(sampler, LATE) for sampler in SAMPLERS]
 
     def integrator(self, rr_depth):
         return mi.load_dict({"type": "volpath" if self.medium else "path", "max_depth": -1, "rr_depth": rr_depth})
@@ -128,7 +130,7 @@ class Work:
             remark += f"; {difference(found, self.exact)}"
             if self.is_image and self.known is not None:
                 remark += f"; {outliers(one, self.known)}"
-            how = "" if rr_depth == DEFAULT else ", no roulette"
+            how = "" if rr_depth == DEFAULT else ", late roulette"
             scene.told(f"{PROGRAM} ({sampler}{how})", self.name, taken, error, remark)
 
 
