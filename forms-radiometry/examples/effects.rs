@@ -77,14 +77,14 @@ fn words(effects: impl Iterator<Item = Effect>) -> String {
     effects.map(Effect::name).collect::<Vec<_>>().join(", ")
 }
 
-/// The effects that the plan left out and that have something to act on where they are forced on: those of diffuse surfaces in a vacuum,
-/// which are computed of any scene that has no others, and bands, where there are some. Mirrors, media and time that a scene has nothing
-/// of are nothing to simulate, and rays meet what is there in any case.
+/// The effects that the plan left out and that are in the code where they are forced on: those of diffuse surfaces in a vacuum where the scene
+/// is solved as a whole, those of the paths where light is followed along them, and bands, where there are some.
 fn left_out(scene: &Scene, planned: &Run) -> Vec<Effect> {
     let acts = |effect: Effect| match effect {
         Effect::Direct | Effect::Occlusion | Effect::Interreflection => !is_by_paths(scene, &planned.plan),
         Effect::Bands => scene.band_count() > 1,
-        _ => false,
+        Effect::Dispersion => scene.band_count() > 1 && is_by_paths(scene, &planned.plan),
+        _ => is_by_paths(scene, &planned.plan),
     };
     let is_named = |effect: Effect| scene.solve.forced.iter().any(|forced| forced.effect == effect);
     let off = planned.plan.effects.iter().filter(|effect| !effect.on).map(|effect| effect.effect);

@@ -14,6 +14,7 @@
 
 mod boundary;
 mod expansion;
+mod extinction;
 mod follow;
 mod imaged;
 mod images;
@@ -21,11 +22,14 @@ mod kept;
 mod kernels;
 mod lattice;
 mod luminaires;
+mod mirror;
 mod optics;
 mod path;
 mod question;
+mod refraction;
 mod replicates;
 mod scattering;
+mod time;
 mod trap;
 mod vertex;
 mod warps;

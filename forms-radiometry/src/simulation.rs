@@ -7,7 +7,7 @@
 
 mod answer;
 mod arithmetic;
-mod by_paths;
+mod divided;
 mod effects;
 mod estimate;
 mod exposure;
@@ -25,6 +25,7 @@ mod prepared;
 mod readings;
 mod sampled;
 mod solver;
+mod state;
 mod survey;
 #[cfg(test)]
 mod tests;
@@ -34,12 +35,12 @@ mod watch;
 pub use crate::radiosity::UsedKernel;
 pub use answer::{Answer, ErrorKind, Map, Moment, Plan, PlannedEffect, Quantity, Simulation};
 pub use arithmetic::Arithmetic;
-pub use by_paths::{is_by_paths, merge, simulate_job};
+pub use divided::{is_by_paths, merge, simulate_job};
 pub use exposure::{Exposure, NoTime};
 pub use file::{Identity, NoState, StateFile};
-pub use followed::{Misfit, Snapshot, State};
 pub use job::{Budget, Job, Keeper, NoBudget, NoShare, Share};
 pub use parts::ErrorParts;
 pub use planning::plan;
 pub use solver::simulate;
+pub use state::{Misfit, Snapshot, State};
 pub use watch::{Unwatched, Watch};

@@ -97,11 +97,11 @@ pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Res
         Ok(work) => work,
         Err(message) => return Ok(refuse(&message)),
     };
-    let Ready { folder, kept, .. } = ready;
+    let Ready { folder, kept, is_by_paths, .. } = ready;
     let failure = kept.checkpoint.as_ref().and_then(Checkpoint::failure);
     failure.iter().for_each(|message| eprintln!("error: {message}"));
     let status = match &kept.part {
-        Some(part) => shared(request, part, &work, output)?,
+        Some(part) => shared(request, part, is_by_paths, &work, output)?,
         None => finish(&Asked { scene, folder, json: request.json }, &work, output)?,
     };
     Ok(if failure.is_some() { status.max(Status::Error) } else { status })
@@ -111,15 +111,10 @@ pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Res
 fn work(request: &Request<'_>, planned: &Planned, ready: &mut Ready) -> Result<Work, String> {
     let Planned { scene, plan, .. } = planned;
     let start = Instant::now();
-    let found = if ready.is_by_paths {
-        let share = request.share.unwrap_or(Share::WHOLE);
-        let state = ready.state.take();
-        let job = Job { budget: request.budget, share, state, keeper: Some(&ready.kept) };
-        simulation::simulate_job(scene, plan, job, &ready.progress)
-            .map_err(|error| format!("the work cannot go on from the checkpoint: {error}"))
-    } else {
-        Ok(simulation::simulate(scene, plan, &ready.progress))
-    };
+    let share = request.share.unwrap_or(Share::WHOLE);
+    let job = Job { budget: request.budget, share, state: ready.state.take(), keeper: Some(&ready.kept) };
+    let found = simulation::simulate_job(scene, plan, job, &ready.progress)
+        .map_err(|error| format!("the work cannot go on from the checkpoint: {error}"));
     ready.progress.end();
     let mut found = found?;
     if let Some(exposure) = request.exposure {
@@ -153,45 +148,43 @@ struct Ready {
 fn ready(request: &Request<'_>, planned: &Planned) -> Result<Ready, String> {
     let (mut kept, mut state) = (Kept::default(), None);
     let is_by_paths = is_by_paths(&planned.scene, &planned.plan);
-    if is_by_paths {
-        let share = request.share.unwrap_or(Share::WHOLE);
-        let identity = || Identity::new(&planned.sources, &planned.plan, request.budget, share);
-        if let Some(file) = request.checkpoint {
-            let (checkpoint, found) = Checkpoint::open(file, identity(), request.every)?;
-            if found.is_some() {
-                eprintln!("note: the work goes on from `{file}`");
-            }
-            (kept.checkpoint, state) = (Some(checkpoint), found);
-        }
-        if let (Some(_), Some(file)) = (request.share, request.out) {
-            let belongs_to = PartOf {
-                identity: identity(),
-                sources: planned.sources.clone(),
-                exposure: request.exposure.map(Exposure::seconds),
-                instructions: request.instructions.map(|set| set.name().to_lowercase()),
-            };
-            kept.part = Some(Part::new(file, belongs_to)?);
-        }
-    } else {
+    if !is_by_paths {
         solved_as_a_whole(request)?;
+    }
+    let share = request.share.unwrap_or(Share::WHOLE);
+    let identity = || Identity::new(&planned.sources, &planned.plan, request.budget, share);
+    if let Some(file) = request.checkpoint {
+        let (checkpoint, found) = Checkpoint::open(file, identity(), request.every)?;
+        if found.is_some() {
+            eprintln!("note: the work goes on from `{file}`");
+        }
+        (kept.checkpoint, state) = (Some(checkpoint), found);
+    }
+    if let (Some(_), Some(file)) = (request.share, request.out) {
+        let belongs_to = PartOf {
+            identity: identity(),
+            sources: planned.sources.clone(),
+            exposure: request.exposure.map(Exposure::seconds),
+            instructions: request.instructions.map(|set| set.name().to_lowercase()),
+        };
+        kept.part = Some(Part::new(file, belongs_to)?);
     }
     let folder = request.out.filter(|_| request.share.is_none()).map(files::folder).transpose()?;
     Ok(Ready { folder, kept, state, is_by_paths, progress: Progress::watch()? })
 }
 
-/// What scenes without paths have no use for.
+/// What work that has no samples and is one piece makes of a request.
 fn solved_as_a_whole(request: &Request<'_>) -> Result<(), String> {
     let why = "this scene is solved as a whole, without paths";
-    if let Some(share) = request.share {
-        return Err(format!(
-            "{why}, and is not divided into shares: instead of --shard {share}, run it once without"
-        ));
-    }
     if request.budget.is_some() {
         return Err(format!("{why}, and has no samples that --samples could count: leave it out"));
     }
+    if let Some(share) = request.share.filter(|share| !share.is_whole()) {
+        let first = Share::first(share.count());
+        eprintln!("note: {why}: all of it belongs to share {first}, and nothing to the others");
+    }
     if request.checkpoint.is_some() {
-        eprintln!("note: {why}: it needs no checkpoint, and none is written");
+        eprintln!("note: {why}: the checkpoint is written at the end; work that is killed begins anew");
     }
     Ok(())
 }
@@ -210,7 +203,13 @@ fn nothing_asked(file: &str) -> String {
 }
 
 /// Says what became of a share.
-fn shared(request: &Request<'_>, part: &Part, work: &Work, output: &mut dyn Write) -> io::Result<Status> {
+fn shared(
+    request: &Request<'_>,
+    part: &Part,
+    is_by_paths: bool,
+    work: &Work,
+    output: &mut dyn Write,
+) -> io::Result<Status> {
     let (share, file) = (request.share.unwrap_or(Share::WHOLE), request.out.unwrap_or_default());
     let [own, all] = match part.written() {
         Some(Ok(units)) => units,
@@ -235,10 +234,15 @@ fn shared(request: &Request<'_>, part: &Part, work: &Work, output: &mut dyn Writ
     } else {
         "numbers, cells and pixels"
     };
+    let what = match (is_by_paths, own) {
+        (true, _) => format!("{own} of {all} {units}"),
+        (false, 0) => "nothing".to_owned(),
+        (false, _) => "all of the work".to_owned(),
+    };
     let taken = duration(work.time);
-    let line = format!("share {share}, {own} of {all} {units}, in {taken}, written to {file}");
+    let line = format!("share {share}, {what}, in {taken}, written to {file}");
     writeln!(output, "{}", Palette::of_output().quiet(&line))?;
-    if own == 0 {
+    if is_by_paths && own == 0 {
         let more =
             if request.budget.is_some() { "" } else { "; with --samples each is divided into 32 replicates" };
         eprintln!("note: there are fewer {units} than shares, and none is left for this one{more}");

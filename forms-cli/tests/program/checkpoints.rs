@@ -114,14 +114,18 @@ fn a_checkpoint_of_other_work_or_of_none_is_refused_and_stays() {
         assert!(arguments[2] == "no/where" || run.errors.contains("remove it to start from the beginning"));
         assert_eq!(folder.read(arguments[2]), before);
     }
-    let run = forms(&folder, &["simulate", "lamp.toml", "--checkpoint", "needless"]);
-    assert_eq!(run.status, 0);
-    assert!(
-        run.errors.starts_with("note: ") && run.errors.contains("it needs no checkpoint"),
-        "{}",
-        run.errors
-    );
-    assert!(!folder.path("needless").exists());
+}
+
+#[test]
+fn a_scene_that_is_solved_as_a_whole_is_kept_at_its_end() {
+    let folder = Folder::with(&[("lamp.toml", LAMP)]);
+    let call = ["simulate", "lamp.toml", "--checkpoint", "state", "--out", "found"];
+    let first = forms(&folder, &call);
+    assert!(first.status == 0 && first.errors.contains("written at the end"), "{}", first.errors);
+    let results = folder.read("found/results.csv");
+    let again = forms(&folder, &call);
+    assert!(again.status == 0 && again.errors.contains("the work goes on from `state`"), "{}", again.errors);
+    assert_eq!(folder.read("found/results.csv"), results);
 }
 
 #[test]

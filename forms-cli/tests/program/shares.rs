@@ -124,9 +124,44 @@ fn a_part_that_is_missing_damaged_of_other_work_or_repeated_is_named() {
 }
 
 #[test]
+fn a_scene_that_is_solved_as_a_whole_is_the_first_share_and_its_parts_come_to_the_bytes_of_one_run() {
+    let map = "[[receiver]]\nname = \"map\"\nkind = \"surface\"\nsurface = \"lamp\"\ngrid = [3, 2]\n";
+    let folder = Folder::with(&[("lamp.toml", &format!("{LAMP}{map}"))]);
+    assert_eq!(forms(&folder, &["simulate", "lamp.toml", "--out", "whole"]).status, 0);
+    for count in [1, 3, 7] {
+        let parts: Vec<String> = (1..=count).map(|share| format!("{share} of {count}")).collect();
+        for (share, part) in (1..).zip(&parts) {
+            let run = forms(
+                &folder,
+                &["simulate", "lamp.toml", "--shard", &format!("{share}/{count}"), "--out", part],
+            );
+            let what = if share == 1 { "all of the work" } else { "nothing" };
+            assert!(run.status == 0 && run.output.contains(what), "{} {}", run.output, run.errors);
+            let note = format!("all of it belongs to share 1/{count}");
+            assert_eq!(run.errors.contains(&note), count > 1, "{}", run.errors);
+        }
+        let out = format!("merged {count}");
+        let arguments: Vec<&str> = parts.iter().rev().map(String::as_str).chain(["--out", &out]).collect();
+        let run = forms(&folder, &[&["merge"], arguments.as_slice()].concat());
+        assert_eq!(run.status, 0, "{}", run.errors);
+        for file in ["results.csv", "map.exr"] {
+            assert_eq!(
+                folder.read(&format!("{out}/{file}")),
+                folder.read(&format!("whole/{file}")),
+                "{file}"
+            );
+        }
+    }
+    let run = forms(&folder, &["merge", "2 of 3", "3 of 3"]);
+    assert!(run.status == 2 && run.errors.contains("share 1/3 is missing"), "{}", run.errors);
+    let run = forms(&folder, &["merge", "1 of 3", "1 of 3", "2 of 3", "3 of 3"]);
+    assert!(run.status == 0 && run.errors.contains("say the same"), "{}", run.errors);
+}
+
+#[test]
 fn the_call_is_checked_before_the_work() {
     let folder = Folder::with(&[("hall.toml", &hall(0.1)), ("lamp.toml", LAMP)]);
-    let cases: [(&[&str], &str); 8] = [
+    let cases: [(&[&str], &str); 7] = [
         (&["hall.toml", "--shard", "1/2"], "--out"),
         (
             &["hall.toml", "--shard", "3/2", "--out", "a"],
@@ -136,10 +171,6 @@ fn the_call_is_checked_before_the_work() {
         (&["hall.toml", "--samples", "0"], "0 samples cannot be had"),
         (&["hall.toml", "--isa", "abacus"], "this processor has baseline"),
         (&["hall.toml", "--shard", "1/2", "--out", "no/where"], "the part `no/where` cannot be written"),
-        (
-            &["lamp.toml", "--shard", "1/2", "--out", "a"],
-            "solved as a whole, without paths, and is not divided",
-        ),
         (&["lamp.toml", "--samples", "64"], "has no samples that --samples could count"),
     ];
     for (arguments, message) in cases {

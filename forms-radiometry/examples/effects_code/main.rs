@@ -16,7 +16,7 @@ mod parts;
 
 use callgrind::Counts;
 use forms_radiometry::scene::{Effect, ReceiverKind, Scene};
-use forms_radiometry::simulation::{Plan, PlannedEffect, Unwatched, plan, simulate};
+use forms_radiometry::simulation::{Plan, PlannedEffect, Unwatched, is_by_paths, plan, simulate};
 use gallery::{Problem, said, scene};
 use std::fmt::Write;
 use std::path::Path;
@@ -91,17 +91,18 @@ fn coarse(file: &Path) -> Result<Scene, Problem> {
 /// The rows of one scene.
 fn rows(file: &Path) -> Result<String, Problem> {
     let name = gallery::name(file);
-    let plan = plan(&coarse(file)?).map_err(said)?;
+    let scene = coarse(file)?;
+    let plan = plan(&scene).map_err(said)?;
+    let is_by_paths = is_by_paths(&scene, &plan);
     let is_on = |effect: Effect| plan.effects.iter().any(|planned| planned.effect == effect && planned.on);
     let planned = counted(file, &words(plan.effects.iter().filter(|planned| planned.on)))?;
-    let all: Vec<String> =
-        parts::effects().chain([Effect::Bands]).map(|effect| format!("{}=", effect.name())).collect();
+    let all: Vec<String> = Effect::ALL.iter().map(|(name, _)| format!("{name}=")).collect();
     let all = counted(file, &all.join(","))?;
     if !parts::has_lines(&all) {
         return Err("this program does not tell its lines: build it with --profile counted".into());
     }
     let mut rows = String::new();
-    for effect in parts::effects() {
+    for effect in parts::effects(is_by_paths) {
         let counts = [&planned, &all].map(|counts| parts::of_effect(counts, effect));
         if !is_on(effect) && counts[0] > 0 {
             return Err(
@@ -112,8 +113,10 @@ fn rows(file: &Path) -> Result<String, Problem> {
         let [planned, all] = counts.map(grouped);
         writeln!(rows, "| {name} | {} | {state} | {planned} | {all} |", effect.name())?;
     }
-    let [rays, rays_all] = [&planned, &all].map(|counts| grouped(parts::of_rays(counts)));
-    writeln!(rows, "| {name} | along rays | | {rays} | {rays_all} |")?;
+    if !is_by_paths {
+        let [rays, rays_all] = [&planned, &all].map(|counts| grouped(parts::of_rays(counts)));
+        writeln!(rows, "| {name} | along rays | | {rays} | {rays_all} |")?;
+    }
     let [solver, solver_all] = [&planned, &all].map(|counts| grouped(parts::of_solver(counts)));
     writeln!(rows, "| {name} | the whole solver | | {solver} | {solver_all} |")?;
     let names: Vec<&str> = plan.kernels.iter().map(|kernel| kernel.name).collect();

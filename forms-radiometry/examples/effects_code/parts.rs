@@ -11,7 +11,7 @@ use forms_radiometry::scene::Effect;
 use std::collections::BTreeSet;
 
 /// The modules that are for an effect alone. What polygons, elements, readings and rays share is not among them.
-const MODULES: [(Effect, &[&str]); 3] = [
+const MODULES: [(Effect, &[&str]); 7] = [
     (Effect::Direct, &["radiosity::direct", "radiosity::outlines"]),
     (
         Effect::Occlusion,
@@ -26,7 +26,13 @@ const MODULES: [(Effect, &[&str]); 3] = [
         ],
     ),
     (Effect::Interreflection, &["radiosity::operator", "radiosity::solution", "radiosity::weights"]),
+    (Effect::Mirror, &["monte_carlo::mirror"]),
+    (Effect::Scattering, &["monte_carlo::scattering"]),
+    (Effect::Refraction, &["monte_carlo::refraction"]),
+    (Effect::Time, &["monte_carlo::time"]),
 ];
+/// What paths have no code of their own for: a path is all of it.
+const OF_PIECES: [Effect; 3] = [Effect::Direct, Effect::Occlusion, Effect::Interreflection];
 
 /// The modules that follow light along rays, which meet what hides, and go on where it reflects.
 const RAYS: [&str; 9] = [
@@ -41,9 +47,9 @@ const RAYS: [&str; 9] = [
     "radiosity::walk",
 ];
 
-/// The effects that have modules of their own.
-pub(crate) fn effects() -> impl Iterator<Item = Effect> {
-    MODULES.iter().map(|(effect, _)| *effect)
+/// The effects that have modules of their own where light is followed along paths, or where a scene is solved as a whole.
+pub(crate) fn effects(is_by_paths: bool) -> impl Iterator<Item = Effect> {
+    MODULES.iter().map(|(effect, _)| *effect).filter(move |effect| is_by_paths != OF_PIECES.contains(effect))
 }
 
 /// The instructions that are for an effect.

@@ -10,10 +10,12 @@
 //! what it reflects add up, L ≤ Lₑ + ρ L, so that no L/n² is above the largest Lₑ/(n² (1 − ρ)) of a wall; at boundaries L/n² is a mean of both
 //! sides.
 
-use super::boundary::{Passage, passages, reflected};
+use super::boundary::Passage;
 use super::lattice::Lattice;
+use super::mirror::reflected;
 use super::optics::{MediumOptics, largest, scaled, times};
 use super::path::Tracer;
+use super::refraction::passages;
 use crate::geometry::{Met, Start, Vector};
 use crate::scene::{Filling, MaterialKind};
 

@@ -59,6 +59,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             throughput: [1.0; N],
             way: 0.0,
             vertex: start.position,
+            sought: start.position,
             density: f64::INFINITY,
             reflections: 0,
             scatterings: 0,

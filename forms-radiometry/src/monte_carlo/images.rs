@@ -8,8 +8,10 @@
 //! beyond it a beam is wider or narrower by its cosine: E₂ = (1 − R) E₁ cos θ₁/cos θ₂. Light that a wall turns goes on to another one only
 //! where that lies on its way.
 
-use super::boundary::{Passage, passages, reflected};
+use super::boundary::Passage;
+use super::mirror::reflected;
 use super::optics::{MediumOptics, Optics, largest, scaled, times};
+use super::refraction::passages;
 use super::world::World;
 use crate::geometry::{Met, Start, Vector, Wall, split};
 use crate::sampling::chosen;

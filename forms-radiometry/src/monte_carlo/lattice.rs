@@ -10,6 +10,7 @@ use super::path::{Limits, Tracer};
 use super::world::World;
 use crate::scene::{Filling, MaterialKind, Scene};
 use std::marker::PhantomData;
+use std::ops::BitOr;
 
 /// Which effects the code has.
 pub(super) trait Lattice: Sync + Send {
@@ -79,6 +80,22 @@ impl Effects {
             // also of one medium everywhere: metals in it reflect by their index over its own, and light takes n d/c
             dispersion: media().any(|medium| has_spread(&medium.index)),
             time: scene.receivers.iter().any(|receiver| receiver.time.is_some()),
+        }
+    }
+}
+
+impl BitOr for Effects {
+    type Output = Self;
+
+    /// Those of either.
+    fn bitor(self, other: Self) -> Self {
+        Self {
+            absorption: self.absorption | other.absorption,
+            scattering: self.scattering | other.scattering,
+            mirror: self.mirror | other.mirror,
+            refraction: self.refraction | other.refraction,
+            dispersion: self.dispersion | other.dispersion,
+            time: self.time | other.time,
         }
     }
 }

@@ -10,11 +10,13 @@
 //! Weights of paths never grow: where one has become small, the path ends at random, and goes on with the weight of the limit. So
 //! no path counts more than the first ones of its kind, and the variance is finite wherever the sum of all orders is.
 
-use super::boundary::{Passage, reflected, refracted};
+use super::boundary::Passage;
 use super::images::Images;
 use super::lattice::Lattice;
 use super::luminaires::{Source, Towards};
+use super::mirror::reflected;
 use super::optics::{MediumOptics, Optics, largest, mean, scaled, times};
+use super::refraction::refracted;
 use super::scattering::Flight;
 use super::vertex::{Law, Vertex};
 use super::world::World;
@@ -61,6 +63,8 @@ pub(super) struct Path<const N: usize> {
     /// The last vertex, and the density that the direction had there; without end where a luminaire could not have been found from there.
     pub(super) vertex: Vector,
     pub(super) density: f64,
+    /// Where it was decided whether to look for luminaires from the last vertex: there, or at the start of the segment on which it is.
+    pub(super) sought: Vector,
     pub(super) reflections: u32,
     pub(super) scatterings: u32,
     /// How often it was reflected or bent since it was spread last.
@@ -90,10 +94,6 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
 
     fn medium(&self, filling: Filling) -> MediumOptics<N> {
         self.optics.medium(filling)
-    }
-
-    fn longer(&self, way: f64, medium: &MediumOptics<N>, distance: f64) -> f64 {
-        if L::TIME { way + medium.index * distance } else { way }
     }
 
     /// Follows a path to its end, and adds what it finds: a value for each band, and the optical length.
@@ -149,7 +149,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             return;
         }
         let part = if path.density.is_finite() {
-            part(path.density, self.world.luminaires.density(path.vertex, path.direction, met))
+            part(path.density, self.world.luminaires.density(path.sought, path.vertex, path.direction, met))
         } else {
             1.0
         };
@@ -244,6 +244,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let (weights, density) = vertex.law.weights(direction, self.count());
         path.throughput = times(&path.throughput, &weights);
         (path.start, path.direction, path.vertex) = (vertex.start, direction, vertex.start.position);
+        path.sought = path.vertex;
         path.density = if self.world.luminaires.are_met() { density } else { f64::INFINITY };
         path.is_straight = false;
         path.turns = 0;
@@ -252,8 +253,9 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     fn scatter(&self, path: &mut Path<N>, medium: &MediumOptics<N>, distance: f64, samples: &mut Samples) {
         path.way = self.longer(path.way, medium, distance);
         path.scatterings += 1;
-        let vertex = self.scattering(path, medium, distance);
+        let (vertex, from) = (self.scattering(path, medium, distance), path.start.position);
         self.leaves(path, &vertex, samples);
+        path.sought = from;
     }
 
     /// The vertex at a distance along the path.
@@ -293,9 +295,10 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             self.imaged_segment(path, medium, length, samples, add);
         }
         let Some(luminaire) = self.world.luminaires.choose(samples.one()) else { return };
+        let Some(often) = luminaire.is_sought(path.start.position, samples) else { return };
         let pivot = luminaire.point(samples.pair());
         let Some((lit, vertex)) = self.lit_point(path, medium, length, pivot, samples) else { return };
-        if let Some(towards) = luminaire.towards(vertex.start.position, samples.pair()) {
+        if let Some(towards) = luminaire.towards(vertex.start.position, often, samples.pair()) {
             self.lit(&lit, &vertex, &towards, &mut |_, value, way| add(value, way));
         }
     }
@@ -314,9 +317,10 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
                 self.imaged(path, vertex, image, add);
             }
         }
-        let chosen = self.world.luminaires.choose(samples.one());
-        let square = samples.pair();
-        if let Some(towards) = chosen.and_then(|luminaire| luminaire.towards(vertex.start.position, square)) {
+        let (chosen, position) = (self.world.luminaires.choose(samples.one()), vertex.start.position);
+        let Some(luminaire) = chosen else { return };
+        let Some(often) = luminaire.is_sought(position, samples) else { return };
+        if let Some(towards) = luminaire.towards(position, often, samples.pair()) {
             self.lit(path, vertex, &towards, add);
         }
     }

@@ -1,7 +1,6 @@
-//! Media along a ray: what is left of light, where it is scattered, and where light that is scattered once is looked for.
+//! Scattering along a ray: where light is scattered, and where light that is scattered once is looked for.
 //!
 //! ```text
-//! transmittance   e^(−σ d)
 //! free flight     t with the density σ e^(−σ t); beyond the end of the segment light passes
 //! lit point       t with half the density of free flight within the segment, and half that of the angle at a luminaire
 //! ```
@@ -11,7 +10,7 @@
 
 use super::optics::{MediumOptics, mean};
 use super::vertex::one_of;
-use super::warps::{equiangular_pdf, equiangular_sample, free_flight_pdf, free_flight_sample, transmittance};
+use super::warps::{equiangular_pdf, equiangular_sample, free_flight_pdf, free_flight_sample};
 use crate::geometry::Vector;
 use crate::sampling::Samples;
 
@@ -29,11 +28,6 @@ pub(super) enum Flight<const N: usize> {
 }
 
 impl<const N: usize> MediumOptics<N> {
-    /// What is left after a distance, which may be without end.
-    pub(super) fn transmittance(&self, distance: f64) -> [f64; N] {
-        self.extinction.map(|extinction| if extinction > 0.0 { left(extinction, distance) } else { 1.0 })
-    }
-
     /// A flight over a segment.
     pub(super) fn flight(&self, length: f64, count: usize, samples: &mut Samples) -> Flight<N> {
         let chosen = self.extinction[one_of(count, samples)];
@@ -86,10 +80,6 @@ impl<const N: usize> MediumOptics<N> {
         let factor = std::array::from_fn(|band| self.scattering[band] * left[band] / density);
         (density > 0.0).then_some((distance, factor))
     }
-}
-
-fn left(extinction: f64, distance: f64) -> f64 {
-    if distance.is_finite() { transmittance(extinction, distance) } else { 0.0 }
 }
 
 /// A segment by the angle that it covers at a luminaire: along the ray from abreast of it, at the height h.

@@ -8,9 +8,11 @@
 //! leave: a glass of water traps nothing that comes from outside. Where some of it is still there after thousands of turns, the sum of all
 //! orders does not exist.
 
-use super::boundary::{Passage, reflected, refracted};
+use super::boundary::Passage;
 use super::luminaires::Front;
+use super::mirror::reflected;
 use super::optics::Optics;
+use super::refraction::refracted;
 use super::warps::{
     cosine_hemisphere_sample, free_flight_sample, henyey_greenstein_direction_sample, uniform_sphere_sample,
 };

@@ -3,6 +3,7 @@
 use super::parts::ErrorParts;
 use crate::radiosity::UsedKernel;
 use crate::scene::Effect;
+use serde::{Deserialize, Serialize};
 
 /// Which effects are simulated.
 #[derive(Clone, Debug)]
@@ -31,7 +32,7 @@ pub struct PlannedEffect {
 }
 
 /// What is measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Quantity {
     /// Power per area, W/m²; of a surface its mean.
     Irradiance,
@@ -50,7 +51,7 @@ pub enum Quantity {
 }
 
 /// What an error means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum ErrorKind {
     /// A deterministic estimate of the error, meant not to be exceeded.
     Bound,
@@ -59,7 +60,7 @@ pub enum ErrorKind {
 }
 
 /// One number that was asked for.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Answer {
     /// The receiver's name.
     pub receiver: String,
@@ -86,7 +87,7 @@ pub struct Answer {
 /// The cells divide the bounding rectangle of the polygon in its plane, whose first axis is the polygon's first edge: columns
 /// follow each other along that edge, and rows away from it. A cell outside of the polygon holds NaN, and so does one that was
 /// not reached before the work was stopped. Pixels follow each other row by row from the upper left of the picture.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Map {
     /// The receiver's name.
     pub receiver: String,
@@ -103,7 +104,7 @@ pub struct Map {
 }
 
 /// How exact the answers were at some time of the work.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Moment {
     /// Seconds since the work began.
     pub seconds: f64,
@@ -112,7 +113,7 @@ pub struct Moment {
 }
 
 /// What was found.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Simulation {
     /// The numbers, in the order of the receivers, then of quantities, then of bands. A map has its mean among them.
     pub answers: Vec<Answer>,

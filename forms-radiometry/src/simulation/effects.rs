@@ -20,6 +20,8 @@ pub(super) struct Effects {
     /// How often it is scattered by media at most, likewise.
     pub(super) scatterings: Option<u32>,
     pub(super) bands: bool,
+    /// Those that paths are asked for.
+    pub(super) of_paths: monte_carlo::Effects,
 }
 
 impl Effects {
@@ -45,6 +47,14 @@ impl Effects {
             orders: orders(Effect::Interreflection),
             scatterings: orders(Effect::Scattering),
             bands: is_on(Effect::Bands),
+            of_paths: monte_carlo::Effects {
+                absorption: is_on(Effect::Absorption),
+                scattering: is_on(Effect::Scattering),
+                mirror: is_on(Effect::Mirror),
+                refraction: is_on(Effect::Refraction),
+                dispersion: is_on(Effect::Dispersion),
+                time: is_on(Effect::Time),
+            },
         }
     }
 

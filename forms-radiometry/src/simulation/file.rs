@@ -7,8 +7,8 @@
 
 use super::answer::Plan;
 use super::arithmetic::Arithmetic;
-use super::followed::{Snapshot, State};
 use super::job::{Budget, Share};
+use super::state::{Snapshot, State};
 use crate::scene::Sources;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};

@@ -16,6 +16,7 @@ mod state;
 use super::answer::{Moment, Simulation};
 use super::effects::Effects;
 use super::job::{Job, Keeper, Share};
+use super::state::{Misfit, Of, Snapshot};
 use super::survey::MANY;
 use super::watch::Watch;
 use crate::faces::{faces, is_round};
@@ -25,7 +26,7 @@ pub(super) use asked::MOST;
 use asked::{Asked, Division, asked};
 use rayon::prelude::*;
 use scale::{Scales, settled};
-pub use state::{Misfit, Snapshot, State};
+pub(super) use state::{OfPaths, WrittenOfPaths};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
@@ -45,10 +46,12 @@ pub(super) fn followed(task: Task<'_>, job: Job<'_>, watch: &dyn Watch) -> Resul
         scatterings: task.effects.scatterings,
         direct: task.effects.direct,
     };
-    let followers = follower(&world, monte_carlo::Effects::of(task.scene), limits);
+    // what the file turns on is in the code, also where the scene has nothing of it
+    let contained = monte_carlo::Effects::of(task.scene);
+    let followers = follower(&world, contained | task.effects.of_paths, limits);
     let mut work = Work::new(task, &job, &followers, watch);
     if let Some(state) = job.state {
-        work.restore(state)?;
+        work.restore(state.of_paths().ok_or(Misfit)?)?;
     }
     work.run(&followers);
     Ok(work.simulation())
@@ -58,7 +61,7 @@ pub(super) fn followed(task: Task<'_>, job: Job<'_>, watch: &dyn Watch) -> Resul
 pub(super) fn merged(
     task: Task<'_>,
     job: &Job<'_>,
-    parts: Vec<(Share, State)>,
+    parts: Vec<(Share, OfPaths)>,
     watch: &dyn Watch,
 ) -> Result<Simulation, Misfit> {
     let mut work = Work::new(task, job, &[], watch);
@@ -82,7 +85,8 @@ pub(super) fn is_followed(scene: &Scene) -> bool {
         || (scene.receivers.iter().any(is_image) && (is_round(scene) || faces(scene, 0).len() > MANY))
 }
 
-struct Work<'w> {
+/// Work by paths.
+pub(super) struct Work<'w> {
     scene: &'w Scene,
     division: Division,
     asked: Vec<Asked>,
@@ -219,7 +223,7 @@ impl<'w> Work<'w> {
 
     fn keep_if(&self, is_time: bool) {
         if let Some(keeper) = self.keeper.filter(|_| is_time) {
-            keeper.keep(&Snapshot { work: self });
+            keeper.keep(&Snapshot(Of::Paths(self)));
         }
     }
 

@@ -5,10 +5,12 @@
 //! budget      unit u is one replicate of one of these, with a number of samples that is given
 //! share i/n   the units with u mod n = i − 1
 //! ```
+//! A scene that is solved as a whole, without paths, is a single unit.
+//!
 //! How many samples a unit gets depends on nothing but itself and a pilot that every share repeats, so that shares come to what one run
 //! gives, bit for bit.
 
-use super::followed::{Snapshot, State};
+use super::state::{Snapshot, State};
 use crate::monte_carlo::REPLICATES;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -40,6 +42,11 @@ impl std::error::Error for NoShare {}
 impl Share {
     /// All of the work.
     pub const WHOLE: Self = Self { part: 1, of: 1 };
+
+    /// The first of so many, at least one.
+    pub fn first(of: u32) -> Self {
+        Self { part: 1, of: of.max(1) }
+    }
 
     /// The others that it makes all of the work with, and itself.
     pub fn all(self) -> impl Iterator<Item = Self> {
@@ -133,9 +140,9 @@ pub trait Keeper: Sync {
     fn keep(&self, snapshot: &Snapshot<'_>);
 }
 
-/// What is to be done of a simulation by paths.
+/// What is to be done of a simulation.
 pub struct Job<'k> {
-    /// How many samples there are to be; as many as the tolerance asks for, if that is not said.
+    /// How many samples there are to be; as many as the tolerance asks for, if that is not said. What is solved as a whole has none.
     pub budget: Option<Budget>,
     /// Which part of the work is done.
     pub share: Share,

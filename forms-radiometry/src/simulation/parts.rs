@@ -11,10 +11,11 @@
 //! part of the error.
 
 use super::answer::ErrorKind;
+use serde::{Deserialize, Serialize};
 use std::ops::Add;
 
 /// What an error is made of, each part in the unit of the answer.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ErrorParts {
     /// What the arithmetic of `f64` may have lost.
     pub rounding: f64,

@@ -21,7 +21,7 @@ use super::watch::Watch;
 use crate::faces::{faces, is_round};
 use crate::geometry::Face;
 use crate::radiosity::{Gathering, Hiding, Lights, Paths, Question, Radiosity, Refined, Scratch, Transport};
-use crate::scene::Scene;
+use crate::scene::{Scene, WorkingScene};
 use crate::sharing::Sharing;
 use std::collections::HashMap;
 use std::time::Instant;
@@ -49,13 +49,18 @@ pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
 pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
     let prepared = Prepared::of(scene, plan);
     let working = prepared.working();
-    if prepared.is_followed() {
+    let found = if prepared.is_followed() {
         let all = followed(prepared.task(&working), Job::default(), watch);
-        let all = all.expect("there is no state that could be of another simulation");
-        return prepared.finished(all, &working);
-    }
-    let work = Work::new(&working.scene, prepared.effects, choose, watch);
-    prepared.finished(work.run(), &working)
+        all.expect("there is no state that could be of another simulation")
+    } else {
+        Work::new(&working.scene, prepared.effects, choose, watch).run()
+    };
+    prepared.finished(found, &working)
+}
+
+/// What is found of a scene that is solved as a whole, in working units.
+pub(super) fn solved(prepared: &Prepared, working: &WorkingScene<'_>, watch: &dyn Watch) -> Simulation {
+    Work::new(&working.scene, prepared.effects, Gathering::of, watch).run()
 }
 
 /// How light is gathered in a scene with these faces, of which it is known what they hide.

@@ -60,7 +60,10 @@ class Work:
         return {**one, "exterior": self.medium} if self.medium else one
 
     def variants(self):
-        """Samplers with the depth of roulette: all of an image, and of a number those that are of use, after the default."""
+        """Samplers with the depth of roulette: all of an image, and of a number those that are of use, after the default. Of an image that is
+        known only the default: what is looked for is how far off pixels are, in minutes for each variant."""
+        if self.is_image and self.known is not None:
+            return [(SAMPLERS[0], DEFAULT)]
         if self.is_image:
             return [(sampler, depth) for depth in (DEFAULT, LATE) for sampler in SAMPLERS]
         return [(SAMPLERS[0], DEFAULT)] + [(sampler, LATE) for sampler in SAMPLERS]

@@ -1,22 +1,16 @@
-//! States: what is done of a simulation, as sums and numbers of samples, from which it goes on as if it had never stopped.
+//! States of work by paths: what is done of it, as sums and numbers of samples, from which it goes on as if it had never stopped.
 
 use super::Work;
 use super::asked::{Asked, Division};
 use super::scale::Scales;
 use crate::monte_carlo::{KeptSums, Sum};
+use crate::simulation::state::Misfit;
 use crate::simulation::{Moment, Share};
 use serde::{Deserialize, Serialize};
-use std::fmt;
-use std::io::{self, Write};
-
-/// The state of a simulation at some time, to be written down.
-pub struct Snapshot<'w> {
-    pub(super) work: &'w Work<'w>,
-}
 
 /// A state that was written down.
 #[derive(Clone, Debug, Deserialize)]
-pub struct State {
+pub(in crate::simulation) struct OfPaths {
     is_done: bool,
     scales: Option<Scales>,
     history: Vec<[f64; 2]>,
@@ -32,9 +26,9 @@ struct KeptAsked {
     sums: KeptSums,
 }
 
-/// What a [`State`] is read from.
+/// What an [`OfPaths`] is read from.
 #[derive(Serialize)]
-struct Written<'w> {
+pub(in crate::simulation) struct WrittenOfPaths<'w> {
     is_done: bool,
     scales: &'w Option<Scales>,
     history: Vec<[f64; 2]>,
@@ -50,35 +44,23 @@ struct WrittenAsked<'w> {
     sums: Vec<Option<&'w [Sum]>>,
 }
 
-/// A state that is of another simulation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Misfit;
-
-impl fmt::Display for Misfit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "what was kept is of another simulation")
-    }
-}
-
-impl std::error::Error for Misfit {}
-
-impl<'w> Snapshot<'w> {
+impl Work<'_> {
     /// Whether nothing is left to do.
-    pub fn is_done(&self) -> bool {
-        self.work.is_done
+    pub(in crate::simulation) fn is_done(&self) -> bool {
+        self.is_done
     }
 
     /// How many numbers, cells and pixels it is about, with a budget their replicates, and how many there are of them in all shares.
-    pub fn units(&self) -> [usize; 2] {
-        self.work.division.units(self.work.asked.len())
+    pub(in crate::simulation) fn units(&self) -> [usize; 2] {
+        self.division.units(self.asked.len())
     }
 
-    /// Writes the state down, every number with all its bits.
-    pub fn write(&self, output: &mut dyn Write) -> io::Result<()> {
-        let division = self.work.division;
-        let asked = |(question, asked): (usize, &'w Asked)| {
+    /// The state, to be written down.
+    pub(in crate::simulation) fn written<'s>(&'s self) -> WrittenOfPaths<'s> {
+        let division = self.division;
+        let asked = |(question, asked): (usize, &'s Asked)| {
             // of work that is done nobody needs what a pilot found of other shares
-            let is_kept = !self.work.is_done || division.has(question);
+            let is_kept = !self.is_done || division.has(question);
             let is_meant = |replicate| division.has_replicate(question, replicate);
             WrittenAsked {
                 target: if is_kept { asked.target } else { 0 },
@@ -88,30 +70,24 @@ impl<'w> Snapshot<'w> {
                 sums: if is_kept { asked.replicates.kept(is_meant) } else { Vec::new() },
             }
         };
-        let history = self.work.history.iter().map(|moment| [moment.seconds, moment.error]);
-        let written = Written {
-            is_done: self.work.is_done,
-            scales: &self.work.scales,
+        let history = self.history.iter().map(|moment| [moment.seconds, moment.error]);
+        WrittenOfPaths {
+            is_done: self.is_done,
+            scales: &self.scales,
             history: history.collect(),
-            asked: self.work.asked.iter().enumerate().map(asked).collect(),
-        };
-        postcard::to_io(&written, output).map(|_| ()).map_err(io::Error::other)
+            asked: self.asked.iter().enumerate().map(asked).collect(),
+        }
     }
 }
 
-impl State {
-    /// The state that was written down; none if it cannot be understood.
-    pub fn read(bytes: &[u8]) -> Option<Self> {
-        postcard::take_from_bytes(bytes).ok().filter(|(_, rest)| rest.is_empty()).map(|(state, _)| state)
-    }
-
+impl OfPaths {
     /// Whether nothing is left to do.
-    pub fn is_done(&self) -> bool {
+    pub(in crate::simulation) fn is_done(&self) -> bool {
         self.is_done
     }
 
     /// Whether two states say the same, except for the time that it took.
-    pub fn is_same_as(&self, other: &Self) -> bool {
+    pub(in crate::simulation) fn is_same_as(&self, other: &Self) -> bool {
         let is_same = |(a, b): (&KeptAsked, &KeptAsked)| {
             (a.target, a.samples) == (b.target, b.samples) && a.expanded == b.expanded && a.sums == b.sums
         };
@@ -123,7 +99,7 @@ impl State {
 
 impl Work<'_> {
     /// Goes on from a state.
-    pub(super) fn restore(&mut self, state: State) -> Result<(), Misfit> {
+    pub(super) fn restore(&mut self, state: OfPaths) -> Result<(), Misfit> {
         if state.asked.len() != self.asked.len() {
             return Err(Misfit);
         }
@@ -145,7 +121,7 @@ impl Work<'_> {
     }
 
     /// Takes what belongs to a share from the state at its end.
-    pub(super) fn take(&mut self, share: Share, state: State) -> Result<(), Misfit> {
+    pub(super) fn take(&mut self, share: Share, state: OfPaths) -> Result<(), Misfit> {
         if state.asked.len() != self.asked.len() || !state.is_done {
             return Err(Misfit);
         }
