@@ -6,10 +6,8 @@ use std::f64::consts::PI;
 
 const REACH: f64 = 2.0;
 const ARROWS: i32 = 12;
-const PANELS: [(Vector, &str, &str); 2] = [
-    ([-2.6, 0.0, 0.0], "radiance", style::SECOND),
-    ([2.6, 0.0, 0.0], "intensity", style::FIRST),
-];
+const PANELS: [(Vector, &str, &str); 2] =
+    [([-2.6, 0.0, 0.0], "radiance", style::SECOND), ([2.6, 0.0, 0.0], "intensity", style::FIRST)];
 
 pub(crate) fn figure() -> String {
     let view = View::flat(58.0, [310.0, 190.0]);

@@ -8,8 +8,9 @@ const FORM: [f64; 2] = [1.0, 0.5];
 const HEIGHT: f64 = 5.2;
 const LAST_LINE: i32 = 11;
 const LAST_OBLIQUE: f64 = 9.0;
-const FOOT: Vector = [2.2, 3.6, 0.0];
-const FOOT_OF_DOUBLE: Vector = [2.9, 2.2, 0.0];
+/// Feet of the steps, each halfway between two lines.
+const FOOT: Vector = [2.7, 3.6, 0.0];
+const FOOT_OF_DOUBLE: Vector = [2.9, 1.2, 0.0];
 const FOOT_ALONG: Vector = [7.35, 2.3, 0.0];
 /// A step that crosses two lines, and one that crosses none.
 const STEP: Vector = [2.0, 0.0, 0.0];

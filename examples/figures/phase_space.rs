@@ -27,7 +27,8 @@ pub(crate) fn figure() -> String {
         [620, 250],
         view,
     );
-    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[u, v]| [u * BEAM[0], v * BEAM[1]]);
+    let corners =
+        [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[u, v]| [u * BEAM[0], v * BEAM[1]]);
     let after_space = corners.map(further);
     let panels = [
         (corners, "a beam", style::FIRST),

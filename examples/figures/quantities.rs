@@ -13,12 +13,12 @@ const ANGLE: (&str, &str) = ("solid angle", style::SECOND);
 
 /// Symbol with unit, and place.
 const QUANTITIES: [(&str, Vector); 6] = [
-    ("Q   J", [0.0, 4.2, 0.0]),
-    ("H   J/m²", [-2.6, 2.8, 0.0]),
-    ("Φ   W", [0.0, 2.8, 0.0]),
-    ("E   W/m²", [-2.6, 1.4, 0.0]),
-    ("I   W/sr", [2.6, 1.4, 0.0]),
-    ("L   W/(m² sr)", [0.0, 0.0, 0.0]),
+    ("Q\u{a0}\u{a0}J", [0.0, 4.2, 0.0]),
+    ("H\u{a0}\u{a0}J/m²", [-2.6, 2.8, 0.0]),
+    ("Φ\u{a0}\u{a0}W", [0.0, 2.8, 0.0]),
+    ("E\u{a0}\u{a0}W/m²", [-2.6, 1.4, 0.0]),
+    ("I\u{a0}\u{a0}W/sr", [2.6, 1.4, 0.0]),
+    ("L\u{a0}\u{a0}W/(m² sr)", [0.0, 0.0, 0.0]),
 ];
 
 /// From and to, what is divided by, and where the label stands beside the middle.

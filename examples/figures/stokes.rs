@@ -13,7 +13,7 @@ fn surface(u: f64, v: f64) -> Vector {
 }
 
 pub(crate) fn figure() -> String {
-    let view = View::from_direction(-70.0, 42.0, 108.0, [135.0, 300.0]);
+    let view = View::from_direction(-70.0, 42.0, 98.0, [80.0, 270.0]);
     let mut drawing = Drawing::new(
         "A surface in cells. Walks around neighbouring cells run against each other; the rim is left",
         [620, 400],

@@ -5,8 +5,8 @@ use crate::vector::{Vector, add, scaled};
 
 /// Angle from the vertical in degrees, and how much comes from there.
 const LIGHT: [(f64, f64); 9] = [
-    (-80.0, 0.45),
-    (-60.0, 0.8),
+    (-70.0, 0.5),
+    (-58.0, 0.8),
     (-40.0, 1.25),
     (-20.0, 0.95),
     (0.0, 1.1),
@@ -18,9 +18,11 @@ const LIGHT: [(f64, f64); 9] = [
 /// The sum is drawn shorter, to fit.
 const SHORTER: f64 = 0.22;
 const METER: f64 = 0.85;
+/// Between the tips and the point, where they would hide each other.
+const GAP: f64 = 0.32;
 
 pub(crate) fn figure() -> String {
-    let view = View::flat(95.0, [310.0, 215.0]);
+    let view = View::flat(88.0, [310.0, 225.0]);
     let mut drawing = Drawing::new(
         "Light that arrives at a point from many directions, its sum, and a meter across it",
         [620, 400],
@@ -30,7 +32,8 @@ pub(crate) fn figure() -> String {
     for (angle, amount) in LIGHT {
         let (sin, cos) = f64::to_radians(angle).sin_cos();
         let flow = scaled(-amount, [sin, cos, 0.0]);
-        drawing.arrow(scaled(-1.0, flow), scaled(0.96, flow), Pen::solid(style::SECOND, 1.6));
+        let foot = scaled(amount + GAP, [sin, cos, 0.0]);
+        drawing.arrow(foot, flow, Pen::solid(style::SECOND, 1.6));
         sum = add(sum, flow);
     }
     let arrow = scaled(SHORTER, sum);
@@ -40,6 +43,6 @@ pub(crate) fn figure() -> String {
     drawing.arrow([0.0; 3], arrow, Pen::solid(style::FIRST, 3.0));
     drawing.label(arrow, [-14.0, 8.0], "J", style::FIRST);
     drawing.label(scaled(-METER, along), [-34.0, 8.0], "meter", style::INK);
-    drawing.label([1.25, 1.45, 0.0], [26.0, -10.0], "L p dω", style::SECOND);
+    drawing.label([1.43, 1.7, 0.0], [30.0, -8.0], "L p dω", style::SECOND);
     drawing.finish()
 }
