@@ -7,9 +7,11 @@ const HALF_WIDTH: f64 = 0.78;
 const HALF_HEIGHT: f64 = 0.3;
 
 /// What an arrow divides by: its name and colour.
-const TIME: (&str, &str) = ("time", style::THIRD);
-const AREA: (&str, &str) = ("area", style::FIRST);
-const ANGLE: (&str, &str) = ("solid angle", style::SECOND);
+type Divisor = (&'static str, &'static str);
+
+const TIME: Divisor = ("time", style::THIRD);
+const AREA: Divisor = ("area", style::FIRST);
+const ANGLE: Divisor = ("solid angle", style::SECOND);
 
 /// Symbol with unit, and place.
 const QUANTITIES: [(&str, Vector); 6] = [
@@ -22,7 +24,7 @@ const QUANTITIES: [(&str, Vector); 6] = [
 ];
 
 /// From and to, what is divided by, and where the label stands beside the middle.
-const STEPS: [(usize, usize, (&str, &str), [f64; 2]); 7] = [
+const STEPS: [(usize, usize, Divisor, [f64; 2]); 7] = [
     (0, 1, AREA, [-30.0, -10.0]),
     (0, 2, TIME, [28.0, 0.0]),
     (1, 3, TIME, [-28.0, 0.0]),
