@@ -7,7 +7,7 @@ mod parts;
 
 use forms_radiometry::kernels::gathered_light::{self, Effects};
 use forms_radiometry::scene::{Effect, Scene, read};
-use forms_radiometry::simulation::{Plan, PlannedEffect, Unwatched, plan, simulate};
+use forms_radiometry::simulation::{Plan, PlannedEffect, Unwatched, is_by_paths, plan, simulate};
 use std::collections::BTreeSet;
 
 /// The variable that tells this program under callgrind which scene it simulates.
@@ -77,6 +77,31 @@ const POINT_LIGHT: &str =
     "[[light]]\nname = \"bulb\"\nkind = \"point\"\nposition = [0.3, 0.3, 0.7]\nintensity = 1\n";
 const SKY: &str = "[ambient]\nradiance = 1\n";
 
+const MIRROR: &str = "[[material]]\nname = \"silver\"\nkind = \"mirror\"\nreflectance = 0.9\n\
+                      [[surface]]\nname = \"wall\"\nmaterial = \"silver\"\npolygon = [[0,0,0], [0,1,0], [0,1,1], [0,0,1]]\n";
+const GLASS: &str = "[[medium]]\nname = \"glass\"\nn = 1.5\n\
+                     [[material]]\nname = \"glass\"\nkind = \"dielectric\"\ninside = \"glass\"\n\
+                     [[surface]]\nname = \"ball of glass\"\nmaterial = \"glass\"\n\
+                     sphere = { center = [0.5, 0.5, 0.4], radius = 0.2 }\n";
+const MIST: &str =
+    "[[medium]]\nname = \"mist\"\nsigma_s = 0.5\nsigma_a = 0.1\n[ambient]\nmedium = \"mist\"\n";
+const ROUND_LAMPS: &str = "[[surface]]\nname = \"disk\"\nmaterial = \"grey\"\nradiance = 1\n\
+                           disk = { center = [0.2, 0.2, 0.8], normal = [0, 0, -1], radius = 0.1 }\n\
+                           [[surface]]\nname = \"bulb\"\nmaterial = \"grey\"\nradiance = 1\n\
+                           sphere = { center = [0.8, 0.8, 0.8], radius = 0.1 }\n";
+const PULSE: &str = "time = { start = 0, width = 1e-9, bins = 20 }\n";
+
+/// Scenes whose light is followed along paths.
+fn scenes_of_paths() -> Vec<(&'static str, String)> {
+    vec![
+        ("mirror", lamp(0.5, &format!("{MIRROR}{POINT}"))),
+        ("glass", lamp(0.5, &format!("{GLASS}{BALL}"))),
+        ("mist", lamp(0.5, &format!("{MIST}{POINT}"))),
+        ("round lamps in mist", lamp(0.0, &format!("{ROUND_LAMPS}{MIST}{BALL}"))),
+        ("pulse", lamp(0.5, &format!("{POINT}{PULSE}"))),
+    ]
+}
+
 /// Scenes by name, each with the kernels that it runs and the effects that their members are without.
 fn scenes() -> Vec<(&'static str, String, String)> {
     let straight = "gathered_light - surroundings beams interreflection, edge_form_factor";
@@ -104,7 +129,9 @@ fn scenes() -> Vec<(&'static str, String, String)> {
 }
 
 fn scene(name: &str) -> Scene {
-    let (_, text, _) = scenes().into_iter().find(|(other, ..)| *other == name).expect("a scene of this name");
+    let pieces = scenes().into_iter().map(|(name, text, _)| (name, text));
+    let mut all = pieces.chain(scenes_of_paths());
+    let (_, text) = all.find(|(other, _)| *other == name).expect("a scene of this name");
     read(&text, name).unwrap_or_else(|errors| panic!("{}", errors[0]))
 }
 
@@ -158,23 +185,27 @@ fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan()
     }
     let program = std::env::current_exe().expect("this program");
     let arguments = ["--exact", "the_counted_scene_has_answers", "--test-threads=1"];
-    for name in COUNTED_SCENES {
-        let plan = planned(&scene(name));
+    let paths = scenes_of_paths();
+    for name in COUNTED_SCENES.into_iter().chain(paths.iter().map(|(name, _)| *name)) {
+        let scene = scene(name);
+        let plan = planned(&scene);
+        let is_by_paths = is_by_paths(&scene, &plan);
+        assert_eq!(is_by_paths, !COUNTED_SCENES.contains(&name), "{name}");
         let on = plan.effects.iter().filter(|planned| planned.on).map(|planned| planned.effect.name());
         let scene = format!("{name}:{}", on.collect::<Vec<_>>().join(","));
         let counts = callgrind::counted(&program, &arguments, &[(COUNTED, &scene)]).expect("valgrind runs");
         assert!(parts::of_solver(&counts) > 1000, "{name}: nothing of the solver was found");
         // functions tell them where nothing is inlined
         let is_sure = cfg!(debug_assertions) || parts::has_lines(&counts);
-        for planned in plan.effects.iter().filter(|planned| parts::effects().any(|own| own == planned.effect))
-        {
+        let is_told = |planned: &&PlannedEffect| parts::effects(is_by_paths).any(|own| own == planned.effect);
+        for planned in plan.effects.iter().filter(is_told) {
             let count = parts::of_effect(&counts, planned.effect);
             let is_right = if planned.on { count > 0 || !is_sure } else { count == 0 };
             assert!(is_right, "{name}: {} takes {count}", planned.effect.name());
         }
         let rays = parts::of_rays(&counts);
         let hides = plan.effects.iter().any(|planned| planned.effect == Effect::Occlusion && planned.on);
-        assert!(hides || rays == 0, "{name}: {rays} instructions for rays without a use");
+        assert!(is_by_paths || hides || rays == 0, "{name}: {rays} instructions for rays without a use");
         let listed: BTreeSet<String> = plan.kernels.iter().map(|kernel| kernel.name.to_owned()).collect();
         let run = parts::kernels(&counts);
         assert!(run.is_subset(&listed), "{name}: {run:?} run, and {listed:?} are in the plan");

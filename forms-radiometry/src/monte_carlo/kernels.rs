@@ -4,9 +4,9 @@ use super::lattice::Effects;
 use crate::kernels::{
     basic_radiance, cosine_hemisphere_pdf, cosine_hemisphere_sample, equiangular_pdf, equiangular_sample,
     free_flight_pdf, free_flight_sample, fresnel_conductor, fresnel_dielectric, henyey_greenstein,
-    henyey_greenstein_direction_sample, spherical_triangle_pdf, spherical_triangle_sample, transmittance,
-    uniform_cone_sample, uniform_disk_sample, uniform_sphere_pdf, uniform_sphere_sample,
-    uniform_triangle_sample,
+    henyey_greenstein_direction_sample, measure_area_to_solid_angle, measure_solid_angle_to_area,
+    spherical_triangle_pdf, spherical_triangle_sample, transmittance, uniform_cone_pdf, uniform_cone_sample,
+    uniform_disk_sample, uniform_sphere_pdf, uniform_sphere_sample, uniform_triangle_sample,
 };
 use crate::radiosity::UsedKernel;
 use crate::scene::{MaterialKind, ReceiverKind, Scene, Shape};
@@ -35,13 +35,16 @@ pub(crate) fn kernels(scene: &Scene) -> Vec<UsedKernel> {
     let table = [
         row!(planes, cosine_hemisphere_sample, "directions from surfaces"),
         row!(planes, cosine_hemisphere_pdf, "their density"),
-        row!(spheres, uniform_sphere_sample, "directions to all sides"),
+        row!(spheres || balls, uniform_sphere_sample, "directions to all sides, and points of spheres"),
         row!(spheres, uniform_sphere_pdf, "their density"),
         row!(triangles, spherical_triangle_sample, "directions to luminaires"),
         row!(triangles, spherical_triangle_pdf, "their density"),
         row!(disks, uniform_disk_sample, "points of round luminaires"),
         row!(balls, uniform_cone_sample, "directions to spheres that shine"),
-        row!(surfaces, uniform_triangle_sample, "points of surfaces that receive"),
+        row!(balls, uniform_cone_pdf, "their density"),
+        row!(disks || balls, measure_solid_angle_to_area, "densities of points of round luminaires"),
+        row!(disks || balls, measure_area_to_solid_angle, "the same of directions that were found otherwise"),
+        row!(surfaces || (triangles && scattering), uniform_triangle_sample, "points of flat surfaces"),
         row!(absorption || scattering, transmittance, "what media leave of light"),
         row!(scattering, free_flight_sample, "where light is scattered"),
         row!(scattering, free_flight_pdf, "the density of that"),
