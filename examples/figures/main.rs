@@ -1,24 +1,41 @@
 //! The figures of the book: a few numbers become the SVG files in `docs/book/src/figures`.
 //!
 //! ```text
-//! wedge  patch  solid_angle ─▶ drawing (points of space, projected) ─▶ SVG text
+//! wedge  patch  solid_angle  plates ──────────────┐
+//! neumann  phase_function  warps ─┐               ▼
+//! sharing  plan  normals ─────────┴─▶ flat ─▶ drawing (points of space, projected) ─▶ SVG text
 //! ```
 //! `cargo run --example figures` writes them; a test compares the files with what would be written.
 
 mod drawing;
+mod flat;
+mod neumann;
+mod normals;
 mod patch;
+mod phase_function;
+mod plan;
+mod plates;
+mod sharing;
 mod solid_angle;
 mod vector;
+mod warps;
 mod wedge;
 
 use std::path::PathBuf;
 
 /// File names and contents.
-fn figures() -> [(&'static str, String); 3] {
+fn figures() -> [(&'static str, String); 10] {
     [
         ("wedge.svg", wedge::figure()),
         ("patch.svg", patch::figure()),
         ("solid_angle.svg", solid_angle::figure()),
+        ("neumann.svg", neumann::figure()),
+        ("phase_function.svg", phase_function::figure()),
+        ("warps.svg", warps::figure()),
+        ("sharing.svg", sharing::figure()),
+        ("plates.svg", plates::figure()),
+        ("plan.svg", plan::figure()),
+        ("normals.svg", normals::figure()),
     ]
 }
 
