@@ -31,7 +31,7 @@ pub(crate) fn figure() -> String {
     for (bounce, name) in [(0, "L_e"), (1, "TL_e"), (2, "T²L_e"), (3, "T³L_e")] {
         let below = tall * (1.0 - KEPT.powi(bounce)) / (1.0 - KEPT);
         let middle = below + tall * KEPT.powi(bounce) / 2.0;
-        let shift = if bounce == 0 { 0.0 } else { 36.0 };
+        let shift = if bounce == 0 { 0.0 } else { -33.0 };
         drawing.label(at(f64::from(bounce), middle), [shift, 0.0], name, style::FIRST);
     }
     drawing.label(at(-0.2, limit), [0.0, -14.0], "limit", style::SECOND);

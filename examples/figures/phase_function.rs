@@ -26,7 +26,7 @@ pub(crate) fn figure() -> String {
     drawing.dot(at(0.0, 0.0), style::INK);
     drawing.label(at(-2.9, 0.0), [0.0, -16.0], "light", style::INK);
     drawing.label(at(-0.75, 0.75), [-26.0, -10.0], "g = 0", style::SECOND);
-    drawing.label(at(2.0, 0.55), [18.0, -34.0], "g = 0.3", style::THIRD);
-    drawing.label(at(5.6, 0.9), [18.0, -26.0], "g = 0.55", style::FIRST);
+    drawing.label(at(1.9, 0.0), [0.0, 0.0], "g = 0.3", style::THIRD);
+    drawing.label(at(4.9, 0.0), [0.0, 0.0], "g = 0.55", style::FIRST);
     drawing.finish()
 }

@@ -8,16 +8,16 @@ const X: Vector = [SIDE, 0.0, 0.0];
 const Y: Vector = [0.0, SIDE, 0.0];
 
 pub(crate) fn figure() -> String {
-    let view = View::from_direction(38.0, 22.0, 80.0, [150.0, 275.0]);
+    let view = View::from_direction(38.0, 22.0, 80.0, [150.0, 235.0]);
     let [right, _] = view.plane();
     let mut drawing = Drawing::new(
         "Two square plates far apart, and the same two with a narrow gap, at the rim of which light escapes",
-        [620, 340],
+        [620, 310],
         view,
     );
     far(&mut drawing, [0.0; 3]);
-    let shift = right.map(|component| 3.9 * component);
-    near(&mut drawing, shift);
+    let aside = right.map(|component| 3.9 * component);
+    near(&mut drawing, add(aside, [0.0, 0.0, 1.0]));
     drawing.finish()
 }
 
@@ -38,7 +38,8 @@ fn near(drawing: &mut Drawing, corner: Vector) {
     drawing.area(&parallelogram(corner, X, Y), 0.25, Pen::solid(style::SECOND, 1.4));
     for share in [0.15, 0.4, 0.65, 0.9] {
         let along = SIDE * share;
-        for (foot, way) in [([SIDE, along, 0.06], [0.55, 0.0, 0.0]), ([along, SIDE, 0.06], [0.0, 0.55, 0.0])] {
+        for (foot, way) in [([SIDE, along, 0.06], [0.55, 0.0, 0.0]), ([along, SIDE, 0.06], [0.0, 0.55, 0.0])]
+        {
             drawing.arrow(add(corner, foot), way, Pen::solid(style::FIRST, 1.4));
         }
     }

@@ -7,8 +7,8 @@ use crate::vector::Vector;
 pub(crate) fn figure() -> String {
     let mut drawing = Drawing::new(
         "Left, a tree of operations in which the sum of three squares occurs twice; right, the same with one such sum",
-        [620, 330],
-        view(42.0, [120.0, 300.0]),
+        [620, 260],
+        view(42.0, [120.0, 285.0]),
     );
     tree(&mut drawing);
     net(&mut drawing);
@@ -17,9 +17,7 @@ pub(crate) fn figure() -> String {
 
 /// A line between two nodes, short of their labels.
 fn edge(drawing: &mut Drawing, from: Vector, to: Vector) {
-    let between = |share: f64| {
-        at(from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1]))
-    };
+    let between = |share: f64| at(from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1]));
     drawing.line(&[between(0.25), between(0.75)], Pen::solid(style::FAINT, 1.2));
 }
 
