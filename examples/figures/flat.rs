@@ -1,12 +1,7 @@
 //! Figures in one plane: x to the right and y upwards.
 
-use crate::drawing::{Drawing, Pen, View};
+use crate::drawing::{Drawing, Pen};
 use crate::vector::Vector;
-
-/// The plane z = 0 from above.
-pub(crate) fn view(scale: f64, origin: [f64; 2]) -> View {
-    View::from_direction(-90.0, 90.0, scale, origin)
-}
 
 /// A point of the plane.
 pub(crate) fn at(x: f64, y: f64) -> Vector {

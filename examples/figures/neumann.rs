@@ -1,7 +1,7 @@
 //! The Neumann series in a furnace: what each bounce adds, and the sums, which rise to a limit.
 
-use crate::drawing::{Drawing, Pen, style};
-use crate::flat::{at, rectangle, view};
+use crate::drawing::{Drawing, Pen, View, style};
+use crate::flat::{at, rectangle};
 
 /// What a bounce keeps.
 const KEPT: f64 = 0.75;
@@ -13,7 +13,7 @@ pub(crate) fn figure() -> String {
     let mut drawing = Drawing::new(
         "Bars: light after each bounce, each three quarters of the one before; above them the sums, which rise to a limit",
         [620, 330],
-        view(40.0, [60.0, 280.0]),
+        View::flat(40.0, [60.0, 280.0]),
     );
     let tall = 1.35;
     let limit = tall / (1.0 - KEPT);

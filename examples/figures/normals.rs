@@ -1,7 +1,7 @@
 //! A hill in profile with its normals, and with those of an equation whose first two rows vanish.
 
-use crate::drawing::{Drawing, Pen, style};
-use crate::flat::{at, curve, view};
+use crate::drawing::{Drawing, Pen, View, style};
+use crate::flat::{at, curve};
 
 /// Height of the hill.
 fn height(x: f64) -> f64 {
@@ -17,7 +17,7 @@ pub(crate) fn figure() -> String {
     let mut drawing = Drawing::new(
         "A hill with normals at right angles to it, and with the normals as printed, which all point straight up",
         [620, 250],
-        view(85.0, [310.0, 225.0]),
+        View::flat(85.0, [310.0, 225.0]),
     );
     curve(&mut drawing, 120, Pen::solid(style::INK, 1.8), |share| {
         let x = 6.4 * share - 3.2;

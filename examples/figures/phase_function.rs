@@ -1,7 +1,7 @@
 //! Henyey and Greenstein's phase function as a polar diagram, for three mean cosines.
 
-use crate::drawing::{Drawing, Pen, style};
-use crate::flat::{at, curve, view};
+use crate::drawing::{Drawing, Pen, View, style};
+use crate::flat::{at, curve};
 use std::f64::consts::PI;
 
 /// The phase function over that of even scattering.
@@ -13,7 +13,7 @@ pub(crate) fn figure() -> String {
     let mut drawing = Drawing::new(
         "Polar diagrams of the phase function: a circle for g = 0, and lobes to the right for g = 0.3 and g = 0.55",
         [620, 230],
-        view(48.0, [200.0, 115.0]),
+        View::flat(48.0, [200.0, 115.0]),
     );
     drawing.arrow(at(-3.6, 0.0), at(3.4, 0.0), Pen::solid(style::INK, 1.6));
     for (g, colour) in [(0.0, style::SECOND), (0.3, style::THIRD), (0.55, style::FIRST)] {

@@ -1,7 +1,7 @@
 //! How it is decided whether an effect is simulated: three questions.
 
-use crate::drawing::{Drawing, Pen, style};
-use crate::flat::{at, rectangle, view};
+use crate::drawing::{Drawing, Pen, View, style};
+use crate::flat::{at, rectangle};
 
 const WIDTH: f64 = 2.4;
 const HEIGHT: f64 = 0.62;
@@ -13,7 +13,7 @@ pub(crate) fn figure() -> String {
         "Three questions for an effect: a trigger? a bound? does it fit in the tolerance? No trigger or a bound that \
          fits: off; else on",
         [620, 385],
-        view(68.0, [240.0, 50.0]),
+        View::flat(68.0, [240.0, 50.0]),
     );
     let questions = ["Is there a trigger?", "Is there a bound?", "Does it fit?"];
     for (place, question) in (0..).zip(questions) {

@@ -1,14 +1,14 @@
 //! A formula as a tree, and as the net that it becomes when equal branches grow together.
 
-use crate::drawing::{Drawing, Pen, style};
-use crate::flat::{at, view};
+use crate::drawing::{Drawing, Pen, View, style};
+use crate::flat::at;
 use crate::vector::Vector;
 
 pub(crate) fn figure() -> String {
     let mut drawing = Drawing::new(
         "Left, a tree of operations in which the sum of three squares occurs twice; right, the same with one such sum",
         [620, 260],
-        view(42.0, [120.0, 285.0]),
+        View::flat(42.0, [120.0, 285.0]),
     );
     tree(&mut drawing);
     net(&mut drawing);

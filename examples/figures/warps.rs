@@ -1,7 +1,7 @@
 //! Even points of the unit square, and where two warps put them on the disk: with the root and without it.
 
-use crate::drawing::{Drawing, Pen, style};
-use crate::flat::{at, curve, rectangle, view};
+use crate::drawing::{Drawing, Pen, View, style};
+use crate::flat::{at, curve, rectangle};
 use crate::vector::{Vector, add};
 use std::f64::consts::PI;
 
@@ -12,7 +12,7 @@ pub(crate) fn figure() -> String {
     let mut drawing = Drawing::new(
         "Even points of a square; on a disk, spread evenly by the root of u, and crowded at the centre without it",
         [620, 250],
-        view(95.0, [105.0, 115.0]),
+        View::flat(95.0, [105.0, 115.0]),
     );
     drawing.area(&rectangle([-0.85, -0.85], [0.85, 0.85]), 0.05, Pen::solid(style::FAINT, 1.2));
     panel(&mut drawing, at(0.0, 0.0), "(u, v)", |u, v| at(1.7 * u - 0.85, 1.7 * v - 0.85));
