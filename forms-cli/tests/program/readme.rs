@@ -3,7 +3,7 @@
 //! ```text
 //! README.md ─ fenced blocks ─┬─ forms, after "Save this as `NAME`"   files of a folder
 //!                            ├─ text, from `$ forms …`              run there, and compared
-//!                            └─ text, after `cargo run --release`   the tour, compared
+//!                            └─ text, in the section on the first command   the tour, compared
 //! ```
 //! A line `…` stands for any number of lines. Times are not compared, nor is the width of columns.
 
@@ -105,9 +105,10 @@ fn the_tour_prints_what_the_readme_shows_and_paints() {
     let run = forms(&folder, &[]);
     assert_eq!((run.status, run.errors.as_str()), (0, ""), "{}", run.output);
     let blocks = blocks();
-    let first = blocks.iter().position(|block| block.kind == "sh").expect("the first command");
-    assert!(blocks[first].text.starts_with("cargo run --release\n"));
-    compared(&blocks[first + 1].text, &run.output)
+    let first = blocks.iter().find(|block| block.kind == "sh").expect("the first command");
+    assert!(first.text.starts_with("cargo run --release\n"));
+    let tour = blocks.iter().find(|block| block.before.contains("## What the first command prints"));
+    compared(&tour.expect("what it prints").text, &run.output)
         .unwrap_or_else(|error| panic!("{error}\n\n{}", run.output));
     let picture = folder.read("forms-output/cornell_box.png");
     assert!(picture.starts_with(b"\x89PNG"));
