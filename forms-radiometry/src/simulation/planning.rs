@@ -173,6 +173,7 @@ impl Planning<'_> {
             return "surfaces that reflect see each other, and hardly any light is lost".to_string();
         };
         let plural = if count == 1 { "reflection" } else { "reflections" };
-        format!("a reflection leaves at most {k:.2} of the light: {count} {plural} to {tolerance:e}")
+        let most = if k < 0.01 { format!("{k:.0e}") } else { format!("{:.2}", (100.0 * k).ceil() / 100.0) };
+        format!("a reflection leaves at most {most} of the light: {count} {plural} to {tolerance:e}")
     }
 }
