@@ -173,7 +173,27 @@ impl Planning<'_> {
             return "surfaces that reflect see each other, and hardly any light is lost".to_string();
         };
         let plural = if count == 1 { "reflection" } else { "reflections" };
-        let most = if k < 0.01 { format!("{k:.0e}") } else { format!("{:.2}", (100.0 * k).ceil() / 100.0) };
+        let most = at_most(k);
         format!("a reflection leaves at most {most} of the light: {count} {plural} to {tolerance:e}")
+    }
+}
+
+/// A number below 1, rounded up: to hundredths, or where that would hide it to one digit.
+fn at_most(number: f64) -> String {
+    if number > 0.0 && number < 0.01 {
+        let unit = 10_f64.powf(number.log10().floor());
+        return format!("{:.0e}", (number / unit).ceil() * unit);
+    }
+    format!("{:.2}", (100.0 * number).ceil() / 100.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::at_most;
+
+    #[test]
+    fn a_bound_is_rounded_up() {
+        let cases = [(0.0, "0.00"), (0.0021, "3e-3"), (0.5, "0.50"), (0.501, "0.51"), (1.2e-7, "2e-7")];
+        cases.into_iter().for_each(|(number, text)| assert_eq!(at_most(number), text, "{number}"));
     }
 }
