@@ -119,6 +119,6 @@ mod documents {
     struct Readme;
     #[doc = include_str!("../docs/language.md")]
     struct Language;
-    #[doc = include_str!("../docs/book/src/01-the-cosine-term.md")]
-    struct CosineTerm;
+    #[doc = include_str!("../docs/book/src/04-solid-angle.md")]
+    struct SolidAngle;
 }

@@ -37,6 +37,11 @@ impl View {
         View { right: [-sin_a, cos_a, 0.0], up: [-cos_a * sin_e, -sin_a * sin_e, cos_e], scale, origin }
     }
 
+    /// The xy-plane itself, for figures that have no depth.
+    pub(crate) fn flat(scale: f64, origin: [f64; 2]) -> Self {
+        View { right: [1.0, 0.0, 0.0], up: [0.0, 1.0, 0.0], scale, origin }
+    }
+
     fn project(&self, point: Vector) -> [f64; 2] {
         [
             self.origin[0] + self.scale * dot(self.right, point),

@@ -1,24 +1,56 @@
 //! The figures of the book: a few numbers become the SVG files in `docs/book/src/figures`.
 //!
 //! ```text
-//! wedge  patch  solid_angle ─▶ drawing (points of space, projected) ─▶ SVG text
+//! wedge  patch  cone  lambert  … ──────────┐
+//! neumann  warps  plan  … ─▶ flat (a plane) ┴─▶ drawing (points of space, projected) ─▶ SVG text
 //! ```
 //! `cargo run --example figures` writes them; a test compares the files with what would be written.
 
+mod cone;
 mod drawing;
+mod flat;
+mod lambert;
+mod neumann;
+mod normals;
+mod one_form;
 mod patch;
+mod phase_function;
+mod phase_space;
+mod plan;
+mod plates;
+mod quantities;
+mod sharing;
 mod solid_angle;
+mod stokes;
 mod vector;
+mod vector_irradiance;
+mod warps;
+mod wave;
 mod wedge;
 
 use std::path::PathBuf;
 
 /// File names and contents.
-fn figures() -> [(&'static str, String); 3] {
-    [
+fn figures() -> Vec<(&'static str, String)> {
+    vec![
+        ("one_form.svg", one_form::figure()),
         ("wedge.svg", wedge::figure()),
+        ("stokes.svg", stokes::figure()),
         ("patch.svg", patch::figure()),
         ("solid_angle.svg", solid_angle::figure()),
+        ("cone.svg", cone::figure()),
+        ("quantities.svg", quantities::figure()),
+        ("vector_irradiance.svg", vector_irradiance::figure()),
+        ("lambert.svg", lambert::figure()),
+        ("wave.svg", wave::figure()),
+        ("phase_space.svg", phase_space::figure()),
+        ("neumann.svg", neumann::figure()),
+        ("phase_function.svg", phase_function::figure()),
+        ("warps.svg", warps::figure()),
+        ("sharing.svg", sharing::figure()),
+        ("plates.svg", plates::figure()),
+        ("plan.svg", plan::figure()),
+        ("normals.svg", normals::figure()),
     ]
 }
 

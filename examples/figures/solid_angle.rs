@@ -4,10 +4,10 @@ use crate::drawing::{Drawing, Pen, View, style};
 use crate::vector::{Vector, add, cross, parallelogram, scaled, unit};
 use std::f64::consts::TAU;
 
-const EYE: Vector = [0.0; 3];
-const CORNER: Vector = [0.215, 1.715, 0.5];
-const A: Vector = [-0.75, 0.47, 0.0];
-const B: Vector = [0.12, 0.1, 0.9];
+pub(crate) const EYE: Vector = [0.0; 3];
+pub(crate) const CORNER: Vector = [0.215, 1.715, 0.5];
+pub(crate) const A: Vector = [-0.75, 0.47, 0.0];
+pub(crate) const B: Vector = [0.12, 0.1, 0.9];
 /// Points on each side of an outline.
 const SIDE: i32 = 12;
 
@@ -35,7 +35,7 @@ pub(crate) fn figure() -> String {
 }
 
 /// The outline of the unit sphere, its equator and one meridian.
-fn sphere(drawing: &mut Drawing, view: View) {
+pub(crate) fn sphere(drawing: &mut Drawing, view: View) {
     let [right, up] = view.plane();
     let circle = |a: Vector, b: Vector| -> Vec<Vector> {
         (0..=72)
@@ -51,7 +51,7 @@ fn sphere(drawing: &mut Drawing, view: View) {
 }
 
 /// Points along the sides of a polygon.
-fn outline(corners: [Vector; 4]) -> Vec<Vector> {
+pub(crate) fn outline(corners: [Vector; 4]) -> Vec<Vector> {
     (0..4)
         .flat_map(|side| {
             (0..SIDE).map(move |step| {

@@ -1,0 +1,47 @@
+//! The piece of cone between the unit sphere and a patch: its boundary is the patch, its shadow and walls of rays.
+
+use crate::drawing::{Drawing, Pen, View, style};
+use crate::solid_angle::{A, B, CORNER, EYE, outline, sphere};
+use crate::vector::{Vector, add, cross, dot, parallelogram, scaled, unit};
+
+pub(crate) fn figure() -> String {
+    let view = View::from_direction(15.0, 18.0, 128.0, [180.0, 232.0]);
+    let mut drawing = Drawing::new(
+        "The piece of cone between the unit sphere and a patch, with its outward directions",
+        [620, 370],
+        view,
+    );
+    sphere(&mut drawing, view);
+    let corners = parallelogram(CORNER, A, B);
+    let shadow = corners.map(unit);
+    for corner in shadow {
+        drawing.line(&[EYE, corner], Pen::dashed(style::FAINT, 1.0));
+    }
+    for side in 0..4 {
+        let next = (side + 1) % 4;
+        let wall = [shadow[side], corners[side], corners[next], shadow[next]];
+        drawing.area(&wall, 0.14, Pen::solid(style::SECOND, 1.0));
+    }
+    let round: Vec<Vector> = outline(corners).iter().map(|&point| unit(point)).collect();
+    drawing.area(&round, 0.4, Pen::solid(style::FIRST, 1.6));
+    drawing.area(&corners, 0.3, Pen::solid(style::FOURTH, 1.6));
+    outward(&mut drawing, corners, shadow);
+    drawing.dot(EYE, style::INK);
+    drawing.label(EYE, [-14.0, 10.0], "o", style::INK);
+    drawing.finish()
+}
+
+/// Arrows that point out of the piece of cone, one for each part of its boundary.
+fn outward(drawing: &mut Drawing, corners: [Vector; 4], shadow: [Vector; 4]) {
+    let middle = |quad: [Vector; 4]| scaled(0.5, add(quad[0], quad[2]));
+    let (patch, seen) = (middle(corners), unit(middle(shadow)));
+    let normal = unit(cross(A, B));
+    let normal = if dot(normal, patch) < 0.0 { scaled(-1.0, normal) } else { normal };
+    drawing.arrow(patch, scaled(0.6, normal), Pen::solid(style::FOURTH, 2.0));
+    drawing.label(add(patch, scaled(0.6, normal)), [30.0, -10.0], "patch", style::FOURTH);
+    drawing.arrow(seen, scaled(-0.45, seen), Pen::solid(style::FIRST, 2.0));
+    drawing.label(seen, [-62.0, -44.0], "shadow", style::FIRST);
+    let upper = middle([shadow[2], corners[2], corners[3], shadow[3]]);
+    drawing.arrow(upper, [0.0, -0.25, 0.55], Pen::solid(style::SECOND, 2.0));
+    drawing.label(add(upper, [0.0, -0.25, 0.55]), [0.0, -14.0], "wall", style::SECOND);
+}

@@ -1,0 +1,49 @@
+//! A beam in phase space: free space shears it along the place, a lens along the direction; its area stays.
+
+use crate::drawing::{Drawing, Pen, View, style};
+use crate::vector::{Vector, add};
+
+const PANEL: f64 = 3.2;
+const AXIS: f64 = 1.35;
+/// Half the width of the beam, in place and in direction.
+const BEAM: [f64; 2] = [0.5, 0.38];
+/// Distance, and one over the focal length.
+const DISTANCE: f64 = 1.5;
+const BEND: f64 = 0.95;
+
+/// (x, a) after free space and after a lens behind it.
+fn further([x, a]: [f64; 2]) -> [f64; 2] {
+    [x + DISTANCE * a, a]
+}
+
+fn bent([x, a]: [f64; 2]) -> [f64; 2] {
+    [x, a - BEND * x]
+}
+
+pub(crate) fn figure() -> String {
+    let view = View::flat(60.0, [118.0, 120.0]);
+    let mut drawing = Drawing::new(
+        "A beam in phase space, a rectangle: sheared by free space, then by a lens, with the same area",
+        [620, 250],
+        view,
+    );
+    let corners =
+        [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[u, v]| [u * BEAM[0], v * BEAM[1]]);
+    let after_space = corners.map(further);
+    let panels = [
+        (corners, "a beam", style::FIRST),
+        (after_space, "after free space", style::SECOND),
+        (after_space.map(bent), "after a lens", style::THIRD),
+    ];
+    for (panel, (beam, name, colour)) in (0_i32..).zip(panels) {
+        let middle: Vector = [PANEL * f64::from(panel), 0.0, 0.0];
+        drawing.arrow(add(middle, [-AXIS, 0.0, 0.0]), [2.0 * AXIS, 0.0, 0.0], Pen::solid(style::INK, 1.0));
+        drawing.arrow(add(middle, [0.0, -AXIS, 0.0]), [0.0, 2.0 * AXIS, 0.0], Pen::solid(style::INK, 1.0));
+        drawing.label(add(middle, [AXIS, 0.0, 0.0]), [2.0, 14.0], "x", style::INK);
+        drawing.label(add(middle, [0.0, AXIS, 0.0]), [14.0, 2.0], "a", style::INK);
+        let outline = beam.map(|[x, a]| add(middle, [x, a, 0.0]));
+        drawing.area(&outline, 0.3, Pen::solid(colour, 1.8));
+        drawing.label(add(middle, [0.0, -AXIS, 0.0]), [0.0, 24.0], name, colour);
+    }
+    drawing.finish()
+}

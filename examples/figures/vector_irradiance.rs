@@ -1,0 +1,48 @@
+//! Light from many directions at one point, and its sum: one arrow, and a meter held along it.
+
+use crate::drawing::{Drawing, Pen, View, style};
+use crate::vector::{Vector, add, scaled};
+
+/// Angle from the vertical in degrees, and how much comes from there.
+const LIGHT: [(f64, f64); 9] = [
+    (-70.0, 0.5),
+    (-58.0, 0.8),
+    (-40.0, 1.25),
+    (-20.0, 0.95),
+    (0.0, 1.1),
+    (20.0, 1.6),
+    (40.0, 1.9),
+    (60.0, 1.5),
+    (80.0, 0.7),
+];
+/// The sum is drawn shorter, to fit.
+const SHORTER: f64 = 0.22;
+const METER: f64 = 0.85;
+/// Between the tips and the point, where they would hide each other.
+const GAP: f64 = 0.32;
+
+pub(crate) fn figure() -> String {
+    let view = View::flat(88.0, [310.0, 225.0]);
+    let mut drawing = Drawing::new(
+        "Light that arrives at a point from many directions, its sum, and a meter across it",
+        [620, 400],
+        view,
+    );
+    let mut sum: Vector = [0.0; 3];
+    for (angle, amount) in LIGHT {
+        let (sin, cos) = f64::to_radians(angle).sin_cos();
+        let flow = scaled(-amount, [sin, cos, 0.0]);
+        let foot = scaled(amount + GAP, [sin, cos, 0.0]);
+        drawing.arrow(foot, flow, Pen::solid(style::SECOND, 1.6));
+        sum = add(sum, flow);
+    }
+    let arrow = scaled(SHORTER, sum);
+    let length = arrow[0].hypot(arrow[1]);
+    let along = [-arrow[1] / length, arrow[0] / length, 0.0];
+    drawing.line(&[scaled(-METER, along), scaled(METER, along)], Pen::solid(style::INK, 4.0));
+    drawing.arrow([0.0; 3], arrow, Pen::solid(style::FIRST, 3.0));
+    drawing.label(arrow, [-14.0, 8.0], "J", style::FIRST);
+    drawing.label(scaled(-METER, along), [-34.0, 8.0], "meter", style::INK);
+    drawing.label([1.43, 1.7, 0.0], [30.0, -8.0], "L p dω", style::SECOND);
+    drawing.finish()
+}
