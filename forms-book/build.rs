@@ -1,7 +1,7 @@
 //! Embeds the sources of the book: what its pages consist of and what they link to.
 //!
 //! ```text
-//! docs/**.md, docs/**.svg · theories, kernels, scenes ─▶ a list of (path, bytes) in $OUT_DIR/sources.rs
+//! docs/**.md, docs/**.svg · theories, kernels · scenes and their pictures ─▶ a list of (path, bytes) in $OUT_DIR/sources.rs
 //! ```
 
 use std::fs;
@@ -13,7 +13,7 @@ const FOLDERS: [(&str, &[&str]); 4] = [
     ("docs", &["md", "svg", "png"]),
     ("forms-radiometry/theory", &["forms"]),
     ("forms-radiometry/kernels", &["forms"]),
-    ("scenes", &["md", "toml"]),
+    ("scenes", &["md", "toml", "svg", "png"]),
 ];
 
 fn main() -> io::Result<()> {

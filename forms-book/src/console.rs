@@ -105,17 +105,7 @@ fn words(command: &str) -> Option<(String, Vec<String>, Option<String>)> {
 impl Call {
     /// Whether this is what the page says it prints.
     pub fn expects(&self, printed: &str) -> bool {
-        let without_times = |text: &str| text.lines().map(without_times).collect::<Vec<_>>();
-        let (expected, printed) = (without_times(&self.output), without_times(printed));
-        let mut parts = expected.split(|line| line.trim() == ANY);
-        let Some(mut rest) = parts.next().and_then(|first| printed.strip_prefix(first)) else { return false };
-        let mut parts: Vec<&[String]> = parts.collect();
-        let Some(last) = parts.pop() else { return rest.is_empty() };
-        for part in parts.into_iter().filter(|part| !part.is_empty()) {
-            let Some(found) = rest.windows(part.len()).position(|lines| lines == part) else { return false };
-            rest = &rest[found + part.len()..];
-        }
-        rest.ends_with(last)
+        agrees(&self.output, printed)
     }
 
     /// What is to stand on the page for what the program prints: as many lines before and behind `…` as there are.
@@ -134,6 +124,21 @@ impl Call {
     }
 }
 
+/// Whether a text is what is quoted: line by line, but for times, and with any lines where a line `…` stands.
+pub fn agrees(quoted: &str, printed: &str) -> bool {
+    let without_times = |text: &str| text.lines().map(without_times).collect::<Vec<_>>();
+    let (quoted, printed) = (without_times(quoted), without_times(printed));
+    let mut parts = quoted.split(|line| line.trim() == ANY);
+    let Some(mut rest) = parts.next().and_then(|first| printed.strip_prefix(first)) else { return false };
+    let mut parts: Vec<&[String]> = parts.collect();
+    let Some(last) = parts.pop() else { return rest.is_empty() };
+    for part in parts.into_iter().filter(|part| !part.is_empty()) {
+        let Some(found) = rest.windows(part.len()).position(|lines| lines == part) else { return false };
+        rest = &rest[found + part.len()..];
+    }
+    rest.ends_with(last)
+}
+
 /// The page with what its calls print now; what differs in times only is left as it is.
 pub fn with_outputs(page: &Page, outputs: &[(Call, String)]) -> Page {
     let mut text = page.text.clone();
@@ -143,7 +148,7 @@ pub fn with_outputs(page: &Page, outputs: &[(Call, String)]) -> Page {
     Page::new(&page.path, text)
 }
 
-/// A line in which each duration, with the spaces before it, is one and the same.
+/// A line in which each duration, with the spaces around it, is one and the same.
 fn without_times(line: &str) -> String {
     const UNITS: [&str; 6] = ["µs", "ms", "s", "ns", "min", "h"];
     let (mut kept, mut rest) = (String::new(), line.trim_end());
@@ -153,13 +158,18 @@ fn without_times(line: &str) -> String {
         let (before, number, behind) =
             (&rest[..start], &rest[start..start + digits], &rest[start + digits..]);
         let stands_alone = before.is_empty() || before.ends_with([' ', '(']);
-        let unit =
-            behind.strip_prefix(' ').map(|unit| unit.split([' ', ',', ')', ';', ':']).next().unwrap_or(unit));
+        let unit = behind
+            .strip_prefix(' ')
+            .map(|unit| unit.split([' ', ',', ')', ';', ':', '.']).next().unwrap_or(unit));
         match unit.filter(|unit| stands_alone && UNITS.contains(unit)) {
             Some(unit) => {
                 kept.push_str(before.trim_end_matches(' '));
                 kept.push_str(" TIME");
                 rest = &behind[1 + unit.len()..];
+                if rest.starts_with(' ') {
+                    kept.push(' ');
+                    rest = rest.trim_start_matches(' ');
+                }
             }
             None => {
                 kept.push_str(before);
@@ -203,6 +213,21 @@ mod tests {
         assert!(calls[1].expects("  ✓ one     proved     1.4 ms\n"));
         assert!(!calls[1].expects("  ✓ one     refuted    1.4 ms\n"));
         assert!(!calls[1].expects("  ✓ one     proved    139 m\n"));
+    }
+
+    #[test]
+    fn a_quotation_that_differs_is_noticed() {
+        let printed = "a   1.2 ms\nb 5 W\n\nc\nd in 3 s";
+        for right in
+            ["a 7 µs\n…", "…\nb 5 W\n\nc\n…", "…\nc\nd in 4.5 ms", "a 1 s\nb 5 W\n\nc\nd in 3 s", "…"]
+        {
+            assert!(agrees(right, printed), "{right}");
+        }
+        for wrong in
+            ["a 7 µs", "b 5 W\n…", "…\nb 6 W\n…", "a 1 s\nc\n…", "…\nd in 3 s\ne", "…\nc\n…\nb 5 W\n…"]
+        {
+            assert!(!agrees(wrong, printed), "{wrong}");
+        }
     }
 
     #[test]

@@ -8,7 +8,7 @@
 
 use crate::check::Problem;
 use crate::mathml::{display, inline};
-use crate::page::Page;
+use crate::page::{Page, targets_in_html};
 use crate::theory::common_text;
 use crate::verdicts::Shown;
 use forms_core::syntax::Source;
@@ -75,6 +75,11 @@ fn formula(page: &Page, event: &Event<'_>, place: Range<usize>) -> Result<Option
 
 /// A link or picture with the target it has in the result. A link that leads nowhere is the text it has.
 fn link(page: &Page, event: &Event<'_>, place: Range<usize>, targets: Targets<'_>) -> Vec<Edit> {
+    if let Event::Html(_) | Event::InlineHtml(_) = event {
+        let found = targets_in_html(&page.text[place.clone()]).into_iter();
+        let found = found.map(|at| place.start + at.start..place.start + at.end);
+        return found.filter_map(|at| Some((at.clone(), targets(&page.text[at])?))).collect();
+    }
     let Event::Start(
         Tag::Link { link_type: LinkType::Inline, dest_url: target, .. } | Tag::Image { dest_url: target, .. },
     ) = event

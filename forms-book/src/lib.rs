@@ -24,7 +24,7 @@ mod verdicts;
 
 pub use book::{Book, Chapter, book};
 pub use check::{Problem, Report, check_kinds, check_theories, with_errors_quoted};
-pub use console::{Call, calls, with_outputs};
+pub use console::{Call, agrees, calls, with_outputs};
 pub use html::escaped;
 pub use links::check_links;
 pub use mathml::{display, inline};

@@ -85,15 +85,25 @@ impl Page {
         blocks
     }
 
-    /// The links and pictures, in order; what is written as code is no link.
+    /// The links and pictures, in order, also those of HTML; what is written as code is no link.
     pub fn links(&self) -> Vec<Link> {
-        let link = |(event, place): (Event<'_>, Range<usize>)| match event {
-            Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
-                Some(Link { target: dest_url.to_string(), line: self.line(place.start) })
+        let mut links = Vec::new();
+        for (event, place) in self.events() {
+            let line = self.line(place.start);
+            match event {
+                Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
+                    links.push(Link { target: dest_url.to_string(), line });
+                }
+                Event::Html(_) | Event::InlineHtml(_) => {
+                    let targets = targets_in_html(&self.text[place.clone()]).into_iter();
+                    let target =
+                        |at: Range<usize>| self.text[place.start + at.start..place.start + at.end].to_owned();
+                    links.extend(targets.map(|at| Link { target: target(at), line }));
+                }
+                _ => {}
             }
-            _ => None,
-        };
-        self.events().filter_map(link).collect()
+        }
+        links
     }
 
     /// What links to places of this page may name: its headings.
@@ -125,6 +135,17 @@ impl Page {
             .take_while(|event| !matches!(event, Event::End(TagEnd::Heading(_))));
         of_first_heading.filter_map(|event| words(&event).map(str::to_owned)).collect()
     }
+}
+
+/// Where the values of `src` and `href` stand in a piece of HTML.
+pub(crate) fn targets_in_html(html: &str) -> Vec<Range<usize>> {
+    let starts = [" src=\"", " href=\""]
+        .into_iter()
+        .flat_map(|name| html.match_indices(name).map(|(at, name)| at + name.len()).collect::<Vec<_>>());
+    let mut places: Vec<Range<usize>> =
+        starts.filter_map(|start| Some(start..start + html[start..].find('"')?)).collect();
+    places.sort_by_key(|place| place.start);
+    places
 }
 
 /// The characters of text and code.
@@ -180,6 +201,9 @@ mod tests {
     fn links_are_found_outside_code() {
         let links = Page::new("page.md", PAGE).links();
         assert_eq!(links, [Link { target: "b.md#c".into(), line: 9 }]);
+        let links =
+            Page::new("page.md", "text\n<img src=\"a.svg\" width=\"5\"> <a href=\"b.md\">b</a>\n").links();
+        assert_eq!(links.iter().map(|link| link.target.as_str()).collect::<Vec<_>>(), ["a.svg", "b.md"]);
     }
 
     #[test]

@@ -15,12 +15,14 @@ pub(crate) fn book(out: &str, output: &mut dyn Write) -> io::Result<Status> {
     let book = forms_book::book();
     let names: Vec<&str> = book.names().collect();
     let made: Vec<_> = workers()?.install(|| names.par_iter().map(|&name| (name, book.html(name))).collect());
-    let problems: Vec<&Problem> = made.iter().filter_map(|(_, page)| page.as_ref()?.err()).flatten().collect();
+    let problems: Vec<&Problem> =
+        made.iter().filter_map(|(_, page)| page.as_ref()?.err()).flatten().collect();
     if !problems.is_empty() {
         problems.iter().for_each(|problem| eprintln!("error: {problem}"));
         return Ok(Status::Error);
     }
-    let pages = made.iter().filter_map(|(name, page)| Some(((*name).to_owned(), page.as_ref()?.ok()?.as_bytes())));
+    let pages =
+        made.iter().filter_map(|(name, page)| Some(((*name).to_owned(), page.as_ref()?.ok()?.as_bytes())));
     let files: Vec<(String, &[u8])> = pages.chain(book.figures()).collect();
     if let Err(error) = files.iter().try_for_each(|(name, bytes)| write(&Path::new(out).join(name), bytes)) {
         return Ok(refuse(&format!("cannot write the book to {out}: {error}")));
