@@ -187,6 +187,35 @@ pub(crate) enum Command {
     },
     /// List the kernels of the library with their arguments, units and formulas
     Kernels,
+    /// Write the book as pages of HTML, each statement with its verdict and the steps that decide it
+    ///
+    /// The pages need no network and no scripts. With --preprocess, a book of mdBook is read from standard input and written
+    /// with formulas and verdicts in place: see docs/book/book.toml.
+    Book {
+        /// The folder to write to
+        #[arg(long, value_name = "DIR", default_value = "target/book")]
+        out: String,
+        /// Be a preprocessor of mdBook
+        #[arg(long, conflicts_with = "out")]
+        preprocess: bool,
+        /// What mdBook asks before it sends a book: `supports html`
+        #[arg(requires = "preprocess", num_args = 2, value_names = ["supports", "RENDERER"], hide = true)]
+        question: Vec<String>,
+    },
+    /// Print the manual page of the program, or of one of its commands
+    Man {
+        /// A command
+        command: Option<String>,
+        /// Write the pages of the program and of all commands into this folder
+        #[arg(long, value_name = "DIR", conflicts_with = "command")]
+        out: Option<String>,
+    },
+    /// Print what a shell needs to complete the commands and options of this program
+    Completions {
+        /// The shell
+        #[arg(value_enum)]
+        shell: clap_complete::Shell,
+    },
 }
 
 /// How an object is written.

@@ -71,7 +71,7 @@ pub(crate) fn for_each_file(
 }
 
 /// A thread for each processor, or as many as `RAYON_NUM_THREADS` says.
-fn workers() -> io::Result<ThreadPool> {
+pub(crate) fn workers() -> io::Result<ThreadPool> {
     ThreadPoolBuilder::new().stack_size(STACK_BYTES).build().map_err(io::Error::other)
 }
 

@@ -3,14 +3,16 @@
 //! ```text
 //! arguments ─▶ commands ─┬─ prove    ─▶ verdicts       (decisions, theory_file, verdict_line, json)
 //!                        ├─ check    ─▶ certificates   (certificate)
-//!                        ├─ show     ─▶ notation       (mathml)
-//!                        ├─ derive   ─▶ steps          (mathml)
+//!                        ├─ show     ─▶ notation
+//!                        ├─ derive   ─▶ steps
 //!                        ├─ eval     ─▶ numbers        (decimal, kernel)
 //!                        ├─ emit     ─▶ Rust source
 //!                        ├─ kernels  ─▶ the library
 //!                        ├─ simulate ─▶ the plan, numbers and pictures of a scene (drawing)
 //!                        ├─ merge    ─▶ the same, of parts that several machines simulated
 //!                        ├─ view-factors ─▶ the matrix of a scene
+//!                        ├─ book     ─▶ the book as pages of HTML, or for mdBook
+//!                        ├─ man, completions ─▶ what a system knows of the program
 //!                        └─ tour     ─▶ all of it, shown
 //! ```
 //! Answers go to standard output, errors to standard error (with `--json` to standard output). Nothing is
@@ -25,7 +27,6 @@ mod drawing;
 mod json;
 mod kernel;
 mod layout;
-mod mathml;
 mod palette;
 mod status;
 mod theory_file;

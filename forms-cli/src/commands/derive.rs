@@ -3,10 +3,10 @@
 use crate::arguments::Notation;
 use crate::commands::refuse;
 use crate::kernel::files;
-use crate::mathml::mathml;
 use crate::status::Status;
 use crate::theory_file::complain;
-use forms::core::derivation::{Derivation, Line, derive as derivation_of};
+use forms::core::derivation::{Derivation, derive as derivation_of};
+use forms_book::{escaped, steps};
 use std::io::{self, Write};
 
 /// Prints the derivation of the statement of that name.
@@ -47,19 +47,10 @@ fn page(derivation: &Derivation) -> Result<String, String> {
     let mut page = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{name}</title>\n\
-         <style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{name}</h1>\n<ol>\n"
+         <style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{name}</h1>\n"
     );
-    for step in &derivation.steps {
-        page.push_str(&format!("<li><h2>{}</h2>\n", escaped(&step.title)));
-        for line in &step.lines {
-            match line {
-                Line::Words(words) => page.push_str(&format!("<p>{}</p>\n", escaped(words))),
-                Line::Formula(formula) => page.push_str(&format!("<div>{}</div>\n", mathml(&formula.latex)?)),
-            }
-        }
-        page.push_str("</li>\n");
-    }
-    page.push_str("</ol>\n</body>\n</html>\n");
+    page.push_str(&steps(derivation)?);
+    page.push_str("</body>\n</html>\n");
     Ok(page)
 }
 
@@ -68,14 +59,10 @@ const STYLE: &str = "\
 :root { color-scheme: light dark; }
 body { font: 1.05rem/1.5 system-ui, sans-serif; max-width: 52rem; margin: 2rem auto; padding: 0 1rem; }
 h1 { font: 1.4rem/1.3 ui-monospace, monospace; overflow-wrap: anywhere; }
-h2 { font-size: 1.05rem; margin: 1.5rem 0 .25rem; }
+.step { font-size: 1.05rem; font-weight: bold; margin: 1.5rem 0 .25rem; }
 ol { padding-left: 1.5rem; }
 li::marker { font-weight: bold; }
 p { margin: .25rem 0; overflow-wrap: anywhere; }
 div { overflow-x: auto; overflow-y: hidden; padding: .15rem 0; }
 math { font-size: 1.15rem; }
 ";
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
-}

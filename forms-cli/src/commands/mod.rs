@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 mod accuracy;
+mod book;
 mod check;
 mod derive;
 mod emit;
@@ -8,6 +9,7 @@ mod eval;
 mod exact;
 mod kernels;
 mod prove;
+mod reference;
 mod rounded;
 mod show;
 mod simulate;
@@ -65,6 +67,10 @@ pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<S
         Some(Command::Merge { parts, out, json }) => simulate::merge(parts, out.as_deref(), *json, output),
         Some(Command::ViewFactors { scene, json }) => view_factors::view_factors(scene, *json, output),
         Some(Command::Kernels) => kernels::kernels(output),
+        Some(Command::Book { preprocess: true, question, .. }) => book::preprocess(question, output),
+        Some(Command::Book { out, .. }) => book::book(out, output),
+        Some(Command::Man { command, out }) => reference::man(command.as_deref(), out.as_deref(), output),
+        Some(Command::Completions { shell }) => reference::completions(*shell, output),
     }
 }
 

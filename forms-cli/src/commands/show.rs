@@ -3,13 +3,13 @@
 use crate::arguments::Notation;
 use crate::commands::refuse;
 use crate::kernel::files;
-use crate::mathml::mathml;
 use crate::status::Status;
 use crate::theory_file::complain;
 use forms::core::calculus::Coordinate;
 use forms::core::expression::{Condition, Expr, Symbol};
 use forms::core::notation::{latex, latex_of_name, latex_of_relation, simplify, simplify_expression, text};
 use forms::core::resolve::{Named, Statement, Theory, Value};
+use forms_book::display;
 use std::io::{self, Write};
 
 /// Prints the object of that name.
@@ -29,7 +29,7 @@ pub(crate) fn show(file: &str, name: &str, notation: Notation, output: &mut dyn 
         writeln!(output, "{shown}")?;
         return Ok(Status::AsStated);
     }
-    match mathml(&shown) {
+    match display(&shown) {
         Ok(mathml) => {
             writeln!(output, "{mathml}")?;
             Ok(Status::AsStated)

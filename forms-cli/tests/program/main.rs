@@ -1,5 +1,6 @@
 //! The program, run as its users run it: exit statuses, both kinds of output, and what it says of mistakes.
 
+mod book;
 mod checkpoints;
 mod hall;
 mod kernels;

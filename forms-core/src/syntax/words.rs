@@ -19,7 +19,10 @@ pub const ITEMS: &[&str] =
     &["chart", "param", "fn", "let", "form", "field", "map", "metric", "prove", "refute", "kernel", "warp"];
 
 /// The words that stand inside items.
-const INSIDE: &[&str] = &["pub", "where", "on", "if", "else", "jump", "effects"];
+pub const INSIDE: &[&str] = &["pub", "where", "on", "if", "else", "jump", "effects"];
+
+/// The words that mean something where an item expects them, and are free to be names.
+pub const CONTEXTUAL: &[&str] = &["by", "within", "onto", "density", "of", "inverse"];
 
 /// The functions of the language, and its constant.
 pub const FUNCTIONS: &[&str] = &[

@@ -1,0 +1,34 @@
+//! The book of Forms: pages of Markdown in, checked pages and HTML out.
+//!
+//! ```text
+//! Markdown ─ page ─▶ blocks ─┬─ check ─▶ statements, exercises, quoted errors
+//!                            ├─ links ─▶ files and headings they lead to
+//!                            ├─ console ─▶ calls of the program and what they print
+//!                            └─ expand (mathml, verdicts) ─▶ Markdown ─┬─ html, book ─▶ pages
+//!                                                                      └─ preprocess ─▶ mdBook
+//! ```
+//! The sources of the book are part of the crate, so a program that has it needs no other file to show the book.
+
+mod book;
+mod check;
+mod console;
+mod expand;
+mod highlight;
+mod html;
+mod links;
+mod mathml;
+mod page;
+mod preprocess;
+mod theory;
+mod verdicts;
+
+pub use book::{Book, Chapter, book};
+pub use check::{Problem, Report, check_kinds, check_theories, with_errors_quoted};
+pub use console::{Call, agrees, calls, with_outputs};
+pub use html::escaped;
+pub use links::check_links;
+pub use mathml::{display, inline};
+pub use page::{Block, Link, Page};
+pub use preprocess::{PreprocessError, preprocess};
+pub use theory::{Counted, common_text};
+pub use verdicts::steps;

@@ -1,0 +1,215 @@
+//! A page of Markdown and what is marked on it: fenced blocks, links and headings, each with its line.
+//!
+//! ```text
+//! text ─ pulldown-cmark ─▶ Block (kind, text) · Link (target) · anchors of headings
+//! ```
+
+use pulldown_cmark::{CodeBlockKind, Event, OffsetIter, Options, Parser, Tag, TagEnd};
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+/// What a page may contain beside CommonMark: tables, and formulas between dollars.
+pub(crate) const MARKDOWN: Options = Options::ENABLE_TABLES
+    .union(Options::ENABLE_MATH)
+    .union(Options::ENABLE_FOOTNOTES)
+    .union(Options::ENABLE_STRIKETHROUGH);
+
+/// A page of Markdown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Page {
+    /// Its path below the root of the repository, with slashes.
+    pub path: String,
+    /// Its text.
+    pub text: String,
+}
+
+/// A fenced block.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Block {
+    /// What stands behind the fence.
+    pub kind: String,
+    /// The lines up to the closing fence.
+    pub text: String,
+    /// The line of the opening fence, from 1.
+    pub line: usize,
+    /// Where it stands in the page, from fence to fence.
+    pub place: Range<usize>,
+    /// Whether a fence closes it.
+    pub is_closed: bool,
+}
+
+/// The target of a link or of a picture.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Link {
+    /// As it is written, `page.md#anchor`.
+    pub target: String,
+    /// The line it stands in, from 1.
+    pub line: usize,
+}
+
+impl Page {
+    /// A page with its path below the root of the repository.
+    pub fn new(path: impl Into<String>, text: impl Into<String>) -> Self {
+        Page { path: path.into(), text: text.into() }
+    }
+
+    pub(crate) fn events(&self) -> OffsetIter<'_> {
+        Parser::new_ext(&self.text, MARKDOWN).into_offset_iter()
+    }
+
+    /// The number of the line that a byte stands in, from 1.
+    pub fn line(&self, offset: usize) -> usize {
+        self.text.as_bytes()[..offset].iter().filter(|&&byte| byte == b'\n').count() + 1
+    }
+
+    /// The fenced blocks, in order.
+    pub fn blocks(&self) -> Vec<Block> {
+        let mut blocks: Vec<Block> = Vec::new();
+        let mut is_inside = false;
+        for (event, place) in self.events() {
+            match event {
+                Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(kind))) => {
+                    is_inside = true;
+                    let (kind, line) = (kind.trim().to_owned(), self.line(place.start));
+                    let fenced = self.text[place.clone()].trim_end();
+                    let is_closed = fenced.len() > 3 && fenced.ends_with("```");
+                    blocks.push(Block { kind, text: String::new(), line, place, is_closed });
+                }
+                Event::End(TagEnd::CodeBlock) => is_inside = false,
+                Event::Text(text) if is_inside => {
+                    blocks.iter_mut().next_back().expect("it has begun").text.push_str(&text);
+                }
+                _ => {}
+            }
+        }
+        blocks
+    }
+
+    /// The links and pictures, in order, also those of HTML; what is written as code is no link.
+    pub fn links(&self) -> Vec<Link> {
+        let mut links = Vec::new();
+        for (event, place) in self.events() {
+            let line = self.line(place.start);
+            match event {
+                Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
+                    links.push(Link { target: dest_url.to_string(), line });
+                }
+                Event::Html(_) | Event::InlineHtml(_) => {
+                    let targets = targets_in_html(&self.text[place.clone()]).into_iter();
+                    let target =
+                        |at: Range<usize>| self.text[place.start + at.start..place.start + at.end].to_owned();
+                    links.extend(targets.map(|at| Link { target: target(at), line }));
+                }
+                _ => {}
+            }
+        }
+        links
+    }
+
+    /// What links to places of this page may name: its headings.
+    pub fn anchors(&self) -> BTreeSet<String> {
+        let mut anchors = Anchors::default();
+        let mut heading: Option<String> = None;
+        for (event, _) in self.events() {
+            match event {
+                Event::Start(Tag::Heading { .. }) => heading = Some(String::new()),
+                Event::End(TagEnd::Heading(_)) => {
+                    anchors.next(&heading.take().unwrap_or_default());
+                }
+                event => {
+                    if let (Some(heading), Some(text)) = (&mut heading, words(&event)) {
+                        heading.push_str(text);
+                    }
+                }
+            }
+        }
+        anchors.given
+    }
+
+    /// The title: its first heading.
+    pub fn title(&self) -> String {
+        let of_first_heading = self
+            .events()
+            .map(|(event, _)| event)
+            .skip_while(|event| !matches!(event, Event::Start(Tag::Heading { .. })))
+            .take_while(|event| !matches!(event, Event::End(TagEnd::Heading(_))));
+        of_first_heading.filter_map(|event| words(&event).map(str::to_owned)).collect()
+    }
+}
+
+/// Where the values of `src` and `href` stand in a piece of HTML.
+pub(crate) fn targets_in_html(html: &str) -> Vec<Range<usize>> {
+    let starts = [" src=\"", " href=\""]
+        .into_iter()
+        .flat_map(|name| html.match_indices(name).map(|(at, name)| at + name.len()).collect::<Vec<_>>());
+    let mut places: Vec<Range<usize>> =
+        starts.filter_map(|start| Some(start..start + html[start..].find('"')?)).collect();
+    places.sort_by_key(|place| place.start);
+    places
+}
+
+/// The characters of text and code.
+pub(crate) fn words<'a>(event: &'a Event<'_>) -> Option<&'a str> {
+    match event {
+        Event::Text(text) | Event::Code(text) | Event::InlineMath(text) => Some(text),
+        Event::SoftBreak | Event::HardBreak => Some(" "),
+        _ => None,
+    }
+}
+
+/// The anchors of the headings of a page, in order, none given twice.
+#[derive(Default)]
+pub(crate) struct Anchors {
+    given: BTreeSet<String>,
+}
+
+impl Anchors {
+    /// Letters and digits in lower case, spaces as hyphens, and a number where it is taken.
+    pub(crate) fn next(&mut self, heading: &str) -> String {
+        let keep = |c: char| match c {
+            c if c.is_alphanumeric() || c == '_' || c == '-' => Some(c),
+            c if c.is_whitespace() => Some('-'),
+            _ => None,
+        };
+        let plain = heading.to_lowercase().chars().filter_map(keep).collect::<String>();
+        let numbered = (1..).map(|number| format!("{plain}-{number}"));
+        let free = std::iter::once(plain.clone()).chain(numbered).find(|anchor| !self.given.contains(anchor));
+        let anchor = free.expect("numbers do not end");
+        self.given.insert(anchor.clone());
+        anchor
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PAGE: &str = "# The `d` of a form\n\n```forms\nchart P(x);\n```\n\n## Again\n\ntext [a](b.md#c)\n`[no](link)`\n\n\
+        <details>\n\n```forms,answer\nlet a = 1;\n```\n\n</details>\n\n## Again\n";
+
+    #[test]
+    fn blocks_have_their_kind_text_and_line() {
+        let blocks = Page::new("page.md", PAGE).blocks();
+        let found: Vec<(&str, &str, usize)> =
+            blocks.iter().map(|block| (block.kind.as_str(), block.text.as_str(), block.line)).collect();
+        assert_eq!(found, [("forms", "chart P(x);\n", 3), ("forms,answer", "let a = 1;\n", 14)]);
+        assert!(blocks.iter().all(|block| block.is_closed));
+        assert!(!Page::new("open.md", "```forms\nchart P(x);\n").blocks()[0].is_closed);
+    }
+
+    #[test]
+    fn links_are_found_outside_code() {
+        let links = Page::new("page.md", PAGE).links();
+        assert_eq!(links, [Link { target: "b.md#c".into(), line: 9 }]);
+        let links =
+            Page::new("page.md", "text\n<img src=\"a.svg\" width=\"5\"> <a href=\"b.md\">b</a>\n").links();
+        assert_eq!(links.iter().map(|link| link.target.as_str()).collect::<Vec<_>>(), ["a.svg", "b.md"]);
+    }
+
+    #[test]
+    fn anchors_are_given_once() {
+        let anchors: Vec<String> = Page::new("page.md", PAGE).anchors().into_iter().collect();
+        assert_eq!(anchors, ["again", "again-1", "the-d-of-a-form"]);
+        assert_eq!(Page::new("page.md", PAGE).title(), "The d of a form");
+    }
+}

@@ -1,0 +1,102 @@
+//! The theories of a page: what its blocks say, and everything that is wrong with it.
+//!
+//! ```text
+//! blocks ─┬─ forms ─▶ one theory, each line where it stands in the page ─┐
+//!         └─ forms,alone ─▶ a theory each ───────────────────────────────┴─ read, decide, generate ─▶ Findings
+//! ```
+
+use crate::page::{Block, Page};
+use forms_core::check::{objection, read_theory};
+use forms_core::decide::decide;
+use forms_core::diagnostic::Diagnostic;
+use forms_core::generation::generate;
+use forms_core::syntax::Source;
+use std::ops::AddAssign;
+
+/// What came of checking a text.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Findings {
+    /// Errors, statements that are not as claimed, kernels that cannot be generated: where, and as they are shown.
+    pub(crate) complaints: Vec<(usize, String)>,
+    /// How much was looked at.
+    pub(crate) counted: Counted,
+}
+
+/// So many things were looked at.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counted {
+    /// Statements that were decided, those of exercises with their answers among them.
+    pub statements: usize,
+    /// Kernels that were generated.
+    pub kernels: usize,
+    /// Exercises, each with its answer and with its hole.
+    pub exercises: usize,
+    /// Errors that are quoted.
+    pub errors: usize,
+    /// Links between files that were followed.
+    pub links: usize,
+}
+
+impl AddAssign for Counted {
+    fn add_assign(&mut self, other: Self) {
+        self.statements += other.statements;
+        self.kernels += other.kernels;
+        self.exercises += other.exercises;
+        self.errors += other.errors;
+        self.links += other.links;
+    }
+}
+
+/// The theories of a page as texts in which every line has the number it has in the page.
+pub(crate) fn sources(page: &Page, blocks: &[Block]) -> Vec<Source> {
+    let common: Vec<&Block> = blocks.iter().filter(|block| block.kind == "forms").collect();
+    let alone = blocks.iter().filter(|block| block.kind == "forms,alone").map(|block| vec![block]);
+    let theories = std::iter::once(common).chain(alone).filter(|blocks| !blocks.is_empty());
+    theories.map(|blocks| Source::new(&page.path, placed(&blocks))).collect()
+}
+
+/// The texts of blocks, with empty lines before each up to its place in the page.
+fn placed(blocks: &[&Block]) -> String {
+    let (mut text, mut line) = (String::new(), 1);
+    for block in blocks {
+        text.extend(std::iter::repeat_n('\n', (block.line + 1).saturating_sub(line)));
+        text.push_str(&block.text);
+        line = block.line + 1 + block.text.lines().count();
+    }
+    text
+}
+
+/// The texts of the blocks of a page's common theory, up to one of its blocks.
+pub fn common_text(blocks: &[Block]) -> String {
+    blocks.iter().filter(|block| block.kind == "forms").map(|block| block.text.as_str()).collect()
+}
+
+/// Reads a text, and checks what it says from a place on.
+pub(crate) fn findings(source: &Source, from: usize) -> Findings {
+    let (mut theory, mut diagnostics) = read_theory(&source.text);
+    let mut counted = Counted::default();
+    if diagnostics.is_empty() {
+        let is_new = |start: u32| usize::try_from(start).is_ok_and(|start| start >= from);
+        let statements = theory.statements.clone();
+        for statement in statements.iter().filter(|statement| is_new(statement.span.start)) {
+            let verdict = decide(&mut theory, statement);
+            diagnostics.extend(objection(statement, &verdict));
+            counted.statements += 1;
+        }
+        let kernels = theory.kernels.clone();
+        for kernel in kernels.iter().filter(|kernel| is_new(kernel.span.start)) {
+            diagnostics.extend(generate(&mut theory.pool, kernel).err().into_iter().flatten());
+            counted.kernels += 1;
+        }
+    }
+    let shown =
+        |diagnostic: &Diagnostic| (source.position(diagnostic.span.start).line, source.render(diagnostic));
+    Findings { complaints: diagnostics.iter().map(shown).collect(), counted }
+}
+
+/// Everything that is said about a text that stands for itself.
+pub(crate) fn message(text: &str) -> String {
+    let complaints = findings(&Source::new("example.forms", text), 0).complaints;
+    let shown: Vec<String> = complaints.into_iter().map(|(_, shown)| shown).collect();
+    shown.join("\n").lines().map(|line| format!("{}\n", line.trim_end())).collect()
+}

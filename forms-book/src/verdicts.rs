@@ -1,0 +1,133 @@
+//! What stands below a block of the book: for each statement its verdict and the steps that decide it, and what is declared, in
+//! mathematical notation.
+//!
+//! ```text
+//! block ─ items ─┬─ statements, warps ─ derive ─▶ a closed <details> each
+//!                └─ forms, kernels ─ notation ──▶ one closed <details>
+//! ```
+
+use crate::html::escaped;
+use crate::mathml::display;
+use forms_core::check::read_file;
+use forms_core::decide::Verdict;
+use forms_core::derivation::{Derivation, Line, derive};
+use forms_core::diagnostic::Span;
+use forms_core::expression::Symbol;
+use forms_core::notation::{latex, latex_of_name, simplify};
+use forms_core::resolve::{Named, Theory, Value};
+use forms_core::syntax::Source;
+use forms_core::syntax::ast::{File, ItemKind};
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// A formula of more characters of LaTeX is not shown.
+const LONGEST: usize = 4000;
+
+/// A theory that is shown in parts.
+pub(crate) struct Shown {
+    source: Source,
+    file: File,
+    theory: Theory,
+}
+
+impl Shown {
+    /// Reads a text; one with errors shows nothing.
+    pub(crate) fn new(source: Source) -> Option<Self> {
+        let (file, theory, diagnostics) = read_file(&source.text);
+        diagnostics.is_empty().then_some(Shown { source, file, theory })
+    }
+
+    /// What is to stand below the block that is this part of the text: one block of HTML without empty lines.
+    pub(crate) fn below(&self, part: Range<usize>) -> Result<String, String> {
+        let is_inside = |span: Span| part.contains(&(span.start as usize));
+        let statements = self.theory.statements.iter().filter(|statement| is_inside(statement.span));
+        let names: Vec<&str> = statements.map(|statement| statement.name.as_str()).collect();
+        let verdicts: Result<Vec<String>, String> = names
+            .into_par_iter()
+            .filter_map(|name| derive(&self.source, name))
+            .map(|derivation| details(&derivation))
+            .collect();
+        let items = self.file.items.iter().filter(|item| is_inside(item.span));
+        let declared: Vec<String> = items.filter_map(|item| self.declared(&item.kind)).collect();
+        let mut below = String::new();
+        if !declared.is_empty() {
+            let formulas: Result<String, String> = declared.iter().map(|latex| formula(latex)).collect();
+            below.push_str("<details class=\"declared\"><summary>in mathematical notation</summary>\n");
+            below.push_str(&format!("{}</details>\n", formulas?));
+        }
+        Ok(below + &verdicts?.concat())
+    }
+
+    /// A declared form or kernel in LaTeX, `name = value`.
+    fn declared(&self, kind: &ItemKind) -> Option<String> {
+        let (ItemKind::Form { name, .. } | ItemKind::Kernel { name, .. }) = kind else { return None };
+        let mut theory = self.theory.clone();
+        let title = latex_of_name(&name.text);
+        let written = match theory.named(&name.text)?.clone() {
+            Named::Object(number) => {
+                let value = theory.objects[number].value.clone();
+                format!("{title} = {}", simplified(&mut theory, &value))
+            }
+            Named::Kernel(number) => {
+                let kernel = theory.kernels[number].clone();
+                let argument = |&symbol: &Symbol| latex_of_name(theory.pool.symbol_name(symbol));
+                let arguments = kernel.arguments.iter().map(argument).collect::<Vec<_>>().join(", ");
+                let outputs: Vec<String> = kernel
+                    .outputs
+                    .iter()
+                    .map(|&output| simplified(&mut theory, &Value::Scalar(output)))
+                    .collect();
+                let value = match outputs.as_slice() {
+                    [single] => single.clone(),
+                    several => format!("\\left({}\\right)", several.join(",\\; ")),
+                };
+                format!("{title}\\left({arguments}\\right) = {value}")
+            }
+            _ => return None,
+        };
+        (written.len() <= LONGEST).then_some(written)
+    }
+}
+
+fn simplified(theory: &mut Theory, value: &Value) -> String {
+    let value = simplify(theory, &[], value);
+    latex(theory, &value)
+}
+
+/// A statement with its verdict; open, the steps that decide it.
+fn details(derivation: &Derivation) -> Result<String, String> {
+    let words = match &derivation.verdict {
+        Verdict::Proved(_) => "proved",
+        Verdict::Refuted(_) => "refuted",
+        Verdict::Unknown { .. } => "undecided",
+        Verdict::Empty { .. } => "speaks of no point",
+    };
+    let (class, mark) = if derivation.ok { ("verdict", "✓") } else { ("verdict wrong", "✗") };
+    let summary =
+        format!("<span class=\"mark\">{mark}</span> <code>{}</code> {words}", escaped(&derivation.name));
+    Ok(format!("<details class=\"{class}\"><summary>{summary}</summary>\n{}</details>\n", steps(derivation)?))
+}
+
+/// The steps of a derivation as a list, formulas as MathML, without empty lines.
+///
+/// # Errors
+/// If a formula cannot be written in MathML.
+pub fn steps(derivation: &Derivation) -> Result<String, String> {
+    let mut list = String::from("<ol class=\"steps\">\n");
+    for step in &derivation.steps {
+        list.push_str(&format!("<li><p class=\"step\">{}</p>\n", escaped(&step.title)));
+        for line in &step.lines {
+            match line {
+                Line::Words(words) => list.push_str(&format!("<p>{}</p>\n", escaped(words))),
+                Line::Formula(line) => list.push_str(&formula(&line.latex)?),
+            }
+        }
+        list.push_str("</li>\n");
+    }
+    Ok(list + "</ol>\n")
+}
+
+/// A formula on a line of its own, scrolled where it is wider than the page.
+fn formula(latex: &str) -> Result<String, String> {
+    Ok(format!("<div class=\"formula\">{}</div>\n", display(latex)?.replace('\n', " ")))
+}
