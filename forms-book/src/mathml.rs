@@ -29,7 +29,25 @@ fn mathml(latex: &str, display_mode: DisplayMode) -> Result<String, String> {
     let mut mathml = String::new();
     let events = events.into_iter().map(Ok::<_, std::fmt::Error>);
     push_mathml(&mut mathml, events, config).map_err(|error| error.to_string())?;
-    Ok(with_spaces_outside(&mathml))
+    Ok(with_spaces_outside(&escaped_outside_tags(&mathml)))
+}
+
+/// The writer leaves the signs < and > as they are. A tag begins with a letter or a slash, which no sign is followed by.
+fn escaped_outside_tags(mathml: &str) -> String {
+    let (mut result, mut is_tag) = (String::with_capacity(mathml.len()), false);
+    let mut characters = mathml.chars().peekable();
+    while let Some(character) = characters.next() {
+        let begins_tag = characters.peek().is_some_and(|next| next.is_ascii_alphabetic() || *next == '/');
+        match character {
+            '<' if !is_tag && !begins_tag => result.push_str("&lt;"),
+            '>' if !is_tag => result.push_str("&gt;"),
+            _ => {
+                is_tag = if is_tag { character != '>' } else { character == '<' };
+                result.push(character);
+            }
+        }
+    }
+    result
 }
 
 /// The writer puts the space before an operator with scripts into the element that holds operator and scripts, as one child
@@ -55,6 +73,15 @@ fn with_spaces_outside(mathml: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn signs_of_order_are_no_tags() {
+        let mathml = inline("0 < x > y").expect("a formula");
+        assert!(mathml.contains("<mo>&lt;</mo><mi>x</mi><mo>&gt;</mo><mi>y</mi></math>"), "{mathml}");
+        let mathml = inline("\\text{a < b}").expect("a formula");
+        assert_eq!(mathml.matches('<').count(), mathml.matches('>').count(), "{mathml}");
+        assert!(mathml.contains("a &lt; b"), "{mathml}");
+    }
 
     #[test]
     fn elements_with_scripts_have_no_child_too_many() {
