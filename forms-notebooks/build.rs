@@ -67,7 +67,7 @@ fn shown(source: &str) -> String {
     }
     let starts = std::iter::once(0).chain(source.match_indices('\n').map(|(place, _)| place + 1));
     let begins = |start: &usize| !source[*start..].starts_with([' ', ')', ']', '}', '.', '\n']);
-    let start = starts.filter(begins).last().unwrap_or(0);
+    let start = starts.rev().find(begins).unwrap_or(0);
     let (before, value) = source.split_at(start);
     format!("{before}({value}).evcxr_display();")
 }
