@@ -5,9 +5,6 @@ use std::time::Duration;
 /// The columns that are used.
 pub(crate) const WIDTH: usize = 80;
 
-/// How many characters of a long value are shown.
-const FIGURES: usize = 12;
-
 /// Lines of at most [`WIDTH`] columns with an indent, broken at spaces; a longer word stands alone.
 pub(crate) fn wrap(text: &str, indent: usize) -> Vec<String> {
     let fits = |line: &str, word: &str| indent + line.chars().count() + 1 + word.chars().count() <= WIDTH;
@@ -37,14 +34,6 @@ pub(crate) fn duration(time: Duration) -> String {
         0..1_000 => format!("{micros} µs"),
         1_000..1_000_000 => format!("{:.1} ms", micros as f64 / 1e3),
         _ => format!("{:.2} s", time.as_secs_f64()),
-    }
-}
-
-/// The first figures of a value: `0.2182178…`; a shorter value as it is.
-pub(crate) fn few_digits(value: &str) -> String {
-    match value.char_indices().nth(FIGURES) {
-        Some((end, _)) => format!("{}…", &value[..end]),
-        None => value.to_string(),
     }
 }
 

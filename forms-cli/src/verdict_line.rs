@@ -1,6 +1,6 @@
 //! A statement with its verdict, for a person to read.
 
-use crate::layout::{duration, few_digits, wrap};
+use crate::layout::{duration, wrap};
 use crate::palette::Palette;
 use forms::core::decide::{Verdict, Witness};
 use forms::core::resolve::Statement;
@@ -82,7 +82,7 @@ fn refutation(witness: &Witness) -> String {
 
 /// The witness with the first figures of both sides.
 fn in_short(witness: &Witness) -> Witness {
-    let (left, right) = (few_digits(&witness.left), few_digits(&witness.right));
+    let [left, right] = witness.few_digits();
     Witness { left, right, ..witness.clone() }
 }
 

@@ -24,6 +24,7 @@ mod integral;
 pub mod kernel;
 pub mod normal;
 pub mod notation;
+pub mod notebook;
 pub mod polynomial;
 mod random;
 pub mod resolve;

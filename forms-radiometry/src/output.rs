@@ -1,6 +1,7 @@
 //! Files: what a simulation found becomes the bytes of tables and pictures. Nothing is written to a disk here.
 //!
 //! ```text
+//! Plan, Simulation, Map ─ notebook ─▶ what a cell of a notebook shows of them
 //! Simulation ─┬─ csv ─▶ results.csv: every number, every cell of every map
 //!             └─ Map ─┬─ exr ─▶ the values as they are, a channel for each band
 //!                     ├─ png ─▶ a map as a picture on a scale of colours
@@ -10,12 +11,15 @@
 //! a map is the first one of a picture.
 
 mod csv;
+mod digits;
 mod exr;
 mod names;
+mod notebook;
 mod photograph;
 mod png;
 
 pub use csv::csv;
+pub use digits::{measured, rough};
 pub use exr::exr;
 pub use names::file_names;
 pub use photograph::photograph;

@@ -5,10 +5,7 @@ use crate::commands::refuse;
 use crate::kernel::files;
 use crate::status::Status;
 use crate::theory_file::complain;
-use forms::core::calculus::Coordinate;
-use forms::core::expression::{Condition, Expr, Symbol};
-use forms::core::notation::{latex, latex_of_name, latex_of_relation, simplify, simplify_expression, text};
-use forms::core::resolve::{Named, Statement, Theory, Value};
+use forms::core::notation::{latex_of_named, text_of_named};
 use forms_book::display;
 use std::io::{self, Write};
 
@@ -21,7 +18,8 @@ pub(crate) fn show(file: &str, name: &str, notation: Notation, output: &mut dyn 
             return Ok(Status::Error);
         }
     };
-    let shown = files.iter_mut().find_map(|file| Writer { theory: &mut file.theory, notation }.named(name));
+    let of_name = if notation == Notation::Text { text_of_named } else { latex_of_named };
+    let shown = files.iter_mut().find_map(|file| of_name(&mut file.theory, name));
     let Some(shown) = shown else {
         return Ok(refuse(&format!("`{name}` is neither declared nor a statement in {file}")));
     };
@@ -35,117 +33,5 @@ pub(crate) fn show(file: &str, name: &str, notation: Notation, output: &mut dyn 
             Ok(Status::AsStated)
         }
         Err(error) => Ok(refuse(&format!("`{name}` cannot be written in MathML: {error}"))),
-    }
-}
-
-struct Writer<'a> {
-    theory: &'a mut Theory,
-    notation: Notation,
-}
-
-impl Writer<'_> {
-    /// The object of that name; a name of the language comes before the name of a statement.
-    fn named(&mut self, name: &str) -> Option<String> {
-        let Some(named) = self.theory.named(name).cloned() else {
-            let statement = self.theory.statements.iter().find(|statement| statement.name == name)?.clone();
-            return Some(self.statement(&statement));
-        };
-        Some(match named {
-            Named::Chart(number) => self.chart(number),
-            Named::Object(number) => {
-                let object = self.theory.objects[number].clone();
-                let shown = self.value(&object.value);
-                match object.unit {
-                    Some(unit) if self.is_text() => format!("{shown}  // in {unit}"),
-                    _ => shown,
-                }
-            }
-            Named::Map(number) => {
-                let components = self.theory.maps[number].components.clone();
-                self.tuple(&components)
-            }
-            Named::Kernel(number) => match self.theory.kernels[number].outputs.clone().as_slice() {
-                [single] => self.scalar(*single),
-                several => self.tuple(several),
-            },
-            Named::Function(function) => {
-                let arguments = self.theory.pool.function(function).arguments.clone();
-                let arguments: Vec<String> =
-                    arguments.into_iter().map(|symbol| self.symbol(symbol)).collect();
-                format!("{}({})", self.name(name), arguments.join(", "))
-            }
-            Named::Differential(coordinate) => self.differential(coordinate),
-            Named::Coordinate(_) | Named::Parameter(_) | Named::Metric(_) | Named::Poisoned => {
-                self.name(name)
-            }
-        })
-    }
-
-    fn is_text(&self) -> bool {
-        self.notation == Notation::Text
-    }
-
-    fn name(&self, name: &str) -> String {
-        if self.is_text() { name.to_string() } else { latex_of_name(name) }
-    }
-
-    fn symbol(&self, symbol: Symbol) -> String {
-        self.name(self.theory.pool.symbol_name(symbol))
-    }
-
-    fn differential(&self, coordinate: Coordinate) -> String {
-        let name = self.name(self.theory.coordinate_name(coordinate));
-        if self.is_text() { format!("d{name}") } else { format!("\\mathrm{{d}}{name}") }
-    }
-
-    fn value(&mut self, value: &Value) -> String {
-        let simplified = simplify(self.theory, &[], value);
-        if self.is_text() { text(self.theory, &simplified) } else { latex(self.theory, &simplified) }
-    }
-
-    fn scalar(&mut self, scalar: Expr) -> String {
-        self.value(&Value::Scalar(scalar))
-    }
-
-    fn tuple(&mut self, scalars: &[Expr]) -> String {
-        let parts: Vec<String> = scalars.iter().map(|&scalar| self.scalar(scalar)).collect();
-        let inner = parts.join(", ");
-        if self.is_text() { format!("({inner})") } else { format!("\\left({inner}\\right)") }
-    }
-
-    fn chart(&mut self, number: usize) -> String {
-        let chart = self.theory.charts[number].clone();
-        let coordinates: Vec<String> =
-            chart.coordinates.iter().map(|&c| self.name(self.theory.coordinate_name(c))).collect();
-        let shown = format!("{}({})", self.name(&chart.name), coordinates.join(", "));
-        shown + &self.conditions(&chart.conditions)
-    }
-
-    fn statement(&mut self, statement: &Statement) -> String {
-        let (left, right) = (self.value(&statement.left), self.value(&statement.right));
-        let equals = if self.is_text() { "==" } else { "=" };
-        format!("{left} {equals} {right}") + &self.conditions(&statement.conditions)
-    }
-
-    /// ` where a > 0, b != 0`; nothing without conditions.
-    fn conditions(&mut self, conditions: &[Condition]) -> String {
-        if conditions.is_empty() {
-            return String::new();
-        }
-        let conditions: Vec<String> = conditions.iter().map(|condition| self.condition(condition)).collect();
-        let between = if self.is_text() { " where " } else { "\\quad\\text{where}\\quad " };
-        format!("{between}{}", conditions.join(", "))
-    }
-
-    fn condition(&mut self, condition: &Condition) -> String {
-        let [left, right] = [condition.left, condition.right]
-            .map(|side| simplify_expression(&mut self.theory.pool, &[], side));
-        let (left, right) = (Value::Scalar(left), Value::Scalar(right));
-        if self.is_text() {
-            let (left, right) = (text(self.theory, &left), text(self.theory, &right));
-            return format!("{left} {} {right}", condition.relation.text());
-        }
-        let (left, right) = (latex(self.theory, &left), latex(self.theory, &right));
-        format!("{left} {} {right}", latex_of_relation(condition.relation))
     }
 }

@@ -7,7 +7,6 @@
 //! ```
 
 mod answers;
-mod digits;
 mod figure;
 mod files;
 mod instructions;

@@ -66,6 +66,19 @@ impl Verdict {
     }
 }
 
+/// The most characters of a value that [`Witness::few_digits`] keeps.
+const FIGURES: usize = 12;
+
+impl Witness {
+    /// Both values by their first figures: `0.2182178…`; a shorter value as it is.
+    pub fn few_digits(&self) -> [String; 2] {
+        [&self.left, &self.right].map(|value| match value.char_indices().nth(FIGURES) {
+            Some((end, _)) => format!("{}…", &value[..end]),
+            None => value.clone(),
+        })
+    }
+}
+
 impl fmt::Display for Witness {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let point: Vec<String> = self.point.iter().map(|(name, value)| format!("{name} = {value}")).collect();

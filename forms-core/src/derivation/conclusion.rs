@@ -75,7 +75,7 @@ fn conditions(scribe: &mut Scribe, statement: &Statement) -> Vec<Line> {
 }
 
 /// A variable with its value; the value of an unknown function or its derivative is told in the language.
-fn assignment(name: &str, value: &str) -> Formula {
+pub(crate) fn assignment(name: &str, value: &str) -> Formula {
     let plain = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     let set = if plain { latex_of_name(name) } else { format!("\\texttt{{{}}}", name.replace('_', "\\_")) };
     Formula::new(format!("{name} = {value}"), format!("{set} = {}", digits(value)))
@@ -86,7 +86,7 @@ fn side(which: &str, value: &str) -> Formula {
 }
 
 /// A value in LaTeX: `1/2` as a fraction, `3.14…` with its dots.
-fn digits(value: &str) -> String {
+pub(crate) fn digits(value: &str) -> String {
     let (sign, magnitude) = value.strip_prefix('-').map_or(("", value), |rest| ("-", rest));
     match magnitude.split_once('/') {
         Some((above, below)) => format!("{sign}\\tfrac{{{above}}}{{{below}}}"),

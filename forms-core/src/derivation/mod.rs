@@ -13,6 +13,7 @@ mod proof;
 mod render;
 mod scribe;
 
+pub(crate) use conclusion::{assignment, digits};
 pub use scribe::Formula;
 
 use crate::decide::{Verdict, decide};

@@ -1,9 +1,9 @@
 //! The answers, after the work: a table, or a JSON object for each number.
 
-use super::digits::{measured, rough};
 use crate::json::write_record;
 use crate::layout::{columns, counted, duration};
 use crate::palette::Palette;
+use forms_radiometry::output::{measured, rough};
 use forms_radiometry::simulation::{Answer, ErrorKind, ErrorParts, Simulation};
 use std::io::{self, Write};
 use std::time::Duration;

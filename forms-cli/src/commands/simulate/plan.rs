@@ -1,9 +1,9 @@
 //! The plan, before the work: a table, or a JSON object for each effect.
 
-use super::digits::rough;
 use crate::json::write_record;
 use crate::layout::{WIDTH, columns, filled, wrap};
 use crate::palette::Palette;
+use forms_radiometry::output::rough;
 use forms_radiometry::scene::{Receiver, ReceiverKind, Scene};
 use forms_radiometry::simulation::{Plan, PlannedEffect, Quantity, UsedKernel};
 use std::io::{self, Write};

@@ -3,7 +3,7 @@
 use super::heading;
 use crate::commands::prove::Totals;
 use crate::decisions::timed;
-use crate::layout::{duration, few_digits, wrap};
+use crate::layout::{duration, wrap};
 use crate::palette::Palette;
 use crate::status::Status;
 use crate::theory_file::{complain, from_text};
@@ -81,7 +81,8 @@ fn as_printed(
 /// Where the sides differ and their values there, to a few digits.
 fn difference(witness: &Witness) -> String {
     let point: Vec<String> = witness.point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-    format!("{} ≠ {} at {}", few_digits(&witness.left), few_digits(&witness.right), point.join(", "))
+    let [left, right] = witness.few_digits();
+    format!("{left} ≠ {right} at {}", point.join(", "))
 }
 
 /// The equation as it is written in its file, without its name.

@@ -9,7 +9,7 @@ const MOST_POWER: i32 = 6;
 const UNCERTAIN: usize = 6;
 
 /// The value, and its error.
-pub(super) fn measured(value: f64, error: f64) -> [String; 2] {
+pub fn measured(value: f64, error: f64) -> [String; 2] {
     // a zero has no sign
     let value = value + 0.0;
     if !(value.is_finite() && error.is_finite()) {
@@ -34,7 +34,7 @@ pub(super) fn measured(value: f64, error: f64) -> [String; 2] {
 }
 
 /// A number whose size alone matters.
-pub(super) fn rough(number: f64) -> String {
+pub fn rough(number: f64) -> String {
     match number {
         0.0 => "0".to_owned(),
         _ if number.is_finite() => format!("{number:.1e}"),

@@ -1,0 +1,73 @@
+//! Notebooks: what a cell shows of a theory, as typeset mathematics.
+//!
+//! ```text
+//! text ─ read ─▶ Sheet ─┬─ show ───▶ Shown       a name with what it stands for
+//!                       ├─ decide ─▶ Decided     every claim with its verdict
+//!                       └─ derive ─▶ Derivation  the steps that decide one claim
+//! numbers ─────────────────────────▶ Table
+//! ```
+//! The kernel [evcxr](https://github.com/evcxr/evcxr) calls `evcxr_display` of the value at the end of a cell and takes
+//! what is printed between two marks as content of one MIME type. Formulas are LaTeX, which Jupyter typesets; beside it
+//! stands a plain text for terminals.
+
+mod sheet;
+mod table;
+mod verdict;
+
+pub use sheet::{Decided, Sheet, Shown};
+pub use table::Table;
+
+use crate::derivation::{Derivation, Line};
+
+/// Prints content of a MIME type between the marks that evcxr looks for. A cell has one content of each type.
+///
+/// ```
+/// // prints three lines
+/// forms_core::notebook::print_content("text/latex", "$\\beta$");
+/// ```
+pub fn print_content(mime: &str, content: &str) {
+    println!("EVCXR_BEGIN_CONTENT {mime}\n{}\nEVCXR_END_CONTENT", content.trim_end());
+}
+
+/// Markdown for those who can read it, plain text for the others.
+fn print_markdown(markdown: &str, plain: &str) {
+    print_content("text/markdown", markdown);
+    print_content("text/plain", plain);
+}
+
+impl Derivation {
+    /// The steps in Markdown: titles in bold, formulas in LaTeX on lines of their own.
+    pub fn markdown(&self) -> String {
+        let mut markdown = String::new();
+        for (number, step) in self.steps.iter().enumerate() {
+            markdown.push_str(&format!("**{}. {}**\n\n", number + 1, escaped(&step.title)));
+            for line in &step.lines {
+                match line {
+                    Line::Words(words) => markdown.push_str(&format!("{}\n\n", escaped(words))),
+                    Line::Formula(formula) => markdown.push_str(&format!("$${}$$\n\n", formula.latex)),
+                }
+            }
+        }
+        markdown
+    }
+
+    /// Shows the steps in a cell of a notebook.
+    pub fn evcxr_display(&self) {
+        print_markdown(&self.markdown(), &self.text());
+    }
+}
+
+/// Words with the characters that Markdown or HTML give a meaning to written as themselves.
+fn escaped(words: &str) -> String {
+    let mut text = String::new();
+    for c in words.chars() {
+        match c {
+            '<' => text.push_str("&lt;"),
+            '>' => text.push_str("&gt;"),
+            '&' => text.push_str("&amp;"),
+            '\\' | '`' | '*' | '_' | '$' | '[' | ']' | '|' => text.extend(['\\', c]),
+            _ => text.push(c),
+        }
+    }
+    text
+}

@@ -1,0 +1,254 @@
+//! A theory as a notebook holds it: its text, what it declares, and what is wrong with it.
+
+use super::{escaped, print_content, print_markdown};
+use crate::check::{decide_all, read_file};
+use crate::decide::Verdict;
+use crate::derivation::{Derivation, derive};
+use crate::diagnostic::Diagnostic;
+use crate::notation::{latex_as_written, latex_of_condition, latex_of_name, latex_of_named, text_of_named};
+use crate::resolve::Theory;
+use crate::syntax::Source;
+use crate::syntax::ast::{Claim, Condition, Expr, File, ItemKind};
+
+/// A text of the language, read. In a notebook it shows how much it declares, or its errors.
+///
+/// ```
+/// use forms_core::notebook::Sheet;
+/// let mut sheet = Sheet::read("chart R2(x, y); form w = x*dy; prove area: d(w) == dx^dy;");
+/// assert_eq!(sheet.show("w").text, "w = x*dy");
+/// assert_eq!(sheet.show("area").latex, r"\mathrm{d}w = \mathrm{d}x\wedge \mathrm{d}y");
+/// assert!(sheet.decide().are_as_claimed());
+/// ```
+#[derive(Clone, Debug)]
+pub struct Sheet {
+    source: Source,
+    file: File,
+    theory: Theory,
+    errors: Vec<Diagnostic>,
+}
+
+/// A formula in the language's notation and in LaTeX.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Shown {
+    /// As the language writes it.
+    pub text: String,
+    /// As it is typeset.
+    pub latex: String,
+}
+
+/// Every claim of a sheet with its verdict.
+#[derive(Clone, Debug)]
+pub struct Decided {
+    claims: Vec<DecidedClaim>,
+}
+
+#[derive(Clone, Debug)]
+struct DecidedClaim {
+    name: String,
+    claim: Claim,
+    formula: Shown,
+    verdict: Verdict,
+}
+
+impl Sheet {
+    /// Reads a text. A mistake in it is shown, and what does not rest on it can be used.
+    pub fn read(text: &str) -> Self {
+        let (file, theory, errors) = read_file(text);
+        Sheet { source: Source::new("cell", text), file, theory, errors }
+    }
+
+    /// The theory that the text declares.
+    pub fn theory(&self) -> &Theory {
+        &self.theory
+    }
+
+    /// What a name stands for: of a form its expression as it was written and, where that is another, simplified; of a
+    /// claim its equation.
+    pub fn show(&mut self, name: &str) -> Shown {
+        if let Some(equation) = self.equation(name) {
+            return equation;
+        }
+        let values = text_of_named(&mut self.theory, name).zip(latex_of_named(&mut self.theory, name));
+        let Some((text, latex)) = values else {
+            let message = format!("nothing is named `{name}`");
+            let name = name.replace('_', "\\_");
+            return Shown { latex: format!("\\text{{nothing is named }}\\texttt{{{name}}}"), text: message };
+        };
+        let mut shown = Shown { text: name.to_owned(), latex: latex_of_name(name) };
+        // charts, unknown functions and variables stand for themselves
+        if text.split('(').next() == Some(name) {
+            return Shown { text, latex };
+        }
+        if let Some(written) = self.written(name).filter(|written| written.latex != latex) {
+            shown = shown.equals(&written);
+        }
+        shown.equals(&Shown { text, latex })
+    }
+
+    /// Decides every claim, in order.
+    pub fn decide(&mut self) -> Decided {
+        let verdicts = decide_all(&mut self.theory);
+        let statements = self.theory.statements.clone();
+        let claims = statements.into_iter().zip(verdicts).map(|(statement, verdict)| DecidedClaim {
+            formula: self.show(&statement.name),
+            name: statement.name,
+            claim: statement.claim,
+            verdict,
+        });
+        Decided { claims: claims.collect() }
+    }
+
+    /// The steps that decide one claim.
+    ///
+    /// # Errors
+    /// If no claim has that name, or the text has mistakes.
+    pub fn derive(&self, name: &str) -> Result<Derivation, String> {
+        if !self.errors.is_empty() {
+            return Err(self.mistakes());
+        }
+        let known: Vec<&str> =
+            self.theory.statements.iter().map(|statement| statement.name.as_str()).collect();
+        derive(&self.source, name)
+            .ok_or_else(|| format!("no claim is named `{name}`; there are: {}", known.join(", ")))
+    }
+
+    /// Shows in a cell of a notebook how much was read, or what is wrong.
+    pub fn evcxr_display(&self) {
+        if !self.errors.is_empty() {
+            print_content("text/plain", &self.mistakes());
+            return;
+        }
+        let theory = &self.theory;
+        let counted = [
+            (theory.charts.len(), "chart"),
+            (theory.maps.len(), "map"),
+            (theory.objects.len(), "named value"),
+            (theory.kernels.len(), "kernel"),
+            (theory.statements.len(), "claim"),
+        ];
+        let counted = counted.iter().filter(|(count, _)| *count > 0);
+        let parts: Vec<String> =
+            counted.map(|(n, noun)| format!("{n} {noun}{}", if *n == 1 { "" } else { "s" })).collect();
+        print_content("text/plain", &parts.join(", "));
+    }
+
+    fn mistakes(&self) -> String {
+        self.errors.iter().map(|error| self.source.render(error)).collect()
+    }
+
+    /// The equation of a claim as its author wrote it.
+    fn equation(&self, wanted: &str) -> Option<Shown> {
+        self.file.items.iter().find_map(|item| match &item.kind {
+            ItemKind::Statement { name, left, right, conditions, .. } if name.text == wanted => {
+                let sides = self.expression(left).equals(&self.expression(right));
+                Some(Shown { text: sides.text.replacen(" = ", " == ", 1), ..sides }.under(self, conditions))
+            }
+            _ => None,
+        })
+    }
+
+    /// The expression of a named value as its author wrote it.
+    fn written(&self, wanted: &str) -> Option<Shown> {
+        self.file.items.iter().find_map(|item| match &item.kind {
+            ItemKind::Let { name, value, .. }
+            | ItemKind::Form { name, value, .. }
+            | ItemKind::Field { name, value, .. }
+                if name.text == wanted =>
+            {
+                Some(self.expression(value))
+            }
+            _ => None,
+        })
+    }
+
+    fn expression(&self, expression: &Expr) -> Shown {
+        let text = self.quoted(expression.span.start, expression.span.end);
+        Shown { text, latex: latex_as_written(&self.theory, expression) }
+    }
+
+    /// A part of the text on one line.
+    fn quoted(&self, start: u32, end: u32) -> String {
+        let text = self.source.text.get(start as usize..end as usize).unwrap_or_default();
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+}
+
+impl Shown {
+    /// Shows the formula in a cell of a notebook.
+    pub fn evcxr_display(&self) {
+        print_content("text/latex", &format!("$\\displaystyle {}$", self.latex));
+        print_content("text/plain", &self.text);
+    }
+
+    fn equals(&self, right: &Shown) -> Shown {
+        Shown {
+            text: format!("{} = {}", self.text, right.text),
+            latex: format!("{} = {}", self.latex, right.latex),
+        }
+    }
+
+    fn under(self, sheet: &Sheet, conditions: &[Condition]) -> Shown {
+        if conditions.is_empty() {
+            return self;
+        }
+        let texts = conditions.iter().map(|condition| sheet.quoted(condition.span.start, condition.span.end));
+        let latex = conditions.iter().map(|condition| latex_of_condition(&sheet.theory, condition));
+        let [texts, latex] =
+            [texts.collect::<Vec<_>>(), latex.collect::<Vec<_>>()].map(|parts| parts.join(", "));
+        Shown {
+            text: format!("{} where {texts}", self.text),
+            latex: format!("{} \\quad\\text{{where}}\\quad {latex}", self.latex),
+        }
+    }
+}
+
+impl Decided {
+    /// The verdicts in the order of the claims.
+    pub fn verdicts(&self) -> impl Iterator<Item = &Verdict> {
+        self.claims.iter().map(|decided| &decided.verdict)
+    }
+
+    /// The verdict on the claim of that name.
+    pub fn verdict(&self, name: &str) -> Option<&Verdict> {
+        self.claims.iter().find(|decided| decided.name == name).map(|decided| &decided.verdict)
+    }
+
+    /// Whether every claim is as its author says.
+    pub fn are_as_claimed(&self) -> bool {
+        self.claims.iter().all(DecidedClaim::is_as_claimed)
+    }
+
+    /// Each claim in Markdown: its name and verdict, and its equation in LaTeX.
+    pub fn markdown(&self) -> String {
+        let each = |decided: &DecidedClaim| {
+            let DecidedClaim { name, formula, verdict, .. } = decided;
+            let surprise = if decided.is_as_claimed() { "" } else { ", **not as claimed**" };
+            let verdict = verdict.markdown();
+            format!(
+                "{} {} is {verdict}{surprise}\n\n$${}$$\n\n",
+                decided.mark(),
+                escaped(name),
+                formula.latex
+            )
+        };
+        self.claims.iter().map(each).collect()
+    }
+
+    /// Shows the claims with their verdicts in a cell of a notebook.
+    pub fn evcxr_display(&self) {
+        let each = |decided: &DecidedClaim| {
+            format!("{} {}: {}\n", decided.mark(), decided.name, decided.verdict.name())
+        };
+        print_markdown(&self.markdown(), &self.claims.iter().map(each).collect::<String>());
+    }
+}
+
+impl DecidedClaim {
+    fn is_as_claimed(&self) -> bool {
+        self.verdict.bears_out(self.claim)
+    }
+
+    fn mark(&self) -> &'static str {
+        if self.is_as_claimed() { "✓" } else { "✗" }
+    }
+}
