@@ -19,7 +19,7 @@ pub use csv::csv;
 pub use exr::exr;
 pub use names::file_names;
 pub use photograph::photograph;
-pub use png::png;
+pub use png::{png, viridis};
 
 use crate::simulation::Map;
 

@@ -19,7 +19,7 @@ pub const ITEMS: &[&str] =
     &["chart", "param", "fn", "let", "form", "field", "map", "metric", "prove", "refute", "kernel", "warp"];
 
 /// The words that stand inside items.
-const INSIDE: &[&str] = &["pub", "where", "on", "if", "else", "jump", "effects"];
+pub const INSIDE: &[&str] = &["pub", "where", "on", "if", "else", "jump", "effects"];
 
 /// The functions of the language, and its constant.
 pub const FUNCTIONS: &[&str] = &[
