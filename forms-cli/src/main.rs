@@ -11,6 +11,7 @@
 //!                        ├─ simulate ─▶ the plan, numbers and pictures of a scene (drawing)
 //!                        ├─ merge    ─▶ the same, of parts that several machines simulated
 //!                        ├─ view-factors ─▶ the matrix of a scene
+//!                        ├─ serve    ─▶ a page on localhost, for which `work` answers (drawing, mathml)
 //!                        └─ tour     ─▶ all of it, shown
 //! ```
 //! Answers go to standard output, errors to standard error (with `--json` to standard output). Nothing is

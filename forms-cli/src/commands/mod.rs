@@ -9,11 +9,13 @@ mod exact;
 mod kernels;
 mod prove;
 mod rounded;
+mod serve;
 mod show;
 mod simulate;
 mod topology;
 mod tour;
 mod view_factors;
+mod work;
 
 use crate::arguments::{Arguments, Command};
 use crate::status::Status;
@@ -65,6 +67,10 @@ pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<S
         Some(Command::Merge { parts, out, json }) => simulate::merge(parts, out.as_deref(), *json, output),
         Some(Command::ViewFactors { scene, json }) => view_factors::view_factors(scene, *json, output),
         Some(Command::Kernels) => kernels::kernels(output),
+        Some(Command::Serve { file, bind, port, time_limit }) => {
+            serve::serve(file.as_deref(), (*bind, *port), *time_limit, output)
+        }
+        Some(Command::Work { task, seconds, mebibytes }) => work::work(*task, (*seconds, *mebibytes), output),
     }
 }
 
