@@ -69,7 +69,7 @@ export class Verdicts {
     if (!statements.length) return this.#say(stopped ? "Stopped" : "", "open");
     if (!off.length) return this.#say(`${count}, ${statements.length === 1 ? "" : "all "}as stated`, "good");
     const kind = off.some((statement) => statement.state === "bad") ? "bad" : "open";
-    this.#say(`${count}, ${off.length} not as stated`, kind);
+    this.#say(statements.length === 1 ? "1 statement, not as stated" : `${count}, ${off.length} not as stated`, kind);
   }
 
   #say(text, kind) {

@@ -9,6 +9,10 @@ const PICTURE: &str = "image/svg+xml";
 /// What such a picture may do where it is looked at by itself: have its styles, and nothing else.
 const POLICY_OF_PICTURES: &str = "default-src 'none'; style-src 'unsafe-inline'; sandbox";
 
+/// What a page may do that brings its own styles.
+const POLICY_OF_PAGES_WITH_STYLES: &str = "default-src 'self'; script-src 'none'; style-src 'self' 'unsafe-inline'; \
+     base-uri 'none'; form-action 'none'; frame-ancestors 'none'; object-src 'none'";
+
 /// The kind of a file, by the ending of its name.
 pub(crate) fn kind(name: &str) -> &'static str {
     match name.rsplit_once('.').map_or("", |(_, ending)| ending) {
@@ -36,6 +40,14 @@ pub(crate) fn reply(kind: &'static str, body: impl Into<Body>) -> Response {
 /// An HTML page.
 pub(crate) fn page(html: String) -> Response {
     reply(kind(".html"), html)
+}
+
+/// A page that brings its own styles, and no scripts.
+pub(crate) fn page_with_styles(html: String) -> Response {
+    let mut response = page(html);
+    let policy = HeaderValue::from_static(POLICY_OF_PAGES_WITH_STYLES);
+    response.headers_mut().insert(header::CONTENT_SECURITY_POLICY, policy);
+    response
 }
 
 /// JSON.

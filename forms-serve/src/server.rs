@@ -13,11 +13,15 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::Semaphore;
+use tokio::time::timeout;
 
 /// Connections at once; more wait to be accepted.
 const CONNECTIONS: usize = 256;
 /// The time that the head of a request may take to arrive.
 const HEAD: Duration = Duration::from_secs(10);
+/// The time that a connection may last, or four times as long as a piece of work if that is more: a client that does not read
+/// its replies gives up its place then.
+const LIFETIME: Duration = Duration::from_secs(600);
 /// The time before the next connection is tried to be accepted when the system refused one.
 const PAUSE: Duration = Duration::from_millis(50);
 
@@ -32,11 +36,12 @@ pub(crate) async fn run(
         _ => ServeError::Address(wanted, error),
     })?;
     let address = listener.local_addr().map_err(|error| ServeError::Address(wanted, error))?;
+    let lifetime = LIFETIME.max(settings.time_limit.saturating_mul(4));
     let workers = Workers::new(settings.worker, settings.time_limit);
     let routes = routes(Arc::new(workers), settings.opened, settings.words);
     announce(address).map_err(ServeError::Announcement)?;
     tokio::select! {
-        () = accept(listener, routes) => {}
+        () = accept(listener, routes, lifetime) => {}
         () = asked_to_end() => {}
     }
     // work that is left ends with the runtime: its processes are killed when their handles are dropped
@@ -44,7 +49,7 @@ pub(crate) async fn run(
 }
 
 /// Accepts connections for ever.
-async fn accept(listener: TcpListener, routes: Router) {
+async fn accept(listener: TcpListener, routes: Router, lifetime: Duration) {
     let free = Arc::new(Semaphore::new(CONNECTIONS));
     loop {
         let Ok(place) = free.clone().acquire_owned().await else { return };
@@ -54,7 +59,7 @@ async fn accept(listener: TcpListener, routes: Router) {
         };
         let routes = routes.clone();
         tokio::spawn(async move {
-            connection(stream, routes).await;
+            let _ = timeout(lifetime, connection(stream, routes)).await;
             drop(place);
         });
     }

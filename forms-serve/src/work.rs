@@ -57,7 +57,7 @@ impl Workers {
     pub(crate) async fn answer(&self, task: &str, request: &[u8]) -> Result<Value, NoAnswer> {
         let _place = self.places.try_acquire().map_err(|_| NoAnswer::Busy)?;
         // who would wait for long does not wait at all
-        let Ok(Ok(_turn)) = timeout(2 * self.time_limit, self.turns.acquire()).await else {
+        let Ok(Ok(_turn)) = timeout(self.time_limit.saturating_mul(2), self.turns.acquire()).await else {
             return Err(NoAnswer::Busy);
         };
         let mut process = self.start(task).map_err(NoAnswer::Broken)?;

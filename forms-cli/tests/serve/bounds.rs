@@ -114,11 +114,46 @@ fn a_huge_request_is_refused() {
 }
 
 #[test]
-fn a_request_that_needs_too_much_memory_harms_nobody() {
+fn a_text_that_is_nested_without_end_is_an_error_like_any_other() {
     let server = Server::start(&[]);
     let nested = format!("let x = {}1{};", "(".repeat(100_000), ")".repeat(100_000));
     assert!(server.check(&nested)["diagnostics"].is_array());
     assert_eq!(server.check(SIMPLE)["verdicts"][0]["ok"], true);
+}
+
+/// A working process with these bounds, that waits for its request.
+#[cfg(target_os = "linux")]
+fn worker(seconds: &str, mebibytes: &str) -> std::process::Child {
+    std::process::Command::new(env!("CARGO_BIN_EXE_forms"))
+        .args(["work", "--seconds", seconds, "--mebibytes", mebibytes, "check"])
+        .stdin(std::process::Stdio::piped())
+        .stdout(std::process::Stdio::null())
+        .spawn()
+        .expect("the program starts")
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_process_whose_processor_time_is_over_is_ended_by_the_system() {
+    let mut child = worker("1", "2048");
+    let mut input = child.stdin.take().expect("a pipe");
+    let _ = input.write_all(json!({ "text": endless() }).to_string().as_bytes());
+    drop(input);
+    assert_eq!(child.wait().expect("the program ends").code(), None);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn the_system_grants_a_process_the_memory_it_was_told_and_no_more() {
+    let mut child = worker("60", "1000");
+    let limits = || std::fs::read_to_string(format!("/proc/{}/limits", child.id())).unwrap_or_default();
+    let is_bounded = (0..400).any(|_| {
+        std::thread::sleep(Duration::from_millis(25));
+        limits().lines().any(|line| line.starts_with("Max address space") && line.contains("1048576000"))
+    });
+    assert!(is_bounded, "{}", limits());
+    drop(child.stdin.take());
+    assert!(child.wait().expect("the program ends").success());
 }
 
 #[test]
