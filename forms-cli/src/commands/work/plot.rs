@@ -177,8 +177,11 @@ impl Request {
     }
 }
 
+/// What gives a number for the arguments of a kernel.
+type Value<'a> = Box<dyn FnMut(&[f64]) -> f64 + 'a>;
+
 /// One value of a kernel in double precision, as it is generated.
-fn kernel_of(generated: &Generated, output: usize) -> Box<dyn FnMut(&[f64]) -> f64 + '_> {
+fn kernel_of(generated: &Generated, output: usize) -> Value<'_> {
     let program = &generated.optimised;
     match generated.within {
         Some(within) => Box::new(move |arguments| program.interpret_within(arguments, within)[output]),
