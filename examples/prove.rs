@@ -35,6 +35,7 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
             Verdict::Proved(_) => println!("{}: proved", statement.name),
             Verdict::Refuted(witness) => println!("{}: refuted, {witness}", statement.name),
             Verdict::Unknown { reason } => println!("{}: unknown, {reason}", statement.name),
+            Verdict::Empty { .. } => println!("{}: no point meets its conditions", statement.name),
         }
     }
     Ok(ExitCode::SUCCESS)

@@ -8,6 +8,9 @@
 use forms_radiometry::kernels::{cosine_hemisphere_pdf, cosine_hemisphere_sample};
 use std::f64::consts::PI;
 
+/// A function of directions.
+type Integrand = fn([f64; 3]) -> f64;
+
 /// So many points along each side of the unit square.
 const SIDE: u32 = 512;
 
@@ -23,7 +26,7 @@ fn integral(f: impl Fn([f64; 3]) -> f64) -> f64 {
 }
 
 fn main() {
-    let cases: [(&str, f64, fn([f64; 3]) -> f64); 3] = [
+    let cases: [(&str, f64, Integrand); 3] = [
         ("cos θ", PI, |[_, _, z]| z),
         ("cos³ θ", PI / 2.0, |[_, _, z]| z * z * z),
         ("sin² θ cos² φ", 2.0 * PI / 3.0, |[x, _, _]| x * x),

@@ -3,6 +3,7 @@
 use clap::{Parser, Subcommand, ValueEnum};
 use forms::math::Instructions;
 use forms_radiometry::simulation::{Budget, Exposure, Share};
+use std::net::IpAddr;
 use std::time::Duration;
 
 /// Exterior calculus that proves identities exactly and turns them into numeric kernels.
@@ -216,6 +217,35 @@ pub(crate) enum Command {
         #[arg(value_enum)]
         shell: clap_complete::Shell,
     },
+    /// Show a page to play with, on this machine: an editor with verdicts, steps, plots and generated kernels
+    ///
+    /// Prints the address and runs until Ctrl-C. What is typed is decided by other processes of this program, each with
+    /// bounded time and memory. No file but FILE is read, and none is written.
+    Serve {
+        /// A file of the forms language that the editor begins with
+        file: Option<String>,
+        /// The address to listen at; with another than that of this machine, others can use the page
+        #[arg(long, default_value = "127.0.0.1", value_name = "ADDRESS")]
+        bind: IpAddr,
+        /// The port, or 0 for any that is free
+        #[arg(long, default_value_t = forms_serve::USUAL_PORT, value_name = "PORT")]
+        port: u16,
+        /// The time that one request may take
+        #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = interval)]
+        time_limit: Duration,
+    },
+    /// Work for the page of `serve`: a request from standard input, JSON lines to standard output
+    #[command(hide = true)]
+    Work {
+        /// What is asked for
+        task: Task,
+        /// The processor time that is granted
+        #[arg(long, value_name = "SECONDS")]
+        seconds: u64,
+        /// The memory that is granted
+        #[arg(long, value_name = "COUNT")]
+        mebibytes: u64,
+    },
 }
 
 /// How an object is written.
@@ -227,6 +257,19 @@ pub(crate) enum Notation {
     Latex,
     /// MathML
     Mathml,
+}
+
+/// What the page asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Task {
+    /// Errors and verdicts
+    Check,
+    /// The steps that decide a statement
+    Derive,
+    /// A kernel as source
+    Emit,
+    /// A kernel as a picture
+    Plot,
 }
 
 /// Which program of a kernel is run.

@@ -1,8 +1,14 @@
 //! Drawings: text, lines, boxes and dots become an SVG file.
 
 mod axis;
+mod curve;
+mod heat_map;
+mod linear;
 
 pub(crate) use axis::Axis;
+pub(crate) use curve::curve;
+pub(crate) use heat_map::{HeatMap, Range, Scale};
+pub(crate) use linear::round_values;
 
 use crate::layout::filled;
 use std::fmt::Write;
@@ -162,6 +168,38 @@ impl Drawing {
         let _ = writeln!(
             self.body,
             "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius}\" fill=\"{fill}\" stroke=\"{stroke}\" stroke-width=\"1.8\"/>"
+        );
+    }
+
+    /// Boxes of a grid in one colour, or the name of a pattern: each a place and a length along a row, in cells.
+    pub(crate) fn runs(&mut self, runs: &[[usize; 3]], fill: &str) {
+        let path: String =
+            runs.iter().map(|[x, y, length]| format!("M{x} {y}h{length}v1h-{length}z")).collect();
+        let _ = writeln!(self.body, "<path d=\"{path}\" fill=\"{fill}\"/>");
+    }
+
+    /// What is drawn inside stands in a grid of cells of this size, whose first cell has its corner here.
+    pub(crate) fn grid(
+        &mut self,
+        [x, y]: [f64; 2],
+        [width, height]: [f64; 2],
+        inside: impl FnOnce(&mut Self),
+    ) {
+        let _ = writeln!(
+            self.body,
+            "<g transform=\"translate({x:.2} {y:.2}) scale({width:.5} {height:.5})\" shape-rendering=\"crispEdges\">"
+        );
+        inside(self);
+        self.body.push_str("</g>\n");
+    }
+
+    /// Stripes on a grey ground, to be named as a fill.
+    pub(crate) fn hatch(&mut self, name: &str) {
+        let _ = writeln!(
+            self.body,
+            "<defs><pattern id=\"{name}\" width=\"8\" height=\"8\" patternUnits=\"userSpaceOnUse\" \
+             patternTransform=\"rotate(45)\"><rect width=\"8\" height=\"8\" fill=\"#f1f2f4\"/>\
+             <rect width=\"2\" height=\"8\" fill=\"#b3b9c0\"/></pattern></defs>"
         );
     }
 

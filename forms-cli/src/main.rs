@@ -13,6 +13,7 @@
 //!                        ├─ view-factors ─▶ the matrix of a scene
 //!                        ├─ book     ─▶ the book as pages of HTML, or for mdBook
 //!                        ├─ man, completions ─▶ what a system knows of the program
+//!                        ├─ serve    ─▶ a page on localhost, for which `work` answers (drawing)
 //!                        └─ tour     ─▶ all of it, shown
 //! ```
 //! Answers go to standard output, errors to standard error (with `--json` to standard output). Nothing is

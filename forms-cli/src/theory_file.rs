@@ -26,7 +26,10 @@ pub(crate) struct FileError {
     pub(crate) file: String,
     pub(crate) line: usize,
     pub(crate) column: usize,
+    /// How many characters it speaks of.
+    pub(crate) length: usize,
     pub(crate) message: String,
+    pub(crate) help: Option<String>,
     pub(crate) shown: String,
 }
 
@@ -38,7 +41,9 @@ impl FileError {
             file: source.name.clone(),
             line: position.line,
             column: position.column,
+            length: characters(source, diagnostic.span),
             message: diagnostic.message.clone(),
+            help: diagnostic.help.clone(),
             shown: source.render(diagnostic),
         }
     }
@@ -46,8 +51,13 @@ impl FileError {
     /// An error of a file as a whole, told at its first character.
     fn of_file(file: &str, message: String) -> Self {
         let shown = format!("error: {message}\n --> {file}\n");
-        FileError { file: file.to_string(), line: 1, column: 1, message, shown }
+        FileError { file: file.to_string(), line: 1, column: 1, length: 0, message, help: None, shown }
     }
+}
+
+/// How many characters a range of a text has.
+pub(crate) fn characters(source: &Source, span: Span) -> usize {
+    source.text.get(span.start as usize..span.end as usize).map_or(0, |text| text.chars().count())
 }
 
 /// Reads a file from disk.

@@ -38,7 +38,7 @@ impl Decided {
     }
 
     /// The verdict in words.
-    fn words(&self) -> &'static str {
+    pub(crate) fn words(&self) -> &'static str {
         match (&self.verdict, self.statement.claim) {
             (Verdict::Proved(_), Claim::Prove) => "proved",
             (Verdict::Refuted(_), Claim::Refute) if self.is_wrong_as_printed() => "wrong as printed",

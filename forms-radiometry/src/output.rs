@@ -23,7 +23,7 @@ pub use digits::{measured, rough};
 pub use exr::exr;
 pub use names::file_names;
 pub use photograph::photograph;
-pub use png::png;
+pub use png::{png, viridis};
 
 use crate::simulation::Map;
 

@@ -11,11 +11,13 @@ mod kernels;
 mod prove;
 mod reference;
 mod rounded;
+mod serve;
 mod show;
 mod simulate;
 mod topology;
 mod tour;
 mod view_factors;
+mod work;
 
 use crate::arguments::{Arguments, Command};
 use crate::status::Status;
@@ -71,6 +73,10 @@ pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<S
         Some(Command::Book { out, .. }) => book::book(out, output),
         Some(Command::Man { command, out }) => reference::man(command.as_deref(), out.as_deref(), output),
         Some(Command::Completions { shell }) => reference::completions(*shell, output),
+        Some(Command::Serve { file, bind, port, time_limit }) => {
+            serve::serve(file.as_deref(), (*bind, *port), *time_limit, output)
+        }
+        Some(Command::Work { task, seconds, mebibytes }) => work::work(*task, (*seconds, *mebibytes), output),
     }
 }
 

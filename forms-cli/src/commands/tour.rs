@@ -22,8 +22,10 @@ pub(crate) fn tour(output: &mut dyn Write) -> io::Result<Status> {
     status = status.max(cornell_box::light(palette, output)?);
     let end = format!("All of this took {}.", duration(start.elapsed()));
     writeln!(output, "{}", palette.quiet(&end))?;
-    writeln!(output, "\nRead on in docs/, or begin with a file of your own:\n")?;
-    writeln!(output, "  forms prove FILE.forms    decide what it states")?;
+    writeln!(output, "\nTry next:\n")?;
+    writeln!(output, "  forms serve               a page to play with, and the book")?;
+    writeln!(output, "  forms prove FILE.forms    decide what a file of your own states")?;
+    writeln!(output, "  forms simulate SCENE      light a scene, for example scenes/room.toml")?;
     writeln!(output, "  forms kernels             what the library computes")?;
     writeln!(output, "  forms --help              everything else")?;
     Ok(status)

@@ -24,13 +24,7 @@ pub(super) struct Edges {
 
 impl Edges {
     pub(super) fn of(pool: &mut Pool, kernel: &Kernel) -> Self {
-        let bounds = simple_bounds(pool, &kernel.domain);
-        let ranges = kernel.arguments.iter().map(|argument| {
-            let known = bounds.get(argument);
-            let end = |value: Option<&crate::expression::Rational>| value.map(nearest_f64);
-            (end(known.and_then(|b| b.lower.as_ref())), end(known.and_then(|b| b.upper.as_ref())))
-        });
-        let ranges = ranges.collect();
+        let ranges = ranges(pool, kernel);
         let groups = groups(pool, kernel);
         let parts = vanishing_parts(pool, kernel);
         let source =
@@ -67,6 +61,17 @@ impl Edges {
         })?;
         Some(least_size(&mut value, grid[dip], grid[dip + 2]))
     }
+}
+
+/// The least and the greatest value of each argument of a kernel, where its domain bounds that argument by numbers.
+pub fn ranges(pool: &Pool, kernel: &Kernel) -> Vec<(Option<f64>, Option<f64>)> {
+    let bounds = simple_bounds(pool, &kernel.domain);
+    let range = |argument: &Symbol| {
+        let known = bounds.get(argument);
+        let end = |value: Option<&crate::expression::Rational>| value.map(nearest_f64);
+        (end(known.and_then(|b| b.lower.as_ref())), end(known.and_then(|b| b.upper.as_ref())))
+    };
+    kernel.arguments.iter().map(range).collect()
 }
 
 /// Where a function changes its sign between two numbers.

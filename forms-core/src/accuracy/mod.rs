@@ -19,6 +19,7 @@ mod score;
 mod sheet;
 mod truth;
 
+pub use edges::ranges;
 pub use format::{Format, Rounded};
 pub use ordinal::Width;
 pub use regime::Regime;

@@ -54,8 +54,14 @@ fn colour(value: f64, greatest: f64) -> [u8; 4] {
         return [0; 4];
     }
     let share = if greatest > 0.0 { value / greatest } else { 0.0 };
+    let [red, green, blue] = viridis(share);
+    [red, green, blue, 255]
+}
+
+/// The colour of a share of the greatest value, from 0 to 1: red, green and blue of the scale viridis.
+pub fn viridis(share: f64) -> [u8; 3] {
     let colour = VIRIDIS.eval_continuous(share);
-    [colour.r, colour.g, colour.b, 255]
+    [colour.r, colour.g, colour.b]
 }
 
 fn description(map: &Map, greatest: f64) -> String {

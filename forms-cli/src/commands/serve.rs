@@ -1,0 +1,49 @@
+//! `forms serve`: a page on this machine, for which other processes of this program work.
+
+use crate::commands::refuse;
+use crate::status::Status;
+use crate::theory_file;
+use forms::core::syntax::words::{FUNCTIONS, INSIDE, ITEMS};
+use forms_serve::{Opened, Settings, Words, Worker};
+use std::io::{self, Write};
+use std::net::IpAddr;
+use std::path::Path;
+use std::time::Duration;
+
+/// The memory of one working process. Its stack takes [`crate::STACK_BYTES`] of that.
+const MEBIBYTES: u64 = 2048;
+
+/// Serves the page until the user stops it.
+pub(crate) fn serve(
+    file: Option<&str>,
+    (bind, port): (IpAddr, u16),
+    time_limit: Duration,
+    output: &mut dyn Write,
+) -> io::Result<Status> {
+    let opened = match file.map(|path| theory_file::text(path).map(|text| (path, text))) {
+        None => None,
+        Some(Ok((path, text))) => {
+            let name = Path::new(path).file_name().unwrap_or_default().to_string_lossy().into_owned();
+            Some(Opened { name, text })
+        }
+        Some(Err(message)) => return Ok(refuse(&format!("{message}\n --> {}", file.unwrap_or_default()))),
+    };
+    // a second more than on the clock: the clock ends what computes, this what nobody waits for any more
+    let seconds = time_limit.as_secs().saturating_add(2).to_string();
+    let worker = Worker {
+        program: std::env::current_exe()?,
+        arguments: ["work", "--seconds", &seconds, "--mebibytes", &MEBIBYTES.to_string()]
+            .map(str::to_owned)
+            .to_vec(),
+    };
+    let words = Words { items: ITEMS, inside: INSIDE, functions: FUNCTIONS };
+    let settings = Settings { bind, port, time_limit, worker, opened, words };
+    let served = forms_serve::serve(settings, |address| {
+        writeln!(output, "http://{address}/ shows the page; Ctrl-C ends it")?;
+        output.flush()
+    });
+    match served {
+        Ok(()) => Ok(Status::AsStated),
+        Err(error) => Ok(refuse(&error.to_string())),
+    }
+}

@@ -1,0 +1,190 @@
+//! Errors, statements and kernels of a text, then the verdict on each statement.
+
+use super::record::{Place, mathml, read, tell};
+use crate::decisions::timed;
+use crate::json::{Point, write_record};
+use crate::theory_file::{FileError, TheoryFile};
+use crate::verdict_line::Decided;
+use forms::core::accuracy::ranges;
+use forms::core::decide::{Verdict, Witness};
+use forms::core::diagnostic::Diagnostic;
+use forms::core::notation::{latex, latex_as_written, latex_of_condition};
+use forms::core::resolve::{Kernel, Theory, Value};
+use forms::core::syntax::ast::{Claim, File, ItemKind, Name};
+use serde::{Deserialize, Serialize};
+use std::io::{self, Write};
+
+#[derive(Deserialize)]
+pub(super) struct Request {
+    text: String,
+}
+
+/// What a text declares, told before anything is decided.
+#[derive(Serialize)]
+struct Declared<'a> {
+    statements: Vec<StatementRecord<'a>>,
+    kernels: Vec<KernelRecord<'a>>,
+}
+
+#[derive(Serialize)]
+struct StatementRecord<'a> {
+    name: &'a str,
+    kind: &'a str,
+    /// Where its name is.
+    #[serde(flatten)]
+    place: Place,
+    /// The equation as it was written.
+    mathml: Option<String>,
+}
+
+#[derive(Serialize)]
+struct KernelRecord<'a> {
+    name: &'a str,
+    docs: &'a [String],
+    #[serde(flatten)]
+    place: Place,
+    arguments: Vec<ArgumentRecord<'a>>,
+    outputs: usize,
+    mathml: Option<String>,
+}
+
+#[derive(Serialize)]
+struct ArgumentRecord<'a> {
+    name: &'a str,
+    unit: Option<&'a str>,
+    /// The ends of its range, where the domain bounds it by numbers.
+    from: Option<f64>,
+    to: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Verdicts<'a> {
+    verdicts: [VerdictRecord<'a>; 1],
+}
+
+#[derive(Serialize)]
+struct VerdictRecord<'a> {
+    name: &'a str,
+    verdict: &'a str,
+    ok: bool,
+    words: &'a str,
+    conditions: &'a [String],
+    witness: Option<WitnessRecord<'a>>,
+    /// Why nothing was decided.
+    reason: Option<&'a str>,
+    micros: u64,
+}
+
+#[derive(Serialize)]
+struct WitnessRecord<'a> {
+    point: Point<'a>,
+    component: &'a str,
+    left: &'a str,
+    right: &'a str,
+    difference: &'a str,
+    ratio: Option<String>,
+}
+
+/// Tells what is wrong with a text, or what it says and which of its statements are as stated.
+pub(super) fn check(request: &Request, output: &mut dyn Write) -> io::Result<()> {
+    let Some((file, mut theory_file)) = read(&request.text, output)? else { return Ok(()) };
+    declared(&file, &theory_file, output)?;
+    output.flush()?;
+    for statement in theory_file.theory.statements.clone() {
+        let decided = timed(&mut theory_file.theory, statement);
+        verdict(&theory_file, &decided, output)?;
+        output.flush()?;
+    }
+    Ok(())
+}
+
+fn declared(file: &File, theory_file: &TheoryFile, output: &mut dyn Write) -> io::Result<()> {
+    let TheoryFile { source, theory, .. } = theory_file;
+    let statements = theory.statements.iter().map(|known| {
+        let written = written(file, &known.name);
+        StatementRecord {
+            name: &known.name,
+            kind: match known.claim {
+                Claim::Prove => "prove",
+                Claim::Refute => "refute",
+            },
+            place: Place::of(source, written.map_or(known.span, |(name, _)| name.span)),
+            mathml: written.and_then(|(_, item)| mathml(&formula(theory, item)?)),
+        }
+    });
+    let kernels = theory.kernels.iter().map(|known| kernel(theory_file, known));
+    write_record(output, &Declared { statements: statements.collect(), kernels: kernels.collect() })
+}
+
+/// The item of a statement with its name; none where it follows from a warp and nobody wrote it.
+fn written<'a>(file: &'a File, wanted: &str) -> Option<(&'a Name, &'a ItemKind)> {
+    file.items.iter().find_map(|item| match &item.kind {
+        ItemKind::Statement { name, .. } if name.text == wanted => Some((name, &item.kind)),
+        _ => None,
+    })
+}
+
+/// A statement as it was written, in LaTeX.
+fn formula(theory: &Theory, item: &ItemKind) -> Option<String> {
+    let ItemKind::Statement { left, right, conditions, .. } = item else { return None };
+    let equation = format!("{} = {}", latex_as_written(theory, left), latex_as_written(theory, right));
+    let conditions: Vec<String> =
+        conditions.iter().map(|condition| latex_of_condition(theory, condition)).collect();
+    let apart = if conditions.is_empty() { "" } else { ",\\quad " };
+    Some(equation + apart + &conditions.join(",\\; "))
+}
+
+fn kernel<'a>(TheoryFile { source, theory, .. }: &'a TheoryFile, kernel: &'a Kernel) -> KernelRecord<'a> {
+    let units = kernel.units.arguments.iter().map(Option::as_deref).chain(std::iter::repeat(None));
+    let arguments = kernel.arguments.iter().zip(ranges(&theory.pool, kernel)).zip(units);
+    let argument = |((&symbol, (from, to)), unit)| {
+        let name = theory.pool.symbol_name(symbol);
+        ArgumentRecord { name, unit, from, to }
+    };
+    let outputs: Vec<String> =
+        kernel.outputs.iter().map(|&output| latex(theory, &Value::Scalar(output))).collect();
+    KernelRecord {
+        name: &kernel.name,
+        docs: &kernel.docs,
+        place: Place::of(source, kernel.span),
+        arguments: arguments.map(argument).collect(),
+        outputs: outputs.len(),
+        mathml: mathml(&outputs.join(",\\quad ")),
+    }
+}
+
+fn verdict(theory_file: &TheoryFile, decided: &Decided, output: &mut dyn Write) -> io::Result<()> {
+    let Decided { statement, verdict, time } = decided;
+    let (conditions, witness, reason): (&[String], _, _) = match verdict {
+        Verdict::Proved(theorem) => (&theorem.conditions, None, None),
+        Verdict::Refuted(witness) => (&witness.conditions, Some(record_of(witness)), None),
+        Verdict::Unknown { reason } | Verdict::Empty { reason } => (&[], None, Some(reason.as_str())),
+    };
+    if let Verdict::Empty { reason } = verdict {
+        let message = format!("`{}` speaks of no point: {reason}", statement.name);
+        let error = Diagnostic::new(statement.span, message);
+        tell(&[FileError::at(&theory_file.source, &error)], output)?;
+    }
+    let record = VerdictRecord {
+        name: &statement.name,
+        verdict: verdict.name(),
+        ok: decided.ok(),
+        words: decided.words(),
+        conditions,
+        witness,
+        reason,
+        micros: u64::try_from(time.as_micros()).unwrap_or(u64::MAX),
+    };
+    write_record(output, &Verdicts { verdicts: [record] })
+}
+
+fn record_of(witness: &Witness) -> WitnessRecord<'_> {
+    WitnessRecord {
+        point: Point(&witness.point),
+        component: &witness.component,
+        left: &witness.left,
+        right: &witness.right,
+        difference: &witness.difference,
+        ratio: witness.ratio.as_ref().map(ToString::to_string),
+    }
+}

@@ -1,0 +1,57 @@
+//! Places and formulas of a text, as the page reads them.
+
+use super::{Diagnostics, Told};
+use crate::json::write_record;
+
+use crate::theory_file::{FileError, TheoryFile, characters};
+use forms::core::check::read_file;
+use forms::core::diagnostic::Span;
+use forms::core::syntax::Source;
+use forms::core::syntax::ast::File;
+use serde::Serialize;
+use std::io::{self, Write};
+
+/// Longer formulas are left to the steps: nobody reads them, and they take long to be set.
+const LONGEST_LATEX: usize = 4_000;
+
+/// Where something stands: line and column from 1, the column and the length in characters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub(super) struct Place {
+    line: usize,
+    column: usize,
+    length: usize,
+}
+
+impl Place {
+    pub(super) fn of(source: &Source, span: Span) -> Self {
+        let start = source.position(span.start);
+        Place { line: start.line, column: start.column, length: characters(source, span) }
+    }
+}
+
+/// A text without errors, or none, its errors being told.
+pub(super) fn read(text: &str, output: &mut dyn Write) -> io::Result<Option<(File, TheoryFile)>> {
+    let source = Source::new("the editor", text);
+    let (file, theory, diagnostics) = read_file(text);
+    if diagnostics.is_empty() {
+        return Ok(Some((file, TheoryFile { source, theory, warning: None })));
+    }
+    let errors: Vec<FileError> = diagnostics.iter().map(|error| FileError::at(&source, error)).collect();
+    tell(&errors, output)?;
+    Ok(None)
+}
+
+/// Tells errors.
+pub(super) fn tell(errors: &[FileError], output: &mut dyn Write) -> io::Result<()> {
+    let told = |error: &FileError| Told {
+        place: Place { line: error.line, column: error.column, length: error.length },
+        message: error.message.clone(),
+        help: error.help.clone(),
+    };
+    write_record(output, &Diagnostics { diagnostics: errors.iter().map(told).collect() })
+}
+
+/// A formula as a `<math>` element, unless it is too long or has no form in MathML.
+pub(super) fn mathml(latex: &str) -> Option<String> {
+    (latex.len() <= LONGEST_LATEX).then(|| forms_book::display(latex).ok()).flatten()
+}

@@ -1,0 +1,79 @@
+//! Paths, and what answers them.
+
+use crate::guard::guard;
+use crate::reply::{json, nothing, refusal};
+use crate::work::{NoAnswer, Workers};
+use crate::{Opened, Words, book, gallery, site};
+use axum::Router;
+use axum::body::{Body, to_bytes};
+use axum::extract::{Path, State};
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::middleware::from_fn;
+use axum::response::{Redirect, Response};
+use axum::routing::{get, post};
+use serde_json::json as value;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::time::timeout;
+
+/// The longest request, in bytes.
+const LONGEST_REQUEST: usize = 256 << 10;
+/// The time that a request may take to arrive.
+const ARRIVAL: Duration = Duration::from_secs(10);
+/// What the workers do.
+const TASKS: [&str; 4] = ["check", "derive", "emit", "plot"];
+
+/// All routes, guarded.
+pub(crate) fn routes(workers: Arc<Workers>, opened: Option<Opened>, words: Words) -> Router {
+    let opened = opened.map(|Opened { name, text }| value!({ "name": name, "text": text }));
+    let start = value!({ "opened": opened, "examples": site::examples(), "words": words });
+    Router::new()
+        .route("/", get(async || site::editor()))
+        .route("/page/{*name}", get(async |Path(name): Path<String>| site::file(&name)))
+        .route("/gallery", get(async || Redirect::permanent("/gallery/")))
+        .route("/book", get(async || Redirect::permanent("/book/")))
+        .route("/gallery/", get(async || gallery::gallery("")))
+        .route("/gallery/{*path}", get(async |Path(path): Path<String>| gallery::gallery(&path)))
+        .route("/book/", get(async || book::book(String::new()).await))
+        .route("/book/{*path}", get(async |Path(path): Path<String>| book::book(path).await))
+        .route("/api/start", get(async move || json(&start)))
+        .route("/api/{task}", post(work))
+        .fallback(async || nothing())
+        .layer(from_fn(guard))
+        .with_state(workers)
+}
+
+/// Has a request answered by a process.
+async fn work(
+    State(workers): State<Arc<Workers>>,
+    Path(task): Path<String>,
+    headers: HeaderMap,
+    body: Body,
+) -> Response {
+    let Some(task) = TASKS.into_iter().find(|known| *known == task) else { return nothing() };
+    let kind = headers.get(header::CONTENT_TYPE).and_then(|kind| kind.to_str().ok()).unwrap_or_default();
+    if !kind.starts_with("application/json") {
+        return refusal(
+            StatusCode::UNSUPPORTED_MEDIA_TYPE,
+            "a request is a JSON object, of type application/json",
+        );
+    }
+    let request = match timeout(ARRIVAL, to_bytes(body, LONGEST_REQUEST)).await {
+        Ok(Ok(request)) => request,
+        Ok(Err(_)) => {
+            let reason = format!("a request has to be shorter than {} KiB", LONGEST_REQUEST >> 10);
+            return refusal(StatusCode::PAYLOAD_TOO_LARGE, &reason);
+        }
+        Err(_) => return refusal(StatusCode::REQUEST_TIMEOUT, "the request took too long to arrive"),
+    };
+    match workers.answer(task, &request).await {
+        Ok(answer) => json(&answer),
+        Err(NoAnswer::Busy) => {
+            let reason = "there is more work than this machine can do; try again in some seconds";
+            refusal(StatusCode::SERVICE_UNAVAILABLE, reason)
+        }
+        Err(NoAnswer::Broken(error)) => {
+            refusal(StatusCode::INTERNAL_SERVER_ERROR, &format!("no process to work: {error}"))
+        }
+    }
+}

@@ -1,0 +1,147 @@
+//! Work in other processes: a request goes in, JSON comes out, and neither lasts long.
+//!
+//! ```text
+//! request ─ queue (bounded) ─ turn (one for each processor) ─ process ─ lines, until it ends or is killed ─▶ one object
+//! ```
+//! A process that computes for ever is killed when its time is over; what it has written by then is the answer, with the reason
+//! why it is not all. If the client goes away, the process is killed too.
+
+use crate::Worker;
+use serde_json::{Map, Value, json};
+use std::io;
+use std::process::Stdio;
+use std::time::Duration;
+use tokio::io::{AsyncReadExt, AsyncWriteExt};
+use tokio::process::{Child, Command};
+use tokio::sync::Semaphore;
+use tokio::time::timeout;
+
+/// Requests that wait for a turn or have one.
+const QUEUE: usize = 64;
+/// A longer answer is cut off.
+const LONGEST_ANSWER: u64 = 16 << 20;
+
+/// The processes.
+pub(crate) struct Workers {
+    worker: Worker,
+    time_limit: Duration,
+    places: Semaphore,
+    turns: Semaphore,
+}
+
+/// Why there is no answer.
+#[derive(Debug)]
+pub(crate) enum NoAnswer {
+    /// Too many requests wait already.
+    Busy,
+    /// The process cannot be started.
+    Broken(io::Error),
+}
+
+/// How a process ended.
+enum End {
+    Done,
+    OutOfTime,
+    TooLong,
+    Killed,
+    Failed,
+}
+
+impl Workers {
+    pub(crate) fn new(worker: Worker, time_limit: Duration) -> Self {
+        let processors = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        Workers { worker, time_limit, places: Semaphore::new(QUEUE), turns: Semaphore::new(processors) }
+    }
+
+    /// The answer to a request.
+    pub(crate) async fn answer(&self, task: &str, request: &[u8]) -> Result<Value, NoAnswer> {
+        let _place = self.places.try_acquire().map_err(|_| NoAnswer::Busy)?;
+        // who would wait for long does not wait at all
+        let Ok(Ok(_turn)) = timeout(self.time_limit.saturating_mul(2), self.turns.acquire()).await else {
+            return Err(NoAnswer::Busy);
+        };
+        let mut process = self.start(task).map_err(NoAnswer::Broken)?;
+        let mut written = Vec::new();
+        let end = match timeout(self.time_limit, converse(&mut process, request, &mut written)).await {
+            Err(_) => End::OutOfTime,
+            Ok(Ok(())) if written.len() as u64 > LONGEST_ANSWER => End::TooLong,
+            Ok(Ok(())) => match timeout(self.time_limit, process.wait()).await {
+                Ok(Ok(status)) if status.success() => End::Done,
+                // a process that ended by itself has a code
+                Ok(Ok(status)) if status.code().is_some() => End::Failed,
+                _ => End::Killed,
+            },
+            Ok(Err(_)) => End::Killed,
+        };
+        // one that has ended by itself is not harmed by this
+        let _ = process.kill().await;
+        Ok(merged(&written, self.reason(&end)))
+    }
+
+    fn start(&self, task: &str) -> io::Result<Child> {
+        let mut command = Command::new(&self.worker.program);
+        command.args(&self.worker.arguments).arg(task);
+        // processes are as many as processors, so each has one
+        command.env("RAYON_NUM_THREADS", "1");
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::null());
+        command.kill_on_drop(true).spawn()
+    }
+
+    /// Why the answer is not all there is to say.
+    fn reason(&self, end: &End) -> Option<String> {
+        match end {
+            End::Done => None,
+            End::OutOfTime => {
+                Some(format!("stopped after {} s, the time limit", self.time_limit.as_secs_f64()))
+            }
+            End::TooLong => Some(format!("stopped: the answer is longer than {} MiB", LONGEST_ANSWER >> 20)),
+            End::Killed => Some("stopped: it needed more memory or time than it may have".to_owned()),
+            End::Failed => Some("stopped by a fault of this program".to_owned()),
+        }
+    }
+}
+
+/// Sends the request and reads what is written, up to one byte more than the longest answer.
+async fn converse(process: &mut Child, request: &[u8], written: &mut Vec<u8>) -> io::Result<()> {
+    let none = || io::Error::other("no pipe");
+    let mut input = process.stdin.take().ok_or_else(none)?;
+    let output = process.stdout.take().ok_or_else(none)?;
+    let send = async move {
+        // a process that does not read all of its request may still answer
+        let _ = input.write_all(request).await;
+        drop(input);
+    };
+    let mut output = output.take(LONGEST_ANSWER + 1);
+    let (_, read) = tokio::join!(send, output.read_to_end(written));
+    read.map(|_| ())
+}
+
+/// One object of all lines: lists go behind each other, other values take the place of earlier ones. A last line that was cut
+/// off is left out.
+fn merged(written: &[u8], stopped: Option<String>) -> Value {
+    let mut whole = Map::new();
+    for line in written.split(|&byte| byte == b'\n') {
+        let Ok(Value::Object(object)) = serde_json::from_slice(line) else { continue };
+        for (key, value) in object {
+            match (whole.get_mut(&key), value) {
+                (Some(Value::Array(list)), Value::Array(more)) => list.extend(more),
+                (_, value) => {
+                    whole.insert(key, value);
+                }
+            }
+        }
+    }
+    whole.insert("stopped".to_owned(), json!(stopped));
+    Value::Object(whole)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_of_lines_go_behind_each_other_and_a_line_cut_off_is_left_out() {
+        let written = b"{\"a\":[1],\"b\":1}\n{\"a\":[2],\"b\":2}\n{\"a\":[3";
+        assert_eq!(merged(written, None), json!({ "a": [1, 2], "b": 2, "stopped": null }));
+    }
+}
