@@ -194,7 +194,14 @@ mod tests {
 
     #[test]
     fn a_bound_is_rounded_up() {
-        let cases = [(0.0, "0.00"), (0.0021, "3e-3"), (0.5, "0.50"), (0.501, "0.51"), (0.9 + 1e-15, "0.90"), (1.2e-7, "2e-7")];
+        let cases = [
+            (0.0, "0.00"),
+            (0.0021, "3e-3"),
+            (0.5, "0.50"),
+            (0.501, "0.51"),
+            (0.9 + 1e-15, "0.90"),
+            (1.2e-7, "2e-7"),
+        ];
         cases.into_iter().for_each(|(number, text)| assert_eq!(at_most(number), text, "{number}"));
     }
 }
