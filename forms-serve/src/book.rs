@@ -9,6 +9,7 @@ use axum::response::Response;
 const FIRST: &str = "index.html";
 /// Where the list of contents begins, and with it the way back.
 const CONTENTS: &str = "<nav id=\"contents\" aria-label=\"Contents\">";
+const ICON: &str = "<link rel=\"icon\" href=\"/page/icon.svg\">";
 const BACK: &str = "<p class=\"back\"><a href=\"/\">Editor</a></p>";
 
 /// A page or figure of the book, by its path below it.
@@ -28,7 +29,8 @@ fn found(path: &str) -> Response {
 /// A whole page. One with formulas that cannot be read is not there: the tests of the book let none through.
 fn html(name: &str) -> Option<String> {
     let html = forms_book::book().html(name)?.ok()?;
-    Some(html.replacen(CONTENTS, &format!("{CONTENTS}{BACK}"), 1))
+    let html = html.replacen(CONTENTS, &format!("{CONTENTS}{BACK}"), 1);
+    Some(html.replacen("</head>", &format!("{ICON}</head>"), 1))
 }
 
 fn figure(name: &str) -> Option<&'static [u8]> {

@@ -110,7 +110,7 @@ fn every_page_fits_a_phone_and_says_nothing_on_the_console() {
             browser.open(&format!("http://{}{path}", server.address));
             // on the page with the editor, the sources come last
             let is_ready = "document.readyState === 'complete' && \
-                            (!document.querySelector('#sources') || document.querySelector('.source pre'))";
+                            (!document.querySelector('#layer') || document.querySelector('.source pre'))";
             browser.wait_for(is_ready);
             let width = browser.value("document.documentElement.scrollWidth");
             assert!(
