@@ -18,6 +18,7 @@ use super::mirror::reflected;
 use super::optics::{MediumOptics, Optics, largest, mean, scaled, times};
 use super::refraction::refracted;
 use super::scattering::Flight;
+use super::time::longer;
 use super::vertex::{Law, Vertex};
 use super::world::World;
 use crate::geometry::{Met, Start, Vector};
@@ -94,6 +95,11 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
 
     fn medium(&self, filling: Filling) -> MediumOptics<N> {
         self.optics.medium(filling)
+    }
+
+    /// The optical length of a way after a distance more; where nobody asks for the time it stays what it was.
+    fn longer(&self, way: f64, medium: &MediumOptics<N>, distance: f64) -> f64 {
+        if L::TIME { longer(way, medium, distance) } else { way }
     }
 
     /// Follows a path to its end, and adds what it finds: a value for each band, and the optical length.
