@@ -11,32 +11,16 @@
 use forms_book::{Page, Report, check_kinds, check_links, check_theories, with_errors_quoted};
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The files below a folder with an ending, in alphabetical order.
-fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    let mut found: Vec<PathBuf> = entries
-        .flat_map(|path| if path.is_dir() { files(&path, ending) } else { vec![path] })
-        .filter(|path| path.extension().is_some_and(|found| found == ending))
-        .collect();
-    found.sort();
-    found
-}
-
 /// Every page.
 fn pages() -> Vec<Page> {
-    let mut paths = vec![root().join("README.md")];
-    paths.extend(files(&root().join("docs"), "md"));
-    let page = |path: PathBuf| {
-        let name = path.strip_prefix(root()).unwrap().to_string_lossy().replace('\\', "/");
-        Page::new(name, std::fs::read_to_string(path).unwrap())
-    };
-    paths.into_iter().map(page).collect()
+    let readme = Page::new("README.md", std::fs::read_to_string(root().join("README.md")).unwrap());
+    std::iter::once(readme).chain(forms_book::pages(root(), "docs").unwrap()).collect()
 }
 
 /// What a check says of all pages together.

@@ -27,8 +27,8 @@ pub use check::{Problem, Report, check_kinds, check_theories, with_errors_quoted
 pub use console::{Call, agrees, calls, with_outputs};
 pub use html::escaped;
 pub use links::check_links;
-pub use mathml::{display, inline};
-pub use page::{Block, Link, Page};
+pub use mathml::{LONGEST_FORMULA, display, inline};
+pub use page::{Block, Link, Page, pages};
 pub use preprocess::{PreprocessError, preprocess};
 pub use theory::{Counted, common_text};
 pub use verdicts::steps;

@@ -4,6 +4,9 @@ use pulldown_latex::config::DisplayMode;
 use pulldown_latex::event::Event;
 use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 
+/// Longer formulas, in characters of LaTeX, are left out where others are shown: nobody reads them, and they take long to be set.
+pub const LONGEST_FORMULA: usize = 4000;
+
 /// A formula on lines of its own as one `<math>` element.
 ///
 /// # Errors

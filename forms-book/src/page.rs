@@ -6,7 +6,10 @@
 
 use pulldown_cmark::{CodeBlockKind, Event, OffsetIter, Options, Parser, Tag, TagEnd};
 use std::collections::BTreeSet;
+use std::fs;
+use std::io;
 use std::ops::Range;
+use std::path::Path;
 
 /// What a page may contain beside CommonMark: tables, and formulas between dollars.
 pub(crate) const MARKDOWN: Options = Options::ENABLE_TABLES
@@ -45,6 +48,26 @@ pub struct Link {
     pub target: String,
     /// The line it stands in, from 1.
     pub line: usize,
+}
+
+/// The pages of a folder below a root and of all folders in it, by the order of their paths.
+///
+/// # Errors
+/// If a folder or a page cannot be read.
+pub fn pages(root: &Path, folder: &str) -> io::Result<Vec<Page>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(root.join(folder))? {
+        let entry = entry?;
+        let path = format!("{folder}/{}", entry.file_name().to_string_lossy());
+        if entry.path().is_dir() {
+            found.extend(pages(root, &path)?);
+        } else if path.ends_with(".md") {
+            let text = fs::read_to_string(entry.path())?;
+            found.push(Page::new(path, text));
+        }
+    }
+    found.sort_by(|a, b| a.path.cmp(&b.path));
+    Ok(found)
 }
 
 impl Page {

@@ -7,21 +7,18 @@
 //! ```
 
 use crate::html::escaped;
-use crate::mathml::display;
+use crate::mathml::{LONGEST_FORMULA, display};
 use forms_core::check::read_file;
 use forms_core::decide::Verdict;
 use forms_core::derivation::{Derivation, Line, derive};
 use forms_core::diagnostic::Span;
 use forms_core::expression::Symbol;
-use forms_core::notation::{latex, latex_of_name, simplify};
-use forms_core::resolve::{Named, Theory, Value};
+use forms_core::notation::{latex_of_name, latex_of_named};
+use forms_core::resolve::{Named, Theory};
 use forms_core::syntax::Source;
 use forms_core::syntax::ast::{File, ItemKind};
 use rayon::prelude::*;
 use std::ops::Range;
-
-/// A formula of more characters of LaTeX is not shown.
-const LONGEST: usize = 4000;
 
 /// A theory that is shown in parts.
 pub(crate) struct Shown {
@@ -62,36 +59,16 @@ impl Shown {
     fn declared(&self, kind: &ItemKind) -> Option<String> {
         let (ItemKind::Form { name, .. } | ItemKind::Kernel { name, .. }) = kind else { return None };
         let mut theory = self.theory.clone();
-        let title = latex_of_name(&name.text);
-        let written = match theory.named(&name.text)?.clone() {
-            Named::Object(number) => {
-                let value = theory.objects[number].value.clone();
-                format!("{title} = {}", simplified(&mut theory, &value))
-            }
-            Named::Kernel(number) => {
-                let kernel = theory.kernels[number].clone();
-                let argument = |&symbol: &Symbol| latex_of_name(theory.pool.symbol_name(symbol));
-                let arguments = kernel.arguments.iter().map(argument).collect::<Vec<_>>().join(", ");
-                let outputs: Vec<String> = kernel
-                    .outputs
-                    .iter()
-                    .map(|&output| simplified(&mut theory, &Value::Scalar(output)))
-                    .collect();
-                let value = match outputs.as_slice() {
-                    [single] => single.clone(),
-                    several => format!("\\left({}\\right)", several.join(",\\; ")),
-                };
-                format!("{title}\\left({arguments}\\right) = {value}")
-            }
-            _ => return None,
-        };
-        (written.len() <= LONGEST).then_some(written)
+        let value = latex_of_named(&mut theory, &name.text)?;
+        let mut title = latex_of_name(&name.text);
+        if let Some(Named::Kernel(number)) = theory.named(&name.text) {
+            let argument = |&symbol: &Symbol| latex_of_name(theory.pool.symbol_name(symbol));
+            let arguments: Vec<String> = theory.kernels[*number].arguments.iter().map(argument).collect();
+            title = format!("{title}\\left({}\\right)", arguments.join(", "));
+        }
+        let written = format!("{title} = {value}");
+        (written.len() <= LONGEST_FORMULA).then_some(written)
     }
-}
-
-fn simplified(theory: &mut Theory, value: &Value) -> String {
-    let value = simplify(theory, &[], value);
-    latex(theory, &value)
 }
 
 /// A statement with its verdict; open, the steps that decide it.

@@ -6,7 +6,7 @@
 //! With `FORMS_WRITE=1` the outputs on the pages are written anew.
 #![cfg(unix)]
 
-use forms_book::{Call, Page, calls, with_outputs};
+use forms_book::{Call, Page, calls, pages, with_outputs};
 use rayon::prelude::*;
 use std::fs;
 use std::io::Write;
@@ -15,25 +15,6 @@ use std::process::{Command, Stdio};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a workspace").to_path_buf()
-}
-
-/// The pages below a folder.
-fn pages(folder: &str) -> Vec<Page> {
-    let entries = fs::read_dir(root().join(folder)).expect("a folder").map(|entry| entry.expect("an entry"));
-    let mut paths: Vec<(String, bool)> = entries
-        .map(|entry| (format!("{folder}/{}", entry.file_name().to_string_lossy()), entry.path().is_dir()))
-        .collect();
-    paths.sort();
-    let page = |path: String| {
-        let text = fs::read_to_string(root().join(&path)).expect("a page");
-        Page::new(path, text)
-    };
-    let below = |(path, is_folder): (String, bool)| match is_folder {
-        true => pages(&path),
-        false if path.ends_with(".md") => vec![page(path)],
-        false => vec![],
-    };
-    paths.into_iter().flat_map(below).collect()
 }
 
 /// A folder that looks like the root of the repository, with a file page.forms beside; it lasts as long as its calls.
@@ -100,7 +81,7 @@ fn differences(page: &Page, outputs: &[(Call, String)]) -> Vec<String> {
 #[test]
 fn every_call_on_a_page_prints_what_the_page_says() {
     let (mut wrong, mut run) = (vec![], 0);
-    let pages = pages("docs");
+    let pages = pages(&root(), "docs").expect("the pages");
     let outputs: Vec<Vec<(Call, String)>> = pages.par_iter().map(printed).collect();
     for (page, outputs) in pages.iter().zip(&outputs) {
         run += outputs.len();

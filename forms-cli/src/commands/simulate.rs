@@ -179,8 +179,7 @@ fn solved_as_a_whole(request: &Request<'_>) -> Result<(), String> {
         return Err(format!("{why}, and has no samples that --samples could count: leave it out"));
     }
     if let Some(share) = request.share.filter(|share| !share.is_whole()) {
-        let first = Share::first(share.count());
-        eprintln!("note: {why}: all of it belongs to share {first}, and nothing to the others");
+        eprintln!("note: {why}: all of it belongs to share {}, and nothing to the others", share.first());
     }
     if request.checkpoint.is_some() {
         eprintln!("note: {why}: the checkpoint is written at the end; work that is killed begins anew");

@@ -123,8 +123,15 @@ impl Luminaires {
         self.all.iter().any(|luminaire| matches!(luminaire.source, Source::Wall { .. }))
     }
 
+    /// A luminaire that is looked for from a point this time, and how often it is.
+    pub(super) fn sought(&self, from: Vector, samples: &mut Samples) -> Option<(&Luminaire, f64)> {
+        let luminaire = self.choose(samples.one())?;
+        let often = luminaire.sought(from);
+        (often == 1.0 || samples.one() < often).then_some((luminaire, often))
+    }
+
     /// A luminaire by a number from 0 to 1; none where there is none.
-    pub(super) fn choose(&self, number: f64) -> Option<&Luminaire> {
+    fn choose(&self, number: f64) -> Option<&Luminaire> {
         chosen(&self.chances, number).map(|place| &self.all[place])
     }
 
@@ -155,12 +162,6 @@ impl Luminaire {
             way.dot(way) < squared
         };
         if self.ball.as_ref().is_some_and(is_near) { NEAR } else { 1.0 }
-    }
-
-    /// Whether it is looked for from a point this time, and how often it is.
-    pub(super) fn is_sought(&self, from: Vector, samples: &mut Samples) -> Option<f64> {
-        let often = self.sought(from);
-        (often == 1.0 || samples.one() < often).then_some(often)
     }
 
     /// A direction from a point, by a point of the unit square, where it is looked for so often. None where the luminaire cannot be seen from

@@ -300,8 +300,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         if L::MIRROR || L::REFRACTION {
             self.imaged_segment(path, medium, length, samples, add);
         }
-        let Some(luminaire) = self.world.luminaires.choose(samples.one()) else { return };
-        let Some(often) = luminaire.is_sought(path.start.position, samples) else { return };
+        let sought = self.world.luminaires.sought(path.start.position, samples);
+        let Some((luminaire, often)) = sought else { return };
         let pivot = luminaire.point(samples.pair());
         let Some((lit, vertex)) = self.lit_point(path, medium, length, pivot, samples) else { return };
         if let Some(towards) = luminaire.towards(vertex.start.position, often, samples.pair()) {
@@ -323,9 +323,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
                 self.imaged(path, vertex, image, add);
             }
         }
-        let (chosen, position) = (self.world.luminaires.choose(samples.one()), vertex.start.position);
-        let Some(luminaire) = chosen else { return };
-        let Some(often) = luminaire.is_sought(position, samples) else { return };
+        let position = vertex.start.position;
+        let Some((luminaire, often)) = self.world.luminaires.sought(position, samples) else { return };
         if let Some(towards) = luminaire.towards(position, often, samples.pair()) {
             self.lit(path, vertex, &towards, add);
         }

@@ -12,11 +12,18 @@ use super::prepared::Prepared;
 use super::solver::solved;
 use super::state::{Misfit, Of, Snapshot, State};
 use super::watch::{Unwatched, Watch};
+use crate::radiosity::Gathering;
 use crate::scene::{Scene, WorkingScene};
 
 /// Whether light is followed along paths. Other scenes are solved as a whole.
 pub fn is_by_paths(scene: &Scene, plan: &Plan) -> bool {
     Prepared::of(scene, plan).is_followed()
+}
+
+/// Answers the questions of a scene with the effects of a plan.
+pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
+    let found = simulate_job(scene, plan, Job::default(), watch);
+    found.expect("there is no state that could be of another simulation")
 }
 
 /// Does what a job says of a scene. A share to which nothing belongs finds nothing.
@@ -76,7 +83,7 @@ fn in_one_piece(
 ) -> Result<Simulation, Misfit> {
     let found = match job.state {
         Some(state) => piece(job.share, state)?,
-        None => job.share.has(PIECE).then(|| solved(prepared, working, watch)),
+        None => job.share.has(PIECE).then(|| solved(Gathering::of, prepared, working, watch)),
     };
     let is_done = found.as_ref().is_none_or(|found| !found.stopped);
     if let Some(keeper) = job.keeper.filter(|_| is_done) {

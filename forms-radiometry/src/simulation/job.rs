@@ -43,9 +43,9 @@ impl Share {
     /// All of the work.
     pub const WHOLE: Self = Self { part: 1, of: 1 };
 
-    /// The first of so many, at least one.
-    pub fn first(of: u32) -> Self {
-        Self { part: 1, of: of.max(1) }
+    /// The first of them all.
+    pub fn first(self) -> Self {
+        Self { part: 1, ..self }
     }
 
     /// The others that it makes all of the work with, and itself.

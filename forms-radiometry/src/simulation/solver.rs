@@ -7,12 +7,10 @@
 //! equations left, and rounding. Where shapes are curved, all is done with two polyhedra, one finer than the other, and what that
 //! changes is added.
 
-use super::answer::{Answer, ErrorKind, Map, Moment, Plan, Quantity, Simulation};
+use super::answer::{Answer, ErrorKind, Map, Moment, Quantity, Simulation};
 use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
-use super::followed::followed;
 use super::images::Image;
-use super::job::Job;
 use super::map::Grid;
 use super::parts::ErrorParts;
 use super::prepared::Prepared;
@@ -40,27 +38,14 @@ const FINEST: usize = 4;
 /// nodes appear when they are closer, and their borders settle no faster than elements shrink.
 const BEHIND_SCREENS: [f64; 3] = [10.0, 2.0, 1.0];
 
-/// Answers the questions of a scene with the effects of a plan.
-pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
-    simulate_by(Gathering::of, scene, plan, watch)
-}
-
-/// Answers them with light that is gathered as `choose` says.
-pub(super) fn simulate_by(choose: Choose, scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
-    let prepared = Prepared::of(scene, plan);
-    let working = prepared.working();
-    let found = if prepared.is_followed() {
-        let all = followed(prepared.task(&working), Job::default(), watch);
-        all.expect("there is no state that could be of another simulation")
-    } else {
-        Work::new(&working.scene, prepared.effects, choose, watch).run()
-    };
-    prepared.finished(found, &working)
-}
-
-/// What is found of a scene that is solved as a whole, in working units.
-pub(super) fn solved(prepared: &Prepared, working: &WorkingScene<'_>, watch: &dyn Watch) -> Simulation {
-    Work::new(&working.scene, prepared.effects, Gathering::of, watch).run()
+/// What is found of a scene that is solved as a whole, in working units, with light that is gathered as `choose` says.
+pub(super) fn solved(
+    choose: Choose,
+    prepared: &Prepared,
+    working: &WorkingScene<'_>,
+    watch: &dyn Watch,
+) -> Simulation {
+    Work::new(&working.scene, prepared.effects, choose, watch).run()
 }
 
 /// How light is gathered in a scene with these faces, of which it is known what they hide.

@@ -1,6 +1,7 @@
 //! Light that is gathered by rays and by exact pieces is the same light.
 
-use super::solver::simulate_by;
+use super::prepared::Prepared;
+use super::solver::solved;
 use super::{Answer, Unwatched, plan};
 use crate::faces::faces;
 use crate::geometry::Face;
@@ -89,7 +90,9 @@ type Choose = fn(&Scene, &[Face], &Question, Hiding) -> Gathering;
 fn by(gathering: Choose, text: &str) -> Vec<Answer> {
     let scene = read(text, "test.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    simulate_by(gathering, &scene, &plan, &Unwatched).answers
+    let prepared = Prepared::of(&scene, &plan);
+    let working = prepared.working();
+    prepared.finished(solved(gathering, &prepared, &working, &Unwatched), &working).answers
 }
 
 fn by_rays(text: &str) -> Vec<Answer> {

@@ -2,17 +2,14 @@
 
 use super::{Diagnostics, Told};
 use crate::json::write_record;
-
 use crate::theory_file::{FileError, TheoryFile, characters};
 use forms::core::check::read_file;
 use forms::core::diagnostic::Span;
 use forms::core::syntax::Source;
 use forms::core::syntax::ast::File;
+use forms_book::{LONGEST_FORMULA, display};
 use serde::Serialize;
 use std::io::{self, Write};
-
-/// Longer formulas are left to the steps: nobody reads them, and they take long to be set.
-const LONGEST_LATEX: usize = 4_000;
 
 /// Where something stands: line and column from 1, the column and the length in characters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -53,5 +50,5 @@ pub(super) fn tell(errors: &[FileError], output: &mut dyn Write) -> io::Result<(
 
 /// A formula as a `<math>` element, unless it is too long or has no form in MathML.
 pub(super) fn mathml(latex: &str) -> Option<String> {
-    (latex.len() <= LONGEST_LATEX).then(|| forms_book::display(latex).ok()).flatten()
+    (latex.len() <= LONGEST_FORMULA).then(|| display(latex).ok()).flatten()
 }
