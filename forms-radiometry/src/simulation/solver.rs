@@ -161,8 +161,8 @@ impl<'s> Work<'s> {
 
     fn transport(&self, faces: Vec<Face>, gathering: Gathering) -> Transport {
         let screens = self.effects.screens(self.scene, &faces, gathering);
-        let [part, loosest] = if self.effects.orders == Some(0) { [STRAIGHT, 1e-2] } else { [RULES, 1e-3] };
-        let accuracy = (part * self.scene.solve.tolerance).clamp(1e-12, loosest);
+        let part = if self.effects.orders == Some(0) { STRAIGHT } else { RULES };
+        let accuracy = (part * self.scene.solve.tolerance).clamp(1e-12, 1e-2);
         Transport { faces, screens, occlusion: self.effects.occlusion, accuracy }
     }
 
