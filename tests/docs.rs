@@ -2,12 +2,13 @@
 //!
 //! ```text
 //! README.md, docs/**/*.md ─ forms_book ─┬─ statements, kernels, exercises
-//!                                       ├─ quoted errors, and kinds of blocks
+//!                                       ├─ quoted errors, rows of errors, and kinds of blocks
 //!                                       └─ links, anchors and figures
 //! ```
 //! Rust blocks are doctests of the crate `forms`, and blocks of calls are run by the tests of `forms-cli`. With
 //! `FORMS_WRITE=1` quoted messages are written anew.
 
+use forms::core::check::read_file;
 use forms_book::{Page, Report, check_kinds, check_links, check_theories, with_errors_quoted};
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
@@ -60,6 +61,40 @@ fn every_error_is_quoted_as_it_is_shown() {
     let counted = checked(|page| with_errors_quoted(page).1).counted;
     println!("{} quoted errors were checked", counted.errors);
     assert!(counted.errors > 0, "no page shows an error");
+}
+
+/// A table `text | said | help`: each text is an error behind the block that stands above, and what is said of it.
+#[test]
+fn every_row_of_the_page_of_errors_is_what_is_said_of_its_text() {
+    let page = pages().into_iter().find(|page| page.path == "docs/errors.md").expect("the page of errors");
+    let blocks = page.blocks();
+    let alone: Vec<_> = blocks.iter().filter(|block| block.kind == "forms,alone").collect();
+    let (mut rows, mut wrong) = (0, vec![]);
+    for (line, text) in (1..).zip(page.text.lines()) {
+        let above = alone.iter().take_while(|block| block.line < line).last();
+        let cells = cells(text);
+        let (Some(block), [text, said, help]) = (above, cells.as_slice()) else { continue };
+        let Some(text) = text.strip_prefix('`').and_then(|text| text.strip_suffix('`')) else { continue };
+        rows += 1;
+        let (.., found) = read_file(&format!("{}\n{text}\n", block.text));
+        let found: Vec<_> =
+            found.iter().map(|error| (error.message.as_str(), error.help.as_deref().unwrap_or(""))).collect();
+        if found != [(said.as_str(), help.as_str())] {
+            wrong.push(format!("docs/errors.md:{line}: `{text}` is told {found:?}"));
+        }
+    }
+    println!("{rows} rows of errors were checked");
+    assert!(rows > 100, "only {rows} rows were found");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The cells of a row of a table, in which a bar, and brackets that would be a link, stand behind a backslash.
+fn cells(row: &str) -> Vec<String> {
+    let Some(inner) = row.strip_prefix('|').and_then(|row| row.strip_suffix('|')) else { return vec![] };
+    let (bar, kept) = ("\\|", "\u{0}");
+    let plain =
+        |cell: &str| cell.replace(kept, "|").replace("\\[", "[").replace("\\]", "]").trim().to_owned();
+    inner.replace(bar, kept).split('|').map(plain).collect()
 }
 
 #[test]

@@ -37,11 +37,6 @@ pub(crate) fn duration(time: Duration) -> String {
     }
 }
 
-/// `1 statement`, `2 statements`
-pub(crate) fn counted(count: usize, thing: &str) -> String {
-    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
-}
-
 /// Rows as lines whose columns are as wide as their widest entry, two spaces apart; those that are told stand at the right.
 pub(crate) fn columns<const N: usize>(rows: &[[String; N]], right: [bool; N]) -> Vec<String> {
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);

@@ -65,3 +65,8 @@ impl Diagnostic {
         self
     }
 }
+
+/// So many things, in words: `1 range`, `2 ranges`.
+pub fn counted(count: usize, thing: &str) -> String {
+    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
+}

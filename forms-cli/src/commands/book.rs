@@ -2,8 +2,8 @@
 
 use crate::commands::refuse;
 use crate::decisions::workers;
-use crate::layout::counted;
 use crate::status::Status;
+use forms::core::diagnostic::counted;
 use forms_book::Problem;
 use rayon::prelude::*;
 use std::fs;

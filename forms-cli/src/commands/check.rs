@@ -2,10 +2,11 @@
 
 use super::refuse;
 use crate::certificate::place_of;
-use crate::layout::{counted, duration, wrap};
+use crate::layout::{duration, wrap};
 use crate::palette::Palette;
 use crate::status::Status;
 use crate::theory_file::text;
+use forms::core::diagnostic::counted;
 use forms_check::{Checked, Outcome};
 use std::io::{self, Write};
 use std::time::Instant;

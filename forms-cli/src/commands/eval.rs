@@ -161,7 +161,7 @@ fn arguments<K: Evaluation>(
     row: &csv::StringRecord,
 ) -> Result<Vec<K::Number>, String> {
     if row.len() != columns.len() {
-        let expected = crate::layout::counted(columns.len(), "number");
+        let expected = forms::core::diagnostic::counted(columns.len(), "number");
         return Err(format!("expected {expected} in this row, found {}", row.len()));
     }
     let named = kernel.arguments().iter().zip(columns);

@@ -3,13 +3,14 @@
 use crate::certificate::Certificate;
 use crate::decisions::{DecidedFile, for_each_file};
 use crate::json::{Point, StatementRecord, write_error, write_record};
-use crate::layout::{counted, duration};
+use crate::layout::duration;
 use crate::palette::Palette;
 use crate::status::Status;
 use crate::theory_file::{FileError, complain};
 use crate::verdict_line::Decided;
 use forms::core::decide::Verdict;
 use forms::core::diagnostic::Diagnostic;
+use forms::core::diagnostic::counted;
 use forms::core::syntax::ast::Claim;
 use std::io::{self, Write};
 use std::time::{Duration, Instant};

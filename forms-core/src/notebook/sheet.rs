@@ -4,7 +4,7 @@ use super::{escaped, print_content, print_markdown};
 use crate::check::{decide_all, read_file};
 use crate::decide::Verdict;
 use crate::derivation::{Derivation, derive};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, counted};
 use crate::notation::{latex_as_written, latex_of_condition, latex_of_name, latex_of_named, text_of_named};
 use crate::resolve::Theory;
 use crate::syntax::Source;
@@ -119,16 +119,15 @@ impl Sheet {
             return;
         }
         let theory = &self.theory;
-        let counted = [
+        let numbers = [
             (theory.charts.len(), "chart"),
             (theory.maps.len(), "map"),
             (theory.objects.len(), "named value"),
             (theory.kernels.len(), "kernel"),
             (theory.statements.len(), "claim"),
         ];
-        let counted = counted.iter().filter(|(count, _)| *count > 0);
-        let parts: Vec<String> =
-            counted.map(|(n, noun)| format!("{n} {noun}{}", if *n == 1 { "" } else { "s" })).collect();
+        let some = numbers.into_iter().filter(|(number, _)| *number > 0);
+        let parts: Vec<String> = some.map(|(number, noun)| counted(number, noun)).collect();
         print_content("text/plain", &parts.join(", "));
     }
 

@@ -10,7 +10,7 @@ use crate::calculus::{
     Coordinate, Field, Form, Pullback, bracket, exterior_derivative, interior, lie_of_form, lie_of_scalar,
     pairing, pullback,
 };
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Span, counted};
 use crate::expression::{Expr, Operation, Substitution, Symbol};
 use crate::syntax::ast::{self, Argument, ExprKind, Name};
 use num_rational::Ratio;
@@ -160,7 +160,12 @@ impl Evaluator<'_> {
         if fields.len() != w.degree() as usize {
             return Err(Diagnostic::new(
                 span,
-                format!("a {}-form takes {} fields, found {}", w.degree(), w.degree(), fields.len()),
+                format!(
+                    "a {}-form takes {}, found {}",
+                    w.degree(),
+                    counted(w.degree() as usize, "field"),
+                    fields.len()
+                ),
             ));
         }
         let fields = fields.iter().map(|field| self.field(field)).collect::<Evaluated<Vec<_>>>()?;
@@ -338,6 +343,5 @@ pub(super) fn exactly<'e, const N: usize>(
 }
 
 fn wrong_count(name: &str, wanted: usize, found: usize, span: Span) -> Diagnostic {
-    let plural = if wanted == 1 { "" } else { "s" };
-    Diagnostic::new(span, format!("`{name}` takes {wanted} argument{plural}, found {found}"))
+    Diagnostic::new(span, format!("`{name}` takes {}, found {found}", counted(wanted, "argument")))
 }

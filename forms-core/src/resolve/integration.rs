@@ -6,7 +6,7 @@ use super::theory::{Integration, Named};
 use super::value::Value;
 use crate::assume::is_at_most;
 use crate::calculus::{Blade, Form};
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Span, counted};
 use crate::expression::{Condition, Expr, Symbol, SymbolKind};
 use crate::integral::{Region, Strictness};
 use crate::syntax::ast::{self, Argument, ExprKind, Name, Relation};
@@ -223,7 +223,12 @@ impl Evaluator<'_> {
         if form.degree() as usize != ranges.len() {
             return Err(Diagnostic::new(
                 span,
-                format!("a {}-form needs {} ranges, found {}", form.degree(), form.degree(), ranges.len()),
+                format!(
+                    "a {}-form needs {}, found {}",
+                    form.degree(),
+                    counted(form.degree() as usize, "range"),
+                    ranges.len()
+                ),
             ));
         }
         let blade = self.blade_of(ranges)?;

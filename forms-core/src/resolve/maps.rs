@@ -4,7 +4,7 @@ use super::evaluation::Evaluated;
 use super::items::Resolver;
 use super::theory::{Map, Named};
 use crate::calculus::Coordinate;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, counted};
 use crate::expression::{Expr, Symbol};
 use crate::syntax::ast::{self, Name};
 
@@ -46,9 +46,9 @@ impl Resolver {
             return Err(Diagnostic::new(
                 name.span,
                 format!(
-                    "a map to `{}` needs {} components ({}), found {}",
+                    "a map to `{}` needs {} ({}), found {}",
                     target.name,
-                    names.len(),
+                    counted(names.len(), "component"),
                     names.join(", "),
                     components.len()
                 ),

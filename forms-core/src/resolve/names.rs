@@ -28,7 +28,7 @@ impl Names {
                 Named::Differential(_) => {
                     format!(
                         "`{text}` is the differential of the coordinate `{}`",
-                        text.trim_start_matches('d')
+                        text.strip_prefix('d').unwrap_or(text)
                     )
                 }
                 known => format!("it already names {}", describe(known)),
@@ -50,6 +50,10 @@ impl Names {
 
     /// The error for a name nobody declared, with the nearest one that is.
     pub(super) fn unknown(&self, text: &str, span: Span) -> Diagnostic {
+        if FUNCTIONS.contains(&text) {
+            return Diagnostic::new(span, format!("`{text}` is a function and has no value by itself"))
+                .with_help(format!("write what it is of in brackets behind it: `{text}(…)`"));
+        }
         let diagnostic = Diagnostic::new(span, format!("`{text}` is not declared"));
         match self.nearest(text) {
             Some(near) => diagnostic.with_help(format!("did you mean `{near}`?")),

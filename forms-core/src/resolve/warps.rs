@@ -17,7 +17,7 @@ use super::kernels::check_count;
 use super::theory::{Chart, Kernel, KernelUnits, Map, Named, Warp};
 use super::value::Value;
 use crate::calculus::{Blade, Coordinate};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, counted};
 use crate::enclosure::{Enclosure, Precision, Undecided, enclose};
 use crate::expression::{Condition, Expr, Pool, Rational, Seam, Symbol};
 use crate::random::SplitMix;
@@ -119,8 +119,10 @@ impl Resolver {
     fn claims_of_warp(&mut self, item: &Item, warp: &ast::Warp, variables: &Variables) -> Evaluated<()> {
         if !warp.inverse.is_empty() && warp.inverse.len() != variables.uniforms.len() {
             let (wanted, found) = (variables.uniforms.len(), warp.inverse.len());
-            let message =
-                format!("the inverse has {wanted} values, one for each uniform number, found {found}");
+            let message = format!(
+                "the inverse has {}, one for each uniform number, found {found}",
+                counted(wanted, "value")
+            );
             return Err(Diagnostic::new(warp.name.span, message));
         }
         let reverses = self.reverses(warp, &variables.uniforms)?;

@@ -2,7 +2,7 @@
 
 use super::inference::{Inference, Signature};
 use super::quantity::Quantity;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, counted};
 use crate::resolve::{KernelUnits, Named};
 use crate::syntax::ast::{Declared, Expr, Item, ItemKind, Name, Warp};
 
@@ -44,9 +44,7 @@ impl Inference<'_> {
             return;
         }
         let place = units.iter().fold(units[0].span, |all, unit| all.to(unit.span));
-        let count =
-            |number: usize, noun: &str| format!("{number} {noun}{}", if number == 1 { "" } else { "s" });
-        let (results, units) = (count(outputs.len(), "result"), count(units.len(), "unit"));
+        let (results, units) = (counted(outputs.len(), "result"), counted(units.len(), "unit"));
         self.errors.push(Diagnostic::new(place, format!("`{}` has {results} and {units}", name.text)));
     }
 

@@ -1,8 +1,9 @@
 //! The answers, after the work: a table, or a JSON object for each number.
 
 use crate::json::write_record;
-use crate::layout::{columns, counted, duration};
+use crate::layout::{columns, duration};
 use crate::palette::Palette;
+use forms::core::diagnostic::counted;
 use forms_radiometry::output::{measured, rough};
 use forms_radiometry::simulation::{Answer, ErrorKind, ErrorParts, Simulation};
 use std::io::{self, Write};
