@@ -1,7 +1,9 @@
 //! Extinction: what is left of light along a ray, e^(−σ d).
 
 use super::optics::MediumOptics;
+use super::path::Limits;
 use super::warps::transmittance;
+use crate::scene::{MaterialKind, Scene, Surface};
 
 impl<const N: usize> MediumOptics<N> {
     /// What is left after a distance, which may be without end.
@@ -12,4 +14,29 @@ impl<const N: usize> MediumOptics<N> {
 
 fn left(extinction: f64, distance: f64) -> f64 {
     if distance.is_finite() { transmittance(extinction, distance) } else { 0.0 }
+}
+
+/// The extinction in each band where that is all that happens to light: one medium is everywhere, nothing in it scatters or turns light, and no
+/// surface reflects, or only some orders are asked for, and none of these. None where light comes from outside through a medium that lets it pass.
+pub(crate) fn extinction_alone(scene: &Scene, limits: &Limits) -> Option<Vec<f64>> {
+    let medium = &scene.media[scene.ambient.medium?];
+    let is_black = |surface: &Surface| match &scene.materials[surface.material].kind {
+        MaterialKind::Diffuse { reflectance } => {
+            limits.reflections == Some(0) || reflectance.iter().all(|&reflectance| reflectance == 0.0)
+        }
+        MaterialKind::Mirror { .. } | MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => {
+            false
+        }
+    };
+    let is_scattered =
+        limits.scatterings != Some(0) && medium.scattering.iter().any(|&scattering| scattering > 0.0);
+    let both = medium.absorption.iter().zip(&medium.scattering);
+    let extinction: Vec<f64> = both.map(|(absorption, scattering)| absorption + scattering).collect();
+    let comes_in = |(extinction, outside): (&f64, &f64)| *extinction == 0.0 && *outside > 0.0;
+    let is_alone = limits.direct
+        && extinction.iter().any(|&extinction| extinction > 0.0)
+        && !is_scattered
+        && scene.surfaces.iter().all(is_black)
+        && !extinction.iter().zip(&scene.ambient.radiance).any(comes_in);
+    is_alone.then_some(extinction)
 }

@@ -9,17 +9,20 @@ use crate::kernels::{
     uniform_disk_sample, uniform_sphere_pdf, uniform_sphere_sample, uniform_triangle_sample,
 };
 use crate::radiosity::UsedKernel;
-use crate::scene::{MaterialKind, ReceiverKind, Scene, Shape};
+use crate::scene::{MaterialKind, Receiver, ReceiverKind, Scene, Shape};
 
-/// The kernels that the paths of a scene run.
-pub(crate) fn kernels(scene: &Scene) -> Vec<UsedKernel> {
+/// The kernels that the paths of a scene run, and those by which what some receivers get is computed.
+pub(crate) fn kernels(scene: &Scene, is_computed: &dyn Fn(&Receiver) -> bool) -> Vec<UsedKernel> {
     let effects = Effects::of(scene);
     let materials = || scene.surfaces.iter().map(|surface| &scene.materials[surface.material].kind);
-    let shines = |is: fn(&Shape) -> bool| scene.surfaces.iter().any(|s| s.emits() && is(&s.shape));
-    let asks = |is: fn(&ReceiverKind) -> bool| scene.receivers.iter().any(|r| is(&r.kind));
+    let sampled = || scene.receivers.iter().filter(|receiver| !is_computed(receiver));
+    let (samples, computes) = (sampled().next().is_some(), scene.receivers.iter().any(is_computed));
+    let emits = |is: fn(&Shape) -> bool| scene.surfaces.iter().any(|s| s.emits() && is(&s.shape));
+    let shines = |is: fn(&Shape) -> bool| samples && emits(is);
+    let asks = |is: fn(&ReceiverKind) -> bool| sampled().any(|receiver| is(&receiver.kind));
     let is_flat = |shape: &Shape| matches!(shape, Shape::Polygon(_) | Shape::Mesh(_));
     let reflects = |kind: &MaterialKind| matches!(kind, MaterialKind::Diffuse { reflectance } if reflectance.iter().any(|&rho| rho > 0.0));
-    let planes = materials().any(reflects)
+    let planes = (samples && materials().any(reflects))
         || asks(|kind| matches!(kind, ReceiverKind::Point { .. } | ReceiverKind::Surface { .. }));
     let surfaces = asks(|kind| matches!(kind, ReceiverKind::Surface { .. }));
     let spheres = asks(|kind| matches!(kind, ReceiverKind::Sphere { .. }));
@@ -44,6 +47,11 @@ pub(crate) fn kernels(scene: &Scene) -> Vec<UsedKernel> {
         row!(balls, uniform_cone_pdf, "their density"),
         row!(disks || balls, measure_solid_angle_to_area, "densities of points of round luminaires"),
         row!(disks || balls, measure_area_to_solid_angle, "the same of directions that were found otherwise"),
+        row!(
+            computes && emits(is_flat),
+            measure_area_to_solid_angle,
+            "directions in which flat luminaires lie"
+        ),
         row!(surfaces || (triangles && scattering), uniform_triangle_sample, "points of flat surfaces"),
         row!(absorption || scattering, transmittance, "what media leave of light"),
         row!(scattering, free_flight_sample, "where light is scattered"),

@@ -10,7 +10,7 @@
 
 use super::answer::{Plan, PlannedEffect};
 use super::effects::{Effects, forced};
-use super::followed::is_followed;
+use super::followed::{computes_points, is_at_point, is_followed};
 use super::left_out::{without, without_forced};
 use super::survey::Survey;
 use crate::monte_carlo::{self, World, has_too_many_images, trap};
@@ -53,7 +53,7 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         let message = "light that is followed along paths cannot pass through surfaces";
         return Err(vec![SceneError::new(&forced.place, message, "no `occlusion`, or \"on\"")]);
     }
-    let (effects, dropped) = decided(scene, Survey::without_bounds(scene));
+    let (mut effects, dropped) = decided(scene, Survey::without_bounds(scene));
     let left = without(scene, &effects);
     let working = left.in_working_units();
     let world = World::new(&working.scene);
@@ -67,7 +67,17 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         return Err(vec![SceneError::new(&light.place, message, expected)]);
     }
     let kernels = Effects::of(&effects).kernels_of_paths(&left);
+    tell_computed(&mut effects, &left);
     Ok(Plan { effects, kernels, dropped })
+}
+
+/// Tells of absorption where what it leaves at points needs no samples.
+fn tell_computed(effects: &mut [PlannedEffect], left: &Scene) {
+    let is_computed = computes_points(left, &Effects::of(effects).limits());
+    if is_computed && left.receivers.iter().any(is_at_point) {
+        let absorption = effects.iter_mut().filter(|planned| planned.effect == Effect::Absorption);
+        absorption.for_each(|planned| planned.why.push_str("; without samples at points"));
+    }
 }
 
 /// What is decided about every effect, one after the other, and what all that is dropped can change, relative to an answer.
