@@ -301,3 +301,93 @@ fn no_seed_and_no_kernel_of_samples_takes_part() {
     let names: Vec<&str> = plan.kernels.iter().map(|kernel| kernel.name).collect();
     assert_eq!(names, ["measure_area_to_solid_angle", "transmittance"]);
 }
+
+/// A ray along x from the origin to a black wall, in fog that scatters light of two points once, one of them behind a screen of this length.
+fn in_fog(
+    [scattering, absorption, asymmetry]: [f64; 3],
+    [first, second]: [Point; 2],
+    end: f64,
+    screen: f64,
+) -> String {
+    let wall = [[end, -99.0, -99.0], [end, -99.0, 99.0], [end, 99.0, 99.0], [end, 99.0, -99.0]];
+    // as high as half of the second light, from its abscissa on
+    let [x, _, height] = second;
+    let low = 0.5 * height;
+    let screen = [[x, -99.0, low], [x + screen, -99.0, low], [x + screen, 99.0, low], [x, 99.0, low]];
+    let light =
+        |position: Point| format!("[[light]]\nkind = \"point\"\nposition = {position:?}\nintensity = 3\n");
+    [
+        format!("[[medium]]\nname = \"fog\"\nsigma_a = {absorption:?}\nsigma_s = {scattering:?}\ng = {asymmetry:?}\n"),
+        "[ambient]\nmedium = \"fog\"\n".to_owned(),
+        material("black", 0.0),
+        surface("wall", "black", &polygon(&wall)),
+        surface("screen", "black", &polygon(&screen)),
+        light(first),
+        light(second),
+        "[[receiver]]\nname = \"ray\"\nkind = \"ray\"\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n".to_owned(),
+    ]
+    .concat()
+}
+
+/// What a stretch of the ray scatters of a light, by a plain rule in the angle at the light.
+fn scattered_by_angle(
+    [scattering, absorption, asymmetry]: [f64; 3],
+    [s, y, z]: Point,
+    [from, to]: [f64; 2],
+) -> f64 {
+    const STEPS: usize = 20_000;
+    let height = y.hypot(z);
+    let [low, high] = [from, to].map(|along| ((along - s) / height).atan());
+    let value = |angle: f64| {
+        let (along, distance) = (s + height * angle.tan(), height / angle.cos());
+        let g = asymmetry;
+        let phase = (1.0 - g * g) / (4.0 * PI * (1.0 + g * g + 2.0 * g * angle.sin()).powf(1.5));
+        3.0 * scattering * phase * (-(scattering + absorption) * (along + distance)).exp() / height
+    };
+    let step = (high - low) / STEPS as f64;
+    let one = |place: usize| {
+        let middle = low + (place as f64 + 0.5) * step;
+        let aside = 0.5 * step * (3.0_f64 / 5.0).sqrt();
+        step / 18.0 * (5.0 * value(middle - aside) + 8.0 * value(middle) + 5.0 * value(middle + aside))
+    };
+    (0..STEPS).map(one).sum()
+}
+
+#[test]
+fn airlight_is_computed_and_no_error_is_less_than_the_true_one() {
+    let mut numbers = Numbers(3);
+    for number in 0..48 {
+        let scattering = numbers.of_any_size(0.01, 20.0);
+        let fog = [scattering, scattering * numbers.next(), numbers.between(-0.95, 0.95)];
+        let end = numbers.of_any_size(0.3, 10.0);
+        let mut light = || [end * numbers.between(-0.5, 0.95), 0.0, numbers.of_any_size(0.02, 3.0)];
+        let [first, second] = [light(), light()];
+        let first = [first[0], -first[2], 0.0];
+        let screen = end * numbers.of_any_size(0.01, 2.0);
+        let shadow = [second[0], second[0] + 2.0 * screen].map(|along| along.clamp(0.0, end));
+        // the first light is below the screen, which hides nothing of the ray from it
+        let truth: f64 = [(first, [0.0, end]), (second, [0.0, shadow[0]]), (second, [shadow[1], end])]
+            .into_iter()
+            .map(|(light, ends)| scattered_by_angle(fog, light, ends))
+            .sum();
+        let text = in_fog(fog, [first, second], end, screen);
+        for tolerance in [1e-2, 1e-8] {
+            let forced = format!("[solve]\ntolerance = {tolerance:?}\neffects = {{ scattering = 1 }}\n");
+            let Answer { value, error, kind, .. } = simulated(&(text.clone() + &forced)).answers[0];
+            assert!(
+                (value - truth).abs() <= error + 1e-12 * truth,
+                "{number}: {value:e} ± {error:e}, {truth:e}\n{text}"
+            );
+            assert!(
+                error <= 1e-2 * tolerance * value && kind == ErrorKind::Bound,
+                "{number}: {value:e} ± {error:e}"
+            );
+        }
+        if number < 6 {
+            let forced = "[solve]\ntolerance = 1e-2\neffects = { scattering = 1 }\n";
+            let sampled = simulated(&(text + MIRROR + forced)).answers[0].clone();
+            assert_eq!(sampled.kind, ErrorKind::Sigma);
+            assert!((sampled.value - truth).abs() <= 4.0 * sampled.error, "{number}: {sampled:?}, {truth:e}");
+        }
+    }
+}

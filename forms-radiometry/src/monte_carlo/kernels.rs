@@ -30,6 +30,7 @@ pub(crate) fn kernels(scene: &Scene, is_computed: &dyn Fn(&Receiver) -> bool) ->
     let (triangles, disks) = (shines(is_flat), shines(|shape| matches!(shape, Shape::Disk(_))));
     let balls = shines(|shape| matches!(shape, Shape::Sphere(_)));
     let Effects { absorption, scattering, refraction, .. } = effects;
+    let scatters_once = computes && scattering;
     macro_rules! row {
         ($is_used:expr, $name:ident, $what:literal) => {
             ($is_used).then(|| UsedKernel::whole(stringify!($name), $name::OPERATIONS, $what))
@@ -48,18 +49,18 @@ pub(crate) fn kernels(scene: &Scene, is_computed: &dyn Fn(&Receiver) -> bool) ->
         row!(disks || balls, measure_solid_angle_to_area, "densities of points of round luminaires"),
         row!(disks || balls, measure_area_to_solid_angle, "the same of directions that were found otherwise"),
         row!(
-            computes && emits(is_flat),
+            (computes && emits(is_flat)) || scatters_once,
             measure_area_to_solid_angle,
-            "directions in which flat luminaires lie"
+            "light of flat luminaires, or of points on a ray"
         ),
         row!(surfaces || (triangles && scattering), uniform_triangle_sample, "points of flat surfaces"),
         row!(absorption || scattering, transmittance, "what media leave of light"),
-        row!(scattering, free_flight_sample, "where light is scattered"),
-        row!(scattering, free_flight_pdf, "the density of that"),
-        row!(scattering, equiangular_sample, "where light of a luminaire is scattered"),
-        row!(scattering, equiangular_pdf, "the density of that"),
+        row!(samples && scattering, free_flight_sample, "where light is scattered"),
+        row!(samples && scattering, free_flight_pdf, "the density of that"),
+        row!(samples && scattering, equiangular_sample, "where light of a luminaire is scattered"),
+        row!(samples && scattering, equiangular_pdf, "the density of that"),
         row!(scattering, henyey_greenstein, "how much is scattered into a direction"),
-        row!(scattering, henyey_greenstein_direction_sample, "directions of scattered light"),
+        row!(samples && scattering, henyey_greenstein_direction_sample, "directions of scattered light"),
         row!(refraction, fresnel_dielectric, "what boundaries reflect"),
         row!(refraction, basic_radiance, "radiance in another index"),
         row!(metals, fresnel_conductor, "what metals reflect"),

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! luminous face ─ visible from the point ─▶ convex pieces ─▶ triangles ─▶ sums with their bounds ─┐
+//! points that shine ─ segments of a ray past shadows ─▶ what is scattered once into the ray ─▶ sums with their bounds
 //! lights without extent ─ not hidden ─▶ e^(−σ r) of what arrives ─────────────────────────────────┴─▶ each number in each band
 //! ```
 //! What hides a face is cut out of it as exactly as in a vacuum ([`gather`](super::gather)), so that what is left to be integrated is smooth
@@ -9,6 +10,9 @@
 //!
 //! Source: S. Chandrasekhar, Radiative transfer (1950), chapter 1: the formal solution of the equation of transfer without scattering.
 
+mod halving;
+mod segments;
+mod shadows;
 mod triangles;
 
 use super::direct::lights_at;
@@ -18,13 +22,16 @@ use crate::faces::{emits, faces, is_round};
 use crate::geometry::{Screens, Vector};
 // what rounding may make of it is part of the error, so that it needs no guard
 use crate::kernels::transmittance::unguarded as transmittance;
-use crate::scene::Scene;
+use crate::scene::{LightKind, Medium, Scene};
+use segments::{Lit, Segment, scattered};
 use triangles::{Integrand, Triangle, fan};
 
 /// Among more faces the search for what stands in between would take longer than samples.
 const MOST_FACES: usize = 1 << 12;
 /// The part of the tolerance that is left to integrals: they are so smooth that much more takes little longer.
 const PART: f64 = 1e-3;
+/// The optical thickness beyond which light is nothing: e^−1500 is below the least number.
+const OPAQUE: f64 = 1500.0;
 /// Rounding of a number, in units of the last place: of its terms, and for each unit of an exponent.
 const ROUNDING: [f64; 2] = [64.0, 4.0];
 
@@ -80,6 +87,29 @@ impl<'s> Transmitted<'s> {
             self.add_lights(position, *measure, of_bands);
         }
         reached
+    }
+
+    /// What a ray brings that the medium scatters once of the light of points, in each band.
+    pub(crate) fn scattered_once(&self, ray: [Vector; 2], medium: &Medium) -> Vec<Reached> {
+        let [origin, direction] = ray;
+        let Transport { faces, screens, accuracy, .. } = &self.transport;
+        let end = screens.first(origin, direction).map_or(f64::INFINITY, |met| met.distance);
+        let thinnest = self
+            .extinction
+            .iter()
+            .copied()
+            .filter(|&extinction| extinction > 0.0)
+            .fold(f64::INFINITY, f64::min);
+        let mut segments = Vec::new();
+        for light in &self.scene.lights {
+            // what comes from far away was extinguished on its way
+            let LightKind::Point { position, intensity } = &light.kind else { continue };
+            let lit = Lit::of(ray, *position, intensity);
+            let end = end.min(lit.abreast.max(0.0) + OPAQUE / thinnest);
+            let ends = shadows::lit(ray, end, *position, faces, screens.resolution());
+            segments.extend(ends.into_iter().map(|ends| Segment { lit, ends }));
+        }
+        scattered(segments, medium, &self.extinction, *accuracy)
     }
 
     /// The pieces that a point sees of what shines, in triangles.

@@ -1,7 +1,7 @@
 //! Effects: what the solver does of the plan.
 
 use super::answer::PlannedEffect;
-use super::followed::{computes_points, is_at_point};
+use super::followed::is_computed;
 use super::survey::receiving;
 use crate::faces::faces;
 use crate::geometry::{Face, Screens};
@@ -80,8 +80,7 @@ impl Effects {
     pub(super) fn kernels_of_paths(&self, scene: &Scene) -> Vec<UsedKernel> {
         let merged = (!self.bands && scene.band_count() > 1).then(|| scene.with_one_band());
         let scene = merged.as_ref().unwrap_or(scene);
-        let computes_points = computes_points(scene, &self.limits());
-        monte_carlo::kernels(scene, &|receiver| computes_points && is_at_point(receiver))
+        monte_carlo::kernels(scene, &|receiver| is_computed(scene, &self.limits(), receiver))
     }
 
     /// What of these faces hides light or is met by rays: those that are asked for, or those by which light is gathered.

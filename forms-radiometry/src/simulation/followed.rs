@@ -27,7 +27,7 @@ use crate::scene::{MaterialKind, Medium, Receiver, ReceiverKind, Scene};
 pub(super) use asked::MOST;
 use asked::{Asked, Division, asked};
 use computed::Computing;
-pub(super) use computed::{computes_points, is_at_point};
+pub(super) use computed::is_computed;
 use rayon::prelude::*;
 use scale::{Scales, settled};
 pub(super) use state::{OfPaths, WrittenOfPaths};

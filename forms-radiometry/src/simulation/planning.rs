@@ -10,12 +10,12 @@
 
 use super::answer::{Plan, PlannedEffect};
 use super::effects::{Effects, forced};
-use super::followed::{computes_points, is_at_point, is_followed};
+use super::followed::{is_computed, is_followed};
 use super::left_out::{without, without_forced};
 use super::survey::Survey;
 use crate::monte_carlo::{self, World, has_too_many_images, trap};
 use crate::radiosity::orders;
-use crate::scene::{Effect, Force, ForcedEffect, Scene, SceneError, not_simulated};
+use crate::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene, SceneError, not_simulated};
 
 /// The part of the tolerance that what is dropped may take.
 const DROPPED: f64 = 0.5;
@@ -71,12 +71,21 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
     Ok(Plan { effects, kernels, dropped })
 }
 
-/// Tells of absorption where what it leaves at points needs no samples.
+/// Tells of absorption and scattering where what they leave needs no samples.
 fn tell_computed(effects: &mut [PlannedEffect], left: &Scene) {
-    let is_computed = computes_points(left, &Effects::of(effects).limits());
-    if is_computed && left.receivers.iter().any(is_at_point) {
-        let absorption = effects.iter_mut().filter(|planned| planned.effect == Effect::Absorption);
-        absorption.for_each(|planned| planned.why.push_str("; without samples at points"));
+    let limits = Effects::of(effects).limits();
+    let computed: Vec<&Receiver> =
+        left.receivers.iter().filter(|receiver| is_computed(left, &limits, receiver)).collect();
+    let is_along = |receiver: &&&Receiver| matches!(receiver.kind, ReceiverKind::Ray { .. });
+    let rays = computed.iter().filter(is_along).count();
+    for planned in effects.iter_mut() {
+        match planned.effect {
+            Effect::Absorption if rays < computed.len() => {
+                planned.why.push_str("; without samples at points")
+            }
+            Effect::Scattering if rays > 0 => planned.why.push_str("; without samples along rays"),
+            _ => {}
+        }
     }
 }
 

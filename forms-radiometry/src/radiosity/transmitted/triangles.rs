@@ -13,7 +13,8 @@
 //! Source: L. N. Trefethen, Is Gauss quadrature better than Clenshaw–Curtis? (2008), theorem 4.5.
 
 use super::super::measure::Measure;
-use super::{Reached, least, rounding, transmittance};
+use super::halving::{Part, Piece, halved};
+use super::{Reached, rounding, transmittance};
 use crate::geometry::{Face, Vector, gauss};
 use crate::kernels::measure_area_to_solid_angle;
 use crate::scene::Scene;
@@ -23,10 +24,6 @@ use std::f64::consts::PI;
 const POINTS: usize = 8;
 /// The sums of half axes of the ellipses.
 const ELLIPSES: [f64; 9] = [1.5, 2.0, 3.0, 4.0, 6.0, 9.0, 14.0, 24.0, 50.0];
-/// The most triangles; where more would be needed the bound is larger than it was to be.
-const MOST: usize = 1 << 14;
-/// The part of what is not known yet that is taken for a part of the result while triangles are halved.
-const OPEN: f64 = 0.1;
 /// Rounding of the height over a plane, in units of the last place of a corner's distance.
 const OF_HEIGHT: f64 = 8.0;
 
@@ -62,14 +59,6 @@ pub(super) struct Integrand<'i> {
     pub(super) scene: &'i Scene,
 }
 
-/// A triangle with what is found of it: by measure and band values, by band their errors and what rounding may make of them.
-struct Part {
-    triangle: Triangle,
-    values: Vec<f64>,
-    errors: Vec<f64>,
-    rounding: Vec<f64>,
-}
-
 /// How large a triangle is and how far away.
 struct Extent {
     nearest: f64,
@@ -82,57 +71,11 @@ struct Extent {
 impl Integrand<'_> {
     /// The integrals over all triangles, by measure and band, with errors below the goal, a part of the largest number of the band.
     pub(super) fn integrated(&self, triangles: Vec<Triangle>, goal: f64) -> Vec<Reached> {
-        let mut parts: Vec<Part> = triangles.into_iter().map(|triangle| self.part(triangle)).collect();
-        loop {
-            let sums = self.sums(&parts);
-            let fair: Vec<f64> =
-                self.goals(&sums, goal).iter().map(|goal| goal / parts.len() as f64).collect();
-            let is_open = |part: &Part| part.errors.iter().zip(&fair).any(|(error, fair)| error > fair);
-            if parts.len() >= MOST || !parts.iter().any(is_open) {
-                return sums;
-            }
-            let halved = |part: Part| {
-                if is_open(&part) {
-                    part.triangle.halves().map(|half| self.part(half)).into()
-                } else {
-                    vec![part]
-                }
-            };
-            parts = parts.into_iter().flat_map(halved).collect();
-        }
-    }
-
-    /// By band what the errors of all parts may sum to.
-    fn goals(&self, sums: &[Reached], goal: f64) -> Vec<f64> {
-        let bands = self.extinction.len();
-        let of_band = |band: usize| {
-            let numbers = sums.iter().skip(band).step_by(bands);
-            let known = |sum: &Reached| sum.value.abs().max(OPEN * sum.quadrature);
-            (goal * numbers.map(known).fold(0.0, f64::max)).max(f64::MIN_POSITIVE)
-        };
-        (0..bands).map(of_band).collect()
-    }
-
-    fn sums(&self, parts: &[Part]) -> Vec<Reached> {
-        let bands = self.extinction.len();
-        let of_place = |place: usize| {
-            let band = place % bands;
-            let sum = |of: fn(&Part) -> &Vec<f64>, place: usize| {
-                parts.iter().map(|part| of(part)[place]).sum::<f64>()
-            };
-            let terms = 1.0 + parts.len() as f64 / super::ROUNDING[0];
-            let lost = if parts.is_empty() { 0.0 } else { least(self.extinction[band]) };
-            Reached {
-                value: sum(|part| &part.values, place),
-                quadrature: sum(|part| &part.errors, band),
-                rounding: terms * sum(|part| &part.rounding, band) + lost,
-            }
-        };
-        (0..self.measures.len() * bands).map(of_place).collect()
+        halved(triangles, (self.measures.len(), self.extinction), goal, |triangle| self.part(triangle))
     }
 
     /// What is found of a triangle.
-    fn part(&self, triangle: Triangle) -> Part {
+    fn part(&self, triangle: Triangle) -> Part<Triangle> {
         let extent = triangle.extent();
         let radiances = &self.scene.surfaces[triangle.surface].radiance;
         let (mut errors, mut rounded, mut is_found) = (Vec::new(), Vec::new(), Vec::new());
@@ -152,7 +95,7 @@ impl Integrand<'_> {
             let hidden = values.iter_mut().enumerate().filter(|(place, _)| !is_found[place % bands]);
             hidden.for_each(|(_, value)| *value = 0.0);
         }
-        Part { triangle, values, errors, rounding: rounded }
+        Part { piece: triangle, values, errors, rounding: rounded }
     }
 
     /// Adds the rule's integral over a triangle.
@@ -185,7 +128,7 @@ impl Integrand<'_> {
     }
 }
 
-impl Triangle {
+impl Piece for Triangle {
     /// Its halves, on both sides of the middle of its longest edge.
     fn halves(&self) -> [Self; 2] {
         let [a, b, c] = self.corners;
@@ -199,7 +142,9 @@ impl Triangle {
         let middle = 0.5 * (a + b);
         [[a, middle, c], [middle, b, c]].map(|corners| Self { corners, ..*self })
     }
+}
 
+impl Triangle {
     fn extent(&self) -> Extent {
         let [a, b, c] = self.corners;
         let edges = [[a, b], [b, c], [c, a]];

@@ -3,13 +3,14 @@
 //! ```text
 //! sight  ─ smooth and black walls ──────────────────▶ terms of rays           (monte_carlo/expansion)      what is given up
 //! points ─ a medium that only takes light away ─────▶ integrals over pieces   (radiosity/transmitted)      quadrature, rounding
+//! sight  ─ points that light a medium, once ────────▶ integrals along the ray (radiosity/transmitted)      the same
 //! ```
 //! All of it is the same for every seed.
 
 use super::super::parts::ErrorParts;
-use crate::monte_carlo::{Follow, Limits, Question, extinction_alone};
+use crate::monte_carlo::{Follow, Limits, Question, extinction_alone, scattering_once};
 use crate::radiosity::{Measure, Reached, Transmitted, has_exact_pieces};
-use crate::scene::{Receiver, ReceiverKind, Scene};
+use crate::scene::{Medium, Receiver, ReceiverKind, Scene};
 use serde::{Deserialize, Serialize};
 
 /// A number and what its error is made of, but for rounding of the number itself.
@@ -21,32 +22,41 @@ pub(super) struct Computed {
 
 /// What answers without samples.
 pub(super) struct Computing<'s> {
-    pub(super) followers: &'s [Box<dyn Follow + 's>],
+    followers: &'s [Box<dyn Follow + 's>],
     transmitted: Option<Transmitted<'s>>,
+    scattered: Option<(&'s Medium, Transmitted<'s>)>,
 }
 
 impl<'s> Computing<'s> {
     pub(super) fn of(scene: &'s Scene, limits: &Limits, followers: &'s [Box<dyn Follow + 's>]) -> Self {
-        let extinction = extinction_alone(scene, limits).filter(|_| has_exact_pieces(scene));
-        Self { followers, transmitted: extinction.map(|extinction| Transmitted::of(scene, extinction)) }
+        let exact = has_exact_pieces(scene);
+        let transmitted = extinction_alone(scene, limits).filter(|_| exact);
+        let scattered = scattering_once(scene, limits).filter(|_| exact);
+        Self {
+            followers,
+            transmitted: transmitted.map(|extinction| Transmitted::of(scene, extinction)),
+            scattered: scattered.map(|(medium, extinction)| (medium, Transmitted::of(scene, extinction))),
+        }
     }
 
     /// Nothing, for a scene whose answers are known already.
     pub(super) fn nothing() -> Self {
-        Self { followers: &[], transmitted: None }
+        Self { followers: &[], transmitted: None, scattered: None }
     }
 
     /// What answers a question without samples, number by number and band by band, if anything does.
     pub(super) fn answer(&self, question: &Question) -> Option<Vec<Computed>> {
-        let measures: &[Measure] = match question {
-            Question::Plane { normal, .. } => &[Measure::Plane(*normal)],
-            Question::Sphere { .. } => &Measure::ALL_SIDES,
-            _ => return self.expanded(question),
+        let reached = match *question {
+            Question::Plane { position, normal } => {
+                self.transmitted.as_ref()?.at(position, &[Measure::Plane(normal)])
+            }
+            Question::Sphere { position } => self.transmitted.as_ref()?.at(position, &Measure::ALL_SIDES),
+            Question::Sight { origin, direction } => match &self.scattered {
+                Some((medium, lights)) => lights.scattered_once([origin, direction], medium),
+                None => return self.expanded(question),
+            },
+            Question::Surface { .. } | Question::Pixel { .. } => return None,
         };
-        let (Question::Plane { position, .. } | Question::Sphere { position }) = question else {
-            return None;
-        };
-        let reached = self.transmitted.as_ref()?.at(*position, measures);
         Some(reached.into_iter().map(Computed::from).collect())
     }
 
@@ -69,13 +79,12 @@ impl From<Reached> for Computed {
     }
 }
 
-/// Whether what points get in a scene is computed.
-pub(in super::super) fn computes_points(scene: &Scene, limits: &Limits) -> bool {
-    extinction_alone(scene, limits).is_some() && has_exact_pieces(scene)
-}
-
-/// Whether a receiver asks for what points get, and for nothing else.
-pub(in super::super) fn is_at_point(receiver: &Receiver) -> bool {
-    let is_point = matches!(receiver.kind, ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. });
-    is_point && receiver.time.is_none()
+/// Whether what a receiver gets in a scene of media is computed.
+pub(in super::super) fn is_computed(scene: &Scene, limits: &Limits, receiver: &Receiver) -> bool {
+    let computes = match receiver.kind {
+        ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. } => extinction_alone(scene, limits).is_some(),
+        ReceiverKind::Ray { .. } => scattering_once(scene, limits).is_some(),
+        ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => false,
+    };
+    computes && receiver.time.is_none() && has_exact_pieces(scene)
 }
