@@ -1,9 +1,9 @@
-//! Transmitted light: what a medium that only takes light away leaves of what lights send straight to a point.
+//! Transmitted light: what a medium leaves of what lights send straight to a point, and what it scatters once of it into a ray.
 //!
 //! ```text
 //! luminous face ─ visible from the point ─▶ convex pieces ─▶ triangles ─▶ sums with their bounds ─┐
-//! points that shine ─ segments of a ray past shadows ─▶ what is scattered once into the ray ─▶ sums with their bounds
-//! lights without extent ─ not hidden ─▶ e^(−σ r) of what arrives ─────────────────────────────────┴─▶ each number in each band
+//! lights without extent ─ not hidden ─▶ e^(−σ r) of what arrives ─────────────────────────────────┴─▶ a point, in each band
+//! points that shine ─ past the shadows of faces ─▶ segments of a ray ─▶ sums with their bounds ─────▶ the ray, in each band
 //! ```
 //! What hides a face is cut out of it as exactly as in a vacuum ([`gather`](super::gather)), so that what is left to be integrated is smooth
 //! (`triangles`).

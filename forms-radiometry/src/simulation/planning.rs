@@ -81,7 +81,7 @@ fn tell_computed(effects: &mut [PlannedEffect], left: &Scene) {
     for planned in effects.iter_mut() {
         match planned.effect {
             Effect::Absorption if rays < computed.len() => {
-                planned.why.push_str("; without samples at points")
+                planned.why.push_str("; without samples at points");
             }
             Effect::Scattering if rays > 0 => planned.why.push_str("; without samples along rays"),
             _ => {}
