@@ -35,6 +35,7 @@ mod vertex;
 mod warps;
 mod world;
 
+pub(crate) use extinction::{extinction_alone, scattering_once};
 pub(crate) use follow::Follow;
 pub(crate) use images::LEFT_OUT;
 pub(crate) use kept::KeptSums;

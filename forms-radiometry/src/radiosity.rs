@@ -35,6 +35,7 @@ mod subdivision;
 mod system;
 #[cfg(test)]
 mod tests;
+mod transmitted;
 mod walk;
 mod weights;
 
@@ -51,3 +52,4 @@ pub(crate) use refinement::{Asking, Refined};
 pub(crate) use sight::{Reflected, SeenPiece};
 pub(crate) use solution::orders;
 pub(crate) use system::{Question, Radiosity, reflectance, reflects};
+pub(crate) use transmitted::{Reached, Transmitted, has_exact_pieces};

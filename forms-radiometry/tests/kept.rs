@@ -39,6 +39,23 @@ fn hall(bands: &str) -> Scene {
         .unwrap_or_else(|errors| panic!("{}", errors[0]))
 }
 
+/// A lamp in smoke over a black floor, of which a point and a map are answered without samples, and the mean is not.
+fn smoke() -> Scene {
+    let floor = polygon(&[[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
+    let lamp = polygon(&[[0.5, 0.0, 1.0], [0.5, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 0.0, 1.0]]);
+    let text = [
+        "[[medium]]\nname = \"smoke\"\nsigma_a = 0.5\n[ambient]\nmedium = \"smoke\"\n".to_owned(),
+        material("black", 0.0),
+        surface("floor", "black", &floor),
+        surface("lamp", "black", &format!("{lamp}\nradiance = 1")),
+        point_receiver("here", [1.0, 0.5, 0.1], [0.0, 0.0, 1.0]),
+        "[[receiver]]\nname = \"map\"\nkind = \"surface\"\nsurface = \"floor\"\ngrid = [4, 2]\n".to_owned(),
+        tolerance(TOLERANCE),
+    ];
+    forms_radiometry::scene::read(&text.concat(), "smoke.toml")
+        .unwrap_or_else(|errors| panic!("{}", errors[0]))
+}
+
 /// Stops the work after it was asked so often.
 struct Patience(AtomicU32);
 
@@ -117,15 +134,19 @@ fn work_that_is_stopped_again_and_again_comes_to_the_same_bits() {
 
 #[test]
 fn shares_that_were_stopped_come_to_the_bits_of_one_run() {
-    let scene = hall("");
-    let plan = plan(&scene).expect("a plan");
+    assert_shares_are_one_run(&hall(""));
+    assert_shares_are_one_run(&smoke());
+}
+
+fn assert_shares_are_one_run(scene: &Scene) {
+    let plan = plan(scene).expect("a plan");
     for (count, samples) in [(3, None), (7, None), (3, Some(500)), (7, Some(500))] {
         let budget = samples.map(|samples| Budget::new(samples).expect("a number of samples"));
         let job = Job { budget, ..Job::default() };
-        let whole = simulate_job(&scene, &plan, job, &Unwatched).expect("there is no state");
+        let whole = simulate_job(scene, &plan, job, &Unwatched).expect("there is no state");
         let shares = format!("1/{count}").parse::<Share>().expect("a share").all();
-        let parts = shares.map(|share| (share, resumed(&scene, &plan, budget, share).1)).collect();
-        let merged = merge(&scene, &plan, budget, parts).expect("all shares");
+        let parts = shares.map(|share| (share, resumed(scene, &plan, budget, share).1)).collect();
+        let merged = merge(scene, &plan, budget, parts).expect("all shares");
         assert_eq!(bits(&merged), bits(&whole), "{count} shares, {samples:?}");
         let kinds = |found: &Simulation| found.answers.iter().map(|answer| answer.kind).collect::<Vec<_>>();
         assert_eq!(kinds(&merged), kinds(&whole));

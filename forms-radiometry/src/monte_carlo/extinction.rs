@@ -1,7 +1,9 @@
 //! Extinction: what is left of light along a ray, e^(−σ d).
 
 use super::optics::MediumOptics;
+use super::path::Limits;
 use super::warps::transmittance;
+use crate::scene::{MaterialKind, Medium, Scene, Surface};
 
 impl<const N: usize> MediumOptics<N> {
     /// What is left after a distance, which may be without end.
@@ -12,4 +14,44 @@ impl<const N: usize> MediumOptics<N> {
 
 fn left(extinction: f64, distance: f64) -> f64 {
     if distance.is_finite() { transmittance(extinction, distance) } else { 0.0 }
+}
+
+/// The extinction in each band where that is all that happens to light: it is scattered by nothing, and as [`unturned`] says. None where lights do
+/// not count.
+pub(crate) fn extinction_alone(scene: &Scene, limits: &Limits) -> Option<Vec<f64>> {
+    let medium = &scene.media[scene.ambient.medium?];
+    let is_scattered =
+        limits.scatterings != Some(0) && medium.scattering.iter().any(|&scattering| scattering > 0.0);
+    (limits.direct && !is_scattered).then(|| unturned(scene, limits)).flatten()
+}
+
+/// The medium and its extinction in each band where a single scattering is asked for, the only lights are points and far away, and all else is as
+/// [`unturned`] says.
+pub(crate) fn scattering_once<'s>(scene: &'s Scene, limits: &Limits) -> Option<(&'s Medium, Vec<f64>)> {
+    let medium = &scene.media[scene.ambient.medium?];
+    let is_scattered =
+        limits.scatterings == Some(1) && medium.scattering.iter().any(|&scattering| scattering > 0.0);
+    let is_alone = limits.direct && is_scattered && !scene.surfaces.iter().any(Surface::emits);
+    is_alone.then(|| unturned(scene, limits)).flatten().map(|extinction| (medium, extinction))
+}
+
+/// The extinction in each band where one medium is everywhere, and no surface reflects or bends light, or only some orders are asked for, and none
+/// of these. None where nothing is taken away, or light comes from outside through a medium that lets it pass.
+fn unturned(scene: &Scene, limits: &Limits) -> Option<Vec<f64>> {
+    let medium = &scene.media[scene.ambient.medium?];
+    let is_black = |surface: &Surface| match &scene.materials[surface.material].kind {
+        MaterialKind::Diffuse { reflectance } => {
+            limits.reflections == Some(0) || reflectance.iter().all(|&reflectance| reflectance == 0.0)
+        }
+        MaterialKind::Mirror { .. } | MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => {
+            false
+        }
+    };
+    let both = medium.absorption.iter().zip(&medium.scattering);
+    let extinction: Vec<f64> = both.map(|(absorption, scattering)| absorption + scattering).collect();
+    let comes_in = |(extinction, outside): (&f64, &f64)| *extinction == 0.0 && *outside > 0.0;
+    let is_alone = extinction.iter().any(|&extinction| extinction > 0.0)
+        && scene.surfaces.iter().all(is_black)
+        && !extinction.iter().zip(&scene.ambient.radiance).any(comes_in);
+    is_alone.then_some(extinction)
 }

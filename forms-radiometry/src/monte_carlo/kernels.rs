@@ -9,17 +9,20 @@ use crate::kernels::{
     uniform_disk_sample, uniform_sphere_pdf, uniform_sphere_sample, uniform_triangle_sample,
 };
 use crate::radiosity::UsedKernel;
-use crate::scene::{MaterialKind, ReceiverKind, Scene, Shape};
+use crate::scene::{MaterialKind, Receiver, ReceiverKind, Scene, Shape};
 
-/// The kernels that the paths of a scene run.
-pub(crate) fn kernels(scene: &Scene) -> Vec<UsedKernel> {
+/// The kernels that the paths of a scene run, and those by which what some receivers get is computed.
+pub(crate) fn kernels(scene: &Scene, is_computed: &dyn Fn(&Receiver) -> bool) -> Vec<UsedKernel> {
     let effects = Effects::of(scene);
     let materials = || scene.surfaces.iter().map(|surface| &scene.materials[surface.material].kind);
-    let shines = |is: fn(&Shape) -> bool| scene.surfaces.iter().any(|s| s.emits() && is(&s.shape));
-    let asks = |is: fn(&ReceiverKind) -> bool| scene.receivers.iter().any(|r| is(&r.kind));
+    let sampled = || scene.receivers.iter().filter(|receiver| !is_computed(receiver));
+    let (samples, computes) = (sampled().next().is_some(), scene.receivers.iter().any(is_computed));
+    let emits = |is: fn(&Shape) -> bool| scene.surfaces.iter().any(|s| s.emits() && is(&s.shape));
+    let shines = |is: fn(&Shape) -> bool| samples && emits(is);
+    let asks = |is: fn(&ReceiverKind) -> bool| sampled().any(|receiver| is(&receiver.kind));
     let is_flat = |shape: &Shape| matches!(shape, Shape::Polygon(_) | Shape::Mesh(_));
     let reflects = |kind: &MaterialKind| matches!(kind, MaterialKind::Diffuse { reflectance } if reflectance.iter().any(|&rho| rho > 0.0));
-    let planes = materials().any(reflects)
+    let planes = (samples && materials().any(reflects))
         || asks(|kind| matches!(kind, ReceiverKind::Point { .. } | ReceiverKind::Surface { .. }));
     let surfaces = asks(|kind| matches!(kind, ReceiverKind::Surface { .. }));
     let spheres = asks(|kind| matches!(kind, ReceiverKind::Sphere { .. }));
@@ -27,6 +30,7 @@ pub(crate) fn kernels(scene: &Scene) -> Vec<UsedKernel> {
     let (triangles, disks) = (shines(is_flat), shines(|shape| matches!(shape, Shape::Disk(_))));
     let balls = shines(|shape| matches!(shape, Shape::Sphere(_)));
     let Effects { absorption, scattering, refraction, .. } = effects;
+    let scatters_once = computes && scattering;
     macro_rules! row {
         ($is_used:expr, $name:ident, $what:literal) => {
             ($is_used).then(|| UsedKernel::whole(stringify!($name), $name::OPERATIONS, $what))
@@ -44,14 +48,19 @@ pub(crate) fn kernels(scene: &Scene) -> Vec<UsedKernel> {
         row!(balls, uniform_cone_pdf, "their density"),
         row!(disks || balls, measure_solid_angle_to_area, "densities of points of round luminaires"),
         row!(disks || balls, measure_area_to_solid_angle, "the same of directions that were found otherwise"),
+        row!(
+            (computes && emits(is_flat)) || scatters_once,
+            measure_area_to_solid_angle,
+            "light of flat luminaires, or of points on a ray"
+        ),
         row!(surfaces || (triangles && scattering), uniform_triangle_sample, "points of flat surfaces"),
         row!(absorption || scattering, transmittance, "what media leave of light"),
-        row!(scattering, free_flight_sample, "where light is scattered"),
-        row!(scattering, free_flight_pdf, "the density of that"),
-        row!(scattering, equiangular_sample, "where light of a luminaire is scattered"),
-        row!(scattering, equiangular_pdf, "the density of that"),
+        row!(samples && scattering, free_flight_sample, "where light is scattered"),
+        row!(samples && scattering, free_flight_pdf, "the density of that"),
+        row!(samples && scattering, equiangular_sample, "where light of a luminaire is scattered"),
+        row!(samples && scattering, equiangular_pdf, "the density of that"),
         row!(scattering, henyey_greenstein, "how much is scattered into a direction"),
-        row!(scattering, henyey_greenstein_direction_sample, "directions of scattered light"),
+        row!(samples && scattering, henyey_greenstein_direction_sample, "directions of scattered light"),
         row!(refraction, fresnel_dielectric, "what boundaries reflect"),
         row!(refraction, basic_radiance, "radiance in another index"),
         row!(metals, fresnel_conductor, "what metals reflect"),

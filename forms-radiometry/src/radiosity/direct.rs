@@ -156,23 +156,37 @@ impl<'s> Lights<'s> {
 
     /// Adds what comes from lights without extent.
     pub(super) fn add_lights(&self, point: Vector, measure: Measure, transport: &Transport, sum: &mut [f64]) {
-        for light in &self.scene.lights {
-            let (towards, arriving, squared) = match &light.kind {
-                LightKind::Point { position, intensity } => {
-                    let way = *position - point;
-                    (way, intensity, way.dot(way))
-                }
-                LightKind::Distant { direction, irradiance } => (-*direction, irradiance, 1.0),
-            };
-            let Some(unit) = towards.unit() else { continue };
-            let factor = measure.factor(unit) / squared;
-            let hidden = || match light.kind {
-                LightKind::Point { position, .. } => transport.screens.hides(point, position),
-                LightKind::Distant { .. } => transport.screens.hides_direction(point, unit),
-            };
-            if factor != 0.0 && !(transport.occlusion && hidden()) {
-                sum.iter_mut().zip(arriving).for_each(|(sum, arriving)| *sum += factor * arriving);
+        lights_at(self.scene, point, measure, transport, |arriving, factor, _| {
+            sum.iter_mut().zip(arriving).for_each(|(sum, arriving)| *sum += factor * arriving);
+        });
+    }
+}
+
+/// Calls `each` for the lights without extent that a point sees, with the intensity or irradiance in each band, what that is multiplied by, and
+/// the distance, which may be without end.
+pub(super) fn lights_at(
+    scene: &Scene,
+    point: Vector,
+    measure: Measure,
+    transport: &Transport,
+    mut each: impl FnMut(&[f64], f64, f64),
+) {
+    for light in &scene.lights {
+        let (towards, arriving, [squared, distance]) = match &light.kind {
+            LightKind::Point { position, intensity } => {
+                let way = *position - point;
+                (way, intensity, [way.dot(way), way.length()])
             }
+            LightKind::Distant { direction, irradiance } => (-*direction, irradiance, [1.0, f64::INFINITY]),
+        };
+        let Some(unit) = towards.unit() else { continue };
+        let factor = measure.factor(unit) / squared;
+        let hidden = || match light.kind {
+            LightKind::Point { position, .. } => transport.screens.hides(point, position),
+            LightKind::Distant { .. } => transport.screens.hides_direction(point, unit),
+        };
+        if factor != 0.0 && !(transport.occlusion && hidden()) {
+            each(arriving, factor, distance);
         }
     }
 }

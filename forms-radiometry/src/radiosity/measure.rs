@@ -23,6 +23,14 @@ pub(crate) enum Measure {
 }
 
 impl Measure {
+    /// The fluence rate and the three components of vector irradiance.
+    pub(crate) const ALL_SIDES: [Self; 4] = [
+        Self::Sphere,
+        Self::Flow(Vector::new(1.0, 0.0, 0.0)),
+        Self::Flow(Vector::new(0.0, 1.0, 0.0)),
+        Self::Flow(Vector::new(0.0, 0.0, 1.0)),
+    ];
+
     /// The normal of the horizon below which nothing counts.
     pub(crate) fn horizon(self) -> Option<Vector> {
         match self {

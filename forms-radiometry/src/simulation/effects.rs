@@ -1,10 +1,11 @@
 //! Effects: what the solver does of the plan.
 
 use super::answer::PlannedEffect;
+use super::followed::is_computed;
 use super::survey::receiving;
 use crate::faces::faces;
 use crate::geometry::{Face, Screens};
-use crate::monte_carlo;
+use crate::monte_carlo::{self, Limits};
 use crate::radiosity::{Gathering, Hiding, Question, UsedKernel, kernels};
 use crate::scene::{Effect, Force, Receiver, ReceiverKind, Scene};
 
@@ -70,9 +71,16 @@ impl Effects {
         kernels(scene, &faces(scene, 0), &self.question(scene), self.hiding)
     }
 
+    /// How far paths go.
+    pub(super) fn limits(&self) -> Limits {
+        Limits { reflections: self.orders, scatterings: self.scatterings, direct: self.direct }
+    }
+
     /// The kernels that following the paths of a scene runs.
     pub(super) fn kernels_of_paths(&self, scene: &Scene) -> Vec<UsedKernel> {
-        if self.bands { monte_carlo::kernels(scene) } else { monte_carlo::kernels(&scene.with_one_band()) }
+        let merged = (!self.bands && scene.band_count() > 1).then(|| scene.with_one_band());
+        let scene = merged.as_ref().unwrap_or(scene);
+        monte_carlo::kernels(scene, &|receiver| is_computed(scene, &self.limits(), receiver))
     }
 
     /// What of these faces hides light or is met by rays: those that are asked for, or those by which light is gathered.

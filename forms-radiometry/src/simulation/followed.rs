@@ -4,11 +4,13 @@
 //! receivers ─▶ questions ─▶ pilot: scales ─▶ replicates ─ twice as many samples where the error is too large ─▶ answers, maps, images
 //!                                              └─▶ snapshots, from which the work goes on, and shares, which are put together
 //! ```
-//! The tolerance is of one standard error, relative to the answer; of the components of a vector and the bins of a time to the largest
-//! of them; of the cells of a map and the pixels of an image to the largest that a pilot found. After the pilot, how many samples a
-//! question gets depends on nothing but itself: not on threads, on pauses, or on which other questions are answered beside it.
+//! A question that is computed without samples has its answer from the beginning. The tolerance is of one standard error, relative to the
+//! answer; of the components of a vector and the bins of a time to the largest of them; of the cells of a map and the pixels of an image to
+//! the largest that a pilot found. After the pilot, how many samples a question gets depends on nothing but itself: not on threads, on
+//! pauses, or on which other questions are answered beside it.
 
 mod asked;
+mod computed;
 mod findings;
 mod scale;
 mod state;
@@ -20,10 +22,12 @@ use super::state::{Misfit, Of, Snapshot};
 use super::survey::MANY;
 use super::watch::Watch;
 use crate::faces::{faces, is_round};
-use crate::monte_carlo::{self, Follow, Limits, World, follower};
+use crate::monte_carlo::{self, Follow, World, follower};
 use crate::scene::{MaterialKind, Medium, Receiver, ReceiverKind, Scene};
 pub(super) use asked::MOST;
 use asked::{Asked, Division, asked};
+use computed::Computing;
+pub(super) use computed::is_computed;
 use rayon::prelude::*;
 use scale::{Scales, settled};
 pub(super) use state::{OfPaths, WrittenOfPaths};
@@ -41,15 +45,12 @@ pub(super) struct Task<'s> {
 /// Answers the questions of a scene by paths, or does what a job says of that.
 pub(super) fn followed(task: Task<'_>, job: Job<'_>, watch: &dyn Watch) -> Result<Simulation, Misfit> {
     let world = World::new(task.scene);
-    let limits = Limits {
-        reflections: task.effects.orders,
-        scatterings: task.effects.scatterings,
-        direct: task.effects.direct,
-    };
+    let limits = task.effects.limits();
     // what the file turns on is in the code, also where the scene has nothing of it
     let contained = monte_carlo::Effects::of(task.scene);
     let followers = follower(&world, contained | task.effects.of_paths, limits);
-    let mut work = Work::new(task, &job, &followers, watch);
+    let computing = Computing::of(task.scene, &limits, &followers);
+    let mut work = Work::new(task, &job, &computing, watch);
     if let Some(state) = job.state {
         work.restore(state.of_paths().ok_or(Misfit)?)?;
     }
@@ -64,7 +65,7 @@ pub(super) fn merged(
     parts: Vec<(Share, OfPaths)>,
     watch: &dyn Watch,
 ) -> Result<Simulation, Misfit> {
-    let mut work = Work::new(task, job, &[], watch);
+    let mut work = Work::new(task, job, &Computing::nothing(), watch);
     parts.into_iter().try_for_each(|(share, state)| work.take(share, state))?;
     if !work.asked.iter().all(Asked::is_answered) {
         return Err(Misfit);
@@ -102,11 +103,11 @@ pub(super) struct Work<'w> {
 }
 
 impl<'w> Work<'w> {
-    fn new(task: Task<'w>, job: &Job<'w>, followers: &[Box<dyn Follow + '_>], watch: &'w dyn Watch) -> Self {
+    fn new(task: Task<'w>, job: &Job<'w>, computing: &Computing<'_>, watch: &'w dyn Watch) -> Self {
         Self {
             scene: task.scene,
             division: Division { share: job.share, budget: job.budget },
-            asked: asked(task.scene, task.metres, followers),
+            asked: asked(task.scene, task.metres, computing),
             scales: None,
             keeper: job.keeper,
             watch,
@@ -172,7 +173,7 @@ impl<'w> Work<'w> {
         let mut has_begun = false;
         for (question, asked) in self.asked.iter_mut().enumerate() {
             if asked.target == 0
-                && asked.expanded.is_none()
+                && asked.computed.is_none()
                 && (asked.cell.is_some() || division.has(question))
             {
                 asked.aim(MOST);
@@ -201,7 +202,7 @@ impl<'w> Work<'w> {
         let is_open = |&question: &usize| {
             let asked = &self.asked[question];
             match self.division.budget {
-                _ if asked.expanded.is_some() => false,
+                _ if asked.computed.is_some() => false,
                 Some(budget) => asked.replicates.samples < budget.of_replicate(),
                 None => asked.error(&self.scales_of(asked)) > self.scene.solve.tolerance && asked.may_go_on(),
             }
@@ -239,7 +240,7 @@ impl<'w> Work<'w> {
             let scale = |asked: &Asked| &scales[asked.receiver][usize::from(asked.cell.is_some())];
             answered.par_iter().map(|asked| asked.error(scale(asked))).reduce(|| 0.0, f64::max)
         });
-        let sampled = || own().filter(|(_, asked)| asked.expanded.is_none());
+        let sampled = || own().filter(|(_, asked)| asked.computed.is_none());
         let spent: f64 = sampled().map(|(_, asked)| f64::from(asked.replicates.samples)).sum();
         let spent = spent / sampled().count().max(1) as f64;
         let exact = error.map_or(0.0, |error| (self.scene.solve.tolerance / error).powi(2));

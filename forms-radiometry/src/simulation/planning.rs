@@ -10,12 +10,12 @@
 
 use super::answer::{Plan, PlannedEffect};
 use super::effects::{Effects, forced};
-use super::followed::is_followed;
+use super::followed::{is_computed, is_followed};
 use super::left_out::{without, without_forced};
 use super::survey::Survey;
 use crate::monte_carlo::{self, World, has_too_many_images, trap};
 use crate::radiosity::orders;
-use crate::scene::{Effect, Force, ForcedEffect, Scene, SceneError, not_simulated};
+use crate::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene, SceneError, not_simulated};
 
 /// The part of the tolerance that what is dropped may take.
 const DROPPED: f64 = 0.5;
@@ -53,7 +53,7 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         let message = "light that is followed along paths cannot pass through surfaces";
         return Err(vec![SceneError::new(&forced.place, message, "no `occlusion`, or \"on\"")]);
     }
-    let (effects, dropped) = decided(scene, Survey::without_bounds(scene));
+    let (mut effects, dropped) = decided(scene, Survey::without_bounds(scene));
     let left = without(scene, &effects);
     let working = left.in_working_units();
     let world = World::new(&working.scene);
@@ -67,7 +67,26 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         return Err(vec![SceneError::new(&light.place, message, expected)]);
     }
     let kernels = Effects::of(&effects).kernels_of_paths(&left);
+    tell_computed(&mut effects, &left);
     Ok(Plan { effects, kernels, dropped })
+}
+
+/// Tells of absorption and scattering where what they leave needs no samples.
+fn tell_computed(effects: &mut [PlannedEffect], left: &Scene) {
+    let limits = Effects::of(effects).limits();
+    let computed: Vec<&Receiver> =
+        left.receivers.iter().filter(|receiver| is_computed(left, &limits, receiver)).collect();
+    let is_along = |receiver: &&&Receiver| matches!(receiver.kind, ReceiverKind::Ray { .. });
+    let rays = computed.iter().filter(is_along).count();
+    for planned in effects.iter_mut() {
+        match planned.effect {
+            Effect::Absorption if rays < computed.len() => {
+                planned.why.push_str("; without samples at points");
+            }
+            Effect::Scattering if rays > 0 => planned.why.push_str("; without samples along rays"),
+            _ => {}
+        }
+    }
 }
 
 /// What is decided about every effect, one after the other, and what all that is dropped can change, relative to an answer.

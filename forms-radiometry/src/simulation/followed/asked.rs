@@ -5,12 +5,14 @@ use super::super::job::{Budget, Share};
 use super::super::map::Grid;
 use super::super::parts::ErrorParts;
 use super::super::solver::ROUNDING;
+use super::computed::{Computed, Computing};
 use crate::faces::faces;
 use crate::geometry::Screens;
 use crate::monte_carlo::{Bins, Effects, Follow, LEFT_OUT, Question, REPLICATES, Replicates};
 use crate::radiosity::Transport;
 use crate::sampling::key;
 use crate::scene::{Receiver, ReceiverKind, Scene, TimeBins};
+use rayon::prelude::*;
 use std::time::Instant;
 
 /// The first samples of each replicate of a number, and of a cell or a pixel.
@@ -31,8 +33,8 @@ pub(super) struct Asked {
     pub(super) cell: Option<usize>,
     pub(super) question: Question,
     pub(super) replicates: Replicates,
-    /// For each band the value and its error, where no samples are needed.
-    pub(super) expanded: Option<Vec<[f64; 2]>>,
+    /// By number and band what is computed, where no samples are needed.
+    pub(super) computed: Option<Vec<Computed>>,
     /// What images that are left out may make of a value, relative to it.
     left_out: f64,
     /// The largest number that light of the brightest radiance brings.
@@ -70,8 +72,8 @@ impl Division {
     }
 }
 
-/// All questions of a scene. `metres` is the working unit of length; `followers` answer what needs no samples.
-pub(super) fn asked(scene: &Scene, metres: f64, followers: &[Box<dyn Follow + '_>]) -> Vec<Asked> {
+/// All questions of a scene. `metres` is the working unit of length; `computing` answers what needs no samples.
+pub(super) fn asked(scene: &Scene, metres: f64, computing: &Computing<'_>) -> Vec<Asked> {
     let effects = Effects::of(scene);
     let has_images = !scene.lights.is_empty() && (effects.mirror || effects.refraction);
     let left_out = if has_images { LEFT_OUT * scene.solve.tolerance } else { 0.0 };
@@ -84,30 +86,24 @@ pub(super) fn asked(scene: &Scene, metres: f64, followers: &[Box<dyn Follow + '_
         for (cell, question) in questions(scene, receiver) {
             let key = cell.map_or(own_key, |cell| key(own_key, 1 + cell as u64));
             let replicates = Replicates::new(key, &question, scene.band_count(), bins);
-            let begin = Instant::now();
-            let expanded = expanded(&question, followers).filter(|_| bins.is_none());
-            let seconds = begin.elapsed().as_secs_f64();
             let brightest = question.largest(brightest);
             all.push(Asked {
                 receiver: index,
                 cell,
                 question,
                 replicates,
-                expanded,
+                computed: None,
                 left_out,
                 brightest,
                 target: 0,
-                seconds,
+                seconds: 0.0,
             });
         }
     }
+    // what comes in bins of time is sampled
+    let instant = all.par_iter_mut().filter(|asked| scene.receivers[asked.receiver].time.is_none());
+    instant.for_each(|asked| asked.compute(computing));
     all
-}
-
-/// What answers a question without samples, for each band, if all followers can.
-fn expanded(question: &Question, followers: &[Box<dyn Follow + '_>]) -> Option<Vec<[f64; 2]>> {
-    let groups: Option<Vec<_>> = followers.iter().map(|follower| follower.expanded(question)).collect();
-    groups.filter(|groups| !groups.is_empty()).map(|groups| groups.concat())
 }
 
 /// The questions of a receiver: its number, if it asks for one, and its cells or pixels.
@@ -141,9 +137,16 @@ fn questions(scene: &Scene, receiver: &Receiver) -> Vec<(Option<usize>, Question
 }
 
 impl Asked {
+    /// The answer, if it needs no samples.
+    fn compute(&mut self, computing: &Computing<'_>) {
+        let begin = Instant::now();
+        self.computed = computing.answer(&self.question);
+        self.seconds = begin.elapsed().as_secs_f64();
+    }
+
     /// Whether there is an answer, however inexact.
     pub(super) fn is_answered(&self) -> bool {
-        self.expanded.is_some() || self.replicates.samples > 0
+        self.computed.is_some() || self.replicates.samples > 0
     }
 
     /// Whether it has the samples that it is to get.
@@ -177,7 +180,7 @@ impl Asked {
 
     /// What its errors mean.
     pub(super) fn kind(&self) -> ErrorKind {
-        if self.expanded.is_some() { ErrorKind::Bound } else { ErrorKind::Sigma }
+        if self.computed.is_some() { ErrorKind::Bound } else { ErrorKind::Sigma }
     }
 
     /// A value and its error.
@@ -188,18 +191,18 @@ impl Asked {
 
     /// A value, and what its error is made of: rays that are given up, paths, images that are left out, and rounding.
     pub(super) fn found_in_parts(&self, place: usize) -> (f64, ErrorParts) {
-        let (value, orders, sampling) = match &self.expanded {
-            Some(expanded) => (expanded[place][0], expanded[place][1], 0.0),
+        let (value, own) = match &self.computed {
+            Some(computed) => (computed[place].value, computed[place].parts),
             None => {
                 let [value, error] = self.replicates.found(place);
                 // where no sample found anything, one more could find the brightest light
                 let is_nothing = value == 0.0 && error == 0.0 && self.replicates.samples > 0;
                 let unseen = if is_nothing { self.brightest / self.replicates.count() } else { 0.0 };
-                (value, 0.0, error + unseen)
+                (value, ErrorParts { sampling: error + unseen, ..ErrorParts::default() })
             }
         };
         let [rounding, images] = [ROUNDING, self.left_out].map(|part| part * value.abs());
-        (value, ErrorParts { rounding, orders: orders + images, sampling, ..ErrorParts::default() })
+        (value, own + ErrorParts { rounding, orders: images, ..ErrorParts::default() })
     }
 
     /// The largest value of each band.
@@ -226,7 +229,7 @@ impl Asked {
     }
 
     pub(super) fn may_go_on(&self) -> bool {
-        if self.expanded.is_some() {
+        if self.computed.is_some() {
             return false;
         }
         let is_nothing = || (0..self.replicates.len()).all(|place| self.replicates.found(place) == [0.0; 2]);

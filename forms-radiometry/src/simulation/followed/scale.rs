@@ -52,7 +52,7 @@ fn of_band(asked: &[Asked], cells: &[usize], band: usize) -> (f64, Vec<usize>) {
     let scale = found.iter().map(|[value, error]| value - BELOW * error).fold(0.0, f64::max);
     let is_open = |&(place, [value, _]): &(usize, [f64; 2])| {
         let cell = &asked[cells[place]];
-        SETTLED * value > scale && cell.expanded.is_none() && cell.replicates.samples < MOST
+        SETTLED * value > scale && cell.computed.is_none() && cell.replicates.samples < MOST
     };
     let mut open: Vec<(usize, [f64; 2])> = found.iter().copied().enumerate().filter(is_open).collect();
     open.sort_by(|(_, [a, _]), (_, [b, _])| b.total_cmp(a));

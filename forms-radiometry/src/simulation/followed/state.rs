@@ -2,6 +2,7 @@
 
 use super::Work;
 use super::asked::{Asked, Division};
+use super::computed::Computed;
 use super::scale::Scales;
 use crate::monte_carlo::{KeptSums, Sum};
 use crate::simulation::state::Misfit;
@@ -22,7 +23,7 @@ struct KeptAsked {
     target: u32,
     samples: u32,
     seconds: f64,
-    expanded: Option<Vec<[f64; 2]>>,
+    computed: Option<Vec<Computed>>,
     sums: KeptSums,
 }
 
@@ -40,7 +41,7 @@ struct WrittenAsked<'w> {
     target: u32,
     samples: u32,
     seconds: f64,
-    expanded: Option<&'w [[f64; 2]]>,
+    computed: Option<&'w [Computed]>,
     sums: Vec<Option<&'w [Sum]>>,
 }
 
@@ -66,7 +67,7 @@ impl Work<'_> {
                 target: if is_kept { asked.target } else { 0 },
                 samples: if is_kept { asked.replicates.samples } else { 0 },
                 seconds: asked.seconds,
-                expanded: asked.expanded.as_deref().filter(|_| is_kept),
+                computed: asked.computed.as_deref().filter(|_| is_kept),
                 sums: if is_kept { asked.replicates.kept(is_meant) } else { Vec::new() },
             }
         };
@@ -89,7 +90,7 @@ impl OfPaths {
     /// Whether two states say the same, except for the time that it took.
     pub(in crate::simulation) fn is_same_as(&self, other: &Self) -> bool {
         let is_same = |(a, b): (&KeptAsked, &KeptAsked)| {
-            (a.target, a.samples) == (b.target, b.samples) && a.expanded == b.expanded && a.sums == b.sums
+            (a.target, a.samples) == (b.target, b.samples) && a.computed == b.computed && a.sums == b.sums
         };
         (self.is_done, &self.scales) == (other.is_done, &other.scales)
             && self.asked.len() == other.asked.len()
@@ -105,8 +106,8 @@ impl Work<'_> {
         }
         for (question, (asked, kept)) in self.asked.iter_mut().zip(state.asked).enumerate() {
             (asked.target, asked.seconds) = (kept.target, kept.seconds);
-            if kept.expanded.is_some() {
-                asked.expanded = kept.expanded;
+            if kept.computed.is_some() {
+                asked.computed = kept.computed;
             }
             let is_meant = |replicate| self.division.has_replicate(question, replicate);
             if !asked.replicates.restore(kept.samples, kept.sums, is_meant) {
@@ -129,7 +130,7 @@ impl Work<'_> {
         for (question, (asked, kept)) in self.asked.iter_mut().zip(state.asked).enumerate() {
             asked.seconds += kept.seconds;
             if division.has(question) {
-                asked.expanded = kept.expanded;
+                asked.computed = kept.computed;
             }
             let is_meant = |replicate| division.has_replicate(question, replicate);
             if division.has(question) && !asked.replicates.restore(kept.samples, kept.sums, is_meant) {

@@ -1,0 +1,90 @@
+//! What is computed: questions that need no samples get their numbers, and what these may be off by.
+//!
+//! ```text
+//! sight  ─ smooth and black walls ──────────────────▶ terms of rays           (monte_carlo/expansion)      what is given up
+//! points ─ a medium that only takes light away ─────▶ integrals over pieces   (radiosity/transmitted)      quadrature, rounding
+//! sight  ─ points that light a medium, once ────────▶ integrals along the ray (radiosity/transmitted)      the same
+//! ```
+//! All of it is the same for every seed.
+
+use super::super::parts::ErrorParts;
+use crate::monte_carlo::{Follow, Limits, Question, extinction_alone, scattering_once};
+use crate::radiosity::{Measure, Reached, Transmitted, has_exact_pieces};
+use crate::scene::{Medium, Receiver, ReceiverKind, Scene};
+use serde::{Deserialize, Serialize};
+
+/// A number and what its error is made of, but for rounding of the number itself.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Computed {
+    pub(super) value: f64,
+    pub(super) parts: ErrorParts,
+}
+
+/// What answers without samples.
+pub(super) struct Computing<'s> {
+    followers: &'s [Box<dyn Follow + 's>],
+    transmitted: Option<Transmitted<'s>>,
+    scattered: Option<(&'s Medium, Transmitted<'s>)>,
+}
+
+impl<'s> Computing<'s> {
+    pub(super) fn of(scene: &'s Scene, limits: &Limits, followers: &'s [Box<dyn Follow + 's>]) -> Self {
+        let exact = has_exact_pieces(scene);
+        let transmitted = extinction_alone(scene, limits).filter(|_| exact);
+        let scattered = scattering_once(scene, limits).filter(|_| exact);
+        Self {
+            followers,
+            transmitted: transmitted.map(|extinction| Transmitted::of(scene, extinction)),
+            scattered: scattered.map(|(medium, extinction)| (medium, Transmitted::of(scene, extinction))),
+        }
+    }
+
+    /// Nothing, for a scene whose answers are known already.
+    pub(super) fn nothing() -> Self {
+        Self { followers: &[], transmitted: None, scattered: None }
+    }
+
+    /// What answers a question without samples, number by number and band by band, if anything does.
+    pub(super) fn answer(&self, question: &Question) -> Option<Vec<Computed>> {
+        let reached = match *question {
+            Question::Plane { position, normal } => {
+                self.transmitted.as_ref()?.at(position, &[Measure::Plane(normal)])
+            }
+            Question::Sphere { position } => self.transmitted.as_ref()?.at(position, &Measure::ALL_SIDES),
+            Question::Sight { origin, direction } => match &self.scattered {
+                Some((medium, lights)) => lights.scattered_once([origin, direction], medium),
+                None => return self.expanded(question),
+            },
+            Question::Surface { .. } | Question::Pixel { .. } => return None,
+        };
+        Some(reached.into_iter().map(Computed::from).collect())
+    }
+
+    /// The terms of a sum, for each band, if all followers can take it.
+    fn expanded(&self, question: &Question) -> Option<Vec<Computed>> {
+        let groups: Option<Vec<_>> =
+            self.followers.iter().map(|follower| follower.expanded(question)).collect();
+        let found = groups.filter(|groups| !groups.is_empty())?.concat();
+        let computed = |[value, orders]: [f64; 2]| Computed {
+            value,
+            parts: ErrorParts { orders, ..ErrorParts::default() },
+        };
+        Some(found.into_iter().map(computed).collect())
+    }
+}
+
+impl From<Reached> for Computed {
+    fn from(Reached { value, quadrature, rounding }: Reached) -> Self {
+        Self { value, parts: ErrorParts { quadrature, rounding, ..ErrorParts::default() } }
+    }
+}
+
+/// Whether what a receiver gets in a scene of media is computed.
+pub(in super::super) fn is_computed(scene: &Scene, limits: &Limits, receiver: &Receiver) -> bool {
+    let computes = match receiver.kind {
+        ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. } => extinction_alone(scene, limits).is_some(),
+        ReceiverKind::Ray { .. } => scattering_once(scene, limits).is_some(),
+        ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => false,
+    };
+    computes && receiver.time.is_none() && has_exact_pieces(scene)
+}
