@@ -8,7 +8,7 @@
 
 use crate::decide::{Verdict, Witness, decide};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::resolve::{Statement, Theory, resolve, resolve_traced};
+use crate::resolve::{Statement, Theory, is_of_an_unknown_name, resolve, resolve_traced};
 use crate::syntax::ast::{Claim, File};
 use crate::syntax::token::{Token, TokenKind};
 use crate::syntax::{Source, end_of, lex, parse};
@@ -24,9 +24,10 @@ pub fn resolve_parsed(tokens: &[Token], file: &File) -> (Theory, Vec<Diagnostic>
         let names: FxHashMap<Span, &str> =
             tokens.iter().filter_map(|token| Some((token.span, name(token)?))).collect();
         let is_consequence = |diagnostic: &Diagnostic| {
-            names.get(&diagnostic.span).is_some_and(|name| {
+            let may_be_unread = |name: &&str| {
                 unread.contains(name) || name.strip_prefix('d').is_some_and(|x| unread.contains(x))
-            })
+            };
+            is_of_an_unknown_name(diagnostic) && names.get(&diagnostic.span).is_some_and(may_be_unread)
         };
         diagnostics.retain(|diagnostic| !is_consequence(diagnostic));
     }

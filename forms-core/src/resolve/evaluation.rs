@@ -1,6 +1,6 @@
 //! Evaluating expressions: names, numbers, operators along their left spine, coefficients.
 
-use super::names::describe;
+use super::names::{describe, not_declared};
 use super::scope::Scope;
 use super::theory::{Named, Theory};
 use super::value::Value;
@@ -152,11 +152,10 @@ impl<'a> Evaluator<'a> {
     fn unknown(&self, text: &str, span: Span) -> Diagnostic {
         let inner = text.strip_prefix('d').and_then(|rest| self.theory.names.get(rest));
         match inner {
-            Some(Named::Parameter(_)) => Diagnostic::new(span, format!("`{text}` is not declared"))
-                .with_help(format!(
-                    "`{}` is a param, a constant; only coordinates have differentials",
-                    &text[1..]
-                )),
+            Some(Named::Parameter(_)) => not_declared(text, span).with_help(format!(
+                "`{}` is a param, a constant; only coordinates have differentials",
+                &text[1..]
+            )),
             _ => self.theory.names.unknown(text, span),
         }
     }

@@ -54,7 +54,7 @@ impl Names {
             return Diagnostic::new(span, format!("`{text}` is a function and has no value by itself"))
                 .with_help(format!("write what it is of in brackets behind it: `{text}(…)`"));
         }
-        let diagnostic = Diagnostic::new(span, format!("`{text}` is not declared"));
+        let diagnostic = not_declared(text, span);
         match self.nearest(text) {
             Some(near) => diagnostic.with_help(format!("did you mean `{near}`?")),
             None => diagnostic.with_help("declare it with `chart`, `param`, `fn` or `let` above this line"),
@@ -77,6 +77,18 @@ impl Names {
             .min()
             .map(|(_, known)| known.to_string())
     }
+}
+
+const NOT_DECLARED: &str = "is not declared";
+
+/// The error for a name nobody declared, without help.
+pub(super) fn not_declared(text: &str, span: Span) -> Diagnostic {
+    Diagnostic::new(span, format!("`{text}` {NOT_DECLARED}"))
+}
+
+/// Whether an error is that nobody declared a name.
+pub(crate) fn is_of_an_unknown_name(diagnostic: &Diagnostic) -> bool {
+    diagnostic.message.ends_with(NOT_DECLARED)
 }
 
 /// What a name stands for, in words.

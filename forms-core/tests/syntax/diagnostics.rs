@@ -2,6 +2,7 @@
 //!
 //! Each file under `diagnostics` is a table of blocks: a text, then all that is said about it.
 
+use forms_core::check::read_file;
 use forms_core::diagnostic::Diagnostic;
 use forms_core::resolve::resolve;
 use forms_core::syntax::{Source, read, words};
@@ -18,6 +19,11 @@ fn said_about_the_meaning(text: &str) -> String {
     let (file, mistakes) = read(text);
     assert_eq!(mistakes, [], "{text}");
     table_of(text, resolve(&file).1)
+}
+
+/// All that is said about a text, and about what it means as far as it can be read.
+fn said_about_all(text: &str) -> String {
+    table_of(text, read_file(text).2)
 }
 
 /// Diagnostics in the form the tables have.
@@ -87,6 +93,11 @@ tables! {
     an_operation_says_what_it_takes "operations",
     a_declaration_that_means_nothing_is_explained "items",
     an_integral_that_is_not_found_is_explained "integrals",
+}
+
+tables! {
+    said_about_all:
+    what_only_follows_from_an_error_is_not_reported_and_all_else_is "consequences",
 }
 
 #[test]
