@@ -7,6 +7,8 @@ use std::fmt::Write;
 const LABEL_MIDDLE: f64 = 5.0;
 const ARROW_LENGTH: f64 = 10.0;
 const ARROW_HALF_WIDTH: f64 = 3.6;
+/// On a dark page light and dark change places, and hues stay what they are.
+const IN_THE_DARK: &str = "@media(prefers-color-scheme:dark){:root{filter:invert(.91) hue-rotate(180deg)}}";
 
 /// Ink and paper: nothing depends on colour alone.
 pub(crate) mod style {
@@ -170,8 +172,8 @@ impl Drawing {
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
              height=\"{height}\" role=\"img\" font-family=\"STIX Two Text, Georgia, 'DejaVu Serif', serif\" \
-             font-style=\"italic\" font-size=\"17\">\n  <title>{title}</title>\n  <rect width=\"{width}\" \
-             height=\"{height}\" fill=\"#ffffff\"/>\n{body}</svg>\n"
+             font-style=\"italic\" font-size=\"17\">\n  <title>{title}</title>\n  <style>{IN_THE_DARK}</style>\n  \
+             <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n{body}</svg>\n"
         )
     }
 }
