@@ -123,7 +123,7 @@ fn mistakes_are_named() {
     for (text, message) in [
         (
             "chart C(x); warp w(u) = (u, u) onto C density 1 of dx;",
-            "a map to `C` needs 1 components (x), found 2",
+            "a map to `C` needs 1 component (x), found 2",
         ),
         ("chart C(x); warp w(u, v) = (u) onto C density 1 of dx;", "cannot compare a 1-form with a 2-form"),
         ("chart C(x); warp w(u) = (k*u) onto C density 1 of dx;", "`k` is not declared"),
@@ -133,7 +133,7 @@ fn mistakes_are_named() {
             "chart C(x); warp w(x; u) = (u) onto C density 1 of dx;",
             "a coordinate of the chart a warp goes to is no parameter of it",
         ),
-        ("chart C(x); warp w(u) = (u) onto C density 1 of dx inverse (x, x);", "the inverse has 1 values"),
+        ("chart C(x); warp w(u) = (u) onto C density 1 of dx inverse (x, x);", "the inverse has 1 value,"),
         ("chart C(x); warp w(; u) = (u) onto C density 1 of dx; let w_pdf = 1;", "`w_pdf` is declared twice"),
     ] {
         let found = errors(text);

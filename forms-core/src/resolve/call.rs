@@ -96,7 +96,7 @@ impl Evaluator<'_> {
                 name.span,
                 format!("expected a chart, but `{}` is {}", name.text, describe(other)),
             )),
-            None => Err(self.theory.names.unknown(&name.text, name.span)),
+            None => Err(self.theory.names.unknown(&name.text, name.span, "`chart`")),
         }
     }
 
@@ -248,7 +248,7 @@ impl Evaluator<'_> {
                 format!("expected a map, but `{text}` is {}", describe(other)),
             )
             .with_help("the map comes first: pullback(F, w)")),
-            None => Err(self.theory.names.unknown(text, argument.span)),
+            None => Err(self.theory.names.unknown(text, argument.span, "`map` or `warp`")),
         }
     }
 
@@ -310,7 +310,7 @@ impl Evaluator<'_> {
                 )
                 .with_help("write `*` for a product"));
             }
-            None => return Err(self.theory.names.unknown(&function.text, function.span)),
+            None => return Err(self.theory.names.unknown(&function.text, function.span, "`fn`")),
         };
         let wanted = self.theory.pool.function(number).arguments.len();
         if arguments.len() != wanted {

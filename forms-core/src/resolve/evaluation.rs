@@ -1,6 +1,6 @@
 //! Evaluating expressions: names, numbers, operators along their left spine, coefficients.
 
-use super::names::{describe, not_declared};
+use super::names::{VALUES, describe, not_declared};
 use super::scope::Scope;
 use super::theory::{Named, Theory};
 use super::value::Value;
@@ -156,7 +156,7 @@ impl<'a> Evaluator<'a> {
                 "`{}` is a param, a constant; only coordinates have differentials",
                 &text[1..]
             )),
-            _ => self.theory.names.unknown(text, span),
+            _ => self.theory.names.unknown(text, span, VALUES),
         }
     }
 
@@ -208,7 +208,7 @@ impl<'a> Evaluator<'a> {
                 name.span,
                 format!("expected a coordinate, but `{}` is {}", name.text, describe(other)),
             )),
-            None => Err(self.theory.names.unknown(&name.text, name.span)),
+            None => Err(self.theory.names.unknown(&name.text, name.span, "`chart`")),
         }
     }
 

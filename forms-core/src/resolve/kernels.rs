@@ -67,7 +67,7 @@ impl Resolver {
                 let message = format!("expected a kernel, but `{}` is {}", of.text, describe(other));
                 return Err(Diagnostic::new(of.span, message));
             }
-            None => return Err(self.theory.names.unknown(&of.text, of.span)),
+            None => return Err(self.theory.names.unknown(&of.text, of.span, "`kernel`")),
         };
         let pool = &mut self.theory.pool;
         let mut variables = Vec::new();

@@ -115,7 +115,7 @@ impl Evaluator<'_> {
             Some(other) => {
                 Err(Diagnostic::new(span, format!("expected a metric, but `{text}` is {}", describe(other))))
             }
-            None => Err(self.theory.names.unknown(text, span)),
+            None => Err(self.theory.names.unknown(text, span, "`metric`")),
         }
     }
 

@@ -48,8 +48,8 @@ impl Names {
         self.table.remove(text);
     }
 
-    /// The error for a name nobody declared, with the nearest one that is.
-    pub(super) fn unknown(&self, text: &str, span: Span) -> Diagnostic {
+    /// The error for a name nobody declared, with the nearest one that is, or with the items that would declare it.
+    pub(super) fn unknown(&self, text: &str, span: Span, items: &str) -> Diagnostic {
         if FUNCTIONS.contains(&text) {
             return Diagnostic::new(span, format!("`{text}` is a function and has no value by itself"))
                 .with_help(format!("write what it is of in brackets behind it: `{text}(…)`"));
@@ -57,7 +57,7 @@ impl Names {
         let diagnostic = not_declared(text, span);
         match self.nearest(text) {
             Some(near) => diagnostic.with_help(format!("did you mean `{near}`?")),
-            None => diagnostic.with_help("declare it with `chart`, `param`, `fn` or `let` above this line"),
+            None => diagnostic.with_help(format!("declare it with {items} above this line")),
         }
     }
 
@@ -78,6 +78,9 @@ impl Names {
             .map(|(_, known)| known.to_string())
     }
 }
+
+/// The items that declare what has a value.
+pub(super) const VALUES: &str = "`chart`, `param`, `fn` or `let`";
 
 const NOT_DECLARED: &str = "is not declared";
 
