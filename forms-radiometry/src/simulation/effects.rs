@@ -1,7 +1,7 @@
 //! Effects: what the solver does of the plan.
 
 use super::answer::PlannedEffect;
-use super::followed::is_computed;
+use super::followed::Computable;
 use super::survey::receiving;
 use crate::faces::faces;
 use crate::geometry::{Face, Screens};
@@ -80,7 +80,8 @@ impl Effects {
     pub(super) fn kernels_of_paths(&self, scene: &Scene) -> Vec<UsedKernel> {
         let merged = (!self.bands && scene.band_count() > 1).then(|| scene.with_one_band());
         let scene = merged.as_ref().unwrap_or(scene);
-        monte_carlo::kernels(scene, &|receiver| is_computed(scene, &self.limits(), receiver))
+        let computable = Computable::of(scene, &self.limits());
+        monte_carlo::kernels(scene, &|receiver| computable.has(receiver))
     }
 
     /// What of these faces hides light or is met by rays: those that are asked for, or those by which light is gathered.

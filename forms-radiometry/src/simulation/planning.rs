@@ -10,7 +10,7 @@
 
 use super::answer::{Plan, PlannedEffect};
 use super::effects::{Effects, forced};
-use super::followed::{is_computed, is_followed};
+use super::followed::{Computable, is_followed};
 use super::left_out::{without, without_forced};
 use super::survey::Survey;
 use crate::monte_carlo::{self, World, has_too_many_images, trap};
@@ -73,9 +73,9 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
 
 /// Tells of absorption and scattering where what they leave needs no samples.
 fn tell_computed(effects: &mut [PlannedEffect], left: &Scene) {
-    let limits = Effects::of(effects).limits();
+    let computable = Computable::of(left, &Effects::of(effects).limits());
     let computed: Vec<&Receiver> =
-        left.receivers.iter().filter(|receiver| is_computed(left, &limits, receiver)).collect();
+        left.receivers.iter().filter(|receiver| computable.has(receiver)).collect();
     let is_along = |receiver: &&&Receiver| matches!(receiver.kind, ReceiverKind::Ray { .. });
     let rays = computed.iter().filter(is_along).count();
     for planned in effects.iter_mut() {

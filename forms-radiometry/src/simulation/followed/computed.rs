@@ -79,12 +79,29 @@ impl From<Reached> for Computed {
     }
 }
 
-/// Whether what a receiver gets in a scene of media is computed.
-pub(in super::super) fn is_computed(scene: &Scene, limits: &Limits, receiver: &Receiver) -> bool {
-    let computes = match receiver.kind {
-        ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. } => extinction_alone(scene, limits).is_some(),
-        ReceiverKind::Ray { .. } => scattering_once(scene, limits).is_some(),
-        ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => false,
-    };
-    computes && receiver.time.is_none() && has_exact_pieces(scene)
+/// Which receivers of a scene of media get what is computed.
+#[derive(Clone, Copy)]
+pub(in super::super) struct Computable {
+    points: bool,
+    rays: bool,
+}
+
+impl Computable {
+    /// That of a scene, found once for all its receivers: it takes the faces of all surfaces.
+    pub(in super::super) fn of(scene: &Scene, limits: &Limits) -> Self {
+        let points = extinction_alone(scene, limits).is_some();
+        let rays = scattering_once(scene, limits).is_some();
+        let exact = (points || rays) && has_exact_pieces(scene);
+        Self { points: points && exact, rays: rays && exact }
+    }
+
+    /// Whether what this receiver gets is computed.
+    pub(in super::super) fn has(self, receiver: &Receiver) -> bool {
+        let computes = match receiver.kind {
+            ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. } => self.points,
+            ReceiverKind::Ray { .. } => self.rays,
+            ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => false,
+        };
+        computes && receiver.time.is_none()
+    }
 }
