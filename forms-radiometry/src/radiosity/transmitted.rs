@@ -34,6 +34,8 @@ const PART: f64 = 1e-3;
 const OPAQUE: f64 = 1500.0;
 /// Rounding of a number, in units of the last place: of its terms, and for each unit of an exponent.
 const ROUNDING: [f64; 2] = [64.0, 4.0];
+/// Rounding of a height over a plane or a ray, in units of the last place of the largest distance.
+const OF_HEIGHT: f64 = 8.0;
 
 /// The lights of a scene in a medium that is everywhere.
 pub(crate) struct Transmitted<'s> {
@@ -145,6 +147,14 @@ fn rounding(extinction: f64, distance: f64) -> f64 {
     let [of_terms, of_exponent] = ROUNDING;
     let exponent = if distance.is_finite() { extinction * distance } else { 0.0 };
     f64::EPSILON * (of_terms + of_exponent * exponent)
+}
+
+/// The bound of the error of Gauss' rule of so many points on an interval of length 2, over what the integrand is not above in the ellipse with
+/// the foci at its ends and this sum of half axes.
+///
+/// Source: L. N. Trefethen, Is Gauss quadrature better than Clenshaw–Curtis? (2008), theorem 4.5.
+fn gauss_error(rho: f64, points: usize) -> f64 {
+    64.0 / 15.0 * rho.powi(-2 * points as i32) / (1.0 - 1.0 / (rho * rho))
 }
 
 /// What underflow may take of light in a medium.

@@ -24,9 +24,6 @@ enum What {
     Ray { origin: Vector, direction: Vector },
 }
 
-const AXES: [Vector; 3] =
-    [Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 1.0, 0.0), Vector::new(0.0, 0.0, 1.0)];
-
 impl Reading {
     /// What a receiver asks for, in the order of its answers.
     pub(super) fn of(index: usize, receiver: &Receiver) -> Vec<Self> {
@@ -43,13 +40,10 @@ impl Reading {
                 vec![reading(Quantity::Radiance, What::Ray { origin, direction })]
             }
             ReceiverKind::Sphere { position } => {
-                let fluence = What::At { position, measure: Measure::Sphere };
-                let along = |axis: usize| {
-                    let what = What::At { position, measure: Measure::Flow(AXES[axis]) };
-                    reading(Quantity::VectorIrradiance(axis), what)
-                };
-                let fluence = reading(Quantity::FluenceRate, fluence);
-                std::iter::once(fluence).chain((0..3).map(along)).collect()
+                let along = (0..3).map(Quantity::VectorIrradiance);
+                let quantities = std::iter::once(Quantity::FluenceRate).chain(along);
+                let both = quantities.zip(Measure::ALL_SIDES);
+                both.map(|(quantity, measure)| reading(quantity, What::At { position, measure })).collect()
             }
             ReceiverKind::Camera(_) => Vec::new(),
         }

@@ -10,7 +10,7 @@
 //! Source: S. Chandrasekhar, Radiative transfer (1950), chapter 1; of the bound, L. N. Trefethen (2008), theorem 4.5.
 
 use super::halving::{Part, Piece, halved};
-use super::{Reached, rounding, transmittance};
+use super::{OF_HEIGHT, Reached, gauss_error, rounding, transmittance};
 use crate::geometry::{Vector, gauss};
 use crate::kernels::henyey_greenstein::unguarded as henyey_greenstein;
 use crate::kernels::measure_area_to_solid_angle;
@@ -21,8 +21,6 @@ use std::f64::consts::PI;
 const POINTS: usize = 16;
 /// The sums of half axes of the ellipses.
 const ELLIPSES: [f64; 9] = [1.2, 1.5, 2.0, 3.0, 4.0, 6.0, 9.0, 14.0, 24.0];
-/// Rounding of the height of a point over a ray, in units of the last place of its distance from the start.
-const OF_HEIGHT: f64 = 8.0;
 /// Rounding of a cosine, where 1 + g² − 2 g cos θ may be as small as (1 − |g|)².
 const OF_COSINE: f64 = 16.0;
 
@@ -161,7 +159,7 @@ impl Segment<'_> {
         }
         // the start of the ray may lie within the ellipse, where the exponential is above 1
         let left = (-extinction * (ends[0] + distance)).exp();
-        let of_rule = 64.0 / 15.0 * rho.powi(-2 * POINTS as i32) / (1.0 - 1.0 / (rho * rho));
+        let of_rule = gauss_error(rho, POINTS);
         half * of_rule * phase(asymmetry, square) * left / squared
     }
 

@@ -14,7 +14,7 @@
 
 use super::super::measure::Measure;
 use super::halving::{Part, Piece, halved};
-use super::{Reached, rounding, transmittance};
+use super::{OF_HEIGHT, Reached, gauss_error, rounding, transmittance};
 use crate::geometry::{Face, Vector, gauss};
 use crate::kernels::measure_area_to_solid_angle;
 use crate::scene::Scene;
@@ -24,8 +24,6 @@ use std::f64::consts::PI;
 const POINTS: usize = 8;
 /// The sums of half axes of the ellipses.
 const ELLIPSES: [f64; 9] = [1.5, 2.0, 3.0, 4.0, 6.0, 9.0, 14.0, 24.0, 50.0];
-/// Rounding of the height over a plane, in units of the last place of a corner's distance.
-const OF_HEIGHT: f64 = 8.0;
 
 /// A luminous triangle as a point sees it.
 pub(super) struct Triangle {
@@ -197,7 +195,7 @@ impl Extent {
         let [distance, far] = [squared.sqrt(), self.farthest + beyond + across];
         let largest =
             transmittance(extinction, distance) * (self.height / distance) * (far / distance) / squared;
-        let of_rule = 32.0 / 15.0 * rho.powi(-2 * POINTS as i32) / (1.0 - 1.0 / (rho * rho));
+        let of_rule = 0.5 * gauss_error(rho, POINTS);
         // (1 + α) for s, and 1 for t, of which the mean of s is one half
         self.area * largest * of_rule * (2.0 + alpha)
     }
