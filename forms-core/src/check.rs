@@ -7,8 +7,8 @@
 //! A false claim is an error of the source like a missing bracket, so it is a [`Diagnostic`] too.
 
 use crate::decide::{Verdict, Witness, decide};
-use crate::diagnostic::{Diagnostic, Span};
-use crate::resolve::{Statement, Theory, is_of_an_unknown_name, resolve, resolve_traced};
+use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::resolve::{Statement, Theory, resolve, resolve_traced};
 use crate::syntax::ast::{Claim, File};
 use crate::syntax::token::{Token, TokenKind};
 use crate::syntax::{Source, end_of, lex, parse};
@@ -27,7 +27,7 @@ pub fn resolve_parsed(tokens: &[Token], file: &File) -> (Theory, Vec<Diagnostic>
             let may_be_unread = |name: &&str| {
                 unread.contains(name) || name.strip_prefix('d').is_some_and(|x| unread.contains(x))
             };
-            is_of_an_unknown_name(diagnostic) && names.get(&diagnostic.span).is_some_and(may_be_unread)
+            diagnostic.kind == Kind::UnknownName && names.get(&diagnostic.span).is_some_and(may_be_unread)
         };
         diagnostics.retain(|diagnostic| !is_consequence(diagnostic));
     }

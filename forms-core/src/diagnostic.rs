@@ -25,6 +25,18 @@ impl Span {
     }
 }
 
+/// What sort of thing is said, for what is decided by it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Kind {
+    /// Something is wrong.
+    #[default]
+    Mistake,
+    /// Nobody declared a name. Where an item could not be read, it may be what declares it.
+    UnknownName,
+    /// The text may be right, and only its value was not found: a statement about it is undecided.
+    Open,
+}
+
 /// One thing that is wrong, where, and what to do about it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
@@ -36,19 +48,21 @@ pub struct Diagnostic {
     pub help: Option<String>,
     /// Another place it depends on, named: the bracket that is not closed, the first of two declarations.
     pub related: Option<(Span, String)>,
-    /// Whether the text may be right, and only its value was not found: a statement about it is undecided.
-    pub is_open: bool,
+    /// What sort of thing it is.
+    pub kind: Kind,
 }
 
 impl Diagnostic {
     /// A diagnostic without a hint.
     pub fn new(span: Span, message: impl Into<String>) -> Self {
-        Diagnostic { span, message: message.into(), help: None, related: None, is_open: false }
+        Diagnostic { span, message: message.into(), help: None, related: None, kind: Kind::Mistake }
     }
 
-    /// One about a text that may be right, and of which only the value was not found.
-    pub fn open(span: Span, message: impl Into<String>) -> Self {
-        Diagnostic { is_open: true, ..Diagnostic::new(span, message) }
+    /// The same as one of another sort.
+    #[must_use]
+    pub fn of(mut self, kind: Kind) -> Self {
+        self.kind = kind;
+        self
     }
 
     /// The same with a hint.

@@ -6,7 +6,7 @@ use super::theory::{Integration, Named};
 use super::value::Value;
 use crate::assume::is_at_most;
 use crate::calculus::{Blade, Form};
-use crate::diagnostic::{Diagnostic, Span, counted};
+use crate::diagnostic::{Diagnostic, Kind, Span, counted};
 use crate::expression::{Condition, Expr, Symbol, SymbolKind};
 use crate::integral::{Region, Strictness};
 use crate::syntax::ast::{self, Argument, ExprKind, Name, Relation};
@@ -165,7 +165,7 @@ impl Evaluator<'_> {
                 let message = format!("cannot integrate over `{}`: {reason}", range.name.text);
                 // Continuous on a closed box, the integrand has an integral; with a singularity there may be none.
                 match whole.clone().first_unmet(&mut self.theory.pool, defined, Strictness::Strict) {
-                    None => Diagnostic::open(span, message),
+                    None => Diagnostic::new(span, message).of(Kind::Open),
                     Some(_) => Diagnostic::new(span, message),
                 }
             })?;

@@ -31,7 +31,6 @@ mod warps;
 pub use evaluation::Trace;
 pub use items::{resolve, resolve_traced};
 pub(crate) use metric::METRIC_OPERATIONS;
-pub(crate) use names::is_of_an_unknown_name;
 pub(crate) use theory::Integration;
 pub use theory::{
     Chart, Effect, Kernel, KernelUnits, Map, Named, NamedMetric, Object, Statement, Theory, Warp,

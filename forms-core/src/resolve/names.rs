@@ -1,7 +1,7 @@
 //! The one namespace of a file, and the nearest known name to a misspelt one.
 
 use super::theory::Named;
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::Name;
 use crate::syntax::words::FUNCTIONS;
 use rustc_hash::FxHashMap;
@@ -82,16 +82,9 @@ impl Names {
 /// The items that declare what has a value.
 pub(super) const VALUES: &str = "`chart`, `param`, `fn` or `let`";
 
-const NOT_DECLARED: &str = "is not declared";
-
 /// The error for a name nobody declared, without help.
 pub(super) fn not_declared(text: &str, span: Span) -> Diagnostic {
-    Diagnostic::new(span, format!("`{text}` {NOT_DECLARED}"))
-}
-
-/// Whether an error is that nobody declared a name.
-pub(crate) fn is_of_an_unknown_name(diagnostic: &Diagnostic) -> bool {
-    diagnostic.message.ends_with(NOT_DECLARED)
+    Diagnostic::new(span, format!("`{text}` is not declared")).of(Kind::UnknownName)
 }
 
 /// What a name stands for, in words.

@@ -4,7 +4,7 @@ use super::evaluation::Evaluated;
 use super::items::Resolver;
 use super::theory::{Named, Statement};
 use super::value::Value;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Kind};
 use crate::expression::{Condition, Symbol, SymbolKind};
 use crate::syntax::ast::{Claim, Item, ItemKind};
 use std::collections::BTreeSet;
@@ -29,7 +29,7 @@ impl Resolver {
             Ok((sides, own, evaluator.scope.mentioned().clone()))
         });
         let (evaluated, obstacle) = match evaluated {
-            Err(diagnostic) if diagnostic.is_open => {
+            Err(diagnostic) if diagnostic.kind == Kind::Open => {
                 let nothing = ((Value::Zero, Value::Zero), Vec::new(), BTreeSet::new());
                 ((nothing, Vec::new(), Vec::new()), Some(diagnostic.message))
             }
