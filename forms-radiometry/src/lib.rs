@@ -33,6 +33,7 @@
 //! ```
 
 pub mod camera;
+mod extinction;
 mod faces;
 pub mod geometry;
 pub mod irradiance;

@@ -13,6 +13,7 @@
 //! Source: E. Veach, Robust Monte Carlo methods for light transport simulation (1997).
 
 mod boundary;
+mod endless;
 mod expansion;
 mod extinction;
 mod follow;
@@ -35,6 +36,7 @@ mod vertex;
 mod warps;
 mod world;
 
+pub(crate) use endless::endless;
 pub(crate) use extinction::{extinction_alone, scattering_once};
 pub(crate) use follow::Follow;
 pub(crate) use images::LEFT_OUT;

@@ -1,19 +1,15 @@
-//! Extinction: what is left of light along a ray, e^(−σ d).
+//! Where extinction is all, or nearly all, that happens to light, so that it can be computed.
 
 use super::optics::MediumOptics;
 use super::path::Limits;
-use super::warps::transmittance;
+use crate::extinction::left;
 use crate::scene::{MaterialKind, Medium, Scene, Surface};
 
 impl<const N: usize> MediumOptics<N> {
     /// What is left after a distance, which may be without end.
     pub(super) fn transmittance(&self, distance: f64) -> [f64; N] {
-        self.extinction.map(|extinction| if extinction > 0.0 { left(extinction, distance) } else { 1.0 })
+        self.extinction.map(|extinction| left(extinction, distance))
     }
-}
-
-fn left(extinction: f64, distance: f64) -> f64 {
-    if distance.is_finite() { transmittance(extinction, distance) } else { 0.0 }
 }
 
 /// The extinction in each band where that is all that happens to light: it is scattered by nothing, and as [`unturned`] says. None where lights do

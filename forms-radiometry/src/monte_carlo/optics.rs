@@ -31,6 +31,12 @@ impl<const N: usize> MediumOptics<N> {
     pub(super) fn scatters(&self) -> bool {
         self.scattering.iter().any(|&scattering| scattering > 0.0)
     }
+
+    /// Whether in some band it scatters and absorbs nothing.
+    pub(super) fn is_conservative(&self) -> bool {
+        let mut both = self.scattering.iter().zip(&self.extinction);
+        both.any(|(&scattering, &extinction)| scattering > 0.0 && scattering == extinction)
+    }
 }
 
 impl<const N: usize> Optics<N> {

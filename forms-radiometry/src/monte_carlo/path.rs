@@ -120,7 +120,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
                         Flight::Scattered(distance, factor) => {
                             path.throughput = times(&path.throughput, &factor);
                             self.scatter(&mut path, &medium, distance, samples);
-                            if !self.goes_on(&mut path, samples) {
+                            if self.is_endless(&path, &medium) || !self.goes_on(&mut path, samples) {
                                 return;
                             }
                             continue;
@@ -145,6 +145,15 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
                 return;
             }
         }
+    }
+
+    /// Whether the path has got out to where a medium without end scatters it for ever. A scene of which more than a thousandth of the paths
+    /// do has been refused: of what comes back from there so little is lost that it is nothing beside the spread of what is found.
+    fn is_endless(&self, path: &Path<N>, medium: &MediumOptics<N>) -> bool {
+        self.limits.scatterings.is_none()
+            && medium.is_conservative()
+            && !self.world.walls.surround(path.start.position)
+            && path.filling == self.world.scene.ambient.medium
     }
 
     /// What a wall emits to the path.

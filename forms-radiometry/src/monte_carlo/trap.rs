@@ -36,7 +36,7 @@ const POINTS: u32 = 64;
 pub(crate) fn trap(world: &World) -> Option<SceneError> {
     let scene = world.scene;
     let surface = (0..scene.band_count()).find_map(|band| {
-        let search = Search { world, optics: Optics::of(scene, band, 1) };
+        let search = Search::of(world, band);
         search.mirrors().or_else(|| search.closed())
     })?;
     let surface = &scene.surfaces[surface];
@@ -49,16 +49,22 @@ pub(crate) fn trap(world: &World) -> Option<SceneError> {
 }
 
 /// The search in one band.
-struct Search<'w> {
-    world: &'w World<'w>,
-    optics: Optics<1>,
+pub(super) struct Search<'w> {
+    pub(super) world: &'w World<'w>,
+    pub(super) optics: Optics<1>,
 }
 
 /// A ray from which nothing was taken so far.
-struct Ray {
-    start: Start,
-    direction: Vector,
-    filling: Filling,
+pub(super) struct Ray {
+    pub(super) start: Start,
+    pub(super) direction: Vector,
+    pub(super) filling: Filling,
+}
+
+impl<'w> Search<'w> {
+    pub(super) fn of(world: &'w World<'w>, band: usize) -> Self {
+        Self { world, optics: Optics::of(world.scene, band, 1) }
+    }
 }
 
 impl Search<'_> {
@@ -114,19 +120,25 @@ impl Search<'_> {
         if medium.scatters() {
             let distance = free_flight_sample(medium.scattering[0], samples.one());
             if distance < met.distance {
-                let [u, v] = samples.pair();
-                let position = ray.start.position + distance * ray.direction;
-                let turned = henyey_greenstein_direction_sample(medium.asymmetry[0], u, v);
-                ray.direction = Frame::about(ray.direction).place(turned);
-                ray.start = self.world.walls.start_free(position);
+                self.scatter(ray, distance, samples);
                 return Some(surface);
             }
         }
-        self.meets(ray, &met, samples).then_some(surface)
+        (self.meets(ray, &met, samples) >= 1.0).then_some(surface)
     }
 
-    /// What a wall does with a ray; whether nothing is lost.
-    fn meets(&self, ray: &mut Ray, met: &Met, samples: &mut Samples) -> bool {
+    /// Turns a ray where the medium scatters it, after this distance.
+    pub(super) fn scatter(&self, ray: &mut Ray, distance: f64, samples: &mut Samples) {
+        let [asymmetry] = self.optics.medium(ray.filling).asymmetry;
+        let [u, v] = samples.pair();
+        let position = ray.start.position + distance * ray.direction;
+        let turned = henyey_greenstein_direction_sample(asymmetry, u, v);
+        ray.direction = Frame::about(ray.direction).place(turned);
+        ray.start = self.world.walls.start_free(position);
+    }
+
+    /// What a wall does with a ray; the part of it that goes on.
+    pub(super) fn meets(&self, ray: &mut Ray, met: &Met, samples: &mut Samples) -> f64 {
         let (world, sheet) = (self.world, &self.world.sheets[met.wall]);
         let normal = if met.is_front { met.normal } else { -met.normal };
         let medium = self.optics.medium(ray.filling);
@@ -140,7 +152,7 @@ impl Search<'_> {
                 }
                 passage
             }
-            _ if !world.is_bright(met.wall, met.is_front) => return false,
+            _ if !world.is_bright(met.wall, met.is_front) => return 0.0,
             MaterialKind::Diffuse { .. } => {
                 let [u, v] = samples.pair();
                 let direction = Frame::about(normal).place(cosine_hemisphere_sample(u, v));
@@ -154,7 +166,7 @@ impl Search<'_> {
         };
         ray.direction = direction;
         ray.start = world.walls.start_on(met, met.is_front == stays);
-        left >= 1.0
+        left
     }
 
     /// A plane mirror that reflects everything to another one that faces it, where there is light.

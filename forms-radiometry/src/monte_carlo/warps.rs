@@ -15,7 +15,6 @@ pub(super) use crate::kernels::henyey_greenstein::unguarded as henyey_greenstein
 pub(super) use crate::kernels::henyey_greenstein_direction_sample::unguarded as henyey_greenstein_direction_sample;
 pub(super) use crate::kernels::spherical_triangle_pdf::unguarded as spherical_triangle_pdf;
 pub(super) use crate::kernels::spherical_triangle_sample::unguarded as spherical_triangle_sample;
-pub(super) use crate::kernels::transmittance::unguarded as transmittance;
 pub(super) use crate::kernels::uniform_cone_pdf::unguarded as uniform_cone_pdf;
 pub(super) use crate::kernels::uniform_cone_sample::unguarded as uniform_cone_sample;
 pub(super) use crate::kernels::uniform_disk_sample::unguarded as uniform_disk_sample;

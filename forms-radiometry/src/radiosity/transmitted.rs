@@ -18,10 +18,9 @@ mod triangles;
 use super::direct::lights_at;
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
+use crate::extinction::{left, transmittance};
 use crate::faces::{emits, faces, is_round};
 use crate::geometry::{Screens, Vector};
-// what rounding may make of it is part of the error, so that it needs no guard
-use crate::kernels::transmittance::unguarded as transmittance;
 use crate::scene::{LightKind, Medium, Scene};
 use segments::{Lit, Segment, scattered};
 use triangles::{Integrand, Triangle, fan};
@@ -53,15 +52,6 @@ pub(crate) struct Reached {
     pub(crate) value: f64,
     pub(crate) quadrature: f64,
     pub(crate) rounding: f64,
-}
-
-/// What is left of light after a distance, which may be without end.
-fn left(extinction: f64, distance: f64) -> f64 {
-    match (extinction > 0.0, distance.is_finite()) {
-        (false, _) => 1.0,
-        (true, false) => 0.0,
-        (true, true) => transmittance(extinction, distance),
-    }
 }
 
 /// Whether the faces of a scene are flat, and few enough that what a point sees of them can be cut out.

@@ -10,10 +10,10 @@
 
 use super::answer::{Plan, PlannedEffect};
 use super::effects::{Effects, forced};
-use super::followed::{Computable, is_followed};
+use super::followed::{Computable, all_questions, is_followed};
 use super::left_out::{without, without_forced};
 use super::survey::Survey;
-use crate::monte_carlo::{self, World, has_too_many_images, trap};
+use crate::monte_carlo::{self, World, endless, has_too_many_images, trap};
 use crate::radiosity::orders;
 use crate::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene, SceneError, not_simulated};
 
@@ -59,6 +59,10 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
     let world = World::new(&working.scene);
     if let Some(trap) = trap(&world) {
         return Err(vec![trap]);
+    }
+    let questions = || all_questions(&working.scene);
+    if let Some(endless) = endless(&world, questions, &Effects::of(&effects).limits()) {
+        return Err(vec![endless]);
     }
     if let Some(light) = scene.lights.first().filter(|_| has_too_many_images(&world)) {
         let message = "flat surfaces have too many images of lights without extent";

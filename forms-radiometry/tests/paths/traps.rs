@@ -135,3 +135,38 @@ fn what_lets_light_out_is_not_refused() {
         assert_eq!(planned(&tables), Ok(()), "{what}");
     }
 }
+
+#[test]
+fn a_medium_in_which_paths_never_end_is_refused_with_its_place() {
+    let mist = |absorption: f64| medium("mist", [&absorption, &1, &0, &1]) + &filled_with("mist");
+    let room = || material("grey", 0.5) + &cuboid("room", "grey", UNIT, true, "\nradiance = 1");
+    let orders = || "[solve]\neffects = { scattering = 3 }\n".to_owned();
+    let outside = || probe("outside", [3.0, 0.3, 0.3]);
+    let endless: [(&str, Vec<String>); 3] = [
+        ("a lamp in open mist", vec![lamp(), mist(0.0)]),
+        ("a receiver beside a closed room", vec![room(), mist(0.0), outside()]),
+        (
+            "a lamp above a floor",
+            vec![lamp(), surface("floor", "black", &square(0.0, 9.0, false)), mist(0.0)],
+        ),
+    ];
+    for (what, tables) in endless {
+        let Err(message) = planned(&tables) else { panic!("{what} is refused") };
+        assert!(
+            message.contains("trap.toml:") && message.contains("the medium `mist` has no end"),
+            "{what}: {message}"
+        );
+    }
+    let ends: [(&str, Vec<String>); 4] = [
+        ("a closed room", vec![room(), mist(0.0)]),
+        ("open mist that absorbs a little", vec![lamp(), mist(1e-3)]),
+        ("some orders of scattering", vec![lamp(), mist(0.0), orders()]),
+        (
+            "a ball of mist in a vacuum",
+            vec![lamp(), gas("mist", 0, 1, 0), surface("ball", "mist", &sphere([0.5; 3], 0.4, false))],
+        ),
+    ];
+    for (what, tables) in ends {
+        assert_eq!(planned(&tables), Ok(()), "{what}");
+    }
+}

@@ -58,6 +58,11 @@ impl Bounds {
             && low.z <= self.high.z
     }
 
+    /// Whether a point is in it.
+    pub(super) fn holds(&self, point: Vector) -> bool {
+        self.meets(&Self { low: point, high: point })
+    }
+
     /// The point of the box that is farthest in a direction.
     pub(super) fn farthest(&self, direction: Vector) -> Vector {
         let reach = |along: f64, low: f64, high: f64| if along > 0.0 { high } else { low };

@@ -32,6 +32,7 @@ pub(crate) enum Wall {
 pub(crate) struct Walls {
     walls: Vec<Wall>,
     branches: Option<Branches>,
+    bounds: Bounds,
     /// What rounding leaves of a distance in the scene.
     rounding: f64,
     /// A point that is given counts as lying in a plane that is nearer than this.
@@ -118,11 +119,16 @@ impl Walls {
         };
         let boxes: Vec<Bounds> = boxes.into_iter().map(|one| one.wider(resolution)).collect();
         let branches = (!walls.is_empty()).then(|| Branches::of(&Tree::of(&boxes)));
-        Self { walls, branches, rounding, resolution }
+        Self { walls, branches, bounds: all.wider(resolution), rounding, resolution }
     }
 
     pub(crate) fn get(&self, wall: usize) -> &Wall {
         &self.walls[wall]
+    }
+
+    /// Whether a place is in the box around all walls, up to rounding.
+    pub(crate) fn surround(&self, position: Vector) -> bool {
+        self.bounds.holds(position)
     }
 
     /// A start at a place that was given, which may lie on a wall.

@@ -106,6 +106,12 @@ pub(super) fn asked(scene: &Scene, metres: f64, computing: &Computing<'_>) -> Ve
     all
 }
 
+/// What is asked of a scene, by receiver.
+pub(in super::super) fn all_questions(scene: &Scene) -> Vec<Question> {
+    let of_receiver = |receiver| questions(scene, receiver).into_iter().map(|(_, question)| question);
+    scene.receivers.iter().flat_map(of_receiver).collect()
+}
+
 /// The questions of a receiver: its number, if it asks for one, and its cells or pixels.
 fn questions(scene: &Scene, receiver: &Receiver) -> Vec<(Option<usize>, Question)> {
     match &receiver.kind {

@@ -1,0 +1,120 @@
+//! Endless media: those around a whole scene that scatter and absorb nothing, in which a path that has got out never ends.
+//!
+//! ```text
+//! questions ─ paths, as long as they last ─▶ one of them turned beyond all walls: it comes back with a chance below one, and ends with none
+//! ```
+//! Light in such a medium has an answer, and each path of it takes a number of turns whose mean is infinite.
+
+use super::path::Limits;
+use super::question::{Begin, Question};
+use super::trap::{Ray, Search};
+use super::warps::{cosine_hemisphere_sample, free_flight_sample, uniform_sphere_sample};
+use super::world::World;
+use crate::geometry::Vector;
+use crate::sampling::{Frame, Samples, key};
+use crate::scene::{Scene, SceneError};
+
+/// How many paths are followed, and for how many turns.
+const PATHS: usize = 1024;
+const TURNS: u32 = 1024;
+
+/// A band in which the medium around a scene scatters, and absorbs nothing.
+fn conservative(scene: &Scene) -> Option<usize> {
+    let medium = &scene.media[scene.ambient.medium?];
+    (0..scene.band_count()).find(|&band| medium.scattering[band] > 0.0 && medium.absorption[band] == 0.0)
+}
+
+/// The medium in which paths from the questions of a scene never end, if there is one.
+pub(crate) fn endless(
+    world: &World,
+    questions: impl FnOnce() -> Vec<Question>,
+    limits: &Limits,
+) -> Option<SceneError> {
+    let scene = world.scene;
+    if limits.scatterings.is_some() {
+        return None;
+    }
+    let search = Search::of(world, conservative(scene)?);
+    let questions = questions();
+    if questions.is_empty() {
+        return None;
+    }
+    let gets_out = |path: usize| {
+        let question = &questions[path * questions.len() / PATHS];
+        search.gets_out(question, &mut Samples::new(key(23, 0), path as u32))
+    };
+    (0..PATHS).any(gets_out).then(|| {
+        let medium = &scene.media[scene.ambient.medium.expect("a conservative medium is around the scene")];
+        let message = format!(
+            "the medium `{}` has no end and absorbs nothing: light that gets out is scattered for ever",
+            medium.name
+        );
+        let expected =
+            "a `sigma_a` above 0, surfaces around the medium, or `effects = { scattering = 1 }` or more";
+        SceneError::new(&medium.place, message, expected)
+    })
+}
+
+impl Search<'_> {
+    /// Whether a path from a question is scattered beyond all walls by a medium without end.
+    fn gets_out(&self, question: &Question, samples: &mut Samples) -> bool {
+        let Some(mut ray) = self.begun(question, samples) else { return false };
+        for _ in 0..TURNS {
+            match self.scattered_or_met(&mut ray, samples) {
+                Turn::Beyond => return true,
+                Turn::End => return false,
+                Turn::On => {}
+            }
+        }
+        false
+    }
+
+    /// The first ray of a path.
+    fn begun(&self, question: &Question, samples: &mut Samples) -> Option<Ray> {
+        let (start, direction) = match question.begin(self.world, samples)? {
+            Begin::Sight { start, direction } => (start, direction),
+            Begin::Receiver { start, normal } => {
+                let [u, v] = samples.pair();
+                let direction = match normal {
+                    Some(normal) => Frame::about(normal).place(cosine_hemisphere_sample(u, v)),
+                    None => {
+                        let [x, y, z] = uniform_sphere_sample(u, v);
+                        Vector::new(x, y, z)
+                    }
+                };
+                (start, direction)
+            }
+        };
+        Some(Ray { start, direction, filling: self.world.medium_at(start, direction) })
+    }
+
+    /// Follows a path to where it is turned next; what is lost of it decides at random whether it ends.
+    fn scattered_or_met(&self, ray: &mut Ray, samples: &mut Samples) -> Turn {
+        let medium = self.optics.medium(ray.filling);
+        let met = self.world.walls.first(ray.start, ray.direction, f64::INFINITY);
+        let ([extinction], [scattering]) = (medium.extinction, medium.scattering);
+        if extinction > 0.0 {
+            let distance = free_flight_sample(extinction, samples.one());
+            if met.is_none_or(|met| distance < met.distance) {
+                self.scatter(ray, distance, samples);
+                // only one that absorbs nothing is reached by what is scattered for ever
+                let is_beyond = extinction == scattering && !self.world.walls.surround(ray.start.position);
+                return match samples.one() * extinction < scattering {
+                    true if is_beyond => Turn::Beyond,
+                    true => Turn::On,
+                    false => Turn::End,
+                };
+            }
+        }
+        let left = met.map_or(0.0, |met| self.meets(ray, &met, samples));
+        if samples.one() < left { Turn::On } else { Turn::End }
+    }
+}
+
+/// What becomes of a path.
+enum Turn {
+    On,
+    End,
+    /// It was scattered beyond all walls, and nothing ends it.
+    Beyond,
+}
