@@ -13,6 +13,7 @@ use super::world::World;
 use crate::geometry::Vector;
 use crate::sampling::{Frame, Samples, key};
 use crate::scene::{Scene, SceneError};
+use rayon::prelude::*;
 
 /// How many paths are followed, and for how many turns.
 const PATHS: usize = 1024;
@@ -43,7 +44,7 @@ pub(crate) fn endless(
         let question = &questions[path * questions.len() / PATHS];
         search.gets_out(question, &mut Samples::new(key(23, 0), path as u32))
     };
-    (0..PATHS).any(gets_out).then(|| {
+    (0..PATHS).into_par_iter().any(gets_out).then(|| {
         let medium = &scene.media[scene.ambient.medium.expect("a conservative medium is around the scene")];
         let message = format!(
             "the medium `{}` has no end and absorbs nothing: light that gets out is scattered for ever",
