@@ -26,10 +26,9 @@ impl Span {
 }
 
 /// What sort of thing is said, for what is decided by it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Something is wrong.
-    #[default]
     Mistake,
     /// Nobody declared a name. Where an item could not be read, it may be what declares it.
     UnknownName,

@@ -5,25 +5,21 @@
 //! ```
 //! Light in such a medium has an answer, and each path of it takes a number of turns whose mean is infinite.
 
-use super::path::Limits;
+use super::lattice::Lattice;
+use super::optics::MediumOptics;
+use super::path::{Limits, Path, Tracer};
 use super::question::{Begin, Question};
 use super::trap::{Ray, Search};
-use super::warps::{cosine_hemisphere_sample, free_flight_sample, uniform_sphere_sample};
+use super::vertex::Law;
+use super::warps::free_flight_sample;
 use super::world::World;
-use crate::geometry::Vector;
-use crate::sampling::{Frame, Samples, key};
-use crate::scene::{Scene, SceneError};
+use crate::sampling::{Samples, key};
+use crate::scene::SceneError;
 use rayon::prelude::*;
 
 /// How many paths are followed, and for how many turns.
 const PATHS: usize = 1024;
 const TURNS: u32 = 1024;
-
-/// A band in which the medium around a scene scatters, and absorbs nothing.
-fn conservative(scene: &Scene) -> Option<usize> {
-    let medium = &scene.media[scene.ambient.medium?];
-    (0..scene.band_count()).find(|&band| medium.scattering[band] > 0.0 && medium.absorption[band] == 0.0)
-}
 
 /// The medium in which paths from the questions of a scene never end, if there is one.
 pub(crate) fn endless(
@@ -35,7 +31,8 @@ pub(crate) fn endless(
     if limits.scatterings.is_some() {
         return None;
     }
-    let search = Search::of(world, conservative(scene)?);
+    let is_conservative = |search: &Search| search.optics.medium(scene.ambient.medium).is_conservative();
+    let search = (0..scene.band_count()).map(|band| Search::of(world, band)).find(is_conservative)?;
     let questions = questions();
     if questions.is_empty() {
         return None;
@@ -75,15 +72,8 @@ impl Search<'_> {
         let (start, direction) = match question.begin(self.world, samples)? {
             Begin::Sight { start, direction } => (start, direction),
             Begin::Receiver { start, normal } => {
-                let [u, v] = samples.pair();
-                let direction = match normal {
-                    Some(normal) => Frame::about(normal).place(cosine_hemisphere_sample(u, v)),
-                    None => {
-                        let [x, y, z] = uniform_sphere_sample(u, v);
-                        Vector::new(x, y, z)
-                    }
-                };
-                (start, direction)
+                let law: Law<1> = normal.map_or(Law::Sphere, Law::Plane);
+                (start, law.direction(1, samples))
             }
         };
         Some(Ray { start, direction, filling: self.world.medium_at(start, direction) })
@@ -99,7 +89,7 @@ impl Search<'_> {
             if met.is_none_or(|met| distance < met.distance) {
                 self.scatter(ray, distance, samples);
                 // only one that absorbs nothing is reached by what is scattered for ever
-                let is_beyond = extinction == scattering && !self.world.walls.surround(ray.start.position);
+                let is_beyond = medium.is_conservative() && !self.world.walls.surround(ray.start.position);
                 return match samples.one() * extinction < scattering {
                     true if is_beyond => Turn::Beyond,
                     true => Turn::On,
@@ -109,6 +99,17 @@ impl Search<'_> {
         }
         let left = met.map_or(0.0, |met| self.meets(ray, &met, samples));
         if samples.one() < left { Turn::On } else { Turn::End }
+    }
+}
+
+impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
+    /// Whether the path has got out to where a medium without end scatters it for ever. A scene of which more than a thousandth of the paths
+    /// do has been refused: of what comes back from there so little is lost that it is nothing beside the spread of what is found.
+    pub(super) fn is_endless(&self, path: &Path<N>, medium: &MediumOptics<N>) -> bool {
+        self.limits.scatterings.is_none()
+            && medium.is_conservative()
+            && !self.world.walls.surround(path.start.position)
+            && path.filling == self.world.scene.ambient.medium
     }
 }
 

@@ -147,15 +147,6 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         }
     }
 
-    /// Whether the path has got out to where a medium without end scatters it for ever. A scene of which more than a thousandth of the paths
-    /// do has been refused: of what comes back from there so little is lost that it is nothing beside the spread of what is found.
-    fn is_endless(&self, path: &Path<N>, medium: &MediumOptics<N>) -> bool {
-        self.limits.scatterings.is_none()
-            && medium.is_conservative()
-            && !self.world.walls.surround(path.start.position)
-            && path.filling == self.world.scene.ambient.medium
-    }
-
     /// What a wall emits to the path.
     fn emitted(&self, path: &Path<N>, met: &Met, add: &mut impl FnMut(&[f64; N], f64)) {
         let radiance = &self.optics.radiances[self.world.sheets[met.wall].surface];

@@ -13,12 +13,11 @@ use super::luminaires::Front;
 use super::mirror::reflected;
 use super::optics::Optics;
 use super::refraction::refracted;
-use super::warps::{
-    cosine_hemisphere_sample, free_flight_sample, henyey_greenstein_direction_sample, uniform_sphere_sample,
-};
+use super::vertex::Law;
+use super::warps::free_flight_sample;
 use super::world::World;
 use crate::geometry::{Met, Start, Vector, Wall};
-use crate::sampling::{Frame, Samples, key};
+use crate::sampling::{Samples, key};
 use crate::scene::{Filling, LightKind, MaterialKind, SceneError};
 use rayon::prelude::*;
 
@@ -90,19 +89,16 @@ impl Search<'_> {
         let world = self.world;
         let scene = world.scene;
         let number = samples.one();
-        let square = samples.pair();
-        let sphere = |[u, v]: [f64; 2]| {
-            let [x, y, z] = uniform_sphere_sample(u, v);
-            Vector::new(x, y, z)
-        };
         let (start, direction) = match world.luminaires.emitting(number) {
             Some(surface) => {
                 let (wall, position, normal) = world.fronts[surface].point(samples)?;
-                let direction = Frame::about(normal).place(cosine_hemisphere_sample(square[0], square[1]));
+                let direction = Law::<1>::Plane(normal).direction(1, samples);
                 (world.walls.start_before(wall, position), direction)
             }
             None => match scene.lights.first().map(|light| &light.kind) {
-                Some(LightKind::Point { position, .. }) => (world.walls.start_at(*position), sphere(square)),
+                Some(LightKind::Point { position, .. }) => {
+                    (world.walls.start_at(*position), Law::<1>::Sphere.direction(1, samples))
+                }
                 _ => return None,
             },
         };
@@ -129,11 +125,9 @@ impl Search<'_> {
 
     /// Turns a ray where the medium scatters it, after this distance.
     pub(super) fn scatter(&self, ray: &mut Ray, distance: f64, samples: &mut Samples) {
-        let [asymmetry] = self.optics.medium(ray.filling).asymmetry;
-        let [u, v] = samples.pair();
+        let asymmetry = self.optics.medium(ray.filling).asymmetry;
         let position = ray.start.position + distance * ray.direction;
-        let turned = henyey_greenstein_direction_sample(asymmetry, u, v);
-        ray.direction = Frame::about(ray.direction).place(turned);
+        ray.direction = Law::Phase { forward: ray.direction, asymmetry }.direction(1, samples);
         ray.start = self.world.walls.start_free(position);
     }
 
@@ -154,8 +148,7 @@ impl Search<'_> {
             }
             _ if !world.is_bright(met.wall, met.is_front) => return 0.0,
             MaterialKind::Diffuse { .. } => {
-                let [u, v] = samples.pair();
-                let direction = Frame::about(normal).place(cosine_hemisphere_sample(u, v));
+                let direction = Law::<1>::Plane(normal).direction(1, samples);
                 Passage::Reflected(direction, self.optics.reflectances[sheet.surface])
             }
             material => reflected(material, &self.optics, &medium, ray.direction, normal),
