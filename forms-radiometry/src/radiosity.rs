@@ -38,6 +38,7 @@ mod tests;
 mod transmitted;
 mod walk;
 mod weights;
+mod whole;
 
 pub(crate) use direct::Lights;
 pub(crate) use gather::{Group, Scratch, Transport};

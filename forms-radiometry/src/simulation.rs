@@ -15,6 +15,7 @@ mod file;
 mod followed;
 mod goals;
 mod images;
+mod interpolation;
 mod job;
 mod left_out;
 mod map;

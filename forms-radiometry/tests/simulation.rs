@@ -8,6 +8,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 mod scene_text;
 use scene_text::{CUBE, material, polygon, surface_receiver};
 
+/// Whether numeric code is optimised; where it is not, fewer cases have to do.
+const IS_OPTIMISED: bool = !cfg!(debug_assertions);
+
 /// A surface of its own material.
 fn surface(name: &str, shape: &str, reflectance: &str, exitance: &str) -> String {
     material(name, reflectance) + &scene_text::surface(name, name, &format!("{shape}\nexitance = {exitance}"))
@@ -274,6 +277,48 @@ fn a_cell_of_a_map_has_what_a_receiver_at_its_middle_has() {
             assert!(off <= 1e-13, "{name}, {}: {} and {value}", answer.receiver, answer.value);
         }
         assert_eq!(found.len(), 2 * inside.len());
+    }
+}
+
+#[test]
+fn cells_of_maps_with_reflected_light_are_within_their_errors_though_most_are_interpolated() {
+    const SIDE: usize = 24;
+    let room = cube([0.6, 0.2, 0.7, 0.5, 0.3, 0.6], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
+        + &surface(
+            "lamp",
+            "polygon = [[0.4,0.4,0.95], [0.4,0.6,0.95], [0.6,0.6,0.95], [0.6,0.4,0.95]]",
+            "0",
+            "9",
+        )
+        + &surface(
+            "screen",
+            "polygon = [[0.2,0.5,0], [0.6,0.5,0], [0.6,0.5,0.4], [0.2,0.5,0.4]]\ntwo_sided = true",
+            "0.5",
+            "0",
+        );
+    let map = |orders: &str, tolerance: f64| {
+        let text = format!("{room}{}grid = [{SIDE}, {SIDE}]\n", surface_receiver("floor"));
+        let scene = scene(&format!("{text}[solve]\ntolerance = {tolerance}\n{orders}"));
+        let found = simulate(&scene, &plan(&scene).expect("the scene is right"), &Unwatched);
+        (found.maps[0].values[0].clone(), found.maps[0].errors[0].clone())
+    };
+    for orders in ["", "effects = { interreflection = 1 }\n"] {
+        let (exact, of_exact) = map(orders, if IS_OPTIMISED { 2e-3 } else { 2e-2 });
+        for tolerance in if IS_OPTIMISED { &[0.5, 0.1, 0.02][..] } else { &[0.5][..] } {
+            let (values, errors) = map(orders, *tolerance);
+            let brightest = exact.iter().copied().fold(0.0, f64::max);
+            for (cell, (value, error)) in values.iter().zip(&errors).enumerate() {
+                let off = (value - exact[cell]).abs();
+                assert!(
+                    off <= error + of_exact[cell],
+                    "{orders}{tolerance}: cell {cell} is off by {off:e} of {error:e}"
+                );
+                assert!(
+                    *error <= 1.1 * tolerance * brightest,
+                    "{orders}{tolerance}: {error:e} of {brightest}"
+                );
+            }
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 use super::arriving::Arriving;
 use super::measure::Measure;
 use super::outlines::Outlines;
+use super::whole::Whole;
 use crate::geometry::{Between, Face, Screens, Vector, Workspace};
 use crate::kernels::edge_form_factor;
 
@@ -32,12 +33,15 @@ pub(crate) struct Transport {
 /// Lists that are reused from group to group.
 #[derive(Default)]
 pub(crate) struct Scratch {
-    between: Vec<u32>,
-    view: Workspace,
+    pub(super) between: Vec<u32>,
+    pub(super) view: Workspace,
     outlines: Outlines,
     /// Of each point of a group the measure, over π, of what it sees of a luminaire.
     measures: Vec<f64>,
     pub(super) arriving: Arriving,
+    pub(super) whole: Whole,
+    /// The points of a group that see all of an element.
+    pub(super) seeing: Vec<usize>,
 }
 
 /// What a group of points sees of a luminous outline.
@@ -78,8 +82,8 @@ impl Transport {
         scratch: &mut Scratch,
         mut each: impl FnMut(usize, &[Vector]),
     ) {
-        if self.seen(group, (outline, normal), scratch) != Seen::Nothing {
-            self.see_parts(group, (outline, normal), scratch, &mut each);
+        if self.seen(group, (outline, normal), &mut scratch.between) != Seen::Nothing {
+            self.see_parts(group, (outline, normal), &scratch.between, &mut scratch.view, &mut each);
         }
     }
 
@@ -88,7 +92,7 @@ impl Transport {
         &self,
         group: Group,
         (outline, normal): (&[Vector], Vector),
-        scratch: &mut Scratch,
+        between: &mut Vec<u32>,
     ) -> Seen {
         let horizon = group.measure.horizon();
         let behind = |points: &[Vector], normal: Vector, at: Vector| {
@@ -99,7 +103,6 @@ impl Transport {
         {
             return Seen::Nothing;
         }
-        let between = &mut scratch.between;
         between.clear();
         if self.occlusion {
             let found = self.screens.between(group.outline, horizon, outline, normal, between);
@@ -107,13 +110,24 @@ impl Transport {
                 return Seen::Nothing;
             }
         }
+        self.seen_past(group, (outline, normal), between)
+    }
+
+    /// The same where this may come in between, and the luminaire is neither behind nor below all points.
+    pub(super) fn seen_past(
+        &self,
+        group: Group,
+        (outline, normal): (&[Vector], Vector),
+        between: &[u32],
+    ) -> Seen {
         let is_before = |&point: &Vector| normal.dot(point - outline[0]) > self.screens.resolution();
         let is_above = |horizon: Vector| {
             let least = |&point: &Vector| outline.iter().all(|&v| horizon.dot(v - point) >= 0.0);
             group.outline.iter().all(least)
         };
-        let is_whole =
-            between.is_empty() && group.outline.iter().all(is_before) && horizon.is_none_or(is_above);
+        let is_whole = between.is_empty()
+            && group.outline.iter().all(is_before)
+            && group.measure.horizon().is_none_or(is_above);
         if is_whole { Seen::Whole } else { Seen::Parts }
     }
 
@@ -122,10 +136,10 @@ impl Transport {
         &self,
         group: Group,
         (outline, normal): (&[Vector], Vector),
-        scratch: &mut Scratch,
+        between: &[u32],
+        view: &mut Workspace,
         mut each: impl FnMut(usize, &[Vector]),
     ) {
-        let Scratch { between, view, .. } = scratch;
         let horizon = group.measure.horizon();
         for (index, &point) in group.points.iter().enumerate() {
             if between.is_empty() {
@@ -148,11 +162,11 @@ impl Transport {
         luminaire: (&[Vector], Vector),
         scratch: &'s mut Scratch,
     ) -> Option<&'s [f64]> {
-        let seen = self.seen(group, luminaire, scratch);
+        let Scratch { between, view, outlines, measures, .. } = scratch;
+        let seen = self.seen(group, luminaire, between);
         if seen == Seen::Nothing {
             return None;
         }
-        let Scratch { between, view, outlines, measures, .. } = scratch;
         measures.clear();
         measures.resize(group.points.len(), 0.0);
         if seen == Seen::Whole {

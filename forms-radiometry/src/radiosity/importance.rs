@@ -53,9 +53,11 @@ impl Radiosity<'_> {
         for part in parts {
             straight.iter_mut().zip(part).for_each(|(sum, value)| *sum += value);
         }
+        let asked = self.question.orders.map_or(MOST_REFLECTIONS, |orders| orders as usize);
+        let reflections = asked.min(MOST_REFLECTIONS);
         let (mut sum, mut last) = (straight.clone(), straight);
         if let Some(operator) = &self.operator {
-            for _ in 0..MOST_REFLECTIONS {
+            for _ in 0..reflections {
                 if self.watch.is_stopped() {
                     break;
                 }
@@ -72,17 +74,12 @@ impl Radiosity<'_> {
             GoalKind::At { position, measure } => {
                 let points = [position];
                 let group = Group { points: &points, outline: &points, measure };
-                for (index, element) in self.sources() {
-                    if self.watch.is_stopped() {
-                        return;
+                self.weigh(group, None, scratch, |source, _, weights| {
+                    let nodes = straight[self.first[source]..].iter_mut();
+                    for (node, weight) in nodes.zip(weights) {
+                        *node += goal.weight * strongest[source] * weight.abs();
                     }
-                    let nodes = &mut straight[self.first[index]..];
-                    self.transport.weigh(group, (element, &self.outlines[index]), scratch, |_, weights| {
-                        for (node, weight) in nodes.iter_mut().zip(weights) {
-                            *node += goal.weight * strongest[index] * weight.abs();
-                        }
-                    });
-                }
+                });
             }
             GoalKind::Mean { surface } => {
                 for (index, element) in self.elements.iter().enumerate() {

@@ -6,6 +6,7 @@
 //! Pieces are exact. So is D, the light that comes straight to a point. What is reflected to it is either gathered as receivers gather, or
 //! taken from the polynomials of the element that it lies on, which is quick.
 
+use super::element::Element;
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use super::system::{Radiosity, reflectance, reflects};
@@ -140,13 +141,31 @@ impl Radiosity<'_> {
         if self.question.direct {
             self.lights.gather(group, self.transport, scratch, gathered);
         }
-        let nodes = self.first[element]..self.first[element + 1];
         for (&point, of_point) in group.points.iter().zip(gathered.chunks_exact_mut(bands)) {
-            let basis = self.elements[element].basis(point);
-            for (value, (all, direct)) in of_point.iter_mut().zip(self.irradiance.iter().zip(&self.direct)) {
-                let nodes = basis.iter().zip(all[nodes.clone()].iter().zip(&direct[nodes.clone()]));
-                *value += nodes.map(|(b, (all, direct))| b * (all - direct)).sum::<f64>();
-            }
+            self.add_reflected_on(element, point, of_point);
+        }
+    }
+
+    /// Adds what is reflected to a point of an element, by its polynomials.
+    fn add_reflected_on(&self, element: usize, point: Vector, sums: &mut [f64]) {
+        let nodes = self.first[element]..self.first[element + 1];
+        let basis = self.elements[element].basis(point);
+        for (sum, (all, direct)) in sums.iter_mut().zip(self.irradiance.iter().zip(&self.direct)) {
+            let nodes = basis.iter().zip(all[nodes.clone()].iter().zip(&direct[nodes.clone()]));
+            *sum += nodes.map(|(b, (all, direct))| b * (all - direct)).sum::<f64>();
+        }
+    }
+
+    /// The elements of the front of a surface.
+    pub(crate) fn elements_on(&self, surface: usize) -> Vec<usize> {
+        let is_on = |element: &Element| self.transport.faces[element.face].is_front_of(surface);
+        (0..self.elements.len()).filter(|&element| is_on(&self.elements[element])).collect()
+    }
+
+    /// Adds what is reflected to a point, by the polynomials of the one of these elements that it lies on.
+    pub(crate) fn add_polynomial(&self, elements: &[usize], point: Vector, sums: &mut [f64]) {
+        if let Some(&element) = elements.iter().find(|&&element| self.elements[element].contains(point)) {
+            self.add_reflected_on(element, point, sums);
         }
     }
 }

@@ -44,6 +44,8 @@ pub(crate) struct Question {
     pub(crate) receives: Vec<bool>,
     /// Whether receivers get what comes straight from lights.
     pub(crate) direct: bool,
+    /// Whether rays or cameras look at surfaces.
+    pub(crate) is_seen: bool,
 }
 
 impl Question {
@@ -189,17 +191,23 @@ impl<'t> Radiosity<'t> {
         let group = Group { points: &points, outline: &self.outlines[index], measure };
         let reflects = self.question.orders != Some(0);
         let mut rows = if reflects { vec![Row::default(); points.len()] } else { Vec::new() };
-        for (source, other) in self.sources().filter(|(_, other)| other.face != element.face) {
-            if self.watch.is_stopped() {
-                return (rows, Vec::new());
-            }
-            let outline = &self.outlines[source];
-            self.transport.weigh(group, (other, outline), scratch, |node, weights| {
+        if reflects && self.receives_reflected(element) {
+            self.weigh(group, Some(element.face), scratch, |source, node, weights| {
                 rows[node].elements.push(source as u32);
                 rows[node].weights.extend_from_slice(weights);
             });
         }
+        if self.watch.is_stopped() {
+            return (rows, Vec::new());
+        }
         (rows, self.lights.reaching(group, self.transport, scratch))
+    }
+
+    /// Whether it is asked for what is reflected to an element. Light that is reflected once leaves from where it came straight: then only
+    /// receivers and what is seen get what is reflected.
+    fn receives_reflected(&self, element: &Element) -> bool {
+        let surface = self.transport.faces[element.face].surface;
+        self.question.orders != Some(1) || self.question.is_seen || self.question.receives[surface]
     }
 
     /// The elements that reflect, with their indices; none where reflections are not asked for.
@@ -218,6 +226,11 @@ impl<'t> Radiosity<'t> {
     pub(crate) fn operations(&self, points: usize) -> f64 {
         let reflected: usize = self.sources().map(|(index, _)| self.outlines[index].len()).sum();
         self.lights.operations(points, self.transport) + self.transport.operations(points, reflected)
+    }
+
+    /// The same of what comes straight from lights alone.
+    pub(crate) fn straight_operations(&self, points: usize) -> f64 {
+        self.lights.operations(points, self.transport)
     }
 
     /// How many nodes there are.
@@ -256,33 +269,76 @@ impl<'t> Radiosity<'t> {
 
     /// The same of all bands, point by point; only some of it if the work is stopped.
     pub(crate) fn gather(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
+        self.gather_kinds(self.kinds, group, scratch, gathered);
+    }
+
+    /// What comes straight from lights alone.
+    pub(crate) fn gather_straight(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
+        let effects = Effects { interreflection: false, ..self.kinds.effects() };
+        self.gather_kinds(Kinds::of(effects), group, scratch, gathered);
+    }
+
+    /// What surfaces reflect alone.
+    pub(crate) fn gather_reflected(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
+        let effects = Effects { interreflection: self.kinds.effects().interreflection, ..Effects::NONE };
+        self.gather_kinds(Kinds::of(effects), group, scratch, gathered);
+    }
+
+    fn gather_kinds(&self, kinds: Kinds, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
         let mut arriving = std::mem::take(&mut scratch.arriving);
-        arriving.begin(self.kinds, gathered.len());
-        if self.question.direct {
+        arriving.begin(kinds, gathered.len());
+        let Effects { luminaires, surroundings, beams, interreflection } = kinds.effects();
+        if luminaires || surroundings || beams {
             self.lights.add_arriving(group, self.transport, scratch, &mut arriving);
         }
-        if self.kinds.effects().interreflection {
+        if interreflection {
             self.add_reflected(group, scratch, &mut arriving.reflected);
         }
-        arriving.gather(self.kinds, gathered);
+        arriving.gather(kinds, gathered);
         scratch.arriving = arriving;
+    }
+
+    /// Whether surfaces reflect light to receivers.
+    pub(crate) fn is_reflected(&self) -> bool {
+        self.kinds.effects().interreflection
     }
 
     /// Adds what surfaces reflect: Σ ρ W E over their nodes.
     fn add_reflected(&self, group: Group, scratch: &mut Scratch, reflected: &mut [f64]) {
         let bands = self.scene.band_count();
-        for (index, element) in self.sources() {
+        self.weigh(group, None, scratch, |source, point, weights| {
+            let nodes = self.first[source]..self.first[source + 1];
+            let element = &self.elements[source];
+            for (band, sum) in reflected[point * bands..][..bands].iter_mut().enumerate() {
+                let values = &self.reflected[band][nodes.clone()];
+                let arriving: f64 = weights.iter().zip(values).map(|(w, e)| w * e).sum();
+                *sum += self.reflectance(element, band) * arriving;
+            }
+        });
+    }
+
+    /// Calls `each` with an element that reflects, the index of a point and what it gets from each node of the element, for all of them but
+    /// those of one face; only some if the work is stopped. What a group sees of a face is asked before its elements, which follow each
+    /// other.
+    pub(super) fn weigh(
+        &self,
+        group: Group,
+        but: Option<usize>,
+        scratch: &mut Scratch,
+        mut each: impl FnMut(usize, usize, &[f64]),
+    ) {
+        let mut last = None;
+        for (source, element) in self.sources().filter(|(_, element)| Some(element.face) != but) {
             if self.watch.is_stopped() {
                 return;
             }
-            let nodes = self.first[index]..self.first[index + 1];
-            self.transport.weigh(group, (element, &self.outlines[index]), scratch, |point, weights| {
-                for (band, sum) in reflected[point * bands..][..bands].iter_mut().enumerate() {
-                    let values = &self.reflected[band][nodes.clone()];
-                    let arriving: f64 = weights.iter().zip(values).map(|(w, e)| w * e).sum();
-                    *sum += self.reflectance(element, band) * arriving;
-                }
-            });
+            let of_face = match last {
+                Some((face, seen)) if face == element.face => seen,
+                _ => self.transport.of_face(group, element.face, scratch),
+            };
+            last = Some((element.face, of_face));
+            let of_point = |point: usize, weights: &[f64]| each(source, point, weights);
+            self.transport.weigh(group, (element, &self.outlines[source]), of_face, scratch, of_point);
         }
     }
 

@@ -7,6 +7,7 @@ use super::operator::{Operator, Row};
 use super::reference::MOST_NODES;
 use super::solution::{all_orders, neumann, orders};
 use super::weights;
+use super::whole::Whole;
 use crate::geometry::{Face, Vector};
 use crate::kernels::irradiance_linear_luminaire;
 use crate::simulation::Unwatched;
@@ -67,6 +68,35 @@ fn the_weights_of_an_element_sum_to_its_measure() {
         weights::add(&face.vertices, &elements[0], Vector::default(), measure, 1e-2, &mut found);
         let (sum, expected) = (found.iter().sum::<f64>(), measure.of(&face.vertices));
         assert!((sum - expected).abs() < 1e-13, "{measure:?}: {sum} and {expected}");
+    }
+}
+
+#[test]
+fn points_that_share_a_rule_get_what_each_gets_by_its_own() {
+    let face =
+        triangle([Vector::new(-1.0, -1.0, 0.3), Vector::new(0.0, 2.0, 0.1), Vector::new(1.0, -1.0, 0.3)]);
+    let up = Vector::new(0.0, 0.0, 1.0);
+    for shift in [Vector::default(), Vector::new(1e6, -1e6, 1e6)] {
+        let vertices: Vec<Vector> = face.vertices.iter().map(|&v| v + shift).collect();
+        let face = Face { vertices: vertices.clone(), ..face.clone() };
+        let elements = Element::of(0, &face, &ConvexPiece::whole(&face));
+        let element = &elements[0];
+        let points: Vec<Vector> = (0..25)
+            .map(|i| shift + Vector::new(0.4 * f64::from(i % 5) - 0.8, 0.4 * f64::from(i / 5) - 0.8, -0.1))
+            .collect();
+        let mut count = 0;
+        Whole::default().weigh(points.iter().copied(), up, (element, &vertices), 1e-9, |index, weights| {
+            let piece: Vec<Vector> = vertices.iter().map(|&v| v - points[index]).collect();
+            let mut own = [0.0; MOST_NODES];
+            weights::add(&piece, element, points[index], Measure::Plane(up), 1e-9, &mut own);
+            for (shared, own) in weights.iter().zip(own) {
+                assert!((shared - own).abs() < 1e-8, "{shift:?} {index}: {shared} and {own}");
+            }
+            let (sum, expected) = (weights.iter().sum::<f64>(), Measure::Plane(up).of(&piece));
+            assert!((sum - expected).abs() < 1e-13, "{shift:?} {index}: {sum} and {expected}");
+            count += 1;
+        });
+        assert_eq!(count, points.len());
     }
 }
 

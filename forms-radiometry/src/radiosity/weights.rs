@@ -9,10 +9,11 @@
 //! their sum is its measure exactly, by its closed form: what a uniform element sends is right to rounding, however near it is.
 
 use super::element::Element;
-use super::gather::{Group, Scratch, Transport};
+use super::gather::{Group, Scratch, Seen, Transport};
 use super::measure::Measure;
 use super::reference::MOST_NODES;
-use crate::geometry::{Patch, Vector, gauss, patches};
+use super::whole::FEWEST;
+use crate::geometry::{Face, Patch, Vector, gauss, patches};
 use crate::kernels::exchange_density;
 
 /// The most points of a rule along one side; patches that would need more are cut.
@@ -21,7 +22,19 @@ const MOST_POINTS: usize = 4;
 const DEEPEST: u32 = 20;
 /// Pieces whose radius is this fraction of their distance are measured by the rule alone: in the closed form, the sum over
 /// the edges would cancel.
-const SMALL: f64 = 1e-3;
+pub(super) const SMALL: f64 = 1e-3;
+
+/// What a group sees of a face, as far as that tells what it sees of its elements.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum OfFace {
+    Nothing,
+    /// Every point sees all of it.
+    Whole,
+    /// Nothing comes in between.
+    Open,
+    /// Each element has to be asked.
+    Parts,
+}
 
 /// What the weights of one piece are made in.
 struct Piece<'e> {
@@ -36,25 +49,96 @@ struct Piece<'e> {
 }
 
 impl Transport {
-    /// Calls `each` with the index of a point and what it gets from each node of an element, where it gets any.
+    /// Calls `each` with the index of a point and what it gets from each node of an element, where it gets any. `of_face` is what the
+    /// group sees of the whole face.
     pub(super) fn weigh(
         &self,
         group: Group,
-        (element, outline): (&Element, &[Vector]),
+        source @ (element, outline): (&Element, &[Vector]),
+        of_face: OfFace,
         scratch: &mut Scratch,
         mut each: impl FnMut(usize, &[f64]),
+    ) {
+        let luminaire = (outline, element.normal);
+        let Scratch { between, view, whole, seeing, .. } = scratch;
+        let seen = match of_face {
+            OfFace::Nothing => Seen::Nothing,
+            OfFace::Whole => Seen::Whole,
+            OfFace::Open => {
+                between.clear();
+                self.seen_past(group, luminaire, between)
+            }
+            OfFace::Parts => self.seen(group, luminaire, between),
+        };
+        seeing.clear();
+        match seen {
+            Seen::Nothing => return,
+            Seen::Whole => seeing.extend(0..group.points.len()),
+            Seen::Parts => {
+                let seen = |each: &mut dyn FnMut(usize, &[Vector])| {
+                    self.see_parts(group, luminaire, between, view, each);
+                };
+                self.weigh_parts(group, source, seen, seeing, &mut each);
+            }
+        }
+        match group.measure {
+            Measure::Plane(normal) if seeing.len() >= FEWEST => {
+                let points = seeing.iter().map(|&index| group.points[index]);
+                let of_point = |point: usize, weights: &[f64]| each(seeing[point], weights);
+                whole.weigh(points, normal, source, self.accuracy, of_point);
+            }
+            _ => {
+                let mut piece = Vec::with_capacity(outline.len());
+                for &index in &*seeing {
+                    let point = group.points[index];
+                    piece.clear();
+                    piece.extend(outline.iter().map(|&corner| corner - point));
+                    let mut weights = [0.0; MOST_NODES];
+                    add(&piece, element, point, group.measure, self.accuracy, &mut weights);
+                    each(index, &weights[..element.count()]);
+                }
+            }
+        }
+    }
+
+    /// What a group sees of a whole face, and so of every element of it.
+    pub(super) fn of_face(&self, group: Group, face: usize, scratch: &mut Scratch) -> OfFace {
+        let Face { vertices, normal, .. } = &self.faces[face];
+        match self.seen(group, (vertices, *normal), &mut scratch.between) {
+            Seen::Nothing => OfFace::Nothing,
+            Seen::Whole => OfFace::Whole,
+            Seen::Parts if scratch.between.is_empty() => OfFace::Open,
+            Seen::Parts => OfFace::Parts,
+        }
+    }
+
+    /// The same of the points of a group that see no more than parts of an element; those that see all of it are noted.
+    fn weigh_parts(
+        &self,
+        group: Group,
+        (element, outline): (&Element, &[Vector]),
+        seen: impl FnOnce(&mut dyn FnMut(usize, &[Vector])),
+        seeing: &mut Vec<usize>,
+        each: &mut impl FnMut(usize, &[f64]),
     ) {
         let mut current = None;
         let mut weights = [0.0; MOST_NODES];
         let count = element.count();
-        self.see(group, (outline, element.normal), scratch, |index, piece| {
+        seen(&mut |index: usize, piece: &[Vector]| {
+            let point = group.points[index];
+            if piece.len() == outline.len()
+                && piece.iter().zip(outline).all(|(&v, &corner)| v == corner - point)
+            {
+                seeing.push(index);
+                return;
+            }
             if let Some(last) = current.replace(index)
                 && last != index
             {
                 each(last, &weights[..count]);
                 weights = [0.0; MOST_NODES];
             }
-            add(piece, element, group.points[index], group.measure, self.accuracy, &mut weights);
+            add(piece, element, point, group.measure, self.accuracy, &mut weights);
         });
         if let Some(last) = current {
             each(last, &weights[..count]);
@@ -74,7 +158,7 @@ pub(super) fn add(
 ) {
     let zero = [0.0; MOST_NODES];
     let mut sums = Piece { element, position, measure, accuracy, weights: zero, solid: zero };
-    patches(piece).for_each(|patch| sums.add(&patch, 0));
+    patches(piece).for_each(|patch| sums.add(&patch));
     let share = sums.correction(piece);
     for ((weight, own), solid) in weights.iter_mut().zip(sums.weights).zip(sums.solid) {
         *weight += own + share * solid;
@@ -93,42 +177,51 @@ impl Piece<'_> {
         (self.measure.of(piece) - self.weights.iter().sum::<f64>()) / solid
     }
 
-    fn add(&mut self, patch: &Patch, depth: u32) {
-        let (centre, _) = patch.at(0.5, 0.5);
-        let (radius, squared) = (patch.radius(centre), centre.dot(centre));
-        let ratio = squared.sqrt() / radius;
-        let points = if ratio > 1.0 {
-            let ellipse = ratio + (ratio * ratio - 1.0).sqrt();
-            (-0.5 * self.accuracy.ln() / ellipse.ln()).ceil()
-        } else {
-            f64::INFINITY
-        };
-        if points <= MOST_POINTS as f64 || depth >= DEEPEST {
-            self.add_points(patch, (points.min(MOST_POINTS as f64) as usize).max(1));
-        } else if let Some(halves) = patch.halves() {
-            halves.iter().for_each(|half| self.add(half, depth + 1));
-        } else {
-            patch.quarters().iter().for_each(|quarter| self.add(quarter, depth + 2));
-        }
+    fn add(&mut self, patch: &Patch) {
+        let (accuracy, normal) = (self.accuracy, self.element.normal);
+        rule(patch, &Vector::length, accuracy, 0, &mut |way, area| {
+            let towards = (1.0 / way.dot(way).sqrt()) * way;
+            let solid = exchange_density::unguarded(
+                way.x, way.y, way.z, towards.x, towards.y, towards.z, normal.x, normal.y, normal.z,
+            );
+            let solid = (area * solid).max(0.0);
+            let own = solid * self.measure.factor(towards);
+            let basis = self.element.basis(self.position + way);
+            for (k, value) in basis.iter().enumerate().take(self.element.count()) {
+                self.weights[k] += own * value;
+                self.solid[k] += solid * value;
+            }
+        });
     }
+}
 
-    fn add_points(&mut self, patch: &Patch, points: usize) {
-        let normal = self.element.normal;
-        for &[s, of_s] in gauss(points) {
-            for &[t, of_t] in gauss(points) {
-                let (way, density) = patch.at(s, t);
-                let towards = (1.0 / way.dot(way).sqrt()) * way;
-                let solid = exchange_density::unguarded(
-                    way.x, way.y, way.z, towards.x, towards.y, towards.z, normal.x, normal.y, normal.z,
-                );
-                let solid = (of_s * of_t * density * solid).max(0.0);
-                let own = solid * self.measure.factor(towards);
-                let basis = self.element.basis(self.position + way);
-                for (k, value) in basis.iter().enumerate().take(self.element.count()) {
-                    self.weights[k] += own * value;
-                    self.solid[k] += solid * value;
-                }
+/// Calls `each` with the points of a rule on a patch, and the area of each; `nearest` is how near the nearest receiver is to a point.
+pub(super) fn rule(
+    patch: &Patch,
+    nearest: &impl Fn(Vector) -> f64,
+    accuracy: f64,
+    depth: u32,
+    each: &mut impl FnMut(Vector, f64),
+) {
+    let (centre, _) = patch.at(0.5, 0.5);
+    let ratio = nearest(centre) / patch.radius(centre);
+    let points = if ratio > 1.0 {
+        let ellipse = ratio + (ratio * ratio - 1.0).sqrt();
+        (-0.5 * accuracy.ln() / ellipse.ln()).ceil()
+    } else {
+        f64::INFINITY
+    };
+    if points <= MOST_POINTS as f64 || depth >= DEEPEST {
+        let points = gauss((points.min(MOST_POINTS as f64) as usize).max(1));
+        for &[s, of_s] in points {
+            for &[t, of_t] in points {
+                let (point, density) = patch.at(s, t);
+                each(point, of_s * of_t * density);
             }
         }
+    } else if let Some(halves) = patch.halves() {
+        halves.iter().for_each(|half| rule(half, nearest, accuracy, depth + 1, each));
+    } else {
+        patch.quarters().iter().for_each(|quarter| rule(quarter, nearest, accuracy, depth + 2, each));
     }
 }

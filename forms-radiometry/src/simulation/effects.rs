@@ -61,7 +61,12 @@ impl Effects {
 
     /// What they ask of a solution.
     pub(super) fn question(&self, scene: &Scene) -> Question {
-        Question { orders: self.orders, receives: receiving(scene), direct: self.direct }
+        Question {
+            orders: self.orders,
+            receives: receiving(scene),
+            direct: self.direct,
+            is_seen: asks_for_rays(scene),
+        }
     }
 
     /// The kernels that simulating them runs.

@@ -1,5 +1,13 @@
 //! Maps: the bounding rectangle of a polygon in its plane is divided into cells, and the irradiance is taken at their middles.
+//!
+//! ```text
+//! cells ┬ blocks of all ─▶ straight from lights ───────────────────┐
+//!       ├ polynomials of elements ─────────────────────────────────┼▶ irradiance
+//!       └ some, the others interpolated ─▶ what these lack ────────┘
+//! ```
+//! What comes straight from lights costs little and has sharp shadows; what is reflected costs much and is smooth in most cells.
 
+use super::interpolation::interpolated;
 use super::watch::Watch;
 use crate::geometry::{Face, Vector};
 use crate::radiosity::{Group, Measure, Radiosity, Scratch, Transport};
@@ -11,8 +19,13 @@ const BLOCK: usize = 8;
 
 /// The cells of a map.
 pub(super) struct Grid {
+    surface: usize,
     normal: Vector,
     size: [usize; 2],
+    /// The middles of the columns, in the lowest edge, and of the rows as ways up from there.
+    middles: [Vec<Vector>; 2],
+    /// Whether each cell lies on the surface.
+    is_on: Vec<bool>,
     /// The middles of the cells that lie on the surface, block by block.
     points: Vec<Vector>,
     /// The cell of each of them, counted row by row.
@@ -33,33 +46,48 @@ impl Grid {
     pub(super) fn over(transport: &Transport, surface: usize, size: [usize; 2]) -> Option<Self> {
         let faces = || transport.fronts(surface);
         let normal = faces().next()?.normal;
-        let [across_columns, up_rows] = middles(transport, surface, size)?;
-        let middle = |[column, row]: [usize; 2]| across_columns[column] + up_rows[row];
+        let middles = middles(transport, surface, size)?;
         let [columns, rows] = size;
-        let (mut points, mut cells) =
-            (Vec::with_capacity(columns * rows), Vec::with_capacity(columns * rows));
-        let mut blocks = Vec::new();
+        let mut grid = Self {
+            surface,
+            normal,
+            size,
+            middles,
+            is_on: vec![false; columns * rows],
+            points: Vec::with_capacity(columns * rows),
+            cells: Vec::with_capacity(columns * rows),
+            blocks: Vec::new(),
+        };
         for cut in cuts(size) {
-            let corners: Vec<Vector> = cut.corners().into_iter().map(middle).collect();
+            let corners: Vec<Vector> = cut.corners().into_iter().map(|cell| grid.middle(cell)).collect();
             let is_inside = faces().any(|face| corners.iter().all(|&point| lies_on(point, face)));
-            let is_on = |point: Vector| is_inside || faces().any(|face| lies_on(point, face));
-            let [[left, low], [right, high]] = [cut.first, cut.last];
-            for (row, &up) in (low..=high).zip(&up_rows[low..=high]) {
-                let first = row * columns;
-                let of_row = &across_columns[left..=right];
-                if is_inside {
-                    points.extend(of_row.iter().map(|&across| across + up));
-                    cells.extend(first + left..=first + right);
-                } else {
-                    let on_surface = (first + left..).zip(of_row).filter(|(_, across)| is_on(**across + up));
-                    cells.extend(on_surface.clone().map(|(cell, _)| cell));
-                    points.extend(on_surface.map(|(_, &across)| across + up));
+            for row in cut.first[1]..=cut.last[1] {
+                for column in cut.first[0]..=cut.last[0] {
+                    let point = grid.middle([column, row]);
+                    if is_inside || faces().any(|face| lies_on(point, face)) {
+                        grid.is_on[row * columns + column] = true;
+                        grid.points.push(point);
+                        grid.cells.push(row * columns + column);
+                    }
                 }
             }
-            let corners = corners.iter().all(|&corner| is_on(corner)).then_some(corners);
-            blocks.push(Block { end: points.len(), corners });
+            let corners = grid.outline(&cut);
+            grid.blocks.push(Block { end: grid.points.len(), corners });
         }
-        Some(Self { normal, size, points, cells, blocks })
+        Some(grid)
+    }
+
+    /// The middle of the cell in a column and a row.
+    fn middle(&self, [column, row]: [usize; 2]) -> Vector {
+        let [across_columns, up_rows] = &self.middles;
+        across_columns[column] + up_rows[row]
+    }
+
+    /// The middles of the cells at the corners of a rectangle, if all are on the surface.
+    fn outline(&self, cut: &Cut) -> Option<Vec<Vector>> {
+        let corners = cut.corners();
+        let is_on = corners.iter().all(|[column, row]| self.is_on[row * self.size[0] + column]);
+        is_on.then(|| corners.into_iter().map(|cell| self.middle(cell)).collect())
     }
 
     /// The unit normal of the surface.
@@ -90,29 +118,106 @@ impl Grid {
         self.cells().into_iter().flatten().skip(step / 2).step_by(step)
     }
 
-    /// The irradiance of all cells, for each band row by row; not a number off the surface, and where the work was stopped before.
-    pub(super) fn irradiance(&self, bands: usize, radiosity: &Radiosity, watch: &dyn Watch) -> Vec<Vec<f64>> {
+    /// The irradiance of all cells, for each band row by row; not a number off the surface, and where the work was stopped before. What is
+    /// reflected may be off by what is allowed in each band.
+    pub(super) fn irradiance(
+        &self,
+        radiosity: &Radiosity,
+        allowed: &[f64],
+        watch: &dyn Watch,
+    ) -> Vec<Vec<f64>> {
+        let bands = allowed.len();
+        let mut irradiance = self.straight(bands, radiosity, watch);
+        if radiosity.is_reflected() {
+            let polynomials = self.polynomials(bands, radiosity);
+            let done = AtomicUsize::new(0);
+            let note = |cells: usize| {
+                let part = done.fetch_add(cells, Ordering::Relaxed) as f64 / self.count() as f64;
+                watch.progress("maps", part);
+            };
+            let compute = |cells: &[usize], gap: usize| {
+                let mut found = self.reflected((cells, gap), bands, radiosity, watch, &note);
+                for (&cell, found) in cells.iter().zip(found.chunks_exact_mut(bands)) {
+                    let of_cell = &polynomials[cell * bands..][..bands];
+                    found.iter_mut().zip(of_cell).for_each(|(found, polynomial)| *found -= polynomial);
+                }
+                found
+            };
+            let lacks = interpolated(self.size, &self.is_on, allowed, compute);
+            let reflected = lacks.iter().zip(&polynomials).map(|(lacks, polynomial)| lacks + polynomial);
+            irradiance.iter_mut().zip(reflected).for_each(|(sum, value)| *sum += value);
+        }
+        (0..bands).map(|band| irradiance.iter().skip(band).step_by(bands).copied().collect()).collect()
+    }
+
+    /// What comes to all cells straight from lights, cell by cell and band by band.
+    fn straight(&self, bands: usize, radiosity: &Radiosity, watch: &dyn Watch) -> Vec<f64> {
         let mut gathered = vec![f64::NAN; bands * self.count()];
-        let done = AtomicUsize::new(0);
         let each = |scratch: &mut Scratch, (group, values): (Group, &mut [f64])| {
-            if watch.is_stopped() {
-                return;
-            }
-            if !group.points.is_empty() {
-                radiosity.gather(group, scratch, values);
+            if !watch.is_stopped() {
+                radiosity.gather_straight(group, scratch, values);
             }
             if watch.is_stopped() {
                 values.fill(f64::NAN);
-                return;
             }
-            let part = done.fetch_add(1, Ordering::Relaxed) as f64 / self.blocks.len() as f64;
-            watch.progress("maps", part);
         };
         let parts = self.parts(bands, &mut gathered);
-        Sharing::of(radiosity.operations(self.count())).map(parts, each);
-        let mut values = vec![vec![f64::NAN; self.size[0] * self.size[1]]; bands];
+        Sharing::of(radiosity.straight_operations(self.count())).map(parts, each);
+        let mut values = vec![f64::NAN; self.size[0] * self.size[1] * bands];
         for (&cell, of_bands) in self.cells.iter().zip(gathered.chunks_exact(bands)) {
-            values.iter_mut().zip(of_bands).for_each(|(band, &value)| band[cell] = value);
+            values[cell * bands..][..bands].copy_from_slice(of_bands);
+        }
+        values
+    }
+
+    /// What the polynomials of the surface's elements tell of what is reflected to all cells, cell by cell and band by band; nothing where
+    /// there are none.
+    fn polynomials(&self, bands: usize, radiosity: &Radiosity) -> Vec<f64> {
+        let mut values = vec![0.0; self.size[0] * self.size[1] * bands];
+        let elements = radiosity.elements_on(self.surface);
+        for (&cell, &point) in self.cells.iter().zip(&self.points) {
+            radiosity.add_polynomial(&elements, point, &mut values[cell * bands..][..bands]);
+        }
+        values
+    }
+
+    /// What surfaces reflect to some cells, that are about so far apart, cell by cell and band by band.
+    fn reflected(
+        &self,
+        (cells, gap): (&[usize], usize),
+        bands: usize,
+        radiosity: &Radiosity,
+        watch: &dyn Watch,
+        note: &(dyn Fn(usize) + Sync),
+    ) -> Vec<f64> {
+        let [columns, _] = self.size;
+        let side = BLOCK.max(2 * gap);
+        let mut order: Vec<usize> = (0..cells.len()).collect();
+        let block = |index: usize| [cells[index] / columns, cells[index] % columns].map(|place| place / side);
+        order.sort_by_key(|&index| block(index));
+        let groups: Vec<&[usize]> = order.chunk_by(|&one, &other| block(one) == block(other)).collect();
+        let each = |scratch: &mut Scratch, group: &[usize]| {
+            let mut found = vec![f64::NAN; bands * group.len()];
+            let places = || group.iter().map(|&index| [cells[index] % columns, cells[index] / columns]);
+            let points: Vec<Vector> = places().map(|place| self.middle(place)).collect();
+            let corners = self.outline(&Cut::around(places()));
+            let outline = corners.as_deref().unwrap_or(&points);
+            let measure = Measure::Plane(self.normal);
+            if !watch.is_stopped() {
+                radiosity.gather_reflected(Group { points: &points, outline, measure }, scratch, &mut found);
+            }
+            if watch.is_stopped() {
+                found.fill(f64::NAN);
+            } else {
+                note(group.len());
+            }
+            found
+        };
+        let found = Sharing::of(radiosity.operations(cells.len()))
+            .map(&groups, |scratch, group| each(scratch, group));
+        let mut values = vec![f64::NAN; bands * cells.len()];
+        for (&index, of_cell) in order.iter().zip(found.iter().flat_map(|found| found.chunks_exact(bands))) {
+            values[index * bands..][..bands].copy_from_slice(of_cell);
         }
         values
     }
@@ -156,6 +261,16 @@ fn cuts([columns, rows]: [usize; 2]) -> impl Iterator<Item = Cut> {
 }
 
 impl Cut {
+    /// The least one around some cells.
+    fn around(mut cells: impl Iterator<Item = [usize; 2]>) -> Self {
+        let one = cells.next().expect("no group is empty");
+        let grow = |Self { first, last }: Self, cell: [usize; 2]| Self {
+            first: [0, 1].map(|axis| first[axis].min(cell[axis])),
+            last: [0, 1].map(|axis| last[axis].max(cell[axis])),
+        };
+        cells.fold(Self { first: one, last: one }, grow)
+    }
+
     /// The cells at its corners, one after the other around it; of a block of one row or column two, of a single cell one.
     fn corners(&self) -> Vec<[usize; 2]> {
         let [[left, low], [right, high]] = [self.first, self.last];

@@ -10,6 +10,8 @@ use crate::scene::ReceiverKind;
 
 /// One in so many cells of a map is watched while elements become finer, and at least so many in all.
 const WATCHED: [usize; 2] = [36, 9];
+/// What cells that are interpolated may be off by, as a part of the largest error of those that are watched.
+const INTERPOLATED: f64 = 0.1;
 
 impl Work<'_> {
     /// The maps that are asked for: the index of the receiver and its cells.
@@ -45,22 +47,25 @@ impl Work<'_> {
     ) -> Vec<(usize, Map)> {
         let bands = self.scene.band_count();
         let map = |&(receiver, ref grid): &(usize, Grid)| {
-            let values = grid.irradiance(bands, radiosity, self.watch);
-            let watched =
-                || (self.answers..found.len()).filter(|&other| self.readings[other].receiver == receiver);
-            let of_cell = |cell: &Found, band| cell.bands.get(band).map_or(f64::INFINITY, Estimate::error);
-            let largest = |band: usize| watched().map(|other| of_cell(&found[other], band)).reduce(f64::max);
+            let watched = || {
+                let own =
+                    (self.answers..found.len()).filter(|&other| self.readings[other].receiver == receiver);
+                own.map(|other| &found[other])
+            };
+            let of_cell =
+                |cell: &Found, band: usize| cell.bands.get(band).map_or(f64::INFINITY, Estimate::error);
+            let largest = |band: usize| watched().map(|cell| of_cell(cell, band)).reduce(f64::max);
+            let largest: Vec<Option<f64>> = (0..bands).map(largest).collect();
+            let allowed: Vec<f64> = largest.iter().map(|error| INTERPOLATED * error.unwrap_or(0.0)).collect();
+            let values = grid.irradiance(radiosity, &allowed, self.watch);
             let error = |(band, values): (usize, &Vec<f64>)| {
                 // where none is watched, closed forms leave nothing but rounding
                 let brightest = || values.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
-                let error = largest(band).unwrap_or_else(|| ROUNDING * brightest());
+                let error = largest[band].unwrap_or_else(|| ROUNDING * brightest()) + allowed[band];
                 values.iter().map(|value| if value.is_nan() { f64::NAN } else { error }).collect()
             };
             let errors = values.iter().enumerate().map(error).collect();
-            let ReceiverKind::Surface { grid: Some(size), .. } = self.scene.receivers[receiver].kind else {
-                unreachable!("only surfaces with a grid have maps")
-            };
-            let name = self.scene.receivers[receiver].name.clone();
+            let (name, size) = (self.scene.receivers[receiver].name.clone(), grid.size());
             let quantity = Quantity::Irradiance;
             (receiver, Map { receiver: name, quantity, size, values, errors, is_image: false })
         };

@@ -158,7 +158,7 @@ fn bounds(
         return NOTHING;
     }
     let scene = working.scene.as_ref();
-    let question = Question { orders: Some(0), receives: receiving(scene), direct: true };
+    let question = Question { orders: Some(0), receives: receiving(scene), direct: true, is_seen: false };
     let straight = &Radiosity::new(scene, transport, lights, question, &Unwatched);
     let of_reading = |scratch: &mut Scratch, reading: Reading| {
         let largest = reading.largest(straight.transport());

@@ -153,7 +153,7 @@ fn what_is_left_out_is_not_met_by_rays() {
     let wall = material("wall", 0.6) + &surface("shell", "wall", &format!("{sphere}\nexitance = 1"));
     let receiver = point_receiver("point", [0.0, 0.0, 0.2], [0.0, 0.0, 1.0]);
     let scene = read(&(wall + &receiver + &asked(0.1)), "test.toml").expect("the scene is right");
-    let question = |orders| Question { orders, receives: vec![false], direct: true };
+    let question = |orders| Question { orders, receives: vec![false], direct: true, is_seen: false };
     let gathering = |orders, hiding| Gathering::of(&scene, &faces(&scene, 0), &question(orders), hiding);
     assert!(matches!(gathering(None, Hiding::Simulated), Gathering::Rays { .. }));
     assert!(matches!(gathering(None, Hiding::Nothing), Gathering::Rays { .. }));

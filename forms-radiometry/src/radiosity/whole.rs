@@ -1,0 +1,118 @@
+//! Elements that are seen whole: points of a group that see all of an element share one rule of integration and one batch of the kernel.
+//!
+//! ```text
+//! points, element ─▶ a rule that is fine enough for the nearest point ─▶ rows: point × point of the rule ─ exchange_density ─▶ weights
+//! ```
+//! The points of the rule and the polynomials at them are computed once for all. The weights of each point are scaled so that their sum is
+//! its measure exactly, as in [`weights`](super::weights).
+
+use super::element::Element;
+use super::measure::Measure;
+use super::outlines::Outlines;
+use super::reference::MOST_NODES;
+use super::weights::{SMALL, rule};
+use crate::geometry::{Vector, patches};
+use crate::kernels::exchange_density;
+
+/// Fewer points than this see an element one by one.
+pub(super) const FEWEST: usize = 4;
+
+/// A rule that points share, and the rows of a batch.
+#[derive(Default)]
+pub(super) struct Whole {
+    /// The points that see the element.
+    seeing: Vec<Vector>,
+    /// The points of the rule relative to the element's first corner, their areas, and the values of the nodes' polynomials there.
+    points: Vec<(Vector, f64)>,
+    basis: Vec<[f64; MOST_NODES]>,
+    ways: [Vec<f64>; 3],
+    /// The normal of the points that see it, and that of the element, at least as many times as there are rows.
+    normals: [Vec<f64>; 6],
+    densities: Vec<f64>,
+    outlines: Outlines,
+    measures: Vec<f64>,
+}
+
+impl Whole {
+    /// Calls `each` with the index of each of these points and what an element with this normal there gets from each node of the element.
+    pub(super) fn weigh(
+        &mut self,
+        seeing: impl Iterator<Item = Vector>,
+        normal: Vector,
+        (element, outline): (&Element, &[Vector]),
+        accuracy: f64,
+        mut each: impl FnMut(usize, &[f64]),
+    ) {
+        self.seeing.clear();
+        self.seeing.extend(seeing);
+        self.take_rule((element, outline), accuracy);
+        self.compute_densities(outline[0], [normal, element.normal]);
+        self.measures.clear();
+        self.measures.resize(self.seeing.len(), 0.0);
+        self.outlines.add_whole(&self.seeing, outline, Measure::Plane(normal), &mut self.measures);
+        let extent = outline.iter().map(|&v| (v - outline[0]).length()).fold(0.0, f64::max);
+        let count = element.count();
+        for (index, densities) in self.densities.chunks_exact(self.points.len()).enumerate() {
+            let mut weights = [0.0; MOST_NODES];
+            let mut sum = 0.0;
+            for ((density, (_, area)), basis) in densities.iter().zip(&self.points).zip(&self.basis) {
+                let own = density.max(0.0) * area;
+                sum += own;
+                weights.iter_mut().zip(basis).for_each(|(weight, value)| *weight += own * value);
+            }
+            let nearest =
+                || outline.iter().map(|&v| (v - self.seeing[index]).length()).fold(f64::INFINITY, f64::min);
+            if sum > 0.0 && extent >= SMALL * nearest() {
+                let scale = self.measures[index] / sum;
+                weights.iter_mut().for_each(|weight| *weight *= scale);
+            }
+            each(index, &weights[..count]);
+        }
+    }
+
+    /// The points of a rule that is fine enough for all that see the element.
+    fn take_rule(&mut self, (element, outline): (&Element, &[Vector]), accuracy: f64) {
+        let Self { seeing, points, basis, .. } = self;
+        let local: Vec<Vector> = outline.iter().map(|&v| v - outline[0]).collect();
+        let nearest = |centre: Vector| {
+            let centre = outline[0] + centre;
+            seeing.iter().map(|&x| (centre - x).dot(centre - x)).fold(f64::INFINITY, f64::min).sqrt()
+        };
+        points.clear();
+        basis.clear();
+        for patch in patches(&local) {
+            rule(&patch, &nearest, accuracy, 0, &mut |point, area| {
+                points.push((point, area));
+                basis.push(element.basis(outline[0] + point));
+            });
+        }
+    }
+
+    /// The densities of exchange of all points that see the element with all points of the rule.
+    fn compute_densities(&mut self, origin: Vector, normals: [Vector; 2]) {
+        let Self { seeing, points, ways, densities, .. } = self;
+        for (axis, column) in ways.iter_mut().enumerate() {
+            column.clear();
+            for &x in seeing.iter() {
+                let from = (x - origin).coordinates()[axis];
+                column.extend(points.iter().map(|(y, _)| y.coordinates()[axis] - from));
+            }
+        }
+        let rows = seeing.len() * points.len();
+        let values = normals.iter().flat_map(|normal| normal.coordinates());
+        for (column, value) in self.normals.iter_mut().zip(values) {
+            // from element to element the normal of the points is the same
+            if column.first() != Some(&value) {
+                column.clear();
+            }
+            if column.len() < rows {
+                column.resize(rows, value);
+            }
+        }
+        densities.resize(rows, 0.0);
+        let [rx, ry, rz] = &*ways;
+        let [nx, ny, nz, mx, my, mz] = self.normals.each_ref().map(|column| &column[..rows]);
+        exchange_density::batch_unguarded(rx, ry, rz, nx, ny, nz, mx, my, mz, densities)
+            .expect("columns grow together");
+    }
+}
