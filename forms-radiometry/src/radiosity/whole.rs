@@ -14,7 +14,8 @@ use super::weights::{SMALL, rule};
 use crate::geometry::{Vector, patches};
 use crate::kernels::exchange_density;
 
-/// Fewer points than this see an element one by one.
+/// Fewer points than this see an element one by one: with the rules that are common, of 4 to 16 points, they have fewer rows than a batch
+/// takes the time of.
 pub(super) const FEWEST: usize = 4;
 
 /// A rule that points share, and the rows of a batch.
