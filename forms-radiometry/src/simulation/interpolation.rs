@@ -5,9 +5,10 @@
 //! every 8th cell ─▶ every 4th ─▶ every 2nd ─▶ every cell           along both sides
 //!      each new cell: what the cells before it tell, by cubic polynomials; computed where a cell nearby was off before
 //! ```
-//! By how much a cell that is computed is off from what those before it told is its detail. Where values are smooth, details shrink sixteenfold
-//! from spacing to spacing, and half as fast as the spacing even across a bend; so a cell whose neighbours had details within what is
-//! allowed is within it as well. Some of those that are not computed are checked.
+//! By how much a cell that is computed is off from what those before it told is its detail. From spacing to spacing details shrink sixteenfold
+//! where values are smooth, and by half across a bend; so a cell whose neighbours had details within what is allowed is within it as
+//! well, but for steps that are hardly higher than that. Some of those that are not computed are checked, and those around them are
+//! computed where one is off: a shadow that falls between the cells of the second spacing would be missed else.
 //!
 //! Source: D. L. Donoho, Interpolating wavelet transforms (1992).
 

@@ -145,7 +145,9 @@ impl Grid {
             };
             let lacks = interpolated(self.size, &self.is_on, allowed, compute);
             let reflected = lacks.iter().zip(&polynomials).map(|(lacks, polynomial)| lacks + polynomial);
-            irradiance.iter_mut().zip(reflected).for_each(|(sum, value)| *sum += value);
+            // beside the dark, polynomials go below it
+            let lit = reflected.map(|value| if value < 0.0 { 0.0 } else { value });
+            irradiance.iter_mut().zip(lit).for_each(|(sum, value)| *sum += value);
         }
         (0..bands).map(|band| irradiance.iter().skip(band).step_by(bands).copied().collect()).collect()
     }
