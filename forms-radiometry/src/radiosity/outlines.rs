@@ -123,15 +123,7 @@ impl Outlines {
             self.values.extend((0..rows).zip(step..).map(edge));
             return;
         }
-        for (column, value) in self.along.iter_mut().zip([along.x, along.y, along.z]) {
-            // from group to group the direction is mostly the same
-            if column.first() != Some(&value) {
-                column.clear();
-            }
-            if column.len() < rows {
-                column.resize(rows, value);
-            }
-        }
+        fill(&mut self.along, along.coordinates(), rows);
         self.values.resize(rows, 0.0);
         let [nx, ny, nz] = self.along.each_ref().map(|column| &column[..rows]);
         let (from, to) = (..rows, step..);
@@ -149,6 +141,18 @@ impl Outlines {
             &mut self.values,
         )
         .expect("columns grow together");
+    }
+}
+
+/// Makes columns of one value each at least so long. From group to group and from element to element most values are the same.
+pub(super) fn fill<const N: usize>(columns: &mut [Vec<f64>; N], values: [f64; N], rows: usize) {
+    for (column, value) in columns.iter_mut().zip(values) {
+        if column.first() != Some(&value) {
+            column.clear();
+        }
+        if column.len() < rows {
+            column.resize(rows, value);
+        }
     }
 }
 

@@ -317,31 +317,6 @@ impl<'t> Radiosity<'t> {
         });
     }
 
-    /// Calls `each` with an element that reflects, the index of a point and what it gets from each node of the element, for all of them but
-    /// those of one face; only some if the work is stopped. What a group sees of a face is asked before its elements, which follow each
-    /// other.
-    pub(super) fn weigh(
-        &self,
-        group: Group,
-        but: Option<usize>,
-        scratch: &mut Scratch,
-        mut each: impl FnMut(usize, usize, &[f64]),
-    ) {
-        let mut last = None;
-        for (source, element) in self.sources().filter(|(_, element)| Some(element.face) != but) {
-            if self.watch.is_stopped() {
-                return;
-            }
-            let of_face = match last {
-                Some((face, seen)) if face == element.face => seen,
-                _ => self.transport.of_face(group, element.face, scratch),
-            };
-            last = Some((element.face, of_face));
-            let of_point = |point: usize, weights: &[f64]| each(source, point, weights);
-            self.transport.weigh(group, (element, &self.outlines[source]), of_face, scratch, of_point);
-        }
-    }
-
     /// The mean irradiance of the front of a surface, for each band, and its area. What comes straight from faces is an integral
     /// over them; the rest is summed over nodes.
     pub(crate) fn mean(&self, surface: usize) -> (Vec<f64>, f64) {

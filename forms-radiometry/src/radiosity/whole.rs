@@ -8,7 +8,7 @@
 
 use super::element::Element;
 use super::measure::Measure;
-use super::outlines::Outlines;
+use super::outlines::{Outlines, fill};
 use super::reference::MOST_NODES;
 use super::weights::{SMALL, rule};
 use crate::geometry::{Vector, patches};
@@ -100,16 +100,8 @@ impl Whole {
             }
         }
         let rows = seeing.len() * points.len();
-        let values = normals.iter().flat_map(|normal| normal.coordinates());
-        for (column, value) in self.normals.iter_mut().zip(values) {
-            // from element to element the normal of the points is the same
-            if column.first() != Some(&value) {
-                column.clear();
-            }
-            if column.len() < rows {
-                column.resize(rows, value);
-            }
-        }
+        let [n, m] = normals;
+        fill(&mut self.normals, [n.x, n.y, n.z, m.x, m.y, m.z], rows);
         densities.resize(rows, 0.0);
         let [rx, ry, rz] = &*ways;
         let [nx, ny, nz, mx, my, mz] = self.normals.each_ref().map(|column| &column[..rows]);

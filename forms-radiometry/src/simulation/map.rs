@@ -156,7 +156,7 @@ impl Grid {
     fn straight(&self, bands: usize, radiosity: &Radiosity, watch: &dyn Watch) -> Vec<f64> {
         let mut gathered = vec![f64::NAN; bands * self.count()];
         let each = |scratch: &mut Scratch, (group, values): (Group, &mut [f64])| {
-            if !watch.is_stopped() {
+            if !watch.is_stopped() && !group.points.is_empty() {
                 radiosity.gather_straight(group, scratch, values);
             }
             if watch.is_stopped() {
