@@ -27,6 +27,7 @@ mod readings;
 mod sampled;
 mod solver;
 mod state;
+mod surroundings;
 mod survey;
 #[cfg(test)]
 mod tests;

@@ -103,13 +103,14 @@ impl Set {
 fn baseline<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     method: M,
     columns: &Arguments<'_, E, A>,
+    rows: usize,
     values: &mut Values<E, O>,
 ) -> bool {
     // NEON has fused multiply-add; elsewhere it may be missing, and would be a call.
     #[cfg(target_arch = "aarch64")]
-    return rows_of::<M, E, true, A, O>(method, columns, values);
+    return rows_of::<M, E, true, A, O>(method, columns, rows, values);
     #[cfg(not(target_arch = "aarch64"))]
-    rows_of::<M, E, false, A, O>(method, columns, values)
+    rows_of::<M, E, false, A, O>(method, columns, rows, values)
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -117,9 +118,10 @@ fn baseline<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
 fn avx2<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     method: M,
     columns: &Arguments<'_, E, A>,
+    rows: usize,
     values: &mut Values<E, O>,
 ) -> bool {
-    rows_of::<M, E, true, A, O>(method, columns, values)
+    rows_of::<M, E, true, A, O>(method, columns, rows, values)
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -127,7 +129,8 @@ fn avx2<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
 fn avx512<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     method: M,
     columns: &Arguments<'_, E, A>,
+    rows: usize,
     values: &mut Values<E, O>,
 ) -> bool {
-    rows_of::<M, E, true, A, O>(method, columns, values)
+    rows_of::<M, E, true, A, O>(method, columns, rows, values)
 }

@@ -4,7 +4,7 @@
 //! columns ─▶ length checked ─▶ blocks of rows ─▶ lanes, by the best instructions there are ─▶ outputs
 //!                                                          └─ rows with a NaN ─▶ the formula in one number ─┘
 //! ```
-//! Every row goes through the same instructions wherever it stands, fewer rows than a block being filled up by copies of the
+//! Every row goes through the same instructions wherever it stands, fewer rows than a vector being filled up by copies of the
 //! last: the value of a row does not depend on the rows beside it. A NaN that a function of lanes gives for an argument out
 //! of its reach is computed again, so that what is NaN in an output is NaN by the formula.
 
@@ -18,12 +18,13 @@ mod rows;
 use crate::Formula;
 use crate::escalate::{Computation, escalate_computation};
 use crate::lane::{Bounded, Lane64};
-use block::{BLOCK, Kernel};
+use block::{BLOCK, Kernel, STEP};
 pub use instructions::Instructions;
 pub use length::{Column, LengthMismatch};
 use method::{Element, Method, Plain, Within};
 #[cfg(feature = "ndarray")]
 pub use rows::{RowsMismatch, batch_rows, batch_rows_within};
+use std::ops::Range;
 
 /// The values of a formula in `f64`, one row at each position of the columns.
 ///
@@ -199,24 +200,20 @@ fn over_blocks<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     if length < BLOCK {
         return few_rows(method, kernel, columns, &mut outputs, length);
     }
-    let mut blocks = [E::ZEROS; A];
     for start in (0..length).step_by(BLOCK) {
         // The last block ends with the columns, and computes some rows of the one before again.
         let start = start.min(length - BLOCK);
-        // Not by `map`, which is a call that copies all columns.
-        for (block, column) in blocks.iter_mut().zip(&columns) {
-            *block = column[start..].first_chunk().unwrap_or(block);
-        }
+        let block = from(&columns, start);
         if let Some(place) = block::in_place(&mut outputs, start) {
-            block::compute(method, kernel, &blocks, place);
+            block::compute(method, kernel, &block, BLOCK, place);
         } else {
-            copied(method, kernel, &blocks, &mut outputs, start, BLOCK);
+            copied(method, kernel, &block, BLOCK, &mut outputs, start..start + BLOCK);
         }
     }
 }
 
-/// Fewer rows than a block. A function of its own: its copies of the columns are many pages of the stack, which larger batches
-/// need not touch.
+/// Fewer rows than a block: where they stand as far as they fill vectors, and the rest with some of those before, or with copies
+/// of the last.
 #[inline(never)]
 fn few_rows<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     method: M,
@@ -225,25 +222,46 @@ fn few_rows<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     outputs: &mut [&mut [E]; O],
     length: usize,
 ) {
-    if length > 0 {
-        let filled = columns.map(block::filled);
-        copied(method, kernel, &filled.each_ref(), outputs, 0, length);
+    let whole = length / STEP * STEP;
+    if whole > 0 {
+        copied(method, kernel, &columns, whole, outputs, 0..whole);
+    }
+    if whole < length {
+        if let Some(start) = length.checked_sub(STEP) {
+            copied(method, kernel, &from(&columns, start), STEP, outputs, start..length);
+        } else {
+            let mut filled = [[E::default(); STEP]; A];
+            let mut block = columns;
+            for (column, filled) in block.iter_mut().zip(&mut filled) {
+                *column = block::fill(filled, column);
+            }
+            copied(method, kernel, &block, STEP, outputs, 0..length);
+        }
     }
 }
 
-/// Values of the columns, of which the first `count` go to the outputs from `start` on.
+/// The columns from a row on. Not by `map`, which is a call that copies all columns.
+fn from<'a, E, const A: usize>(columns: &[&'a [E]; A], start: usize) -> block::Arguments<'a, E, A> {
+    let mut rest = *columns;
+    for column in &mut rest {
+        *column = &column[start..];
+    }
+    rest
+}
+
+/// Values of so many rows, of which the first go to these rows of the outputs.
 #[inline(never)]
 fn copied<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     method: M,
     kernel: Kernel<M, E, A, O>,
-    blocks: &block::Arguments<'_, E, A>,
+    block: &block::Arguments<'_, E, A>,
+    rows: usize,
     outputs: &mut [&mut [E]; O],
-    start: usize,
-    count: usize,
+    to: Range<usize>,
 ) {
     let mut values = [*E::ZEROS; O];
-    block::compute(method, kernel, blocks, &mut values);
+    block::compute(method, kernel, block, rows, &mut values);
     for (output, values) in outputs.iter_mut().zip(&values) {
-        output[start..start + count].copy_from_slice(&values[..count]);
+        output[to.clone()].copy_from_slice(&values[..to.len()]);
     }
 }

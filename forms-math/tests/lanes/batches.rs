@@ -5,7 +5,8 @@ use crate::formulas::{Clausen, Sin};
 use forms_math::{Column, Formula, Instructions, LengthMismatch, Real, batch, batch_by, batch_f32};
 
 /// Lengths around those of blocks, which are powers of two.
-const LENGTHS: [usize; 14] = [0, 1, 2, 63, 64, 65, 127, 129, 255, 256, 257, 511, 513, 1000];
+const LENGTHS: [usize; 19] =
+    [0, 1, 2, 31, 32, 33, 40, 63, 64, 65, 100, 127, 129, 255, 256, 257, 511, 513, 1000];
 
 /// A point on a spiral, and how far out it is.
 struct Spiral;

@@ -94,17 +94,12 @@ impl Transport {
         (outline, normal): (&[Vector], Vector),
         between: &mut Vec<u32>,
     ) -> Seen {
-        let horizon = group.measure.horizon();
-        let behind = |points: &[Vector], normal: Vector, at: Vector| {
-            points.iter().all(|&point| normal.dot(point - at) <= 0.0)
-        };
-        if behind(group.outline, normal, outline[0])
-            || horizon.is_some_and(|horizon| behind(outline, horizon, group.points[0]))
-        {
+        if is_turned_away(group, (outline, normal)) {
             return Seen::Nothing;
         }
         between.clear();
         if self.occlusion {
+            let horizon = group.measure.horizon();
             let found = self.screens.between(group.outline, horizon, outline, normal, between);
             if matches!(found, Between::All) {
                 return Seen::Nothing;
@@ -156,7 +151,7 @@ impl Transport {
     }
 
     /// The measure, over π, of what each point of a group sees of a luminous outline with this normal; nothing where none sees any of it.
-    pub(super) fn measured<'s>(
+    pub(crate) fn measured<'s>(
         &self,
         group: Group,
         luminaire: (&[Vector], Vector),
@@ -164,6 +159,32 @@ impl Transport {
     ) -> Option<&'s [f64]> {
         let Scratch { between, view, outlines, measures, .. } = scratch;
         let seen = self.seen(group, luminaire, between);
+        self.measured_as(seen, group, luminaire, between, (view, outlines, measures))
+    }
+
+    /// The same where these screens, and no others, may come in between.
+    pub(crate) fn measured_past<'s>(
+        &self,
+        group: Group,
+        luminaire: (&[Vector], Vector),
+        between: &[u32],
+        scratch: &'s mut Scratch,
+    ) -> Option<&'s [f64]> {
+        let is_away = is_turned_away(group, luminaire);
+        let seen = if is_away { Seen::Nothing } else { self.seen_past(group, luminaire, between) };
+        let Scratch { view, outlines, measures, .. } = scratch;
+        self.measured_as(seen, group, luminaire, between, (view, outlines, measures))
+    }
+
+    /// The same of what is seen like this.
+    fn measured_as<'s>(
+        &self,
+        seen: Seen,
+        group: Group,
+        luminaire: (&[Vector], Vector),
+        between: &[u32],
+        (view, outlines, measures): (&mut Workspace, &mut Outlines, &'s mut Vec<f64>),
+    ) -> Option<&'s [f64]> {
         if seen == Seen::Nothing {
             return None;
         }
@@ -208,4 +229,13 @@ impl Transport {
             }
         }
     }
+}
+
+/// Whether all points of a group are behind a luminaire with this normal, or it is below their horizon.
+fn is_turned_away(group: Group, (outline, normal): (&[Vector], Vector)) -> bool {
+    let behind = |points: &[Vector], normal: Vector, at: Vector| {
+        points.iter().all(|&point| normal.dot(point - at) <= 0.0)
+    };
+    let is_below = |horizon| behind(outline, horizon, group.points[0]);
+    behind(group.outline, normal, outline[0]) || group.measure.horizon().is_some_and(is_below)
 }

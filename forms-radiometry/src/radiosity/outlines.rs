@@ -11,8 +11,8 @@ use super::measure::Measure;
 use crate::geometry::Vector;
 use crate::kernels::edge_form_factor;
 
-/// Fewer rows than this are computed one by one: less than a block of rows takes a batch as long as 55 rows take one by one (1 µs).
-const FEW: usize = 55;
+/// Fewer rows than this are computed one by one: the fewest rows of a batch take as long as 12 rows one by one (0.5 µs).
+const FEW: usize = 12;
 
 /// Corners in columns, reused from luminaire to luminaire.
 #[derive(Default)]

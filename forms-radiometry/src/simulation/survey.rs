@@ -1,20 +1,16 @@
 //! The survey of a scene: what is there, and how much light passes from surface to surface, at points of the coarsest elements.
 
 use super::answer::Quantity;
+use super::effects::forced;
 use super::readings::Reading;
+use super::surroundings::Surroundings;
 use crate::faces::{emits, faces, is_bright};
 use crate::geometry::{Between, Face, Screens, Vector};
-use crate::radiosity::{
-    Group, Lights, Measure, Question, Radiosity, Scratch, Transport, reflectance, reflects,
-};
-use crate::scene::{LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Surface, WorkingScene};
+use crate::radiosity::{Lights, Question, Radiosity, Scratch, Transport, reflectance, reflects};
+use crate::scene::{Effect, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Surface, WorkingScene};
 use crate::sharing::Sharing;
 use crate::simulation::Unwatched;
 
-/// How many faces are asked at most what they see.
-const ASKED: usize = 64;
-/// Rays from each of them in large scenes.
-const RAYS: u32 = 256;
 /// Scenes with more faces than this are surveyed by rays: bounds are not found then, nor whether anything stands in between.
 pub(super) const MANY: usize = 256;
 /// The part of the way from what was found to the largest that is possible by which a norm is raised: it was found at points.
@@ -40,27 +36,6 @@ pub(super) struct Survey {
     closed_and_white: bool,
 }
 
-/// The direct light and the reflecting surroundings at some points.
-struct Sampled {
-    /// The largest Σ ρ F.
-    contraction: f64,
-    /// The least Σ F.
-    closure: f64,
-    /// The largest irradiance straight from lights.
-    direct: f64,
-}
-
-impl Sampled {
-    /// What these points and others together tell.
-    fn beside(self, other: Self) -> Self {
-        Self {
-            contraction: self.contraction.max(other.contraction),
-            closure: self.closure.min(other.closure),
-            direct: self.direct.max(other.direct),
-        }
-    }
-}
-
 impl Survey {
     pub(super) fn of(working: &WorkingScene) -> Self {
         let scene = working.scene.as_ref();
@@ -70,8 +45,11 @@ impl Survey {
         let lights = Lights::of(scene, &transport);
         let is_large = transport.faces.len() > MANY;
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
-        let sampled =
-            if is_large { sample_by_rays(scene, &transport) } else { sample(scene, &transport, &lights) };
+        let sampled = if is_large {
+            Surroundings::by_rays(scene, &transport)
+        } else {
+            Surroundings::of(scene, &transport, &lights)
+        };
         let contraction = sampled.contraction + MARGIN * (largest_albedo - sampled.contraction).max(0.0);
         let contraction = if sampled.contraction == 0.0 { 0.0 } else { contraction };
         let mut survey = Self {
@@ -158,12 +136,20 @@ fn bounds(
         return NOTHING;
     }
     let scene = working.scene.as_ref();
+    // what the file decides needs no bound beside the answers, and these are not cheap
+    let is_free = |effect| forced(scene, effect).is_none();
+    let is_decided = [Effect::Interreflection, Effect::Bands]
+        .into_iter()
+        .zip(radiances)
+        .any(|(effect, radiance)| is_free(effect) && radiance > 0.0);
     let question = Question { orders: Some(0), receives: receiving(scene), direct: true, is_seen: false };
-    let straight = &Radiosity::new(scene, transport, lights, question, &Unwatched);
+    let straight = is_decided.then(|| Radiosity::new(scene, transport, lights, question, &Unwatched));
     let of_reading = |scratch: &mut Scratch, reading: Reading| {
-        let largest = reading.largest(straight.transport());
-        let values = reading.value(scene, straight, scratch);
-        let least = values.iter().map(|value| value.abs()).fold(f64::INFINITY, f64::min);
+        let largest = reading.largest(transport);
+        let least = straight.as_ref().map_or(0.0, |straight| {
+            let values = reading.value(scene, straight, scratch);
+            values.iter().map(|value| value.abs()).fold(f64::INFINITY, f64::min)
+        });
         let bound = |radiance| match radiance {
             0.0 => [0.0; 2],
             _ => [reading.quantity.in_unit(largest * radiance, working), largest * radiance / least],
@@ -181,8 +167,8 @@ fn bounds(
         readings.map(|reading| of_reading(scratch, reading)).fold(NOTHING, larger)
     };
     let receivers: Vec<(usize, &Receiver)> = scene.receivers.iter().enumerate().collect();
-    let sharing = Sharing::of(straight.operations(receivers.len()));
-    sharing.map(receivers, of_receiver).into_iter().fold(NOTHING, larger)
+    let operations = straight.as_ref().map_or(0.0, |straight| straight.operations(receivers.len()));
+    Sharing::of(operations).map(receivers, of_receiver).into_iter().fold(NOTHING, larger)
 }
 
 /// What a radiance from everywhere adds to an image: all of itself to each pixel, of which the darkest may be black without it.
@@ -248,81 +234,6 @@ fn has_spread_of_media(scene: &Scene) -> bool {
 fn all_white(scene: &Scene) -> bool {
     (0..scene.band_count())
         .any(|band| (0..scene.surfaces.len()).all(|surface| reflectance(scene, surface)[band] >= 1.0))
-}
-
-/// What some faces see and get straight from lights, from points near their corners and in their middles.
-fn sample(scene: &Scene, transport: &Transport, lights: &Lights) -> Sampled {
-    let is_source = |face: &Face| is_bright(scene, face) && reflects(scene, face.surface);
-    let reflecting: Vec<usize> =
-        (0..transport.faces.len()).filter(|&index| is_source(&transport.faces[index])).collect();
-    let asked: Vec<usize> =
-        reflecting.iter().copied().step_by(reflecting.len().div_ceil(ASKED).max(1)).collect();
-    let corners = |faces: &[usize]| faces.iter().map(|&index| transport.faces[index].vertices.len()).sum();
-    let sharing = Sharing::of(transport.operations(corners(&asked), corners(&reflecting)));
-    let of_face =
-        |scratch: &mut Scratch, index| sample_face(index, &reflecting, scene, transport, lights, scratch);
-    let sampled = Sampled { contraction: 0.0, closure: f64::INFINITY, direct: 0.0 };
-    sharing.map(asked, of_face).into_iter().fold(sampled, Sampled::beside)
-}
-
-/// What one of the reflecting faces does.
-fn sample_face(
-    index: usize,
-    reflecting: &[usize],
-    scene: &Scene,
-    transport: &Transport,
-    lights: &Lights,
-    scratch: &mut Scratch,
-) -> Sampled {
-    let face = &transport.faces[index];
-    let sum = face.vertices.iter().fold(Vector::default(), |sum, &v| sum + v);
-    let middle = (1.0 / face.vertices.len() as f64) * sum;
-    let mut points = vec![middle];
-    points.extend(face.vertices.iter().map(|&corner| middle + 0.9 * (corner - middle)));
-    let group = Group { points: &points, outline: &points, measure: Measure::Plane(face.normal) };
-    let mut rows = vec![vec![0.0; scene.band_count()]; points.len()];
-    let mut closure = vec![0.0; points.len()];
-    for &other in reflecting.iter().filter(|&&other| other != index) {
-        let seen = &transport.faces[other];
-        transport.see(group, (&seen.vertices, seen.normal), scratch, |point, piece| {
-            let factor = group.measure.of(piece);
-            closure[point] += factor;
-            for (row, rho) in rows[point].iter_mut().zip(reflectance(scene, seen.surface)) {
-                *row += rho * factor;
-            }
-        });
-    }
-    let direct = lights.reaching(group, transport, scratch);
-    Sampled {
-        contraction: rows.into_iter().flatten().fold(0.0, f64::max),
-        closure: closure.into_iter().fold(f64::INFINITY, f64::min),
-        direct: direct.into_iter().flatten().fold(0.0, f64::max),
-    }
-}
-
-/// What some faces see from their middles, by the ends of rays; nothing of direct light.
-fn sample_by_rays(scene: &Scene, transport: &Transport) -> Sampled {
-    let is_source = |face: &Face| is_bright(scene, face) && reflects(scene, face.surface);
-    let reflecting: Vec<&Face> = transport.faces.iter().filter(|face| is_source(face)).collect();
-    let mut sampled = Sampled { contraction: 0.0, closure: f64::INFINITY, direct: 0.0 };
-    let asked = reflecting.iter().step_by(reflecting.len().div_ceil(ASKED).max(1));
-    for (index, face) in asked.enumerate() {
-        let sum = face.vertices.iter().fold(Vector::default(), |sum, &v| sum + v);
-        let middle = (1.0 / face.vertices.len() as f64) * sum;
-        let mut row = vec![0.0; scene.band_count()];
-        let mut closure = 0.0;
-        for met in transport.faces_above(middle, face.normal, RAYS, index as u64).flatten() {
-            let met = &transport.faces[met];
-            if is_source(met) {
-                closure += 1.0 / f64::from(RAYS);
-                let reflectances = reflectance(scene, met.surface);
-                row.iter_mut().zip(reflectances).for_each(|(row, rho)| *row += rho / f64::from(RAYS));
-            }
-        }
-        sampled.contraction = row.into_iter().fold(sampled.contraction, f64::max);
-        sampled.closure = sampled.closure.min(closure);
-    }
-    sampled
 }
 
 /// Whether all surfaces, lights and receivers are on one side of every face: then these are parts of the border of a convex room, and

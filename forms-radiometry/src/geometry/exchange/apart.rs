@@ -1,8 +1,8 @@
-//! Exchange by outlines whose edges are apart: pairs of edges become integrals by one Gauss rule, whose number of points follows from
-//! the least distance of two edges before any value is taken.
+//! Exchange by outlines whose edges are apart: pairs of edges become integrals by Gauss rules, whose numbers of points follow from
+//! the distances of the edges before any value is taken.
 //!
 //! ```text
-//! A₁F₁₂ = 1/(2π) Σᵢⱼ eᵢ·fⱼ ∫ (∫ ln r dt) ds,      |remainder of n points| ≤ 4 ρ⁻²ⁿ times both lengths
+//! A₁F₁₂ = 1/(2π) Σᵢⱼ eᵢ·fⱼ ∫ (∫ ln r dt) ds,      |remainder of n points| ≤ 4/n ρ⁻²ⁿ times both lengths
 //! ```
 //! For a point q of the inner edge, ln r as a function of the place s along the outer edge has its branch points at the foot of q
 //! plus or minus i times the distance of q. In the unit of half the outer edge they lie on the ellipse about its ends a and b with
@@ -18,23 +18,23 @@ use crate::geometry::Vector;
 use crate::kernels::edge_potential;
 use std::f64::consts::PI;
 
-/// The factor of ρ⁻²ⁿ: more than π/n for the fewest points.
+/// The factor of ρ⁻²ⁿ/n: more than π, for the fewest points.
 const REMAINDER: f64 = 4.0;
 
 /// Fewer points are not taken.
 const LEAST_POINTS: usize = 2;
 
-/// Rows that a batch takes at once: columns of a multiple of them are read where they stand, and not copied.
-const BLOCK: usize = 256;
-
 /// The part of the tolerance that the rules may take.
 const RULES: f64 = 0.25;
 
-/// A pair of edges, and the cosine between them.
+/// A pair of edges.
 struct Pair<'e> {
     outer: &'e Edge<f64>,
     inner: &'e Edge<f64>,
-    cosine: f64,
+    /// The length of the outer edge, times the cosine between both.
+    weight: f64,
+    /// The points along the outer edge.
+    points: usize,
 }
 
 /// The exchange area of two outlines that lie in front of each other, to about a relative tolerance, with its error; nothing where edges
@@ -46,70 +46,75 @@ pub(super) fn exchange(
     tolerance: f64,
 ) -> Option<Exchange> {
     let (edges, others) = (Edge::<f64>::of(here), Edge::<f64>::of(there));
-    let mut pairs = Vec::with_capacity(edges.len() * others.len());
-    let (mut least, mut weight) = (f64::INFINITY, 0.0);
+    let count = edges.len() * others.len();
+    let share = RULES * 2.0 * PI * tolerance * roughly(here, there, normals) / count as f64;
+    let (mut pairs, mut remainder) = (Vec::with_capacity(count), 0.0);
     for a in &edges {
         for b in &others {
             let cosine = dot(a.direction, b.direction);
             if cosine != 0.0 {
                 let (outer, inner) = if a.length <= b.length { (a, b) } else { (b, a) };
-                let half = 0.5 * outer.length;
-                least = least.min(2.0 * distance(outer.at(half), inner) / half);
-                weight += cosine.abs() * outer.length * inner.length;
-                pairs.push(Pair { outer, inner, cosine });
+                let (points, left) = points(outer, inner, cosine.abs(), share)?;
+                pairs.push(Pair { outer, inner, weight: cosine * outer.length, points });
+                remainder += left;
             }
         }
     }
-    if pairs.is_empty() {
-        return Some(Exchange::default());
+    Some(integrated(&pairs, remainder))
+}
+
+/// The fewest points whose rule leaves no more than a share of the integral over a pair of edges with this cosine, and what it leaves.
+fn points(outer: &Edge<f64>, inner: &Edge<f64>, cosine: f64, share: f64) -> Option<(usize, f64)> {
+    let half = 0.5 * outer.length;
+    // half of ρ + 1/ρ, not above 1 where the edges are closer than half of one
+    let least = distance(outer.at(half), inner) / half;
+    if least <= 1.0 {
+        return None;
     }
-    // not above 1 where edges are closer than half of one
-    let rho = 0.5 * (least + (least * least - 4.0).max(0.0).sqrt());
-    let most = REMAINDER * weight;
-    let remainder = RULES * 2.0 * PI * tolerance * roughly(here, there, normals);
-    let points = (0.5 * (most / remainder).ln() / rho.ln()).ceil().max(LEAST_POINTS as f64);
-    (rho > 1.0 && points <= MOST_POINTS as f64).then(|| {
-        let points = points as usize;
-        integrated(&pairs, points, most * rho.powi(-2 * points as i32))
+    let rho = least + (least * least - 1.0).sqrt();
+    let factor = 1.0 / (rho * rho);
+    let mut power = REMAINDER * cosine * outer.length * inner.length;
+    (1..=MOST_POINTS).find_map(|points| {
+        power *= factor;
+        let left = power / points as f64;
+        (left <= share && points >= LEAST_POINTS).then_some((points, left))
     })
 }
 
-/// The sum over pairs of edges by the rule of so many points, which leaves this of it.
-fn integrated(pairs: &[Pair], points: usize, remainder: f64) -> Exchange {
-    let rule = gauss(points);
-    let used = pairs.len() * points;
-    let rows = used.next_multiple_of(BLOCK);
+/// The sum over pairs of edges, of which their rules leave this.
+fn integrated(pairs: &[Pair], remainder: f64) -> Exchange {
+    if pairs.is_empty() {
+        return Exchange::default();
+    }
+    let rows = pairs.iter().map(|pair| pair.points).sum();
     let mut numbers = vec![0.0; 8 * rows];
-    let (arguments, values) = numbers.split_at_mut(7 * rows);
-    let mut columns = arguments.chunks_exact_mut(rows);
-    let [x, y, z, u, v, w, length] =
-        std::array::from_fn(|_| columns.next().expect("there are seven columns"));
-    for (number, Pair { outer, inner, .. }) in pairs.iter().enumerate() {
-        let own = number * points..(number + 1) * points;
+    let mut columns = numbers.chunks_exact_mut(rows);
+    let [x, y, z, u, v, w, length, values] =
+        std::array::from_fn(|_| columns.next().expect("there are seven arguments and their value"));
+    let mut row = 0;
+    for Pair { outer, inner, points, .. } in pairs {
         let [a, b, c] = subtracted(inner.start, outer.start);
         let [e, f, g] = outer.direction.map(|along| outer.length * along);
-        let of_places = x[own.clone()].iter_mut().zip(&mut y[own.clone()]).zip(&mut z[own.clone()]);
-        for (((x, y), z), [at, _]) in of_places.zip(rule) {
-            (*x, *y, *z) = (a - at * e, b - at * f, c - at * g);
+        // seven short loops would take longer than to write all columns in one
+        for [at, _] in gauss(*points) {
+            (x[row], y[row], z[row]) = (a - at * e, b - at * f, c - at * g);
+            [u[row], v[row], w[row]] = inner.direction;
+            length[row] = inner.length;
+            row += 1;
         }
-        let [along_x, along_y, along_z] = inner.direction;
-        u[own.clone()].fill(along_x);
-        v[own.clone()].fill(along_y);
-        w[own.clone()].fill(along_z);
-        length[own].fill(inner.length);
     }
-    // rows that nothing is read from: an edge of length 1 a little beside the point
-    [&mut *x, &mut *w, &mut *length].into_iter().for_each(|column| column[used..].fill(1.0));
     edge_potential::batch_unguarded(x, y, z, u, v, w, length, values).expect("columns have one length");
-    let (mut sum, mut magnitude) = (0.0, 0.0);
-    for (Pair { outer, cosine, .. }, values) in pairs.iter().zip(values.chunks_exact(points)) {
+    let (mut sum, mut magnitude, mut values) = (0.0, 0.0, &*values);
+    for Pair { weight, points, .. } in pairs {
+        let (own, rest) = values.split_at(*points);
         let (mut integral, mut size) = (0.0, 0.0);
-        for (value, [_, weight]) in values.iter().zip(rule) {
+        for (value, [_, weight]) in own.iter().zip(gauss(*points)) {
             integral += weight * value;
             size += weight * value.abs();
         }
-        sum += cosine * outer.length * integral;
-        magnitude += cosine.abs() * outer.length * size;
+        sum += weight * integral;
+        magnitude += weight.abs() * size;
+        values = rest;
     }
     let scale = 1.0 / (2.0 * PI);
     Exchange { area: scale * sum, error: scale * (remainder + ROUNDINGS * f64::EPSILON * magnitude) }

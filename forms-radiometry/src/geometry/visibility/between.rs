@@ -25,7 +25,9 @@ pub(crate) enum Between {
 struct Search<'s> {
     screens: &'s Screens,
     shaft: Shaft<'s>,
-    /// Where segments get through a screen's plane, reused from screen to screen.
+    /// The corners of both outlines, each with its distance from a screen's plane, reused from screen to screen.
+    corners: Vec<(Vector, f64)>,
+    /// Where segments get through that plane, likewise.
     passages: Vec<Vector>,
     found: &'s mut Vec<u32>,
     luminaire: Plane,
@@ -100,8 +102,7 @@ impl Search<'_> {
     }
 
     fn hidden_by(&mut self, screen: &Screen) -> Between {
-        let [receivers, luminaire] =
-            self.shaft.outlines.map(|outline| self.screens.sides(outline, screen.plane));
+        let [receivers, luminaire] = self.sides(screen.plane);
         let parts = (receivers.in_front && luminaire.behind) || (receivers.behind && luminaire.in_front);
         if !parts {
             return Between::Nothing;
@@ -110,7 +111,7 @@ impl Search<'_> {
         if !self.shaft.may_hold(&screen.vertices) {
             return Between::Nothing;
         }
-        self.find_passages(screen.plane);
+        self.find_passages();
         let mut holds_all = receivers.in_front != receivers.behind && luminaire.in_front != luminaire.behind;
         for [a, b] in screen.edges() {
             let inward = screen.plane.normal.cross(b - a);
@@ -128,13 +129,21 @@ impl Search<'_> {
         if holds_all { Between::All } else { Between::Some }
     }
 
-    /// The corners of the part of a plane that is in the shaft, among others that are inside.
-    fn find_passages(&mut self, plane: Plane) {
+    /// On which sides of a plane the corners of both outlines are.
+    fn sides(&mut self, plane: Plane) -> [Sides; 2] {
+        self.corners.clear();
+        self.shaft.outlines.map(|outline| {
+            let start = self.corners.len();
+            self.corners.extend(outline.iter().map(|&corner| (corner, plane.distance(corner))));
+            Sides::of(&self.corners[start..], self.screens.resolution)
+        })
+    }
+
+    /// The corners of the part of the plane that is in the shaft, among others that are inside.
+    fn find_passages(&mut self) {
         self.passages.clear();
-        let [receivers, luminaire] = self.shaft.outlines;
-        let corners = || receivers.iter().chain(luminaire).map(|&v| (v, plane.distance(v)));
-        for (a, alpha) in corners().filter(|(_, alpha)| *alpha >= 0.0) {
-            for (b, beta) in corners().filter(|(_, beta)| *beta <= 0.0) {
+        for &(a, alpha) in self.corners.iter().filter(|(_, alpha)| *alpha >= 0.0) {
+            for &(b, beta) in self.corners.iter().filter(|(_, beta)| *beta <= 0.0) {
                 let share = if alpha > 0.0 { alpha / (alpha - beta) } else { 0.0 };
                 self.passages.push(a + share * (b - a));
             }
@@ -146,6 +155,18 @@ impl Search<'_> {
 struct Sides {
     in_front: bool,
     behind: bool,
+}
+
+impl Sides {
+    /// Of points with these distances, which count as lying in the plane below the resolution.
+    fn of(points: &[(Vector, f64)], resolution: f64) -> Self {
+        let mut sides = Self { in_front: false, behind: false };
+        for (_, distance) in points {
+            sides.in_front |= *distance > resolution;
+            sides.behind |= *distance < -resolution;
+        }
+        sides
+    }
 }
 
 impl Screens {
@@ -168,24 +189,21 @@ impl Screens {
         let ground = normal.map(|normal| Plane { point: receivers[0], normal });
         let mut shaft = Shaft::new([receivers, luminaire], self.rounding);
         [Some(facing), ground].into_iter().flatten().for_each(|plane| shaft.cut(plane, self.resolution));
-        let (passages, bodies) = (Vec::new(), Vec::new());
-        let mut search =
-            Search { screens: self, shaft, passages, found, luminaire: facing, bodies, all: false };
+        let mut search = Search {
+            screens: self,
+            shaft,
+            corners: Vec::new(),
+            passages: Vec::new(),
+            found,
+            luminaire: facing,
+            bodies: Vec::new(),
+            all: false,
+        };
         let _ = self.tree.walk(&mut search);
         match (search.all, found.is_empty()) {
             (true, _) => Between::All,
             (false, true) => Between::Nothing,
             (false, false) => Between::Some,
         }
-    }
-
-    fn sides(&self, points: &[Vector], plane: Plane) -> Sides {
-        let mut sides = Sides { in_front: false, behind: false };
-        for &point in points {
-            let distance = plane.distance(point);
-            sides.in_front |= distance > self.resolution;
-            sides.behind |= distance < -self.resolution;
-        }
-        sides
     }
 }

@@ -50,13 +50,13 @@ impl<'o> Shaft<'o> {
         let count = if edges.len() < 3 { edges.len() - 1 } else { edges.len() };
         for place in 0..count {
             let (a, b) = (edges[place], edges[(place + 1) % edges.len()]);
-            for turn in [1.0, -1.0] {
-                let Some(normal) = first_met(a, turn * (b - a), vertices) else { continue };
-                let is_around = |plane: &Plane| {
-                    let outlines = self.outlines.into_iter().flatten();
-                    outlines.into_iter().all(|&v| plane.distance(v) <= self.rounding)
-                };
-                self.planes.extend(Some(Plane { point: a, normal }).filter(is_around));
+            for normal in outermost(a, b - a, vertices).into_iter().flatten() {
+                let plane = Plane { point: a, normal };
+                let is_behind =
+                    |outline: &[Vector]| outline.iter().all(|&v| plane.distance(v) <= self.rounding);
+                if is_behind(edges) && is_behind(vertices) {
+                    self.planes.push(plane);
+                }
             }
         }
     }
@@ -74,17 +74,25 @@ impl<'o> Shaft<'o> {
     }
 }
 
-/// The unit normal of the plane through the line from a in a direction and the vertex that a half plane about this line meets first,
-/// as it turns with the right hand along the direction through all vertices, which span less than half a turn.
-fn first_met(a: Vector, direction: Vector, vertices: &[Vector]) -> Option<Vector> {
-    let mut first: Option<Vector> = None;
+/// The unit normals of the planes through the line from a in a direction and the vertices that a half plane about this line meets first
+/// and last, as it turns with the right hand along the direction through all vertices, which span less than half a turn.
+fn outermost(a: Vector, direction: Vector, vertices: &[Vector]) -> [Option<Vector>; 2] {
+    let mut ends: Option<[Vector; 2]> = None;
     for &vertex in vertices {
         let to_vertex = vertex - a;
         let ahead = direction.cross(to_vertex);
-        if ahead != Vector::default() && first.is_none_or(|first| ahead.dot(first) > 0.0) {
-            first = Some(to_vertex);
+        if ahead == Vector::default() {
+            continue;
+        }
+        let [first, last] = ends.get_or_insert([to_vertex; 2]);
+        if ahead.dot(*first) > 0.0 {
+            *first = to_vertex;
+        }
+        if ahead.dot(*last) < 0.0 {
+            *last = to_vertex;
         }
     }
-    // what comes later lies on the left of direction × first
-    first.and_then(|first| first.cross(direction).unit())
+    // what comes later lies on the left of direction × first, and what comes before on the right of direction × last
+    let Some([first, last]) = ends else { return [None; 2] };
+    [first.cross(direction).unit(), direction.cross(last).unit()]
 }

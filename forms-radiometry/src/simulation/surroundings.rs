@@ -1,0 +1,249 @@
+//! Surroundings: faces that reflect see each other and the lights, and what they see at some points tells how much of the light a
+//! reflection leaves.
+//!
+//! ```text
+//! faces that reflect ─ all pairs: what may come between ─▶ points of each: Σ F, Σ ρ F, direct light ─▶ the largest and the least
+//! large scenes       ─ rays from their middles ──────────▶ Σ F, Σ ρ F
+//! ```
+//! What may come between two faces is the same for both.
+
+use crate::faces::is_bright;
+use crate::geometry::{Between, Face, Vector};
+use crate::radiosity::{Group, Lights, Measure, Scratch, Transport, reflectance, reflects};
+use crate::scene::Scene;
+use crate::sharing::Sharing;
+
+/// How many faces are asked at most what they see.
+const ASKED: usize = 64;
+/// Rays from each of them in large scenes.
+const RAYS: u32 = 256;
+/// How far out the points near the corners of a face are, from its middle.
+const NEAR_CORNERS: f64 = 0.9;
+
+/// The direct light and the reflecting surroundings at some points.
+pub(super) struct Surroundings {
+    /// The largest Σ ρ F.
+    pub(super) contraction: f64,
+    /// The least Σ F.
+    pub(super) closure: f64,
+    /// The largest irradiance straight from lights.
+    pub(super) direct: f64,
+}
+
+/// How much of a face may be hidden from another one, and by what.
+type Hidden = (Between, Vec<u32>);
+
+/// The faces that reflect, and those of them that are asked what they see.
+struct Asked<'s> {
+    scene: &'s Scene,
+    transport: &'s Transport,
+    reflecting: Vec<usize>,
+    /// One in so many is asked.
+    step: usize,
+}
+
+impl Surroundings {
+    const NOTHING: Self = Self { contraction: 0.0, closure: f64::INFINITY, direct: 0.0 };
+
+    /// What some faces see and get straight from lights, from points near their corners and in their middles.
+    pub(super) fn of(scene: &Scene, transport: &Transport, lights: &Lights) -> Self {
+        let asked = Asked::of(scene, transport);
+        let places = || asked.places().collect::<Vec<_>>();
+        let sharing = Sharing::of(asked.operations());
+        let hidden = sharing.map(places(), |_: &mut (), place| asked.hidden(place));
+        let of_place = |scratch: &mut Scratch, place| asked.at(place, &hidden, lights, scratch);
+        sharing.map(places(), of_place).into_iter().fold(Self::NOTHING, Self::beside)
+    }
+
+    /// What some faces see from their middles, by the ends of rays; nothing of direct light.
+    pub(super) fn by_rays(scene: &Scene, transport: &Transport) -> Self {
+        let asked = Asked::of(scene, transport);
+        let of_face = |(number, place): (usize, usize)| {
+            let face = asked.face(place);
+            let mut row = vec![0.0; scene.band_count()];
+            let mut closure = 0.0;
+            let met = transport.faces_above(middle(face), face.normal, RAYS, number as u64).flatten();
+            for face in met.map(|met| &transport.faces[met]).filter(|face| is_source(scene, face)) {
+                closure += 1.0 / f64::from(RAYS);
+                let reflectances = reflectance(scene, face.surface);
+                row.iter_mut().zip(reflectances).for_each(|(row, rho)| *row += rho / f64::from(RAYS));
+            }
+            Self { contraction: row.into_iter().fold(0.0, f64::max), closure, direct: 0.0 }
+        };
+        asked.places().enumerate().map(of_face).fold(Self::NOTHING, Self::beside)
+    }
+
+    /// What these points and others together tell.
+    fn beside(self, other: Self) -> Self {
+        Self {
+            contraction: self.contraction.max(other.contraction),
+            closure: self.closure.min(other.closure),
+            direct: self.direct.max(other.direct),
+        }
+    }
+}
+
+impl<'s> Asked<'s> {
+    fn of(scene: &'s Scene, transport: &'s Transport) -> Self {
+        let is_source = |&index: &usize| is_source(scene, &transport.faces[index]);
+        let reflecting: Vec<usize> = (0..transport.faces.len()).filter(is_source).collect();
+        let step = reflecting.len().div_ceil(ASKED).max(1);
+        Self { scene, transport, reflecting, step }
+    }
+
+    /// The places of those that are asked among those that reflect.
+    fn places(&self) -> impl Iterator<Item = usize> {
+        (0..self.reflecting.len()).step_by(self.step)
+    }
+
+    fn face(&self, place: usize) -> &Face {
+        &self.transport.faces[self.reflecting[place]]
+    }
+
+    fn operations(&self) -> f64 {
+        let corners = |place| self.face(place).vertices.len();
+        let edges = (0..self.reflecting.len()).map(corners).sum();
+        self.transport.operations(self.places().map(corners).sum(), edges)
+    }
+
+    /// What may come between a face and each of those after it, and each of those before that are not asked; of those that are, it
+    /// was found when they were.
+    fn hidden(&self, place: usize) -> Vec<Hidden> {
+        let between = |other: usize| {
+            let mut found = Vec::new();
+            let is_known = other == place || (other < place && other.is_multiple_of(self.step));
+            let [here, there] = [place, other].map(|place| self.face(place));
+            let (outline, normal) = (&here.vertices, Some(here.normal));
+            let between = match is_known {
+                true => Between::Nothing,
+                false => {
+                    let screens = &self.transport.screens;
+                    screens.between(outline, normal, &there.vertices, there.normal, &mut found)
+                }
+            };
+            (between, found)
+        };
+        (0..self.reflecting.len()).map(between).collect()
+    }
+
+    /// What one of the faces sees and gets.
+    fn at(
+        &self,
+        place: usize,
+        hidden: &[Vec<Hidden>],
+        lights: &Lights,
+        scratch: &mut Scratch,
+    ) -> Surroundings {
+        let Self { scene, transport, reflecting, step } = self;
+        let face = self.face(place);
+        let middle = middle(face);
+        let near = |&corner: &Vector| middle + NEAR_CORNERS * (corner - middle);
+        let mut points: Vec<Vector> = face.vertices.iter().map(near).collect();
+        points.push(middle);
+        let outline = &points[..face.vertices.len()];
+        let group = Group { points: &points, outline, measure: Measure::Plane(face.normal) };
+        let mut rows = vec![vec![0.0; scene.band_count()]; points.len()];
+        let mut closure = vec![0.0; points.len()];
+        for other in (0..reflecting.len()).filter(|&other| other != place) {
+            let seen = self.face(other);
+            let is_known_there = other < place && other.is_multiple_of(*step);
+            let [row, column] = if is_known_there { [other, place] } else { [place, other] };
+            let (between, screens) = &hidden[row / step][column];
+            if *between == Between::All {
+                continue;
+            }
+            let luminaire = (seen.vertices.as_slice(), seen.normal);
+            let factors = transport.measured_past(group, luminaire, screens, scratch).unwrap_or(&[]);
+            for ((factor, closure), row) in factors.iter().zip(&mut closure).zip(&mut rows) {
+                *closure += factor;
+                let reflectances = reflectance(scene, seen.surface);
+                row.iter_mut().zip(reflectances).for_each(|(row, rho)| *row += rho * factor);
+            }
+        }
+        let direct = lights.reaching(group, transport, scratch);
+        Surroundings {
+            contraction: rows.into_iter().flatten().fold(0.0, f64::max),
+            closure: closure.into_iter().fold(f64::INFINITY, f64::min),
+            direct: direct.into_iter().flatten().fold(0.0, f64::max),
+        }
+    }
+}
+
+/// Whether a face sends on light that it gets.
+fn is_source(scene: &Scene, face: &Face) -> bool {
+    is_bright(scene, face) && reflects(scene, face.surface)
+}
+
+/// The middle of the corners of a face.
+fn middle(face: &Face) -> Vector {
+    let sum = face.vertices.iter().fold(Vector::default(), |sum, &v| sum + v);
+    (1.0 / face.vertices.len() as f64) * sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::faces::faces;
+    use crate::geometry::Screens;
+    use crate::scene::read;
+    use crate::scene_text::{CUBE, material, polygon, surface};
+
+    /// So many cubes in a row, seen from outside.
+    fn cubes(count: usize) -> Scene {
+        let cube = |number: usize| {
+            let moved = |corner: [f64; 3]| [corner[0] + 1.5 * number as f64, corner[1], corner[2]];
+            CUBE.map(|(name, mut corners)| {
+                corners.reverse();
+                surface(&format!("{name} {number}"), "grey", &polygon(&corners.map(moved)))
+            })
+        };
+        let text = material("grey", 0.5) + &(0..count).flat_map(cube).collect::<String>();
+        read(&text, "cubes.toml").unwrap_or_else(|errors| panic!("{}", errors[0]))
+    }
+
+    #[test]
+    fn what_faces_see_past_what_was_found_for_pairs_is_what_each_sees_that_looks_for_itself() {
+        for (count, step) in [(3, 1), (13, 2)] {
+            let scene = cubes(count);
+            let faces = faces(&scene, 0);
+            let screens = Screens::of(&faces);
+            let transport = Transport { faces, screens, occlusion: true, accuracy: 1e-2 };
+            let asked = Asked::of(&scene, &transport);
+            assert_eq!((asked.reflecting.len(), asked.step), (6 * count, step));
+            let hidden: Vec<_> = asked.places().map(|place| asked.hidden(place)).collect();
+            let lights = Lights::of(&scene, &transport);
+            let mut scratch = Scratch::default();
+            let mut seen = 0;
+            for place in asked.places() {
+                let found = asked.at(place, &hidden, &lights, &mut scratch).contraction;
+                let expected = alone(&asked, place, &mut scratch);
+                assert!(
+                    (found - expected).abs() < 1e-12,
+                    "{count} cubes, face {place}: {found} and {expected}"
+                );
+                seen += usize::from(expected > 0.01);
+            }
+            assert!(seen >= 2, "{count} cubes: {seen} faces see others");
+        }
+    }
+
+    /// The largest Σ ρ F of a face that looks for what comes in between itself.
+    fn alone(asked: &Asked, place: usize, scratch: &mut Scratch) -> f64 {
+        let face = asked.face(place);
+        let middle = middle(face);
+        let mut largest: f64 = 0.0;
+        for point in
+            face.vertices.iter().map(|&corner| middle + NEAR_CORNERS * (corner - middle)).chain([middle])
+        {
+            let points = [point];
+            let group = Group { points: &points, outline: &points, measure: Measure::Plane(face.normal) };
+            let factor = |other: usize| {
+                let seen = asked.face(other);
+                let factors = asked.transport.measured(group, (&seen.vertices, seen.normal), scratch);
+                factors.map_or(0.0, |factors| factors[0])
+            };
+            largest = largest.max(0.5 * (0..asked.reflecting.len()).map(factor).sum::<f64>());
+        }
+        largest
+    }
+}
