@@ -52,5 +52,5 @@ pub(crate) use probe::Probe;
 pub(crate) use refinement::{Asking, Refined};
 pub(crate) use sight::{Reflected, SeenPiece};
 pub(crate) use solution::orders;
-pub(crate) use system::{Question, Radiosity, reflectance, reflects};
+pub(crate) use system::{Question, Radiosity, is_reflecting, reflectance};
 pub(crate) use transmitted::{Reached, Transmitted, has_exact_pieces};

@@ -197,47 +197,40 @@ fn over_blocks<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
 ) {
     let kernel = instructions.kernel::<M, E, A, O>();
     let length = length::of(&columns, &outputs);
-    if length < BLOCK {
-        return few_rows(method, kernel, columns, &mut outputs, length);
-    }
-    for start in (0..length).step_by(BLOCK) {
-        // The last block ends with the columns, and computes some rows of the one before again.
-        let start = start.min(length - BLOCK);
+    let whole = length / STEP * STEP;
+    for start in (0..whole).step_by(BLOCK) {
+        let rows = BLOCK.min(whole - start);
         let block = from(&columns, start);
         if let Some(place) = block::in_place(&mut outputs, start) {
-            block::compute(method, kernel, &block, BLOCK, place);
+            block::compute(method, kernel, &block, rows, place);
         } else {
-            copied(method, kernel, &block, BLOCK, &mut outputs, start..start + BLOCK);
+            copied(method, kernel, &block, rows, &mut outputs, start..start + rows);
         }
+    }
+    if whole < length {
+        last_rows(method, kernel, columns, &mut outputs, length);
     }
 }
 
-/// Fewer rows than a block: where they stand as far as they fill vectors, and the rest with some of those before, or with copies
-/// of the last.
+/// The rows that fill no vectors: with some of those before, which are computed again, or with copies of the last. A function of its own:
+/// larger batches need not touch the stack for its copies.
 #[inline(never)]
-fn few_rows<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
+fn last_rows<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     method: M,
     kernel: Kernel<M, E, A, O>,
     columns: [&[E]; A],
     outputs: &mut [&mut [E]; O],
     length: usize,
 ) {
-    let whole = length / STEP * STEP;
-    if whole > 0 {
-        copied(method, kernel, &columns, whole, outputs, 0..whole);
+    if let Some(start) = length.checked_sub(STEP) {
+        return copied(method, kernel, &from(&columns, start), STEP, outputs, start..length);
     }
-    if whole < length {
-        if let Some(start) = length.checked_sub(STEP) {
-            copied(method, kernel, &from(&columns, start), STEP, outputs, start..length);
-        } else {
-            let mut filled = [[E::default(); STEP]; A];
-            let mut block = columns;
-            for (column, filled) in block.iter_mut().zip(&mut filled) {
-                *column = block::fill(filled, column);
-            }
-            copied(method, kernel, &block, STEP, outputs, 0..length);
-        }
+    let mut filled = [[E::default(); STEP]; A];
+    let mut block = columns;
+    for (column, filled) in block.iter_mut().zip(&mut filled) {
+        *column = block::fill(filled, column);
     }
+    copied(method, kernel, &block, STEP, outputs, 0..length);
 }
 
 /// The columns from a row on. Not by `map`, which is a call that copies all columns.

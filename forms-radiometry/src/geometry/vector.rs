@@ -33,6 +33,12 @@ impl Vector {
         )
     }
 
+    /// The mean of points.
+    pub(crate) fn mean(points: &[Self]) -> Self {
+        let sum = points.iter().fold(Self::default(), |sum, &point| sum + point);
+        (1.0 / points.len() as f64) * sum
+    }
+
     /// Its coordinates in order.
     pub(crate) fn coordinates(self) -> [f64; 3] {
         [self.x, self.y, self.z]

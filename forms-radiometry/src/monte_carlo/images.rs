@@ -248,7 +248,7 @@ impl<const N: usize> Sent<N> {
         }
         let (mut lit, mut rest) = (Vec::new(), Vec::new());
         split(&self.lit, |v| normal.dot(v - point), &mut lit, &mut rest);
-        let middle = (1.0 / outline.len() as f64) * outline.iter().fold(Vector::default(), |sum, &v| sum + v);
+        let middle = Vector::mean(&outline);
         for (i, &a) in outline.iter().enumerate() {
             let along = outline[(i + 1) % outline.len()] - a;
             let side = along.cross(self.ray_through(a));

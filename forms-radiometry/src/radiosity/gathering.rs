@@ -17,8 +17,7 @@
 use super::paths::{RAYS, VIEW};
 use super::probe::{FEWEST_PATHS, PATH, STUDENT};
 use super::reference::{Shape, reference};
-use super::system::{MOST_NODES, Question, first_order, reflects};
-use crate::faces::is_bright;
+use super::system::{MOST_NODES, Question, first_order, is_reflecting};
 use crate::geometry::Face;
 use crate::scene::{ReceiverKind, Scene};
 
@@ -88,7 +87,7 @@ fn asks_for_images(scene: &Scene) -> bool {
 
 /// How many faces reflect.
 fn sources(scene: &Scene, faces: &[Face]) -> usize {
-    faces.iter().filter(|face| is_bright(scene, face) && reflects(scene, face.surface)).count()
+    faces.iter().filter(|face| is_reflecting(scene, face)).count()
 }
 
 /// How many nodes this many elements begin with.

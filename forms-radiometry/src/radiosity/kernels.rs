@@ -9,8 +9,7 @@ use super::contact::ConvexPiece;
 use super::direct::kinds;
 use super::element::Element;
 use super::gathering::{Gathering, Hiding};
-use super::system::{Question, reflects};
-use crate::faces::is_bright;
+use super::system::{Question, is_reflecting};
 use crate::geometry::Face;
 use crate::kernels::gathered_light::Effects;
 use crate::kernels::{
@@ -57,8 +56,7 @@ struct Computed {
 impl Computed {
     fn of(scene: &Scene, faces: &[Face], question: &Question, hiding: Hiding) -> Self {
         let straight = kinds(scene, faces);
-        let reflected = question.orders != Some(0)
-            && faces.iter().any(|f| is_bright(scene, f) && reflects(scene, f.surface));
+        let reflected = question.orders != Some(0) && faces.iter().any(|f| is_reflecting(scene, f));
         // where rays take too long, pieces follow
         let (rays, pieces) = match Gathering::of(scene, faces, question, hiding) {
             Gathering::Pieces => (false, true),

@@ -9,7 +9,7 @@
 use super::element::Element;
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
-use super::system::{Radiosity, reflectance, reflects};
+use super::system::{Radiosity, is_reflecting, reflectance, reflects};
 use crate::faces::{emits, is_bright};
 use crate::geometry::Vector;
 use crate::scene::Scene;
@@ -79,7 +79,7 @@ impl Radiosity<'_> {
         let faces = &self.transport.faces;
         let sends = |index: usize| {
             let face = &faces[index];
-            emits(self.scene, face) || (is_bright(self.scene, face) && reflects(self.scene, face.surface))
+            emits(self.scene, face) || is_reflecting(self.scene, face)
         };
         let mut has_elements = vec![false; faces.len()];
         let mut targets: Vec<(usize, Option<usize>)> = Vec::new();

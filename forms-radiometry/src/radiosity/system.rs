@@ -375,8 +375,13 @@ fn coarsest(
 }
 
 /// Whether a surface reflects light in any band.
-pub(crate) fn reflects(scene: &Scene, surface: usize) -> bool {
+pub(super) fn reflects(scene: &Scene, surface: usize) -> bool {
     reflectance(scene, surface).iter().any(|&rho| rho > 0.0)
+}
+
+/// Whether a face sends on light that it gets.
+pub(crate) fn is_reflecting(scene: &Scene, face: &Face) -> bool {
+    is_bright(scene, face) && reflects(scene, face.surface)
 }
 
 /// The diffuse reflectance of a surface, for each band.

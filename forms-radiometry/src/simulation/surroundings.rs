@@ -7,9 +7,8 @@
 //! ```
 //! What may come between two faces is the same for both.
 
-use crate::faces::is_bright;
 use crate::geometry::{Between, Face, Vector};
-use crate::radiosity::{Group, Lights, Measure, Scratch, Transport, reflectance, reflects};
+use crate::radiosity::{Group, Lights, Measure, Scratch, Transport, is_reflecting, reflectance};
 use crate::scene::Scene;
 use crate::sharing::Sharing;
 
@@ -62,8 +61,10 @@ impl Surroundings {
             let face = asked.face(place);
             let mut row = vec![0.0; scene.band_count()];
             let mut closure = 0.0;
-            let met = transport.faces_above(middle(face), face.normal, RAYS, number as u64).flatten();
-            for face in met.map(|met| &transport.faces[met]).filter(|face| is_source(scene, face)) {
+            let met = transport
+                .faces_above(Vector::mean(&face.vertices), face.normal, RAYS, number as u64)
+                .flatten();
+            for face in met.map(|met| &transport.faces[met]).filter(|face| is_reflecting(scene, face)) {
                 closure += 1.0 / f64::from(RAYS);
                 let reflectances = reflectance(scene, face.surface);
                 row.iter_mut().zip(reflectances).for_each(|(row, rho)| *row += rho / f64::from(RAYS));
@@ -85,8 +86,8 @@ impl Surroundings {
 
 impl<'s> Asked<'s> {
     fn of(scene: &'s Scene, transport: &'s Transport) -> Self {
-        let is_source = |&index: &usize| is_source(scene, &transport.faces[index]);
-        let reflecting: Vec<usize> = (0..transport.faces.len()).filter(is_source).collect();
+        let is_reflecting = |&index: &usize| is_reflecting(scene, &transport.faces[index]);
+        let reflecting: Vec<usize> = (0..transport.faces.len()).filter(is_reflecting).collect();
         let step = reflecting.len().div_ceil(ASKED).max(1);
         Self { scene, transport, reflecting, step }
     }
@@ -106,21 +107,22 @@ impl<'s> Asked<'s> {
         self.transport.operations(self.places().map(corners).sum(), edges)
     }
 
-    /// What may come between a face and each of those after it, and each of those before that are not asked; of those that are, it
-    /// was found when they were.
+    /// Of two faces, of which the first is asked, the one that looks for what may come between them, and the other: the first of those
+    /// that are asked.
+    fn in_order(&self, place: usize, other: usize) -> [usize; 2] {
+        if other < place && other.is_multiple_of(self.step) { [other, place] } else { [place, other] }
+    }
+
+    /// What may come between a face and each of those for which it looks.
     fn hidden(&self, place: usize) -> Vec<Hidden> {
         let between = |other: usize| {
             let mut found = Vec::new();
-            let is_known = other == place || (other < place && other.is_multiple_of(self.step));
+            if other == place || self.in_order(place, other) != [place, other] {
+                return (Between::Nothing, found);
+            }
             let [here, there] = [place, other].map(|place| self.face(place));
-            let (outline, normal) = (&here.vertices, Some(here.normal));
-            let between = match is_known {
-                true => Between::Nothing,
-                false => {
-                    let screens = &self.transport.screens;
-                    screens.between(outline, normal, &there.vertices, there.normal, &mut found)
-                }
-            };
+            let (screens, normal) = (&self.transport.screens, Some(here.normal));
+            let between = screens.between(&here.vertices, normal, &there.vertices, there.normal, &mut found);
             (between, found)
         };
         (0..self.reflecting.len()).map(between).collect()
@@ -136,7 +138,7 @@ impl<'s> Asked<'s> {
     ) -> Surroundings {
         let Self { scene, transport, reflecting, step } = self;
         let face = self.face(place);
-        let middle = middle(face);
+        let middle = Vector::mean(&face.vertices);
         let near = |&corner: &Vector| middle + NEAR_CORNERS * (corner - middle);
         let mut points: Vec<Vector> = face.vertices.iter().map(near).collect();
         points.push(middle);
@@ -146,8 +148,7 @@ impl<'s> Asked<'s> {
         let mut closure = vec![0.0; points.len()];
         for other in (0..reflecting.len()).filter(|&other| other != place) {
             let seen = self.face(other);
-            let is_known_there = other < place && other.is_multiple_of(*step);
-            let [row, column] = if is_known_there { [other, place] } else { [place, other] };
+            let [row, column] = self.in_order(place, other);
             let (between, screens) = &hidden[row / step][column];
             if *between == Between::All {
                 continue;
@@ -167,17 +168,6 @@ impl<'s> Asked<'s> {
             direct: direct.into_iter().flatten().fold(0.0, f64::max),
         }
     }
-}
-
-/// Whether a face sends on light that it gets.
-fn is_source(scene: &Scene, face: &Face) -> bool {
-    is_bright(scene, face) && reflects(scene, face.surface)
-}
-
-/// The middle of the corners of a face.
-fn middle(face: &Face) -> Vector {
-    let sum = face.vertices.iter().fold(Vector::default(), |sum, &v| sum + v);
-    (1.0 / face.vertices.len() as f64) * sum
 }
 
 #[cfg(test)]
@@ -230,7 +220,7 @@ mod tests {
     /// The largest Σ ρ F of a face that looks for what comes in between itself.
     fn alone(asked: &Asked, place: usize, scratch: &mut Scratch) -> f64 {
         let face = asked.face(place);
-        let middle = middle(face);
+        let middle = Vector::mean(&face.vertices);
         let mut largest: f64 = 0.0;
         for point in
             face.vertices.iter().map(|&corner| middle + NEAR_CORNERS * (corner - middle)).chain([middle])

@@ -4,9 +4,9 @@ use super::answer::Quantity;
 use super::effects::forced;
 use super::readings::Reading;
 use super::surroundings::Surroundings;
-use crate::faces::{emits, faces, is_bright};
+use crate::faces::{emits, faces};
 use crate::geometry::{Between, Face, Screens, Vector};
-use crate::radiosity::{Lights, Question, Radiosity, Scratch, Transport, reflectance, reflects};
+use crate::radiosity::{Lights, Question, Radiosity, Scratch, Transport, is_reflecting, reflectance};
 use crate::scene::{Effect, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Surface, WorkingScene};
 use crate::sharing::Sharing;
 use crate::simulation::Unwatched;
@@ -262,7 +262,7 @@ fn in_between(scene: &Scene, transport: &Transport) -> Option<String> {
     let faces = &transport.faces;
     let counts = |index: usize| {
         let face = &faces[index];
-        emits(scene, face) || (is_bright(scene, face) && reflects(scene, face.surface))
+        emits(scene, face) || is_reflecting(scene, face)
     };
     let sources: Vec<usize> = (0..faces.len()).filter(|&index| counts(index)).collect();
     if faces.len() > MANY {

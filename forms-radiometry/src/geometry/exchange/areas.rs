@@ -114,11 +114,8 @@ impl Patch {
 
 /// What the areas exchange if all of each were in its middle.
 pub(super) fn roughly(here: &Outline, there: &Outline, [n, m]: [Vector; 2]) -> f64 {
-    let middle = |outline: &Outline| {
-        (1.0 / outline.len() as f64) * outline.iter().fold(Vector::default(), |sum, &v| sum + v)
-    };
     let area = |outline: &Outline| patches(outline).map(|patch| patch.area()).sum::<f64>();
-    let way = middle(there) - middle(here);
+    let way = Vector::mean(there) - Vector::mean(here);
     let squared = way.dot(way);
     area(here) * area(there) * (n.dot(way) * m.dot(way)).abs() / (std::f64::consts::PI * squared * squared)
 }

@@ -153,8 +153,7 @@ fn better(a: Exchange, b: Exchange) -> Exchange {
 
 /// A ball around an outline: its middle and its radius.
 fn ball(outline: &Outline) -> (Vector, f64) {
-    let sum = outline.iter().fold(Vector::default(), |sum, &v| sum + v);
-    let middle = (1.0 / outline.len() as f64) * sum;
+    let middle = Vector::mean(outline);
     (middle, outline.iter().fold(0.0, |radius: f64, &v| radius.max((v - middle).length())))
 }
 

@@ -115,10 +115,7 @@ impl Hit {
 /// A point within a sheet.
 fn middle(piece: &Piece) -> Vector {
     match piece {
-        Piece::Face(polygon, _) => {
-            let piece = &polygon.convex_pieces()[0];
-            (1.0 / piece.len() as f64) * piece.iter().fold(Vector::default(), |sum, &v| sum + v)
-        }
+        Piece::Face(polygon, _) => Vector::mean(&polygon.convex_pieces()[0]),
         Piece::Sphere(sphere) => sphere.center,
         Piece::Disk(disk) => disk.center,
     }
