@@ -20,6 +20,7 @@ mod job;
 mod left_out;
 mod map;
 mod maps;
+mod obstacles;
 mod parts;
 mod planning;
 mod prepared;

@@ -144,6 +144,15 @@ impl Screens {
         self.screens.len()
     }
 
+    /// The faces that screens of these indices, or those of bodies, are the fronts of.
+    pub(crate) fn fronts(&self, found: &[u32]) -> impl Iterator<Item = usize> {
+        let screens = move |&index: &u32| {
+            let body = (index as usize).checked_sub(self.screens.len());
+            body.map_or(vec![index], |body| self.bodies[body].screens.clone())
+        };
+        found.iter().flat_map(screens).map(|index| self.screens[index as usize].sides[0])
+    }
+
     /// The screens that faces make. Each front is followed by its back, if that is among the faces at all.
     pub(crate) fn of(faces: &[Face]) -> Self {
         let mut screens = Self::met_by_rays(faces);

@@ -155,7 +155,7 @@ impl Planning<'_> {
             Effect::Direct if survey.emits => present("there are lights".to_string(), None),
             Effect::Direct => absent("nothing emits light"),
             Effect::Occlusion => match &survey.in_between {
-                Some(why) => present(why.clone(), None),
+                Some(why) => present(why.clone(), survey.occlusion),
                 None => absent("nothing stands between surfaces or receivers"),
             },
             Effect::Interreflection if !survey.reflects => absent("no surface reflects"),

@@ -3,7 +3,7 @@
 
 use super::answer::Quantity;
 use crate::faces::is_bright;
-use crate::geometry::Vector;
+use crate::geometry::{Face, Vector};
 use crate::radiosity::{GoalKind, Group, Measure, Radiosity, Scratch, Transport, reflectance};
 use crate::scene::{Receiver, ReceiverKind, Scene};
 use std::f64::consts::PI;
@@ -15,6 +15,20 @@ pub(super) struct Reading {
     pub(super) receiver: usize,
     pub(super) quantity: Quantity,
     what: What,
+}
+
+/// Where light arrives.
+pub(super) struct Place {
+    pub(super) outline: Vec<Vector>,
+    /// Where it looks to, if not everywhere.
+    pub(super) normal: Option<Vector>,
+}
+
+impl Place {
+    /// All of a face.
+    pub(super) fn of_face(face: &Face) -> Self {
+        Self { outline: face.vertices.clone(), normal: Some(face.normal) }
+    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -87,7 +101,7 @@ impl Reading {
             What::At { position, measure } => Some(GoalKind::At { position, measure }),
             What::Mean { surface, .. } => Some(GoalKind::Mean { surface }),
             What::Ray { origin, direction } => {
-                let met = met(scene, [origin, direction], transport).filter(|met| met.is_bright)?;
+                let met = met_bright(scene, [origin, direction], transport)?;
                 Some(GoalKind::At { position: met.position, measure: Measure::Plane(met.normal) })
             }
         }
@@ -115,6 +129,37 @@ impl Reading {
                     bands.map(|(&emitted, rho)| [emitted, rho / PI]).collect()
                 }
             },
+        }
+    }
+
+    /// Where the light arrives that it tells of.
+    pub(super) fn places(&self, scene: &Scene, transport: &Transport) -> Vec<Place> {
+        match self.what {
+            What::At { position, measure } => {
+                let normal = if let Measure::Plane(normal) = measure { Some(normal) } else { None };
+                vec![Place { outline: vec![position], normal }]
+            }
+            What::Mean { surface, .. } => {
+                let fronts = transport.faces.iter().filter(|face| face.is_front_of(surface));
+                fronts.map(Place::of_face).collect()
+            }
+            What::Ray { origin, direction } => {
+                let met = met_bright(scene, [origin, direction], transport).into_iter();
+                met.map(|met| Place { outline: vec![met.position], normal: Some(met.normal) }).collect()
+            }
+        }
+    }
+
+    /// What an irradiance of 1 at these places makes of it at most.
+    pub(super) fn of_irradiance(&self, scene: &Scene, transport: &Transport) -> f64 {
+        match self.what {
+            What::At { .. } | What::Mean { is_flux: false, .. } => 1.0,
+            What::Mean { surface, is_flux: true } => transport.front_area(surface),
+            What::Ray { origin, direction } => {
+                let met = met_bright(scene, [origin, direction], transport);
+                let reflectances = met.iter().flat_map(|met| reflectance(scene, met.surface));
+                reflectances.copied().fold(0.0, f64::max) / PI
+            }
         }
     }
 
@@ -158,6 +203,11 @@ struct Met {
     normal: Vector,
     /// Whether that side sends light at all.
     is_bright: bool,
+}
+
+/// The same if it sends light to where the ray comes from.
+fn met_bright(scene: &Scene, ray: [Vector; 2], transport: &Transport) -> Option<Met> {
+    met(scene, ray, transport).filter(|met| met.is_bright)
 }
 
 fn met(scene: &Scene, [origin, direction]: [Vector; 2], transport: &Transport) -> Option<Met> {

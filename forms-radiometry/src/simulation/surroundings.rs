@@ -4,6 +4,7 @@
 //! ```text
 //! faces that reflect ─ all pairs: what may come between ─▶ points of each: Σ F, Σ ρ F, direct light ─▶ the largest and the least
 //! large scenes       ─ rays from their middles ──────────▶ Σ F, Σ ρ F
+//! no reflections     ─ points of each ───────────────────▶ direct light
 //! ```
 //! What may come between two faces is the same for both.
 
@@ -52,6 +53,15 @@ impl Surroundings {
         let hidden = sharing.map(places(), |_: &mut (), place| asked.hidden(place));
         let of_place = |scratch: &mut Scratch, place| asked.at(place, &hidden, lights, scratch);
         sharing.map(places(), of_place).into_iter().fold(Self::NOTHING, Self::beside)
+    }
+
+    /// The same where it is not asked what faces see: no reflection leaves more than this albedo, the largest.
+    pub(super) fn unseen(scene: &Scene, transport: &Transport, lights: &Lights, albedo: f64) -> Self {
+        let asked = Asked::of(scene, transport);
+        let direct = |scratch: &mut Scratch, place| asked.direct(place, lights, scratch);
+        let sharing = Sharing::of(lights.operations(asked.places().count(), transport));
+        let direct = sharing.map(asked.places().collect(), direct).into_iter().fold(0.0, f64::max);
+        Self { contraction: albedo, closure: 0.0, direct }
     }
 
     /// What some faces see from their middles, by the ends of rays; nothing of direct light.
@@ -137,13 +147,8 @@ impl<'s> Asked<'s> {
         scratch: &mut Scratch,
     ) -> Surroundings {
         let Self { scene, transport, reflecting, step } = self;
-        let face = self.face(place);
-        let middle = Vector::mean(&face.vertices);
-        let near = |&corner: &Vector| middle + NEAR_CORNERS * (corner - middle);
-        let mut points: Vec<Vector> = face.vertices.iter().map(near).collect();
-        points.push(middle);
-        let outline = &points[..face.vertices.len()];
-        let group = Group { points: &points, outline, measure: Measure::Plane(face.normal) };
+        let points = points(self.face(place));
+        let group = self.group(place, &points);
         let mut rows = vec![vec![0.0; scene.band_count()]; points.len()];
         let mut closure = vec![0.0; points.len()];
         for other in (0..reflecting.len()).filter(|&other| other != place) {
@@ -161,13 +166,32 @@ impl<'s> Asked<'s> {
                 row.iter_mut().zip(reflectances).for_each(|(row, rho)| *row += rho * factor);
             }
         }
-        let direct = lights.reaching(group, transport, scratch);
         Surroundings {
             contraction: rows.into_iter().flatten().fold(0.0, f64::max),
             closure: closure.into_iter().fold(f64::INFINITY, f64::min),
-            direct: direct.into_iter().flatten().fold(0.0, f64::max),
+            direct: self.direct(place, lights, scratch),
         }
     }
+
+    /// The most that points of one of the faces get straight from lights.
+    fn direct(&self, place: usize, lights: &Lights, scratch: &mut Scratch) -> f64 {
+        let points = points(self.face(place));
+        let direct = lights.reaching(self.group(place, &points), self.transport, scratch);
+        direct.into_iter().flatten().fold(0.0, f64::max)
+    }
+
+    /// The points of one of the faces, by which it is asked.
+    fn group<'p>(&self, place: usize, points: &'p [Vector]) -> Group<'p> {
+        let Face { vertices, normal, .. } = self.face(place);
+        Group { points, outline: &points[..vertices.len()], measure: Measure::Plane(*normal) }
+    }
+}
+
+/// The points of a face from which is seen what it sees: one near each corner, and its middle.
+fn points(face: &Face) -> Vec<Vector> {
+    let middle = Vector::mean(&face.vertices);
+    let near = |&corner: &Vector| middle + NEAR_CORNERS * (corner - middle);
+    face.vertices.iter().map(near).chain([middle]).collect()
 }
 
 #[cfg(test)]
@@ -220,11 +244,8 @@ mod tests {
     /// The largest Σ ρ F of a face that looks for what comes in between itself.
     fn alone(asked: &Asked, place: usize, scratch: &mut Scratch) -> f64 {
         let face = asked.face(place);
-        let middle = Vector::mean(&face.vertices);
         let mut largest: f64 = 0.0;
-        for point in
-            face.vertices.iter().map(|&corner| middle + NEAR_CORNERS * (corner - middle)).chain([middle])
-        {
+        for point in points(face) {
             let points = [point];
             let group = Group { points: &points, outline: &points, measure: Measure::Plane(face.normal) };
             let factor = |other: usize| {

@@ -2,14 +2,18 @@
 
 use super::answer::Quantity;
 use super::effects::forced;
+use super::obstacles::{Obstacles, Reflected};
 use super::readings::Reading;
 use super::surroundings::Surroundings;
 use crate::faces::{emits, faces};
 use crate::geometry::{Between, Face, Screens, Vector};
 use crate::radiosity::{Lights, Question, Radiosity, Scratch, Transport, is_reflecting, reflectance};
-use crate::scene::{Effect, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Surface, WorkingScene};
+use crate::scene::{
+    Effect, Force, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Surface, WorkingScene,
+};
 use crate::sharing::Sharing;
 use crate::simulation::Unwatched;
+use std::f64::consts::PI;
 
 /// Scenes with more faces than this are surveyed by rays: bounds are not found then, nor whether anything stands in between.
 pub(super) const MANY: usize = 256;
@@ -28,9 +32,11 @@ pub(super) struct Survey {
     pub(super) contraction: f64,
     /// What stands between surfaces, lights and receivers, if anything.
     pub(super) in_between: Option<String>,
-    /// What all reflections together add at most, in the units of the answers and relative to them.
+    /// What would be added at most if nothing stood there, in the units of the answers and relative to them.
+    pub(super) occlusion: Option<[f64; 2]>,
+    /// What all reflections together add at most, likewise.
     pub(super) interreflection: Option<[f64; 2]>,
-    /// What taking the middle of all bands can change, in the units of the answers and relative to them; none where nothing differs.
+    /// What taking the middle of all bands can change, likewise; none where nothing differs.
     pub(super) band_spread: Option<[f64; 2]>,
     /// Whether all light that is reflected meets surfaces, and all of them reflect everything.
     closed_and_white: bool,
@@ -45,10 +51,13 @@ impl Survey {
         let lights = Lights::of(scene, &transport);
         let is_large = transport.faces.len() > MANY;
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
-        let sampled = if is_large {
-            Surroundings::by_rays(scene, &transport)
-        } else {
-            Surroundings::of(scene, &transport, &lights)
+        let sampled = match is_large {
+            true => Surroundings::by_rays(scene, &transport),
+            // what the file turns off is not looked at any closer; a trap of light is refused all the same
+            false if reflects_nothing(scene) && largest_albedo < 1.0 => {
+                Surroundings::unseen(scene, &transport, &lights, largest_albedo)
+            }
+            false => Surroundings::of(scene, &transport, &lights),
         };
         let contraction = sampled.contraction + MARGIN * (largest_albedo - sampled.contraction).max(0.0);
         let contraction = if sampled.contraction == 0.0 { 0.0 } else { contraction };
@@ -59,6 +68,7 @@ impl Survey {
             reflects: largest_albedo > 0.0,
             contraction,
             in_between: in_between(scene, &transport),
+            occlusion: None,
             interreflection: None,
             band_spread: None,
             closed_and_white: largest_albedo >= 1.0
@@ -86,6 +96,7 @@ impl Survey {
             reflects: largest_albedo > 0.0,
             contraction: 1.0,
             in_between: (!scene.surfaces.is_empty()).then(|| "rays meet what is there".to_string()),
+            occlusion: None,
             interreflection: None,
             band_spread: differs.then_some([f64::INFINITY; 2]),
             closed_and_white: false,
@@ -98,13 +109,22 @@ impl Survey {
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
         // ‖E‖ ≤ ‖D‖/(1 − k), and what is reflected is ρ E/π from everywhere
         let everywhere = direct / (1.0 - self.contraction);
-        let reflected = largest_albedo * everywhere / std::f64::consts::PI;
+        let reflected = largest_albedo * everywhere / PI;
         let [of_albedo, of_light] = spreads(scene);
-        let spread = (of_light + of_albedo * everywhere / std::f64::consts::PI) / (1.0 - self.contraction);
-        let bounds = bounds(working, transport, lights, [reflected, spread]);
+        let spread = if reflects_nothing(scene) {
+            of_light + of_albedo * direct / PI
+        } else {
+            (of_light + of_albedo * everywhere / PI) / (1.0 - self.contraction)
+        };
         let is_bound = self.contraction < 1.0 && !scene.receivers.is_empty();
-        let [interreflection, bands] = bounds;
+        let is_asked =
+            is_bound && self.in_between.is_some() && forced(scene, Effect::Occlusion) != Some(Force::On);
+        let found = Reflected { contraction: self.contraction, irradiance: everywhere };
+        let obstacles = is_asked.then(|| Obstacles::of(scene, transport, found)).flatten();
+        let bounds = bounds(working, transport, lights, [reflected, spread], obstacles.as_ref());
+        let [interreflection, bands, occlusion] = bounds;
         self.interreflection = is_bound.then_some(interreflection);
+        self.occlusion = obstacles.is_some().then_some(occlusion);
         // of a light that is a point, an irradiance has no bound by its intensity alone
         let spreads_points = scene.lights.iter().any(|light| half_spread_of_light(light) > 0.0);
         let differs = of_light > 0.0 || of_albedo > 0.0;
@@ -124,24 +144,27 @@ impl Survey {
     }
 }
 
-/// What each of these radiances from everywhere makes of an answer at most: in its unit, and beside what straight light makes of it.
+/// What each of these radiances from everywhere makes of an answer at most, and what obstacles take of it: in its unit, and beside
+/// what straight light makes of it.
 fn bounds(
     working: &WorkingScene,
     transport: &Transport,
     lights: &Lights,
     radiances: [f64; 2],
-) -> [[f64; 2]; 2] {
-    const NOTHING: [[f64; 2]; 2] = [[0.0; 2]; 2];
-    if radiances == [0.0; 2] {
+    obstacles: Option<&Obstacles>,
+) -> [[f64; 2]; 3] {
+    const NOTHING: [[f64; 2]; 3] = [[0.0; 2]; 3];
+    if radiances == [0.0; 2] && obstacles.is_none() {
         return NOTHING;
     }
     let scene = working.scene.as_ref();
     // what the file decides needs no bound beside the answers, and these are not cheap
     let is_free = |effect| forced(scene, effect).is_none();
-    let is_decided = [Effect::Interreflection, Effect::Bands]
+    let matters = [radiances[0] > 0.0, radiances[1] > 0.0, obstacles.is_some()];
+    let is_decided = [Effect::Interreflection, Effect::Bands, Effect::Occlusion]
         .into_iter()
-        .zip(radiances)
-        .any(|(effect, radiance)| is_free(effect) && radiance > 0.0);
+        .zip(matters)
+        .any(|(effect, matters)| is_free(effect) && matters);
     let question = Question { orders: Some(0), receives: receiving(scene), direct: true, is_seen: false };
     let straight = is_decided.then(|| Radiosity::new(scene, transport, lights, question, &Unwatched));
     let of_reading = |scratch: &mut Scratch, reading: Reading| {
@@ -150,18 +173,20 @@ fn bounds(
             let values = reading.value(scene, straight, scratch);
             values.iter().map(|value| value.abs()).fold(f64::INFINITY, f64::min)
         });
-        let bound = |radiance| match radiance {
+        let bound = |change| match change {
             0.0 => [0.0; 2],
-            _ => [reading.quantity.in_unit(largest * radiance, working), largest * radiance / least],
+            _ => [reading.quantity.in_unit(change, working), change / least],
         };
-        radiances.map(bound)
+        let taken = obstacles.map_or(0.0, |obstacles| obstacles.taken_of(&reading));
+        [largest * radiances[0], largest * radiances[1], taken].map(bound)
     };
-    let larger = |a: [[f64; 2]; 2], b: [[f64; 2]; 2]| {
-        [0, 1].map(|radiance| [0, 1].map(|kind| f64::max(a[radiance][kind], b[radiance][kind])))
+    let larger = |a: [[f64; 2]; 3], b: [[f64; 2]; 3]| {
+        [0, 1, 2].map(|effect| [0, 1].map(|kind| f64::max(a[effect][kind], b[effect][kind])))
     };
     let of_receiver = |scratch: &mut Scratch, (index, receiver): (usize, &Receiver)| {
         if let ReceiverKind::Camera(_) = receiver.kind {
-            return radiances.map(|radiance| of_image(radiance, working));
+            let [reflected, spread] = radiances.map(|radiance| of_image(radiance, working));
+            return [reflected, spread, [0.0; 2]];
         }
         let readings = Reading::of(index, receiver).into_iter();
         readings.map(|reading| of_reading(scratch, reading)).fold(NOTHING, larger)
@@ -174,6 +199,11 @@ fn bounds(
 /// What a radiance from everywhere adds to an image: all of itself to each pixel, of which the darkest may be black without it.
 fn of_image(radiance: f64, working: &WorkingScene) -> [f64; 2] {
     if radiance == 0.0 { [0.0; 2] } else { [Quantity::Radiance.in_unit(radiance, working), f64::INFINITY] }
+}
+
+/// Whether the file turns all reflections off.
+pub(super) fn reflects_nothing(scene: &Scene) -> bool {
+    matches!(forced(scene, Effect::Interreflection), Some(Force::Off | Force::Orders(0)))
 }
 
 /// Whether each surface is a receiver.

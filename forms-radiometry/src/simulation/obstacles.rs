@@ -1,0 +1,238 @@
+//! Obstacles: what stands between places and what shines takes some of the light on its way, and where that is little, occlusion
+//! need not be simulated.
+//!
+//! ```text
+//! a place, all that shines ─ between ─▶ what stands between the two ─▶ Σ L min(Ω of what shines, Σ Ω of what stands before it) ≥ ΔE
+//! faces that reflect ───────────────────────────────────────────────▶ ρ/π max ΔE/(1 − k̃), the radiance that they send too much
+//! ```
+//! Without occlusion no place gets less than with it. Of a point's directions a face of the area A at the distance d or more takes no
+//! more than A/d², and no more than half of all.
+
+use super::effects::forced;
+use super::readings::{Place, Reading};
+use super::survey::reflects_nothing;
+use crate::faces::emits;
+use crate::geometry::{Face, Vector, ball};
+use crate::radiosity::{Transport, is_reflecting, reflectance};
+use crate::scene::{Effect, ReceiverKind, Scene};
+use std::f64::consts::PI;
+
+/// What stands in the way of light between the faces of a scene.
+pub(super) struct Obstacles<'s> {
+    scene: &'s Scene,
+    transport: &'s Transport,
+    sources: Vec<Source>,
+    /// The most, beside the largest answer that its brightest face could make, that is worth asking for.
+    most: f64,
+    /// The radiance that a face sends more at most where nothing hides anything.
+    sent: f64,
+}
+
+/// A face that sends light.
+struct Source {
+    face: usize,
+    /// Its radiance at most, in any band.
+    radiance: f64,
+    /// Its reflectance likewise.
+    reflectance: f64,
+}
+
+/// How much the reflections of a scene matter.
+#[derive(Clone, Copy)]
+pub(super) struct Reflected {
+    /// How much of the light a reflection leaves at most.
+    pub(super) contraction: f64,
+    /// The largest irradiance.
+    pub(super) irradiance: f64,
+}
+
+/// What comes to a place too much where nothing hides anything.
+#[derive(Clone, Copy, Default)]
+struct Taken {
+    /// Of the irradiance.
+    irradiance: f64,
+    /// Of Σ ρ F.
+    contraction: f64,
+}
+
+impl<'s> Obstacles<'s> {
+    /// Of a scene that has no other light than that of its surfaces. Nothing where there is no bound: for shadows of other light, in
+    /// images, or where reflections without shadows might leave all of the light; nor, where the file leaves it to the plan, if they
+    /// matter more than the tolerance.
+    pub(super) fn of(scene: &'s Scene, transport: &'s Transport, reflected: Reflected) -> Option<Self> {
+        let is_outside = scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0);
+        let has_image =
+            scene.receivers.iter().any(|receiver| matches!(receiver.kind, ReceiverKind::Camera(_)));
+        if !scene.lights.is_empty() || is_outside || has_image {
+            return None;
+        }
+        let reflects = !reflects_nothing(scene);
+        let source = |(index, face): (usize, &Face)| {
+            let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
+            let surface = &scene.surfaces[face.surface];
+            let emitted = if emits(scene, face) { largest(&surface.radiance) } else { 0.0 };
+            let is_reflecting = reflects && is_reflecting(scene, face);
+            let reflectance = if is_reflecting { largest(reflectance(scene, face.surface)) } else { 0.0 };
+            let radiance = emitted + reflectance * reflected.irradiance / PI;
+            (radiance > 0.0).then_some(Source { face: index, radiance, reflectance })
+        };
+        let sources = transport.faces.iter().enumerate().filter_map(source).collect();
+        let mut obstacles = Self { scene, transport, sources, most: f64::INFINITY, sent: 0.0 };
+        if forced(scene, Effect::Occlusion).is_none() {
+            let brightest = obstacles.sources.iter().map(|source| source.radiance).fold(0.0, f64::max);
+            obstacles.most = scene.solve.tolerance * brightest;
+        }
+        obstacles.sent = obstacles.sent(reflected)?;
+        let matters =
+            |reading: &Reading| obstacles.taken_of(reading) > obstacles.most * reading.largest(transport);
+        let readings = |(index, receiver)| Reading::of(index, receiver);
+        let has_one = scene.receivers.iter().enumerate().flat_map(readings).any(|reading| matters(&reading));
+        (!has_one).then_some(obstacles)
+    }
+
+    /// The radiance that reflecting faces send too much at most: ΔE ≤ max ΔE₁ + k̃ ΔE of what is missing once, where k̃ is how much
+    /// of the light a reflection leaves where nothing hides anything. None if that is all of it, or too much to be left out.
+    fn sent(&self, reflected: Reflected) -> Option<f64> {
+        let albedo = self.sources.iter().map(|source| source.reflectance).fold(0.0, f64::max);
+        let mut most = Taken::default();
+        let mut sent = 0.0;
+        for source in self.sources.iter().filter(|source| source.reflectance > 0.0) {
+            let taken = self.taken(&Place::of_face(&self.transport.faces[source.face]));
+            most.irradiance = most.irradiance.max(taken.irradiance);
+            most.contraction = most.contraction.max(taken.contraction);
+            let left = 1.0 - (reflected.contraction + most.contraction);
+            sent = albedo / PI * most.irradiance / left;
+            if left <= 0.0 || sent > self.most {
+                return None;
+            }
+        }
+        Some(sent)
+    }
+
+    /// What a reading tells too much at most where nothing hides anything.
+    pub(super) fn taken_of(&self, reading: &Reading) -> f64 {
+        let taken = |place: &Place| self.taken(place).irradiance;
+        let most = reading.places(self.scene, self.transport).iter().map(taken).fold(0.0, f64::max);
+        reading.of_irradiance(self.scene, self.transport) * most + reading.largest(self.transport) * self.sent
+    }
+
+    /// What obstacles take of the light on its way to a place.
+    fn taken(&self, place: &Place) -> Taken {
+        let (faces, screens) = (&self.transport.faces, &self.transport.screens);
+        let around = ball(&place.outline);
+        let mut found = Vec::new();
+        let mut taken = Taken::default();
+        for source in &self.sources {
+            let face = &faces[source.face];
+            screens.between(&place.outline, place.normal, &face.vertices, face.normal, &mut found);
+            let before: f64 = screens.fronts(&found).map(|front| solid_angle(&faces[front], around)).sum();
+            let hidden = before.min(solid_angle(face, around));
+            taken.irradiance += source.radiance * hidden;
+            taken.contraction += source.reflectance * hidden / PI;
+        }
+        taken
+    }
+}
+
+/// The solid angle of a face, at most, from anywhere in a ball.
+fn solid_angle(face: &Face, (middle, radius): (Vector, f64)) -> f64 {
+    let (of_face, extent) = ball(&face.vertices);
+    let distance = ((of_face - middle).length() - extent - radius).max(0.0);
+    (face.area / (distance * distance)).min(2.0 * PI)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::{Effect, read};
+    use crate::scene_text::{material, point_receiver, polygon, surface, surface_receiver};
+    use crate::simulation::{Answer, Plan, Unwatched, plan, simulate};
+
+    /// A floor and a lamp over it, between them a plate of this size in this place, and every kind of receiver that tells of numbers.
+    fn lamp_and_plate(reflectance: f64, size: f64, [x, y, z]: [f64; 3]) -> String {
+        let square = |z: f64| [[-1.0, -1.0, z], [1.0, -1.0, z], [1.0, 1.0, z], [-1.0, 1.0, z]];
+        let mut lamp = square(2.0);
+        lamp.reverse();
+        let plate = [[x, y, z], [x + size, y, z], [x + size, y + size, z], [x, y + size, z + 0.1 * size]];
+        [
+            material("grey", reflectance),
+            material("black", 0.0),
+            surface("lamp", "grey", &(polygon(&lamp) + "\nexitance = 3")),
+            surface("floor", "grey", &polygon(&square(0.0))),
+            surface("plate", "black", &polygon(&[plate[0], plate[1], plate[2]])),
+            point_receiver("point", [0.3, 0.2, 0.1], [0.1, 0.0, 1.0]),
+            surface_receiver("floor"),
+            "[[receiver]]\nname = \"sphere\"\nkind = \"sphere\"\nposition = [0.1, 0.2, 0.3]\n".to_string(),
+            "[[receiver]]\nname = \"ray\"\nkind = \"ray\"\norigin = [0.9, 0, 1]\ndirection = [-0.3, 0.2, -1]\n"
+                .to_string(),
+        ]
+        .concat()
+    }
+
+    fn solved(text: &str) -> (Plan, Vec<Answer>) {
+        let scene = read(text, "test.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
+        let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
+        let answers = simulate(&scene, &plan, &Unwatched).answers;
+        (plan, answers)
+    }
+
+    fn occlusion(plan: &Plan) -> (bool, Option<f64>) {
+        let planned = plan.effects.iter().find(|planned| planned.effect == Effect::Occlusion);
+        planned.map_or((false, None), |planned| (planned.on, planned.bound))
+    }
+
+    #[test]
+    fn obstacles_take_no_more_than_is_said() {
+        let cases = [
+            (0.0, 0.3, [0.1, 0.1, 1.0]),
+            (0.0, 0.02, [0.4, 0.3, 0.5]),
+            (0.5, 0.1, [0.0, 0.0, 1.1]),
+            (0.5, 0.02, [-0.4, 0.3, 0.9]),
+        ];
+        for (reflectance, size, place) in cases {
+            let text = lamp_and_plate(reflectance, size, place);
+            let forced = |force: &str| {
+                let effects = format!("occlusion = \"{force}\", interreflection = \"on\", bands = \"on\"");
+                solved(&format!("{text}[solve]\ntolerance = 1e-4\neffects = {{ {effects} }}\n"))
+            };
+            let [(without, open), (_, hidden)] = [forced("off"), forced("on")];
+            let bound = occlusion(&without).1.expect("there is a bound");
+            let changes = open.iter().zip(&hidden).map(|(open, hidden)| {
+                let (change, rest) = ((open.value - hidden.value).abs(), open.error + hidden.error);
+                assert!(change <= bound + rest, "{}: {change:e}, bound {bound:e}, {rest:e}", open.receiver);
+                change
+            });
+            let most = changes.fold(0.0, f64::max);
+            assert!(most > 0.0 && bound < 100.0 * most, "plate of {size}: {most:e}, bound {bound:e}");
+        }
+    }
+
+    #[test]
+    fn what_hides_less_than_the_tolerance_is_left_out() {
+        for reflectance in [0.0, 0.5] {
+            let plate = lamp_and_plate(reflectance, 0.01, [0.4, 0.3, 1.0]);
+            for (tolerance, is_on) in [(1e-2, false), (1e-6, true)] {
+                // the components of a vector may be as small as they like
+                let text = plate.replace("kind = \"sphere\"", "kind = \"point\"\nnormal = [0, 0, 1]");
+                let (plan, answers) = solved(&format!("{text}[solve]\ntolerance = {tolerance:?}\n"));
+                assert_eq!(occlusion(&plan).0, is_on, "reflectance {reflectance}, {tolerance}");
+                let is_told = |answer: &Answer| is_on || answer.parts.effects > 0.0;
+                assert!(answers.iter().all(is_told), "reflectance {reflectance}, {tolerance}");
+            }
+        }
+    }
+
+    #[test]
+    fn shadows_of_other_light_than_that_of_surfaces_have_no_bound() {
+        let plate =
+            lamp_and_plate(0.0, 0.01, [0.4, 0.3, 1.0]) + "[solve]\neffects = { occlusion = \"off\" }\n";
+        let lights = [
+            "",
+            "[ambient]\nradiance = 1e-9\n",
+            "[[light]]\nkind = \"point\"\nposition = [0, 0, 1.5]\nintensity = 1e-9\n",
+        ];
+        for light in lights {
+            let (plan, _) = solved(&format!("{plate}{light}"));
+            assert_eq!(occlusion(&plan).1.is_some(), light.is_empty(), "{light}");
+        }
+    }
+}
