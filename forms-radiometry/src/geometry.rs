@@ -18,7 +18,7 @@ mod weld;
 
 pub(crate) use clip::split;
 pub use exchange::{Exchange, exchange, view_factor, visible_exchange};
-pub(crate) use exchange::{Patch, ball, exchange_of, exchange_with, gauss, patches};
+pub(crate) use exchange::{Patch, exchange_of, exchange_with, gauss, patches};
 pub(crate) use form_factor::edge_sum;
 pub use form_factor::form_factor;
 pub(crate) use form_factor::{form_factor_of_pieces, line_sum};

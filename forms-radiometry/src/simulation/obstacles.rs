@@ -12,7 +12,7 @@ use super::effects::forced;
 use super::readings::{Place, Reading};
 use super::survey::reflects_nothing;
 use crate::faces::emits;
-use crate::geometry::{Face, Vector, ball};
+use crate::geometry::{Face, Vector};
 use crate::radiosity::{Transport, is_reflecting, reflectance};
 use crate::scene::{Effect, ReceiverKind, Scene};
 use std::f64::consts::PI;
@@ -119,14 +119,13 @@ impl<'s> Obstacles<'s> {
     /// What obstacles take of the light on its way to a place.
     fn taken(&self, place: &Place) -> Taken {
         let (faces, screens) = (&self.transport.faces, &self.transport.screens);
-        let around = ball(&place.outline);
         let mut found = Vec::new();
         let mut taken = Taken::default();
         for source in &self.sources {
             let face = &faces[source.face];
             screens.between(&place.outline, place.normal, &face.vertices, face.normal, &mut found);
-            let before: f64 = screens.fronts(&found).map(|front| solid_angle(&faces[front], around)).sum();
-            let hidden = before.min(solid_angle(face, around));
+            let before: f64 = screens.fronts(&found).map(|front| solid_angle(&faces[front], place)).sum();
+            let hidden = before.min(solid_angle(face, place));
             taken.irradiance += source.radiance * hidden;
             taken.contraction += source.reflectance * hidden / PI;
         }
@@ -134,11 +133,25 @@ impl<'s> Obstacles<'s> {
     }
 }
 
-/// The solid angle of a face, at most, from anywhere in a ball.
-fn solid_angle(face: &Face, (middle, radius): (Vector, f64)) -> f64 {
-    let (of_face, extent) = ball(&face.vertices);
-    let distance = ((of_face - middle).length() - extent - radius).max(0.0);
+/// The solid angle of a face, at most, from anywhere at a place.
+fn solid_angle(face: &Face, place: &Place) -> f64 {
+    let distance = distance(&face.vertices, place, face.normal);
     (face.area / (distance * distance)).min(2.0 * PI)
+}
+
+/// The distance of an outline with this normal from a place, at least: the widest gap between both along either's normal and along the line
+/// through their middles. Both lie in the convex hulls of their corners, so a gap along any direction is one between them.
+fn distance(outline: &[Vector], place: &Place, normal: Vector) -> f64 {
+    let between_middles = (Vector::mean(outline) - Vector::mean(&place.outline)).unit();
+    let gap = |along: Vector| {
+        let range = |corners: &[Vector]| {
+            let heights = corners.iter().map(|&corner| along.dot(corner));
+            heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| [low.min(h), high.max(h)])
+        };
+        let ([low, high], [least, most]) = (range(outline), range(&place.outline));
+        (low - most).max(least - high)
+    };
+    [Some(normal), place.normal, between_middles].into_iter().flatten().map(gap).fold(0.0, f64::max)
 }
 
 #[cfg(test)]
@@ -147,25 +160,36 @@ mod tests {
     use crate::scene_text::{material, point_receiver, polygon, surface, surface_receiver};
     use crate::simulation::{Answer, Plan, Unwatched, plan, simulate};
 
-    /// A floor and a lamp over it, between them a plate of this size in this place, and every kind of receiver that tells of numbers.
+    /// A floor and a lamp over it, and between them a plate of this size in this place.
     fn lamp_and_plate(reflectance: f64, size: f64, [x, y, z]: [f64; 3]) -> String {
         let square = |z: f64| [[-1.0, -1.0, z], [1.0, -1.0, z], [1.0, 1.0, z], [-1.0, 1.0, z]];
         let mut lamp = square(2.0);
         lamp.reverse();
-        let plate = [[x, y, z], [x + size, y, z], [x + size, y + size, z], [x, y + size, z + 0.1 * size]];
+        let plate = [[x, y, z], [x + size, y, z], [x + size, y + size, z + 0.1 * size]];
         [
             material("grey", reflectance),
             material("black", 0.0),
             surface("lamp", "grey", &(polygon(&lamp) + "\nexitance = 3")),
             surface("floor", "grey", &polygon(&square(0.0))),
-            surface("plate", "black", &polygon(&[plate[0], plate[1], plate[2]])),
-            point_receiver("point", [0.3, 0.2, 0.1], [0.1, 0.0, 1.0]),
-            surface_receiver("floor"),
-            "[[receiver]]\nname = \"sphere\"\nkind = \"sphere\"\nposition = [0.1, 0.2, 0.3]\n".to_string(),
-            "[[receiver]]\nname = \"ray\"\nkind = \"ray\"\norigin = [0.9, 0, 1]\ndirection = [-0.3, 0.2, -1]\n"
-                .to_string(),
+            surface("plate", "black", &polygon(&plate)),
         ]
         .concat()
+    }
+
+    fn to_the_lamp() -> String {
+        point_receiver("point", [0.3, 0.2, 0.1], [0.1, 0.0, 1.0]) + &surface_receiver("floor")
+    }
+
+    /// A sphere and a ray: what a ray meets is seen past everything.
+    fn to_all_sides() -> String {
+        let sphere = "[[receiver]]\nname = \"sphere\"\nkind = \"sphere\"\nposition = [0.1, 0.2, 0.3]\n";
+        let ray = "[[receiver]]\nname = \"ray\"\nkind = \"ray\"\norigin = [0.9, 0, 1]\ndirection = [-0.3, 0.2, -1]\n";
+        [sphere, ray].concat()
+    }
+
+    /// What gets reflected light alone, of which nothing hides any.
+    fn to_the_floor() -> String {
+        point_receiver("down", [0.0, 0.0, 0.1], [0.0, 0.0, -1.0])
     }
 
     fn solved(text: &str) -> (Plan, Vec<Answer>) {
@@ -183,13 +207,14 @@ mod tests {
     #[test]
     fn obstacles_take_no_more_than_is_said() {
         let cases = [
-            (0.0, 0.3, [0.1, 0.1, 1.0]),
-            (0.0, 0.02, [0.4, 0.3, 0.5]),
-            (0.5, 0.1, [0.0, 0.0, 1.1]),
-            (0.5, 0.02, [-0.4, 0.3, 0.9]),
+            (0.0, 0.3, [0.1, 0.1, 1.0], to_the_lamp()),
+            (0.0, 0.02, [0.4, 0.3, 0.5], to_the_lamp()),
+            (0.5, 0.1, [0.0, 0.0, 1.1], to_all_sides()),
+            (0.5, 0.02, [-0.4, 0.3, 0.9], to_the_lamp()),
+            (0.5, 0.3, [-0.1, -0.1, 0.6], to_the_floor()),
         ];
-        for (reflectance, size, place) in cases {
-            let text = lamp_and_plate(reflectance, size, place);
+        for (reflectance, size, place, receivers) in cases {
+            let text = lamp_and_plate(reflectance, size, place) + &receivers;
             let forced = |force: &str| {
                 let effects = format!("occlusion = \"{force}\", interreflection = \"on\", bands = \"on\"");
                 solved(&format!("{text}[solve]\ntolerance = 1e-4\neffects = {{ {effects} }}\n"))
@@ -209,22 +234,21 @@ mod tests {
     #[test]
     fn what_hides_less_than_the_tolerance_is_left_out() {
         for reflectance in [0.0, 0.5] {
-            let plate = lamp_and_plate(reflectance, 0.01, [0.4, 0.3, 1.0]);
+            let plate = lamp_and_plate(reflectance, 0.01, [0.4, 0.3, 1.0]) + &to_the_lamp();
             for (tolerance, is_on) in [(1e-2, false), (1e-6, true)] {
-                // the components of a vector may be as small as they like
-                let text = plate.replace("kind = \"sphere\"", "kind = \"point\"\nnormal = [0, 0, 1]");
-                let (plan, answers) = solved(&format!("{text}[solve]\ntolerance = {tolerance:?}\n"));
-                assert_eq!(occlusion(&plan).0, is_on, "reflectance {reflectance}, {tolerance}");
-                let is_told = |answer: &Answer| is_on || answer.parts.effects > 0.0;
-                assert!(answers.iter().all(is_told), "reflectance {reflectance}, {tolerance}");
+                let (plan, answers) = solved(&format!("{plate}[solve]\ntolerance = {tolerance:?}\n"));
+                let what = format!("reflectance {reflectance}, to {tolerance}");
+                assert_eq!(occlusion(&plan).0, is_on, "{what}");
+                assert!(is_on || answers.iter().all(|answer| answer.parts.effects > 0.0), "{what}");
             }
         }
     }
 
     #[test]
     fn shadows_of_other_light_than_that_of_surfaces_have_no_bound() {
-        let plate =
-            lamp_and_plate(0.0, 0.01, [0.4, 0.3, 1.0]) + "[solve]\neffects = { occlusion = \"off\" }\n";
+        let plate = lamp_and_plate(0.0, 0.01, [0.4, 0.3, 1.0])
+            + &to_the_lamp()
+            + "[solve]\neffects = { occlusion = \"off\" }\n";
         let lights = [
             "",
             "[ambient]\nradiance = 1e-9\n",

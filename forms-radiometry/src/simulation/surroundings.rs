@@ -59,8 +59,9 @@ impl Surroundings {
     pub(super) fn unseen(scene: &Scene, transport: &Transport, lights: &Lights, albedo: f64) -> Self {
         let asked = Asked::of(scene, transport);
         let direct = |scratch: &mut Scratch, place| asked.direct(place, lights, scratch);
-        let sharing = Sharing::of(lights.operations(asked.places().count(), transport));
-        let direct = sharing.map(asked.places().collect(), direct).into_iter().fold(0.0, f64::max);
+        let places: Vec<usize> = asked.places().collect();
+        let sharing = Sharing::of(lights.operations(places.len(), transport));
+        let direct = sharing.map(places, direct).into_iter().fold(0.0, f64::max);
         Self { contraction: albedo, closure: 0.0, direct }
     }
 

@@ -152,7 +152,7 @@ fn better(a: Exchange, b: Exchange) -> Exchange {
 }
 
 /// A ball around an outline: its middle and its radius.
-pub(crate) fn ball(outline: &Outline) -> (Vector, f64) {
+fn ball(outline: &Outline) -> (Vector, f64) {
     let middle = Vector::mean(outline);
     (middle, outline.iter().fold(0.0, |radius: f64, &v| radius.max((v - middle).length())))
 }
