@@ -49,8 +49,12 @@ impl Random {
     }
 
     pub(crate) fn next(&mut self) -> f64 {
+        number(self.bits() >> (64 - DIGITS))
+    }
+
+    fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(GOLDEN);
-        number(mixed(self.0) >> (64 - DIGITS))
+        mixed(self.0)
     }
 }
 
@@ -97,12 +101,15 @@ pub(crate) struct Samples {
     pair: usize,
     /// Whether all dimensions lie evenly together, or each pair for itself.
     are_joint: bool,
+    /// What digits beyond those of the sequence are, and coordinates that do not lie evenly.
+    random: Random,
 }
 
 impl Samples {
     /// The point with this index of the sequence that a key names. In each pair of dimensions the first 2ⁿ points lie evenly, for every n.
     pub(crate) fn new(key: u64, index: u32) -> Self {
-        Self { key, index, pair: 0, are_joint: false }
+        let random = Random::new(self::key(!key, u64::from(index)));
+        Self { key, index, pair: 0, are_joint: false, random }
     }
 
     /// The same of a sequence whose dimensions lie evenly together.
@@ -117,35 +124,35 @@ impl Samples {
 
     /// The next two coordinates, from 0 to 1 without the ends.
     pub(crate) fn pair(&mut self) -> [f64; 2] {
-        let (digits, seeds, rest) = self.next();
-        let Some([first, second]) = digits else {
-            return [rest, mixed(rest)].map(|bits| number(bits >> (64 - DIGITS)));
+        let Some(([first, second], seeds)) = self.next() else {
+            return [self.random.next(), self.random.next()];
         };
+        let rest = self.random.bits();
         [scrambled(first, seeds, rest), scrambled(second, seeds >> 32, rest << 32)]
     }
 
     /// The next coordinate.
     pub(crate) fn one(&mut self) -> f64 {
-        let (digits, seeds, rest) = self.next();
-        match digits {
-            Some([first, _]) => scrambled(first, seeds, rest),
-            None => number(rest >> (64 - DIGITS)),
+        match self.next() {
+            Some(([first, _], seeds)) => scrambled(first, seeds, self.random.bits()),
+            None => self.random.next(),
         }
     }
 
-    /// The digits of the next two coordinates in reverse, if they lie evenly, random bits of the pair, and those of the point in it.
-    fn next(&mut self) -> (Option<[u32; 2]>, u64, u64) {
+    /// The digits of the next two coordinates in reverse, and random bits of the pair; none where they are random.
+    fn next(&mut self) -> Option<([u32; 2], u64)> {
+        if !self.are_even() {
+            return None;
+        }
         let seeds = key(self.key, self.pair as u64);
-        let rest = mixed(seeds.wrapping_add(u64::from(self.index).wrapping_mul(GOLDEN)));
-        let digits = self.are_even().then(|| {
-            if self.are_joint {
-                return reversed(self.pair, self.index);
-            }
+        let digits = if self.are_joint {
+            reversed(self.pair, self.index)
+        } else {
             let place = hashed(self.index.reverse_bits(), mixed(seeds) as u32).reverse_bits();
             [place, pascal(place).reverse_bits()]
-        });
+        };
         self.pair += 1;
-        (digits, seeds, rest)
+        Some((digits, seeds))
     }
 }
 
