@@ -11,3 +11,8 @@ pub(crate) fn left(extinction: f64, distance: f64) -> f64 {
         (true, true) => transmittance(extinction, distance),
     }
 }
+
+/// What is taken away on the way: 1 − e^(−σ d), without cancellation.
+pub(crate) fn lost(extinction: f64, distance: f64) -> f64 {
+    if extinction > 0.0 { -(-extinction * distance).exp_m1() } else { 0.0 }
+}

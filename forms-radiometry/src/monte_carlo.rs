@@ -24,6 +24,7 @@ mod kernels;
 mod lattice;
 mod luminaires;
 mod mirror;
+mod near;
 mod optics;
 mod path;
 mod question;

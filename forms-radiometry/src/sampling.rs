@@ -3,9 +3,12 @@
 //! Warps themselves are kernels ([`kernels`](crate::kernels)); here is what they are given, and what turns their axis to where it is wanted.
 
 mod choice;
+mod draws;
 mod frame;
 mod sequence;
+mod sobol;
 
 pub(crate) use choice::chosen;
+pub(crate) use draws::Draws;
 pub(crate) use frame::Frame;
 pub(crate) use sequence::{Net, Random, Samples, key};

@@ -6,7 +6,7 @@ use super::question::{Begin, Question};
 use super::replicates::Sums;
 use super::vertex::{Law, Vertex};
 use crate::geometry::{Start, Vector};
-use crate::sampling::Samples;
+use crate::sampling::Draws;
 
 /// What follows paths for a group of bands.
 pub(crate) trait Follow: Sync {
@@ -17,7 +17,7 @@ pub(crate) trait Follow: Sync {
     fn expanded(&self, question: &Question) -> Option<Vec<[f64; 2]>>;
 
     /// Adds what a sample finds of a question.
-    fn sample(&self, question: &Question, samples: &mut Samples, sums: &mut Sums);
+    fn sample(&self, question: &Question, draws: &mut Draws, sums: &mut Sums);
 }
 
 impl<L: Lattice, const N: usize> Follow for Tracer<'_, L, N> {
@@ -30,7 +30,7 @@ impl<L: Lattice, const N: usize> Follow for Tracer<'_, L, N> {
         self.expansion(self.world.walls.start_at(*origin), *direction)
     }
 
-    fn sample(&self, question: &Question, samples: &mut Samples, sums: &mut Sums) {
+    fn sample(&self, question: &Question, draws: &mut Draws, sums: &mut Sums) {
         let [first, count] = self.optics.bands;
         let mut add = |direction: Vector, value: &[f64; N], way: f64| {
             let Some(bin) = sums.bin(way) else { return };
@@ -38,12 +38,12 @@ impl<L: Lattice, const N: usize> Follow for Tracer<'_, L, N> {
                 (0..count).for_each(|band| sums.add([number, first + band, bin], factor * value[band]));
             });
         };
-        match question.begin(self.world, samples) {
+        match question.begin(self.world, &mut draws.path) {
             Some(Begin::Sight { start, direction }) => {
                 let path = self.begin(start, direction);
-                self.follow(path, samples, &mut |value, way| add(direction, value, way));
+                self.follow(path, draws, &mut |value, way| add(direction, value, way));
             }
-            Some(Begin::Receiver { start, normal }) => self.receive(start, normal, samples, &mut add),
+            Some(Begin::Receiver { start, normal }) => self.receive(start, normal, draws, &mut add),
             None => {}
         }
     }
@@ -73,18 +73,18 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         &self,
         start: Start,
         normal: Option<Vector>,
-        samples: &mut Samples,
+        draws: &mut Draws,
         add: &mut impl FnMut(Vector, &[f64; N], f64),
     ) {
         let law = normal.map_or(Law::Sphere, Law::Plane);
         let mut path = self.begin(start, normal.unwrap_or(Vector::new(0.0, 0.0, 1.0)));
         let vertex = Vertex { start, law };
         if self.limits.direct {
-            self.straight(&path, &vertex, samples, add);
+            self.straight(&path, &vertex, &mut draws.light, add);
         }
-        self.leaves(&mut path, &vertex, samples);
+        self.leaves(&mut path, &vertex, &mut draws.path);
         path.is_straight = true;
         let direction = path.direction;
-        self.follow(path, samples, &mut |value, way| add(direction, value, way));
+        self.follow(path, draws, &mut |value, way| add(direction, value, way));
     }
 }

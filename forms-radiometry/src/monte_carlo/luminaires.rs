@@ -7,9 +7,9 @@
 //! ```
 //! Which luminaire is taken is chosen by power. Densities are of solid angle, and are what a direction has that was found in another way.
 //!
-//! A luminaire that is near, beside its size, is found by chance: many directions lead to it. There it is looked for but now and then, which
-//! its density knows.
+//! A luminaire that is [`near`](super::near) is found by chance, and is not looked for: its density is zero there.
 
+use super::near::Near;
 use super::optics::largest;
 use super::warps::{
     spherical_triangle_pdf, spherical_triangle_sample, uniform_cone_pdf, uniform_cone_sample,
@@ -23,10 +23,6 @@ use crate::scene::{LightKind, Scene};
 use std::f64::consts::PI;
 use std::ops::Range;
 
-/// How often a luminaire is looked for from within the ball around it. On a slab of optical thickness 10 that conserves light, below a wide
-/// shining plate, always looking takes five times as long to the same error of what is transmitted.
-const NEAR: f64 = 1.0 / 16.0;
-
 /// All luminaires of a scene.
 pub(super) struct Luminaires {
     all: Vec<Luminaire>,
@@ -34,6 +30,8 @@ pub(super) struct Luminaires {
     chances: Vec<f64>,
     /// The luminaires of each wall.
     of_walls: Vec<Range<usize>>,
+    /// By wall the points from which its luminaires are not looked for.
+    near: Vec<Option<Near>>,
 }
 
 /// Something that emits light.
@@ -42,8 +40,6 @@ pub(super) struct Luminaire {
     form: Form,
     /// How likely it is chosen.
     chance: f64,
-    /// The centre of a ball around it and the square of the radius, if a ray can meet it.
-    ball: Option<(Vector, f64)>,
 }
 
 /// Where the optical numbers of a luminaire are.
@@ -80,6 +76,7 @@ pub(super) struct Towards {
 impl Luminaires {
     pub(super) fn of(scene: &Scene, walls: &[Wall], sheets: &[Sheet]) -> Self {
         let (mut all, mut powers, mut of_walls) = (Vec::new(), Vec::new(), Vec::new());
+        let mut near = Vec::with_capacity(walls.len());
         for (wall, (shape, sheet)) in walls.iter().zip(sheets).enumerate() {
             let first = all.len();
             let surface = &scene.surfaces[sheet.surface];
@@ -89,10 +86,11 @@ impl Luminaires {
                 let source = Source::Wall { wall, surface: sheet.surface };
                 for form in forms(shape) {
                     powers.push(sides * PI * radiance * form.area());
-                    all.push(Luminaire { source, form, chance: 0.0, ball: form.ball() });
+                    all.push(Luminaire { source, form, chance: 0.0 });
                 }
             }
             of_walls.push(first..all.len());
+            near.push((radiance > 0.0).then(|| Near::of(shape)));
         }
         let extent = extent(walls);
         for (index, light) in scene.lights.iter().enumerate() {
@@ -105,7 +103,7 @@ impl Luminaires {
                 }
             };
             powers.push(power);
-            all.push(Luminaire { source: Source::Beam(index), form, chance: 0.0, ball: None });
+            all.push(Luminaire { source: Source::Beam(index), form, chance: 0.0 });
         }
         let whole: f64 = powers.iter().sum();
         let mut sum = 0.0;
@@ -115,7 +113,7 @@ impl Luminaires {
             sum += luminaire.chance;
             chances.push(sum);
         }
-        Self { all, chances, of_walls }
+        Self { all, chances, of_walls, near }
     }
 
     /// Whether a ray can meet any.
@@ -123,11 +121,16 @@ impl Luminaires {
         self.all.iter().any(|luminaire| matches!(luminaire.source, Source::Wall { .. }))
     }
 
-    /// A luminaire that is looked for from a point this time, and how often it is.
-    pub(super) fn sought(&self, from: Vector, samples: &mut Samples) -> Option<(&Luminaire, f64)> {
+    /// A luminaire that is looked for from a point, if any is.
+    pub(super) fn sought(&self, from: Vector, samples: &mut Samples) -> Option<&Luminaire> {
         let luminaire = self.choose(samples.one())?;
-        let often = luminaire.sought(from);
-        (often == 1.0 || samples.one() < often).then_some((luminaire, often))
+        let is_near = matches!(luminaire.source, Source::Wall { wall, .. } if self.is_near(wall, from));
+        (!is_near).then_some(luminaire)
+    }
+
+    /// Whether the luminaires of a wall are not looked for from a point.
+    fn is_near(&self, wall: usize, from: Vector) -> bool {
+        self.near[wall].as_ref().is_some_and(|near| near.holds(from))
     }
 
     /// A luminaire by a number from 0 to 1; none where there is none.
@@ -146,30 +149,21 @@ impl Luminaires {
     /// The density that a direction from a point to the wall that it meets has among those that [`choose`](Self::choose) and
     /// [`towards`](Luminaire::towards) take, where it is decided at `sought` whether to look.
     pub(super) fn density(&self, sought: Vector, from: Vector, direction: Vector, met: &Met) -> f64 {
+        if self.is_near(met.wall, sought) {
+            return 0.0;
+        }
         let of_wall = self.all[self.of_walls[met.wall].clone()].iter();
-        let density = |luminaire: &Luminaire| {
-            luminaire.chance * luminaire.sought(sought) * luminaire.form.density(from, direction, met)
-        };
+        let density = |luminaire: &Luminaire| luminaire.chance * luminaire.form.density(from, direction, met);
         of_wall.map(density).sum()
     }
 }
 
 impl Luminaire {
-    /// How often it is looked for from a point.
-    fn sought(&self, from: Vector) -> f64 {
-        let is_near = |&(center, squared): &(Vector, f64)| {
-            let way = from - center;
-            way.dot(way) < squared
-        };
-        if self.ball.as_ref().is_some_and(is_near) { NEAR } else { 1.0 }
-    }
-
-    /// A direction from a point, by a point of the unit square, where it is looked for so often. None where the luminaire cannot be seen from
-    /// there.
-    pub(super) fn towards(&self, from: Vector, often: f64, square: [f64; 2]) -> Option<Towards> {
+    /// A direction from a point, by a point of the unit square. None where the luminaire cannot be seen from there.
+    pub(super) fn towards(&self, from: Vector, square: [f64; 2]) -> Option<Towards> {
         let (direction, reach, density) = self.form.towards(from, square)?;
         let is_found = density > 0.0 && density.is_finite();
-        let density = self.chance * often * density;
+        let density = self.chance * density;
         is_found.then_some(Towards { source: self.source, direction, reach, density })
     }
 
@@ -190,21 +184,6 @@ impl Form {
             Self::Disk(disk) => PI * disk.radius * disk.radius,
             Self::Sphere(sphere) => 4.0 * PI * sphere.radius * sphere.radius,
             Self::Point(_) | Self::Distant(_) => 0.0,
-        }
-    }
-
-    /// The centre of a ball around it, and the square of the radius; of what has no extent none.
-    fn ball(&self) -> Option<(Vector, f64)> {
-        match self {
-            Self::Triangle(corners @ [a, b, c]) => {
-                let center = (1.0 / 3.0) * (*a + *b + *c);
-                let squared = corners.map(|corner| (corner - center).dot(corner - center));
-                Some((center, squared.into_iter().fold(0.0, f64::max)))
-            }
-            Self::Disk(Disk { center, radius, .. }) | Self::Sphere(Sphere { center, radius, .. }) => {
-                Some((*center, radius * radius))
-            }
-            Self::Point(_) | Self::Distant(_) => None,
         }
     }
 

@@ -22,7 +22,7 @@ use super::time::longer;
 use super::vertex::{Law, Vertex};
 use super::world::World;
 use crate::geometry::{Met, Start, Vector};
-use crate::sampling::Samples;
+use crate::sampling::{Draws, Random, Samples};
 use crate::scene::{Filling, MaterialKind};
 use std::marker::PhantomData;
 
@@ -103,47 +103,87 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     }
 
     /// Follows a path to its end, and adds what it finds: a value for each band, and the optical length.
-    pub(super) fn follow(
-        &self,
-        mut path: Path<N>,
-        samples: &mut Samples,
-        add: &mut impl FnMut(&[f64; N], f64),
-    ) {
+    pub(super) fn follow(&self, mut path: Path<N>, draws: &mut Draws, add: &mut impl FnMut(&[f64; N], f64)) {
         loop {
             let met = self.world.walls.first(path.start, path.direction, f64::INFINITY);
             let length = met.as_ref().map_or(f64::INFINITY, |met| met.distance);
             let medium = self.medium(path.filling);
-            if L::SCATTERING && medium.scatters() {
-                if may_go_on(path.scatterings, self.limits.scatterings) {
-                    self.lit_segment(&path, &medium, length, samples, add);
-                    match medium.flight(length, self.count(), samples) {
-                        Flight::Scattered(distance, factor) => {
-                            path.throughput = times(&path.throughput, &factor);
-                            self.scatter(&mut path, &medium, distance, samples);
-                            if self.is_endless(&path, &medium) || !self.goes_on(&mut path, samples) {
-                                return;
-                            }
-                            continue;
+            let scatters = L::SCATTERING && medium.scatters();
+            if scatters && may_go_on(path.scatterings, self.limits.scatterings) {
+                self.lit_segment(&path, &medium, length, &mut draws.light, add);
+                match self.flight(&path, &medium, met.as_ref(), &mut draws.path, add) {
+                    Flight::Scattered(distance, factor) => {
+                        path.throughput = times(&path.throughput, &factor);
+                        self.scatter(&mut path, &medium, distance, &mut draws.path);
+                        if self.is_endless(&path, &medium) || !self.goes_on(&mut path, &mut draws.chance) {
+                            return;
                         }
-                        Flight::Passed(factor) => path.throughput = times(&path.throughput, &factor),
+                        continue;
                     }
-                } else {
-                    path.throughput = times(&path.throughput, &medium.transmittance(length));
+                    Flight::Passed(factor) => path.throughput = times(&path.throughput, &factor),
+                    Flight::Nothing => return,
                 }
-            } else if L::ABSORPTION {
+            } else if scatters || L::ABSORPTION {
                 path.throughput = times(&path.throughput, &medium.transmittance(length));
             }
-            let Some(met) = met else {
-                if self.limits.direct || !path.is_straight {
-                    add(&times(&path.throughput, &self.optics.outside), f64::INFINITY);
-                }
-                return;
-            };
-            path.way = self.longer(path.way, &medium, length);
-            self.emitted(&path, &met, add);
-            if !self.interacts(&mut path, &met, &medium, samples, add) || !self.goes_on(&mut path, samples) {
+            self.arrives(&mut path, met.as_ref(), &medium, add);
+            let Some(met) = met else { return };
+            if !self.interacts(&mut path, &met, &medium, draws, add)
+                || !self.goes_on(&mut path, &mut draws.chance)
+            {
                 return;
             }
+        }
+    }
+
+    /// A flight over the segment up to what the path meets. Where nothing goes on from there, what the segment lets pass is added at once, and
+    /// the flight is one that is scattered: so no path ends by chance. That makes paths longer, and is worth it as long as their numbers lie
+    /// evenly, so that errors of what is smooth cancel.
+    fn flight(
+        &self,
+        path: &Path<N>,
+        medium: &MediumOptics<N>,
+        met: Option<&Met>,
+        samples: &mut Samples,
+        add: &mut impl FnMut(&[f64; N], f64),
+    ) -> Flight<N> {
+        let length = met.map_or(f64::INFINITY, |met| met.distance);
+        if !samples.are_even() || met.is_some_and(|met| self.goes_on_from(path, met)) {
+            return medium.flight(length, self.count(), samples);
+        }
+        let mut passing = *path;
+        passing.throughput = times(&path.throughput, &medium.transmittance(length));
+        self.arrives(&mut passing, met, medium, add);
+        medium.flight_within(length, self.count(), samples)
+    }
+
+    /// Adds what comes from where a segment ends to a path that got there.
+    fn arrives(
+        &self,
+        path: &mut Path<N>,
+        met: Option<&Met>,
+        medium: &MediumOptics<N>,
+        add: &mut impl FnMut(&[f64; N], f64),
+    ) {
+        if let Some(met) = met {
+            path.way = self.longer(path.way, medium, met.distance);
+            self.emitted(path, met, add);
+        } else if self.limits.direct || !path.is_straight {
+            add(&times(&path.throughput, &self.optics.outside), f64::INFINITY);
+        }
+    }
+
+    /// Whether a path can go on from a wall.
+    fn goes_on_from(&self, path: &Path<N>, met: &Met) -> bool {
+        let is_bright = self.world.is_bright(met.wall, met.is_front);
+        match self.world.material(met.wall) {
+            MaterialKind::Dielectric { .. } => true,
+            MaterialKind::Diffuse { .. } => {
+                let reflectance = &self.optics.reflectances[self.world.sheets[met.wall].surface];
+                let is_left = may_go_on(path.reflections, self.limits.reflections);
+                is_bright && is_left && largest(reflectance) > 0.0
+            }
+            MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => is_bright && L::MIRROR,
         }
     }
 
@@ -168,29 +208,25 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         path: &mut Path<N>,
         met: &Met,
         medium: &MediumOptics<N>,
-        samples: &mut Samples,
+        draws: &mut Draws,
         add: &mut impl FnMut(&[f64; N], f64),
     ) -> bool {
+        if !self.goes_on_from(path, met) {
+            return false;
+        }
         let (sheet, material) = (&self.world.sheets[met.wall], self.world.material(met.wall));
         let normal = if met.is_front { met.normal } else { -met.normal };
         if let MaterialKind::Dielectric { .. } = material {
             let beyond = sheet.filling(!met.is_front);
-            return self.crosses(path, met, [medium, &self.medium(beyond)], beyond, normal, samples);
-        }
-        if !self.world.is_bright(met.wall, met.is_front) {
-            return false;
+            return self.crosses(path, met, [medium, &self.medium(beyond)], beyond, normal, &mut draws.path);
         }
         if let MaterialKind::Diffuse { .. } = material {
-            let reflectance = &self.optics.reflectances[sheet.surface];
-            if largest(reflectance) == 0.0 || !may_go_on(path.reflections, self.limits.reflections) {
-                return false;
-            }
-            path.throughput = times(&path.throughput, reflectance);
+            path.throughput = times(&path.throughput, &self.optics.reflectances[sheet.surface]);
             path.reflections += 1;
             let vertex =
                 Vertex { start: self.world.walls.start_on(met, met.is_front), law: Law::Plane(normal) };
-            self.straight(path, &vertex, samples, &mut |_, value, way| add(value, way));
-            self.leaves(path, &vertex, samples);
+            self.straight(path, &vertex, &mut draws.light, &mut |_, value, way| add(value, way));
+            self.leaves(path, &vertex, &mut draws.path);
             return true;
         }
         if L::MIRROR {
@@ -234,14 +270,14 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     }
 
     /// Ends a path of little weight at random, and gives the others the weight of those that ended.
-    fn goes_on(&self, path: &mut Path<N>, samples: &mut Samples) -> bool {
+    fn goes_on(&self, path: &mut Path<N>, chance: &mut Random) -> bool {
         let weight = largest(&path.throughput);
         if weight >= FAINT {
             return true;
         }
-        let chance = weight / FAINT;
-        path.throughput = path.throughput.map(|t| t / chance);
-        weight > 0.0 && samples.one() < chance
+        let part = weight / FAINT;
+        path.throughput = path.throughput.map(|t| t / part);
+        weight > 0.0 && chance.next() < part
     }
 
     /// Lets a path go on from a vertex by its law.
@@ -301,10 +337,10 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             self.imaged_segment(path, medium, length, samples, add);
         }
         let sought = self.world.luminaires.sought(path.start.position, samples);
-        let Some((luminaire, often)) = sought else { return };
+        let Some(luminaire) = sought else { return };
         let pivot = luminaire.point(samples.pair());
         let Some((lit, vertex)) = self.lit_point(path, medium, length, pivot, samples) else { return };
-        if let Some(towards) = luminaire.towards(vertex.start.position, often, samples.pair()) {
+        if let Some(towards) = luminaire.towards(vertex.start.position, samples.pair()) {
             self.lit(&lit, &vertex, &towards, &mut |_, value, way| add(value, way));
         }
     }
@@ -324,8 +360,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             }
         }
         let position = vertex.start.position;
-        let Some((luminaire, often)) = self.world.luminaires.sought(position, samples) else { return };
-        if let Some(towards) = luminaire.towards(position, often, samples.pair()) {
+        let Some(luminaire) = self.world.luminaires.sought(position, samples) else { return };
+        if let Some(towards) = luminaire.towards(position, samples.pair()) {
             self.lit(path, vertex, &towards, add);
         }
     }

@@ -8,7 +8,7 @@
 
 use super::follow::Follow;
 use super::question::Question;
-use crate::sampling::{Samples, key};
+use crate::sampling::{Draws, key};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -98,8 +98,8 @@ impl Replicates {
             let key = key(own, replicate as u64);
             for index in from..to {
                 for follower in followers {
-                    let mut samples = Samples::new(key ^ follower.bands()[0] as u64, index);
-                    follower.sample(question, &mut samples, sums);
+                    let mut draws = Draws::new(key ^ follower.bands()[0] as u64, index);
+                    follower.sample(question, &mut draws, sums);
                 }
             }
         };

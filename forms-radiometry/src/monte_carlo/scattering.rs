@@ -2,15 +2,17 @@
 //!
 //! ```text
 //! free flight     t with the density σ e^(−σ t); beyond the end of the segment light passes
+//! within          the same of what is scattered before that: t with the density σ e^(−σ t)/(1 − e^(−σ d))
 //! lit point       t with half the density of free flight within the segment, and half that of the angle at a luminaire
 //! ```
 //! Bands have extinctions of their own: the distance is taken by one of them at random, and its density is the mean of all.
 //!
 //! Source: C. Kulla, M. Fajardo, Importance sampling techniques for path tracing in participating media (2012).
 
-use super::optics::{MediumOptics, mean};
+use super::optics::{MediumOptics, mean, scaled};
 use super::vertex::one_of;
 use super::warps::{equiangular_pdf, equiangular_sample, free_flight_pdf, free_flight_sample};
+use crate::extinction::lost;
 use crate::geometry::Vector;
 use crate::sampling::Samples;
 
@@ -25,6 +27,8 @@ pub(super) enum Flight<const N: usize> {
     Scattered(f64, [f64; N]),
     /// At the end of the segment, with this factor.
     Passed([f64; N]),
+    /// With nothing: none ends so.
+    Nothing,
 }
 
 impl<const N: usize> MediumOptics<N> {
@@ -34,17 +38,31 @@ impl<const N: usize> MediumOptics<N> {
         let number = samples.one();
         let distance = if chosen > 0.0 { free_flight_sample(chosen, number) } else { f64::INFINITY };
         if distance < length {
-            let left = self.transmittance(distance);
-            let densities: [f64; N] = std::array::from_fn(|band| self.extinction[band] * left[band]);
-            let density = mean(&densities, count);
-            return Flight::Scattered(
-                distance,
-                std::array::from_fn(|band| self.scattering[band] * left[band] / density),
-            );
+            return Flight::Scattered(distance, self.scattered(distance, count));
         }
         let left = self.transmittance(length);
         let chance = mean(&left, count);
         Flight::Passed(left.map(|left| left / chance))
+    }
+
+    /// One of the flights over a segment that are scattered, with the factor of all of them: their part of all flights is 1 − e^(−σ d).
+    pub(super) fn flight_within(&self, length: f64, count: usize, samples: &mut Samples) -> Flight<N> {
+        let within = self.extinction.map(|extinction| lost(extinction, length));
+        let part = mean(&within, count);
+        if part == 0.0 {
+            return Flight::Nothing;
+        }
+        let band = likely(&within[..count], samples);
+        let distance = free_flight_sample(self.extinction[band], within[band] * samples.one()).min(length);
+        Flight::Scattered(distance, scaled(part, &self.scattered(distance, count)))
+    }
+
+    /// What is scattered at a distance, over the density of distances of free flight there.
+    fn scattered(&self, distance: f64, count: usize) -> [f64; N] {
+        let left = self.transmittance(distance);
+        let densities: [f64; N] = std::array::from_fn(|band| self.extinction[band] * left[band]);
+        let density = mean(&densities, count);
+        std::array::from_fn(|band| self.scattering[band] * left[band] / density)
     }
 
     /// A distance along a segment at which light from a point is looked for, and for each band σₛ times what is left of light on the way
@@ -66,7 +84,7 @@ impl<const N: usize> MediumOptics<N> {
         let angle = pivot.and_then(|pivot| Angle::at(pivot, [origin, direction], length));
         // the number tells which distribution, and then a distance of it
         let number = samples.one();
-        let within = -(-extinction * length).exp_m1();
+        let within = lost(extinction, length);
         let flight = |number: f64| free_flight_sample(extinction, number * within);
         let distance = match &angle {
             None => flight(number),
@@ -80,6 +98,20 @@ impl<const N: usize> MediumOptics<N> {
         let factor = std::array::from_fn(|band| self.scattering[band] * left[band] / density);
         (density > 0.0).then_some((distance, factor))
     }
+}
+
+/// A band, each as likely as its part of the sum.
+fn likely(parts: &[f64], samples: &mut Samples) -> usize {
+    if parts.len() == 1 {
+        return 0;
+    }
+    let mut along = samples.one() * parts.iter().sum::<f64>();
+    let is_beyond = |part: &&f64| {
+        along -= **part;
+        along >= 0.0
+    };
+    let last = parts.iter().rposition(|&part| part > 0.0).unwrap_or(0);
+    parts.iter().take_while(is_beyond).count().min(last)
 }
 
 /// A segment by the angle that it covers at a luminaire: along the ray from abreast of it, at the height h.

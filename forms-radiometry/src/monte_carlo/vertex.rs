@@ -63,7 +63,9 @@ impl<const N: usize> Law<N> {
             }
             Self::Phase { forward, asymmetry } => {
                 let g = asymmetry[one_of(count, samples)];
-                Frame::about(*forward).place(henyey_greenstein_direction_sample(g, u, v))
+                let [x, y, z] = henyey_greenstein_direction_sample(g, u, v);
+                // directions that are uniform are about an axis that does not turn with the path, and so depend on these two numbers alone
+                if g == 0.0 { Vector::new(x, y, z) } else { Frame::about(*forward).place([x, y, z]) }
             }
         }
     }

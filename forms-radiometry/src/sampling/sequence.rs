@@ -6,19 +6,25 @@
 //! ```
 //! The sequence is the (0, 2)-sequence of van der Corput and Sobol: of the first 4ⁿ points one lies in each cell of any of the grids
 //! of 4ⁿ equal cells whose sides are powers of two. A random digital shift keeps that, and makes every point uniform, so that means
-//! over the points have no bias. Points of many dimensions are made of one such point for each pair of them: each pair has the
-//! sequence in an order of its own, and scrambled in Owen's way, digit by digit as the digits before say, so that pairs know nothing of
-//! each other and errors of smooth integrands cancel. Keys alone decide everything: answers do not depend on threads.
+//! over the points have no bias. Points of many dimensions are those of [Sobol's sequence](super::sobol), in which all dimensions lie evenly
+//! together, or have one point of that (0, 2)-sequence for each pair of dimensions: each pair has it in an order of its own, so that pairs know
+//! nothing of each other. Both are scrambled in Owen's way, digit by digit as the digits before say, so that errors of smooth integrands
+//! cancel. Keys alone decide everything: answers do not depend on threads.
 //!
 //! Sources: T. Kollig, A. Keller, Efficient multidimensional sampling (2002); B. Burley, Practical hash-based Owen scrambling (2020);
 //! G. Steele, D. Lea, C. Flood, Fast splittable pseudorandom number generators (2014).
 
+use super::sobol::{DIMENSIONS, reversed};
+
 /// Digits of a coordinate: so many that the middle of each of the least intervals is a number in (0, 1).
 const DIGITS: u32 = 52;
 
+/// The odd number nearest to 2⁶⁴ over the golden ratio.
+const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
+
 /// A key made of another one and a number.
 pub(crate) fn key(parent: u64, number: u64) -> u64 {
-    mixed(parent ^ mixed(number.wrapping_add(0x9e37_79b9_7f4a_7c15)))
+    mixed(parent ^ mixed(number.wrapping_add(GOLDEN)))
 }
 
 /// A bijection of 64 bits that leaves no trace of order: that of SplitMix64.
@@ -34,6 +40,7 @@ fn number(digits: u64) -> f64 {
 }
 
 /// Random numbers from 0 to 1, without the ends.
+#[derive(Clone, Debug)]
 pub(crate) struct Random(u64);
 
 impl Random {
@@ -42,8 +49,12 @@ impl Random {
     }
 
     pub(crate) fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        number(mixed(self.0) >> (64 - DIGITS))
+        number(self.bits() >> (64 - DIGITS))
+    }
+
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(GOLDEN);
+        mixed(self.0)
     }
 }
 
@@ -61,12 +72,12 @@ impl Net {
     /// One of the points; no coordinate is 0 or 1.
     pub(crate) fn point(&self, index: u32) -> [f64; 2] {
         let shifted = |radical: u32, shift| number((u64::from(radical) << (DIGITS - 32)) ^ shift);
-        [shifted(index.reverse_bits(), self.shift[0]), shifted(sobol(index), self.shift[1])]
+        [shifted(index.reverse_bits(), self.shift[0]), shifted(pascal(index), self.shift[1])]
     }
 }
 
 /// The second coordinate of Sobol: the binary digits of an index times Pascal's triangle modulo two.
-fn sobol(mut index: u32) -> u32 {
+fn pascal(mut index: u32) -> u32 {
     let (mut column, mut sum) = (1 << 31, 0);
     while index != 0 {
         if index & 1 == 1 {
@@ -80,56 +91,84 @@ fn sobol(mut index: u32) -> u32 {
 
 /// The pairs of dimensions that have points of low discrepancy: of what depends on more, so much happened at random before
 /// that plain random numbers do as well.
-const EVEN_PAIRS: u32 = 16;
+pub(super) const EVEN_PAIRS: usize = DIMENSIONS / 2;
 
 /// One point of a sequence in as many dimensions as are asked for.
 #[derive(Clone, Debug)]
 pub(crate) struct Samples {
     key: u64,
     index: u32,
-    pair: u32,
+    pair: usize,
+    /// Whether all dimensions lie evenly together, or each pair for itself.
+    are_joint: bool,
+    /// What digits beyond those of the sequence are, and coordinates that do not lie evenly.
+    random: Random,
 }
 
 impl Samples {
-    /// The point with this index of the sequence that a key names. The first 2ⁿ points lie evenly, for every n.
+    /// The point with this index of the sequence that a key names. In each pair of dimensions the first 2ⁿ points lie evenly, for every n.
     pub(crate) fn new(key: u64, index: u32) -> Self {
-        Self { key, index, pair: 0 }
+        let random = Random::new(self::key(!key, u64::from(index)));
+        Self { key, index, pair: 0, are_joint: false, random }
+    }
+
+    /// The same of a sequence whose dimensions lie evenly together.
+    pub(crate) fn joint(key: u64, index: u32) -> Self {
+        Self { are_joint: true, ..Self::new(key, index) }
+    }
+
+    /// Whether the next coordinates lie evenly.
+    pub(crate) fn are_even(&self) -> bool {
+        self.pair < EVEN_PAIRS
     }
 
     /// The next two coordinates, from 0 to 1 without the ends.
     pub(crate) fn pair(&mut self) -> [f64; 2] {
-        let seed = key(self.key, u64::from(self.pair));
-        let rest = key(seed, u64::from(self.index));
-        let is_even = self.pair < EVEN_PAIRS;
-        self.pair += 1;
-        if !is_even {
-            return [rest, mixed(rest)].map(|bits| number(bits >> (64 - DIGITS)));
-        }
-        let place = scrambled(self.index, seed as u32);
-        let [first, second] = [place.reverse_bits(), sobol(place)];
-        let seeds = mixed(seed);
-        // digits beyond the sequence's own are random
-        let digits = |sequence: u32, seed: u64, rest: u64| {
-            let own = u64::from(scrambled(sequence, seed as u32)) << (DIGITS - 32);
-            number(own | (rest >> (64 - (DIGITS - 32))))
+        let Some(([first, second], seeds)) = self.next() else {
+            return [self.random.next(), self.random.next()];
         };
-        [digits(first, seeds, rest), digits(second, seeds >> 32, rest << 32)]
+        let rest = self.random.bits();
+        [scrambled(first, seeds, rest), scrambled(second, seeds >> 32, rest << 32)]
     }
 
     /// The next coordinate.
     pub(crate) fn one(&mut self) -> f64 {
-        self.pair()[0]
+        match self.next() {
+            Some(([first, _], seeds)) => scrambled(first, seeds, self.random.bits()),
+            None => self.random.next(),
+        }
+    }
+
+    /// The digits of the next two coordinates in reverse, and random bits of the pair; none where they are random.
+    fn next(&mut self) -> Option<([u32; 2], u64)> {
+        if !self.are_even() {
+            return None;
+        }
+        let seeds = key(self.key, self.pair as u64);
+        let digits = if self.are_joint {
+            reversed(self.pair, self.index)
+        } else {
+            let place = hashed(self.index.reverse_bits(), mixed(seeds) as u32).reverse_bits();
+            [place, pascal(place).reverse_bits()]
+        };
+        self.pair += 1;
+        Some((digits, seeds))
     }
 }
 
-/// A permutation in which each binary digit is changed or not as the digits above it and a seed say: the hash of Laine and Karras of
-/// the digits in reverse.
-fn scrambled(digits: u32, seed: u32) -> u32 {
-    let mut x = digits.reverse_bits().wrapping_add(seed);
+/// A coordinate whose digits in reverse are scrambled by the lower half of a seed. Those beyond the sequence's own are random.
+fn scrambled(reversed: u32, seed: u64, rest: u64) -> f64 {
+    let digits = hashed(reversed, seed as u32).reverse_bits();
+    number(u64::from(digits) << (DIGITS - 32) | rest >> (64 - (DIGITS - 32)))
+}
+
+/// A permutation in which each binary digit is changed or not as the digits below it and a seed say: the hash of Laine and Karras.
+fn hashed(digits: u32, seed: u32) -> u32 {
+    let mut x = digits.wrapping_add(seed);
     for factor in [0x6c50_b47c_u32, 0xb82f_1e52, 0xc7af_e638, 0x8d22_f6e6] {
         x ^= x.wrapping_mul(factor);
     }
-    x.reverse_bits()
+    x
 }
 
 #[cfg(test)]
@@ -156,7 +195,7 @@ mod tests {
 
     #[test]
     fn each_pair_of_dimensions_lies_evenly() {
-        for (pair, bits) in [(0, 4), (1, 6), (7, 8), (EVEN_PAIRS - 1, 8)] {
+        for (pair, bits) in [(0, 4), (1, 6), (2, 8), (7, 8), (EVEN_PAIRS - 1, 8)] {
             for rows in 0..=bits {
                 let (columns, rows) = (1_usize << (bits - rows), 1_usize << rows);
                 let mut counts = vec![0; columns * rows];
@@ -206,6 +245,21 @@ mod tests {
         let deviation = (means.iter().map(|mean| (mean - exact).powi(2)).sum::<f64>() / 64.0).sqrt();
         // random points would deviate by 1e-2
         assert!(deviation < 1e-3 && error.abs() < 4.0 * deviation / 8.0, "{error}, {deviation}");
+    }
+
+    #[test]
+    fn dimensions_that_lie_evenly_together_leave_less_spread_of_what_depends_on_several() {
+        const POINTS: u32 = 256;
+        const SEEDS: u64 = 256;
+        let product = |mut samples: Samples| (0..4).map(|_| 0.5 + samples.one()).product::<f64>();
+        let spread = |of: fn(u64, u32) -> Samples| {
+            let mean = |seed| {
+                (0..POINTS).map(|index| product(of(key(seed, 1), index))).sum::<f64>() / f64::from(POINTS)
+            };
+            ((0..SEEDS).map(|seed| (mean(seed) - 1.0).powi(2)).sum::<f64>() / SEEDS as f64).sqrt()
+        };
+        let (joint, apart) = (spread(Samples::joint), spread(Samples::new));
+        assert!(joint < 0.5 * apart, "{joint}, {apart}");
     }
 
     #[test]

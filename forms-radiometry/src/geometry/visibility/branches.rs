@@ -107,7 +107,8 @@ impl Branches {
         let first = inverse.map(|inverse| usize::from(inverse < 0.0));
         let slopes = Slopes { origin: self.relative(origin), inverse, first };
         // a ray takes less than an allocation would
-        let mut waiting: SmallVec<[(f64, u32); 64]> = self.root.map(|root| (0.0, root)).into_iter().collect();
+        let mut waiting: SmallVec<[(f64, u32); 64]> = SmallVec::new();
+        waiting.extend(self.root.map(|root| (0.0, root)));
         while let Some((entered, mut below)) = waiting.pop() {
             if entered > way.end() {
                 continue;

@@ -46,6 +46,11 @@ fn everywhere(name: &'static str, tables: &[String], radiance: f64) -> Claim {
         .radiance("camera", radiance)
 }
 
+/// A room of black walls that shine, full of fog: near walls are found by chance, and those far away are looked for.
+fn fog_in_the_dark(name: &'static str, sigma: f64, g: f64) -> Claim {
+    everywhere(name, &[room(0.0), gas("fog", 0, sigma, g), filled_with("fog")], 1.0).within(5e-3)
+}
+
 /// A furnace with a mirror in it, and the irradiance of one point.
 pub(crate) fn furnace_of(reflectance: f64) -> Claim {
     let ball = mirror("silver", 1) + &surface("ball", "silver", &sphere([0.5; 3], 0.25, false));
@@ -90,6 +95,8 @@ pub(super) fn claims() -> Vec<Claim> {
         seen(Claim::new(name, &[tables, &[sights([0.6, 0.5, 0.4])]].concat()), index(n))
     };
     vec![
+        fog_in_the_dark("fog in a room of black walls that shine", 3.0, 0.0),
+        fog_in_the_dark("thin fog that scatters forwards in the same room", 0.3, 0.6),
         everywhere("a mirror that absorbs nothing stands in a furnace", &[room(WALLS), perfect()], RADIANCE),
         everywhere("a mirror that absorbs emits what it takes", &[room(WALLS), emitting], RADIANCE),
         everywhere("the walls of a furnace reflect nearly all", &[room(0.9), perfect()], 10.0).within(0.1),

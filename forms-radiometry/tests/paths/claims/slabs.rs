@@ -2,7 +2,7 @@
 //! from all directions above, and of a beam.
 
 use super::Claim;
-use super::elements::{cuboid, distant_light, effects, gas, ray, shining, square};
+use super::elements::{cuboid, distant_light, effects, filled_with, gas, ray, shining, square};
 use super::integral::{exponential_integral, integral};
 use super::scene_text::{material, point_receiver, surface};
 use forms_radiometry::kernels::{
@@ -32,6 +32,23 @@ fn reflects(name: &'static str, [omega, tau]: [f64; 2], reflectance: f64) -> Cla
     let tables = [slab(1.0, (1.0 - omega) * tau, omega * tau, 0.0), lit_from_above()];
     let claim = Claim::new(name, &tables).irradiance("reflected", PI * reflectance);
     if omega == 1.0 { claim.irradiance("transmitted", PI * (1.0 - reflectance)) } else { claim }
+}
+
+/// A medium without end between a plate of radiance 1 and a black one, and receivers on both: no path goes on from a plate.
+pub(super) fn between_plates(medium: &str) -> [String; 3] {
+    let plates = surface("lamp", "black", &shining(&square(1.0, WIDE, false), 1))
+        + &surface("floor", "black", &square(0.0, WIDE, true));
+    let receivers = point_receiver("reflected", [0.0, 0.0, 1.0], [0.0, 0.0, -1.0])
+        + &point_receiver("transmitted", [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
+    [material("black", 0) + &plates, medium.to_owned() + &filled_with("fog"), receivers]
+}
+
+/// A slab between plates that absorbs nothing and reflects R.
+fn passes(name: &'static str, tau: f64, reflectance: f64) -> Claim {
+    Claim::new(name, &between_plates(&gas("fog", 0, tau, 0)))
+        .irradiance("reflected", PI * reflectance)
+        .irradiance("transmitted", PI * (1.0 - reflectance))
+        .within(5e-3)
 }
 
 /// What light that was scattered up to twice adds to reflectance and transmittance of a slab: with S₁ = ω/2 E₂(t),
@@ -130,6 +147,8 @@ pub(super) fn claims() -> Vec<Claim> {
         reflects("a slab of albedo 0.9 and thickness 1", [0.9, 1.0], 0.352_712_039_836_127),
         reflects("a slab of albedo 0.99 and thickness 4", [0.99, 4.0], 0.709_734_304_760_716_5),
         reflects("a thick slab without absorption", [1.0, 10.0], 0.883_254_886_486_837_4).within(0.2),
+        passes("a slab between plates", 1.0, 0.446_594_006_673),
+        passes("a thin slab between plates", 0.1, 0.084_297_126_167),
         // `slab-2E3-1.0`
         Claim::new(
             "a slab that only absorbs transmits 2 E₃(τ)",

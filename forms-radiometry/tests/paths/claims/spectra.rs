@@ -7,6 +7,7 @@ use super::elements::{
 };
 use super::integral::fresnel;
 use super::scene_text::{material, point_receiver, polygon, surface};
+use super::slabs::between_plates;
 use forms_radiometry::kernels::airlight;
 use forms_radiometry::simulation::Quantity;
 use std::f64::consts::PI;
@@ -84,6 +85,15 @@ pub(super) fn claims() -> Vec<Claim> {
             ],
         )
         .bands("ray", Quantity::Radiance, &fogs.map(|beta| airlight(beta, 1.0, 3.0, 8.0))),
+        Claim::new(
+            "two bands of a slab between plates share their paths",
+            &[&[bands(2)], &between_plates(&medium("fog", [&0, &list(&[0.1, 1.0]), &0, &1]))[..]].concat(),
+        )
+        .bands(
+            "reflected",
+            Quantity::Irradiance,
+            &[0.084_297_126_167, 0.446_594_006_673].map(|part| PI * part),
+        ),
         Claim::new(
             "glass with dispersion reflects each band by its own index",
             &[

@@ -1,0 +1,104 @@
+//! Nearness: where a luminaire fills so many directions that light from it is found by chance.
+//!
+//! ```text
+//! flat     it holds a disk about the foot of the point's perpendicular, of a radius as large as the point's height or larger:
+//!          a part of (1 − 1/√2)/2 = 0.146 of all directions leads to that
+//! sphere   the point is inside
+//! ```
+//! There it is not looked for: a direction to it costs more than what it adds to what directions by the law of a vertex find. Any rule would do
+//! that says the same of a point whenever it is asked, since weights of what is found rest on it.
+
+use crate::geometry::{Disk, Sphere, Vector, Wall};
+
+/// The points near a luminaire.
+pub(super) enum Near {
+    /// A point of the plane and its unit normal, and for each edge a point of it and the unit normal in the plane that points to the inside.
+    Polygon {
+        plane: [Vector; 2],
+        edges: Vec<[Vector; 2]>,
+    },
+    Disk(Disk),
+    Sphere(Sphere),
+}
+
+impl Near {
+    pub(super) fn of(wall: &Wall) -> Self {
+        match wall {
+            Wall::Polygon { vertices, normal } => {
+                let nexts = vertices.iter().cycle().skip(1);
+                let edge = |(&from, &to): (&Vector, &Vector)| Some([from, normal.cross(to - from).unit()?]);
+                let edges = vertices.iter().zip(nexts).filter_map(edge).collect();
+                Self::Polygon { plane: [vertices[0], *normal], edges }
+            }
+            Wall::Disk(disk) => Self::Disk(*disk),
+            Wall::Sphere(sphere) => Self::Sphere(*sphere),
+        }
+    }
+
+    /// Whether a point is one of them.
+    pub(super) fn holds(&self, point: Vector) -> bool {
+        match self {
+            Self::Polygon { plane: [origin, normal], edges } => {
+                let height = (point - *origin).dot(*normal).abs();
+                edges.iter().all(|[from, inwards]| (point - *from).dot(*inwards) >= height)
+            }
+            Self::Disk(Disk { center, normal, radius }) => {
+                let way = point - *center;
+                let height = way.dot(*normal).abs();
+                let left = radius - height;
+                left >= 0.0 && way.dot(way) - height * height <= left * left
+            }
+            Self::Sphere(Sphere { center, radius, .. }) => {
+                let way = point - *center;
+                way.dot(way) < radius * radius
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UP: Vector = Vector::new(0.0, 0.0, 1.0);
+
+    fn rectangle(x: f64, y: f64) -> Near {
+        let corners = [[-x, -y], [x, -y], [x, y], [-x, y]];
+        Near::of(&Wall::Polygon {
+            vertices: corners.map(|[x, y]| Vector::new(x, y, 0.0)).to_vec(),
+            normal: UP,
+        })
+    }
+
+    #[test]
+    fn points_are_near_where_a_disk_as_wide_as_their_height_fits_in() {
+        let disk = Near::of(&Wall::Disk(Disk { center: Vector::default(), normal: UP, radius: 1.0 }));
+        let cases = [
+            ([0.0, 0.0, 0.99], true),
+            ([0.0, 0.0, -0.99], true),
+            ([0.0, 0.0, 1.01], false),
+            ([0.6, 0.0, 0.39], true),
+            ([0.6, 0.0, 0.41], false),
+            ([0.99, 0.0, 0.0], true),
+            ([1.01, 0.0, 0.0], false),
+            ([1.5, 0.0, 0.1], false),
+        ];
+        for ([x, y, z], is_near) in cases {
+            let point = Vector::new(x, y, z);
+            assert_eq!([rectangle(1.0, 1.0).holds(point), disk.holds(point)], [is_near; 2], "{point:?}");
+        }
+    }
+
+    #[test]
+    fn few_points_are_near_a_narrow_strip() {
+        let near =
+            [0.005, 0.1, 10.0].map(|height| rectangle(50.0, 0.01).holds(Vector::new(3.0, 0.0, height)));
+        assert_eq!(near, [true, false, false]);
+    }
+
+    #[test]
+    fn points_are_near_a_sphere_inside_only() {
+        let sphere = Near::of(&Wall::Sphere(Sphere { center: UP, radius: 1.0, inward: false }));
+        assert_eq!([0.1, -0.1].map(|z| sphere.holds(Vector::new(0.0, 0.0, z))), [true, false]);
+    }
+}
