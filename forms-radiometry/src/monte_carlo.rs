@@ -17,6 +17,7 @@ mod endless;
 mod expansion;
 mod extinction;
 mod follow;
+mod forced;
 mod imaged;
 mod images;
 mod kept;

@@ -83,13 +83,13 @@ fn part(own: f64, other: f64) -> f64 {
     1.0 / (1.0 + ratio * ratio)
 }
 
-fn may_go_on(count: u32, most: Option<u32>) -> bool {
+pub(super) fn may_go_on(count: u32, most: Option<u32>) -> bool {
     most.is_none_or(|most| count < most)
 }
 
 impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     /// How many bands there are.
-    fn count(&self) -> usize {
+    pub(super) fn count(&self) -> usize {
         if N == 1 { 1 } else { self.optics.bands[1] }
     }
 
@@ -136,29 +136,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         }
     }
 
-    /// A flight over the segment up to what the path meets. Where nothing goes on from there, what the segment lets pass is added at once, and
-    /// the flight is one that is scattered: so no path ends by chance. That makes paths longer, and is worth it as long as their numbers lie
-    /// evenly, so that errors of what is smooth cancel.
-    fn flight(
-        &self,
-        path: &Path<N>,
-        medium: &MediumOptics<N>,
-        met: Option<&Met>,
-        samples: &mut Samples,
-        add: &mut impl FnMut(&[f64; N], f64),
-    ) -> Flight<N> {
-        let length = met.map_or(f64::INFINITY, |met| met.distance);
-        if !samples.are_even() || met.is_some_and(|met| self.goes_on_from(path, met)) {
-            return medium.flight(length, self.count(), samples);
-        }
-        let mut passing = *path;
-        passing.throughput = times(&path.throughput, &medium.transmittance(length));
-        self.arrives(&mut passing, met, medium, add);
-        medium.flight_within(length, self.count(), samples)
-    }
-
     /// Adds what comes from where a segment ends to a path that got there.
-    fn arrives(
+    pub(super) fn arrives(
         &self,
         path: &mut Path<N>,
         met: Option<&Met>,
@@ -170,20 +149,6 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             self.emitted(path, met, add);
         } else if self.limits.direct || !path.is_straight {
             add(&times(&path.throughput, &self.optics.outside), f64::INFINITY);
-        }
-    }
-
-    /// Whether a path can go on from a wall.
-    fn goes_on_from(&self, path: &Path<N>, met: &Met) -> bool {
-        let is_bright = self.world.is_bright(met.wall, met.is_front);
-        match self.world.material(met.wall) {
-            MaterialKind::Dielectric { .. } => true,
-            MaterialKind::Diffuse { .. } => {
-                let reflectance = &self.optics.reflectances[self.world.sheets[met.wall].surface];
-                let is_left = may_go_on(path.reflections, self.limits.reflections);
-                is_bright && is_left && largest(reflectance) > 0.0
-            }
-            MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => is_bright && L::MIRROR,
         }
     }
 

@@ -1,0 +1,51 @@
+//! Forcing: where nothing goes on from the wall that a ray meets in a medium, the path is scattered before that for certain.
+//!
+//! ```text
+//! segment ─▶ wall that only emits ─┬─ what it emits times e^(−σ d), added at once
+//!                                  └─ a flight that is scattered, times 1 − e^(−σ d)
+//! ```
+
+use super::lattice::Lattice;
+use super::optics::{MediumOptics, largest, times};
+use super::path::{Path, Tracer, may_go_on};
+use super::scattering::Flight;
+use crate::geometry::Met;
+use crate::sampling::Samples;
+use crate::scene::MaterialKind;
+
+impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
+    /// A flight over the segment up to what the path meets. Where nothing goes on from there, what the segment lets pass is added at once, and
+    /// the flight is one that is scattered: so no path ends by chance. That makes paths longer, and is worth it as long as their numbers lie
+    /// evenly, so that errors of what is smooth cancel.
+    pub(super) fn flight(
+        &self,
+        path: &Path<N>,
+        medium: &MediumOptics<N>,
+        met: Option<&Met>,
+        samples: &mut Samples,
+        add: &mut impl FnMut(&[f64; N], f64),
+    ) -> Flight<N> {
+        let length = met.map_or(f64::INFINITY, |met| met.distance);
+        if !samples.are_even() || met.is_some_and(|met| self.goes_on_from(path, met)) {
+            return medium.flight(length, self.count(), samples);
+        }
+        let mut passing = *path;
+        passing.throughput = times(&path.throughput, &medium.transmittance(length));
+        self.arrives(&mut passing, met, medium, add);
+        medium.flight_within(length, self.count(), samples)
+    }
+
+    /// Whether a path can go on from a wall.
+    pub(super) fn goes_on_from(&self, path: &Path<N>, met: &Met) -> bool {
+        let is_bright = self.world.is_bright(met.wall, met.is_front);
+        match self.world.material(met.wall) {
+            MaterialKind::Dielectric { .. } => true,
+            MaterialKind::Diffuse { .. } => {
+                let reflectance = &self.optics.reflectances[self.world.sheets[met.wall].surface];
+                let is_left = may_go_on(path.reflections, self.limits.reflections);
+                is_bright && is_left && largest(reflectance) > 0.0
+            }
+            MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => is_bright && L::MIRROR,
+        }
+    }
+}
