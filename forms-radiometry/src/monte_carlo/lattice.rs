@@ -103,21 +103,44 @@ impl BitOr for Effects {
 /// How many bands share their paths at most.
 pub(super) const SHARED: usize = 4;
 
-/// What follows paths in a world, for each group of bands that share them: with dispersion every band goes its own way.
+/// What follows paths in a world, for each group of bands that share them.
 pub(crate) fn follower<'w>(
     world: &'w World<'w>,
     effects: Effects,
     limits: Limits,
 ) -> Vec<Box<dyn Follow + 'w>> {
-    let bands = world.scene.band_count();
-    let group = if effects.dispersion { 1 } else { SHARED };
-    let groups = (0..bands).step_by(group).map(|first| (first, group.min(bands - first)));
+    let member = |[first, count]: [usize; 2]| match count {
+        1 => member::<1>(world, effects, limits, first, count),
+        _ => member::<SHARED>(world, effects, limits, first, count),
+    };
+    groups(world.scene, effects).into_iter().map(member).collect()
+}
+
+/// The first band and the number of bands of each group that shares its paths: neighbours that scatter alike, and with dispersion every band
+/// by itself.
+fn groups(scene: &Scene, effects: Effects) -> Vec<[usize; 2]> {
+    let mut groups: Vec<[usize; 2]> = Vec::new();
+    for band in 0..scene.band_count() {
+        let shares = |[first, count]: [usize; 2]| {
+            count < SHARED && !effects.dispersion && scatter_alike(scene, first, band)
+        };
+        match groups.last_mut() {
+            Some(group) if shares(*group) => group[1] += 1,
+            _ => groups.push([band, 1]),
+        }
+    }
     groups
-        .map(|(first, count)| match count {
-            1 => member::<1>(world, effects, limits, first, count),
-            _ => member::<SHARED>(world, effects, limits, first, count),
-        })
-        .collect()
+}
+
+/// Whether paths that are scattered by the law of one band are as likely in another. If not, each scattering would multiply the weight in one of
+/// them by more than 1, and after many of them hardly any path would carry all of the light.
+fn scatter_alike(scene: &Scene, one: usize, other: usize) -> bool {
+    let mut scattering =
+        scene.media.iter().filter(|medium| medium.scattering.iter().any(|&scattering| scattering > 0.0));
+    scattering.all(|medium| {
+        let law = |band: usize| [medium.absorption[band] + medium.scattering[band], medium.asymmetry[band]];
+        law(one) == law(other)
+    })
 }
 
 /// Whether the images of lights in flat walls are more than can be listed.

@@ -86,13 +86,14 @@ pub(super) fn claims() -> Vec<Claim> {
         )
         .bands("ray", Quantity::Radiance, &fogs.map(|beta| airlight(beta, 1.0, 3.0, 8.0))),
         Claim::new(
-            "two bands of a slab between plates share their paths",
-            &[&[bands(2)], &between_plates(&medium("fog", [&0, &list(&[0.1, 1.0]), &0, &1]))[..]].concat(),
+            "bands of a slab between plates that scatter differently have their own paths",
+            &[&[bands(3)], &between_plates(&medium("fog", [&0, &list(&[0.1, 1.0, 10.0]), &0, &1]))[..]]
+                .concat(),
         )
         .bands(
             "reflected",
             Quantity::Irradiance,
-            &[0.084_297_126_167, 0.446_594_006_673].map(|part| PI * part),
+            &[0.084_297_126_167, 0.446_594_006_673, 0.883_254_886_487].map(|part| PI * part),
         ),
         Claim::new(
             "glass with dispersion reflects each band by its own index",
