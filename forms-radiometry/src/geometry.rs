@@ -4,6 +4,7 @@
 
 mod clip;
 mod cone;
+mod edges;
 mod exchange;
 mod form_factor;
 mod mesh;
@@ -17,14 +18,17 @@ mod visibility;
 mod weld;
 
 pub(crate) use clip::split;
+pub(crate) use edges::{Edges, fill};
 pub use exchange::{Exchange, exchange, view_factor, visible_exchange};
 pub(crate) use exchange::{Patch, exchange_of, exchange_with, gauss, patches};
 pub(crate) use form_factor::edge_sum;
 pub use form_factor::form_factor;
-pub(crate) use form_factor::{form_factor_of_pieces, line_sum};
+pub(crate) use form_factor::form_factor_of_pieces;
 pub use mesh::{FaceError, Mesh, MeshError};
 pub use polygon::{Polygon, PolygonError};
 pub use round::{Disk, Sphere};
 pub use vector::Vector;
-pub(crate) use visibility::{Between, Face, Met, Screens, Start, Wall, Walls, Workspace, resolution};
+pub(crate) use visibility::{
+    Between, Borders, Face, Looking, Met, Screens, Start, Wall, Walls, Workspace, resolution,
+};
 pub(crate) use weld::Welded;

@@ -24,7 +24,6 @@ mod importance;
 mod kernels;
 mod measure;
 mod operator;
-mod outlines;
 mod paths;
 mod probe;
 mod reference;

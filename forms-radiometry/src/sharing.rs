@@ -7,6 +7,7 @@
 //! What is found does not depend on it.
 
 use rayon::prelude::*;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Operations below which one thread is done before others would be worth it. In vectors it does so many in some 0.15 ms; a loop that is
 /// shared waits 10 to 50 µs for the others to wake.
@@ -50,7 +51,7 @@ impl Sharing {
     }
 
     /// What is made of each item, in their order, with lists that each thread keeps from item to item.
-    pub(crate) fn map<I, S: Default, R: Send>(
+    pub(crate) fn map<I, S: Default + Send, R: Send>(
         self,
         items: I,
         each: impl Fn(&mut S, <I as IntoIterator>::Item) -> R + Send + Sync,
@@ -64,9 +65,31 @@ impl Sharing {
                 let mut lists = S::default();
                 items.into_iter().map(|item| each(&mut lists, item)).collect()
             }
-            Self::Shared => items.into_par_iter().map_init(S::default, each).collect(),
+            Self::Shared => {
+                let free = Mutex::new(Vec::new());
+                let lent = || Lent { lists: lock(&free).pop().unwrap_or_default(), free: &free };
+                let each = |lent: &mut Lent<S>, item| each(&mut lent.lists, item);
+                items.into_par_iter().map_init(lent, each).collect()
+            }
         }
     }
+}
+
+/// Lists lent to a part of a loop, given back for the next one.
+struct Lent<'f, S: Default> {
+    lists: S,
+    free: &'f Mutex<Vec<S>>,
+}
+
+impl<S: Default> Drop for Lent<'_, S> {
+    fn drop(&mut self) {
+        lock(self.free).push(std::mem::take(&mut self.lists));
+    }
+}
+
+/// The lists that are free. Each is whole, whatever happened to one that had another.
+fn lock<S>(free: &Mutex<Vec<S>>) -> MutexGuard<'_, Vec<S>> {
+    free.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 #[cfg(test)]

@@ -40,17 +40,9 @@ pub(crate) fn form_factor_of_pieces<'p>(pieces: impl Iterator<Item = &'p [Vector
 
 /// The sum over the edges of a polygon that lies above the horizon and faces the receiver, relative to it.
 pub(crate) fn edge_sum(polygon: &[Vector], n: Vector) -> f64 {
-    let [first, .., last] = polygon else { return 0.0 };
-    edge(*last, *first, n) + line_sum(polygon, n)
-}
-
-/// The sum over the edges along a line of the border of such a polygon.
-pub(crate) fn line_sum(line: &[Vector], n: Vector) -> f64 {
-    line.windows(2).map(|pair| edge(pair[0], pair[1], n)).sum()
-}
-
-fn edge(a: Vector, b: Vector, n: Vector) -> f64 {
-    edge_form_factor(b.x, b.y, b.z, a.x, a.y, a.z, n.x, n.y, n.z)
+    let next = polygon.iter().skip(1).chain(polygon.first());
+    let edge = |(a, b): (&Vector, &Vector)| edge_form_factor(b.x, b.y, b.z, a.x, a.y, a.z, n.x, n.y, n.z);
+    polygon.iter().zip(next).map(edge).sum()
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 //! faces ─▶ screens in a tree ─┬─ between: outlines of receivers and of a luminaire ─▶ the screens that may hide some of it
 //!                             ├─ above_horizon: a point and a luminaire ─▶ what it would see if nothing were in between
 //!                             ├─ visible: a point, a luminaire and these screens ─▶ convex pieces that the point sees
-//!                             ├─ border: the same, where one screen hides a part ─▶ the border of what is seen
+//!                             ├─ border: points, a luminaire and these screens ─▶ form factors of what the points see
 //!                             └─ first, hides: a ray ─▶ what it meets
 //! ```
 //! What is seen is exact up to rounding: every screen is a cone of directions that is cut out of the luminaire's. A point that lies
@@ -13,11 +13,14 @@
 //!
 //! Rays that go on from surface to surface meet shapes as they are, disks and spheres too: [`walls`].
 
+mod arrangement;
+mod aspect;
 mod between;
 mod body;
 mod border;
 mod bounds;
 mod branches;
+mod crossing;
 mod horizon;
 mod ray;
 mod shaft;
@@ -26,6 +29,7 @@ mod visible;
 mod walls;
 
 pub(crate) use between::Between;
+pub(crate) use border::{Borders, Looking};
 pub(crate) use horizon::Workspace;
 pub(crate) use walls::{Met, Start, Wall, Walls};
 

@@ -1,20 +1,20 @@
 //! Welding: vertices that coincide within a distance get one number.
 
 use super::Vector;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 /// Vertices by number, where those within the resolution of the scene are one.
 pub(crate) struct Welded {
     /// The vertices, each as it was first met.
     pub(crate) vertices: Vec<Vector>,
     resolution: f64,
-    cells: HashMap<[i64; 3], Vec<usize>>,
+    cells: FxHashMap<[i64; 3], Vec<usize>>,
 }
 
 impl Welded {
     /// No vertices yet.
     pub(crate) fn new(resolution: f64) -> Self {
-        Self { vertices: Vec::new(), resolution, cells: HashMap::new() }
+        Self { vertices: Vec::new(), resolution, cells: FxHashMap::default() }
     }
 
     /// The number of a vertex. One within the resolution lies in a cell that the box of this half width around the point meets.

@@ -4,9 +4,8 @@
 
 use super::arriving::Arriving;
 use super::measure::Measure;
-use super::outlines::Outlines;
 use super::whole::Whole;
-use crate::geometry::{Between, Face, Screens, Vector, Workspace};
+use crate::geometry::{Between, Borders, Edges, Face, Looking, Screens, Vector, Workspace};
 use crate::kernels::edge_form_factor;
 
 /// How many numbers go into a vector of the widest kind.
@@ -35,7 +34,8 @@ pub(crate) struct Transport {
 pub(crate) struct Scratch {
     pub(super) between: Vec<u32>,
     pub(super) view: Workspace,
-    outlines: Outlines,
+    borders: Borders,
+    edges: Edges,
     /// Of each point of a group the measure, over π, of what it sees of a luminaire.
     measures: Vec<f64>,
     pub(super) arriving: Arriving,
@@ -157,9 +157,11 @@ impl Transport {
         luminaire: (&[Vector], Vector),
         scratch: &'s mut Scratch,
     ) -> Option<&'s [f64]> {
-        let Scratch { between, view, outlines, measures, .. } = scratch;
-        let seen = self.seen(group, luminaire, between);
-        self.measured_as(seen, group, luminaire, between, (view, outlines, measures))
+        let mut between = std::mem::take(&mut scratch.between);
+        let seen = self.seen(group, luminaire, &mut between);
+        let is_seen = self.measure_seen(seen, group, luminaire, &between, scratch);
+        scratch.between = between;
+        is_seen.then_some(&scratch.measures)
     }
 
     /// The same where these screens, and no others, may come in between.
@@ -172,62 +174,39 @@ impl Transport {
     ) -> Option<&'s [f64]> {
         let is_away = is_turned_away(group, luminaire);
         let seen = if is_away { Seen::Nothing } else { self.seen_past(group, luminaire, between) };
-        let Scratch { view, outlines, measures, .. } = scratch;
-        self.measured_as(seen, group, luminaire, between, (view, outlines, measures))
+        let is_seen = self.measure_seen(seen, group, luminaire, between, scratch);
+        is_seen.then_some(&scratch.measures)
     }
 
-    /// The same of what is seen like this.
-    fn measured_as<'s>(
+    /// Measures what is seen like this past these screens; says whether any of it is.
+    fn measure_seen(
         &self,
         seen: Seen,
         group: Group,
         luminaire: (&[Vector], Vector),
-        between: &[u32],
-        (view, outlines, measures): (&mut Workspace, &mut Outlines, &'s mut Vec<f64>),
-    ) -> Option<&'s [f64]> {
+        screens: &[u32],
+        scratch: &mut Scratch,
+    ) -> bool {
         if seen == Seen::Nothing {
-            return None;
+            return false;
         }
+        let Scratch { view, borders, edges, measures, .. } = scratch;
         measures.clear();
         measures.resize(group.points.len(), 0.0);
-        if seen == Seen::Whole {
-            outlines.add_whole(group.points, luminaire.0, group.measure, measures);
-        } else {
-            outlines.clear();
-            self.take_outlines(group, luminaire, between, view, outlines);
-            outlines.add_pieces(group.measure, measures);
-        }
-        Some(measures)
-    }
-
-    /// Takes the outlines of what the points of a group see with these screens in between: borders where sums over edges are asked for and
-    /// one shadow is all that there is, else pieces.
-    fn take_outlines(
-        &self,
-        group: Group,
-        luminaire @ (outline, normal): (&[Vector], Vector),
-        between: &[u32],
-        view: &mut Workspace,
-        outlines: &mut Outlines,
-    ) {
-        let horizon = group.measure.horizon();
-        let by_edges = group.measure != Measure::Sphere;
-        for (index, &point) in group.points.iter().enumerate() {
-            if between.is_empty() {
-                let piece = view.above_horizon(point, horizon, luminaire, self.screens.resolution());
-                if !piece.is_empty() {
-                    outlines.push(index, piece);
-                }
-                continue;
+        let Group { points, outline, measure } = group;
+        match measure.along() {
+            None => self.see_parts(group, luminaire, screens, view, |index, piece| {
+                measures[index] += measure.of(piece);
+            }),
+            Some(along) if seen == Seen::Whole => {
+                edges.add_form_factors_of_whole((points, luminaire.0), along, measures);
             }
-            let line = |line: &[Vector]| outlines.push_line(index, line);
-            if by_edges && self.screens.border(point, horizon, luminaire, between, view, line) {
-                continue;
-            }
-            for piece in self.screens.visible(point, horizon, outline, normal, between, view) {
-                outlines.push(index, piece);
+            Some(along) => {
+                let looking = Looking { points, outline, horizon: measure.horizon(), luminaire, screens };
+                self.screens.add_form_factors(looking, along, (view, borders), measures);
             }
         }
+        true
     }
 }
 

@@ -57,6 +57,15 @@ impl Measure {
         }
     }
 
+    /// The direction along which it is ∫ cos θ dω, and the sign; nothing for a measure that is no such integral.
+    pub(crate) fn along(self) -> Option<(Vector, f64)> {
+        match self {
+            Self::Plane(normal) => Some((normal, 1.0)),
+            Self::Flow(axis) => Some((axis, -1.0)),
+            Self::Sphere => None,
+        }
+    }
+
     /// The measure of an area there, over π, by the solid angle of that area over π.
     pub(crate) fn factor(self, direction: Vector) -> f64 {
         match self {

@@ -7,11 +7,9 @@
 //! its measure exactly, as in [`weights`](super::weights).
 
 use super::element::Element;
-use super::measure::Measure;
-use super::outlines::{Outlines, fill};
 use super::reference::MOST_NODES;
 use super::weights::{SMALL, rule};
-use crate::geometry::{Vector, patches};
+use crate::geometry::{Edges, Vector, fill, patches};
 use crate::kernels::exchange_density;
 
 /// Fewer points than this see an element one by one: with the rules that are common, of 4 to 16 points, they have fewer rows than a batch
@@ -30,7 +28,7 @@ pub(super) struct Whole {
     /// The normal of the points that see it, and that of the element, at least as many times as there are rows.
     normals: [Vec<f64>; 6],
     densities: Vec<f64>,
-    outlines: Outlines,
+    edges: Edges,
     measures: Vec<f64>,
 }
 
@@ -50,7 +48,8 @@ impl Whole {
         self.compute_densities(outline[0], [normal, element.normal]);
         self.measures.clear();
         self.measures.resize(self.seeing.len(), 0.0);
-        self.outlines.add_whole(&self.seeing, outline, Measure::Plane(normal), &mut self.measures);
+        let Self { seeing, edges, measures, .. } = &mut *self;
+        edges.add_form_factors_of_whole((seeing, outline), (normal, 1.0), measures);
         let extent = outline.iter().map(|&v| (v - outline[0]).length()).fold(0.0, f64::max);
         let count = element.count();
         for (index, densities) in self.densities.chunks_exact(self.points.len()).enumerate() {

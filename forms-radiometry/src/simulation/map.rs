@@ -62,12 +62,21 @@ impl Grid {
             let corners: Vec<Vector> = cut.corners().into_iter().map(|cell| grid.middle(cell)).collect();
             let is_inside = faces().any(|face| corners.iter().all(|&point| lies_on(point, face)));
             for row in cut.first[1]..=cut.last[1] {
-                for column in cut.first[0]..=cut.last[0] {
-                    let point = grid.middle([column, row]);
-                    if is_inside || faces().any(|face| lies_on(point, face)) {
-                        grid.is_on[row * columns + column] = true;
+                let cells = row * columns + cut.first[0]..=row * columns + cut.last[0];
+                if is_inside {
+                    let [across_columns, up_rows] = &grid.middles;
+                    let across_columns = &across_columns[cut.first[0]..=cut.last[0]];
+                    grid.points.extend(across_columns.iter().map(|&along| along + up_rows[row]));
+                    grid.is_on[cells.clone()].fill(true);
+                    grid.cells.extend(cells);
+                    continue;
+                }
+                for cell in cells {
+                    let point = grid.middle([cell % columns, row]);
+                    if faces().any(|face| lies_on(point, face)) {
+                        grid.is_on[cell] = true;
                         grid.points.push(point);
-                        grid.cells.push(row * columns + column);
+                        grid.cells.push(cell);
                     }
                 }
             }

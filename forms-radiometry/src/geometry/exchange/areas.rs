@@ -75,6 +75,11 @@ impl Patch {
         (a + s * along + t * by_t, (along + t * twist).cross(by_t).length())
     }
 
+    /// Its corners, one after the other around it.
+    pub(super) fn corners(&self) -> &[Vector] {
+        &self.0
+    }
+
     /// How far its farthest corner is from a point.
     pub(crate) fn radius(&self, centre: Vector) -> f64 {
         self.0.iter().map(|&corner| (corner - centre).length()).fold(0.0, f64::max)

@@ -9,9 +9,7 @@
 
 use super::areas::{Patch, gauss, patches};
 use super::{Exchange, exchange_of};
-use crate::geometry::{
-    Between, Face, Polygon, Screens, Vector, Workspace, form_factor_of_pieces, line_sum, scale,
-};
+use crate::geometry::{Between, Borders, Face, Looking, Polygon, Screens, Vector, Workspace, scale};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -90,6 +88,16 @@ struct Part {
     error: f64,
 }
 
+/// Lists that are reused from patch to patch.
+#[derive(Default)]
+struct Work {
+    points: Vec<Vector>,
+    densities: Vec<f64>,
+    factors: Vec<f64>,
+    view: Workspace,
+    borders: Borders,
+}
+
 impl View<'_> {
     fn integral(
         &self,
@@ -97,11 +105,11 @@ impl View<'_> {
         [tolerance, least]: [f64; 2],
         is_stopped: impl Fn() -> bool,
     ) -> Exchange {
-        let mut work = Workspace::default();
+        let mut work = Work::default();
         let mut queue: BinaryHeap<Part> = BinaryHeap::new();
         for patch in patches(outline) {
-            let whole = self.over(&patch, &mut work);
-            queue.extend(self.quarters(&patch, whole, &mut work));
+            let [quarters @ .., whole] = self.over(with_quarters(&patch), &patch, &mut work);
+            queue.extend(parts(quarters, whole.1));
         }
         let sums = |queue: &BinaryHeap<Part>| {
             queue.iter().fold((0.0, 0.0), |(area, error), part| (area + part.area, error + part.error))
@@ -109,7 +117,7 @@ impl View<'_> {
         let (mut area, mut error) = sums(&queue);
         while error > tolerance * area.abs().max(least) && queue.len() < MOST_PATCHES && !is_stopped() {
             let Some(worst) = queue.pop() else { break };
-            let quarters = self.quarters(&worst.patch, worst.area, &mut work);
+            let quarters = parts(self.over(worst.patch.quarters(), &worst.patch, &mut work), worst.area);
             area += quarters.iter().map(|part| part.area).sum::<f64>() - worst.area;
             error += quarters.iter().map(|part| part.error).sum::<f64>() - worst.error;
             queue.extend(quarters);
@@ -120,41 +128,51 @@ impl View<'_> {
         Exchange { area, error: error + ROUNDING * f64::EPSILON * size }
     }
 
-    /// The integral by the rule on one patch.
-    fn over(&self, patch: &Patch, work: &mut Workspace) -> f64 {
-        let mut sum = 0.0;
-        for &[s, of_s] in gauss(ORDER) {
-            for &[t, of_t] in gauss(ORDER) {
-                let (position, density) = patch.at(s, t);
-                sum += of_s * of_t * density * self.form_factor(position, work);
+    /// The integrals by the rule on patches that lie in one.
+    fn over<const N: usize>(
+        &self,
+        patches: [Patch; N],
+        within: &Patch,
+        work: &mut Work,
+    ) -> [(Patch, f64); N] {
+        let Work { points, densities, factors, view, borders } = work;
+        points.clear();
+        densities.clear();
+        for patch in &patches {
+            for &[s, of_s] in gauss(ORDER) {
+                for &[t, of_t] in gauss(ORDER) {
+                    let (position, density) = patch.at(s, t);
+                    points.push(position);
+                    densities.push(of_s * of_t * density);
+                }
             }
         }
-        sum
-    }
-
-    fn form_factor(&self, position: Vector, work: &mut Workspace) -> f64 {
         let Face { vertices, normal, .. } = self.there;
-        let (horizon, there) = (Some(self.normal), (vertices.as_slice(), *normal));
-        let mut sum = 0.0;
-        let line = |line: &[Vector]| sum += line_sum(line, self.normal);
-        if self.screens.border(position, horizon, there, self.between, work, line) {
-            return sum;
-        }
-        let seen = self.screens.visible(position, Some(self.normal), vertices, *normal, self.between, work);
-        form_factor_of_pieces(seen, self.normal)
+        let looking = Looking {
+            points,
+            outline: within.corners(),
+            horizon: Some(self.normal),
+            luminaire: (vertices, *normal),
+            screens: self.between,
+        };
+        factors.clear();
+        factors.resize(points.len(), 0.0);
+        self.screens.add_form_factors(looking, (self.normal, 1.0), (view, borders), factors);
+        let mut values = densities.iter().zip(factors).map(|(density, factor)| density * *factor);
+        patches.map(|patch| (patch, values.by_ref().take(ORDER * ORDER).sum()))
     }
+}
 
-    /// The quarters of a patch that has this integral, each with its share of what they change.
-    fn quarters(&self, patch: &Patch, whole: f64, work: &mut Workspace) -> Vec<Part> {
-        let mut parts: Vec<Part> = patch
-            .quarters()
-            .into_iter()
-            .map(|patch| Part { area: self.over(&patch, work), patch, error: 0.0 })
-            .collect();
-        let change = parts.iter().map(|part| part.area).sum::<f64>() - whole;
-        parts.iter_mut().for_each(|part| part.error = 0.25 * change.abs());
-        parts
-    }
+/// A patch after its quarters.
+fn with_quarters(patch: &Patch) -> [Patch; 5] {
+    let [a, b, c, d] = patch.quarters();
+    [a, b, c, d, *patch]
+}
+
+/// The quarters of a patch that has this integral, each with its share of what they change.
+fn parts(quarters: [(Patch, f64); 4], whole: f64) -> [Part; 4] {
+    let change = quarters.iter().map(|(_, area)| area).sum::<f64>() - whole;
+    quarters.map(|(patch, area)| Part { patch, area, error: 0.25 * change.abs() })
 }
 
 impl PartialEq for Part {

@@ -9,7 +9,7 @@
 use super::bounds::Bounds;
 use super::{Plane, Screen, Vector};
 use crate::geometry::Welded;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 /// Groups of more screens are not looked at as bodies: each corner is compared with each plane.
 const MOST_SCREENS: usize = 1 << 14;
@@ -19,10 +19,10 @@ const MOST_SCREENS: usize = 1 << 14;
 pub(super) struct Body {
     /// The indices of its screens.
     pub(super) screens: Vec<u32>,
-    planes: Vec<Plane>,
+    pub(super) planes: Vec<Plane>,
     edges: Vec<Edge>,
     /// The plane in which it is open.
-    lid: Option<Plane>,
+    pub(super) lid: Option<Plane>,
     corners: Vec<Vector>,
     pub(super) bounds: Bounds,
 }
@@ -60,7 +60,7 @@ fn neighbours(screens: &[Screen], [resolution, rounding]: [f64; 2]) -> Neighbour
     let mut numbers = |edge: [Vector; 2]| edge.map(|end| welded.number(end));
     let edges = screens.iter().map(|screen| screen.edges().map(&mut numbers).collect());
     let edges: Vec<Vec<[usize; 2]>> = edges.collect();
-    let mut owners: HashMap<[usize; 2], Vec<usize>> = HashMap::new();
+    let mut owners: FxHashMap<[usize; 2], Vec<usize>> = FxHashMap::default();
     for (index, edges) in edges.iter().enumerate() {
         edges.iter().for_each(|&edge| owners.entry(edge).or_default().push(index));
     }
@@ -115,7 +115,7 @@ impl Body {
         if group.len() < 2 || group.len() > MOST_SCREENS {
             return None;
         }
-        let place: HashMap<usize, usize> =
+        let place: FxHashMap<usize, usize> =
             group.iter().enumerate().map(|(place, &screen)| (screen, place)).collect();
         let edges_of = |(side, &screen): (usize, &usize)| {
             // where more than two screens share an edge, the neighbour may belong to another group
@@ -166,8 +166,8 @@ impl Body {
         0.0 <= enter && enter < leave && leave <= 1.0
     }
 
-    /// The edges of the body's outline as it is seen from a point, relative to that and in no order, each with the body on its left; none
-    /// where the point is not outside of the body, and behind its opening. `seen` is a list for which sides are seen.
+    /// The edges of the body's outline as it is seen from a point, in no order, each with the body on its left; none where the point is not
+    /// outside of the body, and behind its opening. `seen` is a list for which sides are seen.
     pub(super) fn shadow<'b>(
         &'b self,
         apex: Vector,
@@ -184,15 +184,20 @@ impl Body {
             is_outside |= distance > resolution;
             distance > 0.0
         }));
+        is_outside.then(|| self.outline(seen))
+    }
+
+    /// The same from where these sides are seen.
+    pub(super) fn outline<'b>(&'b self, seen: &'b [bool]) -> impl Iterator<Item = [Vector; 2]> + 'b {
         let side = move |edge: &Edge| {
-            let [a, b] = edge.ends.map(|end| end - apex);
+            let [a, b] = edge.ends;
             match (seen[edge.side], edge.beyond.is_some_and(|beyond| seen[beyond])) {
                 (true, false) => Some([a, b]),
                 (false, true) => Some([b, a]),
                 _ => None,
             }
         };
-        is_outside.then(|| self.edges.iter().filter_map(side))
+        self.edges.iter().filter_map(side)
     }
 }
 

@@ -1,317 +1,174 @@
-//! The border of what a point sees of a luminaire from which one shadow takes a part: edges of the luminaire outside of the shadow,
-//! and edges of the shadow in the luminaire, the other way round.
+//! Borders: what points see of a luminaire, as the edges around it.
 //!
 //! ```text
-//! signs of sₖ·aⱼ and lⱼ·pₖ ─▶ corners in the other outline, edges that cross ─▶ lines along the border
+//! points ─ aspect ─▶ cells of points that see the same corners and crossings ─▶ edges in columns ─▶ sums by point
+//!                └─▶ points that are too close to a plane ─ visible ─▶ pieces ─────┘
 //! ```
-//! aⱼ are the luminaire's corners and pₖ the shadow's, relative to the point; lⱼ and sₖ are the normals of the planes through the
-//! point and each edge. Both edges that cross end in the same place, so the border is closed to the last bit. What is a sum over
-//! edges needs no more than that, where convex pieces would have several times as many. Where a sign is not sure, an edge may
-//! lie on another one: then the border is not given, and pieces have to be cut.
+//! Edges that cross end in the same place, to the last bit, so borders are closed. What is a sum over edges needs no more than that, where convex
+//! pieces would have several times as many; and points that see the same corners and crossings are computed together. Where a sign is not sure, an
+//! edge may lie on another one: then the border is not given, and pieces have to be cut.
 
+use super::arrangement::{Arrangement, Cell};
+use super::aspect::{Aspect, Shadows, edge_after};
+use super::crossing::{End, MOST};
 use super::horizon::Workspace;
-use super::visible::{Cut, Cutting};
 use super::{Screens, Vector};
+use crate::geometry::edges::Edges;
 
-/// Outlines with more edges are not looked at.
-const MOST: usize = 8;
+/// Receivers that look at a luminaire past some screens.
+#[derive(Clone, Copy)]
+pub(crate) struct Looking<'l> {
+    pub(crate) points: &'l [Vector],
+    /// Corners of a convex set that holds the points.
+    pub(crate) outline: &'l [Vector],
+    /// The normal of the horizon below which nothing counts.
+    pub(crate) horizon: Option<Vector>,
+    /// The outline of the luminaire, and its unit normal.
+    pub(crate) luminaire: (&'l [Vector], Vector),
+    /// What may come in between.
+    pub(crate) screens: &'l [u32],
+}
 
-/// Products that are smaller than this part of what they may be have no sure sign: far above rounding, far below what is common.
-const UNSURE: f64 = 1e-11;
-
-/// Lists that are reused from receiver to receiver.
+/// Lists that are reused from group to group.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Border {
-    /// The normals to the inside of the luminaire's sides, each with the edge from the corner of the same place.
-    sides: Vec<Vector>,
-    /// The edges of the shadow that is looked at, with the shadow on their left, and their signs.
-    edges: Vec<[Vector; 2]>,
-    signs: Signs,
-    /// The same of the shadow that takes a part of the luminaire.
-    kept: (Vec<[Vector; 2]>, Signs),
-    /// Where the edges of both outlines pass through the other one.
-    passages: [[Passage; MOST]; 2],
-    /// A line along the border.
-    line: Vec<Vector>,
+pub(crate) struct Borders {
+    edges: Edges,
+    /// The planes that decide what hides what, and those that decide which edges cross.
+    planes: [Arrangement; 2],
+    shadows: Shadows,
+    drawing: Drawing,
+    /// The points whose border is not given.
+    rest: Vec<u32>,
 }
 
-/// What is known of a shadow.
-enum Shadow {
-    /// It does not reach the luminaire.
-    Beside,
-    /// It may take a part of it, or all.
-    Before,
-    /// Edges do not say it all.
-    Unknown,
+/// An aspect as points see it.
+#[derive(Clone, Debug, Default)]
+struct Drawing {
+    aspect: Aspect,
+    /// How far along an edge of the luminaire each point sees it cross one of the shadow.
+    ratios: Vec<f64>,
 }
-
-/// Bits by corner for each side of an outline: whether the corner is inside of it.
-type Bits = [u32; MOST];
-
-/// On which sides of the luminaire the starts and the ends of a shadow's edges are.
-#[derive(Clone, Copy, Debug, Default)]
-struct Signs {
-    starts: Bits,
-    ends: Bits,
-}
-
-/// On which sides of a shadow the luminaire's corners are, and how far from them.
-#[derive(Default)]
-struct Corners {
-    bits: Bits,
-    distances: [[f64; MOST]; MOST],
-}
-
-/// Where an edge comes into the other outline, and where it leaves it.
-type Passage = [Option<Vector>; 2];
 
 impl Screens {
-    /// Calls `each` with the lines along the border of what a receiver sees of a luminaire, relative to `position`: closed ones, or several
-    /// that are closed together. Says whether it did: the luminaire has to be wholly above the horizon, at most one screen or body may hide
-    /// a part of it, and nothing may be so close to an edge that it is not sure on which side it is.
-    pub(crate) fn border(
+    /// Adds to the sum of each receiver ∫ cos θ dω/π over what it sees of a luminaire, θ from a direction `along`, times a factor.
+    pub(crate) fn add_form_factors(
         &self,
-        position: Vector,
-        horizon: Option<Vector>,
-        (luminaire, normal): (&[Vector], Vector),
-        screens: &[u32],
-        work: &mut Workspace,
-        mut each: impl FnMut(&[Vector]),
-    ) -> bool {
-        let height = normal.dot(position - luminaire[0]);
-        if height <= self.resolution {
-            return true;
-        }
-        work.luminaire.clear();
-        work.luminaire.extend(luminaire.iter().map(|&v| v - position));
-        let mut cut = work.cut();
-        let corners = cut.luminaire;
-        if corners.len() > MOST || horizon.is_some_and(|n| corners.iter().any(|&v| n.dot(v) < 0.0)) {
-            return false;
-        }
-        let next = corners[1..].iter().chain(&corners[..1]);
-        cut.lists.border.sides.clear();
-        cut.lists.border.sides.extend(corners.iter().zip(next).map(|(a, b)| b.cross(*a)));
-        let mut is_hidden = false;
-        for &index in screens {
-            match self.shadow(index as usize, position, (normal, height), &mut cut) {
-                Shadow::Beside => {}
-                Shadow::Before if !is_hidden => {
-                    is_hidden = true;
-                    cut.lists.border.keep();
-                }
-                Shadow::Before | Shadow::Unknown => return false,
+        looking: Looking,
+        (along, factor): (Vector, f64),
+        (work, borders): (&mut Workspace, &mut Borders),
+        sums: &mut [f64],
+    ) {
+        borders.edges.clear();
+        borders.rest.clear();
+        self.take_borders(&looking, borders);
+        let Looking { points, horizon, luminaire: (corners, normal), screens, .. } = looking;
+        for &index in &borders.rest {
+            let position = points[index as usize];
+            for piece in self.visible(position, horizon, corners, normal, screens, work) {
+                borders.edges.push(index as usize, piece);
             }
         }
-        let Cut { luminaire, lists: Cutting { border, .. }, .. } = cut;
-        if is_hidden {
-            return border.draw(luminaire, each);
-        }
-        border.line.clear();
-        border.line.extend(luminaire.iter().chain(luminaire.first()));
-        each(&border.line);
-        true
+        borders.edges.add_form_factors(along, factor, sums);
     }
 
-    /// Takes the edges of the shadow of a screen or a body.
-    fn shadow(
-        &self,
-        index: usize,
-        position: Vector,
-        (normal, height): (Vector, f64),
-        cut: &mut Cut,
-    ) -> Shadow {
-        let Cut { luminaire, lists: Cutting { seen, border, .. }, .. } = cut;
-        border.edges.clear();
-        let Some(screen) = self.screens.get(index) else {
-            let body = &self.bodies[index - self.screens.len()];
-            let Some(edges) = body.shadow(position, self.resolution, seen) else { return Shadow::Unknown };
-            border.edges.extend(edges.take(MOST + 1));
-            return border.reached();
-        };
-        let distance = screen.plane.distance(position);
-        if !self.parts(screen, distance, luminaire) {
-            return Shadow::Beside;
+    /// Takes the edges of the borders of what receivers see, as far as they are given.
+    fn take_borders(&self, looking: &Looking, borders: &mut Borders) {
+        let Borders { edges, planes: [planes, crossings], shadows, drawing, rest } = borders;
+        let Looking { points, outline, luminaire: (corners, _), .. } = *looking;
+        let all = 0..points.len() as u32;
+        let is_parted = corners.len() <= MOST
+            && self.add_planes(looking, planes).is_some()
+            && planes.part(points, all.clone(), outline).is_some();
+        if !is_parted {
+            rest.extend(all);
+            return;
         }
-        let is_behind = |v: &Vector| height + normal.dot(*v - position) < 0.0;
-        if screen.vertices.iter().any(is_behind) {
-            return Shadow::Unknown;
-        }
-        let turned = |[a, b]: [Vector; 2]| if distance > 0.0 { [a, b] } else { [b, a] };
-        border.edges.extend(screen.edges().map(|edge| turned(edge.map(|v| v - position))));
-        border.reached()
-    }
-}
-
-impl Border {
-    /// Whether the shadow reaches the luminaire, as far as the luminaire's sides say.
-    fn reached(&mut self) -> Shadow {
-        if self.edges.len() > MOST {
-            return Shadow::Unknown;
-        }
-        let Self { sides, edges, signs, .. } = self;
-        let reach = edges.iter().fold(0.0, |reach: f64, [a, _]| reach.max(a.largest()));
-        let mut is_sure = true;
-        for (j, side) in sides.iter().enumerate() {
-            let unsure = UNSURE * side.largest() * reach;
-            let (mut highest, mut starts, mut ends) = (f64::NEG_INFINITY, 0, 0);
-            for (k, edge) in edges.iter().enumerate() {
-                let [start, end] = edge.map(|v| side.dot(v));
-                highest = highest.max(start);
-                is_sure &= start.abs() > unsure;
-                starts |= u32::from(start > 0.0) << k;
-                ends |= u32::from(end > 0.0) << k;
-            }
-            if highest < -unsure {
-                return Shadow::Beside;
-            }
-            (signs.starts[j], signs.ends[j]) = (starts, ends);
-        }
-        if is_sure { Shadow::Before } else { Shadow::Unknown }
-    }
-
-    /// Keeps the shadow that was looked at.
-    fn keep(&mut self) {
-        std::mem::swap(&mut self.kept.0, &mut self.edges);
-        self.kept.1 = self.signs;
-    }
-
-    /// Calls `each` with the lines of the border that the shadow kept leaves. Says whether it did: signs may not be sure, or contradict
-    /// each other.
-    fn draw(&mut self, luminaire: &[Vector], each: impl FnMut(&[Vector])) -> bool {
-        let Self { kept: (edges, signs), passages, line, .. } = self;
-        let reach = luminaire.iter().fold(0.0, |reach: f64, v| reach.max(v.largest()));
-        let mut corners = Corners::default();
-        for (k, [a, b]) in edges.iter().enumerate() {
-            let side = b.cross(*a);
-            let unsure = UNSURE * side.largest() * reach;
-            for (j, corner) in luminaire.iter().enumerate() {
-                let distance = side.dot(*corner);
-                if distance.abs() <= unsure {
-                    return false;
-                }
-                corners.distances[k][j] = distance;
-                corners.bits[k] |= u32::from(distance > 0.0) << j;
-            }
-        }
-        lines(luminaire, edges, (&corners, signs), (passages, line), each)
-    }
-}
-
-/// The corners that are on the inner side of so many sides.
-fn inside(bits: &Bits, sides: usize) -> u32 {
-    bits[..sides].iter().fold(u32::MAX, |all, bits| all & bits)
-}
-
-/// Calls `each` with the lines of the border, where signs do not contradict each other.
-fn lines(
-    luminaire: &[Vector],
-    edges: &[[Vector; 2]],
-    signs: (&Corners, &Signs),
-    (passages, line): (&mut [[Passage; MOST]; 2], &mut Vec<Vector>),
-    mut each: impl FnMut(&[Vector]),
-) -> bool {
-    let hidden = inside(&signs.0.bits, edges.len());
-    let starts = inside(&signs.1.starts, luminaire.len());
-    if (0..luminaire.len()).all(|corner| is_in(hidden, corner)) {
-        return true;
-    }
-    if !find_passages(luminaire, edges.len(), signs, passages) {
-        return false;
-    }
-    let [of_luminaire, of_shadow] = passages;
-    let next = |corner: usize| (corner + 1) % luminaire.len();
-    line.clear();
-    line.extend((!is_in(hidden, 0)).then_some(luminaire[0]));
-    for (j, [enter, leave]) in of_luminaire[..luminaire.len()].iter().enumerate() {
-        if let Some(at) = enter {
-            line.push(*at);
-            each(line);
-            line.clear();
-        }
-        line.extend(*leave);
-        if !is_in(hidden, next(j)) {
-            line.push(luminaire[next(j)]);
-        }
-    }
-    if line.len() > 1 {
-        each(line);
-    }
-    for (k, ([start, end], [enter, leave])) in edges.iter().zip(of_shadow).enumerate() {
-        if is_in(starts, k) || enter.is_some() {
-            each(&[leave.unwrap_or(*end), enter.unwrap_or(*start)]);
-        }
-    }
-    true
-}
-
-/// Whether a place is among these bits.
-fn is_in(bits: u32, place: usize) -> bool {
-    bits >> place & 1 == 1
-}
-
-/// Finds where the luminaire's edges pass through the shadow, and where the shadow's pass through the luminaire; says whether that agrees
-/// with which corners are inside.
-fn find_passages(
-    luminaire: &[Vector],
-    edges: usize,
-    (corners, signs): (&Corners, &Signs),
-    passages: &mut [[Passage; MOST]; 2],
-) -> bool {
-    let [of_luminaire, of_shadow] = passages;
-    of_luminaire[..luminaire.len()].fill([None; 2]);
-    of_shadow[..edges].fill([None; 2]);
-    for (j, &a) in luminaire.iter().enumerate() {
-        let next = (j + 1) % luminaire.len();
-        let through_plane = signs.starts[j] ^ signs.ends[j];
-        for k in (0..edges).filter(|&k| is_in(through_plane, k)) {
-            let bits = corners.bits[k];
-            if is_in(bits, j) == is_in(bits, next) {
+        for cell in planes.cells().filter(Self::is_in_front) {
+            if self.take_shadows(looking, &cell, shadows).is_none() {
+                rest.extend(cell.points);
                 continue;
             }
-            let [from, to] = [j, next].map(|corner| corners.distances[k][corner]);
-            let at = a + (from / (from - to)) * (luminaire[next] - a);
-            let ways = [(0, j, from > 0.0), (1, k, is_in(signs.starts[j], k))];
-            for (outline, edge, is_leaving) in ways {
-                if passages[outline][edge][usize::from(is_leaving)].replace(at).is_some() {
-                    return false;
+            let mut draw = |members: &mut dyn Iterator<Item = u32>, outline: &[Vector]| {
+                shadows.add_planes(corners, outline, crossings);
+                crossings.part(points, members, outline)?;
+                for cell in crossings.cells() {
+                    match drawing.aspect.set(corners, shadows, &cell) {
+                        Some(()) => drawing.draw(&cell, corners, edges),
+                        None => rest.extend(cell.points),
+                    }
+                }
+                Some(())
+            };
+            if draw(&mut cell.points.iter().copied(), outline).is_none() {
+                // a point by itself is not parted
+                cell.points
+                    .iter()
+                    .for_each(|&index| _ = draw(&mut std::iter::once(index), &[points[index as usize]]));
+            }
+        }
+    }
+}
+
+impl Drawing {
+    /// Takes the edges of the aspect as the points of a cell see them.
+    fn draw(&mut self, cell: &Cell, luminaire: &[Vector], edges: &mut Edges) {
+        let Self { aspect, ratios } = self;
+        let (border, shadow) = (&aspect.border, &aspect.shadow);
+        for (end, columns) in edges.grow(cell.points, border.len()).into_iter().enumerate() {
+            let mut columns = columns.map(|column| column.chunks_exact_mut(cell.points.len()));
+            for ends in border {
+                let columns =
+                    columns.each_mut().map(|column| column.next().expect("there is room for all edges"));
+                match ends[end] {
+                    End::Luminaire(corner) => place_corner(luminaire[corner], cell, columns),
+                    End::Shadow(corner) => place_corner(shadow[corner][0], cell, columns),
+                    End::Crossing([edge, of_shadow]) => {
+                        let edges = [edge_after(luminaire, edge), shadow[of_shadow]];
+                        place_crossing(edges, cell, ratios, columns);
+                    }
                 }
             }
         }
     }
-    agree(passages, [luminaire.len(), edges], (corners, signs))
 }
 
-/// Whether edges pass as they have to by which of their ends are inside. If none passes, one outline lies in the other or beside it.
-fn agree(
-    [of_luminaire, of_shadow]: &[[Passage; MOST]; 2],
-    [corners, edges]: [usize; 2],
-    (hidden, signs): (&Corners, &Signs),
-) -> bool {
-    let is_apart = hidden.bits[..edges].contains(&0);
-    let hidden = inside(&hidden.bits, edges);
-    let [starts, ends] = [&signs.starts, &signs.ends].map(|bits| inside(bits, corners));
-    let fits_luminaire =
-        |j: usize| fits(&of_luminaire[j], [is_in(hidden, j), is_in(hidden, (j + 1) % corners)]);
-    let fits_shadow = |k: usize| fits(&of_shadow[k], [is_in(starts, k), is_in(ends, k)]);
-    let meets = starts != 0 || of_luminaire[..corners].iter().flatten().any(Option::is_some);
-    (is_apart || meets) && (0..corners).all(fits_luminaire) && (0..edges).all(fits_shadow)
+/// Where a corner is, relative to the points of a cell.
+fn place_corner(corner: Vector, cell: &Cell, columns: [&mut [f64]; 3]) {
+    for ((column, places), corner) in columns.into_iter().zip(cell.places).zip(corner.coordinates()) {
+        column.iter_mut().zip(places).for_each(|(at, place)| *at = corner - place);
+    }
 }
 
-/// Whether an edge whose start and end are inside or not passes as it has to.
-fn fits([enter, leave]: &Passage, [starts_inside, ends_inside]: [bool; 2]) -> bool {
-    match (starts_inside, ends_inside) {
-        (false, false) => enter.is_some() == leave.is_some(),
-        (false, true) => enter.is_some() && leave.is_none(),
-        (true, false) => enter.is_none() && leave.is_some(),
-        (true, true) => enter.is_none() && leave.is_none(),
+/// Where the edge from a to b passes through the plane of a point and an edge of a shadow: at a + α/(α − β) (b − a), α and β the products of that
+/// edge with a and b.
+fn place_crossing(
+    [[a, b], [start, end]]: [[Vector; 2]; 2],
+    cell: &Cell,
+    ratios: &mut Vec<f64>,
+    columns: [&mut [f64]; 3],
+) {
+    let [of_a, of_b] = [a, b].map(|corner| (end - corner).cross(start - corner));
+    let [x, y, z] = cell.places;
+    ratios.clear();
+    ratios.extend(x.iter().zip(y).zip(z).map(|((&x, &y), &z)| {
+        let point = Vector::new(x, y, z);
+        let (alpha, beta) = (of_a.dot(a - point), of_b.dot(b - point));
+        alpha / (alpha - beta)
+    }));
+    let (from, along) = (a.coordinates(), (b - a).coordinates());
+    for (axis, (column, places)) in columns.into_iter().zip(cell.places).enumerate() {
+        let numbers = places.iter().zip(&*ratios);
+        column
+            .iter_mut()
+            .zip(numbers)
+            .for_each(|(at, (place, ratio))| *at = (from[axis] - place) + ratio * along[axis]);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Face, form_factor_of_pieces, line_sum};
+    use crate::geometry::{Face, form_factor_of_pieces};
 
     /// The rectangle at this height that looks down.
     fn face(surface: usize, x: [f64; 2], y: [f64; 2], height: f64) -> Face {
@@ -321,18 +178,20 @@ mod tests {
         front
     }
 
-    /// The sum over the lines of the border, if it is given, and the one over pieces.
-    fn both(screens: &Screens, lamp: &Face, position: Vector, normal: Vector) -> (Option<f64>, f64) {
-        let (mut between, mut work) = (Vec::new(), Workspace::default());
-        let _ = screens.between(&[position], Some(normal), &lamp.vertices, lamp.normal, &mut between);
-        let mut sum = 0.0;
+    /// What receivers see of a lamp: the form factors of borders and of pieces, and how many borders are given.
+    fn both(screens: &Screens, lamp: &Face, points: &[Vector], outline: &[Vector]) -> ([Vec<f64>; 2], usize) {
+        let (mut between, mut work, mut borders) = (Vec::new(), Workspace::default(), Borders::default());
         let luminaire = (lamp.vertices.as_slice(), lamp.normal);
-        let is_given = screens.border(position, Some(normal), luminaire, &between, &mut work, |line| {
-            sum += line_sum(line, normal);
-        });
-        let pieces =
-            screens.visible(position, Some(normal), &lamp.vertices, lamp.normal, &between, &mut work);
-        (is_given.then_some(sum), form_factor_of_pieces(pieces, normal))
+        let _ = screens.between(outline, Some(UP), luminaire.0, luminaire.1, &mut between);
+        let looking = Looking { points, outline, horizon: Some(UP), luminaire, screens: &between };
+        let mut sums = vec![0.0; points.len()];
+        screens.add_form_factors(looking, (UP, 1.0), (&mut work, &mut borders), &mut sums);
+        let pieces = |&point: &Vector| {
+            let pieces = screens.visible(point, Some(UP), luminaire.0, luminaire.1, &between, &mut work);
+            form_factor_of_pieces(pieces, UP)
+        };
+        let by_pieces = points.iter().map(pieces).collect();
+        ([sums, by_pieces], points.len() - borders.rest.len())
     }
 
     const UP: Vector = Vector::new(0.0, 0.0, 1.0);
@@ -347,21 +206,18 @@ mod tests {
             ("a plate larger than the lamp", face(1, [-2.0, 1.9], [-3.0, 2.8], 1.5)),
         ] {
             let screens = Screens::of(&[lamp.clone(), plate]);
-            let mut given = 0;
-            for i in 0..41 {
-                for j in 0..41 {
-                    let position = Vector::new(0.117 * f64::from(i) - 2.3, 0.113 * f64::from(j) - 2.4, 0.0);
-                    let (border, pieces) = both(&screens, &lamp, position, UP);
-                    if let Some(border) = border {
-                        given += 1;
-                        assert!(
-                            (border - pieces).abs() < 1e-14,
-                            "{name}, {position:?}: {border} and {pieces}"
-                        );
-                    }
+            let places =
+                |i: u32, j: u32| Vector::new(0.117 * f64::from(i) - 2.3, 0.113 * f64::from(j) - 2.4, 0.0);
+            let points: Vec<Vector> = (0..41 * 41).map(|index| places(index % 41, index / 41)).collect();
+            let outline = [places(0, 0), places(40, 0), places(40, 40), places(0, 40)];
+            let ([together, pieces], given) = both(&screens, &lamp, &points, &outline);
+            assert!(given > points.len() * 9 / 10, "{name}: {given}");
+            for ((&point, together), pieces) in points.iter().zip(together).zip(pieces) {
+                let ([alone, _], _) = both(&screens, &lamp, &[point], &[point]);
+                for border in [together, alone[0]] {
+                    assert!((border - pieces).abs() < 1e-14, "{name}, {point:?}: {border} and {pieces}");
                 }
             }
-            assert!(given > 41 * 41 * 9 / 10, "{name}: {given}");
         }
     }
 
@@ -369,7 +225,8 @@ mod tests {
     fn where_a_shadow_has_an_edge_on_one_of_the_lamp_no_border_is_given() {
         let lamp = face(0, [-1.0, 1.0], [-1.0, 1.0], 2.0);
         let screens = Screens::of(&[lamp.clone(), face(1, [-0.5, 0.1], [-0.5, 0.5], 1.0)]);
-        let (border, pieces) = both(&screens, &lamp, Vector::default(), UP);
-        assert!(border.is_none() && pieces > 0.05, "{pieces}");
+        let here = [Vector::default()];
+        let ([border, pieces], given) = both(&screens, &lamp, &here, &here);
+        assert!(given == 0 && border == pieces && pieces[0] > 0.05, "{pieces:?}");
     }
 }

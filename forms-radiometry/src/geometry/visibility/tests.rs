@@ -3,7 +3,7 @@
 mod searches;
 
 use super::*;
-use crate::geometry::{Disk, Sphere, form_factor_of_pieces, line_sum};
+use crate::geometry::{Disk, Sphere, form_factor_of_pieces};
 use crate::kernels::solid_angle_triangle;
 use std::f64::consts::PI;
 
@@ -102,11 +102,17 @@ fn seen(screens: &Screens, face: &Face, position: Vector, normal: Vector) -> f64
     screens.between(&[position], Some(normal), vertices, *m, &mut found);
     let pieces = screens.visible(position, Some(normal), vertices, *m, &found, &mut work);
     let by_pieces = form_factor_of_pieces(pieces, normal);
-    let mut by_border = 0.0;
-    let is_given = screens.border(position, Some(normal), (vertices, *m), &found, &mut work, |line| {
-        by_border += line_sum(line, normal);
-    });
-    assert!(!is_given || (by_border - by_pieces).abs() < 1e-13, "{by_border} and {by_pieces}");
+    let here = [position];
+    let looking = Looking {
+        points: &here,
+        outline: &here,
+        horizon: Some(normal),
+        luminaire: (vertices, *m),
+        screens: &found,
+    };
+    let mut by_border = [0.0];
+    screens.add_form_factors(looking, (normal, 1.0), (&mut work, &mut Borders::default()), &mut by_border);
+    assert!((by_border[0] - by_pieces).abs() < 1e-13, "{by_border:?} and {by_pieces}");
     by_pieces
 }
 

@@ -2,7 +2,6 @@
 //!
 //! Each screen in front of the luminaire's plane is a cone of directions that is cut out. Pieces are relative to the point.
 
-use super::border::Border;
 use super::bounds::Bounds;
 use super::horizon::{View, Workspace};
 use super::{Screen, Screens, Vector};
@@ -15,17 +14,16 @@ pub(super) struct Cutting {
     screen: Vec<Vector>,
     luminaire_cone: Cone,
     screen_cone: Cone,
-    pub(super) seen: Vec<bool>,
-    pub(super) border: Border,
+    seen: Vec<bool>,
     scratch: Scratch,
     rest: Pieces,
 }
 
 /// A luminaire relative to a receiver, what of it is visible, and lists for what is cut out of that.
-pub(super) struct Cut<'w> {
-    pub(super) luminaire: &'w [Vector],
+struct Cut<'w> {
+    luminaire: &'w [Vector],
     visible: &'w mut Pieces,
-    pub(super) lists: &'w mut Cutting,
+    lists: &'w mut Cutting,
 }
 
 impl Screens {
@@ -66,7 +64,11 @@ impl Screens {
         }
         let Cutting { screen_cone, seen, .. } = &mut *cut.lists;
         let shadow = body.shadow(view.position, self.resolution, seen);
-        let sides = |edges| screen_cone.set_sides(Iterator::map(edges, |[a, b]: [Vector; 2]| b.cross(a)));
+        let side = |edge: [Vector; 2]| {
+            let [a, b] = edge.map(|end| end - view.position);
+            b.cross(a)
+        };
+        let sides = |edges| screen_cone.set_sides(Iterator::map(edges, side));
         if shadow.map(sides).is_some() {
             cut.cut();
         } else {
@@ -76,7 +78,7 @@ impl Screens {
 
     /// Whether a screen's plane, at this distance from a receiver, has the receiver and a part of the luminaire on different sides. Corners
     /// are relative to the receiver.
-    pub(super) fn parts(&self, screen: &Screen, distance: f64, luminaire: &[Vector]) -> bool {
+    fn parts(&self, screen: &Screen, distance: f64, luminaire: &[Vector]) -> bool {
         let is_beyond = |v: &Vector| {
             let of_luminaire = distance + screen.plane.normal.dot(*v);
             if distance > 0.0 { of_luminaire < -self.resolution } else { of_luminaire > self.resolution }
@@ -97,7 +99,7 @@ impl Screens {
 
 impl Workspace {
     /// What of a luminaire is visible, and lists for what is cut out of it.
-    pub(super) fn cut(&mut self) -> Cut<'_> {
+    fn cut(&mut self) -> Cut<'_> {
         let lists = self.cutting.get_or_insert_default();
         Cut { luminaire: &self.luminaire, visible: &mut self.visible, lists }
     }

@@ -1,0 +1,123 @@
+//! Edges in columns: edges of what points see become columns of their ends, a kernel gives what each edge adds, and sums over the edges
+//! what each point gets.
+//!
+//! ```text
+//! the ends of an edge from every point │ those of the next edge │ … ─▶ kernel, row by row ─▶ sums by point
+//! ```
+//! Ends are relative to the points that see them. Edges are those of a border as a point in front of a luminaire sees it: clockwise.
+
+use super::Vector;
+use crate::kernels::edge_form_factor;
+
+/// Fewer rows than this are computed one by one: the fewest rows of a batch take as long as 12 rows one by one (0.5 µs).
+const FEW: usize = 12;
+
+/// The coordinates of points.
+pub(crate) type Columns = [Vec<f64>; 3];
+
+/// Edges, and what is made of them, reused from luminaire to luminaire.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Edges {
+    /// Where they begin and where they end.
+    ends: [Columns; 2],
+    /// By row the point that sees the edge.
+    owners: Vec<u32>,
+    /// The direction that edges are measured along, at least as many times as there are rows.
+    along: Columns,
+    values: Vec<f64>,
+}
+
+impl Edges {
+    /// Forgets all edges.
+    pub(crate) fn clear(&mut self) {
+        self.ends.iter_mut().flatten().for_each(Vec::clear);
+        self.owners.clear();
+    }
+
+    /// Takes the edges of a convex piece that a point sees.
+    pub(crate) fn push(&mut self, owner: usize, piece: &[Vector]) {
+        let [from, to] = &mut self.ends;
+        let next = piece.iter().skip(1).chain(piece.first());
+        for (&a, &b) in piece.iter().zip(next) {
+            for (columns, end) in [(&mut *from, a), (&mut *to, b)] {
+                columns.iter_mut().zip(end.coordinates()).for_each(|(column, place)| column.push(place));
+            }
+            self.owners.push(owner as u32);
+        }
+    }
+
+    /// Makes room for so many edges of each of some points: where they begin and where they end, edge by edge and point by point.
+    pub(crate) fn grow(&mut self, points: &[u32], count: usize) -> [[&mut [f64]; 3]; 2] {
+        let start = self.owners.len();
+        (0..count).for_each(|_| self.owners.extend_from_slice(points));
+        let end = self.owners.len();
+        self.ends.each_mut().map(|columns| {
+            columns.each_mut().map(|column| {
+                column.resize(end, 0.0);
+                &mut column[start..]
+            })
+        })
+    }
+
+    /// Adds to the sum of each point what its edges add to ∫ cos θ dω/π, θ from this direction, times a factor.
+    pub(crate) fn add_form_factors(&mut self, along: Vector, factor: f64, sums: &mut [f64]) {
+        let Self { ends: [from, to], owners, along: axes, values } = self;
+        measure([from, to].map(|columns| columns.each_ref().map(|column| &column[..])), along, axes, values);
+        for (&owner, value) in owners.iter().zip(values) {
+            sums[owner as usize] += factor * *value;
+        }
+    }
+
+    /// The same for an outline of which all points see the whole; all edges are forgotten.
+    pub(crate) fn add_form_factors_of_whole(
+        &mut self,
+        (points, outline): (&[Vector], &[Vector]),
+        (along, factor): (Vector, f64),
+        sums: &mut [f64],
+    ) {
+        self.clear();
+        let Self { ends: [corners, _], along: axes, values, .. } = self;
+        for (axis, column) in corners.iter_mut().enumerate() {
+            for corner in outline.iter().chain(outline.first()) {
+                let place = corner.coordinates()[axis];
+                column.extend(points.iter().map(|point| place - point.coordinates()[axis]));
+            }
+        }
+        // an edge ends at the corner that stands one block further on
+        let (step, rows) = (points.len(), points.len() * outline.len());
+        let ends = [0, step].map(|start| corners.each_ref().map(|column| &column[start..][..rows]));
+        measure(ends, along, axes, values);
+        for of_edge in values.chunks_exact(step) {
+            sums.iter_mut().zip(of_edge).for_each(|(sum, value)| *sum += factor * value);
+        }
+    }
+}
+
+/// What each edge adds. A luminaire is clockwise as the point sees it: its edges are taken backwards.
+fn measure(ends: [[&[f64]; 3]; 2], along: Vector, axes: &mut Columns, values: &mut Vec<f64>) {
+    let [[ax, ay, az], [bx, by, bz]] = ends;
+    let rows = ax.len();
+    if rows < FEW {
+        let [nx, ny, nz] = along.coordinates();
+        let edge = |i: usize| edge_form_factor(bx[i], by[i], bz[i], ax[i], ay[i], az[i], nx, ny, nz);
+        values.clear();
+        values.extend((0..rows).map(edge));
+        return;
+    }
+    fill(axes, along.coordinates(), rows);
+    values.resize(rows, 0.0);
+    let [nx, ny, nz] = axes.each_ref().map(|column| &column[..rows]);
+    edge_form_factor::batch(bx, by, bz, ax, ay, az, nx, ny, nz, values).expect("columns grow together");
+}
+
+/// Makes columns of one value each at least so long. From group to group and from element to element most values are the same.
+pub(crate) fn fill<const N: usize>(columns: &mut [Vec<f64>; N], values: [f64; N], rows: usize) {
+    for (column, value) in columns.iter_mut().zip(values) {
+        if column.first() != Some(&value) {
+            column.clear();
+        }
+        if column.len() < rows {
+            column.resize(rows, value);
+        }
+    }
+}

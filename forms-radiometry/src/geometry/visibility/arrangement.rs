@@ -1,0 +1,228 @@
+//! Arrangements: planes part points into cells. All points of a cell lie on the same sides of all planes.
+//!
+//! ```text
+//! planes ─┬─ that have all corners of an outline on one side: the same for all points in it
+//!         └─ others: asked point by point ─▶ keys ─▶ cells
+//! ```
+
+use super::{Plane, Vector};
+use crate::geometry::edges::Columns;
+
+/// Planes that part points, at most: a key has bits for so many.
+const MOST: u32 = u64::BITS;
+
+/// On which side of a plane a point is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    /// In front of it.
+    Front,
+    /// Behind it.
+    Behind,
+    /// So close that it counts as neither.
+    Neither,
+}
+
+/// What is known of a plane.
+#[derive(Clone, Copy, Debug)]
+enum Known {
+    /// All points are on this side.
+    All(Side),
+    /// Points are parted, and their keys have bits at this place.
+    Parted(u32),
+}
+
+/// Planes, and the cells that points are in.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Arrangement {
+    /// The planes, whose normals have any length, each with the product below which a point is on neither side.
+    planes: Vec<(Plane, f64)>,
+    known: Vec<Known>,
+    /// The points, cell by cell, and where they are.
+    points: Vec<u32>,
+    places: Columns,
+    /// Of each point the planes that it is in front of and behind.
+    keys: [Vec<u64>; 2],
+    /// Of each cell the same, and where its points end.
+    cells: Vec<([u64; 2], usize)>,
+    /// Of each point its number, and the cell that it is in.
+    unsorted: Vec<(u32, usize)>,
+}
+
+/// A cell.
+#[derive(Clone, Copy)]
+pub(super) struct Cell<'a> {
+    known: &'a [Known],
+    key: [u64; 2],
+    /// The indices of its points.
+    pub(super) points: &'a [u32],
+    /// Where they are.
+    pub(super) places: [&'a [f64]; 3],
+}
+
+impl Side {
+    fn of(plane: Plane, least: f64, point: Vector) -> Self {
+        let distance = plane.distance(point);
+        match (distance > least, distance < -least) {
+            (true, _) => Self::Front,
+            (_, true) => Self::Behind,
+            _ => Self::Neither,
+        }
+    }
+}
+
+impl Arrangement {
+    pub(super) fn clear(&mut self) {
+        self.planes.clear();
+    }
+
+    pub(super) fn add(&mut self, plane: Plane, least: f64) {
+        self.planes.push((plane, least));
+    }
+
+    /// Parts some of the points in an outline into cells; nothing where too many planes part them.
+    pub(super) fn part(
+        &mut self,
+        points: &[Vector],
+        some: impl Iterator<Item = u32>,
+        outline: &[Vector],
+    ) -> Option<()> {
+        self.points.clear();
+        self.points.extend(some);
+        self.known.clear();
+        let mut parting = 0;
+        for &(plane, least) in &self.planes {
+            let first = Side::of(plane, least, outline[0]);
+            // what is on neither side at all corners may be on either in between
+            let is_one = first != Side::Neither || outline.len() == 1;
+            let is_all = is_one && outline[1..].iter().all(|&corner| Side::of(plane, least, corner) == first);
+            self.known.push(if is_all { Known::All(first) } else { Known::Parted(parting) });
+            parting += u32::from(!is_all);
+        }
+        if parting > MOST {
+            return None;
+        }
+        self.take_places(points);
+        self.cells.clear();
+        if parting == 0 {
+            self.cells.push(([0; 2], self.points.len()));
+        } else {
+            self.take_keys();
+            self.sort();
+            self.take_places(points);
+        }
+        Some(())
+    }
+
+    /// Makes the columns those of the points in the order that these have.
+    fn take_places(&mut self, points: &[Vector]) {
+        for (axis, column) in self.places.iter_mut().enumerate() {
+            column.clear();
+            column.extend(self.points.iter().map(|&index| points[index as usize].coordinates()[axis]));
+        }
+    }
+
+    /// On which sides of the planes that part points each of them is.
+    fn take_keys(&mut self) {
+        let Self { planes, known, places, keys, points, .. } = self;
+        keys.iter_mut().for_each(|keys| {
+            keys.clear();
+            keys.resize(points.len(), 0);
+        });
+        let [front, behind] = keys;
+        for (&(plane, least), known) in planes.iter().zip(&*known) {
+            let Known::Parted(place) = *known else { continue };
+            let bit = 1 << place;
+            let [x, y, z] = places.each_ref().map(|column| &column[..front.len()]);
+            for (i, (front, behind)) in front.iter_mut().zip(&mut *behind).enumerate() {
+                let distance = plane.distance(Vector::new(x[i], y[i], z[i]));
+                *front |= if distance > least { bit } else { 0 };
+                *behind |= if distance < -least { bit } else { 0 };
+            }
+        }
+    }
+
+    /// Brings the points into the order of their cells. Neighbours are often in the same one.
+    fn sort(&mut self) {
+        let Self { points, keys: [front, behind], cells, unsorted, .. } = self;
+        unsorted.clear();
+        let mut last = 0;
+        for (&point, key) in
+            points.iter().zip(front.iter().zip(&*behind).map(|(&front, &behind)| [front, behind]))
+        {
+            if cells.get(last).is_none_or(|(known, _)| *known != key) {
+                last = cells.iter().position(|(known, _)| *known == key).unwrap_or(cells.len());
+                if last == cells.len() {
+                    cells.push((key, 0));
+                }
+            }
+            cells[last].1 += 1;
+            unsorted.push((point, last));
+        }
+        // counts become places where cells begin, and these, point by point, places where they end
+        let mut start = 0;
+        for (_, count) in &mut *cells {
+            start += std::mem::replace(count, start);
+        }
+        for &(point, cell) in &*unsorted {
+            let place = &mut cells[cell].1;
+            points[*place] = point;
+            *place += 1;
+        }
+    }
+
+    /// The cells with points in them.
+    pub(super) fn cells(&self) -> impl Iterator<Item = Cell<'_>> {
+        let starts = std::iter::once(0).chain(self.cells.iter().map(|(_, end)| *end));
+        starts.zip(&self.cells).map(|(start, &(key, end))| Cell {
+            known: &self.known,
+            key,
+            points: &self.points[start..end],
+            places: self.places.each_ref().map(|column| &column[start..end]),
+        })
+    }
+}
+
+impl Cell<'_> {
+    /// On which side of a plane it is.
+    pub(super) fn side(&self, plane: usize) -> Side {
+        match self.known[plane] {
+            Known::All(side) => side,
+            Known::Parted(place) => match self.key.map(|bits| bits >> place & 1) {
+                [0, 0] => Side::Neither,
+                [0, _] => Side::Behind,
+                _ => Side::Front,
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_points_of_a_cell_are_on_the_sides_that_it_says() {
+        let at = |i: u32| Vector::new(f64::from(i % 8), f64::from(i / 8), 0.0);
+        let points: Vec<Vector> = (0..64).map(at).collect();
+        let outline = [0, 7, 63, 56].map(at);
+        let mut arrangement = Arrangement::default();
+        for (normal, through) in [([1.0, 0.3, 0.0], 2.2), ([-1.0, 1.0, 0.5], 0.0), ([0.0, 1.0, 0.0], 9.0)] {
+            let [x, y, z] = normal;
+            arrangement
+                .add(Plane { point: Vector::new(0.0, through, 0.0), normal: Vector::new(x, y, z) }, 1e-9);
+        }
+        arrangement.part(&points, 0..64, &outline).unwrap();
+        let mut count = 0;
+        for cell in arrangement.cells() {
+            for (place, &(plane, least)) in arrangement.planes.iter().enumerate() {
+                for &index in cell.points {
+                    assert_eq!(cell.side(place), Side::of(plane, least, points[index as usize]), "{plane:?}");
+                }
+            }
+            count += cell.points.len();
+        }
+        // the diagonal has points on neither side, and the last plane parts none
+        assert_eq!([count, arrangement.cells().count()], [64, 5]);
+        assert!(arrangement.cells().all(|cell| cell.side(2) == Side::Behind));
+    }
+}

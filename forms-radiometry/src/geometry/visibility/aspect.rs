@@ -1,0 +1,232 @@
+//! Aspects: from where a luminaire looks the same past what stands in between.
+//!
+//! ```text
+//! points ─ planes of luminaire, horizon and screens ─▶ cells: the outline of each shadow is the same
+//!        ─ planes through an edge of one outline and a corner of the other ─▶ cells: the same corners are hidden, the same edges cross
+//! ```
+//! On which side of an edge from a to b a corner c is seen from a point p is the sign of
+//! ```text
+//! (b − p) × (a − p) · (c − p)  =  (b − c) × (a − c) · (c − p),
+//! ```
+//! which is affine in p: the points from which it is the same lie on one side of the plane through a, b and c.
+//!
+//! Source of the term: J. Koenderink, A. van Doorn, The internal representation of solid shape with respect to vision (1979).
+
+use super::arrangement::{Arrangement, Cell, Side};
+use super::body::Body;
+use super::border::Looking;
+use super::crossing::{End, MOST, Signs};
+use super::{Plane, Screen, Screens, Vector};
+
+/// Products that are smaller than this part of what they may be have no sure sign: far above rounding, far below what is common.
+const UNSURE: f64 = 1e-11;
+
+/// Bodies with more sides are not looked at.
+const MOST_SIDES: usize = 64;
+
+/// The shadows that may take a part of a luminaire.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Shadows {
+    /// Their edges, with the shadow on the left, and where those of each end.
+    edges: Vec<[Vector; 2]>,
+    ends: Vec<usize>,
+    seen: Vec<bool>,
+}
+
+/// How a luminaire looks past them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Aspect {
+    /// The shadow that takes a part.
+    pub(super) shadow: Vec<[Vector; 2]>,
+    /// The edges of the border of what is seen.
+    pub(super) border: Vec<[End; 2]>,
+    signs: Signs,
+}
+
+/// What stands in between: a screen by itself, or a body.
+enum Obstacle<'s> {
+    Screen(&'s Screen),
+    Body(&'s Body),
+}
+
+impl Screens {
+    fn obstacle(&self, index: u32) -> Obstacle<'_> {
+        let index = index as usize;
+        self.screens
+            .get(index)
+            .map_or_else(|| Obstacle::Body(&self.bodies[index - self.screens.len()]), Obstacle::Screen)
+    }
+
+    /// Adds the planes that decide what hides what: that of the luminaire, one through each of its corners along the horizon, and those of what
+    /// stands in between. Nothing where that has too many.
+    pub(super) fn add_planes(&self, looking: &Looking, planes: &mut Arrangement) -> Option<()> {
+        let (corners, normal) = looking.luminaire;
+        planes.clear();
+        planes.add(Plane { point: corners[0], normal }, self.resolution);
+        if let Some(horizon) = looking.horizon {
+            corners.iter().for_each(|&point| planes.add(Plane { point, normal: -horizon }, self.rounding));
+        }
+        for &index in looking.screens {
+            match self.obstacle(index) {
+                Obstacle::Screen(screen) => planes.add(screen.plane, self.resolution),
+                Obstacle::Body(body) if body.planes.len() > MOST_SIDES => return None,
+                Obstacle::Body(body) => {
+                    body.planes.iter().for_each(|&plane| planes.add(plane, self.rounding));
+                    body.planes.iter().for_each(|&plane| planes.add(plane, self.resolution));
+                    body.lid.iter().for_each(|&lid| planes.add(lid, self.rounding));
+                }
+            }
+        }
+        Some(())
+    }
+
+    /// Whether a cell of these planes is in front of the luminaire.
+    pub(super) fn is_in_front(cell: &Cell) -> bool {
+        cell.side(0) == Side::Front
+    }
+
+    /// Takes the edges of the shadows as a cell of these planes sees them; nothing where the luminaire is not wholly above the horizon, where the
+    /// cell is not outside of a body, or where edges do not say all of a shadow.
+    pub(super) fn take_shadows(&self, looking: &Looking, cell: &Cell, shadows: &mut Shadows) -> Option<()> {
+        let (corners, normal) = looking.luminaire;
+        shadows.edges.clear();
+        shadows.ends.clear();
+        let mut planes = 1..;
+        let mut next = || cell.side(planes.next().expect("planes do not end"));
+        if looking.horizon.is_some() && corners.iter().filter(|_| next() == Side::Behind).count() > 0 {
+            return None;
+        }
+        for &index in looking.screens {
+            match self.obstacle(index) {
+                Obstacle::Screen(screen) => {
+                    let side = next();
+                    self.take_shadow_of_screen((screen, side), (corners, normal), &mut shadows.edges)?;
+                }
+                Obstacle::Body(body) => {
+                    let Shadows { edges, seen, .. } = &mut *shadows;
+                    seen.clear();
+                    seen.extend(body.planes.iter().map(|_| next() == Side::Front));
+                    let outside = body.planes.iter().filter(|_| next() == Side::Front).count();
+                    let is_in_lid = body.lid.is_some_and(|_| next() == Side::Front);
+                    if outside == 0 || is_in_lid {
+                        return None;
+                    }
+                    edges.extend(body.outline(seen));
+                }
+            }
+            let start = shadows.ends.last().copied().unwrap_or(0);
+            if shadows.edges.len() - start > MOST {
+                return None;
+            }
+            shadows.ends.push(shadows.edges.len());
+        }
+        Some(())
+    }
+
+    /// Takes the edges of a screen's shadow, if it has any, as they are seen from a side of it.
+    fn take_shadow_of_screen(
+        &self,
+        (screen, side): (&Screen, Side),
+        (corners, normal): (&[Vector], Vector),
+        edges: &mut Vec<[Vector; 2]>,
+    ) -> Option<()> {
+        let beyond = |sign: f64| corners.iter().any(|&v| sign * screen.plane.distance(v) > self.resolution);
+        let parts = match side {
+            Side::Front => beyond(-1.0),
+            Side::Behind => beyond(1.0),
+            // edge-on it hides nothing
+            Side::Neither => false,
+        };
+        if !parts {
+            return Some(());
+        }
+        if screen.vertices.iter().any(|&v| normal.dot(v - corners[0]) < 0.0) {
+            return None;
+        }
+        edges.extend(screen.edges().map(|[a, b]| if side == Side::Front { [a, b] } else { [b, a] }));
+        Some(())
+    }
+}
+
+impl Shadows {
+    /// The edges of each.
+    fn all(&self) -> impl Iterator<Item = &[[Vector; 2]]> {
+        let starts = std::iter::once(0).chain(self.ends.iter().copied());
+        starts.zip(&self.ends).map(|(start, &end)| &self.edges[start..end])
+    }
+
+    /// Adds the planes through edges of each of them and corners of a luminaire, and the other way round, as points in an outline are parted by
+    /// them.
+    pub(super) fn add_planes(&self, luminaire: &[Vector], outline: &[Vector], planes: &mut Arrangement) {
+        planes.clear();
+        let mut add = |[a, b]: [Vector; 2], corner: Vector| {
+            let distance = |&point: &Vector| (corner - point).largest();
+            let reach = outline.iter().map(distance).fold(0.0, f64::max);
+            let [a, b] = [a - corner, b - corner];
+            let least = UNSURE * a.largest() * b.largest() * reach;
+            planes.add(Plane { point: corner, normal: a.cross(b) }, least);
+        };
+        for shadow in self.all() {
+            for &edge in shadow {
+                luminaire.iter().for_each(|&corner| add(edge, corner));
+            }
+            for j in 0..luminaire.len() {
+                shadow.iter().for_each(|[start, _]| add(edge_after(luminaire, j), *start));
+            }
+        }
+    }
+}
+
+impl Aspect {
+    /// Makes this what a cell of these planes sees. There is nothing where more than one shadow takes a part of the luminaire, and where something
+    /// is so close to an edge that it is not sure on which side it is.
+    pub(super) fn set(&mut self, luminaire: &[Vector], shadows: &Shadows, cell: &Cell) -> Option<()> {
+        self.shadow.clear();
+        self.border.clear();
+        let mut plane = 0;
+        for edges in shadows.all() {
+            let counts = [luminaire.len(), edges.len()];
+            let [of_shadow, of_luminaire] = [plane, plane + counts[0] * counts[1]];
+            plane += 2 * counts[0] * counts[1];
+            let all_beyond =
+                |first: usize, count: usize| (first..first + count).all(|p| cell.side(p) == Side::Behind);
+            let is_beside = (0..counts[1]).any(|k| all_beyond(of_shadow + k * counts[0], counts[0]))
+                || (0..counts[0]).any(|j| all_beyond(of_luminaire + j * counts[1], counts[1]));
+            if is_beside || edges.is_empty() {
+                continue;
+            }
+            if !self.shadow.is_empty() {
+                return None;
+            }
+            self.shadow.extend_from_slice(edges);
+            self.signs.counts = counts;
+            for (k, [_, end]) in edges.iter().enumerate() {
+                self.signs.next[k] = edges.iter().position(|[start, _]| start == end)?;
+                self.signs.inside[0][k] = bits(cell, of_shadow + k * counts[0], counts[0])?;
+            }
+            for j in 0..counts[0] {
+                self.signs.inside[1][j] = bits(cell, of_luminaire + j * counts[1], counts[1])?;
+            }
+        }
+        if self.shadow.is_empty() {
+            let count = luminaire.len();
+            self.border.extend((0..count).map(|corner| [corner, (corner + 1) % count].map(End::Luminaire)));
+            return Some(());
+        }
+        self.signs.border(&mut self.border)
+    }
+}
+
+/// In front of which of some planes a cell is, by their places; nothing where that is not sure.
+fn bits(cell: &Cell, first: usize, count: usize) -> Option<u32> {
+    (0..count).try_fold(0, |bits, place| match cell.side(first + place) {
+        Side::Front => Some(bits | 1 << place),
+        Side::Behind => Some(bits),
+        Side::Neither => None,
+    })
+}
+
+/// The edge that begins at a corner of an outline.
+pub(super) fn edge_after(outline: &[Vector], corner: usize) -> [Vector; 2] {
+    [outline[corner], outline[(corner + 1) % outline.len()]]
+}
