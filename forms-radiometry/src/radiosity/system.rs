@@ -95,10 +95,11 @@ impl<'t> Radiosity<'t> {
         question: Question,
         watch: &'t dyn Watch,
     ) -> Self {
-        let straight = question.receives.iter().enumerate();
-        let straight: Vec<_> = straight
-            .map(|(surface, &receives)| if receives { lights.flux(surface, transport, watch) } else { None })
-            .collect();
+        let flux = |_: &mut (), surface: usize| {
+            if question.receives[surface] { lights.flux(surface, transport, watch) } else { None }
+        };
+        let sharing = if transport.occlusion { Sharing::Shared } else { Sharing::Alone };
+        let straight = sharing.map(0..question.receives.len(), flux);
         let elements = coarsest(scene, transport, &question, &straight);
         let mut radiosity = Self {
             scene,

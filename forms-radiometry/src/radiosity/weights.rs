@@ -241,12 +241,7 @@ pub(super) fn rule(
     };
     if points <= MOST_POINTS as f64 || depth >= DEEPEST {
         let points = gauss((points.min(MOST_POINTS as f64) as usize).max(1));
-        for &[s, of_s] in points {
-            for &[t, of_t] in points {
-                let (point, density) = patch.at(s, t);
-                each(point, of_s * of_t * density);
-            }
-        }
+        patch.by_rule(points, each);
     } else if let Some(halves) = patch.halves() {
         halves.iter().for_each(|half| rule(half, nearest, accuracy, depth + 1, each));
     } else {

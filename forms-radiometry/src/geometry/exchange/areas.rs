@@ -18,7 +18,7 @@ const ORDERS: [usize; 4] = [2, 3, 5, 8];
 const SLENDER: f64 = 1.5;
 
 /// A node in [0, 1] and its weight.
-type Node = [f64; 2];
+pub(crate) type Node = [f64; 2];
 
 /// The most points of a Gauss–Legendre rule.
 pub(super) const MOST_POINTS: usize = 16;
@@ -73,6 +73,24 @@ impl Patch {
         let (along, across, twist) = (b - a, d - a, (a - b) + (c - d));
         let by_t = across + s * twist;
         (a + s * along + t * by_t, (along + t * twist).cross(by_t).length())
+    }
+
+    /// Calls `each` with the points of a rule that is the same along both sides, and the area of each.
+    ///
+    /// ∂ₛx × ∂ₜx = u × v + s u × w + t w × v with the sides u, v from the first corner and the twist w; in a plane all three have one direction.
+    pub(crate) fn by_rule(&self, rule: &[Node], mut each: impl FnMut(Vector, f64)) {
+        let Patch([a, b, c, d]) = *self;
+        let (along, across, twist) = (b - a, d - a, (a - b) + (c - d));
+        let densities = [along.cross(across), along.cross(twist), twist.cross(across)];
+        let middle = densities[0] + 0.5 * (densities[1] + densities[2]);
+        let normal = middle.unit().unwrap_or_default();
+        let [whole, by_s, by_t] = densities.map(|density| normal.dot(density));
+        for &[s, of_s] in rule {
+            let (start, side) = (a + s * along, across + s * twist);
+            for &[t, of_t] in rule {
+                each(start + t * side, of_s * of_t * (whole + s * by_s + t * by_t));
+            }
+        }
     }
 
     /// Its corners, one after the other around it.

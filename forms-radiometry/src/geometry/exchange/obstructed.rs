@@ -92,7 +92,7 @@ struct Part {
 #[derive(Default)]
 struct Work {
     points: Vec<Vector>,
-    densities: Vec<f64>,
+    areas: Vec<f64>,
     factors: Vec<f64>,
     view: Workspace,
     borders: Borders,
@@ -135,17 +135,14 @@ impl View<'_> {
         within: &Patch,
         work: &mut Work,
     ) -> [(Patch, f64); N] {
-        let Work { points, densities, factors, view, borders } = work;
+        let Work { points, areas, factors, view, borders } = work;
         points.clear();
-        densities.clear();
+        areas.clear();
         for patch in &patches {
-            for &[s, of_s] in gauss(ORDER) {
-                for &[t, of_t] in gauss(ORDER) {
-                    let (position, density) = patch.at(s, t);
-                    points.push(position);
-                    densities.push(of_s * of_t * density);
-                }
-            }
+            patch.by_rule(gauss(ORDER), |point, area| {
+                points.push(point);
+                areas.push(area);
+            });
         }
         let Face { vertices, normal, .. } = self.there;
         let looking = Looking {
@@ -158,7 +155,7 @@ impl View<'_> {
         factors.clear();
         factors.resize(points.len(), 0.0);
         self.screens.add_form_factors(looking, (self.normal, 1.0), (view, borders), factors);
-        let mut values = densities.iter().zip(factors).map(|(density, factor)| density * *factor);
+        let mut values = areas.iter().zip(factors).map(|(area, factor)| area * *factor);
         patches.map(|patch| (patch, values.by_ref().take(ORDER * ORDER).sum()))
     }
 }

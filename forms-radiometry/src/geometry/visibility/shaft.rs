@@ -94,5 +94,11 @@ fn outermost(a: Vector, direction: Vector, vertices: &[Vector]) -> [Option<Vecto
     }
     // what comes later lies on the left of direction × first, and what comes before on the right of direction × last
     let Some([first, last]) = ends else { return [None; 2] };
-    [first.cross(direction).unit(), direction.cross(last).unit()]
+    [unit(first.cross(direction)), unit(direction.cross(last))]
+}
+
+/// A vector's direction to rounding; none for one that is too short or too long for its square, without which a shaft is but wider.
+fn unit(v: Vector) -> Option<Vector> {
+    let squared = v.dot(v);
+    squared.is_normal().then(|| (1.0 / squared.sqrt()) * v)
 }
