@@ -149,12 +149,17 @@ impl Screens {
     }
 
     /// The faces that screens of these indices, or those of bodies, are the fronts of.
-    pub(crate) fn fronts(&self, found: &[u32]) -> impl Iterator<Item = usize> {
-        let screens = move |&index: &u32| {
-            let body = (index as usize).checked_sub(self.screens.len());
-            body.map_or(vec![index], |body| self.bodies[body].screens.clone())
-        };
-        found.iter().flat_map(screens).map(|index| self.screens[index as usize].sides[0])
+    pub(crate) fn fronts<'f>(&'f self, found: &'f [u32]) -> impl Iterator<Item = usize> + 'f {
+        found
+            .iter()
+            .flat_map(|index| self.screens_of(index))
+            .map(|&index| self.screens[index as usize].sides[0])
+    }
+
+    /// The indices of the screens that an index stands for: itself, or those of a body.
+    fn screens_of<'i>(&'i self, index: &'i u32) -> &'i [u32] {
+        let body = (*index as usize).checked_sub(self.screens.len());
+        body.map_or(std::slice::from_ref(index), |body| &self.bodies[body].screens)
     }
 
     /// The screens that faces make. Each front is followed by its back, if that is among the faces at all.

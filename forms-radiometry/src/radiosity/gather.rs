@@ -33,6 +33,8 @@ pub(crate) struct Transport {
 #[derive(Default)]
 pub(crate) struct Scratch {
     pub(super) between: Vec<u32>,
+    /// What may come in between before any of a face.
+    pub(super) before_face: Vec<u32>,
     pub(super) view: Workspace,
     borders: Borders,
     edges: Edges,
@@ -82,16 +84,18 @@ impl Transport {
         scratch: &mut Scratch,
         mut each: impl FnMut(usize, &[Vector]),
     ) {
-        if self.seen(group, (outline, normal), &mut scratch.between) != Seen::Nothing {
+        if self.seen(group, (outline, normal), None, &mut scratch.between) != Seen::Nothing {
             self.see_parts(group, (outline, normal), &scratch.between, &mut scratch.view, &mut each);
         }
     }
 
-    /// What a group sees of a luminous outline, as far as that is the same for all points; what may come in between is remembered.
+    /// What a group sees of a luminous outline, as far as that is the same for all points; what may come in between is remembered, of all
+    /// screens or among some.
     pub(super) fn seen(
         &self,
         group: Group,
         (outline, normal): (&[Vector], Vector),
+        among: Option<&[u32]>,
         between: &mut Vec<u32>,
     ) -> Seen {
         if is_turned_away(group, (outline, normal)) {
@@ -99,8 +103,8 @@ impl Transport {
         }
         between.clear();
         if self.occlusion {
-            let horizon = group.measure.horizon();
-            let found = self.screens.between(group.outline, horizon, outline, normal, between);
+            let receivers = (group.outline, group.measure.horizon());
+            let found = self.screens.between_among(among, receivers, (outline, normal), between);
             if matches!(found, Between::All) {
                 return Seen::Nothing;
             }
@@ -158,7 +162,7 @@ impl Transport {
         scratch: &'s mut Scratch,
     ) -> Option<&'s [f64]> {
         let mut between = std::mem::take(&mut scratch.between);
-        let seen = self.seen(group, luminaire, &mut between);
+        let seen = self.seen(group, luminaire, None, &mut between);
         let is_seen = self.measure_seen(seen, group, luminaire, &between, scratch);
         scratch.between = between;
         is_seen.then_some(&scratch.measures)

@@ -61,7 +61,7 @@ impl Transport {
         mut each: impl FnMut(usize, &[f64]),
     ) {
         let luminaire = (outline, element.normal);
-        let Scratch { between, view, whole, seeing, .. } = scratch;
+        let Scratch { between, before_face, view, whole, seeing, .. } = scratch;
         let seen = match of_face {
             OfFace::Nothing => Seen::Nothing,
             OfFace::Whole => Seen::Whole,
@@ -69,7 +69,7 @@ impl Transport {
                 between.clear();
                 self.seen_past(group, luminaire, between)
             }
-            OfFace::Parts => self.seen(group, luminaire, between),
+            OfFace::Parts => self.seen(group, luminaire, Some(before_face), between),
         };
         seeing.clear();
         match seen {
@@ -102,13 +102,13 @@ impl Transport {
         }
     }
 
-    /// What a group sees of a whole face, and so of every element of it.
+    /// What a group sees of a whole face, and so of every element of it; what may come in between is kept for those.
     pub(super) fn of_face(&self, group: Group, face: usize, scratch: &mut Scratch) -> OfFace {
         let Face { vertices, normal, .. } = &self.faces[face];
-        match self.seen(group, (vertices, *normal), &mut scratch.between) {
+        match self.seen(group, (vertices, *normal), None, &mut scratch.before_face) {
             Seen::Nothing => OfFace::Nothing,
             Seen::Whole => OfFace::Whole,
-            Seen::Parts if scratch.between.is_empty() => OfFace::Open,
+            Seen::Parts if scratch.before_face.is_empty() => OfFace::Open,
             Seen::Parts => OfFace::Parts,
         }
     }

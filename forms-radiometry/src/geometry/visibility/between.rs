@@ -181,6 +181,17 @@ impl Screens {
         luminaire_normal: Vector,
         found: &mut Vec<u32>,
     ) -> Between {
+        self.between_among(None, (receivers, normal), (luminaire, luminaire_normal), found)
+    }
+
+    /// The same among these alone: what may come between the receivers and all of a luminaire tells what may before a part of it.
+    pub(crate) fn between_among(
+        &self,
+        among: Option<&[u32]>,
+        (receivers, normal): (&[Vector], Option<Vector>),
+        (luminaire, luminaire_normal): (&[Vector], Vector),
+        found: &mut Vec<u32>,
+    ) -> Between {
         found.clear();
         if !self.face_each_other(receivers, normal, luminaire, luminaire_normal) {
             return Between::Nothing;
@@ -199,7 +210,13 @@ impl Screens {
             bodies: Vec::new(),
             all: false,
         };
-        let _ = self.tree.walk(&mut search);
+        let _ = match among {
+            None => self.tree.walk(&mut search),
+            Some(among) => {
+                let mut screens = among.iter().flat_map(|index| self.screens_of(index));
+                screens.try_for_each(|&screen| search.at(screen as usize))
+            }
+        };
         match (search.all, found.is_empty()) {
             (true, _) => Between::All,
             (false, true) => Between::Nothing,
