@@ -1,12 +1,15 @@
 //! A map as a picture: values become colours of a scale along which equal steps look equal.
 
-use super::{from_above, total};
+use super::{from_above, measured, total};
 use crate::simulation::Map;
 use colorous::VIRIDIS;
 use std::io;
 
 /// The longer side of the picture has this many pixels or more.
 const SIDE: usize = 256;
+
+/// The greatest value is told up to this part of it, so that files are the same on processors that round otherwise.
+const SHOWN: f64 = 1e-6;
 
 /// The file of a map's picture.
 ///
@@ -67,7 +70,8 @@ pub fn viridis(share: f64) -> [u8; 3] {
 fn description(map: &Map, greatest: f64) -> String {
     let bands = if map.values.len() == 1 { "" } else { ", all bands together" };
     let (quantity, unit) = (map.quantity.name(), map.quantity.unit());
-    format!("{quantity} of {}{bands}, from 0 (dark) to {greatest:?} {unit} (bright)", map.receiver)
+    let [greatest, _] = measured(greatest, SHOWN * greatest);
+    format!("{quantity} of {}{bands}, from 0 (dark) to {greatest} {unit} (bright)", map.receiver)
 }
 
 #[cfg(test)]

@@ -92,9 +92,8 @@ impl Arrangement {
         let mut parting = 0;
         for &(plane, least) in &self.planes {
             let first = Side::of(plane, least, outline[0]);
-            // what is on neither side at all corners may be on either in between
-            let is_one = first != Side::Neither || outline.len() == 1;
-            let is_all = is_one && outline[1..].iter().all(|&corner| Side::of(plane, least, corner) == first);
+            // each of the three is a convex set
+            let is_all = outline[1..].iter().all(|&corner| Side::of(plane, least, corner) == first);
             self.known.push(if is_all { Known::All(first) } else { Known::Parted(parting) });
             parting += u32::from(!is_all);
         }

@@ -1,5 +1,6 @@
 //! Laws of visibility: what a point in a closed scene sees of all faces fills its hemisphere, wherever and however large the scene is.
 
+mod groups;
 mod searches;
 
 use super::*;
