@@ -12,15 +12,18 @@ use std::collections::BTreeSet;
 
 /// The modules that are for an effect alone. What polygons, elements, readings and rays share is not among them.
 const MODULES: [(Effect, &[&str]); 7] = [
-    (Effect::Direct, &["radiosity::direct", "radiosity::outlines"]),
+    (Effect::Direct, &["radiosity::direct"]),
     (
         Effect::Occlusion,
         &[
             "geometry::cone",
             "geometry::exchange::obstructed",
+            "geometry::visibility::arrangement",
+            "geometry::visibility::aspect",
             "geometry::visibility::between",
             "geometry::visibility::body",
             "geometry::visibility::border",
+            "geometry::visibility::crossing",
             "geometry::visibility::shaft",
             "geometry::visibility::visible",
         ],

@@ -36,7 +36,8 @@ pub(crate) struct Scratch {
     /// What may come in between before any of a face.
     pub(super) before_face: Vec<u32>,
     pub(super) view: Workspace,
-    borders: Borders,
+    /// What only screens take.
+    borders: Option<Box<Borders>>,
     edges: Edges,
     /// Of each point of a group the measure, over π, of what it sees of a luminaire.
     measures: Vec<f64>,
@@ -205,7 +206,13 @@ impl Transport {
             Some(along) if seen == Seen::Whole => {
                 edges.add_form_factors_of_whole((points, luminaire.0), along, measures);
             }
+            Some((along, sign)) if screens.is_empty() => {
+                edges.clear();
+                self.see_parts(group, luminaire, screens, view, |index, piece| edges.push(index, piece));
+                edges.add_form_factors(along, sign, measures);
+            }
             Some(along) => {
+                let borders = borders.get_or_insert_default();
                 let looking = Looking { points, outline, horizon: measure.horizon(), luminaire, screens };
                 self.screens.add_form_factors(looking, along, (view, borders), measures);
             }
