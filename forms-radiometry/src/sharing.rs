@@ -35,6 +35,18 @@ impl Sharing {
         }
     }
 
+    /// What is made by two works that do not wait for each other.
+    pub(crate) fn both<A: Send, B: Send>(
+        self,
+        one: impl FnOnce() -> A + Send,
+        other: impl FnOnce() -> B + Send,
+    ) -> (A, B) {
+        match self {
+            Self::Alone => (one(), other()),
+            Self::Shared => rayon::join(one, other),
+        }
+    }
+
     /// What is made of the first item of which something is.
     pub(crate) fn find_map<I, R: Send>(
         self,
@@ -108,6 +120,8 @@ mod tests {
         let first_even =
             |sharing: Sharing| sharing.find_map(1..1000_usize, |item| item.is_multiple_of(2).then_some(item));
         assert_eq!([first_even(Sharing::Alone), first_even(Sharing::Shared)], [Some(2); 2]);
+        let both = |sharing: Sharing| sharing.both(|| 1, || "two");
+        assert_eq!([both(Sharing::Alone), both(Sharing::Shared)], [(1, "two"); 2]);
         assert_eq!(Sharing::of(0.9 * WORTHWHILE), Sharing::Alone);
         assert_eq!(Sharing::of(WORTHWHILE), Sharing::Shared);
     }

@@ -67,7 +67,7 @@ impl<'s> Lights<'s> {
     }
 
     /// The same, point by point and band by band.
-    pub(super) fn gather(
+    pub(crate) fn gather(
         &self,
         group: Group,
         transport: &Transport,

@@ -229,11 +229,6 @@ impl<'t> Radiosity<'t> {
         self.lights.operations(points, self.transport) + self.transport.operations(points, reflected)
     }
 
-    /// The same of what comes straight from lights alone.
-    pub(crate) fn straight_operations(&self, points: usize) -> f64 {
-        self.lights.operations(points, self.transport)
-    }
-
     /// How many nodes there are.
     pub(crate) fn size(&self) -> usize {
         self.first.last().copied().unwrap_or(0)
@@ -271,12 +266,6 @@ impl<'t> Radiosity<'t> {
     /// The same of all bands, point by point; only some of it if the work is stopped.
     pub(crate) fn gather(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
         self.gather_kinds(self.kinds, group, scratch, gathered);
-    }
-
-    /// What comes straight from lights alone.
-    pub(crate) fn gather_straight(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
-        let effects = Effects { interreflection: false, ..self.kinds.effects() };
-        self.gather_kinds(Kinds::of(effects), group, scratch, gathered);
     }
 
     /// What surfaces reflect alone.

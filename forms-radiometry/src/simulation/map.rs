@@ -12,7 +12,6 @@ use super::watch::Watch;
 use crate::geometry::{Face, Vector};
 use crate::radiosity::{Group, Measure, Radiosity, Scratch, Transport};
 use crate::sharing::Sharing;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The cells along each side of a block that shares the search for what stands in between.
 const BLOCK: usize = 8;
@@ -127,25 +126,20 @@ impl Grid {
         self.cells().into_iter().flatten().skip(step / 2).step_by(step)
     }
 
-    /// The irradiance of all cells, for each band row by row; not a number off the surface, and where the work was stopped before. What is
-    /// reflected may be off by what is allowed in each band.
+    /// The irradiance of all cells, of which this comes straight from lights, for each band row by row; not a number off the surface, and where
+    /// the work was stopped before. What is reflected may be off by what is allowed in each band. `note` is told how many cells are computed.
     pub(super) fn irradiance(
         &self,
         radiosity: &Radiosity,
-        allowed: &[f64],
+        (mut irradiance, allowed): (Vec<f64>, &[f64]),
         watch: &dyn Watch,
+        note: &(dyn Fn(usize) + Sync),
     ) -> Vec<Vec<f64>> {
         let bands = allowed.len();
-        let mut irradiance = self.straight(bands, radiosity, watch);
         if radiosity.is_reflected() {
             let polynomials = self.polynomials(bands, radiosity);
-            let done = AtomicUsize::new(0);
-            let note = |cells: usize| {
-                let part = done.fetch_add(cells, Ordering::Relaxed) as f64 / self.count() as f64;
-                watch.progress("maps", part);
-            };
             let compute = |cells: &[usize], gap: usize| {
-                let mut found = self.reflected((cells, gap), bands, radiosity, watch, &note);
+                let mut found = self.reflected((cells, gap), bands, radiosity, watch, note);
                 for (&cell, found) in cells.iter().zip(found.chunks_exact_mut(bands)) {
                     let of_cell = &polynomials[cell * bands..][..bands];
                     found.iter_mut().zip(of_cell).for_each(|(found, polynomial)| *found -= polynomial);
@@ -161,19 +155,8 @@ impl Grid {
         (0..bands).map(|band| irradiance.iter().skip(band).step_by(bands).copied().collect()).collect()
     }
 
-    /// What comes to all cells straight from lights, cell by cell and band by band.
-    fn straight(&self, bands: usize, radiosity: &Radiosity, watch: &dyn Watch) -> Vec<f64> {
-        let mut gathered = vec![f64::NAN; bands * self.count()];
-        let each = |scratch: &mut Scratch, (group, values): (Group, &mut [f64])| {
-            if !watch.is_stopped() && !group.points.is_empty() {
-                radiosity.gather_straight(group, scratch, values);
-            }
-            if watch.is_stopped() {
-                values.fill(f64::NAN);
-            }
-        };
-        let parts = self.parts(bands, &mut gathered);
-        Sharing::of(radiosity.straight_operations(self.count())).map(parts, each);
+    /// Numbers of the cells that lie on the surface, block by block, among those of all cells.
+    pub(super) fn all_cells(&self, bands: usize, gathered: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.size[0] * self.size[1] * bands];
         for (&cell, of_bands) in self.cells.iter().zip(gathered.chunks_exact(bands)) {
             values[cell * bands..][..bands].copy_from_slice(of_bands);
@@ -234,7 +217,11 @@ impl Grid {
     }
 
     /// Each block with the part of a list that its cells have, cell by cell and band by band.
-    fn parts<'g>(&'g self, bands: usize, mut values: &'g mut [f64]) -> Vec<(Group<'g>, &'g mut [f64])> {
+    pub(super) fn parts<'g>(
+        &'g self,
+        bands: usize,
+        mut values: &'g mut [f64],
+    ) -> Vec<(Group<'g>, &'g mut [f64])> {
         let measure = Measure::Plane(self.normal);
         let mut start = 0;
         let part = |block: &'g Block| {

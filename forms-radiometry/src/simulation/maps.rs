@@ -5,8 +5,10 @@ use super::estimate::{Estimate, Found};
 use super::map::Grid;
 use super::readings::Reading;
 use super::solver::{ROUNDING, Work, groups};
-use crate::radiosity::{Radiosity, Transport};
+use crate::radiosity::{Group, Lights, Radiosity, Scratch, Transport};
 use crate::scene::ReceiverKind;
+use crate::sharing::Sharing;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// One in so many cells of a map is watched while elements become finer, and at least so many in all.
 const WATCHED: [usize; 2] = [36, 9];
@@ -38,37 +40,81 @@ impl Work<'_> {
         self.groups = groups(&self.readings, self.answers);
     }
 
-    /// The maps with the numbers of their receivers, cell by cell, each with the largest error of those of its cells that were watched.
+    /// What comes to the cells of each map straight from lights, cell by cell and band by band; not a number where the work was stopped
+    /// before. The cells of all maps are shared as one: between small loops threads would wait.
+    pub(super) fn straight(
+        &self,
+        grids: &[(usize, Grid)],
+        lights: &Lights,
+        transport: &Transport,
+    ) -> Vec<Vec<f64>> {
+        let bands = self.scene.band_count();
+        let is_asked = self.question().direct;
+        let each = |scratch: &mut Scratch, (group, values): (Group, &mut [f64])| {
+            if is_asked && !self.watch.is_stopped() && !group.points.is_empty() {
+                lights.gather(group, transport, scratch, values);
+            }
+            if self.watch.is_stopped() {
+                values.fill(f64::NAN);
+            }
+        };
+        let mut gathered: Vec<Vec<f64>> =
+            grids.iter().map(|(_, grid)| vec![0.0; bands * grid.count()]).collect();
+        let of_all = grids.iter().zip(&mut gathered);
+        let parts: Vec<_> = of_all.flat_map(|((_, grid), gathered)| grid.parts(bands, gathered)).collect();
+        let cells = grids.iter().map(|(_, grid)| grid.count()).sum();
+        Sharing::of(lights.operations(cells, transport)).map(parts, each);
+        grids.iter().zip(gathered).map(|((_, grid), gathered)| grid.all_cells(bands, &gathered)).collect()
+    }
+
+    /// The maps with the numbers of their receivers, of whose cells it is known what comes to them straight from lights.
     pub(super) fn maps(
         &self,
         radiosity: &Radiosity,
-        grids: &[(usize, Grid)],
+        (grids, straight): (&[(usize, Grid)], Vec<Vec<f64>>),
         found: &[Found],
     ) -> Vec<(usize, Map)> {
-        let bands = self.scene.band_count();
-        let map = |&(receiver, ref grid): &(usize, Grid)| {
-            let watched = || {
-                let own =
-                    (self.answers..found.len()).filter(|&other| self.readings[other].receiver == receiver);
-                own.map(|other| &found[other])
-            };
-            let of_cell =
-                |cell: &Found, band: usize| cell.bands.get(band).map_or(f64::INFINITY, Estimate::error);
-            let largest = |band: usize| watched().map(|cell| of_cell(cell, band)).reduce(f64::max);
-            let largest: Vec<Option<f64>> = (0..bands).map(largest).collect();
-            let allowed: Vec<f64> = largest.iter().map(|error| INTERPOLATED * error.unwrap_or(0.0)).collect();
-            let values = grid.irradiance(radiosity, &allowed, self.watch);
-            let error = |(band, values): (usize, &Vec<f64>)| {
-                // where none is watched, closed forms leave nothing but rounding
-                let brightest = || values.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
-                let error = largest[band].unwrap_or_else(|| ROUNDING * brightest()) + allowed[band];
-                values.iter().map(|value| if value.is_nan() { f64::NAN } else { error }).collect()
-            };
-            let errors = values.iter().enumerate().map(error).collect();
-            let (name, size) = (self.scene.receivers[receiver].name.clone(), grid.size());
-            let quantity = Quantity::Irradiance;
-            (receiver, Map { receiver: name, quantity, size, values, errors, is_image: false })
+        let cells: usize = grids.iter().map(|(_, grid)| grid.count()).sum();
+        let done = AtomicUsize::new(0);
+        let note = |computed: usize| {
+            let part = done.fetch_add(computed, Ordering::Relaxed) as f64 / cells as f64;
+            self.watch.progress("maps", part);
         };
-        grids.iter().map(map).collect()
+        let map = |_: &mut (), (&(receiver, ref grid), straight): (&(usize, Grid), Vec<f64>)| {
+            (receiver, self.map(radiosity, (receiver, grid, straight), found, &note))
+        };
+        let sharing = if radiosity.is_reflected() { Sharing::Shared } else { Sharing::Alone };
+        sharing.map(grids.iter().zip(straight).collect::<Vec<_>>(), map)
+    }
+
+    /// The map of a receiver, cell by cell, with the largest error of those of its cells that were watched.
+    fn map(
+        &self,
+        radiosity: &Radiosity,
+        (receiver, grid, straight): (usize, &Grid, Vec<f64>),
+        found: &[Found],
+        note: &(dyn Fn(usize) + Sync),
+    ) -> Map {
+        let largest = self.largest_errors(receiver, found);
+        let allowed: Vec<f64> = largest.iter().map(|error| INTERPOLATED * error.unwrap_or(0.0)).collect();
+        let values = grid.irradiance(radiosity, (straight, &allowed), self.watch, note);
+        let error = |(band, values): (usize, &Vec<f64>)| {
+            // where none is watched, closed forms leave nothing but rounding
+            let brightest = || values.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
+            let error = largest[band].unwrap_or_else(|| ROUNDING * brightest()) + allowed[band];
+            values.iter().map(|value| if value.is_nan() { f64::NAN } else { error }).collect()
+        };
+        let errors = values.iter().enumerate().map(error).collect();
+        let (name, size) = (self.scene.receivers[receiver].name.clone(), grid.size());
+        Map { receiver: name, quantity: Quantity::Irradiance, size, values, errors, is_image: false }
+    }
+
+    /// For each band the largest error of the cells of a map that were watched, if any were.
+    fn largest_errors(&self, receiver: usize, found: &[Found]) -> Vec<Option<f64>> {
+        let is_own = |&other: &usize| self.readings[other].receiver == receiver;
+        let watched = || (self.answers..found.len()).filter(is_own).map(|other| &found[other]);
+        let of_cell = |cell: &Found, band: usize| cell.bands.get(band).map_or(f64::INFINITY, Estimate::error);
+        let largest = |band: usize| watched().map(|cell| of_cell(cell, band)).reduce(f64::max);
+        (0..self.scene.band_count()).map(largest).collect()
     }
 }

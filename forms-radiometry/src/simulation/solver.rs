@@ -108,7 +108,13 @@ impl<'s> Work<'s> {
             }
             let sharing = self.sharing(gathering, &lights, &transport, &grids);
             let (found, maps) = sharing.enter(|| {
-                let (solution, mut found) = self.solved(gathering, &transport, &lights, &mut history);
+                let straight = || self.straight(&grids, &lights, &transport);
+                // these are the last faces, and maps are not sampled: what comes straight to cells waits for no solution
+                let is_known_before = !is_round_anywhere && gathering == Gathering::Pieces;
+                let ((solution, mut found), known) = sharing.both(
+                    || self.solved(gathering, &transport, &lights, &mut history),
+                    || is_known_before.then(straight),
+                );
                 let is_stopped = self.watch.is_stopped();
                 let is_compared = compare(&mut found, coarse.take(), fineness);
                 if is_round_anywhere && is_stopped && !is_compared {
@@ -122,7 +128,8 @@ impl<'s> Work<'s> {
                     || (is_compared && self.is_enough(&found));
                 let maps = is_last.then(|| match &solution {
                     Solution::Elements(radiosity) => {
-                        (self.maps(radiosity, &grids, &found), self.images(radiosity, sight, &found))
+                        let grids = (&grids[..], known.unwrap_or_else(straight));
+                        (self.maps(radiosity, grids, &found), self.images(radiosity, sight, &found))
                     }
                     Solution::Paths(paths) => (self.sampled_maps(paths, &grids, &found), Vec::new()),
                 });
@@ -188,7 +195,7 @@ impl<'s> Work<'s> {
         (Solution::Elements(radiosity), found)
     }
 
-    fn question(&self) -> Question {
+    pub(super) fn question(&self) -> Question {
         self.effects.question(self.scene)
     }
 

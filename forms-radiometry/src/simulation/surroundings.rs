@@ -55,7 +55,8 @@ impl Surroundings {
         sharing.map(places(), of_place).into_iter().fold(Self::NOTHING, Self::beside)
     }
 
-    /// The same where it is not asked what faces see: no reflection leaves more than this albedo, the largest.
+    /// The same where it is not asked what faces see: no reflection leaves more than this albedo, the largest, and no more comes to them
+    /// than where nothing hides it.
     pub(super) fn unseen(scene: &Scene, transport: &Transport, lights: &Lights, albedo: f64) -> Self {
         let asked = Asked::of(scene, transport);
         let direct = |scratch: &mut Scratch, place| asked.direct(place, lights, scratch);

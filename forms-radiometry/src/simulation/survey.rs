@@ -47,18 +47,18 @@ impl Survey {
         let scene = working.scene.as_ref();
         let faces = faces(scene, 0);
         let screens = Screens::of(&faces);
-        let transport = Transport { faces, screens, occlusion: true, accuracy: 1e-2 };
-        let lights = Lights::of(scene, &transport);
-        let is_large = transport.faces.len() > MANY;
+        let is_large = faces.len() > MANY;
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
+        // what the file turns off is not looked at any closer, nor what hides some of it; a trap of light is refused all the same
+        let is_unseen = !is_large && reflects_nothing(scene) && largest_albedo < 1.0;
+        let mut transport = Transport { faces, screens, occlusion: !is_unseen, accuracy: 1e-2 };
+        let lights = Lights::of(scene, &transport);
         let sampled = match is_large {
             true => Surroundings::by_rays(scene, &transport),
-            // what the file turns off is not looked at any closer; a trap of light is refused all the same
-            false if reflects_nothing(scene) && largest_albedo < 1.0 => {
-                Surroundings::unseen(scene, &transport, &lights, largest_albedo)
-            }
+            false if is_unseen => Surroundings::unseen(scene, &transport, &lights, largest_albedo),
             false => Surroundings::of(scene, &transport, &lights),
         };
+        transport.occlusion = true;
         let contraction = sampled.contraction + MARGIN * (largest_albedo - sampled.contraction).max(0.0);
         let contraction = if sampled.contraction == 0.0 { 0.0 } else { contraction };
         let mut survey = Self {
