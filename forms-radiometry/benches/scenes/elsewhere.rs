@@ -59,13 +59,10 @@ fn run(script: &Path, folder: &Path) -> io::Result<Vec<Line>> {
 }
 
 impl Line {
-    /// The fields are apart by commas; that of the work may stand in quotes, and the last one may hold any.
+    /// The fields are apart by commas; those of the program and the work may stand in quotes, and the last one may hold any.
     fn read(line: &str) -> Option<Self> {
-        let (program, rest) = line.split_once(',')?;
-        let (work, rest) = match rest.strip_prefix('"') {
-            Some(quoted) => quoted.split_once("\",")?,
-            None => rest.split_once(',')?,
-        };
+        let (program, rest) = name(line)?;
+        let (work, rest) = name(rest)?;
         let (seconds, rest) = rest.split_once(',')?;
         let (error, remark) = rest.split_once(',')?;
         Some(Self {
@@ -75,5 +72,13 @@ impl Line {
             error: error.parse().ok()?,
             remark: remark.to_string(),
         })
+    }
+}
+
+/// A name at the beginning of a line, and what follows after it.
+fn name(line: &str) -> Option<(&str, &str)> {
+    match line.strip_prefix('"') {
+        Some(quoted) => quoted.split_once("\","),
+        None => line.split_once(','),
     }
 }

@@ -60,13 +60,14 @@ class Work:
         return {**one, "exterior": self.medium} if self.medium else one
 
     def variants(self):
-        """Samplers with the depth of roulette: all of an image, and of a number those that are of use, after the default. Of an image that is
-        known only the default: what is looked for is how far off pixels are, in minutes for each variant."""
+        """Samplers with the depth of roulette: all of an image, and of a number those that are of use, after the default: `ldsampler` takes up
+        to a thousand times as long as the others where light scatters. Of an image that is known only the default: what is looked for is how
+        far off pixels are, in minutes for each variant."""
         if self.is_image and self.known is not None:
             return [(SAMPLERS[0], DEFAULT)]
         if self.is_image:
             return [(sampler, depth) for depth in (DEFAULT, LATE) for sampler in SAMPLERS]
-        return [(SAMPLERS[0], DEFAULT)] + [(sampler, LATE) for sampler in SAMPLERS]
+        return [(SAMPLERS[0], DEFAULT)] + [(sampler, LATE) for sampler in SAMPLERS[:2]]
 
     def integrator(self, rr_depth):
         return mi.load_dict({"type": "volpath" if self.medium else "path", "max_depth": -1, "rr_depth": rr_depth})

@@ -34,4 +34,4 @@ for (title, _, exact, *_), pair in zip(rows, pairs):
 general = [(b, a, 4 * np.pi * polygon_area(a)) for row, (a, b) in zip(rows, pairs) if row[1] == "1"]
 taken = scene.seconds(lambda: [compute_viewfactor_sa30(*pair) for pair in general], clock=time.thread_time) / len(general)
 for title, error in errors.items():
-    scene.told(program, f'"{title}"', taken if title == rows[0][0] else float("nan"), error)
+    scene.told(program, title, taken if title == rows[0][0] else float("nan"), error)

@@ -103,4 +103,6 @@ def seconds(work, clock=time.perf_counter, turns=11, least=5e-3):
 
 
 def told(program, work, time, error, remark=""):
+    """Prints a line of fields with commas between them; a name that holds one stands in quotes."""
+    program, work = (f'"{name}"' if "," in name else name for name in (program, work))
     print(f"{program},{work},{time:.6g},{error:.3g},{remark}", flush=True)
