@@ -56,7 +56,7 @@ impl Surroundings {
     }
 
     /// The same where it is not asked what faces see: no reflection leaves more than this albedo, the largest, and no more comes to them
-    /// than where nothing hides it.
+    /// from faces and lights than where nothing hides these.
     pub(super) fn unseen(scene: &Scene, transport: &Transport, lights: &Lights, albedo: f64) -> Self {
         let asked = Asked::of(scene, transport);
         let direct = |scratch: &mut Scratch, place| asked.direct(place, lights, scratch);

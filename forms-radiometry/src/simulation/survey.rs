@@ -51,8 +51,10 @@ impl Survey {
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
         // what the file turns off is not looked at any closer, nor what hides some of it; a trap of light is refused all the same
         let is_unseen = !is_large && reflects_nothing(scene) && largest_albedo < 1.0;
-        let mut transport = Transport { faces, screens, occlusion: !is_unseen, accuracy: 1e-2 };
+        let mut transport = Transport { faces, screens, occlusion: true, accuracy: 1e-2 };
         let lights = Lights::of(scene, &transport);
+        // faces that hide each other would take the same part of the light from outside twice
+        transport.occlusion = !is_unseen || lights.kinds().surroundings;
         let sampled = match is_large {
             true => Surroundings::by_rays(scene, &transport),
             false if is_unseen => Surroundings::unseen(scene, &transport, &lights, largest_albedo),
