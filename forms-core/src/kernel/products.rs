@@ -4,7 +4,7 @@
 //! together: x² y² = (x y)².
 
 use super::graph::{Coefficient, Exponent, Factor, Form, Graph, Node, Scaled};
-use super::sharing::{Pairing, share, shareable};
+use super::sharing::{Pairing, share, shareable, without};
 use rustc_hash::FxHashMap;
 
 /// The graph with common pairs of factors in products of their own.
@@ -59,18 +59,21 @@ impl Pairing for Products {
 
     fn shortened(factors: &[Factor], pair: Self::Pair, computed: Scaled) -> Option<Vec<Factor>> {
         let inverse = pair.map(|(base, e)| (base, e.negated()));
-        let contains = |pair: &[Factor; 2]| pair.iter().all(|factor| factors.contains(factor));
-        let (pair, exponent) = if contains(&pair) {
-            (pair, Exponent::ONE)
-        } else if contains(&inverse) {
-            (inverse, Exponent::MINUS_ONE)
-        } else {
-            return None;
+        let (places, exponent) = match places_of(factors, pair) {
+            Some(places) => (places, Exponent::ONE),
+            None => (places_of(factors, inverse)?, Exponent::MINUS_ONE),
         };
-        let mut rest: Vec<Factor> = factors.iter().copied().filter(|factor| !pair.contains(factor)).collect();
+        let mut rest = without(factors, places);
         rest.push((computed.node, exponent));
         Some(rest)
     }
+}
+
+/// Two places where the factors have the pair.
+fn places_of(factors: &[Factor], [left, right]: [Factor; 2]) -> Option<[usize; 2]> {
+    let first = factors.iter().position(|&factor| factor == left)?;
+    let second = (0..factors.len()).find(|&place| place != first && factors[place] == right)?;
+    Some([first, second])
 }
 
 /// Π nᵢᵉ = (Π nᵢ)ᵉ for whole e, where no other product needs one of these powers.

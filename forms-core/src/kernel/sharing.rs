@@ -36,7 +36,8 @@ pub(super) trait Pairing {
     /// What computes the pair.
     fn computed(graph: &mut Graph, pair: Self::Pair) -> Scaled;
 
-    /// The parts with the pair replaced by what computes it, if they contain it and it can be replaced.
+    /// The parts with the pair replaced by what computes it, if they contain it and it can be replaced. A part may
+    /// occur several times, because what computes a pair can be a part already: the pair takes one of each with it.
     fn shortened(parts: &[Self::Part], pair: Self::Pair, computed: Scaled) -> Option<Vec<Self::Part>>;
 }
 
@@ -61,6 +62,11 @@ pub(super) fn share<P: Pairing>(graph: Graph, nodes: Vec<(Node, Vec<P::Part>)>) 
 pub(super) fn shareable<P: Pairing>(graph: &Graph) -> Vec<(Node, Vec<P::Part>)> {
     let parts = |node: Node| P::parts(graph.form(node)).filter(|parts| parts.len() <= LONGEST);
     graph.reachable().into_iter().filter_map(|node| Some((node, parts(node)?.to_vec()))).collect()
+}
+
+/// The parts but for those at two places.
+pub(super) fn without<T: Copy>(parts: &[T], pair: [usize; 2]) -> Vec<T> {
+    (0..parts.len()).filter(|place| !pair.contains(place)).map(|place| parts[place]).collect()
 }
 
 struct Sharing<P: Pairing> {

@@ -3,7 +3,7 @@
 //! a − b − c + d and a − b share a − b; 2x + 2y + z takes one multiplication as 2(x + y) + z.
 
 use super::graph::{Coefficient, Form, Graph, Node, Scaled, Term};
-use super::sharing::{Pairing, share, shareable};
+use super::sharing::{Pairing, share, shareable, without};
 
 /// The graph with common pairs of terms in sums of their own.
 pub(super) fn share_sums(graph: &Graph) -> Graph {
@@ -47,14 +47,14 @@ impl Pairing for Sums {
     }
 
     fn shortened(terms: &[Term], (left, right, ratio): Self::Pair, computed: Scaled) -> Option<Vec<Term>> {
-        let coefficient_of = |node: Node| terms.iter().find(|term| term.1 == node).map(|term| term.0);
-        let scale = coefficient_of(left)?;
-        if coefficient_of(right)?.over(scale)? != ratio {
-            return None;
-        }
-        let mut rest: Vec<Term> =
-            terms.iter().copied().filter(|&(_, node)| node != left && node != right).collect();
-        rest.push((scale.times(computed.coefficient)?, computed.node));
+        let places = |node: Node| (0..terms.len()).filter(move |&place| terms[place].1 == node);
+        let is_pair = |&(first, second): &(usize, usize)| {
+            first != second && terms[second].0.over(terms[first].0) == Some(ratio)
+        };
+        let mut candidates = places(left).flat_map(|first| places(right).map(move |second| (first, second)));
+        let (first, second) = candidates.find(is_pair)?;
+        let mut rest = without(terms, [first, second]);
+        rest.push((terms[first].0.times(computed.coefficient)?, computed.node));
         Some(rest)
     }
 }
