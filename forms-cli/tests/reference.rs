@@ -3,9 +3,12 @@
 //! The rows are computed as a user would compute them, by `forms eval - KERNEL`, and compared as exact rationals. `own.json`
 //! is written by `tests/reference/make_rows.py`, from definitions.
 
+#[path = "../../tests/reference/exact.rs"]
+mod exact;
+
+use exact::exact;
 use forms::core::check::read_theory;
-use num_rational::BigRational;
-use num_traits::{Signed, pow};
+use num_traits::Signed;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::Write;
@@ -13,16 +16,6 @@ use std::process::{Command, Stdio};
 
 const ROWS: &str = include_str!("../../tests/reference/visible.json");
 const OWN_ROWS: &str = include_str!("../../tests/reference/own.json");
-
-/// A decimal such as `-1.5e-3`, exactly.
-fn exact(text: &str) -> BigRational {
-    let (digits, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-    let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
-    let integer: num_rational::BigRational = format!("{whole}{fraction}").parse().expect("digits");
-    let exponent = exponent.parse::<i32>().expect("an exponent") - fraction.len() as i32;
-    let ten = BigRational::from_integer(10.into());
-    integer * pow(if exponent < 0 { ten.recip() } else { ten }, exponent.unsigned_abs() as usize)
-}
 
 /// A number of a row as it is given to the program: those of JSON are the nearest doubles, texts are decimals.
 fn text(value: &Value) -> String {

@@ -9,6 +9,7 @@ mod exchange;
 mod form_factor;
 mod mesh;
 mod polygon;
+pub(crate) mod precise;
 mod round;
 pub(crate) mod scale;
 mod sides;
@@ -20,15 +21,16 @@ mod weld;
 pub(crate) use clip::split;
 pub(crate) use edges::{Edges, fill};
 pub use exchange::{Exchange, exchange, view_factor, visible_exchange};
-pub(crate) use exchange::{Patch, exchange_of, exchange_with, gauss, patches};
+pub(crate) use exchange::{Patch, exchange_of, exchange_precisely, exchange_with, gauss, patches};
 pub(crate) use form_factor::edge_sum;
 pub use form_factor::form_factor;
 pub(crate) use form_factor::form_factor_of_pieces;
 pub use mesh::{FaceError, Mesh, MeshError};
 pub use polygon::{Polygon, PolygonError};
+pub(crate) use round::Round;
 pub use round::{Disk, Sphere};
 pub use vector::Vector;
 pub(crate) use visibility::{
-    Between, Borders, Face, Looking, Met, Screens, Start, Wall, Walls, Workspace, resolution,
+    Between, Borders, Face, Looking, Met, Screens, Start, Wall, Walls, Workspace, closeness,
 };
 pub(crate) use weld::Welded;

@@ -13,6 +13,7 @@
 
 mod arriving;
 mod change;
+mod closed_form;
 mod clusters;
 mod contact;
 mod direct;

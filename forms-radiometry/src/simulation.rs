@@ -26,6 +26,7 @@ mod planning;
 mod prepared;
 mod readings;
 mod sampled;
+mod shapes;
 mod solver;
 mod state;
 mod surroundings;

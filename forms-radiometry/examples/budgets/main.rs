@@ -36,7 +36,6 @@ fn main() -> Result<(), Problem> {
     let named: Vec<&String> = arguments.iter().filter(|word| *word != WRITE).collect();
     let mut table = format!("Processor: {}.\n\n{}", page::processor(), table::HEAD);
     print!("{table}");
-    let mut slacks = Vec::new();
     let documents = gallery::folder().join("../docs");
     for file in gallery::files()? {
         let name = gallery::name(&file);
@@ -47,16 +46,12 @@ fn main() -> Result<(), Problem> {
         let row = table::row(&measured)?;
         print!("{row}");
         table += &row;
-        slacks.extend(&measured.slacks);
         if is_written {
             let folder = documents.join("figures/scenes");
             std::fs::create_dir_all(&folder)?;
             std::fs::write(folder.join(format!("{name}.svg")), figure::svg(&measured))?;
         }
     }
-    let closing = table::closing(slacks);
-    print!("{closing}");
-    table += &closing;
     if is_written && named.is_empty() {
         let path = documents.join("benchmarks.md");
         std::fs::write(&path, page::replaced(&std::fs::read_to_string(&path)?, "error budgets", &table))?;

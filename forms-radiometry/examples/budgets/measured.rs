@@ -4,7 +4,7 @@ use super::gallery::{self, Problem, said, scene};
 use super::known::{GALLERY, Known};
 use super::run::{Run, forced};
 use forms_radiometry::scene::{Effect, Force, Scene};
-use forms_radiometry::simulation::{Answer, ErrorKind, ErrorParts, plan};
+use forms_radiometry::simulation::{Answer, ErrorParts, plan};
 use std::path::Path;
 
 /// Each tolerance is this part of the one before.
@@ -54,8 +54,6 @@ pub(crate) struct Measured {
     /// The runs, from the loosest tolerance to the tightest.
     pub(crate) rungs: Vec<Rung>,
     pub(crate) costs: Costs,
-    /// Of each known answer that is told with a bound: the bound over what the answer is off by, without end where it is right to the last digit.
-    pub(crate) slacks: Vec<f64>,
 }
 
 impl Measured {
@@ -68,8 +66,7 @@ impl Measured {
         let rungs = rungs(&scene, known, &planned)?;
         let halved = halved(&scene, &planned)?;
         let costs = costs(&scene, &rungs)?;
-        let slacks = slacks(known, &planned.found.answers);
-        Ok(Self { name, planned, halved, rungs, costs, slacks })
+        Ok(Self { name, planned, halved, rungs, costs })
     }
 
     /// The answer with the worst error.
@@ -143,22 +140,6 @@ fn scale(known: &Known, answers: &[Answer]) -> f64 {
     };
     let summands = known.sum.iter().map(|(factor, receiver, _)| factor.abs() * of_receiver(receiver));
     summands.fold(known.value.abs(), f64::max)
-}
-
-/// The bound of each known answer over what it is off by. Of standard errors none is one, and where the scene itself is off from what is known of
-/// it, so is the answer.
-fn slacks(known: &[Known], answers: &[Answer]) -> Vec<f64> {
-    let is_bound = |known: &&Known| {
-        let summands = known.sum.iter().map(|(_, receiver, _)| receiver);
-        let mut own = summands.flat_map(|name| answers.iter().filter(move |answer| answer.receiver == *name));
-        known.idealised == 0.0 && own.all(|answer| answer.kind == ErrorKind::Bound)
-    };
-    let slack = |known: &Known| {
-        let [value, bound] = known.found(answers);
-        let off = (value - known.value).abs();
-        if off > 0.0 { bound / off } else { f64::INFINITY }
-    };
-    known.iter().filter(is_bound).map(slack).collect()
 }
 
 /// What may halve the error: its receiver asked alone, to half of the error, and what the plan dropped, kept.

@@ -47,14 +47,3 @@ fn half(measured: &Measured, parts: &ErrorParts) -> String {
         None => "none".to_owned(),
     }
 }
-
-/// What is below the rows: how much larger than it must be an error is said to be. Nothing where nothing is known of any scene.
-pub(crate) fn closing(mut slacks: Vec<f64>) -> String {
-    slacks.sort_by(f64::total_cmp);
-    let Some(median) = slacks.get(slacks.len() / 2) else { return String::new() };
-    let exact = slacks.iter().filter(|slack| slack.is_infinite()).count();
-    format!(
-        "\nBounds over what the known answers of these scenes are off by: a median of {median:.1} over {} answers, of which {exact} are right to the last digit.\n",
-        slacks.len()
-    )
-}

@@ -10,6 +10,8 @@
 use super::Vector;
 use std::f64::consts::PI;
 
+/// What a coordinate of a corner is rounded by, relative to the lengths that it is the sum of.
+const ROUNDING: f64 = 2.0 * f64::EPSILON;
 /// The edges of the coarsest polygon that stands for a disk.
 const EDGES: usize = 24;
 
@@ -54,6 +56,62 @@ impl Disk {
             self.center + (reach * cosine) * u + (reach * sine) * v
         };
         (0..count).map(corner).collect()
+    }
+}
+
+/// A shape whose flat pieces are not where it is.
+pub(crate) trait Round {
+    /// How far a point is from where the pieces are off the shape.
+    fn distance(&self, point: Vector) -> f64;
+    fn radius(&self) -> f64;
+    /// How far rounding moves the corners of the pieces along the shape.
+    fn rounding(&self) -> f64;
+    /// How far the pieces are off it at most.
+    fn deviation(&self, fineness: usize) -> f64;
+}
+
+impl Round for Disk {
+    /// The distance from the rim.
+    fn distance(&self, point: Vector) -> f64 {
+        let way = point - self.center;
+        let height = self.normal.dot(way);
+        ((way - height * self.normal).length() - self.radius).hypot(height)
+    }
+
+    fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    fn rounding(&self) -> f64 {
+        let along = self.normal.coordinates().map(|across| (1.0 - across * across).max(0.0).sqrt());
+        let lengths = self.center.coordinates().map(|center| center.abs() + self.radius);
+        let moved: f64 = lengths.into_iter().zip(along).map(|(length, along)| length * along).sum();
+        ROUNDING * moved
+    }
+
+    /// Above both (1 − cos(π/N)) r and what the corners are outside.
+    fn deviation(&self, fineness: usize) -> f64 {
+        self.radius * (PI / (EDGES << fineness) as f64).powi(2)
+    }
+}
+
+impl Round for Sphere {
+    fn distance(&self, point: Vector) -> f64 {
+        ((point - self.center).length() - self.radius).abs()
+    }
+
+    fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    fn rounding(&self) -> f64 {
+        ROUNDING * (self.center.largest() + self.radius)
+    }
+
+    /// Above what the middle of a triangle is inside: its edges subtend no more than those of the icosahedron, halved each time.
+    fn deviation(&self, fineness: usize) -> f64 {
+        let edge = 2.0_f64.atan() / f64::from(2_u32 << fineness);
+        self.radius * 0.25 * edge * edge
     }
 }
 

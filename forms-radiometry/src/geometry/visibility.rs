@@ -131,7 +131,7 @@ pub(crate) struct Screens {
     tree: Tree,
     /// The same tree for rays; nothing where there are no screens.
     branches: Option<Branches>,
-    /// A point that is nearer to a plane than this counts as lying in it.
+    /// A point that is nearer to a plane than this counts as lying in it: no face is flatter.
     resolution: f64,
     /// What rounding leaves of a distance in the scene.
     rounding: f64,
@@ -199,15 +199,22 @@ impl Screens {
             body_of: Vec::new(),
             tree: Tree::default(),
             branches: None,
-            resolution: resolution(corners()),
+            resolution: rounding
+                + faces.iter().map(|face| flatness(&face.vertices, face.normal)).fold(0.0, f64::max),
             rounding,
         }
     }
 }
 
-/// The distance from a plane below which a point counts as lying in it: 10⁻⁹ of the extent of all points, or
-/// the rounding of their coordinates where they are far from the origin.
-pub(crate) fn resolution(points: impl Iterator<Item = Vector>) -> f64 {
+/// How far vertices are off the plane through the first of them.
+fn flatness(vertices: &[Vector], normal: Vector) -> f64 {
+    let plane = Plane { point: vertices[0], normal };
+    vertices.iter().map(|&vertex| plane.distance(vertex).abs()).fold(0.0, f64::max)
+}
+
+/// The distance below which corners that are given in decimals are meant to meet: 10⁻⁹ of the extent of all points, or the rounding of
+/// their coordinates where they are far from the origin. What is seen does not depend on it.
+pub(crate) fn closeness(points: impl Iterator<Item = Vector>) -> f64 {
     let bounds = Bounds::of(points);
     if bounds.low.x > bounds.high.x {
         return 0.0;

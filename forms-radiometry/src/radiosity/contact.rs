@@ -37,10 +37,10 @@ impl ConvexPiece {
         Self { outline: face.vertices.clone(), creases: vec![false; face.vertices.len()] }
     }
 
-    fn of(outline: Vec<Vector>, contacts: &[Contact], resolution: f64) -> Self {
+    fn of(outline: Vec<Vector>, contacts: &[Contact], closeness: f64) -> Self {
         let next = outline.iter().cycle().skip(1);
         let is_crease = |side: [Vector; 2]| {
-            contacts.iter().any(|contact| contact.rises && contact.takes(side, resolution))
+            contacts.iter().any(|contact| contact.rises && contact.takes(side, closeness))
         };
         let creases = outline.iter().zip(next).map(|(&from, &to)| is_crease([from, to])).collect();
         Self { outline, creases }
@@ -50,7 +50,7 @@ impl ConvexPiece {
 /// The convex pieces that the others leave uncut of each face of which they are wanted.
 pub(super) fn pieces(
     faces: &[Face],
-    resolution: f64,
+    closeness: f64,
     is_wanted: impl Fn(&Face) -> bool,
 ) -> Vec<Vec<ConvexPiece>> {
     let cut = |face: &Face| {
@@ -59,14 +59,14 @@ pub(super) fn pieces(
         }
         let mut pieces = Vec::new();
         let others = faces.iter().filter(|other| faces.len() <= MANY && !other.is_back);
-        let contacts: Vec<Contact> = others.filter_map(|other| contact(face, other, resolution)).collect();
+        let contacts: Vec<Contact> = others.filter_map(|other| contact(face, other, closeness)).collect();
         divide(
             face.vertices.clone(),
             &contacts,
-            [resolution, 0.5_f64.powi(MOST_HALVINGS as i32) * face.area],
+            [closeness, 0.5_f64.powi(MOST_HALVINGS as i32) * face.area],
             &mut pieces,
         );
-        pieces.into_iter().map(|outline| ConvexPiece::of(outline, &contacts, resolution)).collect()
+        pieces.into_iter().map(|outline| ConvexPiece::of(outline, &contacts, closeness)).collect()
     };
     faces.iter().map(cut).collect()
 }
@@ -75,10 +75,10 @@ pub(super) fn pieces(
 fn divide(
     piece: Vec<Vector>,
     contacts: &[Contact],
-    [resolution, least]: [f64; 2],
+    [closeness, least]: [f64; 2],
     pieces: &mut Vec<Vec<Vector>>,
 ) {
-    let share = |contact: &Contact| Some((share(&piece, *contact, resolution)?, *contact));
+    let share = |contact: &Contact| Some((share(&piece, *contact, closeness)?, *contact));
     let inside: Vec<(f64, Contact)> = contacts.iter().filter_map(share).collect();
     let Some(&(share, contact)) = inside.iter().max_by(|one, other| one.0.total_cmp(&other.0)) else {
         pieces.push(piece);
@@ -96,12 +96,12 @@ fn divide(
     }
     let inside: Vec<Contact> = inside.into_iter().map(|(_, contact)| contact).collect();
     for part in [front, behind] {
-        divide(part, &inside, [resolution, least], pieces);
+        divide(part, &inside, [closeness, least], pieces);
     }
 }
 
 /// What another face has in common with the plane of a face, if that is a line.
-fn contact(face: &Face, other: &Face, resolution: f64) -> Option<Contact> {
+fn contact(face: &Face, other: &Face, closeness: f64) -> Option<Contact> {
     let origin = face.vertices[0];
     let height = |v: Vector| face.normal.dot(v - origin);
     let mut ends: Vec<Vector> = Vec::new();
@@ -109,25 +109,25 @@ fn contact(face: &Face, other: &Face, resolution: f64) -> Option<Contact> {
     for (i, &a) in other.vertices.iter().enumerate() {
         let b = other.vertices[(i + 1) % other.vertices.len()];
         let (from, to) = (height(a), height(b));
-        is_off |= from.abs() > resolution;
-        rises |= from > resolution;
-        if from.abs() <= resolution {
+        is_off |= from.abs() > closeness;
+        rises |= from > closeness;
+        if from.abs() <= closeness {
             ends.push(a);
-        } else if to.abs() > resolution && (from > 0.0) != (to > 0.0) {
+        } else if to.abs() > closeness && (from > 0.0) != (to > 0.0) {
             ends.push(a + (from / (from - to)) * (b - a));
         }
     }
     let (&first, &last) = (ends.first()?, ends.last()?);
-    let is_line = is_off && (last - first).length() > resolution;
+    let is_line = is_off && (last - first).length() > closeness;
     is_line.then_some(Contact { ends: [first, last], normal: other.normal, rises })
 }
 
 impl Contact {
     /// Whether it takes most of a side.
-    fn takes(&self, [from, to]: [Vector; 2], resolution: f64) -> bool {
+    fn takes(&self, [from, to]: [Vector; 2], closeness: f64) -> bool {
         let Some(along) = (self.ends[1] - self.ends[0]).unit() else { return false };
         let way = |v: Vector| v - self.ends[0];
-        let is_off = |v: Vector| (way(v) - along.dot(way(v)) * along).largest() > resolution;
+        let is_off = |v: Vector| (way(v) - along.dot(way(v)) * along).largest() > closeness;
         if is_off(from) || is_off(to) {
             return false;
         }
@@ -141,13 +141,9 @@ impl Contact {
 }
 
 /// The part that a contact takes of the cut through a piece along it, if it lies inside of the piece.
-fn share(
-    piece: &[Vector],
-    Contact { ends: [from, to], normal, .. }: Contact,
-    resolution: f64,
-) -> Option<f64> {
+fn share(piece: &[Vector], Contact { ends: [from, to], normal, .. }: Contact, closeness: f64) -> Option<f64> {
     let side = |v: &Vector| normal.dot(*v - from);
-    if !piece.iter().any(|v| side(v) > resolution) || !piece.iter().any(|v| side(v) < -resolution) {
+    if !piece.iter().any(|v| side(v) > closeness) || !piece.iter().any(|v| side(v) < -closeness) {
         return None;
     }
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -165,7 +161,7 @@ fn share(
         }
     }
     let taken = high.min(1.0) - low.max(0.0);
-    (taken * (to - from).length() > resolution).then(|| taken / (high - low))
+    (taken * (to - from).length() > closeness).then(|| taken / (high - low))
 }
 
 /// The area of a piece times its normal.

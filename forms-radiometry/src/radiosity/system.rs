@@ -11,11 +11,13 @@ use super::measure::Measure;
 use super::operator::{Operator, Row};
 use super::solution::of_bands;
 use crate::faces::is_bright;
-use crate::geometry::{Face, Vector};
+use crate::geometry::precise::{Rounded, area};
+use crate::geometry::{Face, Vector, closeness};
 use crate::kernels::gathered_light::Effects;
 use crate::scene::{MaterialKind, Scene};
 use crate::sharing::Sharing;
 use crate::simulation::Watch;
+use forms::math::{DoubleDouble, Real};
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -78,8 +80,8 @@ pub(crate) struct Radiosity<'t> {
     pub(super) brightest: Vec<f64>,
     /// For each band the irradiance of each node straight from lights.
     pub(super) direct: Vec<Vec<f64>>,
-    /// Of each surface that receives, for each band, the flux straight from lights with its error, where it is an integral.
-    pub(super) straight: Vec<Option<Vec<[f64; 2]>>>,
+    /// Of each surface that receives, for each band, the flux straight from lights, where it is an integral.
+    pub(super) straight: Vec<Option<Vec<Rounded>>>,
     /// For each band what of the irradiance of each node is reflected once more: all but its highest order.
     pub(super) reflected: Vec<Vec<f64>>,
     /// For each band the largest error that the solution of the equations leaves.
@@ -234,6 +236,11 @@ impl<'t> Radiosity<'t> {
         self.first.last().copied().unwrap_or(0)
     }
 
+    /// What shines.
+    pub(crate) fn lights(&self) -> &'t Lights<'t> {
+        self.lights
+    }
+
     /// The geometry that light passes through.
     pub(crate) fn transport(&self) -> &'t Transport {
         self.transport
@@ -324,7 +331,7 @@ impl<'t> Radiosity<'t> {
             }
         }
         if let Some(flux) = straight.filter(|_| self.question.direct) {
-            sums.iter_mut().zip(flux).for_each(|(sum, [flux, _])| *sum += flux);
+            sums.iter_mut().zip(flux).for_each(|(sum, flux)| *sum += flux.value.to_f64());
         }
         let whole = self.transport.front_area(surface);
         (sums.into_iter().map(|sum| sum / whole).collect(), whole)
@@ -332,7 +339,20 @@ impl<'t> Radiosity<'t> {
 
     /// The error of what comes straight to a surface in a band, as a flux; nothing where it is summed over nodes.
     pub(crate) fn straight_error(&self, surface: usize, band: usize) -> Option<f64> {
-        self.straight[surface].as_ref().map(|flux| flux[band][1])
+        self.straight[surface].as_ref().map(|flux| flux[band].error)
+    }
+
+    /// What comes straight to the front of a surface, for each band: its mean, and what of that is rounded as the nearest `f64`; or both as a flux. Nothing where
+    /// it is summed over nodes.
+    pub(crate) fn precise_mean(&self, surface: usize, is_flux: bool) -> Option<Vec<[f64; 2]>> {
+        let flux = self.straight[surface].as_ref()?;
+        let areas = self.transport.fronts(surface).map(|face| area(&face.vertices));
+        let area = areas.fold(DoubleDouble::from_f64(0.0), |sum, area| sum + area);
+        let nearest = |flux: &Rounded| {
+            let value = if is_flux { flux.value } else { flux.value / area };
+            Rounded { value, error: 0.0 }.nearest()
+        };
+        Some(flux.iter().map(nearest).collect())
     }
 }
 
@@ -341,7 +361,7 @@ fn coarsest(
     scene: &Scene,
     transport: &Transport,
     question: &Question,
-    straight: &[Option<Vec<[f64; 2]>>],
+    straight: &[Option<Vec<Rounded>>],
 ) -> Vec<Element> {
     let reflected = question.orders != Some(0);
     let is_summed = |surface: usize| question.receives[surface] && (reflected || straight[surface].is_none());
@@ -350,7 +370,8 @@ fn coarsest(
         is_bright(scene, face) && (is_source || is_summed(face.surface))
     };
     let mut elements = Vec::new();
-    let pieces = contact::pieces(&transport.faces, transport.screens.resolution(), has_elements);
+    let corners = transport.faces.iter().flat_map(|face| &face.vertices).copied();
+    let pieces = contact::pieces(&transport.faces, closeness(corners), has_elements);
     for (index, (face, pieces)) in transport.faces.iter().zip(pieces).enumerate() {
         elements.extend(pieces.iter().flat_map(|piece| Element::of(index, face, piece)));
     }

@@ -8,6 +8,9 @@ use crate::radiosity::{GoalKind, Group, Measure, Radiosity, Scratch, Transport, 
 use crate::scene::{Receiver, ReceiverKind, Scene};
 use std::f64::consts::PI;
 
+/// What a few products and quotients of numbers of the scene round a value by.
+const OF_PRODUCT: f64 = 4.0 * f64::EPSILON;
+
 /// One number that is asked for, in each band.
 #[derive(Clone, Debug)]
 pub(super) struct Reading {
@@ -92,6 +95,49 @@ impl Reading {
                 mean.into_iter().map(|value| unit * value).collect()
             }
             What::Ray { origin, direction } => along(scene, [origin, direction], radiosity, scratch),
+        }
+    }
+
+    /// Whether it is a mean over a surface, or that times its area.
+    pub(super) fn is_mean(&self) -> bool {
+        matches!(self.what, What::Mean { .. })
+    }
+
+    /// The point at which it is a measure, if it is one, and what a radiance of 1 from everywhere makes of it.
+    pub(super) fn at_point(&self) -> Option<(Vector, f64)> {
+        let What::At { position, measure } = self.what else { return None };
+        Some((position, PI * measure.whole().max(1.0)))
+    }
+
+    /// What comes straight from lights, in each band, to the last digit, and a bound on the rounding of that; nothing where it is summed
+    /// over nodes, or arrives along a ray.
+    pub(super) fn precise(&self, radiosity: &Radiosity, scratch: &mut Scratch) -> Option<Vec<[f64; 2]>> {
+        match self.what {
+            What::At { position, measure } => {
+                Some(radiosity.lights().precisely((position, measure), radiosity.transport(), scratch))
+            }
+            What::Mean { surface, is_flux } => radiosity.precise_mean(surface, is_flux),
+            What::Ray { .. } => None,
+        }
+    }
+
+    /// A bound on the rounding of its values where they come straight from lights.
+    pub(super) fn rounding(&self, values: &[f64], scene: &Scene, radiosity: &Radiosity) -> Vec<f64> {
+        let transport = radiosity.transport();
+        let at = |position, measure| radiosity.lights().rounding((position, measure), transport);
+        let of_values = values.iter().map(|value| OF_PRODUCT * value.abs());
+        match self.what {
+            What::At { position, measure } => at(position, measure),
+            What::Mean { .. } => of_values.collect(),
+            What::Ray { origin, direction } => match met_bright(scene, [origin, direction], transport) {
+                None => of_values.collect(),
+                Some(Met { surface, position, normal, .. }) => {
+                    let arriving = at(position, Measure::Plane(normal)).into_iter();
+                    let reflected =
+                        arriving.zip(reflectance(scene, surface)).map(|(error, rho)| rho / PI * error);
+                    of_values.zip(reflected).map(|(own, reflected)| own + reflected).collect()
+                }
+            },
         }
     }
 

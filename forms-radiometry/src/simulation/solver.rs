@@ -15,6 +15,7 @@ use super::map::Grid;
 use super::parts::ErrorParts;
 use super::prepared::Prepared;
 use super::readings::Reading;
+use super::shapes::Shapes;
 use super::watch::Watch;
 use crate::faces::{faces, is_round};
 use crate::geometry::Face;
@@ -30,6 +31,8 @@ const RULES: f64 = 0.02;
 const STRAIGHT: f64 = 0.25;
 /// Rounding of an answer, relative to it.
 pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// So many edges are seen from all points together in double-double at most, each in some 2 µs; what is seen of more is summed in `f64`.
+const PRECISE_EDGES: usize = 1024;
 /// Answers below this part of the largest one are dark.
 pub(super) const DARK: f64 = 1e-9;
 /// The finest polyhedra.
@@ -91,9 +94,9 @@ impl<'s> Work<'s> {
     }
 
     fn run(mut self) -> Simulation {
-        let is_round_anywhere = is_round(self.scene);
+        let mut shapes = Shapes::new(self.scene, self.effects.orders == Some(0), &self.readings);
+        let is_round_anywhere = shapes.are_round();
         let mut history = Vec::new();
-        let mut coarse: Option<Vec<Found>> = None;
         for fineness in 0.. {
             let faces = faces(self.scene, fineness);
             let gathering = (self.choose)(self.scene, &faces, &self.question(), self.effects.hiding);
@@ -116,7 +119,7 @@ impl<'s> Work<'s> {
                     || is_known_before.then(straight),
                 );
                 let is_stopped = self.watch.is_stopped();
-                let is_compared = compare(&mut found, coarse.take(), fineness);
+                let is_compared = shapes.compare(&mut found, &self.readings);
                 if is_round_anywhere && is_stopped && !is_compared {
                     // what the shape changes is not known
                     let estimates = found.iter_mut().flat_map(|found| &mut found.bands);
@@ -138,7 +141,7 @@ impl<'s> Work<'s> {
             if let Some((maps, images)) = maps {
                 return self.simulation(&found, (maps, images), history);
             }
-            coarse = Some(found);
+            shapes.remember(found);
         }
         unreachable!("the finest polyhedra are the last")
     }
@@ -238,19 +241,17 @@ impl<'s> Work<'s> {
     fn read(&self, radiosity: &Radiosity, before: Option<(&Vec<Found>, f64, f64)>) -> Vec<Found> {
         let one = |scratch: &mut Scratch, (index, reading): (usize, &Reading)| {
             let begin = Instant::now();
-            let values = if self.watch.is_stopped() {
-                Vec::new()
-            } else {
-                reading.value(self.scene, radiosity, scratch)
-            };
+            let values =
+                if self.watch.is_stopped() { Vec::new() } else { self.value(reading, radiosity, scratch) };
             let seconds = begin.elapsed().as_secs_f64();
             if self.watch.is_stopped() {
                 return Found { bands: Vec::new(), seconds };
             }
             let largest = reading.largest(radiosity.transport());
-            let of_band = |(band, value): (usize, f64)| {
+            let of_band = |(band, [value, rounding]): (usize, [f64; 2])| {
                 let straight = reading.straight_error(radiosity, band);
-                let integral = ErrorParts { quadrature: straight.unwrap_or(0.0), ..ErrorParts::default() };
+                let quadrature = straight.unwrap_or(0.0);
+                let integral = ErrorParts { quadrature, rounding, ..ErrorParts::default() };
                 if self.effects.orders == Some(0) && straight.is_some() {
                     return Estimate::exact(value, integral);
                 }
@@ -268,12 +269,39 @@ impl<'s> Work<'s> {
         let spared = before.map_or(0.0, |(.., spared)| spared);
         for (found, scales) in found.iter_mut().zip(scales) {
             for (estimate, scale) in found.bands.iter_mut().zip(scales) {
-                let of_elements = if estimate.is_exact() { 0.0 } else { radiosity.rules() + spared };
-                estimate.floor.quadrature += of_elements * scale;
+                if estimate.is_exact() {
+                    continue;
+                }
+                estimate.floor.quadrature += (radiosity.rules() + spared) * scale;
                 estimate.floor.rounding += ROUNDING * scale;
             }
         }
         found
+    }
+
+    /// A reading in each band, and what rounding changes of it, as far as that is known by now. What comes straight from lights is found to the last
+    /// digit where that takes little, or where `f64` would leave more than rules of integration may.
+    fn value(&self, reading: &Reading, radiosity: &Radiosity, scratch: &mut Scratch) -> Vec<[f64; 2]> {
+        let of_rounding = |values: Vec<f64>, rounding: Vec<f64>| {
+            values.into_iter().zip(rounding).map(<[f64; 2]>::from).collect()
+        };
+        let value = |scratch: &mut Scratch| reading.value(self.scene, radiosity, scratch);
+        if self.effects.orders != Some(0) {
+            return of_rounding(value(scratch), vec![0.0; self.scene.band_count()]);
+        }
+        let edges = radiosity.lights().edges(radiosity.transport());
+        if edges * self.readings.len() <= PRECISE_EDGES
+            && let Some(precise) = reading.precise(radiosity, scratch)
+        {
+            return precise;
+        }
+        let values = value(scratch);
+        let rounding = reading.rounding(&values, self.scene, radiosity);
+        let allowed = RULES * self.scene.solve.tolerance;
+        let is_rough =
+            values.iter().zip(&rounding).any(|(value, rounding)| *rounding > allowed * value.abs());
+        let precise = if is_rough { reading.precise(radiosity, scratch) } else { None };
+        precise.unwrap_or_else(|| of_rounding(values, rounding))
     }
 
     /// What the tolerance of each reading in each band is relative to: the largest value of its group.
@@ -347,30 +375,5 @@ impl<'s> Work<'s> {
             }
         }
         answers
-    }
-}
-
-/// Compares what was found with that of a coarser shape, or takes that back if not everything was reached; whether the errors then tell
-/// what the shape changes.
-fn compare(found: &mut Vec<Found>, coarse: Option<Vec<Found>>, fineness: usize) -> bool {
-    match coarse {
-        Some(coarse) if found.iter().any(Found::is_missing) => {
-            *found = coarse;
-            fineness > 1
-        }
-        Some(coarse) => {
-            add_changes(found, &coarse);
-            true
-        }
-        None => false,
-    }
-}
-
-/// Adds to the errors what a coarser shape changes.
-fn add_changes(found: &mut [Found], coarse: &[Found]) {
-    for (found, coarse) in found.iter_mut().zip(coarse) {
-        for (estimate, coarse) in found.bands.iter_mut().zip(&coarse.bands) {
-            estimate.floor.quadrature += (estimate.value - coarse.value).abs();
-        }
     }
 }

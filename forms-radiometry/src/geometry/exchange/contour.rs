@@ -11,6 +11,7 @@ use super::kronrod::{self, Integral, POINTS};
 use super::{Exchange, Outline};
 use crate::kernels::edge_potential;
 use forms::math::{DoubleDouble, Real};
+use std::f64::consts::PI;
 
 /// What rounding leaves of a sum of terms, in units of their magnitudes, for numbers of this precision.
 pub(super) const ROUNDINGS: f64 = 8.0;
@@ -78,8 +79,12 @@ pub(super) struct Edge<T> {
 impl<T: Number> Edge<T> {
     /// The edges of an outline, those without length left out.
     pub(super) fn of(outline: &Outline) -> Vec<Self> {
-        let points: Vec<[T; 3]> =
-            outline.iter().map(|point| [point.x, point.y, point.z].map(T::from_f64)).collect();
+        let points: Vec<[T; 3]> = outline.iter().map(|point| point.coordinates().map(T::from_f64)).collect();
+        Self::between(&points)
+    }
+
+    /// The edges from each corner to the next.
+    pub(super) fn between(points: &[[T; 3]]) -> Vec<Self> {
         let edge = |place: usize| {
             let (start, end) = (points[place], points[(place + 1) % points.len()]);
             let way = subtracted(end, start);
@@ -140,10 +145,18 @@ fn integrated<T: Number>(parts: &[Part<'_, T>]) -> Vec<Integral<T>> {
 
 /// The exchange area of two outlines that lie in front of each other, to a relative tolerance or as far as rounding lets it.
 pub(super) fn exchange<T: Number>(here: &Outline, there: &Outline, tolerance: f64) -> Exchange {
-    let (here, there) = (Edge::<T>::of(here), Edge::<T>::of(there));
+    let (integral, error) = integral(&Edge::<T>::of(here), &Edge::<T>::of(there), tolerance);
+    let scale = 1.0 / (2.0 * PI);
+    let area = scale * integral.to_f64();
+    // where the sum has more digits than a number, its own rounding is left
+    Exchange { area, error: scale * error + 0.5 * f64::EPSILON * area.abs() }
+}
+
+/// The integral over all pairs of edges, 2π times the exchange area, and its error.
+pub(super) fn integral<T: Number>(here: &[Edge<T>], there: &[Edge<T>], tolerance: f64) -> (T, f64) {
     let mut parts: Vec<Part<'_, T>> = Vec::new();
-    for a in &here {
-        for b in &there {
+    for a in here {
+        for b in there {
             let (outer, inner) = if a.length.to_f64() <= b.length.to_f64() { (a, b) } else { (b, a) };
             let cosine = dot(outer.direction, inner.direction);
             if cosine.to_f64() != 0.0 {
@@ -180,8 +193,7 @@ pub(super) fn exchange<T: Number>(here: &Outline, there: &Outline, tolerance: f6
         }
     }
     let sum = Sum::of(&integrals);
-    let scale = 1.0 / (2.0 * std::f64::consts::PI);
-    Exchange { area: scale * sum.value.to_f64(), error: scale * (sum.error + sum.rounding) }
+    (sum.value, sum.error + sum.rounding)
 }
 
 /// What rounding leaves of an integral of absolute values of this size.

@@ -20,9 +20,11 @@ pub(crate) use obstructed::exchange_with;
 pub use obstructed::visible_exchange;
 
 use super::clip::split;
+use super::precise::{Rounded, heights, way};
 use super::scale::power_of_two;
 use super::{Face, Polygon, Vector};
-use forms::math::DoubleDouble;
+use contour::{Edge, integral};
+use forms::math::{DoubleDouble, Real};
 use std::ops::AddAssign;
 
 /// The corners of a planar polygon in order.
@@ -30,6 +32,9 @@ type Outline = [Vector];
 
 /// The least tolerance: what rounding leaves of the best of sums.
 const LEAST_TOLERANCE: f64 = 1e-15;
+
+/// What rules may leave of the last digit.
+const TO_LAST_DIGIT: f64 = 0.05 * f64::EPSILON;
 
 /// Polygons that are as many sizes apart are tried by their areas first.
 const FAR: f64 = 3.0;
@@ -82,6 +87,28 @@ pub fn view_factor(from: &Polygon, to: &Polygon, tolerance: f64) -> Exchange {
 /// The exchange area of two faces with nothing in between, to a relative tolerance of its own.
 pub(crate) fn exchange_of(here: &Face, there: &Face, tolerance: f64) -> Exchange {
     between(&here.vertices, &there.vertices, [here.normal, there.normal], tolerance.max(LEAST_TOLERANCE))
+}
+
+/// The exchange area of two faces with nothing in between to the last digit; nothing where the plane of one cuts the other.
+pub(crate) fn exchange_precisely(here: &Face, there: &Face) -> Option<Rounded> {
+    let (a, b) = (&here.vertices, &there.vertices);
+    let [of_a, of_b] = [heights(a, b), heights(b, a)];
+    if of_a.iter().chain(&of_b).any(|&height| height < 0.0) {
+        return None;
+    }
+    if of_a.iter().all(|&height| height == 0.0) || of_b.iter().all(|&height| height == 0.0) {
+        return Some(Rounded::exactly(0.0));
+    }
+    let reach = b.iter().chain(a).map(|&corner| (corner - a[0]).length()).fold(0.0, f64::max);
+    // a power of two, so that nothing is rounded
+    let unit = DoubleDouble::from_f64(power_of_two(reach));
+    let edges = |outline: &Outline| {
+        let corners: Vec<_> = outline.iter().map(|&corner| way(a[0], corner).map(|x| x / unit)).collect();
+        Edge::between(&corners)
+    };
+    let (value, error) = integral::<DoubleDouble>(&edges(a), &edges(b), TO_LAST_DIGIT);
+    let scaled = Rounded { value: unit * unit * value, error: (unit * unit).to_f64() * error };
+    Some(scaled.times(0.5).over_pi())
 }
 
 /// The exchange area of two convex outlines with these normals.

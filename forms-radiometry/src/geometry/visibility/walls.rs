@@ -11,7 +11,7 @@
 use super::bounds::Bounds;
 use super::branches::{Branches, Way};
 use super::tree::Tree;
-use super::{Plane, ROUNDING, Vector, resolution};
+use super::{Plane, ROUNDING, Vector, flatness};
 use crate::geometry::sides::sides;
 use crate::geometry::{Disk, Sphere};
 use std::ops::ControlFlow;
@@ -84,6 +84,11 @@ impl Wall {
         }
     }
 
+    /// How far its vertices are off its plane.
+    fn flatness(&self) -> f64 {
+        if let Self::Polygon { vertices, normal } = self { flatness(vertices, *normal) } else { 0.0 }
+    }
+
     /// The plane that the wall lies in, if it is flat.
     fn plane(&self) -> Option<Plane> {
         match self {
@@ -112,11 +117,8 @@ impl Walls {
     pub(crate) fn of(walls: Vec<Wall>) -> Self {
         let boxes: Vec<Bounds> = walls.iter().map(Wall::bounds).collect();
         let all = boxes.iter().fold(Bounds::NOTHING, |all, &one| all.with(one));
-        let (rounding, resolution) = if walls.is_empty() {
-            (0.0, 0.0)
-        } else {
-            (ROUNDING * all.extent().max(all.largest()), resolution([all.low, all.high].into_iter()))
-        };
+        let rounding = if walls.is_empty() { 0.0 } else { ROUNDING * all.extent().max(all.largest()) };
+        let resolution = rounding + walls.iter().map(Wall::flatness).fold(0.0, f64::max);
         let boxes: Vec<Bounds> = boxes.into_iter().map(|one| one.wider(resolution)).collect();
         let branches = (!walls.is_empty()).then(|| Branches::of(&Tree::of(&boxes)));
         Self { walls, branches, bounds: all.wider(resolution), rounding, resolution }

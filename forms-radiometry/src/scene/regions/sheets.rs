@@ -1,6 +1,6 @@
 //! Sheets: every surface becomes faces with two sides, whose vertices are shared where they coincide.
 
-use crate::geometry::{Disk, Polygon, Sphere, Vector, Welded, resolution};
+use crate::geometry::{Disk, Polygon, Sphere, Vector, Welded, closeness};
 use crate::scene::model::{Scene, Shape};
 
 /// A piece of a surface.
@@ -50,7 +50,7 @@ pub(super) fn sheets(scene: &Scene) -> (Vec<Sheet>, Vec<Vector>) {
         Piece::Face(polygon, _) => Some(polygon),
         Piece::Sphere(_) | Piece::Disk(_) => None,
     });
-    let mut welded = Welded::new(resolution(polygons.flat_map(Polygon::vertices).copied()));
+    let mut welded = Welded::new(closeness(polygons.flat_map(Polygon::vertices).copied()));
     for (_, piece) in &mut pieces {
         if let Piece::Face(polygon, numbers) = piece {
             numbers.extend(polygon.vertices().iter().map(|&v| welded.number(v)));

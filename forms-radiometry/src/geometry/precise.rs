@@ -1,0 +1,299 @@
+//! Precise measures: what a point sees of a convex polygon that nothing hides, in double-double.
+//!
+//! ```text
+//! corners − point, exactly ─▶ part above the horizon ─▶ edges or triangles ─ kernels in double-double ─▶ sum, and what rounds of it
+//! ```
+//! Where the edges of a polygon cancel, as those of one that is small, far away or seen edge-on do, `f64` keeps few digits of the sum or none;
+//! here it keeps them.
+
+use super::Vector;
+use crate::kernels::{edge_form_factor, solid_angle_triangle};
+use forms::math::{DoubleDouble, Real};
+use std::f64::consts::PI;
+use std::ops::Add;
+
+/// The relative error of a term: a few of the last of the 106 bits are lost in a function.
+const TERM: f64 = 64.0 * f64::EPSILON * f64::EPSILON;
+
+/// A vector of such numbers.
+pub(crate) type Precise = [DoubleDouble; 3];
+
+/// A number, and a bound on what rounding changes of it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rounded {
+    pub(crate) value: DoubleDouble,
+    pub(crate) error: f64,
+}
+
+impl Rounded {
+    pub(crate) fn exactly(value: f64) -> Self {
+        Self { value: DoubleDouble::from_f64(value), error: 0.0 }
+    }
+
+    /// The product with a number.
+    pub(crate) fn times(self, factor: f64) -> Self {
+        let value = DoubleDouble::from_f64(factor) * self.value;
+        Self { value, error: factor.abs() * self.error }
+    }
+
+    /// The product with a number of the scene, which may have been rounded.
+    pub(crate) fn times_datum(self, datum: f64) -> Self {
+        let Self { value, error } = self.times(datum);
+        Self { value, error: error + 0.5 * f64::EPSILON * value.to_f64().abs() }
+    }
+
+    /// The product with π.
+    pub(crate) fn times_pi(self) -> Self {
+        Self { value: pi() * self.value, error: PI * self.error }
+    }
+
+    /// What it is divided by π.
+    pub(crate) fn over_pi(self) -> Self {
+        Self { value: self.value / pi(), error: self.error / PI }
+    }
+
+    /// The nearest `f64`, and a bound on its error.
+    pub(crate) fn nearest(self) -> [f64; 2] {
+        let value = self.value.to_f64();
+        [value, self.error + (self.value.low().abs() + TERM * value.abs())]
+    }
+}
+
+impl Add for Rounded {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        let value = self.value + other.value;
+        Self { value, error: self.error + other.error }
+    }
+}
+
+fn pi() -> DoubleDouble {
+    DoubleDouble::constant(&[PI, 1.224_646_799_147_353_2e-16])
+}
+
+/// A vector, exactly.
+fn precise(v: Vector) -> Precise {
+    v.coordinates().map(DoubleDouble::from_f64)
+}
+
+/// The way from one point to another, exactly.
+pub(crate) fn way(from: Vector, to: Vector) -> Precise {
+    let (from, to) = (precise(from), precise(to));
+    std::array::from_fn(|axis| to[axis] - from[axis])
+}
+
+pub(crate) fn dot([a, b, c]: Precise, [u, v, w]: Precise) -> DoubleDouble {
+    DoubleDouble::sum_of_products(a, u, b, v) + c * w
+}
+
+fn cross([a, b, c]: Precise, [u, v, w]: Precise) -> Precise {
+    let minor = DoubleDouble::difference_of_products;
+    [minor(b, w, c, v), minor(c, u, a, w), minor(a, v, b, u)]
+}
+
+pub(crate) fn length(v: Precise) -> DoubleDouble {
+    dot(v, v).sqrt()
+}
+
+/// A vector that is a unit vector up to the rounding of its coordinates, as a unit vector, and by how much its direction may be another: by nothing
+/// where it is along an axis.
+pub(crate) fn unit(v: Vector) -> (Precise, f64) {
+    let is_along_an_axis = v.coordinates().iter().filter(|&&x| x != 0.0).count() == 1;
+    let length = length(precise(v));
+    (precise(v).map(|x| x / length), if is_along_an_axis { 0.0 } else { f64::EPSILON })
+}
+
+/// On which side of an outline a point is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Side {
+    Front,
+    /// In its plane or behind.
+    Back,
+    /// Nearer to its plane than its own corners, so that it is not known.
+    Unknown,
+}
+
+/// The area of a convex outline, as a vector to the side from which it is counter-clockwise, twice.
+fn twice_area(outline: &[Vector]) -> Precise {
+    let from_first: Vec<Precise> = outline.iter().map(|&corner| way(outline[0], corner)).collect();
+    let twice = from_first[1..].windows(2).map(|pair| cross(pair[0], pair[1]));
+    twice.fold(precise(Vector::default()), |sum, one| std::array::from_fn(|axis| sum[axis] + one[axis]))
+}
+
+/// The area of a convex outline.
+pub(crate) fn area(outline: &[Vector]) -> DoubleDouble {
+    DoubleDouble::from_f64(0.5) * length(twice_area(outline))
+}
+
+/// How far points are before the plane of a convex outline, times twice its area; those that are nearer to it than its own corners lie in it.
+pub(crate) fn heights(points: &[Vector], outline: &[Vector]) -> Vec<f64> {
+    let (height, flatness) = height_over(outline);
+    let of = |&point: &Vector| Some(height(point)).filter(|height| height.abs() > flatness).unwrap_or(0.0);
+    points.iter().map(of).collect()
+}
+
+/// How far a point is before the plane of a convex outline, and how far its own corners are, times twice its area. Three corners lie in a plane.
+fn height_over(outline: &[Vector]) -> (impl Fn(Vector) -> f64, f64) {
+    let normal = twice_area(outline);
+    let height = move |point: Vector| dot(normal, way(outline[0], point)).to_f64();
+    let off = outline[3..].iter().map(|&corner| height(corner).abs()).fold(0.0, f64::max);
+    (height, off)
+}
+
+/// On which side of a convex outline a point is; from the front it is counter-clockwise.
+fn side(point: Vector, outline: &[Vector]) -> Side {
+    let (height, flatness) = height_over(outline);
+    match height(point) {
+        height if height > flatness => Side::Front,
+        height if height > -flatness || (height == 0.0 && flatness > 0.0) => Side::Unknown,
+        _ => Side::Back,
+    }
+}
+
+/// What is seen from one side of an outline: where it is not known from which, it may be nothing.
+fn from_side(side: Side, Rounded { value, error }: Rounded) -> Rounded {
+    let unsure = if side == Side::Unknown { value.to_f64().abs() } else { 0.0 };
+    Rounded { value, error: error + unsure }
+}
+
+/// The corners of a convex outline as a point sees them, of what is above the horizon of a normal if there is one.
+fn seen(point: Vector, outline: &[Vector], horizon: Option<Precise>) -> Vec<Precise> {
+    let corners: Vec<Precise> = outline.iter().map(|&corner| way(point, corner)).collect();
+    let Some(normal) = horizon else { return corners };
+    let mut above = Vec::with_capacity(corners.len() + 2);
+    for (index, &b) in corners.iter().enumerate() {
+        let a = corners[(index + corners.len() - 1) % corners.len()];
+        let [alpha, beta] = [a, b].map(|corner| dot(normal, corner));
+        if alpha.to_f64() * beta.to_f64() < 0.0 {
+            let share = alpha / (alpha - beta);
+            above.push(std::array::from_fn(|axis| a[axis] + share * (b[axis] - a[axis])));
+        }
+        if beta.to_f64() >= 0.0 {
+            above.push(b);
+        }
+    }
+    above
+}
+
+/// The angle between two ways.
+fn angle([a, b]: [Precise; 2]) -> f64 {
+    let [across, along] = [length(cross(a, b)), dot(a, b)].map(DoubleDouble::to_f64);
+    across.atan2(along)
+}
+
+/// What an edge γ n·(a × b)/|a × b| that subtends an angle γ changes by, over 2π, per change of the directions of its ends, each on its own: where
+/// these are all but the same or opposite, the plane through both is hardly known.
+fn of_edge(edge: [Precise; 2]) -> f64 {
+    let angle = angle(edge);
+    (0.5 * angle + if angle > 0.0 { angle / angle.sin().max(0.0) } else { 1.0 }) / PI
+}
+
+/// A bound on what the form factor of a polygon changes by per relative change of its corners and of what its edges add. An edge that subtends an
+/// angle γ adds γ/2π at most, and when an end of it moves it sweeps the area tan(γ/2)/π: where its ends are all but opposite, it is hardly known. For
+/// an edge of length l between distances r and r′, sin(γ/2) ≤ l/(r + r′).
+pub(crate) fn rounding(point: Vector, polygon: &[Vector]) -> f64 {
+    let next = polygon.iter().skip(1).chain(polygon.first());
+    let of_edge = |(&a, &b): (&Vector, &Vector)| {
+        let sine = ((b - a).length() / ((a - point).length() + (b - point).length())).min(1.0);
+        0.5 * sine + sine / (PI * ((1.0 - sine) * (1.0 + sine)).sqrt())
+    };
+    polygon.iter().zip(next).map(of_edge).sum()
+}
+
+/// Each corner with the next one.
+fn edges(corners: &[Precise]) -> impl Iterator<Item = [Precise; 2]> {
+    let next = corners.iter().skip(1).chain(corners.first());
+    corners.iter().zip(next).map(|(&a, &b)| [a, b])
+}
+
+/// ∫ cos θ dω/π over what a point sees of a convex outline, θ from a direction; with a horizon, above that of the direction.
+pub(crate) fn form_factor(
+    point: Vector,
+    outline: &[Vector],
+    direction: Vector,
+    has_horizon: bool,
+) -> Rounded {
+    let side = side(point, outline);
+    let mut sum = Rounded::exactly(0.0);
+    if side == Side::Back {
+        return sum;
+    }
+    let (axis, turned) = unit(direction);
+    let corners = seen(point, outline, has_horizon.then_some(axis));
+    for [a, b] in edges(&corners) {
+        let ([ax, ay, az], [bx, by, bz], [nx, ny, nz]) = (a, b, axis);
+        let value = edge_form_factor::dd(bx, by, bz, ax, ay, az, nx, ny, nz);
+        let error = turned * angle([a, b]) / (2.0 * PI) + TERM * of_edge([a, b]);
+        sum = sum + Rounded { value, error };
+    }
+    from_side(side, sum)
+}
+
+/// The solid angle of what a point sees of a convex outline.
+pub(crate) fn solid_angle(point: Vector, outline: &[Vector]) -> Rounded {
+    let side = side(point, outline);
+    let mut sum = Rounded::exactly(0.0);
+    if side == Side::Back {
+        return sum;
+    }
+    let corners = seen(point, outline, None);
+    let zero = DoubleDouble::from_f64(0.0);
+    for pair in corners[1..].windows(2) {
+        let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (corners[0], pair[0], pair[1]);
+        // seen from the front, the triangle's normal points to the point
+        let value = -solid_angle_triangle::dd(zero, zero, zero, ax, ay, az, bx, by, bz, cx, cy, cz);
+        let around: f64 = edges(&[corners[0], pair[0], pair[1]]).map(angle).sum();
+        sum = sum + Rounded { value, error: TERM * around };
+    }
+    from_side(side, sum)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The square of this half side at this height, which looks down.
+    fn square(half: f64, height: f64) -> Vec<Vector> {
+        [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]]
+            .map(|[x, y]| Vector::new(half * x, half * y, height))
+            .to_vec()
+    }
+
+    const HERE: Vector = Vector::new(0.0, 0.0, 0.0);
+
+    #[test]
+    fn a_small_square_far_away_has_the_leading_terms_of_its_series() {
+        let up = Vector::new(0.0, 0.6, 0.8);
+        for exponent in [10, 20, 40] {
+            let half = 0.5_f64.powi(exponent);
+            // F = 4 h² n·z/π (1 − 4 h²/3 + …), Ω = 4 h² (1 − h² + …)
+            let area = 4.0 * half * half;
+            let [found, error] = form_factor(HERE, &square(half, 1.0), up, true).nearest();
+            let expected = area * 0.8 / PI * (1.0 - 4.0 / 3.0 * half * half);
+            assert!(
+                (found - expected).abs() <= error + (4.0 * f64::EPSILON + 2.0 * half.powi(4)) * expected,
+                "{half}: {found}"
+            );
+            assert!(error <= 4.0 * f64::EPSILON * expected.max(half), "{half}: {error}");
+            let [found, error] = solid_angle(HERE, &square(half, 1.0)).nearest();
+            let expected = area * (1.0 - half * half);
+            assert!(
+                (found - expected).abs() <= error + (4.0 * f64::EPSILON + 2.0 * half.powi(4)) * expected,
+                "{half}: {found}"
+            );
+        }
+    }
+
+    #[test]
+    fn only_what_is_above_the_horizon_counts_and_only_from_the_front() {
+        let across = Vector::new(1.0, 0.0, 0.0);
+        let half: Vec<Vector> =
+            square(1.0, 1.0).into_iter().map(|v| Vector::new(v.x.max(0.0), v.y, v.z)).collect();
+        let [whole, part] =
+            [square(1.0, 1.0), half].map(|outline| form_factor(HERE, &outline, across, true).nearest()[0]);
+        assert_eq!(whole, part);
+        let behind: Vec<Vector> = square(1.0, 1.0).into_iter().rev().collect();
+        assert_eq!(form_factor(HERE, &behind, across, true).nearest(), [0.0; 2]);
+        assert_eq!(solid_angle(HERE, &square(1.0, 0.0)).nearest(), [0.0; 2]);
+    }
+}
