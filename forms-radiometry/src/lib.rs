@@ -47,6 +47,7 @@ mod sampling;
 pub mod scene;
 #[cfg(test)]
 #[path = "../tests/scene_text/mod.rs"]
+#[expect(dead_code, reason = "other tests need the rest")]
 mod scene_text;
 mod sharing;
 mod sight;

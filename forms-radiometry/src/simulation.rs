@@ -7,6 +7,7 @@
 
 mod answer;
 mod arithmetic;
+mod digits;
 mod divided;
 mod effects;
 mod estimate;

@@ -6,23 +6,7 @@ use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 mod scene_text;
-use scene_text::{CUBE, material, polygon, surface_receiver};
-
-/// Whether numeric code is optimised; where it is not, fewer cases have to do.
-const IS_OPTIMISED: bool = !cfg!(debug_assertions);
-
-/// A surface of its own material.
-fn surface(name: &str, shape: &str, reflectance: &str, exitance: &str) -> String {
-    material(name, reflectance) + &scene_text::surface(name, name, &format!("{shape}\nexitance = {exitance}"))
-}
-
-fn cube(reflectances: [f64; 6], exitances: [f64; 6]) -> String {
-    let faces = CUBE.iter().zip(reflectances.iter().zip(exitances));
-    let texts = faces.map(|((name, corners), (rho, exitance))| {
-        surface(name, &polygon(corners), &rho.to_string(), &exitance.to_string())
-    });
-    texts.collect()
-}
+use scene_text::{cube, point_receiver, surface_of_its_own as surface, surface_receiver};
 
 fn receivers(surfaces: &[&str]) -> String {
     surfaces.iter().map(|name| surface_receiver(name)).collect()
@@ -155,6 +139,27 @@ fn what_the_plan_drops_changes_less_than_its_bound() {
 }
 
 #[test]
+fn what_faces_send_on_to_others_behind_them_is_within_the_bound_of_leaving_it_out() {
+    // from outside plates get what they hide of each other too
+    let plate = |index: u32| {
+        let z = 0.5 * f64::from(index);
+        let shape = format!("polygon = [[-1,-1,{z}], [1,-1,{z}], [1,1,{z}], [-1,1,{z}]]\ntwo_sided = true");
+        surface(&format!("plate {index}"), &shape, "0.6", "0")
+    };
+    let plates: String = (0..4).map(plate).collect();
+    let at = point_receiver("here", [0.1, 0.2, 0.25], [0.0, 0.0, 1.0]);
+    let text = plates + &at + "[ambient]\nradiance = 2\n[solve]\ntolerance = 3e-2\n";
+    let off = text.clone() + "effects = { interreflection = \"off\" }\n";
+    let planned = plan(&scene(&off)).expect("it is simulated");
+    let bounds = planned.effects.iter().filter(|planned| !planned.on).filter_map(|planned| planned.bound);
+    let bound: f64 = bounds.sum();
+    let (without, _) = answer(&answers(&off), "here", Quantity::Irradiance);
+    let (with, error) = answer(&answers(&text), "here", Quantity::Irradiance);
+    assert!(with - without > 0.1 * with, "{with} and {without}");
+    assert!(with - without <= bound + error, "{with} and {without}, bound {bound}");
+}
+
+#[test]
 fn lights_without_extent_shine_where_nothing_stands_before_them() {
     let screen = surface("screen", "polygon = [[-1,-1,1], [1,-1,1], [1,1,1], [-1,1,1]]", "0", "0");
     let lights = "[[light]]\nkind = \"point\"\nposition = [0, 0, 2]\nintensity = 3\n\
@@ -232,97 +237,6 @@ fn bands_share_geometry_and_are_answered_each() {
     assert!((found[1].value - 3.0 * found[0].value).abs() <= 1e-14 * found[1].value);
 }
 
-/// A cell of a map, on the plane z = 0.
-struct Cell {
-    middle: [f64; 2],
-    /// The irradiance in both bands.
-    values: [f64; 2],
-}
-
-/// A lamp over a triangle and what else there is, in two bands; and the cells of a map of 19 by 13 of the triangle's front.
-fn triangle(more: &str) -> (String, Vec<Cell>) {
-    const SIZE: [usize; 2] = [19, 13];
-    let text = "bands = [[400, 500], [500, 600]]\n".to_string()
-        + &surface("lamp", "polygon = [[-1,-1,2], [-1,1,2], [1,1,2], [1,-1,2]]", "0", "[1, 3]")
-        + &surface("floor", "polygon = [[-2,-2,0], [3,-2,0], [0,2,0]]", "0", "0")
-        + more;
-    let scene = scene(&format!("{text}{}grid = {SIZE:?}\n", surface_receiver("floor")));
-    let found = simulate(&scene, &plan(&scene).expect("the scene is right"), &Unwatched);
-    let of_bands = &found.maps[0].values;
-    let place = |index: usize, count: usize, length: f64| length * (index as f64 + 0.5) / count as f64 - 2.0;
-    let of_cell = |cell: usize| Cell {
-        middle: [place(cell % SIZE[0], SIZE[0], 5.0), place(cell / SIZE[0], SIZE[1], 4.0)],
-        values: [of_bands[0][cell], of_bands[1][cell]],
-    };
-    (text, (0..SIZE[0] * SIZE[1]).map(of_cell).collect())
-}
-
-#[test]
-fn a_cell_of_a_map_has_what_a_receiver_at_its_middle_has() {
-    let plate = surface("plate", "polygon = [[0,0,1], [1.5,0,1], [1.5,1.5,1], [0,1.5,1]]", "0", "0");
-    for (name, more) in [("free", ""), ("behind a plate", plate.as_str())] {
-        let (text, cells) = triangle(more);
-        // below the sides that meet in (0, 2)
-        let is_inside = |[x, y]: [f64; 2]| 4.0 * x + 3.0 * y < 6.0 && y < 2.0 * x + 2.0;
-        let (inside, outside): (Vec<Cell>, Vec<Cell>) =
-            cells.into_iter().partition(|cell| is_inside(cell.middle));
-        assert!(outside.iter().all(|cell| cell.values.iter().all(|value| value.is_nan())), "{name}");
-        let receiver = |(index, cell): (usize, &Cell)| {
-            let [x, y] = cell.middle;
-            scene_text::point_receiver(&index.to_string(), [x, y, 0.0], [0.0, 0.0, 1.0])
-        };
-        let receivers: String = inside.iter().enumerate().map(receiver).collect();
-        let found = answers(&(text + &receivers));
-        for (answer, value) in found.iter().zip(inside.iter().flat_map(|cell| cell.values)) {
-            let off = (answer.value - value).abs();
-            assert!(off <= 1e-13, "{name}, {}: {} and {value}", answer.receiver, answer.value);
-        }
-        assert_eq!(found.len(), 2 * inside.len());
-    }
-}
-
-#[test]
-fn cells_of_maps_with_reflected_light_are_within_their_errors_though_most_are_interpolated() {
-    const SIDE: usize = 24;
-    let room = cube([0.6, 0.2, 0.7, 0.5, 0.3, 0.6], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
-        + &surface(
-            "lamp",
-            "polygon = [[0.4,0.4,0.95], [0.4,0.6,0.95], [0.6,0.6,0.95], [0.6,0.4,0.95]]",
-            "0",
-            "9",
-        )
-        + &surface(
-            "screen",
-            "polygon = [[0.2,0.5,0], [0.6,0.5,0], [0.6,0.5,0.4], [0.2,0.5,0.4]]\ntwo_sided = true",
-            "0.5",
-            "0",
-        );
-    let map = |orders: &str, tolerance: f64| {
-        let text = format!("{room}{}grid = [{SIDE}, {SIDE}]\n", surface_receiver("floor"));
-        let scene = scene(&format!("{text}[solve]\ntolerance = {tolerance}\n{orders}"));
-        let found = simulate(&scene, &plan(&scene).expect("the scene is right"), &Unwatched);
-        (found.maps[0].values[0].clone(), found.maps[0].errors[0].clone())
-    };
-    for orders in ["", "effects = { interreflection = 1 }\n"] {
-        let (exact, of_exact) = map(orders, if IS_OPTIMISED { 2e-3 } else { 2e-2 });
-        for tolerance in if IS_OPTIMISED { &[0.5, 0.1, 0.02][..] } else { &[0.5][..] } {
-            let (values, errors) = map(orders, *tolerance);
-            let brightest = exact.iter().copied().fold(0.0, f64::max);
-            for (cell, (value, error)) in values.iter().zip(&errors).enumerate() {
-                let off = (value - exact[cell]).abs();
-                assert!(
-                    off <= error + of_exact[cell],
-                    "{orders}{tolerance}: cell {cell} is off by {off:e} of {error:e}"
-                );
-                assert!(
-                    *error <= 1.1 * tolerance * brightest,
-                    "{orders}{tolerance}: {error:e} of {brightest}"
-                );
-            }
-        }
-    }
-}
-
 /// Stops the work as soon as it was told so often how far it is.
 struct StopsAfter {
     most: usize,
@@ -345,7 +259,7 @@ fn work_that_is_stopped_ends_at_once_with_what_was_found_before() {
     let screen =
         surface("screen", "polygon = [[0.2,0.2,0.4], [0.6,0.2,0.4], [0.6,0.6,0.4], [0.2,0.6,0.4]]", "0", "0");
     let ball = surface("ball", "sphere = { center = [0, 0, 0], radius = 1, inward = true }", "0.5", "1");
-    let at = scene_text::point_receiver("here", [0.3, 0.3, 0.1], [0.0, 0.0, 1.0]);
+    let at = point_receiver("here", [0.3, 0.3, 0.1], [0.0, 0.0, 1.0]);
     let map = receivers(&["floor"]) + "grid = [5, 4]\n";
     for (name, text, tolerance) in [
         ("free", format!("{room}{map}{at}"), 1e-3),

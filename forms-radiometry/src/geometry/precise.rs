@@ -194,16 +194,27 @@ fn of_edge(edge: [Precise; 2]) -> f64 {
 pub(crate) fn rounding(point: Vector, polygon: &[Vector]) -> f64 {
     let next = polygon.iter().skip(1).chain(polygon.first());
     let of_edge = |(&a, &b): (&Vector, &Vector)| {
-        let sine = ((b - a).length() / ((a - point).length() + (b - point).length())).min(1.0);
-        0.5 * sine + sine / (PI * ((1.0 - sine) * (1.0 + sine)).sqrt())
+        of_sine(((b - a).length() / ((a - point).length() + (b - point).length())).min(1.0))
     };
     polygon.iter().zip(next).map(of_edge).sum()
+}
+
+/// What an edge changes by that subtends an angle γ with sin(γ/2) no more than this: γ/2 ≤ π/2 sin(γ/2).
+fn of_sine(sine: f64) -> f64 {
+    0.5 * sine + sine / (PI * ((1.0 - sine) * (1.0 + sine)).sqrt())
 }
 
 /// Each corner with the next one.
 fn edges(corners: &[Precise]) -> impl Iterator<Item = [Precise; 2]> {
     let next = corners.iter().skip(1).chain(corners.first());
     corners.iter().zip(next).map(|(&a, &b)| [a, b])
+}
+
+/// The same for all points that are no nearer to the corners of a polygon than this; without end where they may be as near to an edge as that is long.
+pub(crate) fn rounding_beyond(distance: f64, polygon: &[Vector]) -> f64 {
+    let next = polygon.iter().skip(1).chain(polygon.first());
+    let of_edge = |(&a, &b): (&Vector, &Vector)| of_sine(((b - a).length() / (2.0 * distance)).min(1.0));
+    polygon.iter().zip(next).map(of_edge).sum()
 }
 
 /// ∫ cos θ dω/π over what a point sees of a convex outline, θ from a direction; with a horizon, above that of the direction.

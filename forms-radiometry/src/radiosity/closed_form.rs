@@ -12,7 +12,7 @@ use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use crate::faces::emits;
 use crate::geometry::precise::{
-    Precise, Rounded, dot, form_factor, length, rounding, solid_angle, unit, way,
+    Precise, Rounded, dot, form_factor, length, rounding, rounding_beyond, solid_angle, unit, way,
 };
 use crate::geometry::{Between, Face, Vector};
 use crate::scene::{Light, LightKind};
@@ -83,22 +83,64 @@ impl Lights<'_> {
 
     /// A bound on what rounding changes of what a point gets straight from lights, for each band, where it is summed in `f64`.
     pub(crate) fn rounding(&self, (point, measure): (Vector, Measure), transport: &Transport) -> Vec<f64> {
+        let of_face = |face: &Face| {
+            OF_PIECE * rounding_of(point, measure, face) + unseen(point, measure, face, transport)
+        };
+        let mut sums = self.of_faces(OF_PIECE * measure.whole(), of_face, transport);
+        self.add_of_beams(&[point], &mut sums);
+        sums
+    }
+
+    /// The same for all of some points, whatever is measured there; without end where one of them is near to a face.
+    pub(crate) fn rounding_of_all(&self, points: &[Vector], transport: &Transport) -> Vec<f64> {
+        let whole = Measure::Sphere.whole();
+        let of_face = |face: &Face| {
+            let squared = face.vertices.iter().map(|&corner| nearest(corner, points));
+            let nearest = squared.fold(f64::INFINITY, f64::min).sqrt();
+            if points.iter().any(|&point| unseen(point, Measure::Sphere, face, transport) > 0.0) {
+                return f64::INFINITY;
+            }
+            // one edge more may lie in the horizon
+            OF_PIECE * (2.0 * rounding_beyond(nearest, &face.vertices) + 1.0)
+        };
+        let mut sums = self.of_faces(OF_PIECE * whole, of_face, transport);
+        self.add_of_beams(points, &mut sums);
+        sums
+    }
+
+    /// Adds what rounding changes of lights without extent at the nearest of some points.
+    fn add_of_beams(&self, points: &[Vector], sums: &mut [f64]) {
+        for light in &self.scene().lights {
+            let (arriving, squared) = match &light.kind {
+                LightKind::Point { position, intensity } => (intensity, nearest(*position, points)),
+                LightKind::Distant { irradiance, .. } => (irradiance, 1.0),
+            };
+            sums.iter_mut().zip(arriving).for_each(|(sum, arriving)| *sum += OF_PIECE * arriving / squared);
+        }
+    }
+
+    /// The sums over all faces of what the measure, over π, of each changes by, times its radiance; `open` is what the measure of all directions does.
+    fn of_faces(&self, mut open: f64, of_face: impl Fn(&Face) -> f64, transport: &Transport) -> Vec<f64> {
         let scene = self.scene();
         let mut sums = vec![0.0; scene.band_count()];
-        let mut of_all = OF_PIECE * measure.whole();
         for face in self.faces().iter().map(|&index| &transport.faces[index]) {
-            let of_face =
-                OF_PIECE * rounding_of(point, measure, face) + unseen(point, measure, face, transport);
-            of_all += of_face;
+            let of_face = of_face(face);
+            open += of_face;
             if emits(scene, face) {
                 let radiance = &scene.surfaces[face.surface].radiance;
                 sums.iter_mut().zip(radiance).for_each(|(sum, radiance)| *sum += PI * of_face * radiance);
             }
         }
-        let outside = &scene.ambient.radiance;
-        sums.iter_mut().zip(outside).for_each(|(sum, radiance)| *sum += PI * of_all * radiance);
+        let outside = scene.ambient.radiance.iter().zip(&mut sums).filter(|(radiance, _)| **radiance > 0.0);
+        outside.for_each(|(radiance, sum)| *sum += PI * open * radiance);
         sums
     }
+}
+
+/// The square of the distance from a place to the nearest of some points.
+fn nearest(place: Vector, points: &[Vector]) -> f64 {
+    let squared = |&point: &Vector| (place - point).dot(place - point);
+    points.iter().map(squared).fold(f64::INFINITY, f64::min)
 }
 
 /// What the measure, over π, of a face changes by per relative change of its corners and of what its edges add: one edge more may lie in the horizon.

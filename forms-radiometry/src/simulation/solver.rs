@@ -8,6 +8,7 @@
 //! changes is added.
 
 use super::answer::{Answer, ErrorKind, Map, Moment, Quantity, Simulation};
+use super::digits::Digits;
 use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
 use super::images::Image;
@@ -26,13 +27,11 @@ use std::collections::HashMap;
 use std::time::Instant;
 
 /// The part of the tolerance that rules of integration may take.
-const RULES: f64 = 0.02;
+pub(super) const RULES: f64 = 0.02;
 /// The part that integrals of direct light may take where nothing is reflected: nothing else has an error there.
 const STRAIGHT: f64 = 0.25;
 /// Rounding of an answer, relative to it.
 pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// So many edges are seen from all points together in double-double at most, each in some 2 µs; what is seen of more is summed in `f64`.
-const PRECISE_EDGES: usize = 1024;
 /// Answers below this part of the largest one are dark.
 pub(super) const DARK: f64 = 1e-9;
 /// The finest polyhedra.
@@ -239,18 +238,19 @@ impl<'s> Work<'s> {
 
     /// All readings in all bands; in none where the work was stopped before.
     fn read(&self, radiosity: &Radiosity, before: Option<(&Vec<Found>, f64, f64)>) -> Vec<Found> {
+        let digits = Digits::of(&self.readings, self.effects.orders == Some(0), radiosity);
         let one = |scratch: &mut Scratch, (index, reading): (usize, &Reading)| {
             let begin = Instant::now();
-            let values =
-                if self.watch.is_stopped() { Vec::new() } else { self.value(reading, radiosity, scratch) };
+            let found = (!self.watch.is_stopped())
+                .then(|| digits.value(reading, self.scene, radiosity, scratch))
+                .filter(|_| !self.watch.is_stopped());
             let seconds = begin.elapsed().as_secs_f64();
-            if self.watch.is_stopped() {
-                return Found { bands: Vec::new(), seconds };
-            }
+            let Some((values, rounding)) = found else { return Found { bands: Vec::new(), seconds } };
             let largest = reading.largest(radiosity.transport());
-            let of_band = |(band, [value, rounding]): (usize, [f64; 2])| {
+            let of_band = |(band, value): (usize, f64)| {
                 let straight = reading.straight_error(radiosity, band);
                 let quadrature = straight.unwrap_or(0.0);
+                let rounding = rounding.get(band).copied().unwrap_or(0.0);
                 let integral = ErrorParts { quadrature, rounding, ..ErrorParts::default() };
                 if self.effects.orders == Some(0) && straight.is_some() {
                     return Estimate::exact(value, integral);
@@ -277,31 +277,6 @@ impl<'s> Work<'s> {
             }
         }
         found
-    }
-
-    /// A reading in each band, and what rounding changes of it, as far as that is known by now. What comes straight from lights is found to the last
-    /// digit where that takes little, or where `f64` would leave more than rules of integration may.
-    fn value(&self, reading: &Reading, radiosity: &Radiosity, scratch: &mut Scratch) -> Vec<[f64; 2]> {
-        let of_rounding = |values: Vec<f64>, rounding: Vec<f64>| {
-            values.into_iter().zip(rounding).map(<[f64; 2]>::from).collect()
-        };
-        let value = |scratch: &mut Scratch| reading.value(self.scene, radiosity, scratch);
-        if self.effects.orders != Some(0) {
-            return of_rounding(value(scratch), vec![0.0; self.scene.band_count()]);
-        }
-        let edges = radiosity.lights().edges(radiosity.transport());
-        if edges * self.readings.len() <= PRECISE_EDGES
-            && let Some(precise) = reading.precise(radiosity, scratch)
-        {
-            return precise;
-        }
-        let values = value(scratch);
-        let rounding = reading.rounding(&values, self.scene, radiosity);
-        let allowed = RULES * self.scene.solve.tolerance;
-        let is_rough =
-            values.iter().zip(&rounding).any(|(value, rounding)| *rounding > allowed * value.abs());
-        let precise = if is_rough { reading.precise(radiosity, scratch) } else { None };
-        precise.unwrap_or_else(|| of_rounding(values, rounding))
     }
 
     /// What the tolerance of each reading in each band is relative to: the largest value of its group.

@@ -47,3 +47,17 @@ pub(crate) fn surface_receiver(surface: &str) -> String {
 pub(crate) fn tolerance(tolerance: f64) -> String {
     format!("[solve]\ntolerance = {tolerance:?}\n")
 }
+
+/// A surface of its own material.
+pub(crate) fn surface_of_its_own(name: &str, shape: &str, reflectance: &str, exitance: &str) -> String {
+    material(name, reflectance) + &surface(name, name, &format!("{shape}\nexitance = {exitance}"))
+}
+
+/// The unit cube, each face of its own material.
+pub(crate) fn cube(reflectances: [f64; 6], exitances: [f64; 6]) -> String {
+    let faces = CUBE.iter().zip(reflectances.iter().zip(exitances));
+    let texts = faces.map(|((name, corners), (rho, exitance))| {
+        surface_of_its_own(name, &polygon(corners), &rho.to_string(), &exitance.to_string())
+    });
+    texts.collect()
+}
