@@ -108,6 +108,16 @@ impl Lights<'_> {
         sums
     }
 
+    /// The same for the cells of a map in a ball. Edges of a convex polygon subtend 2π together at most; what cells beside one of them have more is not in it.
+    pub(crate) fn rounding_within(&self, (center, radius): (Vector, f64), transport: &Transport) -> Vec<f64> {
+        let of_face = |face: &Face| {
+            let squared = face.vertices.iter().map(|&corner| nearest(corner, &[center]));
+            let distance = (squared.fold(f64::INFINITY, f64::min).sqrt() - radius).max(0.0);
+            OF_PIECE * (2.0 * rounding_beyond(distance, &face.vertices).min(2.0) + 1.0)
+        };
+        self.of_faces(OF_PIECE * Measure::Sphere.whole(), of_face, transport)
+    }
+
     /// Adds what rounding changes of lights without extent at the nearest of some points.
     fn add_of_beams(&self, points: &[Vector], sums: &mut [f64]) {
         for light in &self.scene().lights {

@@ -41,6 +41,15 @@ struct Block {
 }
 
 impl Grid {
+    /// A ball that holds all cells: its middle and its radius.
+    pub(super) fn ball(&self) -> (Vector, f64) {
+        let [columns, rows] = self.size;
+        let corners = [[0, 0], [columns - 1, 0], [0, rows - 1], [columns - 1, rows - 1]];
+        let corners = corners.map(|cell| self.middle(cell));
+        let center = 0.25 * corners.iter().fold(Vector::default(), |sum, &corner| sum + corner);
+        (center, corners.iter().map(|&corner| (corner - center).length()).fold(0.0, f64::max))
+    }
+
     /// The grid over the front of a planar surface: its first axis is the first edge of its first face.
     pub(super) fn over(transport: &Transport, surface: usize, size: [usize; 2]) -> Option<Self> {
         let faces = || transport.fronts(surface);

@@ -3,8 +3,9 @@
 use super::answer::{Map, Quantity};
 use super::estimate::{Estimate, Found};
 use super::map::Grid;
+use super::readings::OF_PRODUCT;
 use super::readings::Reading;
-use super::solver::{ROUNDING, Work, groups};
+use super::solver::{Work, groups};
 use crate::radiosity::{Group, Lights, Radiosity, Scratch, Transport};
 use crate::scene::ReceiverKind;
 use crate::sharing::Sharing;
@@ -98,10 +99,12 @@ impl Work<'_> {
         let largest = self.largest_errors(receiver, found);
         let allowed: Vec<f64> = largest.iter().map(|error| INTERPOLATED * error.unwrap_or(0.0)).collect();
         let values = grid.irradiance(radiosity, (straight, &allowed), self.watch, note);
+        let rounding = radiosity.lights().rounding_within(grid.ball(), radiosity.transport());
         let error = |(band, values): (usize, &Vec<f64>)| {
             // where none is watched, closed forms leave nothing but rounding
             let brightest = || values.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
-            let error = largest[band].unwrap_or_else(|| ROUNDING * brightest()) + allowed[band];
+            let of_closed_forms = || OF_PRODUCT * brightest() + rounding[band];
+            let error = largest[band].unwrap_or_else(of_closed_forms) + allowed[band];
             values.iter().map(|value| if value.is_nan() { f64::NAN } else { error }).collect()
         };
         let errors = values.iter().enumerate().map(error).collect();

@@ -9,7 +9,7 @@ use crate::scene::{Receiver, ReceiverKind, Scene};
 use std::f64::consts::PI;
 
 /// What a few products and quotients of numbers of the scene round a value by.
-const OF_PRODUCT: f64 = 4.0 * f64::EPSILON;
+pub(super) const OF_PRODUCT: f64 = 4.0 * f64::EPSILON;
 
 /// One number that is asked for, in each band.
 #[derive(Clone, Debug)]
