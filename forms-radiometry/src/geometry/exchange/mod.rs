@@ -63,7 +63,7 @@ pub fn exchange(here: &Polygon, there: &Polygon, tolerance: f64) -> Exchange {
     for piece in here.convex_pieces() {
         for other in there.convex_pieces() {
             let normals = [here.normal(), there.normal()];
-            sum += between(piece, other, normals, tolerance.max(LEAST_TOLERANCE));
+            sum += between(piece, other, normals, [tolerance.max(LEAST_TOLERANCE); 2]);
         }
     }
     sum
@@ -84,9 +84,11 @@ pub fn view_factor(from: &Polygon, to: &Polygon, tolerance: f64) -> Exchange {
     Exchange { area: area / whole, error: error / whole }
 }
 
-/// The exchange area of two faces with nothing in between, to a relative tolerance of its own.
-pub(crate) fn exchange_of(here: &Face, there: &Face, tolerance: f64) -> Exchange {
-    between(&here.vertices, &there.vertices, [here.normal, there.normal], tolerance.max(LEAST_TOLERANCE))
+/// The exchange area of two faces with nothing in between: to a relative tolerance of its own as far as `f64` leads there, in any case to another one
+/// that is not less.
+pub(crate) fn exchange_of(here: &Face, there: &Face, tolerances: [f64; 2]) -> Exchange {
+    let tolerances = tolerances.map(|tolerance| tolerance.max(LEAST_TOLERANCE));
+    between(&here.vertices, &there.vertices, [here.normal, there.normal], tolerances)
 }
 
 /// The exchange area of two faces with nothing in between to the last digit; nothing where the plane of one cuts the other.
@@ -112,7 +114,7 @@ pub(crate) fn exchange_precisely(here: &Face, there: &Face) -> Option<Rounded> {
 }
 
 /// The exchange area of two convex outlines with these normals.
-fn between(here: &Outline, there: &Outline, [n, m]: [Vector; 2], tolerance: f64) -> Exchange {
+fn between(here: &Outline, there: &Outline, [n, m]: [Vector; 2], tolerances: [f64; 2]) -> Exchange {
     // differences first: what is far from the origin is no less exact
     let origin = here[0];
     let [here, there] = [here, there].map(|outline| outline.iter().map(|&v| v - origin).collect::<Vec<_>>());
@@ -125,7 +127,7 @@ fn between(here: &Outline, there: &Outline, [n, m]: [Vector; 2], tolerance: f64)
     let scaled = |outline: Vec<Vector>| outline.into_iter().map(|v| unit.recip() * v).collect::<Vec<_>>();
     let [here, there] = [here, there].map(scaled);
     let is_far = distance > FAR * size;
-    let Exchange { area, error } = in_near_units(&here, &there, [n, m], is_far, tolerance);
+    let Exchange { area, error } = in_near_units(&here, &there, [n, m], is_far, tolerances);
     let error = error + (of_here + of_there) * area.abs();
     Exchange { area: unit * unit * area, error: unit * unit * error }
 }
@@ -153,9 +155,10 @@ fn in_near_units(
     there: &Outline,
     normals: [Vector; 2],
     is_far: bool,
-    tolerance: f64,
+    [tolerance, most]: [f64; 2],
 ) -> Exchange {
-    let is_enough = |found: &Exchange| found.error <= tolerance * found.area.abs();
+    let is_within = |found: &Exchange, tolerance: f64| found.error <= tolerance * found.area.abs();
+    let is_enough = |found: &Exchange| is_within(found, tolerance);
     let mut best = Exchange { area: f64::NAN, error: f64::INFINITY };
     if is_far {
         best = areas::exchange(here, there, normals, tolerance);
@@ -168,8 +171,8 @@ fn in_near_units(
     if !is_enough(&best) {
         best = better(best, contour::exchange::<f64>(here, there, tolerance));
     }
-    if !is_enough(&best) {
-        best = better(best, contour::exchange::<DoubleDouble>(here, there, tolerance));
+    if !is_within(&best, most) {
+        best = better(best, contour::exchange::<DoubleDouble>(here, there, most));
     }
     best
 }

@@ -64,7 +64,7 @@ pub(crate) fn exchange_with(
     let mut found = Vec::new();
     match screens.between(outline, normal, &there.vertices, there.normal, &mut found) {
         Between::All => Exchange::default(),
-        Between::Nothing => exchange_of(here, there, tolerance),
+        Between::Nothing => exchange_of(here, there, [tolerance; 2]),
         Between::Some => View { screens, between: &found, there, normal: here.normal }.integral(
             &here.vertices,
             [tolerance, least],
