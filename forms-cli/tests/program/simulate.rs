@@ -95,22 +95,34 @@ fn the_text_is_the_plan_and_the_answers_as_tables() {
 
 #[test]
 fn the_parts_of_the_largest_error_are_told_where_there_are_several() {
-    let lamp = "[[material]]\nname = \"black\"\nkind = \"diffuse\"\nreflectance = 0\n\
-        [[surface]]\nname = \"floor\"\nmaterial = \"black\"\npolygon = [[0,0,0], [1,0,0], [1,1,0], [0,1,0]]\n\
-        [[surface]]\nname = \"lamp\"\nmaterial = \"black\"\nexitance = 1\n\
-        polygon = [[0,0,1e4], [0,1,1e4], [1,1,1e4], [1,0,1e4]]\n";
-    let surface = format!("{lamp}{MAP}");
-    let point = format!("{lamp}{POINT}");
-    let folder = Folder::with(&[("surface.toml", &surface), ("point.toml", &point)]);
+    const CUBE: [&str; 6] = [
+        "[0,0,0], [1,0,0], [1,1,0], [0,1,0]",
+        "[0,0,1], [0,1,1], [1,1,1], [1,0,1]",
+        "[0,0,0], [0,1,0], [0,1,1], [0,0,1]",
+        "[1,0,0], [1,0,1], [1,1,1], [1,1,0]",
+        "[0,0,0], [0,0,1], [1,0,1], [1,0,0]",
+        "[0,1,0], [1,1,0], [1,1,1], [0,1,1]",
+    ];
+    let wall = |(index, corners): (usize, &&str)| {
+        format!("[[surface]]\nname = \"{index}\"\nmaterial = \"wall\"\nexitance = 1\npolygon = [{corners}]\n")
+    };
+    let walls: String = CUBE.iter().enumerate().map(wall).collect();
+    let room = |reflectance: &str| {
+        format!(
+            "[[material]]\nname = \"wall\"\nkind = \"diffuse\"\nreflectance = {reflectance}\n{walls}{POINT}"
+        )
+    };
+    let folder = Folder::with(&[("grey.toml", &room("0.5")), ("black.toml", &room("0"))]);
     let output = |scene| forms(&folder, &["simulate", scene]).output;
-    let found = output("surface.toml");
+    let found = output("grey.toml");
     let parts = found.lines().find_map(|line| line.strip_prefix("that error is ")).expect("the parts");
     assert!(parts.contains("% quadrature") && parts.contains("% rounding"), "{parts}");
     let percents =
         parts.split(", ").map(|part| part.split('%').next().unwrap().parse::<f64>().expect("a number"));
-    assert_eq!(percents.sum::<f64>(), 100.0, "{parts}");
+    // each is rounded
+    assert!((percents.sum::<f64>() - 100.0).abs() <= 2.0, "{parts}");
     // of a closed form there is nothing but rounding
-    assert!(!output("point.toml").contains("that error is"));
+    assert!(!output("black.toml").contains("that error is"));
 }
 
 /// The channels of an EXR file and its width and height.

@@ -21,6 +21,8 @@ use std::f64::consts::PI;
 
 /// What the corners of a piece of a luminaire and what its edges add are rounded by in `f64`.
 const OF_PIECE: f64 = 16.0 * f64::EPSILON;
+/// The measure of all directions is twice that of a hemisphere, and an edge more may lie in the horizon: it subtends half of what the others do at most.
+const WITH_HORIZON: f64 = 3.0;
 
 impl Measure {
     /// The measure, over π, of what a point sees of a convex outline that nothing hides.
@@ -84,7 +86,8 @@ impl Lights<'_> {
     /// A bound on what rounding changes of what a point gets straight from lights, for each band, where it is summed in `f64`.
     pub(crate) fn rounding(&self, (point, measure): (Vector, Measure), transport: &Transport) -> Vec<f64> {
         let of_face = |face: &Face| {
-            OF_PIECE * rounding_of(point, measure, face) + unseen(point, measure, face, transport)
+            WITH_HORIZON * OF_PIECE * rounding(point, &face.vertices)
+                + unseen(point, measure, face, transport)
         };
         let mut sums = self.of_faces(OF_PIECE * measure.whole(), of_face, transport);
         self.add_of_beams(&[point], &mut sums);
@@ -100,8 +103,7 @@ impl Lights<'_> {
             if points.iter().any(|&point| unseen(point, Measure::Sphere, face, transport) > 0.0) {
                 return f64::INFINITY;
             }
-            // one edge more may lie in the horizon
-            OF_PIECE * (2.0 * rounding_beyond(nearest, &face.vertices) + 1.0)
+            WITH_HORIZON * OF_PIECE * rounding_beyond(nearest, &face.vertices)
         };
         let mut sums = self.of_faces(OF_PIECE * whole, of_face, transport);
         self.add_of_beams(points, &mut sums);
@@ -113,7 +115,7 @@ impl Lights<'_> {
         let of_face = |face: &Face| {
             let squared = face.vertices.iter().map(|&corner| nearest(corner, &[center]));
             let distance = (squared.fold(f64::INFINITY, f64::min).sqrt() - radius).max(0.0);
-            OF_PIECE * (2.0 * rounding_beyond(distance, &face.vertices).min(2.0) + 1.0)
+            WITH_HORIZON * OF_PIECE * rounding_beyond(distance, &face.vertices).min(2.0)
         };
         self.of_faces(OF_PIECE * Measure::Sphere.whole(), of_face, transport)
     }
@@ -151,16 +153,6 @@ impl Lights<'_> {
 fn nearest(place: Vector, points: &[Vector]) -> f64 {
     let squared = |&point: &Vector| (place - point).dot(place - point);
     points.iter().map(squared).fold(f64::INFINITY, f64::min)
-}
-
-/// What the measure, over π, of a face changes by per relative change of its corners and of what its edges add: one edge more may lie in the horizon.
-fn rounding_of(point: Vector, measure: Measure, face: &Face) -> f64 {
-    let is_above = |normal: Vector, &corner: &Vector| normal.dot(corner - point) > 0.0;
-    let is_cut = measure.horizon().is_some_and(|normal| {
-        let above = face.vertices.iter().filter(|corner| is_above(normal, corner)).count();
-        0 < above && above < face.vertices.len()
-    });
-    2.0 * rounding(point, &face.vertices) + if is_cut { 1.0 } else { 0.0 }
 }
 
 /// The measure, over π, that a face may have that is taken to have none because the point is so near to its plane.
