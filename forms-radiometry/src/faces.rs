@@ -28,12 +28,21 @@ pub(crate) fn faces(scene: &Scene, fineness: usize) -> Vec<Face> {
 
 /// Whether a face sends or reflects light: it is a front, or the back of a surface with two sides.
 pub(crate) fn is_bright(scene: &Scene, face: &Face) -> bool {
-    !face.is_back || scene.surfaces[face.surface].two_sided
+    is_side_bright(scene, face.surface, face.is_back)
+}
+
+fn is_side_bright(scene: &Scene, surface: usize, is_back: bool) -> bool {
+    !is_back || scene.surfaces[surface].two_sided
 }
 
 /// Whether a face emits light.
 pub(crate) fn emits(scene: &Scene, face: &Face) -> bool {
-    scene.surfaces[face.surface].emits() && is_bright(scene, face)
+    emits_from(scene, face.surface, face.is_back)
+}
+
+/// Whether a side of a surface emits light.
+pub(crate) fn emits_from(scene: &Scene, surface: usize, is_back: bool) -> bool {
+    scene.surfaces[surface].emits() && is_side_bright(scene, surface, is_back)
 }
 
 /// Whether the faces of a scene stand for round shapes, so that they depend on their fineness.

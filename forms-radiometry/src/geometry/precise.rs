@@ -1,10 +1,15 @@
-//! Precise measures: what a point sees of a convex polygon that nothing hides, in double-double.
+//! Precise measures: what a point sees of a convex polygon, or of a round shape, that nothing hides, in double-double.
 //!
 //! ```text
 //! corners − point, exactly ─▶ part above the horizon ─▶ edges or triangles ─ kernels in double-double ─▶ sum, and what rounds of it
+//! a sphere or a disk as a whole ─▶ round
 //! ```
 //! Where the edges of a polygon cancel, as those of one that is small, far away or seen edge-on do, `f64` keeps few digits of the sum or none;
 //! here it keeps them.
+
+mod round;
+
+pub(crate) use round::SeenWhole;
 
 use super::Vector;
 use crate::kernels::{edge_form_factor, solid_angle_triangle};
@@ -14,6 +19,12 @@ use std::ops::Add;
 
 /// The relative error of a term: a few of the last of the 106 bits are lost in a function.
 const TERM: f64 = 64.0 * f64::EPSILON * f64::EPSILON;
+
+/// Numbers below this that are multiples of 2⁻¹⁰ are decimals of 15 digits at most: a decimal that was rounded to one of them is that one.
+const FEW_DIGITS: f64 = 1e5;
+const FEW_PLACES: f64 = 1024.0;
+/// By how much a unit vector may be turned of which each coordinate was rounded.
+const TURNED: f64 = 0.5 * f64::EPSILON + TERM;
 
 /// A vector of such numbers.
 pub(crate) type Precise = [DoubleDouble; 3];
@@ -36,10 +47,12 @@ impl Rounded {
         Self { value, error: factor.abs() * self.error }
     }
 
-    /// The product with a number of the scene, which may have been rounded.
+    /// The product with a number of the scene. That of few binary digits is as it was written; another may have been rounded.
     pub(crate) fn times_datum(self, datum: f64) -> Self {
         let Self { value, error } = self.times(datum);
-        Self { value, error: error + 0.5 * f64::EPSILON * value.to_f64().abs() }
+        let is_as_written = datum.abs() < FEW_DIGITS && (FEW_PLACES * datum).fract() == 0.0;
+        let rounding = if is_as_written { 0.0 } else { 0.5 * f64::EPSILON };
+        Self { value, error: error + rounding * value.to_f64().abs() }
     }
 
     /// The product with π.
@@ -100,7 +113,7 @@ pub(crate) fn length(v: Precise) -> DoubleDouble {
 pub(crate) fn unit(v: Vector) -> (Precise, f64) {
     let is_along_an_axis = v.coordinates().iter().filter(|&&x| x != 0.0).count() == 1;
     let length = length(precise(v));
-    (precise(v).map(|x| x / length), if is_along_an_axis { 0.0 } else { f64::EPSILON })
+    (precise(v).map(|x| x / length), if is_along_an_axis { 0.0 } else { TURNED })
 }
 
 /// On which side of an outline a point is.
@@ -231,13 +244,24 @@ pub(crate) fn form_factor(
     }
     let (axis, turned) = unit(direction);
     let corners = seen(point, outline, has_horizon.then_some(axis));
+    let mut around = 0.0;
     for [a, b] in edges(&corners) {
         let ([ax, ay, az], [bx, by, bz], [nx, ny, nz]) = (a, b, axis);
         let value = edge_form_factor::dd(bx, by, bz, ax, ay, az, nx, ny, nz);
-        let error = turned * angle([a, b]) / (2.0 * PI) + TERM * of_edge([a, b]);
-        sum = sum + Rounded { value, error };
+        around += angle([a, b]);
+        sum = sum + Rounded { value, error: TERM * of_edge([a, b]) };
     }
-    from_side(side, sum)
+    // a turn by δ changes an edge by δ γ/2π at most, and all that is seen by δ Ω/π
+    let most = (around / (2.0 * PI)).min(solid_angle_at_most(point, outline) / PI);
+    from_side(side, sum + Rounded { error: turned * most, ..Rounded::exactly(0.0) })
+}
+
+/// A bound on the solid angle of a convex outline: its area by the square of the least distance that a part of a ball about it has.
+fn solid_angle_at_most(point: Vector, outline: &[Vector]) -> f64 {
+    let center = Vector::mean(outline);
+    let radius = outline.iter().map(|&corner| (corner - center).length()).fold(0.0, f64::max);
+    let nearest = (point - center).length() - radius;
+    if nearest > 0.0 { PI * (radius / nearest).powi(2) } else { f64::INFINITY }
 }
 
 /// The solid angle of what a point sees of a convex outline.

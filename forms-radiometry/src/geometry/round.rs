@@ -116,7 +116,7 @@ impl Round for Sphere {
 }
 
 /// Unit vectors u and v for which u, v and this unit vector are right-handed.
-fn across(normal: Vector) -> [Vector; 2] {
+pub(super) fn across(normal: Vector) -> [Vector; 2] {
     let Vector { x, y, z } = normal;
     let least = x.abs().min(y.abs()).min(z.abs());
     let axis = [x, y, z].map(|c| f64::from(u8::from(c.abs() == least)));

@@ -13,6 +13,9 @@ pub struct Vector {
     pub z: f64,
 }
 
+/// The bits of the exponent of a number: of the greatest power of two that is no larger.
+const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+
 impl Vector {
     /// The vector (x, y, z).
     pub const fn new(x: f64, y: f64, z: f64) -> Self {
@@ -65,6 +68,8 @@ impl Vector {
         if scale == 0.0 || !scale.is_finite() {
             return None;
         }
+        // a power of two rounds nothing: each coordinate is rounded once
+        let scale = f64::from_bits(scale.to_bits() & EXPONENT).max(f64::MIN_POSITIVE);
         let v = Self::new(self.x / scale, self.y / scale, self.z / scale);
         let length = v.dot(v).sqrt();
         Some(Self::new(v.x / length, v.y / length, v.z / length))

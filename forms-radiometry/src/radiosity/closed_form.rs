@@ -1,8 +1,9 @@
 //! Closed forms: what a point gets straight from lights, to the last digit, and what of that is rounding.
 //!
 //! ```text
-//! each face that light comes from ─┬─ nothing before it ─▶ precise: its measure in double-double
-//!                                  └─ else ──────────────▶ visible: its measure in f64, as a sum over pieces
+//! a sphere or disk that has to be seen ─ nothing before it ─▶ precise: its measure as a whole; else its faces, in f64
+//! each face that has to be seen ─┬─ nothing before it ─▶ precise: its measure in double-double
+//!                                └─ else ──────────────▶ visible: its measure in f64, as a sum over pieces
 //! lights without extent ───────────── seen or not ───────▶ precise: cos θ/r²
 //! ```
 //! It takes some hundred times as long as a sum in `f64`, so that few receivers are worth it: answers, and not the cells of maps.
@@ -10,12 +11,12 @@
 use super::direct::{Lights, hides};
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
-use crate::faces::emits;
+use crate::faces::{emits, emits_from, is_round};
 use crate::geometry::precise::{
-    Precise, Rounded, dot, form_factor, length, rounding, rounding_beyond, solid_angle, unit, way,
+    Precise, Rounded, SeenWhole, dot, form_factor, length, rounding, rounding_beyond, solid_angle, unit, way,
 };
 use crate::geometry::{Between, Face, Vector};
-use crate::scene::{Light, LightKind};
+use crate::scene::{Light, LightKind, Shape, Surface};
 use forms::math::{DoubleDouble, Real};
 use std::f64::consts::PI;
 
@@ -23,8 +24,35 @@ use std::f64::consts::PI;
 const OF_PIECE: f64 = 16.0 * f64::EPSILON;
 /// The measure of all directions is twice that of a hemisphere, and an edge more may lie in the horizon: it subtends half of what the others do at most.
 const WITH_HORIZON: f64 = 3.0;
+/// The edges in whose time a round shape is seen as a whole.
+const OF_ROUND: usize = 6;
+
+/// What a point gets straight from lights.
+pub(crate) struct Straight {
+    /// In each band, and a bound on what rounding changes of it.
+    pub(crate) bands: Vec<[f64; 2]>,
+    /// Whether flat pieces may stand for a round shape in it.
+    pub(crate) has_pieces: bool,
+}
+
+/// What a point sees of something.
+struct Part {
+    /// Its measure, over π.
+    measure: Rounded,
+    /// Whether nothing can be before any of it.
+    is_open: bool,
+}
 
 impl Measure {
+    /// The measure, over π, of a round shape that nothing hides, if it has a closed form.
+    fn of_whole(self, point: Vector, shape: &dyn SeenWhole) -> Option<Rounded> {
+        match self {
+            Self::Plane(normal) => shape.form_factor(point, normal, true),
+            Self::Flow(axis) => Some(shape.form_factor(point, axis, false)?.times(-1.0)),
+            Self::Sphere => shape.solid_angle_over_pi(point),
+        }
+    }
+
     /// The measure, over π, of what a point sees of a convex outline that nothing hides.
     fn precisely(self, point: Vector, outline: &[Vector]) -> Rounded {
         match self {
@@ -57,21 +85,42 @@ impl Lights<'_> {
         self.faces().iter().map(|&index| transport.faces[index].vertices.len()).sum()
     }
 
-    /// What a point gets straight from lights, for each band, and a bound on what rounding changes of it.
+    /// The same where round shapes are seen as a whole.
+    pub(crate) fn edges_beside_round(&self, transport: &Transport) -> usize {
+        let faces = self.faces().iter().map(|&index| &transport.faces[index]);
+        let flat = faces.filter(|face| !self.round().contains(&face.surface));
+        flat.map(|face| face.vertices.len()).sum::<usize>() + OF_ROUND * self.round().len()
+    }
+
+    /// What a point gets straight from lights. Shapes may be `seen_whole` if nothing that this is compared with is the sum of their pieces.
     pub(crate) fn precisely(
         &self,
         (point, measure): (Vector, Measure),
+        seen_whole: bool,
         transport: &Transport,
         scratch: &mut Scratch,
-    ) -> Vec<[f64; 2]> {
+    ) -> Straight {
         let scene = self.scene();
         let mut sums = vec![Rounded::exactly(0.0); scene.band_count()];
         let mut open = Rounded::exactly(measure.whole());
-        for face in self.faces().iter().map(|&index| &transport.faces[index]) {
-            let seen = measured(point, measure, face, transport, scratch);
+        let mut is_open = true;
+        let mut whole = Vec::new();
+        for &surface in self.round().iter().filter(|_| seen_whole) {
+            let Some((seen, is_back)) = self.whole((point, measure), surface, transport, scratch) else { continue };
+            whole.push(surface);
             open = open + seen.times(-1.0);
+            if emits_from(scene, surface, is_back) {
+                add_emitted(&mut sums, seen, &scene.surfaces[surface]);
+            }
+        }
+        let faces = self.faces().iter().map(|&index| &transport.faces[index]);
+        for face in faces.filter(|face| !whole.contains(&face.surface)) {
+            let is_piece = self.round().contains(&face.surface);
+            let seen = measured((point, measure), face, is_piece, transport, scratch);
+            is_open &= seen.is_open;
+            open = open + seen.measure.times(-1.0);
             if emits(scene, face) {
-                add(&mut sums, seen, &scene.surfaces[face.surface].radiance);
+                add_emitted(&mut sums, seen.measure, &scene.surfaces[face.surface]);
             }
         }
         add(&mut sums, open, &scene.ambient.radiance);
@@ -80,7 +129,36 @@ impl Lights<'_> {
             let (arriving, factor) = without_extent(light, point, measure, transport);
             add(&mut sums, factor, arriving);
         }
-        sums.into_iter().map(Rounded::nearest).collect()
+        is_open &= scene.lights.is_empty() || !transport.occlusion;
+        let has_pieces = whole.len() < self.round().len() || (is_round(scene) && !is_open);
+        Straight { bands: sums.into_iter().map(Rounded::nearest).collect(), has_pieces }
+    }
+
+    /// The measure, over π, of a round surface that a point sees as a whole, and whether it sees its back.
+    fn whole(
+        &self,
+        (point, measure): (Vector, Measure),
+        surface: usize,
+        transport: &Transport,
+        scratch: &mut Scratch,
+    ) -> Option<(Rounded, bool)> {
+        let shape: &dyn SeenWhole = match &self.scene().surfaces[surface].shape {
+            Shape::Sphere(sphere) => sphere,
+            Shape::Disk(disk) => disk,
+            Shape::Polygon(_) | Shape::Mesh(_) => return None,
+        };
+        if transport.occlusion {
+            let (outline, normal) = shape.outline(point)?;
+            let points = [point];
+            let receivers = (points.as_slice(), measure.horizon());
+            let luminaire = (outline.as_slice(), normal);
+            let found = transport.screens.between_among(None, receivers, luminaire, &mut scratch.between);
+            let mut before = transport.screens.fronts(&scratch.between);
+            if found == Between::All || before.any(|face| transport.faces[face].surface != surface) {
+                return None;
+            }
+        }
+        Some((measure.of_whole(point, shape)?, !shape.shows_front(point)))
     }
 
     /// A bound on what rounding changes of what a point gets straight from lights, for each band, where it is summed in `f64`.
@@ -170,23 +248,42 @@ fn add(sums: &mut [Rounded], measure: Rounded, radiance: &[f64]) {
     }
 }
 
-/// The measure, over π, of what a point sees of a face.
+/// Adds what a surface of which this is seen sends in each band.
+fn add_emitted(sums: &mut [Rounded], measure: Rounded, surface: &Surface) {
+    sums.iter_mut().zip(emitted(measure, surface)).for_each(|(sum, emitted)| *sum = *sum + emitted);
+}
+
+/// What a surface of which this is seen sends in each band: the exitance is as the file says, the radiance is rounded from it.
+pub(super) fn emitted(measure: Rounded, surface: &Surface) -> impl Iterator<Item = Rounded> {
+    let exitance = surface.exitance.as_ref();
+    let of_band = move |(band, &radiance): (usize, &f64)| match exitance {
+        Some(exitance) => measure.times_datum(exitance[band]).over_pi(),
+        None => measure.times_datum(radiance),
+    };
+    surface.radiance.iter().enumerate().map(of_band)
+}
+
+/// What a point sees of a face. That of a piece of a round shape is not worth more than `f64`.
 fn measured(
-    point: Vector,
-    measure: Measure,
+    (point, measure): (Vector, Measure),
     face: &Face,
+    is_piece: bool,
     transport: &Transport,
     scratch: &mut Scratch,
-) -> Rounded {
-    if !transport.occlusion {
-        return measure.precisely(point, &face.vertices);
-    }
+) -> Part {
     let (points, luminaire) = ([point], (face.vertices.as_slice(), face.normal));
-    let receivers = (points.as_slice(), measure.horizon());
-    match transport.screens.between_among(None, receivers, luminaire, &mut scratch.between) {
+    scratch.between.clear();
+    let between = if transport.occlusion {
+        let receivers = (points.as_slice(), measure.horizon());
+        transport.screens.between_among(None, receivers, luminaire, &mut scratch.between)
+    } else {
+        Between::Nothing
+    };
+    let is_open = between == Between::Nothing;
+    let measure = match between {
         Between::All => Rounded::exactly(0.0),
-        Between::Nothing => measure.precisely(point, &face.vertices),
-        Between::Some => {
+        Between::Nothing if !is_piece => measure.precisely(point, &face.vertices),
+        Between::Nothing | Between::Some => {
             let group = Group { points: &points, outline: &points, measure };
             let mut sum = Rounded { error: unseen(point, measure, face, transport), ..Rounded::exactly(0.0) };
             transport.see_parts(group, luminaire, &scratch.between, &mut scratch.view, |_, piece| {
@@ -195,7 +292,8 @@ fn measured(
             });
             sum
         }
-    }
+    };
+    Part { measure, is_open }
 }
 
 /// The intensity or irradiance of a light without extent in each band, and what of it a point gets.

@@ -10,6 +10,7 @@
 //! [`arriving`](super::arriving).
 
 use super::arriving::{Arriving, Kinds};
+use super::closed_form::emitted;
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use crate::faces::emits;
@@ -20,8 +21,8 @@ use crate::scene::{Light, LightKind, ReceiverKind, Scene};
 use crate::simulation::Watch;
 
 /// The relative errors to which faces with nothing in between exchange light where these have so many pairs of edges at most: to the last digit two
-/// quadrilaterals, of 16 pairs, take 1 to 20 ms, to the twelfth, where `f64` has it, some 5 µs, and hardly less to fewer. Beside a map, which takes less, the last digit is not worth
-/// that.
+/// quadrilaterals, of 16 pairs, take 1 to 20 ms, to the twelfth, where `f64` has it, some 5 µs, and hardly less to fewer. Beside a map of what comes straight, which takes less, the last
+/// digit is not worth that.
 const OF_FEW: [(usize, f64); 2] = [(80, LAST_DIGIT), (1024, 1e-12)];
 const LAST_DIGIT: f64 = 1e-15;
 /// Exchange below this part of a surface is computed to the absolute error of this part.
@@ -32,6 +33,8 @@ pub(crate) struct Lights<'s> {
     scene: &'s Scene,
     /// The faces that have to be seen: those that emit, and all of them where light comes from outside.
     faces: Vec<usize>,
+    /// The round surfaces that they are pieces of.
+    round: Vec<usize>,
     kinds: Kinds,
 }
 
@@ -39,13 +42,21 @@ impl<'s> Lights<'s> {
     pub(crate) fn of(scene: &'s Scene, transport: &Transport) -> Self {
         let effects = kinds(scene, &transport.faces);
         let counts = |&index: &usize| effects.surroundings || emits(scene, &transport.faces[index]);
-        let faces = (0..transport.faces.len()).filter(counts).collect();
-        Self { scene, faces, kinds: Kinds::of(effects) }
+        let faces: Vec<usize> = (0..transport.faces.len()).filter(counts).collect();
+        let mut round: Vec<usize> = faces.iter().map(|&index| transport.faces[index].surface).collect();
+        round.dedup();
+        round.retain(|&surface| scene.surfaces[surface].shape.is_round());
+        Self { scene, faces, round, kinds: Kinds::of(effects) }
     }
 
     /// The kinds of light that come straight from lights.
     pub(crate) fn kinds(&self) -> Effects {
         self.kinds.effects()
+    }
+
+    /// The round surfaces that have to be seen for what comes straight to a point.
+    pub(super) fn round(&self) -> &[usize] {
+        &self.round
     }
 
     pub(super) fn scene(&self) -> &Scene {
@@ -136,11 +147,11 @@ impl<'s> Lights<'s> {
         arriving.outside.chunks_exact_mut(bands).for_each(|of_point| of_point.copy_from_slice(outside));
     }
 
-    /// For each band, the flux that comes straight to the fronts of a surface; nothing where light is not that of
-    /// faces alone, or the work is stopped. It is an integral over both, and not a sum over points that may miss what is near an edge.
+    /// For each band, the flux that comes straight to the fronts of a surface, which `is_all` that there is or is reflected; nothing where light is not
+    /// that of faces alone, or the work is stopped. It is an integral over both, and not a sum over points that may miss what is near an edge.
     pub(crate) fn flux(
         &self,
-        surface: usize,
+        (surface, is_all): (usize, bool),
         transport: &Transport,
         watch: &dyn Watch,
     ) -> Option<Vec<Rounded>> {
@@ -153,7 +164,7 @@ impl<'s> Lights<'s> {
         let has_map = self.scene.receivers.iter().any(|receiver| {
             matches!(receiver.kind, ReceiverKind::Surface { surface: of, grid: Some(_) } if of == surface)
         });
-        let mut of_few = OF_FEW.into_iter().filter(|(_, accuracy)| !(has_map && *accuracy <= LAST_DIGIT));
+        let mut of_few = OF_FEW.into_iter().filter(|(_, accuracy)| !(is_all && has_map && *accuracy <= LAST_DIGIT));
         let of_few = of_few.find(|&(most, _)| pairs <= most);
         let accuracy = of_few.map_or(transport.accuracy, |(_, accuracy)| accuracy);
         for here in transport.fronts(surface) {
@@ -162,10 +173,8 @@ impl<'s> Lights<'s> {
                     return None;
                 }
                 let exchanged = exchanged((here, there), accuracy, transport, watch);
-                let radiances = &self.scene.surfaces[there.surface].radiance;
-                for (flux, &radiance) in flux.iter_mut().zip(radiances) {
-                    *flux = *flux + exchanged.times_datum(radiance).times_pi();
-                }
+                let emitted = emitted(exchanged, &self.scene.surfaces[there.surface]);
+                flux.iter_mut().zip(emitted).for_each(|(flux, emitted)| *flux = *flux + emitted.times_pi());
             }
         }
         Some(flux)

@@ -13,10 +13,11 @@ use super::system::{Question, is_reflecting};
 use crate::geometry::Face;
 use crate::kernels::gathered_light::Effects;
 use crate::kernels::{
-    cosine_hemisphere_sample, edge_form_factor, edge_potential, exchange_density, irradiance,
+    cosine_hemisphere_sample, edge_form_factor, edge_potential, exchange_density, form_factor_beside_disk,
+    form_factor_point_disk, form_factor_point_sphere, irradiance, solid_angle_disk, solid_angle_sphere,
     solid_angle_triangle, uniform_sphere_sample, uniform_triangle_sample,
 };
-use crate::scene::{ReceiverKind, Scene};
+use crate::scene::{ReceiverKind, Scene, Shape, Surface};
 
 /// A kernel that a simulation runs.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -45,6 +46,8 @@ struct Computed {
     spheres: bool,
     /// Whether light is followed from element to element by exact pieces.
     reflections: bool,
+    /// Whether points may see spheres and disks as a whole.
+    whole: [bool; 2],
     /// Whether the light of faces is integrated over surfaces.
     exchange: bool,
     /// Whether light is followed along rays.
@@ -71,7 +74,18 @@ impl Computed {
             let receives = question.receives[face.surface] && !face.is_back;
             receives && Element::of(index, face, &ConvexPiece::whole(face)).iter().any(Element::is_triangle)
         };
+        let is_straight = pieces && question.orders == Some(0);
+        let asks_points = asks(|kind| matches!(kind, ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. }));
+        let is_seen = |surface: &Surface| straight.surroundings || surface.emits();
+        let shines = |is: fn(&Shape) -> bool| {
+            scene.surfaces.iter().any(|surface| is(&surface.shape) && is_seen(surface))
+        };
+        let is_whole = |is| is_straight && asks_points && shines(is);
         Self {
+            whole: [
+                is_whole(|shape| matches!(shape, Shape::Sphere(_))),
+                is_whole(|shape| matches!(shape, Shape::Disk(_))),
+            ],
             gathered: (pieces && at_points).then(|| question.kinds(straight)),
             straight: has_points.then_some(straight),
             views: reflected || (from_faces && (question.direct || has_points)),
@@ -86,8 +100,9 @@ impl Computed {
 
 /// The kernels that the simulation of a scene with these faces runs.
 pub(crate) fn kernels(scene: &Scene, faces: &[Face], question: &Question, hiding: Hiding) -> Vec<UsedKernel> {
-    let Computed { gathered, straight, views, spheres, reflections, exchange, rays, triangles } =
+    let Computed { gathered, straight, views, spheres, reflections, whole, exchange, rays, triangles } =
         Computed::of(scene, faces, question, hiding);
+    let [whole_spheres, whole_disks] = whole;
     let all_light = gathered.map(|kinds| member(kinds, "what a receiver gathers"));
     let is_another = straight.filter(|straight| Some(*straight) != gathered);
     let direct_light = is_another.map(|kinds| member(kinds, "what comes straight to points of surfaces"));
@@ -101,6 +116,11 @@ pub(crate) fn kernels(scene: &Scene, faces: &[Face], question: &Question, hiding
         direct_light,
         row!(views, edge_form_factor, "what is seen of a face, edge by edge"),
         row!(views && spheres, solid_angle_triangle, "what is seen of a face from all sides"),
+        row!(whole_spheres, form_factor_point_sphere, "what is seen of a whole sphere"),
+        row!(whole_spheres && spheres, solid_angle_sphere, "what is seen of a whole sphere from all sides"),
+        row!(whole_disks, form_factor_point_disk, "what is seen of a whole disk, along its axis"),
+        row!(whole_disks, form_factor_beside_disk, "what is seen of a whole disk, across its axis"),
+        row!(whole_disks && spheres, solid_angle_disk, "what is seen of a whole disk from all sides"),
         row!(reflections || exchange, exchange_density, "light from point to point of two surfaces"),
         row!(exchange, edge_potential, "light from surface to surface, edge by edge"),
         row!(exchange || rays, irradiance, "light of a luminaire by its form factor"),

@@ -98,7 +98,8 @@ impl<'t> Radiosity<'t> {
         watch: &'t dyn Watch,
     ) -> Self {
         let flux = |_: &mut (), surface: usize| {
-            if question.receives[surface] { lights.flux(surface, transport, watch) } else { None }
+            let is_all = question.orders == Some(0);
+            if question.receives[surface] { lights.flux((surface, is_all), transport, watch) } else { None }
         };
         let sharing = if transport.occlusion { Sharing::Shared } else { Sharing::Alone };
         let straight = sharing.map(0..question.receives.len(), flux);

@@ -136,6 +136,8 @@ pub struct Surface {
     pub shape: Shape,
     /// Emitted radiance in W/(m² sr), per band; the same in all directions.
     pub radiance: Vec<f64>,
+    /// The exitance in W/m², per band, that the radiance was rounded from, if the file gives that.
+    pub exitance: Option<Vec<f64>>,
     /// Whether the back reflects and emits as the front does. A one-sided surface is black from behind; it
     /// hides what is behind it from either side.
     pub two_sided: bool,

@@ -26,14 +26,16 @@ pub(super) fn read(
     let material =
         element.reference(report, "material", "the name of a material", "material", &known.materials);
     let shape = shape(report, element, files);
-    let radiance = radiance(report, element, known.bands);
+    let emission = emission(report, element, known.bands);
     let two_sided = two_sided(report, element, known, material);
     let (shape, place) = shape?;
+    let (radiance, exitance) = emission?;
     Some(Surface {
         name: name?,
         material: material?,
         shape,
-        radiance: radiance?,
+        radiance,
+        exitance,
         two_sided: two_sided?,
         place: report.place(place),
     })
@@ -121,14 +123,14 @@ fn disk(report: &mut Report, value: &Value) -> Option<Disk> {
     Some(Disk { center: center?, normal: normal?, radius: radius? })
 }
 
-/// The radiance of a surface, given as such or as its exitance M = π L.
-fn radiance(report: &mut Report, element: &Element, bands: Option<usize>) -> Option<Vec<f64>> {
+/// The radiance of a surface, given as such or as its exitance M = π L; and that exitance.
+fn emission(report: &mut Report, element: &Element, bands: Option<usize>) -> Option<(Vec<f64>, Option<Vec<f64>>)> {
     match (element.optional("radiance"), element.optional("exitance")) {
-        (None, None) => Some(vec![0.0; bands.unwrap_or(1)]),
-        (Some(value), None) => spectrum(report, value, "`radiance`", &NOT_NEGATIVE, bands),
+        (None, None) => Some((vec![0.0; bands.unwrap_or(1)], None)),
+        (Some(value), None) => Some((spectrum(report, value, "`radiance`", &NOT_NEGATIVE, bands)?, None)),
         (None, Some(value)) => {
             let exitance = spectrum(report, value, "`exitance`", &NOT_NEGATIVE, bands)?;
-            Some(exitance.into_iter().map(|m| m / std::f64::consts::PI).collect())
+            Some((exitance.iter().map(|m| m / std::f64::consts::PI).collect(), Some(exitance)))
         }
         (Some(_), Some(exitance)) => {
             report.error(

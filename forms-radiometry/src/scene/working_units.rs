@@ -81,7 +81,10 @@ impl Scene {
     /// Multiplies all lights by a power of two, and gives point lights an intensity by the square of the working unit of length.
     fn darken(&mut self, darker: f64, square_metres: f64) {
         let darken = |values: &mut Vec<f64>| values.iter_mut().for_each(|value| *value *= darker);
-        self.surfaces.iter_mut().for_each(|surface| darken(&mut surface.radiance));
+        for surface in &mut self.surfaces {
+            darken(&mut surface.radiance);
+            surface.exitance.iter_mut().for_each(darken);
+        }
         darken(&mut self.ambient.radiance);
         for light in &mut self.lights {
             match &mut light.kind {

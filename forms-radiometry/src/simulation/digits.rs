@@ -1,14 +1,14 @@
 //! Digits: readings of what comes straight from lights become values with bounds on their rounding.
 //!
 //! ```text
-//! few edges in all ─▶ to the last digit
+//! few edges in all ─▶ to the last digit, round shapes as a whole
 //! many ─▶ in f64, with a bound for all points ─ too large ─▶ with one of their own ─ too large ─▶ to the last digit
 //! ```
 //! A bound is too large if it is more than rules of integration may leave.
 
 use super::readings::Reading;
 use super::solver::RULES;
-use crate::radiosity::{Radiosity, Scratch};
+use crate::radiosity::{Radiosity, Scratch, Straight};
 use crate::scene::Scene;
 use std::borrow::Cow;
 
@@ -25,37 +25,45 @@ pub(super) enum Digits {
     Some(Vec<f64>),
 }
 
+/// A reading.
+pub(super) struct Value<'d> {
+    /// In each band.
+    pub(super) bands: Vec<f64>,
+    /// What rounding changes of it in each band, as far as that is known.
+    pub(super) rounding: Cow<'d, [f64]>,
+    /// Whether flat pieces may stand for a round shape in it.
+    pub(super) has_pieces: bool,
+}
+
 impl Digits {
     pub(super) fn of(readings: &[Reading], is_straight: bool, radiosity: &Radiosity) -> Self {
         if !is_straight {
             return Self::Unknown;
         }
         let (lights, transport) = (radiosity.lights(), radiosity.transport());
-        if lights.edges(transport) * readings.len() <= PRECISE_EDGES {
+        if lights.edges_beside_round(transport) * readings.len() <= PRECISE_EDGES {
             return Self::All;
         }
         let points: Vec<_> = readings.iter().filter_map(Reading::at_point).map(|(point, _)| point).collect();
         Self::Some(lights.rounding_of_all(&points, transport))
     }
 
-    /// A reading in each band, and what rounding changes of it.
+    /// A reading in each band. One that is watched is as those are of which it tells.
     pub(super) fn value(
         &self,
-        reading: &Reading,
+        (reading, is_watched): (&Reading, bool),
         scene: &Scene,
         radiosity: &Radiosity,
         scratch: &mut Scratch,
-    ) -> (Vec<f64>, Cow<'_, [f64]>) {
+    ) -> Value<'_> {
         let precise = |scratch: &mut Scratch| {
-            let [mut values, mut rounding] = [Vec::new(), Vec::new()];
-            for [value, own] in reading.precise(radiosity, scratch)? {
-                values.push(value);
-                rounding.push(own);
-            }
-            Some((values, Cow::Owned(rounding)))
+            let Straight { bands, has_pieces } = reading.precise(is_watched, radiosity, scratch)?;
+            let (bands, rounding) = bands.into_iter().map(|[value, own]| (value, own)).unzip();
+            Some(Value { bands, rounding: Cow::Owned(rounding), has_pieces })
         };
+        let summed = |bands, rounding| Value { bands, rounding, has_pieces: true };
         let of_all = match self {
-            Self::Unknown => return (reading.value(scene, radiosity, scratch), Cow::Borrowed(&[])),
+            Self::Unknown => return summed(reading.value(scene, radiosity, scratch), Cow::Borrowed(&[])),
             Self::All => {
                 if let Some(precise) = precise(scratch) {
                     return precise;
@@ -70,10 +78,10 @@ impl Digits {
             values.iter().zip(rounding).any(|(value, rounding)| *rounding > allowed * value.abs())
         };
         if let Some(of_all) = of_all.filter(|of_all| !is_rough(of_all)) {
-            return (values, Cow::Borrowed(of_all));
+            return summed(values, Cow::Borrowed(of_all));
         }
         let own = reading.rounding(&values, scene, radiosity);
         let precise = if is_rough(&own) { precise(scratch) } else { None };
-        precise.unwrap_or((values, Cow::Owned(own)))
+        precise.unwrap_or_else(|| summed(values, Cow::Owned(own)))
     }
 }

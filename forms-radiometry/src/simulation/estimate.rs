@@ -87,6 +87,8 @@ fn known(value: f64, error: ErrorParts) -> (f64, ErrorParts) {
 #[derive(Clone, Debug)]
 pub(super) struct Found {
     pub(super) bands: Vec<Estimate>,
+    /// Whether flat pieces may stand for a round shape in it.
+    pub(super) has_pieces: bool,
     pub(super) seconds: f64,
 }
 

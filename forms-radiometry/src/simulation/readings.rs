@@ -4,7 +4,7 @@
 use super::answer::Quantity;
 use crate::faces::is_bright;
 use crate::geometry::{Face, Vector};
-use crate::radiosity::{GoalKind, Group, Measure, Radiosity, Scratch, Transport, reflectance};
+use crate::radiosity::{GoalKind, Group, Measure, Radiosity, Scratch, Straight, Transport, reflectance};
 use crate::scene::{Receiver, ReceiverKind, Scene};
 use std::f64::consts::PI;
 
@@ -109,14 +109,23 @@ impl Reading {
         Some((position, PI * measure.whole().max(1.0)))
     }
 
-    /// What comes straight from lights, in each band, to the last digit, and a bound on the rounding of that; nothing where it is summed
-    /// over nodes, or arrives along a ray.
-    pub(super) fn precise(&self, radiosity: &Radiosity, scratch: &mut Scratch) -> Option<Vec<[f64; 2]>> {
+    /// What comes straight from lights to the last digit; nothing where it is summed over nodes, or arrives along a ray. Of one that is
+    /// `watched`, for what it tells of others, shapes are seen as they are from those.
+    pub(super) fn precise(
+        &self,
+        is_watched: bool,
+        radiosity: &Radiosity,
+        scratch: &mut Scratch,
+    ) -> Option<Straight> {
         match self.what {
             What::At { position, measure } => {
-                Some(radiosity.lights().precisely((position, measure), radiosity.transport(), scratch))
+                let transport = radiosity.transport();
+                Some(radiosity.lights().precisely((position, measure), !is_watched, transport, scratch))
             }
-            What::Mean { surface, is_flux } => radiosity.precise_mean(surface, is_flux),
+            What::Mean { surface, is_flux } => {
+                let bands = radiosity.precise_mean(surface, is_flux)?;
+                Some(Straight { bands, has_pieces: true })
+            }
             What::Ray { .. } => None,
         }
     }

@@ -120,7 +120,8 @@ impl Work<'_> {
                 };
                 Estimate::exact(value, of_probe(probe.as_ref().map_or([0.0; 2], |probe| probe.errors(band))))
             };
-            Found { bands: made_of.iter().enumerate().map(of_band).collect(), seconds: *seconds }
+            let bands = made_of.iter().enumerate().map(of_band).collect();
+            Found { bands, has_pieces: true, seconds: *seconds }
         };
         sampled.iter().map(one).collect()
     }

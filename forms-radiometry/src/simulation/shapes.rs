@@ -61,7 +61,7 @@ impl<'s> Shapes<'s> {
             return fineness > 1;
         }
         let before = self.coarser.iter().rev().nth(1);
-        for (index, found) in found.iter_mut().enumerate() {
+        for (index, found) in found.iter_mut().enumerate().filter(|(_, found)| found.has_pieces) {
             for (band, estimate) in found.bands.iter_mut().enumerate() {
                 let value = |of: &Vec<Found>| of[index].bands[band].value;
                 estimate.floor.quadrature +=

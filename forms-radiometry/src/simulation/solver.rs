@@ -8,7 +8,7 @@
 //! changes is added.
 
 use super::answer::{Answer, ErrorKind, Map, Moment, Quantity, Simulation};
-use super::digits::Digits;
+use super::digits::{Digits, Value};
 use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
 use super::images::Image;
@@ -121,10 +121,15 @@ impl<'s> Work<'s> {
                 let is_compared = shapes.compare(&mut found, &self.readings);
                 if is_round_anywhere && is_stopped && !is_compared {
                     // what the shape changes is not known
-                    let estimates = found.iter_mut().flat_map(|found| &mut found.bands);
+                    let of_pieces = found.iter_mut().filter(|found| found.has_pieces);
+                    let estimates = of_pieces.flat_map(|found| &mut found.bands);
                     estimates.for_each(|estimate| estimate.floor.quadrature = f64::INFINITY);
                 }
+                let is_whole = grids.is_empty()
+                    && self.cameras().next().is_none()
+                    && !found.iter().any(|found| found.has_pieces);
                 let is_last = !is_round_anywhere
+                    || is_whole
                     || is_stopped
                     || fineness == FINEST
                     || (is_compared && self.is_enough(&found));
@@ -242,10 +247,12 @@ impl<'s> Work<'s> {
         let one = |scratch: &mut Scratch, (index, reading): (usize, &Reading)| {
             let begin = Instant::now();
             let found = (!self.watch.is_stopped())
-                .then(|| digits.value(reading, self.scene, radiosity, scratch))
+                .then(|| digits.value((reading, index >= self.answers), self.scene, radiosity, scratch))
                 .filter(|_| !self.watch.is_stopped());
             let seconds = begin.elapsed().as_secs_f64();
-            let Some((values, rounding)) = found else { return Found { bands: Vec::new(), seconds } };
+            let Some(Value { bands, rounding, has_pieces }) = found else {
+                return Found { bands: Vec::new(), has_pieces: true, seconds };
+            };
             let largest = reading.largest(radiosity.transport());
             let of_band = |(band, value): (usize, f64)| {
                 let straight = reading.straight_error(radiosity, band);
@@ -259,7 +266,7 @@ impl<'s> Work<'s> {
                 let orders = largest * radiosity.floor(band);
                 Estimate::new(value, before, ErrorParts { orders, ..integral })
             };
-            Found { bands: values.into_iter().enumerate().map(of_band).collect(), seconds }
+            Found { bands: bands.into_iter().enumerate().map(of_band).collect(), has_pieces, seconds }
         };
         let sharing = Sharing::of(radiosity.operations(self.readings.len()));
         let readings: Vec<(usize, &Reading)> = self.readings.iter().enumerate().collect();

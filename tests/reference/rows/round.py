@@ -89,4 +89,36 @@ def spheres():
         row("form_factor_point_sphere", cosine_over_cap.__doc__, args, value, hard=bool(why), why=why)
 
 
-PARTS = (on_the_axis, parallel_disks, spheres)
+def beside_disks():
+    formula = "h r/pi int cos(phi)/(h**2 + a**2 + r**2 - 2 a r cos(phi)), phi = 0..pi: Lambert's potential along the rim"
+    cases = [
+        (0.75, 1.25, 0.5, ""),
+        (3.0, 0.3, 4.7, ""),
+        (0.2, 6.5, 1.1, ""),
+        (1.0, 1e7, 2.0, "far above"),
+        (1.0, 2.0, 1e7, "far aside"),
+        (1.0, 1e-9, 1.5, "grazing"),
+        (1.0, 1e-9, 0.5, "close"),
+        (1.0, 1e-7, 1.0, "above the rim"),
+        (1.0, 1e-7, 1 + 2.0**-30, "beside the rim"),
+        (1.0, 0.0, 0.5, "on the disk"),
+        (1.0, 0.5, 0.0, "on the axis"),
+        (1.0, 0.5, 1e-160, "beside the axis"),
+        (1e30, 1e31, 1e30, "scaled"),
+    ]
+    for r, h, a, why in cases:
+        args = {"r": r, "h": h, "a": a}
+        r, h, a = exact((r, h, a))
+
+        def along(phi):
+            # the nearest point of the rim is where the denominator is small
+            return cos(phi) / (h**2 + (a - r) ** 2 + 4 * a * r * sin(phi / 2) ** 2)
+
+        with workdps(400 if 0 < a < 1e-100 else 90):
+            near = sqrt(h**2 + (a - r) ** 2) / max(a, r)
+            marks = [0] + [mark for mark in (near * 8**power for power in range(16)) if 0 < mark < pi / 2] + [pi / 2, pi]
+            value = h * r / pi * integral(along, marks) if a > 0 and h > 0 else mpf(0)
+        row("form_factor_beside_disk", formula, args, value, hard=bool(why), why=why)
+
+
+PARTS = (on_the_axis, parallel_disks, spheres, beside_disks)

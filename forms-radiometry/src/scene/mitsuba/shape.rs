@@ -36,7 +36,8 @@ impl<'a> Reader<'a, '_, '_> {
         self.finish(object, &PARTS);
         let Some(shape) = shape else { return };
         let place = self.report.place(place);
-        self.surfaces.push(Surface { name, material, shape, radiance, two_sided: bsdf.two_sided, place });
+        let two_sided = bsdf.two_sided;
+        self.surfaces.push(Surface { name, material, shape, radiance, exitance: None, two_sided, place });
     }
 
     /// In Mitsuba the back of a two-sided surface reflects but does not emit; here it does what the front does.
