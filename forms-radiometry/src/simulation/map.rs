@@ -12,6 +12,7 @@ use super::watch::Watch;
 use crate::geometry::{Face, Vector};
 use crate::radiosity::{Group, Measure, Radiosity, Scratch, Transport};
 use crate::sharing::Sharing;
+use smallvec::{SmallVec, smallvec};
 
 /// The cells along each side of a block that shares the search for what stands in between.
 const BLOCK: usize = 8;
@@ -32,12 +33,15 @@ pub(super) struct Grid {
     blocks: Vec<Block>,
 }
 
+/// What there is at each corner of a rectangle.
+type Corners<T> = SmallVec<[T; 4]>;
+
 /// Cells that follow each other along both sides, as far as they lie on the surface.
 struct Block {
     /// Where its points end; they begin where those of the block before it end.
     end: usize,
     /// The points at its corners, if all are on the surface.
-    corners: Option<Vec<Vector>>,
+    corners: Option<Corners<Vector>>,
 }
 
 impl Grid {
@@ -67,7 +71,7 @@ impl Grid {
             blocks: Vec::new(),
         };
         for cut in cuts(size) {
-            let corners: Vec<Vector> = cut.corners().into_iter().map(|cell| grid.middle(cell)).collect();
+            let corners: Corners<Vector> = cut.corners().into_iter().map(|cell| grid.middle(cell)).collect();
             let is_inside = faces().any(|face| corners.iter().all(|&point| lies_on(point, face)));
             for row in cut.first[1]..=cut.last[1] {
                 let cells = row * columns + cut.first[0]..=row * columns + cut.last[0];
@@ -101,7 +105,7 @@ impl Grid {
     }
 
     /// The middles of the cells at the corners of a rectangle, if all are on the surface.
-    fn outline(&self, cut: &Cut) -> Option<Vec<Vector>> {
+    fn outline(&self, cut: &Cut) -> Option<Corners<Vector>> {
         let corners = cut.corners();
         let is_on = corners.iter().all(|[column, row]| self.is_on[row * self.size[0] + column]);
         is_on.then(|| corners.into_iter().map(|cell| self.middle(cell)).collect())
@@ -279,9 +283,9 @@ impl Cut {
     }
 
     /// The cells at its corners, one after the other around it; of a block of one row or column two, of a single cell one.
-    fn corners(&self) -> Vec<[usize; 2]> {
+    fn corners(&self) -> Corners<[usize; 2]> {
         let [[left, low], [right, high]] = [self.first, self.last];
-        let mut corners = vec![[left, low], [right, low], [right, high], [left, high]];
+        let mut corners = smallvec![[left, low], [right, low], [right, high], [left, high]];
         corners.dedup();
         if corners.len() > 1 && corners.first() == corners.last() {
             corners.pop();

@@ -9,7 +9,12 @@ use super::bounds::Bounds;
 use super::shaft::Shaft;
 use super::tree::Query;
 use super::{Plane, Screen, Screens, Vector};
+use smallvec::SmallVec;
 use std::ops::ControlFlow;
+
+/// The corners of two quadrilaterals, and the passages between them: no more than these need memory of their own.
+const CORNERS: usize = 8;
+const PASSAGES: usize = 16;
 
 /// How much of a luminaire is hidden.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,9 +31,9 @@ struct Search<'s> {
     screens: &'s Screens,
     shaft: Shaft<'s>,
     /// The corners of both outlines, each with its distance from a screen's plane, reused from screen to screen.
-    corners: Vec<(Vector, f64)>,
+    corners: SmallVec<[(Vector, f64); CORNERS]>,
     /// Where segments get through that plane, likewise.
-    passages: Vec<Vector>,
+    passages: SmallVec<[Vector; PASSAGES]>,
     found: &'s mut Vec<u32>,
     luminaire: Plane,
     /// The bodies of screens that were found.
@@ -198,18 +203,18 @@ impl Screens {
         }
         let facing = Plane { point: luminaire[0], normal: luminaire_normal };
         let ground = normal.map(|normal| Plane { point: receivers[0], normal });
-        let mut shaft = Shaft::new([receivers, luminaire], self.rounding);
-        [Some(facing), ground].into_iter().flatten().for_each(|plane| shaft.cut(plane, self.resolution));
         let mut search = Search {
             screens: self,
-            shaft,
-            corners: Vec::new(),
-            passages: Vec::new(),
+            shaft: Shaft::new([receivers, luminaire], self.rounding),
+            corners: SmallVec::new(),
+            passages: SmallVec::new(),
             found,
             luminaire: facing,
             bodies: Vec::new(),
             all: false,
         };
+        let shaft = &mut search.shaft;
+        [Some(facing), ground].into_iter().flatten().for_each(|plane| shaft.cut(plane, self.resolution));
         let _ = match among {
             None => self.tree.walk(&mut search),
             Some(among) => {

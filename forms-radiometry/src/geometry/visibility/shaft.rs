@@ -7,6 +7,11 @@
 
 use super::bounds::Bounds;
 use super::{Plane, Vector};
+use smallvec::SmallVec;
+
+/// The planes of the shaft between two quadrilaterals, two about each edge at most, and two cuts: no more than these need memory of their own, for
+/// which threads would wait for each other.
+const PLANES: usize = 18;
 
 /// The space in which the segments from the points of one outline to those of another lie.
 pub(super) struct Shaft<'o> {
@@ -14,7 +19,7 @@ pub(super) struct Shaft<'o> {
     pub(super) outlines: [&'o [Vector]; 2],
     bounds: Bounds,
     /// Planes with normals to the outside.
-    planes: Vec<Plane>,
+    planes: SmallVec<[Plane; PLANES]>,
     /// Whether the planes about the edges of the outlines are among them.
     is_complete: bool,
     /// A point that is nearer to a plane counts as outside of it.
@@ -26,7 +31,7 @@ impl<'o> Shaft<'o> {
     pub(super) fn new(outlines: [&'o [Vector]; 2], rounding: f64) -> Self {
         let [here, there] = outlines;
         let bounds = Bounds::of(here.iter().chain(there).copied()).wider(rounding);
-        Self { outlines, bounds, planes: Vec::new(), is_complete: false, rounding }
+        Self { outlines, bounds, planes: SmallVec::new(), is_complete: false, rounding }
     }
 
     /// Adds the planes about the edges of the outlines, which only some searches need.
