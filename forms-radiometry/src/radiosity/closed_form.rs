@@ -35,7 +35,15 @@ pub(crate) struct Straight {
     pub(crate) has_pieces: bool,
 }
 
-/// What a point sees of something.
+/// Sums over what a point sees.
+struct Sums {
+    /// What comes to it in each band, over π.
+    bands: Vec<Rounded>,
+    /// The measure, over π, of the directions in which nothing stands.
+    open: Rounded,
+}
+
+/// What a point sees of a face.
 struct Part {
     /// Its measure, over π.
     measure: Rounded,
@@ -95,43 +103,37 @@ impl Lights<'_> {
     /// What a point gets straight from lights. Shapes may be `seen_whole` if nothing that this is compared with is the sum of their pieces.
     pub(crate) fn precisely(
         &self,
-        (point, measure): (Vector, Measure),
+        at: (Vector, Measure),
         seen_whole: bool,
         transport: &Transport,
         scratch: &mut Scratch,
     ) -> Straight {
         let scene = self.scene();
-        let mut sums = vec![Rounded::exactly(0.0); scene.band_count()];
-        let mut open = Rounded::exactly(measure.whole());
-        let mut is_open = true;
+        let (point, measure) = at;
+        let mut sums = Sums::of_nothing(measure, scene.band_count());
         let mut whole = Vec::new();
         for &surface in self.round().iter().filter(|_| seen_whole) {
-            let Some((seen, is_back)) = self.whole((point, measure), surface, transport, scratch) else { continue };
-            whole.push(surface);
-            open = open + seen.times(-1.0);
-            if emits_from(scene, surface, is_back) {
-                add_emitted(&mut sums, seen, &scene.surfaces[surface]);
+            if let Some((seen, is_back)) = self.whole(at, surface, transport, scratch) {
+                sums.take(seen, &scene.surfaces[surface], emits_from(scene, surface, is_back));
+                whole.push(surface);
             }
         }
+        let mut is_open = true;
         let faces = self.faces().iter().map(|&index| &transport.faces[index]);
         for face in faces.filter(|face| !whole.contains(&face.surface)) {
             let is_piece = self.round().contains(&face.surface);
-            let seen = measured((point, measure), face, is_piece, transport, scratch);
+            let seen = measured(at, face, is_piece, transport, scratch);
+            sums.take(seen.measure, &scene.surfaces[face.surface], emits(scene, face));
             is_open &= seen.is_open;
-            open = open + seen.measure.times(-1.0);
-            if emits(scene, face) {
-                add_emitted(&mut sums, seen.measure, &scene.surfaces[face.surface]);
-            }
         }
-        add(&mut sums, open, &scene.ambient.radiance);
-        sums.iter_mut().for_each(|sum| *sum = sum.times_pi());
+        let mut bands = sums.with_outside(&scene.ambient.radiance);
         for light in &scene.lights {
             let (arriving, factor) = without_extent(light, point, measure, transport);
-            add(&mut sums, factor, arriving);
+            add(&mut bands, factor, arriving);
         }
         is_open &= scene.lights.is_empty() || !transport.occlusion;
         let has_pieces = whole.len() < self.round().len() || (is_round(scene) && !is_open);
-        Straight { bands: sums.into_iter().map(Rounded::nearest).collect(), has_pieces }
+        Straight { bands: bands.into_iter().map(Rounded::nearest).collect(), has_pieces }
     }
 
     /// The measure, over π, of a round surface that a point sees as a whole, and whether it sees its back.
@@ -227,6 +229,29 @@ impl Lights<'_> {
     }
 }
 
+impl Sums {
+    fn of_nothing(measure: Measure, bands: usize) -> Self {
+        Self { bands: vec![Rounded::exactly(0.0); bands], open: Rounded::exactly(measure.whole()) }
+    }
+
+    /// Takes what is seen of a surface.
+    fn take(&mut self, seen: Rounded, surface: &Surface, emits: bool) {
+        self.open = self.open + seen.times(-1.0);
+        if emits {
+            self.bands
+                .iter_mut()
+                .zip(emitted(seen, surface))
+                .for_each(|(sum, emitted)| *sum = *sum + emitted);
+        }
+    }
+
+    /// What comes in each band where the rest has these radiances.
+    fn with_outside(mut self, radiance: &[f64]) -> Vec<Rounded> {
+        add(&mut self.bands, self.open, radiance);
+        self.bands.into_iter().map(Rounded::times_pi).collect()
+    }
+}
+
 /// The square of the distance from a place to the nearest of some points.
 fn nearest(place: Vector, points: &[Vector]) -> f64 {
     let squared = |&point: &Vector| (place - point).dot(place - point);
@@ -248,16 +273,10 @@ fn add(sums: &mut [Rounded], measure: Rounded, radiance: &[f64]) {
     }
 }
 
-/// Adds what a surface of which this is seen sends in each band.
-fn add_emitted(sums: &mut [Rounded], measure: Rounded, surface: &Surface) {
-    sums.iter_mut().zip(emitted(measure, surface)).for_each(|(sum, emitted)| *sum = *sum + emitted);
-}
-
 /// What a surface of which this is seen sends in each band: the exitance is as the file says, the radiance is rounded from it.
 pub(super) fn emitted(measure: Rounded, surface: &Surface) -> impl Iterator<Item = Rounded> {
-    let exitance = surface.exitance.as_ref();
-    let of_band = move |(band, &radiance): (usize, &f64)| match exitance {
-        Some(exitance) => measure.times_datum(exitance[band]).over_pi(),
+    let of_band = move |(band, &radiance): (usize, &f64)| match surface.exitance_of(band) {
+        Some(exitance) => measure.times_datum(exitance).over_pi(),
         None => measure.times_datum(radiance),
     };
     surface.radiance.iter().enumerate().map(of_band)

@@ -164,7 +164,8 @@ impl<'s> Lights<'s> {
         let has_map = self.scene.receivers.iter().any(|receiver| {
             matches!(receiver.kind, ReceiverKind::Surface { surface: of, grid: Some(_) } if of == surface)
         });
-        let mut of_few = OF_FEW.into_iter().filter(|(_, accuracy)| !(is_all && has_map && *accuracy <= LAST_DIGIT));
+        let mut of_few =
+            OF_FEW.into_iter().filter(|(_, accuracy)| !(is_all && has_map && *accuracy <= LAST_DIGIT));
         let of_few = of_few.find(|&(most, _)| pairs <= most);
         let accuracy = of_few.map_or(transport.accuracy, |(_, accuracy)| accuracy);
         for here in transport.fronts(surface) {

@@ -75,7 +75,8 @@ impl Computed {
             receives && Element::of(index, face, &ConvexPiece::whole(face)).iter().any(Element::is_triangle)
         };
         let is_straight = pieces && question.orders == Some(0);
-        let asks_points = asks(|kind| matches!(kind, ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. }));
+        let asks_points =
+            asks(|kind| matches!(kind, ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. }));
         let is_seen = |surface: &Surface| straight.surroundings || surface.emits();
         let shines = |is: fn(&Shape) -> bool| {
             scene.surfaces.iter().any(|surface| is(&surface.shape) && is_seen(surface))

@@ -3,6 +3,7 @@
 use super::place::Place;
 use crate::camera::Camera;
 use crate::geometry::{Disk, Mesh, Polygon, Sphere, Vector};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// A scene whose parts refer to each other rightly: every index exists, every optical list has one number a
@@ -136,7 +137,8 @@ pub struct Surface {
     pub shape: Shape,
     /// Emitted radiance in W/(m² sr), per band; the same in all directions.
     pub radiance: Vec<f64>,
-    /// The exitance in W/m², per band, that the radiance was rounded from, if the file gives that.
+    /// The exitance in W/m², per band, that the radiance was rounded from, if the file gives that. Where the radiance is another one by now, it
+    /// does not count.
     pub exitance: Option<Vec<f64>>,
     /// Whether the back reflects and emits as the front does. A one-sided surface is black from behind; it
     /// hides what is behind it from either side.
@@ -149,6 +151,12 @@ impl Surface {
     /// Whether the surface emits light in any band.
     pub fn emits(&self) -> bool {
         self.radiance.iter().any(|&radiance| radiance > 0.0)
+    }
+
+    /// The exitance in a band that the radiance was rounded from, if it was.
+    pub(crate) fn exitance_of(&self, band: usize) -> Option<f64> {
+        let exitance = *self.exitance.as_ref()?.get(band)?;
+        (self.radiance.get(band) == Some(&(exitance / PI))).then_some(exitance)
     }
 }
 

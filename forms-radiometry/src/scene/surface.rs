@@ -7,6 +7,7 @@ use super::model::{Shape, Surface};
 use super::read::Known;
 use super::value::{LENGTH, NOT_NEGATIVE, Value, boolean, one_of, spectrum, text, vector};
 use crate::geometry::{Disk, Polygon, Sphere, Vector};
+use std::f64::consts::PI;
 use std::ops::Range;
 
 const KEYS: &[&str] =
@@ -124,13 +125,17 @@ fn disk(report: &mut Report, value: &Value) -> Option<Disk> {
 }
 
 /// The radiance of a surface, given as such or as its exitance M = π L; and that exitance.
-fn emission(report: &mut Report, element: &Element, bands: Option<usize>) -> Option<(Vec<f64>, Option<Vec<f64>>)> {
+fn emission(
+    report: &mut Report,
+    element: &Element,
+    bands: Option<usize>,
+) -> Option<(Vec<f64>, Option<Vec<f64>>)> {
     match (element.optional("radiance"), element.optional("exitance")) {
         (None, None) => Some((vec![0.0; bands.unwrap_or(1)], None)),
         (Some(value), None) => Some((spectrum(report, value, "`radiance`", &NOT_NEGATIVE, bands)?, None)),
         (None, Some(value)) => {
             let exitance = spectrum(report, value, "`exitance`", &NOT_NEGATIVE, bands)?;
-            Some((exitance.iter().map(|m| m / std::f64::consts::PI).collect(), Some(exitance)))
+            Some((exitance.iter().map(|m| m / PI).collect(), Some(exitance)))
         }
         (Some(_), Some(exitance)) => {
             report.error(

@@ -1,0 +1,118 @@
+//! Spheres and disks that a point sees as a whole are their closed forms, whatever else is in the scene; those that are hidden in part are within what
+//! is said of their pieces.
+
+use forms_radiometry::scene::read;
+use forms_radiometry::simulation::{Answer, Unwatched, plan, simulate};
+use std::f64::consts::PI;
+
+#[path = "paths/claims/elements.rs"]
+#[expect(dead_code, reason = "claims about paths need the rest")]
+mod elements;
+#[expect(dead_code, reason = "other tests need the rest")]
+mod scene_text;
+
+use elements::{disk, probe, shining, sphere, square, two_sided};
+use scene_text::{Point, material, point_receiver, polygon, surface, surface_receiver, tolerance};
+
+const UP: Point = [0.0, 0.0, 1.0];
+const DOWN: Point = [0.0, 0.0, -1.0];
+const ALONG: Point = [1.0, 0.0, 0.0];
+const HERE: Point = [0.0; 3];
+
+fn here(normal: Point) -> String {
+    point_receiver("here", HERE, normal)
+}
+
+/// A sphere of radius 1 two above a point, and a disk of radius 1 one above it, that looks down; both of radiance 1.
+fn ball() -> String {
+    surface("ball", "black", &shining(&sphere([0.0, 0.0, 2.0], 1.0, false), 1))
+}
+
+fn lamp(normal: Point) -> String {
+    surface("lamp", "black", &shining(&disk(UP, normal, 1.0), 1))
+}
+
+/// A black square, at this height, with sides of twice this length.
+fn wall(height: f64, half: f64) -> String {
+    surface("wall", "black", &square(height, half, true))
+}
+
+/// What the solver is told: the plan decides, or hidden light is looked for in any case.
+const SOLVES: [&str; 2] = ["", "effects = { occlusion = \"on\" }\n"];
+
+/// What the first receiver of these elements gets, with a tolerance of 1 %.
+fn answers(elements: &[String], solve: &str) -> Vec<Answer> {
+    let text = material("black", 0) + &elements.concat() + &tolerance(1e-2) + solve;
+    let scene = read(&text, "round.toml").unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
+    let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
+    let answers = simulate(&scene, &plan, &Unwatched).answers;
+    let first = answers[0].receiver.clone();
+    answers.into_iter().filter(|answer| answer.receiver == first).collect()
+}
+
+/// A name, elements, what the first answer is, and the error that it is said to have at most.
+fn assert_all(claims: &[(&str, Vec<String>, f64, f64)]) {
+    for (name, elements, expected, most) in claims {
+        for solve in SOLVES {
+            let Answer { value, error, .. } = answers(elements, solve)[0];
+            // the expected value is rounded too
+            let off = (value - expected).abs() - 2.0 * f64::EPSILON * expected.abs();
+            assert!(off <= error, "{name}: {value} ± {error}, {expected}");
+            assert!(error <= *most, "{name}: {value} ± {error}");
+        }
+    }
+}
+
+const DIGITS: f64 = 4.0 * f64::EPSILON;
+
+#[test]
+fn a_round_light_that_nothing_hides_is_its_closed_form() {
+    // the angular radius of the ball
+    let alpha = PI / 6.0;
+    let half_of_ball = alpha - alpha.sin() * alpha.cos();
+    let shell = surface("shell", "black", &shining(&sphere([0.3, 0.0, 0.1], 1.0, true), 1));
+    let beside = [[2.0, 2.0, 0.5], [3.0, 2.0, 0.5], [3.0, 3.0, 0.5], [2.0, 3.0, 0.5]];
+    let beside = surface("plate", "black", &polygon(&beside));
+    let two_sided = two_sided(&lamp(UP)) + "\n";
+    let sky =
+        |shape: &str| vec![here(UP), surface("dark", "black", shape), "[ambient]\nradiance = 1\n".into()];
+    let map = vec![here(UP), ball(), wall(-1.0, 1.0), surface_receiver("wall") + "grid = [4, 4]\n"];
+    assert_all(&[
+        ("a sphere", vec![here(UP), ball()], PI / 4.0, DIGITS),
+        ("a sphere at an angle", vec![here([0.6, 0.0, 0.8]), ball()], 0.2 * PI, DIGITS),
+        ("a sphere cut by the horizon", vec![here(ALONG), ball()], half_of_ball, DIGITS),
+        ("a sphere from inside", vec![here(UP), shell], PI, 1e-11),
+        ("a disk", vec![here(UP), lamp(DOWN)], PI / 2.0, DIGITS),
+        ("a disk from its back", vec![here(UP), lamp(UP)], 0.0, 0.0),
+        ("a disk of two sides from its back", vec![here(UP), two_sided], PI / 2.0, DIGITS),
+        ("a disk beside a plate", vec![here(UP), lamp(DOWN), beside], PI / 2.0, DIGITS),
+        ("a disk behind a wall", vec![here(UP), lamp(DOWN), wall(0.5, 3.0)], 0.0, DIGITS),
+        ("the sky beside a sphere", sky(&sphere([0.0, 0.0, 2.0], 1.0, false)), 0.75 * PI, DIGITS),
+        ("the sky beside a disk", sky(&disk(UP, UP, 1.0)), PI / 2.0, DIGITS),
+        ("a sphere, while a map is asked for too", map, PI / 4.0, DIGITS),
+    ]);
+}
+
+#[test]
+fn a_round_light_that_is_cut_is_within_the_error_of_its_pieces() {
+    let half = wall(0.5, 1.0).replace("[-1.0, ", "[0.0, ");
+    // the half x > 0 at the height 1, with x/ρ⁴ per area, ρ² = 1 + r²: ∫ cos φ dφ = 2, and ∫ r²/(1 + r²)² dr = (atan 1 − ½)/2
+    let half_disk = PI / 4.0 - 0.5;
+    assert_all(&[
+        ("a disk cut by the horizon", vec![here(ALONG), lamp(DOWN)], half_disk, 1e-2),
+        ("a disk of which a plate hides half", vec![here(UP), lamp(DOWN), half], PI / 4.0, 1e-2),
+    ]);
+}
+
+#[test]
+fn a_round_light_flows_along_the_way_from_its_middle() {
+    let found = answers(&[probe("here", HERE), ball()], "");
+    let expected = [2.0 * PI * (1.0 - 0.75_f64.sqrt()), 0.0, 0.0, -PI / 4.0];
+    for (answer, expected) in found.iter().zip(expected) {
+        let off = (answer.value - expected).abs();
+        assert!(off <= answer.error + 2.0 * f64::EPSILON && answer.error <= DIGITS, "{answer:?}, {expected}");
+    }
+    let on_axis = &answers(&[probe("here", HERE), lamp(DOWN)], "")[0];
+    let expected = 2.0 * PI * (1.0 - 0.5_f64.sqrt());
+    assert!((on_axis.value - expected).abs() <= 2.0 * DIGITS && on_axis.error <= DIGITS, "{on_axis:?}");
+}
