@@ -17,10 +17,10 @@ const MARK: f64 = 4.0;
 
 pub(crate) const STYLE: &str = "\
     .paper{fill:#fff}.ink{fill:#222}.quiet{fill:#666}.grid{stroke:#e2e2e2}.frame{stroke:#999}.title{font-weight:bold;font-size:15px}\
-    .s0{--c:#b5482f}.s1{--c:#2f6f9f}.s2{--c:#4d7f3a}.s3{--c:#7a559c}.line{stroke:var(--c);fill:none;stroke-width:1.8}\
-    .mark{stroke:var(--c);fill:var(--c);stroke-width:1.4}.hollow{fill:#fff}\
+    .s0{color:#b5482f}.s1{color:#2f6f9f}.s2{color:#4d7f3a}.s3{color:#7a559c}.line{stroke:currentColor;fill:none;stroke-width:1.8}\
+    .mark{stroke:currentColor;fill:currentColor;stroke-width:1.4}.hollow{fill:#fff}\
     @media(prefers-color-scheme:dark){.paper,.hollow{fill:#16181c}.ink{fill:#e8e8e8}.quiet{fill:#a4a8ae}\
-    .grid{stroke:#30343a}.frame{stroke:#6c7178}.s0{--c:#ee8d70}.s1{--c:#76b7e6}.s2{--c:#96cb7f}.s3{--c:#c6a2ea}}";
+    .grid{stroke:#30343a}.frame{stroke:#6c7178}.s0{color:#ee8d70}.s1{color:#76b7e6}.s2{color:#96cb7f}.s3{color:#c6a2ea}}";
 
 /// How places are spread along the lower axis.
 #[derive(Clone, Copy, PartialEq, Eq)]

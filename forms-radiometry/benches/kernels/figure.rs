@@ -20,10 +20,10 @@ const SHOWN: [Author; 5] =
 
 const STYLE: &str = "\
     .paper{fill:#fff}.ink{fill:#222}.quiet{fill:#666}.grid{stroke:#e2e2e2}.row{stroke:#ccc}.title{font-weight:bold;font-size:15px}\
-    .s0{--c:#b5482f}.s1{--c:#222}.s2{--c:#b5482f}.s3{--c:#2f6f9f}.s4{--c:#4d7f3a}\
-    .mark{stroke:var(--c);fill:var(--c);stroke-width:1.6}.hollow{fill:#fff}\
+    .s0{color:#b5482f}.s1{color:#222}.s2{color:#b5482f}.s3{color:#2f6f9f}.s4{color:#4d7f3a}\
+    .mark{stroke:currentColor;fill:currentColor;stroke-width:1.6}.hollow{fill:#fff}\
     @media(prefers-color-scheme:dark){.paper,.hollow{fill:#16181c}.ink{fill:#e8e8e8}.quiet{fill:#a4a8ae}\
-    .grid{stroke:#30343a}.row{stroke:#50555c}.s0,.s2{--c:#ee8d70}.s1{--c:#e8e8e8}.s3{--c:#76b7e6}.s4{--c:#96cb7f}}";
+    .grid{stroke:#30343a}.row{stroke:#50555c}.s0,.s2{color:#ee8d70}.s1{color:#e8e8e8}.s3{color:#76b7e6}.s4{color:#96cb7f}}";
 
 /// The whole file.
 pub(crate) fn svg(rows: &[Row]) -> String {
