@@ -2,6 +2,7 @@
 //! what is left of one cone after others have been cut out of it is what the point sees. Two polygons exchange light by an
 //! area that is a sum over their edges.
 
+mod bulge;
 mod clip;
 mod cone;
 mod edges;
@@ -18,6 +19,7 @@ mod vector;
 mod visibility;
 mod weld;
 
+pub(crate) use bulge::bulge;
 pub(crate) use clip::split;
 pub(crate) use edges::{Edges, fill};
 pub use exchange::{Exchange, exchange, view_factor, visible_exchange};

@@ -104,6 +104,44 @@ fn a_round_light_that_is_cut_is_within_the_error_of_its_pieces() {
     ]);
 }
 
+/// A sphere that reaches into the way by a little is missed by its coarsest pieces, where these are inside of it.
+#[test]
+fn what_a_sphere_hides_beyond_its_pieces_is_in_the_error() {
+    for degrees in [0.0_f64, 9.0, 18.0, 27.0] {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        let turned = |[x, y, z]: Point| [cosine * x - sine * y, sine * x + cosine * y, z];
+        let corners = [[-1.0, -1.0, 2.0], [-1.0, 1.0, 2.0], [1.0, 1.0, 2.0], [1.0, -1.0, 2.0]].map(turned);
+        let lamp = surface("lamp", "black", &shining(&polygon(&corners), 1));
+        let open = answers(&[here(UP), lamp.clone()], "")[0].value;
+        for into in [0.002, 0.01, 0.02] {
+            // the plane through the point and the edge x = 1 of the lamp, at a distance of the radius but for so much
+            let center = [0.5 + 0.5 * 5.0_f64.sqrt() * (1.0 - into), 0.0, 1.0];
+            let ball = surface("ball", "black", &sphere(turned(center), 1.0, false));
+            let hidden = hidden_of_lamp(center);
+            assert!(hidden > 1e-5, "{hidden}");
+            for solve in SOLVES {
+                let found = &answers(&[here(UP), lamp.clone(), ball.clone()], solve)[0];
+                let off = (found.value + hidden - open).abs();
+                assert!(off <= found.error + 0.01 * hidden, "{degrees}°: {found:?}, {open} − {hidden}");
+            }
+        }
+    }
+}
+
+/// What the unit sphere about a point hides of the lamp, at the middles of small squares: z²/ρ⁴ per area, z = 2.
+fn hidden_of_lamp([x, _, z]: Point) -> f64 {
+    const STEP: f64 = 1e-3;
+    let mut sum = 0.0;
+    for (i, j) in (0..400).flat_map(|i| (-500..500).map(move |j| (i, j))) {
+        let (u, v) = (1.0 - STEP * (f64::from(i) + 0.5), STEP * (f64::from(j) + 0.5));
+        let squared = u * u + v * v + 4.0;
+        let along = u * x + 2.0 * z;
+        let is_hidden = x * x + z * z - along * along / squared < 1.0;
+        sum += if is_hidden { 4.0 / (squared * squared) * STEP * STEP } else { 0.0 };
+    }
+    sum
+}
+
 #[test]
 fn a_round_light_flows_along_the_way_from_its_middle() {
     let found = answers(&[probe("here", HERE), ball()], "");

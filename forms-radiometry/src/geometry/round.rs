@@ -61,6 +61,11 @@ impl Disk {
 
 /// A shape whose flat pieces are not where it is.
 pub(crate) trait Round {
+    fn center(&self) -> Vector;
+    /// How far it reaches from its centre along a unit vector, relative to its radius.
+    fn reach(&self, along: Vector) -> f64;
+    /// Whether a segment meets it.
+    fn meets(&self, segment: [Vector; 2]) -> bool;
     /// How far a point is from where the pieces are off the shape.
     fn distance(&self, point: Vector) -> f64;
     fn radius(&self) -> f64;
@@ -71,6 +76,20 @@ pub(crate) trait Round {
 }
 
 impl Round for Disk {
+    fn center(&self) -> Vector {
+        self.center
+    }
+
+    fn reach(&self, along: Vector) -> f64 {
+        self.normal.cross(along).length()
+    }
+
+    fn meets(&self, [a, b]: [Vector; 2]) -> bool {
+        let [alpha, beta] = [a, b].map(|end| self.normal.dot(end - self.center));
+        let place = a + (alpha / (alpha - beta)) * (b - a);
+        alpha * beta < 0.0 && (place - self.center).length() <= self.radius
+    }
+
     /// The distance from the rim.
     fn distance(&self, point: Vector) -> f64 {
         let way = point - self.center;
@@ -96,6 +115,21 @@ impl Round for Disk {
 }
 
 impl Round for Sphere {
+    fn center(&self) -> Vector {
+        self.center
+    }
+
+    fn reach(&self, _: Vector) -> f64 {
+        1.0
+    }
+
+    fn meets(&self, [a, b]: [Vector; 2]) -> bool {
+        let (along, to_center) = (b - a, self.center - a);
+        let share = (to_center.dot(along) / along.dot(along)).clamp(0.0, 1.0);
+        let is_inside = |end: Vector| (end - self.center).length() < self.radius;
+        (share * along - to_center).length() <= self.radius && !(is_inside(a) && is_inside(b))
+    }
+
     fn distance(&self, point: Vector) -> f64 {
         ((point - self.center).length() - self.radius).abs()
     }

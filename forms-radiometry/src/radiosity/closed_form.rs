@@ -15,7 +15,7 @@ use crate::faces::{emits, emits_from, is_round};
 use crate::geometry::precise::{
     Precise, Rounded, SeenWhole, dot, form_factor, length, rounding, rounding_beyond, solid_angle, unit, way,
 };
-use crate::geometry::{Between, Face, Vector};
+use crate::geometry::{Between, Face, Vector, bulge};
 use crate::scene::{Light, LightKind, Shape, Surface};
 use forms::math::{DoubleDouble, Real};
 use std::f64::consts::PI;
@@ -121,8 +121,7 @@ impl Lights<'_> {
         let mut is_open = true;
         let faces = self.faces().iter().map(|&index| &transport.faces[index]);
         for face in faces.filter(|face| !whole.contains(&face.surface)) {
-            let is_piece = self.round().contains(&face.surface);
-            let seen = measured(at, face, is_piece, transport, scratch);
+            let seen = self.measured(at, face, transport, scratch);
             sums.take(seen.measure, &scene.surfaces[face.surface], emits(scene, face));
             is_open &= seen.is_open;
         }
@@ -149,18 +148,89 @@ impl Lights<'_> {
             Shape::Disk(disk) => disk,
             Shape::Polygon(_) | Shape::Mesh(_) => return None,
         };
-        if transport.occlusion {
+        if self.scene().surfaces.len() > 1 {
             let (outline, normal) = shape.outline(point)?;
             let points = [point];
             let receivers = (points.as_slice(), measure.horizon());
             let luminaire = (outline.as_slice(), normal);
             let found = transport.screens.between_among(None, receivers, luminaire, &mut scratch.between);
             let mut before = transport.screens.fronts(&scratch.between);
-            if found == Between::All || before.any(|face| transport.faces[face].surface != surface) {
+            let is_hidden = found == Between::All
+                || before.any(|face| transport.faces[face].surface != surface)
+                || self.bulges((point, measure), luminaire, Some(surface)) > 0.0;
+            if is_hidden {
                 return None;
             }
         }
         Some((measure.of_whole(point, shape)?, !shape.shows_front(point)))
+    }
+
+    /// What a point sees of a face. That of a piece of a round shape is not worth more than `f64`.
+    fn measured(
+        &self,
+        (point, measure): (Vector, Measure),
+        face: &Face,
+        transport: &Transport,
+        scratch: &mut Scratch,
+    ) -> Part {
+        let own = self.round().contains(&face.surface).then_some(face.surface);
+        let (points, luminaire) = ([point], (face.vertices.as_slice(), face.normal));
+        scratch.between.clear();
+        let between = if transport.occlusion {
+            let receivers = (points.as_slice(), measure.horizon());
+            transport.screens.between_among(None, receivers, luminaire, &mut scratch.between)
+        } else {
+            Between::Nothing
+        };
+        let mut summed = |between: &[u32]| {
+            let group = Group { points: &points, outline: &points, measure };
+            let mut sum = Rounded { error: unseen(point, measure, face, transport), ..Rounded::exactly(0.0) };
+            transport.see_parts(group, luminaire, between, &mut scratch.view, |_, piece| {
+                let value = DoubleDouble::from_f64(measure.of(piece));
+                sum = sum + Rounded { value, error: OF_PIECE * rounding(Vector::default(), piece) };
+            });
+            sum
+        };
+        match between {
+            Between::Some => Part { measure: summed(&scratch.between), is_open: false },
+            Between::All => {
+                let hidden = measure.precisely(point, &face.vertices).value.to_f64().abs();
+                let is_sure = self.is_surely_hidden(point, face, transport, &scratch.between);
+                let error = if is_sure { 0.0 } else { hidden };
+                Part { measure: Rounded { error, ..Rounded::exactly(0.0) }, is_open: error == 0.0 }
+            }
+            Between::Nothing => {
+                let Rounded { value, error } =
+                    if own.is_some() { summed(&[]) } else { measure.precisely(point, &face.vertices) };
+                let bulges = if transport.occlusion {
+                    self.bulges((point, measure), luminaire, own).min(value.to_f64().abs())
+                } else {
+                    0.0
+                };
+                Part { measure: Rounded { value, error: error + bulges }, is_open: bulges == 0.0 }
+            }
+        }
+    }
+
+    /// Whether what hides all of a face from a point is no piece of a round shape, or the shape itself hides all of it: each of its corners.
+    fn is_surely_hidden(&self, point: Vector, face: &Face, transport: &Transport, between: &[u32]) -> bool {
+        let surfaces = transport.screens.fronts(between).map(|front| transport.faces[front].surface);
+        let round = surfaces.filter_map(|surface| self.scene().surfaces[surface].shape.as_round());
+        let mut corners = face.vertices.iter();
+        round.take(1).all(|shape| corners.all(|&corner| shape.meets([point, corner])))
+    }
+
+    /// A bound on the measure, over π, of what round surfaces other than this one hide from a point of an outline that looks to it, where their pieces
+    /// hide nothing.
+    fn bulges(
+        &self,
+        (point, measure): (Vector, Measure),
+        luminaire: (&[Vector], Vector),
+        own: Option<usize>,
+    ) -> f64 {
+        let others = self.scene().surfaces.iter().enumerate().filter(|(index, _)| Some(*index) != own);
+        let round = others.filter_map(|(_, surface)| surface.shape.as_round());
+        round.map(|shape| bulge(shape, (point, measure.horizon()), luminaire)).sum()
     }
 
     /// A bound on what rounding changes of what a point gets straight from lights, for each band, where it is summed in `f64`.
@@ -280,39 +350,6 @@ pub(super) fn emitted(measure: Rounded, surface: &Surface) -> impl Iterator<Item
         None => measure.times_datum(radiance),
     };
     surface.radiance.iter().enumerate().map(of_band)
-}
-
-/// What a point sees of a face. That of a piece of a round shape is not worth more than `f64`.
-fn measured(
-    (point, measure): (Vector, Measure),
-    face: &Face,
-    is_piece: bool,
-    transport: &Transport,
-    scratch: &mut Scratch,
-) -> Part {
-    let (points, luminaire) = ([point], (face.vertices.as_slice(), face.normal));
-    scratch.between.clear();
-    let between = if transport.occlusion {
-        let receivers = (points.as_slice(), measure.horizon());
-        transport.screens.between_among(None, receivers, luminaire, &mut scratch.between)
-    } else {
-        Between::Nothing
-    };
-    let is_open = between == Between::Nothing;
-    let measure = match between {
-        Between::All => Rounded::exactly(0.0),
-        Between::Nothing if !is_piece => measure.precisely(point, &face.vertices),
-        Between::Nothing | Between::Some => {
-            let group = Group { points: &points, outline: &points, measure };
-            let mut sum = Rounded { error: unseen(point, measure, face, transport), ..Rounded::exactly(0.0) };
-            transport.see_parts(group, luminaire, &scratch.between, &mut scratch.view, |_, piece| {
-                let value = DoubleDouble::from_f64(measure.of(piece));
-                sum = sum + Rounded { value, error: OF_PIECE * rounding(Vector::default(), piece) };
-            });
-            sum
-        }
-    };
-    Part { measure, is_open }
 }
 
 /// The intensity or irradiance of a light without extent in each band, and what of it a point gets.

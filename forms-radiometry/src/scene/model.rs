@@ -2,7 +2,7 @@
 
 use super::place::Place;
 use crate::camera::Camera;
-use crate::geometry::{Disk, Mesh, Polygon, Sphere, Vector};
+use crate::geometry::{Disk, Mesh, Polygon, Round, Sphere, Vector};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -176,7 +176,16 @@ pub enum Shape {
 impl Shape {
     /// Whether it is curved, or has a curved border.
     pub(crate) fn is_round(&self) -> bool {
-        matches!(self, Self::Sphere(_) | Self::Disk(_))
+        self.as_round().is_some()
+    }
+
+    /// The shape that is curved, or has a curved border, if it does.
+    pub(crate) fn as_round(&self) -> Option<&dyn Round> {
+        match self {
+            Self::Sphere(sphere) => Some(sphere),
+            Self::Disk(disk) => Some(disk),
+            Self::Polygon(_) | Self::Mesh(_) => None,
+        }
     }
 
     /// The polygon, if it is one.

@@ -3,7 +3,7 @@
 use super::answer::PlannedEffect;
 use super::followed::Computable;
 use super::survey::receiving;
-use crate::faces::faces;
+use crate::faces::{faces, is_round};
 use crate::geometry::{Face, Screens};
 use crate::monte_carlo::{self, Limits};
 use crate::radiosity::{Gathering, Hiding, Question, UsedKernel, kernels};
@@ -89,9 +89,11 @@ impl Effects {
         monte_carlo::kernels(scene, &|receiver| computable.has(receiver))
     }
 
-    /// What of these faces hides light or is met by rays: those that are asked for, or those by which light is gathered.
+    /// What of these faces hides light or is met by rays: those that are asked for, or those by which light is gathered. Where round lights may be seen
+    /// as a whole, also what hides nothing of their pieces is asked for what hides the rest of them.
     pub(super) fn screens(&self, scene: &Scene, faces: &[Face], gathering: Gathering) -> Screens {
-        if self.occlusion {
+        let may_be_whole = self.orders == Some(0) && gathering == Gathering::Pieces && is_round(scene);
+        if self.occlusion || may_be_whole {
             Screens::of(faces)
         } else if asks_for_rays(scene) || gathering != Gathering::Pieces {
             Screens::met_by_rays(faces)

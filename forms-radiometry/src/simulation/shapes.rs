@@ -42,7 +42,7 @@ impl<'s> Shapes<'s> {
         let roundings = scene
             .surfaces
             .iter()
-            .filter_map(|surface| round(&surface.shape))
+            .filter_map(|surface| surface.shape.as_round())
             .map(|shape| shape.rounding() / shape.radius());
         Self { scene, has_spheres, rounding: roundings.fold(0.0, f64::max), is_quick, coarser: Vec::new() }
     }
@@ -104,15 +104,7 @@ fn is_near(shape: &Shape, point: Vector, fineness: usize) -> bool {
         let [distance, deviation] = [shape.distance(point), shape.deviation(fineness)];
         distance > ON * (shape.rounding() + f64::EPSILON * point.largest()) && distance <= NEAR * deviation
     };
-    round(shape).is_some_and(is_within)
-}
-
-fn round(shape: &Shape) -> Option<&dyn Round> {
-    match shape {
-        Shape::Disk(disk) => Some(disk),
-        Shape::Sphere(sphere) => Some(sphere),
-        Shape::Polygon(_) | Shape::Mesh(_) => None,
-    }
+    shape.as_round().is_some_and(is_within)
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use super::obstacles::{Obstacles, Reflected};
 use super::readings::Reading;
 use super::surroundings::Surroundings;
 use crate::faces::{emits, faces};
-use crate::geometry::{Between, Face, Screens, Vector};
+use crate::geometry::{Between, Face, Screens, Vector, bulge};
 use crate::radiosity::{Lights, Question, Radiosity, Scratch, Transport, is_reflecting, reflectance};
 use crate::scene::{
     Effect, Force, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Surface, WorkingScene,
@@ -63,13 +63,14 @@ impl Survey {
         transport.occlusion = true;
         let contraction = sampled.contraction + MARGIN * (largest_albedo - sampled.contraction).max(0.0);
         let contraction = if sampled.contraction == 0.0 { 0.0 } else { contraction };
+        let bulges = if is_large { None } else { bulges(scene, &transport.faces) };
         let mut survey = Self {
             emits: !scene.lights.is_empty()
                 || lights.kinds().surroundings
                 || (0..transport.faces.len()).any(|face| emits(scene, &transport.faces[face])),
             reflects: largest_albedo > 0.0,
             contraction,
-            in_between: in_between(scene, &transport),
+            in_between: in_between(scene, &transport).or_else(|| bulges.clone()),
             occlusion: None,
             interreflection: None,
             band_spread: None,
@@ -79,7 +80,7 @@ impl Survey {
                 && all_white(scene),
         };
         if !is_large {
-            survey.bound(working, &transport, &lights, sampled.direct);
+            survey.bound(working, &transport, &lights, (sampled.direct, bulges.is_some()));
         } else {
             // bounds take exact direct light, of every surface that is a receiver
             survey.band_spread =
@@ -105,8 +106,14 @@ impl Survey {
         }
     }
 
-    /// The bounds by what straight light makes of every answer.
-    fn bound(&mut self, working: &WorkingScene, transport: &Transport, lights: &Lights, direct: f64) {
+    /// The bounds by what straight light makes of every answer. Where round shapes take more than their pieces, that has none.
+    fn bound(
+        &mut self,
+        working: &WorkingScene,
+        transport: &Transport,
+        lights: &Lights,
+        (direct, bulges): (f64, bool),
+    ) {
         let scene = working.scene.as_ref();
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
         // ‖E‖ ≤ ‖D‖/(1 − k), and what is reflected is ρ E/π from everywhere
@@ -119,8 +126,10 @@ impl Survey {
             (of_light + of_albedo * everywhere / PI) / (1.0 - self.contraction)
         };
         let is_bound = self.contraction < 1.0 && !scene.receivers.is_empty();
-        let is_asked =
-            is_bound && self.in_between.is_some() && forced(scene, Effect::Occlusion) != Some(Force::On);
+        let is_asked = is_bound
+            && !bulges
+            && self.in_between.is_some()
+            && forced(scene, Effect::Occlusion) != Some(Force::On);
         let found = Reflected { contraction: self.contraction, irradiance: everywhere };
         let obstacles = is_asked.then(|| Obstacles::of(scene, transport, found)).flatten();
         let bounds = bounds(working, transport, lights, [reflected, spread], obstacles.as_ref());
@@ -287,6 +296,27 @@ fn is_convex_room(scene: &Scene, faces: &[Face], resolution: f64) -> bool {
         let heights = || inside.iter().map(|&point| face.normal.dot(point - face.vertices[0]));
         heights().all(|height| height >= -resolution) || heights().all(|height| height <= resolution)
     })
+}
+
+/// What a round shape may stand before of what receivers at points see, if it may: its pieces may not tell, as it is larger than they are.
+fn bulges(scene: &Scene, faces: &[Face]) -> Option<String> {
+    let is_source = |face: &&Face| emits(scene, face) || is_reflecting(scene, face);
+    let may_be_behind = |face: &Face, point: Vector, horizon: Option<Vector>| {
+        let others = scene.surfaces.iter().enumerate().filter(|(index, _)| *index != face.surface);
+        let mut round = others.filter_map(|(_, surface)| surface.shape.as_round());
+        let luminaire = (face.vertices.as_slice(), face.normal);
+        face.normal.dot(point - face.vertices[0]) > 0.0
+            && round.any(|shape| bulge(shape, (point, horizon), luminaire) > 0.0)
+    };
+    let behind = scene.receivers.iter().find_map(|receiver| {
+        let (point, horizon) = match receiver.kind {
+            ReceiverKind::Point { position, normal } => (position, Some(normal)),
+            ReceiverKind::Sphere { position } => (position, None),
+            ReceiverKind::Ray { .. } | ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => return None,
+        };
+        faces.iter().filter(is_source).find(|face| may_be_behind(face, point, horizon))
+    })?;
+    Some(format!("something may stand before the surface `{}`", scene.surfaces[behind.surface].name))
 }
 
 /// Whether anything can come between two faces, or between a receiver and a face; and if so, what.
