@@ -29,6 +29,7 @@ mod paths;
 mod probe;
 mod reference;
 mod refinement;
+mod round;
 mod sight;
 mod solution;
 mod subdivision;

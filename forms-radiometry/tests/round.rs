@@ -128,6 +128,27 @@ fn what_a_sphere_hides_beyond_its_pieces_is_in_the_error() {
     }
 }
 
+#[test]
+fn a_sphere_hides_a_point_of_light_where_it_is_and_not_where_its_pieces_are() {
+    for degrees in [0.0_f64, 9.0, 18.0, 27.0] {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        let turned = |[x, y, z]: Point| [cosine * x - sine * y, sine * x + cosine * y, z];
+        let at = turned([1.0, 0.0, 2.0]);
+        let light =
+            format!("[[light]]\nname = \"light\"\nkind = \"point\"\nposition = {at:?}\nintensity = 1\n");
+        for into in [-0.01, -1e-6, 1e-6, 0.01] {
+            let center = [0.5 + 0.5 * 5.0_f64.sqrt() * (1.0 - into), 0.0, 1.0];
+            let ball = surface("ball", "black", &sphere(turned(center), 1.0, false));
+            let found = &answers(&[here(UP), ball, light.clone()], "")[0];
+            // I cos θ/r²
+            let expected = if into > 0.0 { 0.0 } else { 2.0 / 5.0_f64.powf(1.5) };
+            let off = (found.value - expected).abs();
+            assert!(off <= found.error + DIGITS, "{degrees}°, {into}: {found:?}, {expected}");
+            assert!(found.error <= DIGITS || into < 0.0, "{degrees}°, {into}: {found:?}");
+        }
+    }
+}
+
 /// What the unit sphere about a point hides of the lamp, at the middles of small squares: z²/ρ⁴ per area, z = 2.
 fn hidden_of_lamp([x, _, z]: Point) -> f64 {
     const STEP: f64 = 1e-3;

@@ -12,6 +12,8 @@ use std::f64::consts::PI;
 
 /// What a coordinate of a corner is rounded by, relative to the lengths that it is the sum of.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
+/// What is within this part of a radius is within it, whatever rounding does.
+const WITHIN: f64 = 1.0 - 1e-12;
 /// The edges of the coarsest polygon that stands for a disk.
 const EDGES: usize = 24;
 
@@ -64,7 +66,7 @@ pub(crate) trait Round {
     fn center(&self) -> Vector;
     /// How far it reaches from its centre along a unit vector, relative to its radius.
     fn reach(&self, along: Vector) -> f64;
-    /// Whether a segment meets it.
+    /// Whether a segment that is not inside meets it, and by more than rounding: one that begins or ends on it does not by that.
     fn meets(&self, segment: [Vector; 2]) -> bool;
     /// How far a point is from where the pieces are off the shape.
     fn distance(&self, point: Vector) -> f64;
@@ -87,7 +89,7 @@ impl Round for Disk {
     fn meets(&self, [a, b]: [Vector; 2]) -> bool {
         let [alpha, beta] = [a, b].map(|end| self.normal.dot(end - self.center));
         let place = a + (alpha / (alpha - beta)) * (b - a);
-        alpha * beta < 0.0 && (place - self.center).length() <= self.radius
+        alpha * beta < 0.0 && (place - self.center).length() <= WITHIN * self.radius
     }
 
     /// The distance from the rim.
@@ -127,7 +129,7 @@ impl Round for Sphere {
         let (along, to_center) = (b - a, self.center - a);
         let share = (to_center.dot(along) / along.dot(along)).clamp(0.0, 1.0);
         let is_inside = |end: Vector| (end - self.center).length() < self.radius;
-        (share * along - to_center).length() <= self.radius && !(is_inside(a) && is_inside(b))
+        (share * along - to_center).length() <= WITHIN * self.radius && !(is_inside(a) && is_inside(b))
     }
 
     fn distance(&self, point: Vector) -> f64 {

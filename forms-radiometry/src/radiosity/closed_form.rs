@@ -8,15 +8,16 @@
 //! ```
 //! It takes some hundred times as long as a sum in `f64`, so that few receivers are worth it: answers, and not the cells of maps.
 
-use super::direct::{Lights, hides};
+use super::direct::Lights;
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
+use super::round::sees;
 use crate::faces::{emits, emits_from, is_round};
 use crate::geometry::precise::{
-    Precise, Rounded, SeenWhole, dot, form_factor, length, rounding, rounding_beyond, solid_angle, unit, way,
+    Precise, Rounded, dot, form_factor, length, rounding, rounding_beyond, solid_angle, unit, way,
 };
-use crate::geometry::{Between, Face, Vector, bulge};
-use crate::scene::{Light, LightKind, Shape, Surface};
+use crate::geometry::{Between, Face, Vector};
+use crate::scene::{Light, LightKind, Scene, Surface};
 use forms::math::{DoubleDouble, Real};
 use std::f64::consts::PI;
 
@@ -52,17 +53,8 @@ struct Part {
 }
 
 impl Measure {
-    /// The measure, over π, of a round shape that nothing hides, if it has a closed form.
-    fn of_whole(self, point: Vector, shape: &dyn SeenWhole) -> Option<Rounded> {
-        match self {
-            Self::Plane(normal) => shape.form_factor(point, normal, true),
-            Self::Flow(axis) => Some(shape.form_factor(point, axis, false)?.times(-1.0)),
-            Self::Sphere => shape.solid_angle_over_pi(point),
-        }
-    }
-
     /// The measure, over π, of what a point sees of a convex outline that nothing hides.
-    fn precisely(self, point: Vector, outline: &[Vector]) -> Rounded {
+    pub(super) fn precisely(self, point: Vector, outline: &[Vector]) -> Rounded {
         match self {
             Self::Plane(normal) => form_factor(point, outline, normal, true),
             Self::Flow(axis) => form_factor(point, outline, axis, false).times(-1.0),
@@ -109,8 +101,7 @@ impl Lights<'_> {
         scratch: &mut Scratch,
     ) -> Straight {
         let scene = self.scene();
-        let (point, measure) = at;
-        let mut sums = Sums::of_nothing(measure, scene.band_count());
+        let mut sums = Sums::of_nothing(at.1, scene.band_count());
         let mut whole = Vec::new();
         for &surface in self.round().iter().filter(|_| seen_whole) {
             if let Some((seen, is_back)) = self.whole(at, surface, transport, scratch) {
@@ -127,42 +118,12 @@ impl Lights<'_> {
         }
         let mut bands = sums.with_outside(&scene.ambient.radiance);
         for light in &scene.lights {
-            let (arriving, factor) = without_extent(light, point, measure, transport);
+            let (arriving, factor) = without_extent(light, at, scene, transport);
             add(&mut bands, factor, arriving);
         }
         is_open &= scene.lights.is_empty() || !transport.occlusion;
         let has_pieces = whole.len() < self.round().len() || (is_round(scene) && !is_open);
         Straight { bands: bands.into_iter().map(Rounded::nearest).collect(), has_pieces }
-    }
-
-    /// The measure, over π, of a round surface that a point sees as a whole, and whether it sees its back.
-    fn whole(
-        &self,
-        (point, measure): (Vector, Measure),
-        surface: usize,
-        transport: &Transport,
-        scratch: &mut Scratch,
-    ) -> Option<(Rounded, bool)> {
-        let shape: &dyn SeenWhole = match &self.scene().surfaces[surface].shape {
-            Shape::Sphere(sphere) => sphere,
-            Shape::Disk(disk) => disk,
-            Shape::Polygon(_) | Shape::Mesh(_) => return None,
-        };
-        if self.scene().surfaces.len() > 1 {
-            let (outline, normal) = shape.outline(point)?;
-            let points = [point];
-            let receivers = (points.as_slice(), measure.horizon());
-            let luminaire = (outline.as_slice(), normal);
-            let found = transport.screens.between_among(None, receivers, luminaire, &mut scratch.between);
-            let mut before = transport.screens.fronts(&scratch.between);
-            let is_hidden = found == Between::All
-                || before.any(|face| transport.faces[face].surface != surface)
-                || self.bulges((point, measure), luminaire, Some(surface)) > 0.0;
-            if is_hidden {
-                return None;
-            }
-        }
-        Some((measure.of_whole(point, shape)?, !shape.shows_front(point)))
     }
 
     /// What a point sees of a face. That of a piece of a round shape is not worth more than `f64`.
@@ -194,43 +155,21 @@ impl Lights<'_> {
         match between {
             Between::Some => Part { measure: summed(&scratch.between), is_open: false },
             Between::All => {
-                let hidden = measure.precisely(point, &face.vertices).value.to_f64().abs();
                 let is_sure = self.is_surely_hidden(point, face, transport, &scratch.between);
-                let error = if is_sure { 0.0 } else { hidden };
+                let error = if is_sure { 0.0 } else { measure.at_most(point, &face.vertices) };
                 Part { measure: Rounded { error, ..Rounded::exactly(0.0) }, is_open: error == 0.0 }
             }
             Between::Nothing => {
                 let Rounded { value, error } =
                     if own.is_some() { summed(&[]) } else { measure.precisely(point, &face.vertices) };
                 let bulges = if transport.occlusion {
-                    self.bulges((point, measure), luminaire, own).min(value.to_f64().abs())
+                    self.bulges((point, measure), luminaire, own).min(measure.at_most(point, &face.vertices))
                 } else {
                     0.0
                 };
                 Part { measure: Rounded { value, error: error + bulges }, is_open: bulges == 0.0 }
             }
         }
-    }
-
-    /// Whether what hides all of a face from a point is no piece of a round shape, or the shape itself hides all of it: each of its corners.
-    fn is_surely_hidden(&self, point: Vector, face: &Face, transport: &Transport, between: &[u32]) -> bool {
-        let surfaces = transport.screens.fronts(between).map(|front| transport.faces[front].surface);
-        let round = surfaces.filter_map(|surface| self.scene().surfaces[surface].shape.as_round());
-        let mut corners = face.vertices.iter();
-        round.take(1).all(|shape| corners.all(|&corner| shape.meets([point, corner])))
-    }
-
-    /// A bound on the measure, over π, of what round surfaces other than this one hide from a point of an outline that looks to it, where their pieces
-    /// hide nothing.
-    fn bulges(
-        &self,
-        (point, measure): (Vector, Measure),
-        luminaire: (&[Vector], Vector),
-        own: Option<usize>,
-    ) -> f64 {
-        let others = self.scene().surfaces.iter().enumerate().filter(|(index, _)| Some(*index) != own);
-        let round = others.filter_map(|(_, surface)| surface.shape.as_round());
-        round.map(|shape| bulge(shape, (point, measure.horizon()), luminaire)).sum()
     }
 
     /// A bound on what rounding changes of what a point gets straight from lights, for each band, where it is summed in `f64`.
@@ -355,8 +294,8 @@ pub(super) fn emitted(measure: Rounded, surface: &Surface) -> impl Iterator<Item
 /// The intensity or irradiance of a light without extent in each band, and what of it a point gets.
 fn without_extent<'l>(
     light: &'l Light,
-    point: Vector,
-    measure: Measure,
+    (point, measure): (Vector, Measure),
+    scene: &Scene,
     transport: &Transport,
 ) -> (&'l [f64], Rounded) {
     let (arriving, towards, turned) = match &light.kind {
@@ -367,7 +306,8 @@ fn without_extent<'l>(
         }
     };
     let distance = length(towards);
-    if distance.to_f64() == 0.0 || hides(light, point, transport) {
+    let is_seen = sees(point, light, scene, transport);
+    if distance.to_f64() == 0.0 || is_seen == Some(false) {
         return (arriving, Rounded::exactly(0.0));
     }
     let Rounded { value, error } = measure.precise_factor(towards.map(|x| x / distance));
@@ -376,5 +316,10 @@ fn without_extent<'l>(
     } else {
         DoubleDouble::from_f64(1.0)
     };
-    (arriving, Rounded { value: value / squared, error: (error + turned) / squared.to_f64() })
+    let (value, error) = (value / squared, (error + turned) / squared.to_f64());
+    let seen = match is_seen {
+        None => Rounded { error: value.to_f64().abs() + error, ..Rounded::exactly(0.0) },
+        Some(_) => Rounded { value, error },
+    };
+    (arriving, seen)
 }
