@@ -45,9 +45,18 @@ fn answers(elements: &[String], solve: &str) -> Vec<Answer> {
     let text = material("black", 0) + &elements.concat() + &tolerance(1e-2) + solve;
     let scene = read(&text, "round.toml").unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
-    let answers = simulate(&scene, &plan, &Unwatched).answers;
-    let first = answers[0].receiver.clone();
-    answers.into_iter().filter(|answer| answer.receiver == first).collect()
+    let found = simulate(&scene, &plan, &Unwatched);
+    let first = found.answers[0].receiver.clone();
+    let answers: Vec<_> = found.answers.into_iter().filter(|answer| answer.receiver == first).collect();
+    // what is told of all is no less than what is told of these
+    let largest = |of: fn(&Answer) -> f64| answers.iter().map(of).fold(0.0, f64::max);
+    let [error, scale] = [largest(|answer| answer.error), largest(|answer| answer.value.abs())];
+    let told = found.history.last().map_or(0.0, |moment| moment.error);
+    assert!(
+        scale == 0.0 || error / scale <= told * (1.0 + 1e-9) || error <= 1e-11,
+        "{error} of {scale}: {told}\n{text}"
+    );
+    answers
 }
 
 /// A name, elements, what the first answer is, and the error that it is said to have at most.

@@ -36,12 +36,13 @@ pub(super) struct Value<'d> {
 }
 
 impl Digits {
-    pub(super) fn of(readings: &[Reading], is_straight: bool, radiosity: &Radiosity) -> Self {
+    /// Of some readings, of which so many are answers; those after them are watched.
+    pub(super) fn of(readings: &[Reading], answers: usize, is_straight: bool, radiosity: &Radiosity) -> Self {
         if !is_straight {
             return Self::Unknown;
         }
         let (lights, transport) = (radiosity.lights(), radiosity.transport());
-        if lights.edges_beside_round(transport) * readings.len() <= PRECISE_EDGES {
+        if lights.edges_beside_round(transport) * answers <= PRECISE_EDGES {
             return Self::All;
         }
         let points: Vec<_> = readings.iter().filter_map(Reading::at_point).map(|(point, _)| point).collect();
@@ -64,6 +65,7 @@ impl Digits {
         let summed = |bands, rounding| Value { bands, rounding, has_pieces: true };
         let of_all = match self {
             Self::Unknown => return summed(reading.value(scene, radiosity, scratch), Cow::Borrowed(&[])),
+            Self::All if is_watched => None,
             Self::All => {
                 if let Some(precise) = precise(scratch) {
                     return precise;

@@ -125,6 +125,9 @@ impl<'s> Work<'s> {
                     let estimates = of_pieces.flat_map(|found| &mut found.bands);
                     estimates.for_each(|estimate| estimate.floor.quadrature = f64::INFINITY);
                 }
+                if let Some(now) = history.last_mut().filter(|_| is_compared) {
+                    now.error = self.relative_errors(&found).fold(0.0, f64::max);
+                }
                 let is_whole = grids.is_empty()
                     && self.cameras().next().is_none()
                     && !found.iter().any(|found| found.has_pieces);
@@ -243,7 +246,7 @@ impl<'s> Work<'s> {
 
     /// All readings in all bands; in none where the work was stopped before.
     fn read(&self, radiosity: &Radiosity, before: Option<(&Vec<Found>, f64, f64)>) -> Vec<Found> {
-        let digits = Digits::of(&self.readings, self.effects.orders == Some(0), radiosity);
+        let digits = Digits::of(&self.readings, self.answers, self.effects.orders == Some(0), radiosity);
         let one = |scratch: &mut Scratch, (index, reading): (usize, &Reading)| {
             let begin = Instant::now();
             let found = (!self.watch.is_stopped())
