@@ -5,7 +5,7 @@
 //! disk ─▶ a regular polygon             sphere ─▶ the triangles of a closed polyhedron          both of the same area
 //! ```
 
-use crate::geometry::Face;
+use crate::geometry::{Face, Round};
 use crate::scene::{Scene, Shape};
 
 /// The faces of all surfaces, each front followed by its back. A surface with one side has a back too: it is black, and stops light.
@@ -47,5 +47,11 @@ pub(crate) fn emits_from(scene: &Scene, surface: usize, is_back: bool) -> bool {
 
 /// Whether the faces of a scene stand for round shapes, so that they depend on their fineness.
 pub(crate) fn is_round(scene: &Scene) -> bool {
-    scene.surfaces.iter().any(|surface| surface.shape.is_round())
+    round_surfaces(scene).next().is_some()
+}
+
+/// The round surfaces of a scene, each with its index.
+pub(crate) fn round_surfaces(scene: &Scene) -> impl Iterator<Item = (usize, &dyn Round)> {
+    let surfaces = scene.surfaces.iter().enumerate();
+    surfaces.filter_map(|(index, surface)| Some((index, surface.shape.as_round()?)))
 }

@@ -52,6 +52,7 @@ pub(crate) use measure::Measure;
 pub(crate) use paths::Paths;
 pub(crate) use probe::Probe;
 pub(crate) use refinement::{Asking, Refined};
+pub(crate) use round::bulges;
 pub(crate) use sight::{Reflected, SeenPiece};
 pub(crate) use solution::orders;
 pub(crate) use system::{Question, Radiosity, is_reflecting, reflectance};

@@ -113,18 +113,27 @@ fn a_round_light_that_is_cut_is_within_the_error_of_its_pieces() {
     ]);
 }
 
+/// A place turned about the axis z.
+fn turned(degrees: f64, [x, y, z]: Point) -> Point {
+    let (sine, cosine) = degrees.to_radians().sin_cos();
+    [cosine * x - sine * y, sine * x + cosine * y, z]
+}
+
+/// The middle of a sphere of radius 1 that reaches so far over the plane through the point and the edge x = 1 of a lamp at the height 2.
+fn beside_the_way(into: f64) -> Point {
+    [0.5 + 0.5 * 5.0_f64.sqrt() * (1.0 - into), 0.0, 1.0]
+}
+
 /// A sphere that reaches into the way by a little is missed by its coarsest pieces, where these are inside of it.
 #[test]
 fn what_a_sphere_hides_beyond_its_pieces_is_in_the_error() {
     for degrees in [0.0_f64, 9.0, 18.0, 27.0] {
-        let (sine, cosine) = degrees.to_radians().sin_cos();
-        let turned = |[x, y, z]: Point| [cosine * x - sine * y, sine * x + cosine * y, z];
+        let turned = |place| turned(degrees, place);
         let corners = [[-1.0, -1.0, 2.0], [-1.0, 1.0, 2.0], [1.0, 1.0, 2.0], [1.0, -1.0, 2.0]].map(turned);
         let lamp = surface("lamp", "black", &shining(&polygon(&corners), 1));
         let open = answers(&[here(UP), lamp.clone()], "")[0].value;
         for into in [0.002, 0.01, 0.02] {
-            // the plane through the point and the edge x = 1 of the lamp, at a distance of the radius but for so much
-            let center = [0.5 + 0.5 * 5.0_f64.sqrt() * (1.0 - into), 0.0, 1.0];
+            let center = beside_the_way(into);
             let ball = surface("ball", "black", &sphere(turned(center), 1.0, false));
             let hidden = hidden_of_lamp(center);
             assert!(hidden > 1e-5, "{hidden}");
@@ -140,13 +149,12 @@ fn what_a_sphere_hides_beyond_its_pieces_is_in_the_error() {
 #[test]
 fn a_sphere_hides_a_point_of_light_where_it_is_and_not_where_its_pieces_are() {
     for degrees in [0.0_f64, 9.0, 18.0, 27.0] {
-        let (sine, cosine) = degrees.to_radians().sin_cos();
-        let turned = |[x, y, z]: Point| [cosine * x - sine * y, sine * x + cosine * y, z];
+        let turned = |place| turned(degrees, place);
         let at = turned([1.0, 0.0, 2.0]);
         let light =
             format!("[[light]]\nname = \"light\"\nkind = \"point\"\nposition = {at:?}\nintensity = 1\n");
         for into in [-0.01, -1e-6, 1e-6, 0.01] {
-            let center = [0.5 + 0.5 * 5.0_f64.sqrt() * (1.0 - into), 0.0, 1.0];
+            let center = beside_the_way(into);
             let ball = surface("ball", "black", &sphere(turned(center), 1.0, false));
             let found = &answers(&[here(UP), ball, light.clone()], "")[0];
             // I cos θ/r²

@@ -11,8 +11,8 @@
 use super::direct::Lights;
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
-use super::round::sees;
-use crate::faces::{emits, emits_from, is_round};
+use super::round::{bulges, sees};
+use crate::faces::{emits, emits_from, is_round, round_surfaces};
 use crate::geometry::precise::{
     Precise, Rounded, dot, form_factor, length, rounding, rounding_beyond, solid_angle, unit, way,
 };
@@ -163,7 +163,9 @@ impl Lights<'_> {
                 let Rounded { value, error } =
                     if own.is_some() { summed(&[]) } else { measure.precisely(point, &face.vertices) };
                 let bulges = if transport.occlusion {
-                    self.bulges((point, measure), luminaire, own).min(measure.at_most(point, &face.vertices))
+                    let round = round_surfaces(self.scene());
+                    bulges(round, (point, measure.horizon()), luminaire, own)
+                        .min(measure.at_most(point, &face.vertices))
                 } else {
                     0.0
                 };

@@ -147,8 +147,8 @@ impl<'s> Lights<'s> {
         arriving.outside.chunks_exact_mut(bands).for_each(|of_point| of_point.copy_from_slice(outside));
     }
 
-    /// For each band, the flux that comes straight to the fronts of a surface, which `is_all` that there is or is reflected; nothing where light is not
-    /// that of faces alone, or the work is stopped. It is an integral over both, and not a sum over points that may miss what is near an edge.
+    /// For each band, the flux that comes straight to the fronts of a surface; `is_all` if nothing is reflected. Nothing where light is not that of
+    /// faces alone, or the work is stopped. It is an integral over both, and not a sum over points that may miss what is near an edge.
     pub(crate) fn flux(
         &self,
         (surface, is_all): (usize, bool),

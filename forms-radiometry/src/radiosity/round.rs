@@ -9,6 +9,7 @@
 use super::direct::{Lights, hides};
 use super::gather::{Scratch, Transport};
 use super::measure::Measure;
+use crate::faces::round_surfaces;
 use crate::geometry::precise::{Rounded, SeenWhole};
 use crate::geometry::{Between, Face, Round, Vector, bulge};
 use crate::scene::{Light, LightKind, Scene, Shape};
@@ -54,7 +55,8 @@ impl Lights<'_> {
             let mut before = transport.screens.fronts(&scratch.between);
             let is_hidden = found == Between::All
                 || before.any(|face| transport.faces[face].surface != surface)
-                || self.bulges((point, measure), luminaire, Some(surface)) > 0.0;
+                || bulges(round_surfaces(self.scene()), (point, measure.horizon()), luminaire, Some(surface))
+                    > 0.0;
             if is_hidden {
                 return None;
             }
@@ -75,19 +77,18 @@ impl Lights<'_> {
         let mut corners = face.vertices.iter();
         round.take(1).all(|shape| corners.all(|&corner| shape.meets([point, corner])))
     }
+}
 
-    /// A bound on the measure, over π, of what round surfaces other than this one hide from a point of an outline that looks to it, where their pieces
-    /// hide nothing.
-    pub(super) fn bulges(
-        &self,
-        (point, measure): (Vector, Measure),
-        luminaire: (&[Vector], Vector),
-        own: Option<usize>,
-    ) -> f64 {
-        let others = self.scene().surfaces.iter().enumerate().filter(|(index, _)| Some(*index) != own);
-        let round = others.filter_map(|(_, surface)| surface.shape.as_round());
-        round.map(|shape| bulge(shape, (point, measure.horizon()), luminaire)).sum()
-    }
+/// A bound on the solid angle, over π, of what round surfaces other than this one hide from a point of an outline that looks to it, where their pieces
+/// hide nothing.
+pub(crate) fn bulges<'s>(
+    round: impl Iterator<Item = (usize, &'s dyn Round)>,
+    at: (Vector, Option<Vector>),
+    luminaire: (&[Vector], Vector),
+    own: Option<usize>,
+) -> f64 {
+    let others = round.filter(|(index, _)| Some(*index) != own);
+    others.map(|(_, shape)| bulge(shape, at, luminaire)).sum()
 }
 
 /// Whether a point sees a light without extent. It is not known where the first that stands before it is a piece of a round shape that does not itself.
@@ -95,7 +96,6 @@ pub(super) fn sees(point: Vector, light: &Light, scene: &Scene, transport: &Tran
     if !transport.occlusion {
         return Some(true);
     }
-    let mut round = scene.surfaces.iter().filter_map(|surface| surface.shape.as_round());
     let way = |to: f64| match light.kind {
         LightKind::Point { position, .. } => position - point,
         LightKind::Distant { direction, .. } => -to * direction,
@@ -104,7 +104,7 @@ pub(super) fn sees(point: Vector, light: &Light, scene: &Scene, transport: &Tran
         let beyond = 2.0 * ((shape.center() - point).length() + shape.radius());
         shape.meets([point, point + way(beyond)])
     };
-    if round.any(stands_before) {
+    if round_surfaces(scene).any(|(_, shape)| stands_before(shape)) {
         return Some(false);
     }
     if !hides(light, point, transport) {

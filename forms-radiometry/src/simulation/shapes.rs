@@ -9,7 +9,7 @@
 
 use super::estimate::{Estimate, Found};
 use super::readings::Reading;
-use crate::faces::is_round;
+use crate::faces::{is_round, round_surfaces};
 use crate::geometry::{Round, Vector};
 use crate::scene::{Scene, Shape};
 
@@ -39,11 +39,7 @@ impl<'s> Shapes<'s> {
         let has_spheres = scene.surfaces.iter().any(|surface| matches!(surface.shape, Shape::Sphere(_)));
         let has_means = readings.iter().any(Reading::is_mean);
         let is_quick = is_straight && !(has_spheres && has_means);
-        let roundings = scene
-            .surfaces
-            .iter()
-            .filter_map(|surface| surface.shape.as_round())
-            .map(|shape| shape.rounding() / shape.radius());
+        let roundings = round_surfaces(scene).map(|(_, shape)| shape.rounding() / shape.radius());
         Self { scene, has_spheres, rounding: roundings.fold(0.0, f64::max), is_quick, coarser: Vec::new() }
     }
 

@@ -5,9 +5,9 @@ use super::effects::forced;
 use super::obstacles::{Obstacles, Reflected};
 use super::readings::Reading;
 use super::surroundings::Surroundings;
-use crate::faces::{emits, faces};
-use crate::geometry::{Between, Face, Screens, Vector, bulge};
-use crate::radiosity::{Lights, Question, Radiosity, Scratch, Transport, is_reflecting, reflectance};
+use crate::faces::{emits, faces, round_surfaces};
+use crate::geometry::{Between, Face, Screens, Vector};
+use crate::radiosity::{Lights, Question, Radiosity, Scratch, Transport, bulges, is_reflecting, reflectance};
 use crate::scene::{
     Effect, Force, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Surface, WorkingScene,
 };
@@ -63,7 +63,7 @@ impl Survey {
         transport.occlusion = true;
         let contraction = sampled.contraction + MARGIN * (largest_albedo - sampled.contraction).max(0.0);
         let contraction = if sampled.contraction == 0.0 { 0.0 } else { contraction };
-        let bulges = if is_large { None } else { bulges(scene, &transport.faces) };
+        let bulges = if is_large { None } else { bulge_before(scene, &transport.faces) };
         let mut survey = Self {
             emits: !scene.lights.is_empty()
                 || lights.kinds().surroundings
@@ -298,15 +298,18 @@ fn is_convex_room(scene: &Scene, faces: &[Face], resolution: f64) -> bool {
     })
 }
 
-/// What a round shape may stand before of what receivers at points see, if it may: its pieces may not tell, as it is larger than they are.
-fn bulges(scene: &Scene, faces: &[Face]) -> Option<String> {
+/// Whether a round shape may stand before something that a receiver at a point sees, and before what: its pieces may not tell, as it is larger than they
+/// are.
+fn bulge_before(scene: &Scene, faces: &[Face]) -> Option<String> {
+    let round: Vec<_> = round_surfaces(scene).collect();
+    if round.is_empty() {
+        return None;
+    }
     let is_source = |face: &&Face| emits(scene, face) || is_reflecting(scene, face);
     let may_be_behind = |face: &Face, point: Vector, horizon: Option<Vector>| {
-        let others = scene.surfaces.iter().enumerate().filter(|(index, _)| *index != face.surface);
-        let mut round = others.filter_map(|(_, surface)| surface.shape.as_round());
         let luminaire = (face.vertices.as_slice(), face.normal);
         face.normal.dot(point - face.vertices[0]) > 0.0
-            && round.any(|shape| bulge(shape, (point, horizon), luminaire) > 0.0)
+            && bulges(round.iter().copied(), (point, horizon), luminaire, Some(face.surface)) > 0.0
     };
     let behind = scene.receivers.iter().find_map(|receiver| {
         let (point, horizon) = match receiver.kind {

@@ -5,6 +5,18 @@ from mpmath import acos, asin, cos, fabs, mpf, pi, sin, sqrt, workdps
 from .table import exact, integral, over_scales, row, uniform
 
 
+# radius, height and lateral offset of disks, and what is hard of them
+HARD_DISKS = [
+    (1.0, 1e7, 2.0, "far above"),
+    (1.0, 2.0, 1e7, "far aside"),
+    (1.0, 1e-9, 1.5, "grazing"),
+    (1.0, 1e-9, 0.5, "close"),
+    (1.0, 1e-7, 1.0, "above the rim"),
+    (1.0, 1e-7, 1 + 2.0**-30, "beside the rim"),
+    (1.0, 0.0, 0.5, "on the disk"),
+]
+
+
 def on_the_axis():
     cases = [(over_scales(-1, 1), over_scales(-1, 1)) for _ in range(5)]
     cases += [
@@ -34,13 +46,7 @@ def parallel_disks():
     formula = "(1 - (h**2 + a**2 - r**2)/sqrt((h**2 + a**2 - r**2)**2 + 4 h**2 r**2))/2 (Hamilton and Morgan 1952)"
     cases = [(over_scales(-1, 1), over_scales(-1, 1), over_scales(-1, 1), "") for _ in range(6)]
     cases += [
-        (1.0, 1e7, 2.0, "far above"),
-        (1.0, 2.0, 1e7, "far aside"),
-        (1.0, 1e-9, 1.5, "grazing"),
-        (1.0, 1e-9, 0.5, "close"),
-        (1.0, 1e-7, 1.0, "above the rim"),
-        (1.0, 1e-7, 1 + 2.0**-30, "beside the rim"),
-        (1.0, 0.0, 0.5, "on the disk"),
+        *HARD_DISKS,
         (1.0, 0.0, 1.5, "in its plane"),
         (1e-8, 1.0, 0.0, "tiny"),
         (1e30, 1e31, 1e30, "scaled"),
@@ -95,13 +101,7 @@ def beside_disks():
         (0.75, 1.25, 0.5, ""),
         (3.0, 0.3, 4.7, ""),
         (0.2, 6.5, 1.1, ""),
-        (1.0, 1e7, 2.0, "far above"),
-        (1.0, 2.0, 1e7, "far aside"),
-        (1.0, 1e-9, 1.5, "grazing"),
-        (1.0, 1e-9, 0.5, "close"),
-        (1.0, 1e-7, 1.0, "above the rim"),
-        (1.0, 1e-7, 1 + 2.0**-30, "beside the rim"),
-        (1.0, 0.0, 0.5, "on the disk"),
+        *HARD_DISKS,
         (1.0, 0.5, 0.0, "on the axis"),
         (1.0, 0.5, 1e-160, "beside the axis"),
         (1e30, 1e31, 1e30, "scaled"),

@@ -91,14 +91,9 @@ impl SeenWhole for Sphere {
         };
         let (axis, turned) = unit(direction);
         let cosine = dot(axis, outside.towards);
-        let [least, most] = [-1.0, 1.0].map(number);
-        let cosine = if cosine.to_f64().abs() < 1.0 {
-            cosine
-        } else if cosine.to_f64() < 0.0 {
-            least
-        } else {
-            most
-        };
+        // rounding may leave it beyond ±1
+        let near = cosine.to_f64();
+        let cosine = if near.abs() < 1.0 { cosine } else { number(near.signum()) };
         let (distance, radius) = (outside.distance, number(self.radius));
         let value = if has_horizon {
             form_factor_point_sphere::dd(distance, radius, cosine)

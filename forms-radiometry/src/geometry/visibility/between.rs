@@ -12,7 +12,7 @@ use super::{Plane, Screen, Screens, Vector};
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
-/// The corners of two quadrilaterals, and the passages between them: no more than these need memory of their own.
+/// The corners of two quadrilaterals, and the passages between them: only more than these need memory of their own.
 const CORNERS: usize = 8;
 const PASSAGES: usize = 16;
 

@@ -9,8 +9,8 @@ use super::bounds::Bounds;
 use super::{Plane, Vector};
 use smallvec::SmallVec;
 
-/// The planes of the shaft between two quadrilaterals, two about each edge at most, and two cuts: no more than these need memory of their own, for
-/// which threads would wait for each other.
+/// The planes of the shaft between two quadrilaterals, two about each edge at most, and two cuts: only more than these need memory of their own,
+/// for which threads would wait for each other.
 const PLANES: usize = 18;
 
 /// The space in which the segments from the points of one outline to those of another lie.
