@@ -15,18 +15,33 @@ pub(crate) enum Contradiction {
 }
 
 impl Assumptions {
-    /// A contradiction that is seen without telling cases apart.
+    /// A contradiction that is seen without telling cases apart, also at the half turns of angles.
     pub(crate) fn contradiction(&self, pool: &Pool) -> Option<Contradiction> {
         let mut tower = Tower::new(Trigonometry::HalfAngle);
-        let known = self.unconditional(pool, &mut tower);
-        let mut facts = Facts::of(&tower);
-        for (condition, difference) in &known {
-            facts.learn(&tower, difference, condition.relation);
+        let found = self.contradiction_in(pool, &mut tower)?;
+        let mut same = true;
+        for units in tower.choices_of_half_turns()? {
+            let mut stratum = tower.at_half_turns(&units);
+            same &= self.contradiction_in(pool, &mut stratum)? == found;
+            if !stratum.excluded().is_empty() || stratum.poles().iter().any(|unit| !tower.poles().contains(unit)) {
+                return None;
+            }
         }
-        facts.learn_functions(&tower);
-        let by_nature = Facts::of(&tower);
+        let is_whole = tower.excluded().is_empty() && !tower.has_coarser_poles();
+        is_whole.then_some(if same { found } else { Contradiction::Together })
+    }
+
+    /// A contradiction where the normal forms of a tower hold.
+    fn contradiction_in(&self, pool: &Pool, tower: &mut Tower) -> Option<Contradiction> {
+        let known = self.unconditional(pool, tower);
+        let mut facts = Facts::of(tower);
         for (condition, difference) in &known {
-            if is_impossible(&mut tower, &by_nature, difference, condition.relation) {
+            facts.learn(tower, difference, condition.relation);
+        }
+        facts.learn_functions(tower);
+        let by_nature = Facts::of(tower);
+        for (condition, difference) in &known {
+            if is_impossible(tower, &by_nature, difference, condition.relation) {
                 return Some(Contradiction::Alone(*condition));
             }
         }

@@ -215,6 +215,15 @@ impl Facts {
         !facts.contradiction() && !facts.fixed_values_contradict()
     }
 
+    /// Whether no point is left where a polynomial is zero.
+    pub(crate) fn excludes_zero(&self, tower: &Tower, polynomial: &Polynomial) -> bool {
+        let mut facts = self.clone();
+        for relation in [Relation::GreaterEqual, Relation::LessEqual] {
+            facts.learn(tower, &polynomial.clone().into(), relation);
+        }
+        facts.contradiction() || facts.fixed_values_contradict()
+    }
+
     /// Whether an inequality fails once generators with one value left have it.
     fn fixed_values_contradict(&self) -> bool {
         let fixed = |variable: u32| {

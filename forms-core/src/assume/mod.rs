@@ -14,16 +14,19 @@ mod facts;
 mod half_turn;
 mod linear;
 mod magnitude;
+mod open;
 mod range;
 mod region;
 mod sign;
 
 pub(crate) use contradiction::Contradiction;
 pub(crate) use facts::Facts;
+pub(crate) use open::is_open;
 pub(crate) use range::Range;
 
 use crate::expression::{Condition, Expr, Pool};
 use crate::normal::{Fraction, Normalised, Obstacle, Sign, SignConstraint, Tower, Trigonometry, normalise};
+use crate::polynomial::Polynomial;
 use crate::syntax::ast::Relation;
 use region::{Constraint, MOST_FACTORS, NoCases, Region};
 
@@ -34,6 +37,7 @@ const MOST_PASSES: usize = 16;
 const CHEAP_WORK: u64 = 1_000_000;
 
 /// Conditions with the differences of their sides.
+#[derive(Clone)]
 pub(crate) struct Assumptions {
     conditions: Vec<Condition>,
     sides: Vec<Expr>,
@@ -80,10 +84,7 @@ impl Assumptions {
             return Ok(Cases::Empty);
         };
         let cases = match region.cases(|signs| facts.allow(tower, signs), self.thorough) {
-            Ok((_, false)) if tower.divides_by_norms => {
-                return Err(Obstacle::Outside("nested radicals at points that lie apart".into()));
-            }
-            Ok((cases, _)) => cases,
+            Ok(cases) => cases,
             Err(NoCases::Empty) => return Ok(Cases::Empty),
             Err(NoCases::TooMany) => return Ok(Cases::TooMany),
         };
@@ -166,6 +167,44 @@ impl Assumptions {
         Ok(Range::default())
     }
 
+    /// Whether an angle in a tower keeps away from every odd multiple of π where the conditions hold.
+    pub(crate) fn avoids_half_turns(
+        &self,
+        tower: &mut Tower,
+        pool: &Pool,
+        angle: &Fraction,
+    ) -> Result<bool, Obstacle> {
+        for _ in 0..MOST_PASSES {
+            let Some((_, knowledge)) = self.learned(tower, pool, &[], &[])? else { continue };
+            return Ok(knowledge.facts.range(tower, angle)?.avoids_half_turns());
+        }
+        Ok(false)
+    }
+
+    /// Whether a polynomial of a tower vanishes at no point that meets the conditions. Only conditions that a clone of
+    /// the tower reads everywhere are asked, since the zeros may be where it does not read the others.
+    pub(crate) fn keep_from_zero(
+        &self,
+        tower: &Tower,
+        pool: &Pool,
+        polynomial: &Polynomial,
+    ) -> Result<bool, Obstacle> {
+        let is_read_everywhere = |side: &Expr| {
+            let mut alone = tower.apart();
+            let normal = normalise(&mut alone, pool, &[*side]).and_then(|n| n.exact(&mut alone, pool));
+            normal.is_ok() && alone.holds_everywhere()
+        };
+        let kept = self.conditions.iter().zip(&self.sides).filter(|(_, side)| is_read_everywhere(side));
+        let (conditions, sides) = kept.map(|(condition, side)| (*condition, *side)).unzip();
+        let read = Assumptions { conditions, sides, thorough: self.thorough };
+        let mut apart = tower.apart();
+        for _ in 0..MOST_PASSES {
+            let Some((_, knowledge)) = read.learned(&mut apart, pool, &[], &[])? else { continue };
+            return Ok(knowledge.excludes_zeros(&apart, polynomial));
+        }
+        Ok(false)
+    }
+
     /// The expressions in normal form with the given signs, and what the conditions say beside them. Nothing if the
     /// conditions refine the tower, which then starts again.
     fn learned(
@@ -244,14 +283,15 @@ pub(crate) fn is_at_most(pool: &mut Pool, a: Expr, b: Expr, conditions: &[Condit
     let known = prepared.exact(&mut tower, pool).and_then(|fractions| tower.expanded(&fractions[0]));
     let Ok(difference) = known else { return false };
     let sign = difference.as_polynomial().map(|polynomial| knowledge.facts.sign_of(polynomial));
-    difference.is_zero() || sign.flatten() == Some(Sign::Positive)
+    (difference.is_zero() || sign.flatten() == Some(Sign::Positive)) && tower.holds_everywhere()
 }
 
 /// Where an angle lies wherever the conditions hold; nothing where that is not known.
 pub(crate) fn range_of(pool: &mut Pool, angle: Expr, conditions: &[Condition]) -> Range {
     let assumptions = Assumptions::new(pool, conditions);
     let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(CHEAP_WORK);
-    assumptions.range(&mut tower, pool, angle, &[]).unwrap_or_default()
+    let range = assumptions.range(&mut tower, pool, angle, &[]).unwrap_or_default();
+    if tower.holds_everywhere() { range } else { Range::default() }
 }
 
 /// Whether an expression is known to be zero wherever it is defined; a cheap question, so that no is no answer.
@@ -260,6 +300,7 @@ pub(crate) fn vanishes(pool: &Pool, expression: Expr) -> bool {
     let Ok(prepared) = normalise(&mut tower, pool, &[expression]) else { return false };
     prepared.is_unconditional()
         && prepared.exact(&mut tower, pool).is_ok_and(|fractions| fractions[0].is_zero())
+        && tower.holds_everywhere()
 }
 
 /// What conditions say while some signs are given.
@@ -281,6 +322,22 @@ impl Knowledge {
             facts.learn(tower, &tower.base(base).polynomial.clone().into(), relation);
         }
         Knowledge { facts, constraints: Vec::new(), open: Vec::new() }
+    }
+
+    /// Whether no factor of a polynomial can be zero: by a strict constraint that it occurs in, or since that it is zero
+    /// contradicts what is known.
+    fn excludes_zeros(&self, tower: &Tower, polynomial: &Polynomial) -> bool {
+        let (_, factors) = polynomial.square_free();
+        factors.iter().all(|(factor, _)| {
+            let occurs = |base: usize| {
+                let known = &tower.base(base).polynomial;
+                known == factor || *known == factor.neg()
+            };
+            let strict = |constraint: &Constraint| constraint.strict && constraint.bases().any(occurs);
+            self.constraints.iter().any(strict)
+                || self.facts.never_zero(factor)
+                || self.facts.excludes_zero(tower, factor)
+        })
     }
 
     /// The given factors and, unless there are too many, those the constraints speak of.

@@ -127,6 +127,12 @@ impl Range {
         inside(&self.lower, -1, Ordering::Less) && inside(&self.upper, 1, Ordering::Greater)
     }
 
+    /// Whether (2k − 1)π < x < (2k + 1)π throughout, for some integer k.
+    pub(crate) fn avoids_half_turns(&self) -> bool {
+        let half = BigRational::new(1.into(), 2.into());
+        self.scaled(&half).modulo_pi((0, 1)).is_within(1, 2)
+    }
+
     /// Numbers that tan x keeps between, as far as x stays between −π/2 and π/2.
     pub(crate) fn tangents(&self) -> (Option<Rational>, Option<Rational>) {
         let quarter = |sign: i64| End::of_pi(sign, 2, true);

@@ -50,13 +50,13 @@ impl Constraint {
 }
 
 impl Region {
-    /// The cases, each a sign for every factor, and whether all that they cover lies beside points of their own. A
-    /// border without a case of its own counts only if it is possible, of a thorough answer every case.
+    /// The cases, each a sign for every factor. A border without a case of its own counts only if it is possible, of a
+    /// thorough answer every case.
     pub(crate) fn cases(
         &self,
         is_possible: impl Fn(&[(usize, i8)]) -> bool,
         thorough: bool,
-    ) -> Result<(Vec<Case>, bool), NoCases> {
+    ) -> Result<Vec<Case>, NoCases> {
         if self.factors.len() > MOST_FACTORS {
             return Err(NoCases::TooMany);
         }
@@ -74,7 +74,6 @@ impl Region {
         if thorough {
             cases.retain(|case| is_possible(case));
         }
-        let with_points = cases.len();
         for border in borders {
             if !cases.iter().any(|case| touches(case, &border)) && is_possible(&border) {
                 cases.push(self.beside(&border));
@@ -83,8 +82,7 @@ impl Region {
         if cases.is_empty() {
             return Err(NoCases::Empty);
         }
-        let is_thick = cases.len() == with_points;
-        Ok((cases.into_iter().map(|signs| self.named(&signs)).collect(), is_thick))
+        Ok(cases.into_iter().map(|signs| self.named(&signs)).collect())
     }
 
     /// Every choice of signs that the known ones allow.
@@ -162,7 +160,6 @@ mod tests {
         let mut all: Vec<Vec<i8>> = region
             .cases(|_| true, false)
             .unwrap()
-            .0
             .into_iter()
             .map(|case| case.into_iter().map(|(_, sign)| number(sign)).collect())
             .collect();
@@ -190,7 +187,7 @@ mod tests {
         let constraints = vec![product(&[0], false), product(&[0, 1], false)];
         let region = Region { factors: vec![(0, None), (1, None)], constraints };
         let cases = region.cases(|signs| signs[0].1 != 0 || signs[1].1 != -1, false);
-        assert_eq!(cases, Ok((vec![vec![(0, Sign::Positive), (1, Sign::Positive)]], true)));
+        assert_eq!(cases, Ok(vec![vec![(0, Sign::Positive), (1, Sign::Positive)]]));
     }
 
     #[test]

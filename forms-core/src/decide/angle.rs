@@ -113,7 +113,7 @@ fn angles_in(pool: &mut Pool, difference: Expr) -> Result<Option<Vec<Expr>>, Obs
         let factor = pool.number(factor);
         return Ok(Some(vec![pool.multiply(factor, difference)]));
     }
-    if !prepared.is_unconditional() {
+    if !prepared.is_unconditional() || !tower.holds_everywhere() {
         return Ok(None);
     }
     Ok(Some(combinations.iter().map(|combination| tower.raise(pool, combination)).collect()))

@@ -28,6 +28,7 @@ mod sample;
 mod separation;
 #[cfg(test)]
 mod soundness;
+mod strata;
 mod translation;
 mod verdict;
 mod wave;

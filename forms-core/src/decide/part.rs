@@ -106,7 +106,8 @@ fn linear(pool: &mut Pool, expression: Expr) -> Option<(Symbol, Rational, Expr)>
         let Ok(function) = tower.rational_function(&normal, variable) else { continue };
         let slope = function.numerator.coefficient(1).as_number();
         let is_linear = function.numerator.degree() == 1 && function.denominator.is_empty();
-        if let (Some(slope), true) = (slope.filter(|slope| !slope.is_zero()), is_linear) {
+        let holds = is_linear && tower.holds_everywhere();
+        if let (Some(slope), true) = (slope.filter(|slope| !slope.is_zero()), holds) {
             let offset = tower.raise(pool, &function.numerator.coefficient(0));
             return Some((symbol, slope, offset));
         }

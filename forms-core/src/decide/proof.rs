@@ -3,6 +3,7 @@
 use super::angle;
 use super::part::with_whole_parts;
 use super::problem::Problem;
+use super::strata::{self, Given};
 use super::translation;
 use super::wave::signs_of_waves;
 use crate::assume::{Assumptions, Cases};
@@ -93,7 +94,8 @@ pub(super) fn prove_full_turn(pool: &mut Pool, task: Task, differences: Vec<Expr
 /// With the stated conditions, then with what they say of sines and cosines.
 fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn: Option<Turn>) -> Outcome {
     let stated = &task.problem.assumptions;
-    let outcome = prove_under(pool, (stated, task.work), &differences, turn.as_ref());
+    let given = Given { conditions: stated, work: task.work, depth: strata::DEEPEST };
+    let outcome = prove_under(pool, given, &differences, turn.as_ref());
     if !outcome.is_open() {
         return outcome;
     }
@@ -102,7 +104,7 @@ fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn:
         return outcome;
     }
     let conditions: Vec<Condition> = stated.iter().copied().chain(waves).collect();
-    match prove_under(pool, (&conditions, task.work), &differences, turn.as_ref()) {
+    match prove_under(pool, Given { conditions: &conditions, ..given }, &differences, turn.as_ref()) {
         Outcome::Zero => Outcome::Zero,
         _ => outcome,
     }
@@ -111,43 +113,73 @@ fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn:
 /// First in the frame of the translations that change no difference. Bounds of single variables say less in it: where
 /// it left several cases and no proof, the expressions are looked at as they stand, unless the work was too much; after
 /// that with fewer cases, at the price of asking of each whether it can be.
-fn prove_under(
-    pool: &mut Pool,
-    given: (&[Condition], u64),
-    differences: &[Expr],
-    turn: Option<&Turn>,
-) -> Outcome {
+pub(super) fn prove_under(pool: &mut Pool, given: Given, differences: &[Expr], turn: Option<&Turn>) -> Outcome {
     let frame = translation::frame(pool, differences);
     let in_frame = (!frame.is_empty()).then_some((frame, false));
     let mut outcome = Outcome::NotZero;
     for (frame, thorough) in in_frame.into_iter().chain([(vec![], false), (vec![], true)]) {
         let has_frame = !frame.is_empty();
-        let (found, several) = explored(pool, given, differences, turn, frame, thorough);
-        let is_open = found == Outcome::NotZero || has_frame && matches!(found, Outcome::Empty(_));
-        outcome = found;
-        if !(several && is_open) {
+        let explored = explored(pool, given, differences, turn, frame, thorough);
+        let is_open = explored.outcome == Outcome::NotZero && explored.several
+            || has_frame && explored.in_doubt
+            || has_frame && explored.several && matches!(explored.outcome, Outcome::Empty(_));
+        outcome = explored.outcome;
+        if !is_open {
             break;
         }
     }
     outcome
 }
 
-/// The outcome in a frame, and whether several cases were told apart.
+/// What was found in one frame.
+struct Explored {
+    outcome: Outcome,
+    /// Whether several cases were told apart.
+    several: bool,
+    /// Whether the normal forms settled it but for strata that were not.
+    in_doubt: bool,
+}
+
 fn explored(
     pool: &mut Pool,
-    (conditions, work): (&[Condition], u64),
+    given: Given,
     differences: &[Expr],
     turn: Option<&Turn>,
     frame: Vec<Drift>,
     thorough: bool,
-) -> (Outcome, bool) {
-    let assumptions = Assumptions::new(pool, conditions);
+) -> Explored {
+    let assumptions = Assumptions::new(pool, given.conditions);
     let assumptions = if thorough { assumptions.thorough() } else { assumptions };
-    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(work).in_frame(frame);
-    let mut proof = Proof::new(pool, &mut tower, assumptions, differences.to_vec(), turn.cloned());
-    let explored = proof.explore(&[]);
-    let several = proof.several;
-    let outcome = match explored {
+    let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(given.work).in_frame(frame);
+    let goal = Goal { assumptions: &assumptions, differences, turn };
+    let (outcome, several) = goal.explored(pool, &mut tower);
+    if outcome.is_open() {
+        return Explored { outcome, several, in_doubt: false };
+    }
+    let outcome = strata::everywhere(pool, &goal, given, &mut tower, outcome);
+    Explored { in_doubt: outcome.is_open(), outcome, several }
+}
+
+/// What is to be shown: that all differences vanish wherever the assumptions hold, and that an angle keeps within a turn.
+pub(super) struct Goal<'a> {
+    pub(super) assumptions: &'a Assumptions,
+    pub(super) differences: &'a [Expr],
+    pub(super) turn: Option<&'a Turn>,
+}
+
+impl Goal<'_> {
+    /// The outcome in one tower, which holds where its normal forms do, and whether several cases were told apart.
+    pub(super) fn explored(&self, pool: &mut Pool, tower: &mut Tower) -> (Outcome, bool) {
+        let differences = self.differences.to_vec();
+        let mut proof = Proof::new(pool, tower, self.assumptions.clone(), differences, self.turn.cloned());
+        let explored = proof.explore(&[]);
+        let several = proof.several;
+        (outcome_of(pool, explored, tower), several)
+    }
+}
+
+fn outcome_of(pool: &mut Pool, explored: Result<Outcome, Obstacle>, tower: &Tower) -> Outcome {
+    match explored {
         Ok(Outcome::NotZero) => match tower.nested_radical() {
             Some(radical) => {
                 let radical = tower.raise(pool, &radical);
@@ -160,8 +192,7 @@ fn explored(
         Err(Obstacle::Outside(part)) => Outcome::Outside(format!("{OUTSIDE}: {part}")),
         Err(Obstacle::TooLarge(limit)) => Outcome::Outside(format!("the normal form is too large: {limit}")),
         Err(Obstacle::Refine) => Outcome::Outside("its radicands could not be factored".into()),
-    };
-    (outcome, several)
+    }
 }
 
 const OUTSIDE: &str = "outside the class that is decided";
@@ -219,7 +250,7 @@ impl<'a> Proof<'a> {
                     observer.zero(self.pool, self.tower, &self.differences);
                 }
                 self.settled.push(given.to_vec());
-                return self.beside_points(given);
+                return Ok(Outcome::Zero);
             }
             Ok(_) => {}
             Err(Obstacle::DivisionByZero) => {
@@ -255,14 +286,6 @@ impl<'a> Proof<'a> {
         }
         self.observe(|observer| observer.end());
         Ok(together.unwrap_or(Outcome::NotZero))
-    }
-
-    /// That everything is zero, unless it holds only as a limit and the points spoken of may lie apart.
-    fn beside_points(&mut self, given: &[(usize, Sign)]) -> Result<Outcome, Obstacle> {
-        if self.tower.divides_by_norms {
-            self.assumptions.cases(self.tower, self.pool, &self.expressions(), given)?;
-        }
-        Ok(Outcome::Zero)
     }
 
     fn observe(&mut self, tell: impl FnOnce(&mut dyn Observer)) {

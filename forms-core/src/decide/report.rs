@@ -45,8 +45,8 @@ pub(crate) fn simplified(pool: &mut Pool, expression: Expr) -> Expr {
         return expression;
     }
     match prepared.exact(&mut tower, pool) {
-        Ok(fractions) => tower.raise(pool, &fractions[0]),
-        Err(_) => expression,
+        Ok(fractions) if tower.holds_everywhere() => tower.raise(pool, &fractions[0]),
+        _ => expression,
     }
 }
 
@@ -90,9 +90,10 @@ fn in_only_case(
     None
 }
 
-/// Whether nothing is written by half angles, which nobody wrote.
+/// Whether it is the same everywhere, and nothing is written by half angles, which nobody wrote.
 fn is_readable(tower: &Tower, fraction: &Fraction) -> bool {
-    tower.trigonometry() == Trigonometry::Circle || !tower.mentions_trigonometry(fraction)
+    tower.holds_everywhere()
+        && (tower.trigonometry() == Trigonometry::Circle || !tower.mentions_trigonometry(fraction))
 }
 
 /// Whether every radicand factor whose sign was needed is positive by its nature or as the whole radicand.

@@ -108,6 +108,10 @@ impl Tower {
     }
 
     fn half_angle_multiple(&mut self, unit: Unit, times: u32) -> Result<Point, Obstacle> {
+        if self.is_at_half_turn(&unit)? {
+            let cosine = Polynomial::integer(if times.is_even() { 1 } else { -1 });
+            return Ok((cosine.into(), Fraction::zero()));
+        }
         let t = Polynomial::variable(self.variable_of(Generator::HalfTangent(unit)));
         let (re, im) = complex_power(&Polynomial::one(), &t, 2 * times);
         let norm = self.factor(Polynomial::one().add(&t.square()));

@@ -58,8 +58,12 @@ impl Tower {
             let sine = if coefficient.is_negative() { self.negate(&sine) } else { sine };
             return Ok((cosine, sine));
         }
-        let mut point = self.point_of_arc(operation, &arguments)?;
-        for _ in 0..halvings {
+        let mut point = match (operation, halvings) {
+            (Operation::Acos, 1..) => self.point_of_half_an_arc_cosine(&arguments[0])?,
+            _ => self.point_of_arc(operation, &arguments)?,
+        };
+        let halved_already = u32::from(operation == Operation::Acos).min(halvings);
+        for _ in halved_already..halvings {
             point = self.halved(&point)?;
         }
         let (cosine, sine) = self.repeated(&point, multiple)?;
@@ -123,8 +127,17 @@ impl Tower {
         Ok(self.magnitude_power(q, Ratio::new(1, 2))?.0)
     }
 
-    /// The point at half the angle, for an angle in (−π, π]: cos(α/2) = √((1 + cos α)/2),
-    /// sin(α/2) = sin α/(2 cos(α/2)).
+    /// cos(α/2) = √((1 + q)/2), sin(α/2) = √((1 − q)/2) of α = acos q in [0, π], which may be π.
+    fn point_of_half_an_arc_cosine(&mut self, q: &Fraction) -> Result<Point, Obstacle> {
+        let half = Fraction::number(&Rational::new(1.into(), 2.into()));
+        let (above, below) = (self.add(&Fraction::one(), q)?, self.subtract(&Fraction::one(), q)?);
+        let (above, below) = (self.multiply(&above, &half)?, self.multiply(&below, &half)?);
+        Ok((self.root_of(&above)?, self.root_of(&below)?))
+    }
+
+    /// The point at half the angle, for an angle in (−π, π): cos(α/2) = √((1 + cos α)/2),
+    /// sin(α/2) = sin α/(2 cos(α/2)). All arcs but those of `acos` and parts of arcs lie there: the cut of `atan2` is
+    /// excluded.
     pub(super) fn halved(&mut self, (cosine, sine): &Point) -> Result<Point, Obstacle> {
         let above = self.add(&Fraction::one(), cosine)?;
         if above.is_zero() {

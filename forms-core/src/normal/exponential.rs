@@ -210,6 +210,9 @@ impl Tower {
                 continue;
             }
             let Some((above, norm)) = self.rationalised(&factor)? else { return Ok(None) };
+            if factor.term_count() > 1 {
+                self.exclude_zeros(norm.clone()); // the conjugate may vanish where the factor does not
+            }
             let monomial = norm.monomial_content();
             let (sign, content) = (norm.leading_coefficient().signum(), norm.content());
             let primitive = norm.primitive_part();

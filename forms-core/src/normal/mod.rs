@@ -36,6 +36,7 @@ mod raise;
 mod reduction;
 mod refinement;
 mod root;
+mod strata;
 mod terms;
 mod tower;
 mod univariate;

@@ -9,9 +9,8 @@
 //! A + Bρ = h³                                    where numbers A and B make it a cube
 //! ```
 //! Each is an identity of the field, so it serves roots and logarithms alike. What it divides by has to have a norm
-//! other than zero, down to an element without roots: that shows it not to be zero in disguise, so that it vanishes on a
-//! thin set at most, and what holds beside that set holds on it by continuity. A factor to which none applies joins the
-//! basis.
+//! other than zero, down to an element without roots: that shows it not to be zero in disguise. Where the norm vanishes
+//! the identity says nothing, which the tower records (`normal/strata.rs`). A factor to which none applies joins the basis.
 
 use super::cube::cube_root;
 use super::factored::Factored;
@@ -124,10 +123,8 @@ impl Tower {
             return Ok(false);
         }
         let norm = self.norm(split)?;
-        if norm.is_zero() || self.full_norm(&conjugate)?.is_none() {
-            return Ok(false);
-        }
-        self.divides_by_norms = true;
+        let Some(below) = self.full_norm(&conjugate)?.filter(|_| !norm.is_zero()) else { return Ok(false) };
+        self.exclude_zeros(below);
         self.factor_polynomial_into(&norm, exponent, factored)?;
         self.factor_polynomial_into(&conjugate, -exponent, factored)?;
         Ok(true)
@@ -143,20 +140,34 @@ impl Tower {
         let norm = self.norm(split)?;
         let available = self.roots_in(&split.rational.add(&split.irrational()));
         let Some(m) = self.square_root(&norm, &available, DEEPEST_ROOT)? else { return Ok(false) };
-        let sum = self.add(&split.rational.clone().into(), &m)?;
-        if sum.is_zero() || self.full_norm(&sum.numerator)?.is_none() {
-            return Ok(false);
-        }
+        let Some((sum, below)) = self.sum_to_divide_by(split, &m)? else { return Ok(false) };
         let whole = self.add(&sum, &split.irrational().into())?;
-        if whole.is_zero() {
+        if whole.is_zero() || !self.exclude_zeros_below(&sum)? {
             return Ok(false);
         }
-        self.divides_by_norms = true;
+        self.exclude_zeros(below);
         let two = Ratio::from_integer(2);
         self.raise_fraction(&whole, exponent * two, factored)?;
         self.raise_fraction(&sum, -exponent, factored)?;
         self.multiply_constant(factored, &2.into(), -exponent);
         Ok(true)
+    }
+
+    /// A + m or A − m with its norm: one that is a number, where one is.
+    fn sum_to_divide_by(&mut self, split: &Split, m: &Fraction) -> Result<Option<(Fraction, Polynomial)>, Obstacle> {
+        let mut found = None;
+        for m in [m.clone(), self.negate(m)] {
+            let sum = self.add(&split.rational.clone().into(), &m)?;
+            if sum.is_zero() {
+                continue;
+            }
+            let Some(norm) = self.full_norm(&sum.numerator)? else { continue };
+            if norm.as_constant().is_some() {
+                return Ok(Some((sum, norm)));
+            }
+            found = found.or(Some((sum, norm)));
+        }
+        Ok(found)
     }
 
     /// (A + Bρ)ᵉ = h³ᵉ for numbers A and B
@@ -200,11 +211,12 @@ impl Tower {
             let product = self.reduce(part.mul(&other))?;
             let available = self.roots_in(&part.add(&other));
             let Some(root) = self.square_root(&product, &available, DEEPEST_ROOT)? else { continue };
-            if root.is_zero() || self.full_norm(&other)?.is_none() {
+            let Some(below) = self.full_norm(&other)?.filter(|_| !root.is_zero()) else { continue };
+            if !self.exclude_zeros_below(&root)? {
                 continue;
             }
             factored.denested += 1;
-            self.divides_by_norms = true;
+            self.exclude_zeros(below);
             self.raise_fraction(&root, exponent * Ratio::from_integer(2), factored)?;
             self.raise_part(&other, -exponent, factored)?;
             return Ok(true);
@@ -327,7 +339,7 @@ impl Tower {
     }
 
     /// The product of all conjugates, free of roots; nothing if there is none or it is zero.
-    fn full_norm(&mut self, polynomial: &Polynomial) -> Result<Option<Polynomial>, Obstacle> {
+    pub(super) fn full_norm(&mut self, polynomial: &Polynomial) -> Result<Option<Polynomial>, Obstacle> {
         let mut norm = polynomial.clone();
         while let Some(variable) = self.roots_in(&norm).pop() {
             let Some(split) = self.split_at(&norm, variable) else { return Ok(None) };

@@ -144,9 +144,7 @@ impl Tower {
 
     /// The angle or exponent that a generator is a function of.
     pub fn raise_unit(&self, pool: &mut Pool, unit: &Unit) -> Expr {
-        let mut quantity = self.quantity(&unit.quantity);
-        quantity.divisor *= BigInt::from(unit.divisor);
-        self.raise(pool, &quantity)
+        self.raise(pool, &self.angle_of(unit))
     }
 }
 

@@ -3,7 +3,7 @@
 use super::factor::FactorPower;
 use super::fraction::Fraction;
 use super::frame::Drift;
-use super::generator::{FactorId, Generator, Quantity};
+use super::generator::{FactorId, Generator, Quantity, Unit};
 use super::refinement::Product;
 use super::root::{Base, Sign, SignConstraint};
 use crate::expression::Expr;
@@ -82,9 +82,11 @@ pub struct Tower {
     pub(super) exponent_divisors: FxHashMap<Quantity, u32>,
     /// The denominator that all exponents are brought over.
     pub(super) exponent_denominator: Vec<FactorPower>,
-    /// Whether nested radicals were replaced by quotients, which holds where their denominators vanish only as a
-    /// limit of points nearby.
-    pub(crate) divides_by_norms: bool,
+    /// Units at an odd multiple of π here: cos u = −1, sin u = 0.
+    pub(super) half_turns: Vec<Unit>,
+    /// Units whose half-angle tangents were used, and polynomials that were divided by.
+    pub(super) poles: Vec<Unit>,
+    pub(super) excluded: Vec<Polynomial>,
     pub(super) trigonometry: Trigonometry,
     pub(super) elements: FxHashMap<Expr, Fraction>,
     constraints: FxHashMap<Expr, SignConstraint>,
@@ -113,7 +115,9 @@ impl Tower {
             divisors: FxHashMap::default(),
             exponent_divisors: FxHashMap::default(),
             exponent_denominator: Vec::new(),
-            divides_by_norms: false,
+            half_turns: Vec::new(),
+            poles: Vec::new(),
+            excluded: Vec::new(),
             trigonometry,
             elements: FxHashMap::default(),
             constraints: FxHashMap::default(),

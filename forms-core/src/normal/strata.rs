@@ -1,0 +1,143 @@
+//! Strata: the points at which a normal form says nothing of the expression that it stands for.
+//!
+//! ```text
+//! half-angle tangents   cos u = (1 − t²)/(1 + t²)      not where cos u = −1, the poles of t
+//! nested radicals       A + Bρ = n/(A − Bρ), …         not where what is divided by vanishes
+//! exponents             1/(A + Bρ) = (A − Bρ)/n        not where the norm n vanishes
+//! ```
+//! A tower records both kinds while it computes. Everywhere else its steps are identities of real functions. Whoever
+//! concludes something for every point decides these strata one by one: at a half turn (cos u, sin u) is (−1, 0), and
+//! [`Tower::at_half_turns`] computes with that.
+
+use super::factor::FactorPower;
+use super::fraction::Fraction;
+use super::generator::{Generator, Unit};
+use super::tower::{Obstacle, Tower};
+use crate::polynomial::Polynomial;
+
+/// Choices among more units are not gone through.
+const MOST_UNITS: usize = 4;
+
+impl Tower {
+    /// The units u whose half-angle tangent was used: nothing is known where cos u = −1.
+    pub(crate) fn poles(&self) -> &[Unit] {
+        &self.poles
+    }
+
+    /// Polynomials without roots that were divided by: nothing is known where one of them vanishes.
+    pub(crate) fn excluded(&self) -> &[Polynomial] {
+        &self.excluded
+    }
+
+    /// Whether what was computed holds at every point at which the expressions are defined.
+    pub(crate) fn holds_everywhere(&self) -> bool {
+        self.poles.is_empty() && self.excluded.is_empty()
+    }
+
+    /// Whether some variables are written relative to others.
+    pub(crate) fn has_frame(&self) -> bool {
+        !self.frame.is_empty()
+    }
+
+    /// Whether a unit was used together with a finer one of the same quantity, as happens before the finer one is
+    /// known to be needed.
+    pub(crate) fn has_coarser_poles(&self) -> bool {
+        let finer = |unit: &Unit, other: &Unit| unit.quantity == other.quantity && unit.divisor != other.divisor;
+        self.poles.iter().any(|unit| self.poles.iter().any(|other| finer(unit, other)))
+    }
+
+    /// The same generators with nothing computed and nothing recorded.
+    pub(crate) fn apart(&self) -> Tower {
+        let mut tower = self.clone();
+        tower.poles.clear();
+        tower.excluded.clear();
+        tower.fix_signs(&[]);
+        tower.start_again();
+        tower
+    }
+
+    /// The same generators with nothing computed, for the points at which these units, and no others, are at an odd
+    /// multiple of π.
+    pub(crate) fn at_half_turns(&self, units: &[Unit]) -> Tower {
+        let mut tower = self.apart();
+        tower.half_turns = units.to_vec();
+        tower
+    }
+
+    /// Every choice of some of the units whose half-angle tangents were used; nothing if there are too many.
+    pub(crate) fn choices_of_half_turns(&self) -> Option<Vec<Vec<Unit>>> {
+        if self.poles.len() > MOST_UNITS {
+            return None;
+        }
+        let chosen = |choice: usize| {
+            let is_chosen = |(place, unit): (usize, &Unit)| (choice >> place & 1 == 1).then(|| unit.clone());
+            self.poles.iter().enumerate().filter_map(is_chosen).collect()
+        };
+        Some((1..1 << self.poles.len()).map(chosen).collect())
+    }
+
+    /// The angle that a unit is.
+    pub(crate) fn angle_of(&self, unit: &Unit) -> Fraction {
+        let quantity = self.quantity(&unit.quantity);
+        Fraction { divisor: quantity.divisor * unit.divisor, ..quantity }
+    }
+
+    /// Notes that a half-angle tangent is used, unless its unit is at a half turn here. A unit that is divided more
+    /// finely than the one at a half turn has no known sine there.
+    pub(super) fn is_at_half_turn(&mut self, unit: &Unit) -> Result<bool, Obstacle> {
+        if self.half_turns.contains(unit) {
+            return Ok(true);
+        }
+        if self.half_turns.iter().any(|known| known.quantity == unit.quantity) {
+            return Err(Obstacle::Outside("a part of an angle at a half turn".into()));
+        }
+        if !self.poles.contains(unit) {
+            self.poles.push(unit.clone());
+        }
+        Ok(false)
+    }
+
+    /// Notes that a polynomial without roots was divided by. A polynomial in π alone vanishes nowhere.
+    pub(super) fn exclude_zeros(&mut self, polynomial: Polynomial) {
+        let pi = self.pi();
+        if polynomial.variables().into_iter().all(|variable| Some(variable) == pi) {
+            return;
+        }
+        if !self.excluded.contains(&polynomial) {
+            self.excluded.push(polynomial);
+        }
+    }
+
+    /// Notes that the factors below the line of a fraction were divided by; whether their norms are known.
+    pub(super) fn exclude_zeros_below(&mut self, fraction: &Fraction) -> Result<bool, Obstacle> {
+        let below: Vec<FactorPower> =
+            fraction.factors.iter().filter(|power| power.exponent > 0).copied().collect();
+        for power in below {
+            let polynomial = self.factor_polynomial(power.factor).clone();
+            let Some(norm) = self.full_norm(&polynomial)? else { return Ok(false) };
+            self.exclude_zeros(norm);
+        }
+        Ok(true)
+    }
+
+    /// Whether a polynomial that is not zero vanishes on a thin set at most: its generators are variables, derivatives of
+    /// unknown functions, half-angle tangents and π, which no relation binds.
+    pub(crate) fn vanishes_on_a_thin_set(&self, polynomial: &Polynomial) -> bool {
+        !polynomial.is_zero() && polynomial.variables().into_iter().all(|variable| self.is_independent(variable))
+    }
+
+    /// Whether a unit takes no value on an open set: a product of generators as above, at least one of them no number.
+    pub(crate) fn is_never_constant(&self, unit: &Unit) -> bool {
+        let quantity = self.quantity(&unit.quantity);
+        let variables = self.variables_of(&quantity);
+        let varies = |&variable: &u32| !matches!(self.generator(variable), Generator::Pi);
+        variables.iter().all(|&variable| self.is_independent(variable)) && variables.iter().any(varies)
+    }
+
+    fn is_independent(&self, variable: u32) -> bool {
+        matches!(
+            self.generator(variable),
+            Generator::Variable(_) | Generator::Jet { .. } | Generator::HalfTangent(_) | Generator::Pi
+        )
+    }
+}
