@@ -6,6 +6,7 @@ use super::problem::Problem;
 use super::proof::{self, Outcome};
 use super::report;
 use super::separation;
+use super::special;
 use super::verdict::Witness;
 use super::witness::{Difference, Found, Search};
 use crate::expression::{Condition, Expr, Pool};
@@ -88,6 +89,16 @@ pub(super) fn find(pool: &mut Pool, problem: &Problem, effort: Effort) -> Findin
     let outcome = separation::as_numbers(pool, problem, outcome);
     if outcome == Outcome::Zero && survey.points > 0 {
         return Finding::Equal { points: survey.points };
+    }
+    if survey.instances.is_none() {
+        let seen = special::look(pool, problem);
+        if let Some(difference) = seen.difference {
+            return Finding::Different(report::witness(pool, problem, &difference));
+        }
+        survey.points += seen.points;
+        if outcome == Outcome::Zero && survey.points > 0 {
+            return Finding::Equal { points: survey.points };
+        }
     }
     if survey.points == 0 {
         let contradiction = empty::contradiction(pool, problem);

@@ -28,6 +28,7 @@ mod sample;
 mod separation;
 #[cfg(test)]
 mod soundness;
+mod special;
 mod strata;
 mod translation;
 mod verdict;
@@ -44,10 +45,12 @@ pub(crate) use sample::simple_bounds;
 pub use separation::{Separated, separated};
 pub use verdict::{Theorem, Verdict, Witness};
 
+use crate::assume::is_open;
 use crate::certificate::Observer;
 use crate::expression::{Condition, Expr, Pool};
 use crate::normal::{Tower, Trigonometry};
 use crate::resolve::{Integration, Statement, Theory};
+use crate::syntax::ast::Relation;
 use problem::Problem;
 
 /// The products of terms that one normal form of a retraced proof may cost.
@@ -69,6 +72,9 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
         return Verdict::Unknown { reason };
     }
     let problem = Problem::new(theory, statement);
+    if let Some(reason) = narrowed(theory, &problem) {
+        return Verdict::Unknown { reason };
+    }
     match finding::find(&mut theory.pool, &problem, Effort::STATEMENT) {
         Finding::Equal { points: 0 } => Verdict::Unknown {
             reason: "no point was found at which both sides are defined and every condition holds".into(),
@@ -81,6 +87,33 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
         Finding::Empty(reason) => Verdict::Empty { reason },
         Finding::Unknown { reason, .. } => Verdict::Unknown { reason },
     }
+}
+
+/// Why a value that is known under a condition says too little: where the condition fails, the statement may speak of
+/// points that are limits of no others.
+///
+/// A condition that follows from the others takes no point away. Any other is one of a theorem, as for an integral of
+/// cos(k x) the k ≠ 0, if the points that meet the rest form an open set: those left are dense in it, and both sides are
+/// continuous.
+fn narrowed(theory: &mut Theory, problem: &Problem) -> Option<String> {
+    let is_narrowing = |condition: &&Condition| theory.narrowing.contains(condition);
+    let (narrowing, others): (Vec<&Condition>, Vec<&Condition>) =
+        problem.assumptions.iter().partition(is_narrowing);
+    let narrowing: Vec<Condition> = narrowing.into_iter().copied().collect();
+    let others: Vec<Condition> = others.into_iter().copied().collect();
+    let pool = &mut theory.pool;
+    let sides: Vec<Expr> = problem.components.iter().flat_map(|c| [c.left, c.right]).collect();
+    if narrowing.is_empty() || is_open(pool, &others, &sides) {
+        return None;
+    }
+    let open = narrowing.into_iter().find(|condition| {
+        let Condition { left, right, .. } = *condition;
+        let fails = [Relation::LessEqual, Relation::GreaterEqual]
+            .map(|relation| Condition { left, relation, right });
+        let both: Vec<Condition> = others.iter().copied().chain(fails).collect();
+        finding::contradiction(pool, &both).is_none()
+    })?;
+    Some(format!("an integral in it is known where `{}` only", open.text(pool)))
 }
 
 /// Proves a statement again, telling an observer how; whether it is proved.

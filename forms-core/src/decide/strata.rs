@@ -19,6 +19,8 @@ use crate::enclosure::{Precision, enclose_number};
 use crate::expression::{Condition, Expr, Operation, Pool, Rational, Substitution};
 use crate::normal::{Fraction, Generator, Tower, Unit};
 use crate::polynomial::Polynomial;
+use num_bigint::BigInt;
+use num_traits::Signed;
 
 /// Equations N = 0 are solved within each other at most so often.
 pub(super) const DEEPEST: u32 = 3;
@@ -149,40 +151,65 @@ fn with_zeros(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, mut out
 fn at_zeros(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, factor: &Polynomial) -> Outcome {
     let unsolved = || Outcome::Outside("nested radicals at points that lie apart".into());
     let Some(depth) = given.depth.checked_sub(1) else { return unsolved() };
-    let Some(values) = solution(pool, tower, factor) else { return unsolved() };
-    let conditions: Vec<Condition> =
-        given.conditions.iter().map(|condition| condition.substitute(pool, &values)).collect();
-    let differences = pool.substitute_all(goal.differences, &values);
-    let turn = goal.turn.map(|turn| Turn {
-        angle: pool.substitute(turn.angle, &values),
-        signs: pool.substitute_all(&turn.signs, &values),
-    });
-    prove_under(pool, Given { conditions: &conditions, depth, ..given }, &differences, turn.as_ref())
+    let Some(solutions) = solutions(pool, tower, factor) else { return unsolved() };
+    let mut outcome = Outcome::Empty("nothing is zero there".into());
+    for values in solutions {
+        let conditions: Vec<Condition> =
+            given.conditions.iter().map(|condition| condition.substitute(pool, &values)).collect();
+        let differences = pool.substitute_all(goal.differences, &values);
+        let turn = goal.turn.map(|turn| Turn {
+            angle: pool.substitute(turn.angle, &values),
+            signs: pool.substitute_all(&turn.signs, &values),
+        });
+        let given = Given { conditions: &conditions, depth, ..given };
+        let found = prove_under(pool, given, &differences, turn.as_ref());
+        outcome = together(outcome, found);
+    }
+    outcome
 }
 
-/// v = −r/a for a polynomial a v + r with a number a.
-fn solution(pool: &mut Pool, tower: &Tower, factor: &Polynomial) -> Option<Substitution> {
+/// All solutions of a polynomial equation for one variable: a v + r = 0 with a number a, or a v² + b v + c = 0 with numbers.
+fn solutions(pool: &mut Pool, tower: &Tower, factor: &Polynomial) -> Option<Vec<Substitution>> {
     if tower.has_frame() {
         return None;
     }
-    factor.variables().into_iter().find_map(|variable| {
+    let is_plain = |v: u32| matches!(tower.generator(v), Generator::Variable(_) | Generator::Pi);
+    let variables = factor.variables();
+    if !variables.iter().copied().all(is_plain) {
+        return None;
+    }
+    variables.into_iter().find_map(|variable| {
         let Generator::Variable(symbol) = *tower.generator(variable) else { return None };
-        let (mut rest, mut slope) = (Polynomial::zero(), None);
+        let mut parts = [Polynomial::zero(), Polynomial::zero(), Polynomial::zero()];
         for (exponent, coefficient) in factor.coefficients_in(variable) {
-            match exponent {
-                0 => rest = coefficient,
-                1 => slope = coefficient.as_constant(),
-                _ => return None,
+            *parts.get_mut(exponent as usize)? = coefficient;
+        }
+        let [c, b, a] = parts;
+        let values = match (a.as_constant(), b.as_constant(), c.as_constant()) {
+            _ if a.is_zero() => {
+                let above = tower.raise(pool, &Fraction::from(c.neg()));
+                let below = pool.number(Rational::from_integer(b.as_constant()?));
+                vec![pool.divide(above, below)]
             }
-        }
-        let is_plain = |v: u32| matches!(tower.generator(v), Generator::Variable(_) | Generator::Pi);
-        if !rest.variables().into_iter().all(is_plain) {
-            return None;
-        }
-        let above = tower.raise(pool, &Fraction::from(rest.neg()));
-        let below = pool.number(Rational::from_integer(slope?));
-        Some([(symbol, pool.divide(above, below))].into_iter().collect())
+            (Some(a), b, c) => roots_of_quadratic(pool, &a, &b.unwrap_or_default(), &c.unwrap_or_default()),
+            _ => return None,
+        };
+        let is_number = |polynomial: &Polynomial| polynomial.is_zero() || polynomial.as_constant().is_some();
+        (a.is_zero() || is_number(&b) && is_number(&c))
+            .then(|| values.into_iter().map(|value| [(symbol, value)].into_iter().collect()).collect())
     })
+}
+
+/// (−b ± √(b² − 4ac))/(2a), as far as they are real.
+fn roots_of_quadratic(pool: &mut Pool, a: &BigInt, b: &BigInt, c: &BigInt) -> Vec<Expr> {
+    let discriminant: BigInt = b * b - a * c * 4;
+    if discriminant.is_negative() {
+        return Vec::new();
+    }
+    let below = Rational::from_integer(a * 2);
+    let square = pool.number(Rational::from_integer(discriminant) / (&below * &below));
+    let (middle, reach) = (pool.number(Rational::from_integer(-b) / below), pool.sqrt(square));
+    vec![pool.add(middle, reach), pool.subtract(middle, reach)]
 }
 
 /// The outcome on two sets of points together.

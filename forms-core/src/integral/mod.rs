@@ -67,6 +67,9 @@ fn normal_form(
     if tower.trigonometry() != Trigonometry::Circle {
         return Err("a root of a trigonometric expression remains".into());
     }
+    if !tower.holds_everywhere() {
+        return Err("its normal form does not hold where a nested radical divides by zero".into());
+    }
     Ok(normal)
 }
 

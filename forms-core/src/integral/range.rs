@@ -275,7 +275,8 @@ pub(super) fn is_antiderivative(
     let derivative = pool.derivative(plain, variable);
     let difference = pool.subtract(derivative, integrand);
     let mut tower = Tower::new(Trigonometry::Circle);
-    Ok(any_normal_form(pool, &mut tower, difference, conditions)?.is_zero())
+    let is_zero = any_normal_form(pool, &mut tower, difference, conditions)?.is_zero();
+    Ok(is_zero && (tower.holds_everywhere() || tower.leaves_out_single_values_of(variable)))
 }
 
 /// log|q| as log q, which has the same derivative q′/q.

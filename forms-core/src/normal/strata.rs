@@ -13,6 +13,7 @@ use super::factor::FactorPower;
 use super::fraction::Fraction;
 use super::generator::{Generator, Unit};
 use super::tower::{Obstacle, Tower};
+use crate::expression::Symbol;
 use crate::polynomial::Polynomial;
 
 /// Choices among more units are not gone through.
@@ -132,6 +133,24 @@ impl Tower {
         let variables = self.variables_of(&quantity);
         let varies = |&variable: &u32| !matches!(self.generator(variable), Generator::Pi);
         variables.iter().all(|&variable| self.is_independent(variable)) && variables.iter().any(varies)
+    }
+
+    /// Whether what is left out are single values of a variable, whatever the others are: poles of angles that are
+    /// multiples of powers of it, and zeros of polynomials in it whose coefficients are not all zero at once.
+    pub(crate) fn leaves_out_single_values_of(&self, symbol: Symbol) -> bool {
+        let is_it = |variable: u32| *self.generator(variable) == Generator::Variable(symbol);
+        let plain = |variable: u32| matches!(self.generator(variable), Generator::Variable(_) | Generator::Pi);
+        let poles = self.poles.iter().all(|unit| {
+            let variables = self.variables_of(&self.quantity(&unit.quantity));
+            variables.iter().any(|&v| is_it(v)) && variables.iter().all(|&v| plain(v))
+        });
+        let zeros = self.excluded.iter().all(|polynomial| {
+            let variables = polynomial.variables();
+            let own = variables.iter().copied().find(|&v| is_it(v));
+            own.is_some_and(|own| polynomial.coefficients_in(own).iter().any(|(_, c)| c.as_constant().is_some()))
+                && variables.iter().all(|&v| plain(v))
+        });
+        poles && zeros
     }
 
     fn is_independent(&self, variable: u32) -> bool {

@@ -227,6 +227,9 @@ impl Evaluator<'_> {
         }
         for condition in conditions.iter().chain(target) {
             let composed = condition.substitute(&mut self.theory.pool, images);
+            if self.theory.narrowing.contains(condition) {
+                self.theory.narrowing.insert(composed);
+            }
             self.scope.require(composed);
         }
         for symbol in used.into_iter().filter(|symbol| !images.contains_key(symbol)) {

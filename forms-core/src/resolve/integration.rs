@@ -176,11 +176,22 @@ impl Evaluator<'_> {
                 antiderivative: found.antiderivative,
                 conditions: region.conditions.clone(),
             });
-            found.conditions.into_iter().for_each(|condition| self.scope.require(condition));
+            self.narrow(found.conditions);
             integral = found.value;
             region.forget_innermost(&self.theory.pool);
         }
         Ok(integral)
+    }
+
+    /// Requires conditions under which an integral has the value that was found. That something is not zero may be no more
+    /// than that, which is noted; an inequality is where the integral converges.
+    pub(super) fn narrow(&mut self, conditions: Vec<Condition>) {
+        for condition in conditions {
+            if condition.relation == Relation::NotEqual {
+                self.theory.narrowing.insert(condition);
+            }
+            self.scope.require(condition);
+        }
     }
 
     /// What was needed or used inside, as far as it does not speak of the variables of the ranges.

@@ -105,7 +105,7 @@ impl Evaluator<'_> {
             ));
         }
         let found = region.integral(pool, integrand)?;
-        found.conditions.into_iter().for_each(|condition| self.scope.require(condition));
+        self.narrow(found.conditions);
         Ok(found.value)
     }
 

@@ -230,6 +230,8 @@ pub struct Theory {
     pub warps: Vec<Warp>,
     /// The integrals over one range in the order in which they were found.
     pub(crate) integrations: Vec<Integration>,
+    /// Conditions under which integrals have the values that were found, although they may be defined elsewhere.
+    pub(crate) narrowing: FxHashSet<Condition>,
     pub(super) names: super::names::Names,
 }
 

@@ -1,0 +1,198 @@
+//! Points on thin strata: where a condition is an equation, or an angle is a multiple of a quarter turn.
+//!
+//! ```text
+//! weak conditions, angles ─▶ equations e = 0 ─ solved for a variable ─▶ s = v ─▶ the problem with v in the place of s
+//! ```
+//! Random points miss such strata, and an enclosure of cos π says nothing of 1 + cos π <= 0. With v in the place of s each
+//! side is brought to its normal form, which is exact, so that the search for points decides such conditions.
+
+use super::problem::{Component, Problem};
+use super::report::simplified;
+use super::witness::{Difference, Found, Search};
+use crate::expression::{Condition, Expr, Nature, Node, Operation, Pool, Rational, Substitution, Symbol};
+use crate::syntax::ast::Relation;
+use num_traits::Zero;
+
+/// Strata beyond these are not looked at.
+const MOST_STRATA: usize = 48;
+
+/// Candidate points looked at on each.
+const CANDIDATES: usize = 8;
+
+/// Angles in quarter turns, the poles of half-angle tangents first.
+const QUARTERS: &[i64] = &[2, 0, 1, -1, -2, 3, 4, 6, -6];
+
+/// What was seen on thin strata.
+#[derive(Default)]
+pub(super) struct Seen {
+    /// At how many points everything holds and no difference is certain.
+    pub(super) points: usize,
+    /// A point at which the sides differ.
+    pub(super) difference: Option<Difference>,
+}
+
+/// Looks at points on the strata of a problem.
+pub(super) fn look(pool: &mut Pool, problem: &Problem) -> Seen {
+    let mut seen = Seen::default();
+    for equation in equations(pool, problem).into_iter().take(MOST_STRATA) {
+        let Some(stratum) = Stratum::of(pool, problem, &equation) else { continue };
+        let mut search = Search::new(pool, &stratum.problem, 0);
+        for _ in 0..CANDIDATES {
+            match search.next() {
+                Found::NoPoint => {}
+                Found::Agrees => {
+                    seen.points += 1;
+                    break;
+                }
+                Found::Differs(difference) => {
+                    seen.difference = Some(stratum.located(pool, difference));
+                    return seen;
+                }
+            }
+        }
+    }
+    seen
+}
+
+/// Lists of expressions that vanish together: squares of a sum, factors of weak conditions, and distances of angles from
+/// quarter turns.
+fn equations(pool: &mut Pool, problem: &Problem) -> Vec<Vec<Expr>> {
+    let mut found: Vec<Vec<Expr>> = Vec::new();
+    let mut add = |equation: Vec<Expr>| {
+        if !found.contains(&equation) {
+            found.push(equation);
+        }
+    };
+    for condition in &problem.assumptions {
+        if matches!(condition.relation, Relation::LessEqual | Relation::GreaterEqual) {
+            let difference = pool.subtract(condition.left, condition.right);
+            for factor in pool.factors_that_may_vanish(difference) {
+                add(vanishing_together(pool, factor));
+            }
+        }
+    }
+    for angle in angles(pool, problem) {
+        for &quarters in QUARTERS {
+            let (share, pi) = (pool.ratio(quarters, 2), pool.pi());
+            let target = pool.multiply(share, pi);
+            add(vec![pool.subtract(angle, target)]);
+        }
+    }
+    found
+}
+
+/// What has to vanish for a factor to: both parts of a sum of squares or magnitudes, what a magnitude is of.
+fn vanishing_together(pool: &Pool, factor: Expr) -> Vec<Expr> {
+    match pool.node(factor) {
+        Node::Add(a, b) if pool.nature(*a) != Nature::Open && pool.nature(*b) != Nature::Open => {
+            [vanishing_together(pool, *a), vanishing_together(pool, *b)].concat()
+        }
+        Node::Apply(Operation::Abs, of) => vanishing_together(pool, of[0]),
+        Node::Power(base, _) => vanishing_together(pool, *base),
+        _ => vec![factor],
+    }
+}
+
+/// What the sines, cosines and tangents of a problem are of.
+fn angles(pool: &Pool, problem: &Problem) -> Vec<Expr> {
+    let sides = problem.components.iter().flat_map(|c| [c.left, c.right]);
+    let all: Vec<Expr> = sides.chain(problem.assumptions.iter().flat_map(|c| [c.left, c.right])).collect();
+    let mut angles: Vec<Expr> = Vec::new();
+    for part in pool.reachable(&all) {
+        if let Node::Apply(Operation::Sin | Operation::Cos | Operation::Tan, of) = pool.node(part)
+            && !angles.contains(&of[0])
+        {
+            angles.push(of[0]);
+        }
+    }
+    angles
+}
+
+/// A problem with expressions in the place of variables.
+struct Stratum {
+    problem: Problem,
+    values: Vec<(Symbol, Expr)>,
+}
+
+impl Stratum {
+    /// The stratum on which expressions vanish; nothing where one is not solved for a variable.
+    fn of(pool: &mut Pool, problem: &Problem, equations: &[Expr]) -> Option<Stratum> {
+        let mut values: Vec<(Symbol, Expr)> = Vec::new();
+        for &equation in equations {
+            let known: Substitution = values.iter().copied().collect();
+            let equation = pool.substitute(equation, &known);
+            if pool.is_zero(equation) {
+                continue;
+            }
+            let (symbol, value) = solved(pool, equation)?;
+            let one: Substitution = [(symbol, value)].into_iter().collect();
+            for known in &mut values {
+                known.1 = pool.substitute(known.1, &one);
+            }
+            values.push((symbol, value));
+        }
+        let substitution: Substitution = values.iter().copied().collect();
+        let mut image = |expression: Expr| {
+            let substituted = pool.substitute(expression, &substitution);
+            simplified(pool, substituted)
+        };
+        let component = |component: &Component, image: &mut dyn FnMut(Expr) -> Expr| Component {
+            label: component.label.clone(),
+            left: image(component.left),
+            right: image(component.right),
+            difference: image(component.difference),
+        };
+        let components = problem.components.iter().map(|c| component(c, &mut image)).collect();
+        let mut assumptions = Vec::new();
+        for Condition { left, relation, right } in &problem.assumptions {
+            let (left, right) = (image(*left), image(*right));
+            assumptions.push(Condition { left, relation: *relation, right });
+        }
+        let identical = problem.identical.iter().map(|&side| image(side)).collect();
+        let problem = Problem { components, identical, assumptions, stated: problem.stated };
+        Some(Stratum { problem, values })
+    }
+
+    /// The difference with the values of the variables that were solved for. A variable that is left nowhere in the
+    /// problem may have any value.
+    fn located(&self, pool: &mut Pool, mut difference: Difference) -> Difference {
+        for &(symbol, value) in &self.values {
+            let mut places = Substitution::default();
+            for other in pool.symbols_in(&[value]) {
+                let name = pool.symbol_name(other).to_string();
+                let known = difference.point.iter().find(|(known, _)| *known == name);
+                let number = known.and_then(|(_, text)| text.parse::<Rational>().ok()).unwrap_or_default();
+                if known.is_none() {
+                    difference.point.push((name, number.to_string()));
+                }
+                places.insert(other, pool.number(number));
+            }
+            let value = pool.substitute(value, &places);
+            let value = simplified(pool, value);
+            difference.point.push((pool.symbol_name(symbol).to_string(), pool.text(value)));
+        }
+        difference
+    }
+}
+
+/// s and v where e = 0 says s = v: e is linear in s, with a slope that is a number or a multiple of π.
+fn solved(pool: &mut Pool, equation: Expr) -> Option<(Symbol, Expr)> {
+    for symbol in pool.symbols_in(&[equation]) {
+        let slope = pool.derivative(equation, symbol);
+        let slope = simplified(pool, slope);
+        let is_constant = pool.symbols_in(&[slope]).is_empty() && !has_jets(pool, slope);
+        if !is_constant || pool.as_number(slope).is_some_and(Zero::is_zero) {
+            continue;
+        }
+        let origin: Substitution = [(symbol, pool.integer(0))].into_iter().collect();
+        let rest = pool.substitute(equation, &origin);
+        let quotient = pool.divide(rest, slope);
+        let value = pool.negate(quotient);
+        return Some((symbol, simplified(pool, value)));
+    }
+    None
+}
+
+fn has_jets(pool: &Pool, expression: Expr) -> bool {
+    pool.reachable(&[expression]).into_iter().any(|part| matches!(pool.node(part), Node::Jet { .. }))
+}

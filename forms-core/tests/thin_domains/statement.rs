@@ -1,0 +1,180 @@
+//! Random statements under conditions that vanish on strata.
+
+use crate::tree::{Angle, Point, Tree};
+use Tree::{Cos, Number, Plain, Sin};
+use num_rational::Ratio;
+
+/// left ≤ right
+pub(crate) struct Condition(pub(crate) Tree, pub(crate) Tree);
+
+/// An equation under conditions.
+pub(crate) struct Statement {
+    pub(crate) left: Tree,
+    pub(crate) right: Tree,
+    pub(crate) conditions: Vec<Condition>,
+}
+
+/// Pseudo-random numbers, the same for the same case.
+pub(crate) struct Dice(u64);
+
+impl Dice {
+    pub(crate) fn of(case: u64) -> Self {
+        Dice(case.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x1234_5678_9abc_def1)
+    }
+
+    /// A number from 0 up to a bound, by SplitMix64.
+    pub(crate) fn below(&mut self, bound: u64) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (z ^ (z >> 31)) % bound
+    }
+
+    fn among<T: Clone>(&mut self, choices: &[T]) -> T {
+        choices[self.below(choices.len() as u64) as usize].clone()
+    }
+
+    fn angle(&mut self) -> Angle {
+        let (of_x, of_z) = self.among(&[(1, 0), (1, 0), (0, 1), (1, 1), (1, -1), (2, 0), (2, 1)]);
+        Angle { of_x, of_z, over: self.among(&[1, 1, 1, 2, 3]) }
+    }
+
+    /// y, w, or a sum of small multiples of both and a number.
+    fn linear(&mut self) -> Tree {
+        match self.below(4) {
+            0 => Plain(0),
+            1 => Plain(1),
+            2 => Plain(0).minus(Number(self.among(&[1, 2, -1]))),
+            _ => Plain(0).plus(Number(self.among(&[1, -1, 2])).times(Plain(1))),
+        }
+    }
+
+    /// What is never negative, and zero on a stratum.
+    fn distance(&mut self) -> Tree {
+        let angle = self.angle();
+        let wave = if self.below(2) == 0 { Cos(angle) } else { Sin(angle) };
+        match self.below(12) {
+            0..3 => Number(1).plus(wave),
+            3..5 => Number(1).minus(wave),
+            5 => Number(1).minus(wave.squared()),
+            6 => wave.abs(),
+            7 => Number(1).plus(wave).sqrt(),
+            8 => self.linear().squared(),
+            9 => self.linear().abs(),
+            10 => self.linear().squared().plus(self.linear().squared()),
+            _ => {
+                let linear = self.linear();
+                linear.clone().exp().plus(linear.negated().exp()).minus(Number(2))
+            }
+        }
+    }
+
+    /// What is always positive.
+    fn positive(&mut self) -> Tree {
+        let angle = self.angle();
+        match self.below(5) {
+            0 => Number(2).plus(Cos(angle)),
+            1 => Number(3).minus(Sin(angle)),
+            2 => Number(1).plus(self.linear().squared()),
+            3 => Number(2).plus(Cos(angle)).sqrt(),
+            _ => Number(2),
+        }
+    }
+
+    /// An expression with a sign that matters.
+    fn signed(&mut self) -> Tree {
+        let angle = self.angle();
+        match self.below(6) {
+            0..3 => self.linear(),
+            3 => Cos(angle),
+            4 => Sin(angle),
+            _ => self.linear().times(Cos(angle)),
+        }
+    }
+
+    fn magnitude(&mut self, of: &Tree) -> Tree {
+        if self.below(3) == 0 { of.clone().squared().sqrt() } else { of.clone().abs() }
+    }
+
+    /// |e| p = ±e |p|, or an identity of half angles with one sign, or with terms that vanish on strata.
+    fn sides(&mut self, e: &Tree) -> (Tree, Tree) {
+        let p = self.positive();
+        let signed = if self.below(3) == 0 { e.clone() } else { e.clone().negated() };
+        match self.below(6) {
+            0 => (self.magnitude(e), signed),
+            1 | 2 => (self.magnitude(e).times(p.clone()), signed.times(p.abs())),
+            3 => {
+                let distance = self.distance();
+                (self.magnitude(e).plus(distance.clone()), signed.plus(self.magnitude(&distance)))
+            }
+            4 => {
+                let angle = self.angle();
+                let half = Angle { over: angle.over * 2, ..angle };
+                let root = Number(1).plus(Cos(angle)).sqrt();
+                (root.plus(self.magnitude(e)), Number(2).sqrt().times(self.magnitude(&Cos(half))).plus(signed))
+            }
+            _ => {
+                let other = self.signed();
+                let (a, b) = (self.magnitude(e).times(self.magnitude(&other)), signed.times(other));
+                (a, if self.below(2) == 0 { b } else { b.negated() })
+            }
+        }
+    }
+
+    pub(crate) fn statement(&mut self) -> Statement {
+        let e = self.signed();
+        let (left, right) = self.sides(&e);
+        let zero = Number(0);
+        let mut conditions = Vec::new();
+        for _ in 0..1 + self.below(3) {
+            let distance = self.distance();
+            conditions.push(match self.below(8) {
+                0..3 => Condition(distance.times(e.clone()), zero.clone()),
+                3 => Condition(distance.times(self.distance()).times(e.clone()), zero.clone()),
+                4 => Condition(zero.clone(), distance.abs()),
+                5 => Condition(distance, zero.clone()),
+                6 => Condition(distance.times(self.signed()), zero.clone()),
+                _ => Condition(self.signed(), Number(self.below(2) as i64)),
+            });
+        }
+        Statement { left, right, conditions }
+    }
+
+    /// A point, mostly at quarters and thirds of a turn and at small numbers.
+    pub(crate) fn point(&mut self) -> Point {
+        let turns = [(0, 1), (1, 1), (1, 1), (-1, 1), (1, 2), (-1, 2), (2, 1), (3, 1), (6, 1), (1, 3), (3, 2), (1, 4)];
+        let numbers = [(0, 1), (1, 1), (-1, 1), (2, 1), (-2, 1), (1, 2), (-1, 2), (3, 1)];
+        let mut one = |of: &[(i64, i64)]| {
+            let (p, q) = self.among(of);
+            Ratio::new(p, q)
+        };
+        [one(&turns), one(&turns), one(&numbers), one(&numbers)]
+    }
+}
+
+impl Statement {
+    pub(crate) fn source(&self) -> String {
+        format!("chart C(x, z, y, w); prove it: {self};")
+    }
+
+    /// Whether the sides differ at a point; nothing where that, or whether the statement speaks of it, is not certain.
+    pub(crate) fn differs_at(&self, point: &Point) -> Option<bool> {
+        for Condition(left, right) in &self.conditions {
+            if left.at(point)?.at_most(right.at(point)?) != Some(true) {
+                return None;
+            }
+        }
+        Some(self.left.at(point)?.differs(self.right.at(point)?))
+    }
+}
+
+impl std::fmt::Display for Statement {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} == {}", self.left, self.right)?;
+        for (place, Condition(left, right)) in self.conditions.iter().enumerate() {
+            write!(f, "{} {left} <= {right}", if place == 0 { " where" } else { "," })?;
+        }
+        Ok(())
+    }
+}
