@@ -50,6 +50,23 @@ const FALSE: &[&str] = &[
     // thirds of an inverse function are not the function
     "cos(acos(x)/3) == x",
     "sin(atan(x)/3) == x/sqrt(1 + x**2)",
+    // points at which cos u = -1, of which half-angle tangents know nothing
+    "abs(y) == -y where (1 + cos(x))*y <= 0, abs(1 + cos(x)) >= 0",
+    "abs(y)*(2 + cos(x)) == -y*abs(2 + cos(x)) where (1 + cos(x))*y <= 0",
+    "abs(y) == -y where (1 + cos(x + z))*y <= 0, abs(cos(x + z)) >= 0",
+    "abs(y) == -y where (1 + cos(x))*(1 + cos(z))*y <= 0, abs(cos(x)*cos(z)) >= 0",
+    "abs(y) == -y where (1 + cos(x/3))*y <= 0, abs(1 + cos(x)) >= 0",
+    "abs(y) == -y where (1 + cos(pi*x))*y <= 0, abs(cos(pi*x)) >= 0",
+    "abs(y) == -y where (1 + cos(g))*y <= 0, abs(cos(g)) >= 0",
+    "abs(cos(x)) == cos(x) where cos(x) <= -1",
+    "sqrt(2 + cos(x)) == 2 where sqrt(1 + cos(x)) <= 0",
+    // half of acos(-1), the sine of which is not that of half the angle by a quotient
+    "cos(acos(x)/2) + sin(acos(x)/2) == sqrt((1 + x)/2) where x <= -1",
+    "sin(acos(x)/4) == sqrt((1 + x)/2) where x <= -1",
+    // zeros of what nested radicals and exponents are divided by
+    "sqrt(x + 2*sqrt(x*y) + y) + abs(z) == sqrt(x) + sqrt(y) - z where x*z <= 0, y >= 0",
+    "abs(z) == -z where (sqrt(x + 2*sqrt(x*y) + y) - sqrt(y))*z <= 0, y >= 0, x >= 0",
+    "exp(1/(x + sqrt(x**2 + 2*y))) + abs(z) == exp(1/(2*x)) - z where y**2*z <= 0, y**2 <= 0, x > 0",
     // strata apart, beside nested radicals that are taken apart and without any
     "sqrt(3 + 2*sqrt(2)) + abs(y) == 1 + sqrt(2) + y where x >= 0, x*y >= 0",
     "sqrt(x + 1 + 2*sqrt(x)) + abs(y) == 1 + sqrt(x) + y where x*y >= 0",
@@ -92,6 +109,12 @@ const POSSIBLE: &[&str] = &[
     "x*y >= 0, x <= 0, y <= 0",
     "abs(x) > 0",
     "x != 0, x >= 0",
+    "cos(x) <= -1",
+    "cos(x) <= -1, abs(cos(x)) >= 1",
+    "sqrt(1 + cos(x)) <= 0",
+    "cos(x) + cos(y) <= -2, abs(cos(x)*cos(y)) >= 0",
+    "abs(sin(x/2)) >= 1, cos(x) <= -1",
+    "cos(2*x) <= -1, abs(sin(x)) >= 1",
 ];
 
 fn theory_of(text: &str) -> Theory {

@@ -5,6 +5,7 @@ use crate::calculus::{Blade, Coordinate, Form, Metric};
 use crate::diagnostic::Span;
 use crate::expression::{Condition, Expr, Pool, Rational, Symbol};
 use crate::syntax::ast::Claim;
+use rustc_hash::FxHashSet;
 use std::collections::BTreeSet;
 
 /// A coordinate patch.

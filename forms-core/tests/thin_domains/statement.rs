@@ -138,6 +138,9 @@ impl Dice {
                 _ => Condition(self.signed(), Number(self.below(2) as i64)),
             });
         }
+        if self.below(3) == 0 {
+            conditions.push(Condition(e, zero));
+        }
         Statement { left, right, conditions }
     }
 
