@@ -159,7 +159,7 @@ impl Values {
     fn bear_out(&mut self, statement: &Statement, witness: &Witness) -> bool {
         let value =
             |name: &str| witness.point.iter().find(|entry| entry.0 == name).map_or("1", |entry| &entry.1);
-        let point: Vec<BigFloat> = NAMES.iter().map(|name| self.sure.fraction(value(name))).collect();
+        let point: Vec<BigFloat> = NAMES.iter().map(|name| self.sure.coordinate(value(name))).collect();
         differ(&mut self.sure, statement, &point) == Some(true)
     }
 }

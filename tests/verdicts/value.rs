@@ -28,12 +28,66 @@ impl Calculator {
         self.integer(p).div(&self.integer(q), self.bits, ROUNDING)
     }
 
-    /// The value of `p` or `p/q` with any number of digits.
-    pub(crate) fn fraction(&mut self, text: &str) -> BigFloat {
-        let (p, q) = text.split_once('/').unwrap_or((text, "1"));
-        let [p, q] =
-            [p, q].map(|part| BigFloat::parse(part, Radix::Dec, self.bits, ROUNDING, &mut self.constants));
-        p.div(&q, self.bits, ROUNDING)
+    /// The value of a coordinate of a witness: sums, products and quotients of numbers with any number of digits and π.
+    pub(crate) fn coordinate(&mut self, text: &str) -> BigFloat {
+        let mut rest = text;
+        let value = self.sum(&mut rest);
+        assert!(rest.is_empty(), "{text} is no number");
+        value
+    }
+
+    fn sum(&mut self, rest: &mut &str) -> BigFloat {
+        let mut sum = self.product(rest);
+        loop {
+            let (sign, after) = (rest.chars().next(), rest.get(1..).unwrap_or_default());
+            match sign {
+                Some(' ') => *rest = after,
+                Some('+') => {
+                    *rest = after;
+                    sum = sum.add(&self.product(rest), self.bits, ROUNDING);
+                }
+                Some('-') => {
+                    *rest = after;
+                    sum = sum.sub(&self.product(rest), self.bits, ROUNDING);
+                }
+                _ => return sum,
+            }
+        }
+    }
+
+    fn product(&mut self, rest: &mut &str) -> BigFloat {
+        let mut product = self.factor(rest);
+        while let Some(sign @ ('*' | '/')) = rest.chars().next() {
+            *rest = &rest[1..];
+            let factor = self.factor(rest);
+            product = match sign {
+                '*' => product.mul(&factor, self.bits, ROUNDING),
+                _ => product.div(&factor, self.bits, ROUNDING),
+            };
+        }
+        product
+    }
+
+    fn factor(&mut self, rest: &mut &str) -> BigFloat {
+        *rest = rest.trim_start();
+        if let Some(after) = rest.strip_prefix('-') {
+            *rest = after;
+            return self.factor(rest).neg();
+        }
+        if let Some(after) = rest.strip_prefix("pi") {
+            *rest = after;
+            return self.constants.pi(self.bits, ROUNDING);
+        }
+        if let Some(after) = rest.strip_prefix('(') {
+            *rest = after;
+            let inner = self.sum(rest);
+            *rest = rest.strip_prefix(')').expect("a bracket is closed");
+            return inner;
+        }
+        let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
+        let (digits, after) = rest.split_at(end);
+        *rest = after;
+        BigFloat::parse(digits, Radix::Dec, self.bits, ROUNDING, &mut self.constants)
     }
 
     fn integer(&self, value: i64) -> BigFloat {

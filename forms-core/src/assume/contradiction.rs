@@ -23,7 +23,9 @@ impl Assumptions {
         for units in tower.choices_of_half_turns()? {
             let mut stratum = tower.at_half_turns(&units);
             same &= self.contradiction_in(pool, &mut stratum)? == found;
-            if !stratum.excluded().is_empty() || stratum.poles().iter().any(|unit| !tower.poles().contains(unit)) {
+            if !stratum.excluded().is_empty()
+                || stratum.poles().iter().any(|unit| !tower.poles().contains(unit))
+            {
                 return None;
             }
         }

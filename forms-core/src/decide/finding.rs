@@ -90,39 +90,27 @@ pub(super) fn find(pool: &mut Pool, problem: &Problem, effort: Effort) -> Findin
     if outcome == Outcome::Zero && survey.points > 0 {
         return Finding::Equal { points: survey.points };
     }
-    if survey.instances.is_none() {
-        let seen = special::look(pool, problem);
-        if let Some(difference) = seen.difference {
-            return Finding::Different(report::witness(pool, problem, &difference));
-        }
-        survey.points += seen.points;
-        if outcome == Outcome::Zero && survey.points > 0 {
-            return Finding::Equal { points: survey.points };
-        }
-    }
     if survey.points == 0 {
-        let contradiction = empty::contradiction(pool, problem);
-        let known = if let Outcome::Empty(reason) = &outcome { Some(reason.clone()) } else { None };
-        if let Some(reason) = contradiction.or(known) {
-            return Finding::Empty(reason);
+        survey.look_at_strata(pool, problem);
+        if survey.points == 0 && survey.difference.is_none() {
+            let contradiction = empty::contradiction(pool, problem);
+            let known = if let Outcome::Empty(reason) = &outcome { Some(reason.clone()) } else { None };
+            if let Some(reason) = contradiction.or(known) {
+                return Finding::Empty(reason);
+            }
         }
     }
     survey.enough = if outcome == Outcome::Zero { 1 } else { effort.points };
     if outcome != Outcome::Zero && survey.instances.is_some() {
         survey.instances = instances(pool, problem, MORE_CHOICES);
     }
-    survey.look(pool, problem, position, effort.candidates);
-    if let Some(difference) = survey.difference {
-        return Finding::Different(report::witness(pool, problem, &difference));
+    if survey.difference.is_none() {
+        survey.look(pool, problem, position, effort.candidates);
     }
-    let unknown = |reason: String| Finding::Unknown { reason, points: survey.points };
-    match outcome {
-        Outcome::Zero => Finding::Equal { points: survey.points },
-        Outcome::NotZero => unknown(
-            "the two sides have different normal forms, but no point was found at which they differ".into(),
-        ),
-        Outcome::Outside(reason) | Outcome::Empty(reason) => unknown(reason),
+    if survey.difference.is_none() && outcome != Outcome::Zero {
+        survey.look_at_strata(pool, problem);
     }
+    survey.finding(pool, problem, outcome)
 }
 
 /// What looking at points has shown so far.
@@ -132,15 +120,43 @@ struct Survey {
     difference: Option<Difference>,
     /// What points are looked for of, where it is not the problem itself.
     instances: Option<Vec<Instance>>,
+    /// Whether thin strata were looked at.
+    saw_strata: bool,
 }
 
 impl Default for Survey {
     fn default() -> Self {
-        Survey { points: 0, enough: FIRST_POINTS, difference: None, instances: None }
+        Survey { points: 0, enough: FIRST_POINTS, difference: None, instances: None, saw_strata: false }
     }
 }
 
 impl Survey {
+    /// What follows from an outcome of normal forms and from the points that were looked at.
+    fn finding(self, pool: &mut Pool, problem: &Problem, outcome: Outcome) -> Finding {
+        let points = self.points;
+        if let Some(difference) = &self.difference {
+            return Finding::Different(report::witness(pool, problem, difference));
+        }
+        match outcome {
+            Outcome::Zero => Finding::Equal { points },
+            Outcome::NotZero => {
+                let reason =
+                    "the two sides have different normal forms, but no point was found at which they differ";
+                Finding::Unknown { reason: reason.into(), points }
+            }
+            Outcome::Outside(reason) | Outcome::Empty(reason) => Finding::Unknown { reason, points },
+        }
+    }
+
+    /// Looks at points on thin strata, once.
+    fn look_at_strata(&mut self, pool: &mut Pool, problem: &Problem) {
+        if self.instances.is_none() && !std::mem::replace(&mut self.saw_strata, true) {
+            let seen = special::look(pool, problem);
+            self.points += seen.points;
+            self.difference = seen.difference;
+        }
+    }
+
     /// Looks at candidates from one position on; gives the position to go on from.
     fn look(&mut self, pool: &Pool, problem: &Problem, from: u32, candidates: usize) -> u32 {
         let Some(instances) = self.instances.take() else {

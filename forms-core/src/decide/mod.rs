@@ -108,8 +108,8 @@ fn narrowed(theory: &mut Theory, problem: &Problem) -> Option<String> {
     }
     let open = narrowing.into_iter().find(|condition| {
         let Condition { left, right, .. } = *condition;
-        let fails = [Relation::LessEqual, Relation::GreaterEqual]
-            .map(|relation| Condition { left, relation, right });
+        let fails =
+            [Relation::LessEqual, Relation::GreaterEqual].map(|relation| Condition { left, relation, right });
         let both: Vec<Condition> = others.iter().copied().chain(fails).collect();
         finding::contradiction(pool, &both).is_none()
     })?;

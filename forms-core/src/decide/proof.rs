@@ -113,7 +113,12 @@ fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn:
 /// First in the frame of the translations that change no difference. Bounds of single variables say less in it: where
 /// it left several cases and no proof, the expressions are looked at as they stand, unless the work was too much; after
 /// that with fewer cases, at the price of asking of each whether it can be.
-pub(super) fn prove_under(pool: &mut Pool, given: Given, differences: &[Expr], turn: Option<&Turn>) -> Outcome {
+pub(super) fn prove_under(
+    pool: &mut Pool,
+    given: Given,
+    differences: &[Expr],
+    turn: Option<&Turn>,
+) -> Outcome {
     let frame = translation::frame(pool, differences);
     let in_frame = (!frame.is_empty()).then_some((frame, false));
     let mut outcome = Outcome::NotZero;

@@ -3,7 +3,7 @@
 use super::problem::Problem;
 use super::verdict::{Theorem, Witness};
 use super::witness::Difference;
-use crate::assume::{Assumptions, Cases, Facts};
+use crate::assume::{Assumptions, Cases, Facts, is_open};
 use crate::expression::{Condition, Expr, Nature, Node, Pool};
 use crate::normal::{Fraction, Normalised, Sign, Tower, Trigonometry, normalise};
 use crate::syntax::ast::Relation;
@@ -61,7 +61,12 @@ pub fn simplified_where(pool: &mut Pool, conditions: &[Condition], expression: E
     let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(SIMPLIFICATION_WORK);
     let Some(prepared) = in_only_case(pool, &mut tower, &assumptions, expression) else { return expression };
     match prepared.exact(&mut tower, pool) {
-        Ok(fractions) if is_readable(&tower, &fractions[0]) => tower.raise(pool, &fractions[0]),
+        Ok(fractions)
+            if is_readable(&tower, &fractions[0])
+                && (tower.holds_everywhere() || holds_as_a_limit(pool, conditions, expression)) =>
+        {
+            tower.raise(pool, &fractions[0])
+        }
         _ => expression,
     }
 }
@@ -90,10 +95,15 @@ fn in_only_case(
     None
 }
 
-/// Whether it is the same everywhere, and nothing is written by half angles, which nobody wrote.
+/// Whether an expression is continuous on an open set of points, so that what equals it beside some equals it there.
+fn holds_as_a_limit(pool: &mut Pool, conditions: &[Condition], expression: Expr) -> bool {
+    let all: Vec<Condition> = conditions.iter().copied().chain(pool.domain(&[expression])).collect();
+    is_open(pool, &all, &[expression])
+}
+
+/// Whether nothing is written by half angles, which nobody wrote.
 fn is_readable(tower: &Tower, fraction: &Fraction) -> bool {
-    tower.holds_everywhere()
-        && (tower.trigonometry() == Trigonometry::Circle || !tower.mentions_trigonometry(fraction))
+    tower.trigonometry() == Trigonometry::Circle || !tower.mentions_trigonometry(fraction)
 }
 
 /// Whether every radicand factor whose sign was needed is positive by its nature or as the whole radicand.

@@ -72,13 +72,7 @@ fn holds_as_a_limit(pool: &mut Pool, goal: &Goal, conditions: &[Condition], towe
 }
 
 /// The outcome with the points at which some units are at a half turn.
-fn at_half_turns(
-    pool: &mut Pool,
-    goal: &Goal,
-    given: Given,
-    tower: &Tower,
-    mut outcome: Outcome,
-) -> Outcome {
+fn at_half_turns(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, mut outcome: Outcome) -> Outcome {
     if outcome.is_open() {
         return outcome;
     }

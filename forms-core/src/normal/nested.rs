@@ -154,7 +154,11 @@ impl Tower {
     }
 
     /// A + m or A − m with its norm: one that is a number, where one is.
-    fn sum_to_divide_by(&mut self, split: &Split, m: &Fraction) -> Result<Option<(Fraction, Polynomial)>, Obstacle> {
+    fn sum_to_divide_by(
+        &mut self,
+        split: &Split,
+        m: &Fraction,
+    ) -> Result<Option<(Fraction, Polynomial)>, Obstacle> {
         let mut found = None;
         for m in [m.clone(), self.negate(m)] {
             let sum = self.add(&split.rational.clone().into(), &m)?;

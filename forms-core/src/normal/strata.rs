@@ -43,7 +43,8 @@ impl Tower {
     /// Whether a unit was used together with a finer one of the same quantity, as happens before the finer one is
     /// known to be needed.
     pub(crate) fn has_coarser_poles(&self) -> bool {
-        let finer = |unit: &Unit, other: &Unit| unit.quantity == other.quantity && unit.divisor != other.divisor;
+        let finer =
+            |unit: &Unit, other: &Unit| unit.quantity == other.quantity && unit.divisor != other.divisor;
         self.poles.iter().any(|unit| self.poles.iter().any(|other| finer(unit, other)))
     }
 
@@ -98,8 +99,12 @@ impl Tower {
         Ok(false)
     }
 
-    /// Notes that a polynomial without roots was divided by. A polynomial in π alone vanishes nowhere.
+    /// Notes that a polynomial without roots was divided by. A polynomial in π alone vanishes nowhere, nor does an
+    /// exponential.
     pub(super) fn exclude_zeros(&mut self, polynomial: Polynomial) {
+        let mut powers = polynomial.monomial_content();
+        powers.retain(|&(variable, _)| matches!(self.generator(variable), Generator::Exponential(_)));
+        let polynomial = polynomial.divide_by_monomial(&powers).unwrap_or(polynomial);
         let pi = self.pi();
         if polynomial.variables().into_iter().all(|variable| Some(variable) == pi) {
             return;
@@ -124,7 +129,8 @@ impl Tower {
     /// Whether a polynomial that is not zero vanishes on a thin set at most: its generators are variables, derivatives of
     /// unknown functions, half-angle tangents and π, which no relation binds.
     pub(crate) fn vanishes_on_a_thin_set(&self, polynomial: &Polynomial) -> bool {
-        !polynomial.is_zero() && polynomial.variables().into_iter().all(|variable| self.is_independent(variable))
+        !polynomial.is_zero()
+            && polynomial.variables().into_iter().all(|variable| self.is_independent(variable))
     }
 
     /// Whether a unit takes no value on an open set: a product of generators as above, at least one of them no number.
@@ -139,7 +145,8 @@ impl Tower {
     /// multiples of powers of it, and zeros of polynomials in it whose coefficients are not all zero at once.
     pub(crate) fn leaves_out_single_values_of(&self, symbol: Symbol) -> bool {
         let is_it = |variable: u32| *self.generator(variable) == Generator::Variable(symbol);
-        let plain = |variable: u32| matches!(self.generator(variable), Generator::Variable(_) | Generator::Pi);
+        let plain =
+            |variable: u32| matches!(self.generator(variable), Generator::Variable(_) | Generator::Pi);
         let poles = self.poles.iter().all(|unit| {
             let variables = self.variables_of(&self.quantity(&unit.quantity));
             variables.iter().any(|&v| is_it(v)) && variables.iter().all(|&v| plain(v))
@@ -147,8 +154,9 @@ impl Tower {
         let zeros = self.excluded.iter().all(|polynomial| {
             let variables = polynomial.variables();
             let own = variables.iter().copied().find(|&v| is_it(v));
-            own.is_some_and(|own| polynomial.coefficients_in(own).iter().any(|(_, c)| c.as_constant().is_some()))
-                && variables.iter().all(|&v| plain(v))
+            own.is_some_and(|own| {
+                polynomial.coefficients_in(own).iter().any(|(_, c)| c.as_constant().is_some())
+            }) && variables.iter().all(|&v| plain(v))
         });
         poles && zeros
     }

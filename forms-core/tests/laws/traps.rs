@@ -345,14 +345,16 @@ fn sides_that_are_equal_by_two_conditions_are_no_contradiction() {
     );
 }
 
-/// √(3 + 2√2) is taken apart by division, which says nothing at x = 0, y < 0: no points lie beside these.
+/// √(3 + 2√2) is divided by a number only, so it is taken apart at x = 0, y < 0 too, beside which there are no points. A
+/// divisor that vanishes there is solved for.
 #[test]
-fn nested_radicals_say_nothing_of_points_that_lie_apart() {
+fn nested_radicals_are_taken_apart_at_points_that_lie_apart() {
     assert_verdicts(
-        "unknown",
+        "proved",
         &[
             "sqrt(3 + 2*sqrt(2))*abs(y) == (1 + sqrt(2))*abs(y) where x >= 0, x*y >= 0",
             "sqrt(3 + 2*sqrt(2)) + sqrt(x**2) == 1 + sqrt(2) + x where x >= 0, x*y >= 0",
+            "sqrt(x + 2*sqrt(x*z) + z)*abs(y) == (sqrt(x) + sqrt(z))*abs(y) where x >= 0, z >= 0, x*y >= 0",
         ],
     );
 }

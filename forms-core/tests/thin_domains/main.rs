@@ -41,7 +41,10 @@ fn no_verdict_on_a_thin_domain_contradicts_exact_points_on_its_strata() {
     let total = |of: fn(&Tally) -> u64| tallies.iter().map(of).sum::<u64>();
     let wrong: Vec<&String> = tallies.iter().flat_map(|tally| &tally.wrong).collect();
     let (proved, refuted) = (total(|tally| tally.proved), total(|tally| tally.refuted));
-    println!("{count} statements: {proved} proved, {refuted} refuted, {} unknown", total(|tally| tally.unknown));
+    println!(
+        "{count} statements: {proved} proved, {refuted} refuted, {} unknown",
+        total(|tally| tally.unknown)
+    );
     assert!(wrong.is_empty(), "{} wrong verdicts: {wrong:#?}", wrong.len());
     assert!(proved * 20 > count && refuted * 4 > count, "{proved} proved and {refuted} refuted say little");
     assert!(total(|tally| tally.seen_false) * 4 > count, "the judge sees too little");
@@ -69,7 +72,9 @@ fn judge(case: u64, statement: &Statement, seen: &[bool], tally: &mut Tally) {
     }
     let written = theory.statements[0].clone();
     match decide(&mut theory, &written) {
-        Verdict::Proved(_) if is_false => tally.wrong.push(format!("case {case}: proved and false: {statement}")),
+        Verdict::Proved(_) if is_false => {
+            tally.wrong.push(format!("case {case}: proved and false: {statement}"))
+        }
         Verdict::Empty { reason } if !seen.is_empty() => {
             tally.wrong.push(format!("case {case}: it has points, in spite of \"{reason}\": {statement}"));
         }

@@ -112,7 +112,10 @@ impl Dice {
                 let angle = self.angle();
                 let half = Angle { over: angle.over * 2, ..angle };
                 let root = Number(1).plus(Cos(angle)).sqrt();
-                (root.plus(self.magnitude(e)), Number(2).sqrt().times(self.magnitude(&Cos(half))).plus(signed))
+                (
+                    root.plus(self.magnitude(e)),
+                    Number(2).sqrt().times(self.magnitude(&Cos(half))).plus(signed),
+                )
             }
             _ => {
                 let other = self.signed();
@@ -146,7 +149,20 @@ impl Dice {
 
     /// A point, mostly at quarters and thirds of a turn and at small numbers.
     pub(crate) fn point(&mut self) -> Point {
-        let turns = [(0, 1), (1, 1), (1, 1), (-1, 1), (1, 2), (-1, 2), (2, 1), (3, 1), (6, 1), (1, 3), (3, 2), (1, 4)];
+        let turns = [
+            (0, 1),
+            (1, 1),
+            (1, 1),
+            (-1, 1),
+            (1, 2),
+            (-1, 2),
+            (2, 1),
+            (3, 1),
+            (6, 1),
+            (1, 3),
+            (3, 2),
+            (1, 4),
+        ];
         let numbers = [(0, 1), (1, 1), (-1, 1), (2, 1), (-2, 1), (1, 2), (-1, 2), (3, 1)];
         let mut one = |of: &[(i64, i64)]| {
             let (p, q) = self.among(of);

@@ -83,7 +83,8 @@ impl Tree {
 
 impl Angle {
     fn turns(self, [x, z, ..]: &Point) -> Ratio<i64> {
-        (x * Ratio::from_integer(self.of_x) + z * Ratio::from_integer(self.of_z)) / Ratio::from_integer(self.over)
+        (x * Ratio::from_integer(self.of_x) + z * Ratio::from_integer(self.of_z))
+            / Ratio::from_integer(self.over)
     }
 }
 

@@ -76,7 +76,16 @@ impl Value {
         let two = Fraction::from_integer(2);
         let turns = turns - (turns / two).floor() * two;
         let twelfths = turns * Fraction::from_integer(6);
-        let known = [(0, (1, 1)), (2, (1, 2)), (3, (0, 1)), (4, (-1, 2)), (6, (-1, 1)), (8, (-1, 2)), (9, (0, 1)), (10, (1, 2))];
+        let known = [
+            (0, (1, 1)),
+            (2, (1, 2)),
+            (3, (0, 1)),
+            (4, (-1, 2)),
+            (6, (-1, 1)),
+            (8, (-1, 2)),
+            (9, (0, 1)),
+            (10, (1, 2)),
+        ];
         let found = known.iter().find(|(at, _)| twelfths == Fraction::from_integer(*at));
         let near = (*turns.numer() as f64 / *turns.denom() as f64 * std::f64::consts::PI).cos();
         found.map_or(Value::near(near), |&(_, (p, q))| Value::fraction(p, q))
