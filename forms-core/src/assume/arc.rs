@@ -1,10 +1,12 @@
 //! Where sums of inverse trigonometric functions lie: principal values, narrowed by the signs of arguments.
 
 use super::facts::Facts;
-use super::range::Range;
+use super::range::{End, Range};
 use crate::expression::Operation;
 use crate::normal::{Fraction, Obstacle, Sign, Tower};
 use crate::polynomial::Polynomial;
+use num_rational::BigRational;
+use num_traits::One;
 
 impl Facts {
     /// Where a rational combination of inverse functions, of quantities and of π lies.
@@ -21,7 +23,27 @@ impl Facts {
                 (None, None) => return Ok(Range::default()),
             }
         }
-        Ok(range.add(&self.ranges.of(tower.pi(), rest)))
+        Ok(range.add(&self.range_of_terms(tower.pi(), rest)))
+    }
+
+    /// Where Σ c m lies: by conditions, else term by term by the bounds of single generators.
+    fn range_of_terms(&self, pi: Option<u32>, terms: Vec<(Vec<(u32, u32)>, BigRational)>) -> Range {
+        let known = self.ranges.of(pi, terms.clone());
+        if known.lower.is_some() && known.upper.is_some() {
+            return known;
+        }
+        let zero = Range::of_pi((0, 1, false), (0, 1, false));
+        let apart = terms.into_iter().fold(zero, |sum, (monomial, coefficient)| {
+            let one = self.ranges.of(pi, [(monomial.clone(), BigRational::one())]);
+            let (lower, upper) = match monomial.as_slice() {
+                [(variable, 1)] => self.bounds(*variable),
+                _ => (None, None),
+            };
+            let end = |known: Option<End>, bound: Option<&BigRational>| known.or(bound.map(End::number));
+            let term = Range { lower: end(one.lower, lower), upper: end(one.upper, upper) };
+            sum.add(&term.scaled(&coefficient))
+        });
+        Range { lower: known.lower.or(apart.lower), upper: known.upper.or(apart.upper) }
     }
 
     /// atan q ∈ (−π/2, π/2), asin q ∈ [−π/2, π/2], acos q ∈ [0, π], atan2(y, x) ∈ (−π, π) off its cut, each in
@@ -55,7 +77,7 @@ impl Facts {
     }
 
     /// The sign of a fraction from those of its factors, if they can be shown.
-    fn sign_of_fraction(&self, tower: &Tower, q: &Fraction) -> Option<Sign> {
+    pub(super) fn sign_of_fraction(&self, tower: &Tower, q: &Fraction) -> Option<Sign> {
         let mut negative = self.is_negative(q.numerator())?;
         for (polynomial, exponent) in tower.factors_of(q) {
             if exponent % 2 != 0 {
@@ -85,7 +107,6 @@ impl Facts {
 
 #[cfg(test)]
 mod tests {
-    use super::super::range::End;
     use super::*;
     use crate::expression::{Pool, SymbolKind};
     use crate::normal::{Trigonometry, normalise};

@@ -2,6 +2,7 @@
 
 use super::linear::{Inequality, contradict};
 use super::range::Ranges;
+use crate::expression::Operation;
 use crate::normal::{Fraction, Generator, Sign, Tower, Unit, chord_bounds};
 use crate::polynomial::Polynomial;
 use crate::syntax::ast::Relation;
@@ -74,8 +75,33 @@ impl Facts {
                     self.at_least(variable, -BigRational::one());
                     self.at_most(variable, BigRational::one());
                 }
+                Generator::Opaque { operation, .. } => self.learn_values(variable, *operation),
                 _ => {}
             }
+        }
+    }
+
+    /// The values that functions take: asin and atan within ±π/2 < 11/7, acos from 0 to π < 22/7, erf within ±1, Eₙ > 0.
+    fn learn_values(&mut self, variable: u32, operation: Operation) {
+        let number = |p: i64, q: i64| BigRational::new(p.into(), q.into());
+        let (lower, upper) = match operation {
+            Operation::Asin | Operation::Atan => (number(-11, 7), Some(number(11, 7))),
+            Operation::Acos => (number(0, 1), Some(number(22, 7))),
+            Operation::Atan2 => (number(-22, 7), Some(number(22, 7))),
+            Operation::Erf => (number(-1, 1), Some(number(1, 1))),
+            Operation::Expint1 => (number(0, 1), None),
+            _ => return,
+        };
+        self.at_least(variable, lower);
+        upper.into_iter().for_each(|upper| self.at_most(variable, upper));
+    }
+
+    /// asin, atan and erf have the signs of their arguments.
+    fn learn_odd_function(&mut self, tower: &Tower, variable: u32, argument: &Fraction) {
+        match self.sign_of_fraction(tower, argument) {
+            Some(Sign::Positive) => self.at_least(variable, BigRational::zero()),
+            Some(Sign::Negative) => self.at_most(variable, BigRational::zero()),
+            None => {}
         }
     }
 
@@ -124,6 +150,12 @@ impl Facts {
             match tower.generator(variable) {
                 Generator::HalfTangent(unit) => self.learn_half_tangent(tower, variable, unit),
                 Generator::Exponential(_) => self.learn_exponential(tower, variable),
+                Generator::Opaque {
+                    operation: Operation::Asin | Operation::Atan | Operation::Erf,
+                    arguments,
+                } => {
+                    self.learn_odd_function(tower, variable, &arguments[0]);
+                }
                 Generator::Logarithm { base } => {
                     self.learn_logarithm(variable, &tower.base(*base).polynomial);
                 }

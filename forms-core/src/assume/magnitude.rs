@@ -1,5 +1,5 @@
 //! What conditions on magnitudes say without them: |u| ≤ b is u ≤ b and −u ≤ b, and |u| is u where another condition
-//! says u ≥ 0.
+//! says u ≥ 0. So does u² ≤ b², which is |u| ≤ b.
 //!
 //! A condition whose normal form depends on an open sign is left out; what it says beside that sign is not.
 
@@ -18,12 +18,12 @@ pub(super) fn consequences(pool: &mut Pool, conditions: &[Condition]) -> Vec<Con
         parts.into_iter().any(|part| matches!(pool.node(part), Node::Apply(Operation::Abs, _)))
     };
     let about: Vec<Condition> = conditions.iter().copied().filter(|c| has_magnitude(pool, c)).collect();
+    let mut found: Vec<Condition> = conditions.iter().flat_map(|c| roots_of_square(pool, c)).collect();
     if about.is_empty() {
-        return vec![];
+        return found;
     }
     let images: FxHashMap<Expr, Expr> =
         conditions.iter().filter_map(|condition| magnitude_of_signed(pool, condition)).collect();
-    let mut found = Vec::new();
     for condition in about {
         let Condition { left, relation, right } = condition;
         let signed =
@@ -34,6 +34,22 @@ pub(super) fn consequences(pool: &mut Pool, conditions: &[Condition]) -> Vec<Con
         found.extend(both_signs(pool, &signed));
     }
     found
+}
+
+/// Of u² ≤ c with a number c the conditions u ≤ √c and −u ≤ √c.
+fn roots_of_square(pool: &mut Pool, condition: &Condition) -> Vec<Condition> {
+    let (less, more, relation) = match condition.relation {
+        Relation::Less | Relation::LessEqual => (condition.left, condition.right, condition.relation),
+        Relation::Greater => (condition.right, condition.left, Relation::Less),
+        Relation::GreaterEqual => (condition.right, condition.left, Relation::LessEqual),
+        Relation::NotEqual => return vec![],
+    };
+    let Node::Power(u, exponent) = *pool.node(less) else { return vec![] };
+    if exponent != 2.into() || pool.as_number(more).is_none_or(Signed::is_negative) {
+        return vec![];
+    }
+    let (bound, minus) = (pool.sqrt(more), pool.negate(u));
+    [u, minus].map(|left| Condition { left, relation, right: bound }).to_vec()
 }
 
 /// |u| and ±u where the condition says of u on which side of zero it is.

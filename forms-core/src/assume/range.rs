@@ -44,6 +44,11 @@ impl End {
         End { rational: BigRational::zero(), turns: BigRational::new(p.into(), q.into()), open }
     }
 
+    /// A number that belongs to the range.
+    pub(super) fn number(rational: &BigRational) -> Self {
+        End { rational: rational.clone(), turns: BigRational::zero(), open: false }
+    }
+
     pub(super) fn add(&self, other: &End) -> End {
         End {
             rational: &self.rational + &other.rational,

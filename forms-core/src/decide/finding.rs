@@ -1,6 +1,7 @@
 //! What can be found out about equations: points first, then the normal form, then more points.
 
 use super::empty;
+use super::equation::by_equations;
 use super::instance::{FIRST_CHOICE, Instance, MORE_CHOICES, instances};
 use super::problem::Problem;
 use super::proof::{self, Outcome};
@@ -87,6 +88,7 @@ pub(super) fn find(pool: &mut Pool, problem: &Problem, effort: Effort) -> Findin
     let outcome = proof::as_angles(pool, problem, effort.work, outcome);
     let outcome = proof::as_parts(pool, problem, effort.work, outcome);
     let outcome = separation::as_numbers(pool, problem, outcome);
+    let outcome = by_equations(pool, problem, effort.work, outcome);
     if outcome == Outcome::Zero && survey.points > 0 {
         return Finding::Equal { points: survey.points };
     }

@@ -16,6 +16,7 @@
 mod account;
 mod angle;
 mod empty;
+mod equation;
 mod finding;
 mod instance;
 mod part;

@@ -13,7 +13,7 @@ use rustc_hash::FxHashMap;
 const CHAIN: usize = 4;
 
 /// Bits of the bounds.
-const PRECISION: Precision = Precision(64);
+const PRECISION: Precision = Precision(192);
 
 /// Bounds of one variable by numbers; either may be missing.
 #[derive(Clone, Debug, Default)]

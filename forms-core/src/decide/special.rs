@@ -9,15 +9,20 @@
 use super::problem::{Component, Problem};
 use super::report::simplified;
 use super::witness::{Difference, Found, Search};
+use crate::enclosure::{Precision, enclose_number};
 use crate::expression::{Condition, Expr, Nature, Node, Operation, Pool, Rational, Substitution, Symbol};
 use crate::syntax::ast::Relation;
-use num_traits::Zero;
 
 /// Strata beyond these are not looked at.
 const MOST_STRATA: usize = 48;
 
 /// Candidate points looked at on each.
 const CANDIDATES: usize = 8;
+
+/// Extrema are looked for of conditions of no more variables.
+const MOST_VARIABLES: usize = 4;
+
+const PRECISION: Precision = Precision(128);
 
 /// Angles in quarter turns, the poles of half-angle tangents first.
 const QUARTERS: &[i64] = &[2, 0, 1, -1, -2, 3, 4, 6, -6];
@@ -71,6 +76,9 @@ fn equations(pool: &mut Pool, problem: &Problem) -> Vec<Vec<Expr>> {
             }
         }
     }
+    for interior in interiors(pool, problem) {
+        add(interior);
+    }
     for angle in angles(pool, problem) {
         for &quarters in QUARTERS {
             let (share, pi) = (pool.ratio(quarters, 2), pool.pi());
@@ -81,8 +89,37 @@ fn equations(pool: &mut Pool, problem: &Problem) -> Vec<Vec<Expr>> {
     found
 }
 
+/// Equations of points inside narrow domains far from the origin: the argument of an inverse function is 0 or ±1/2, or a
+/// condition is at its extremum.
+fn interiors(pool: &mut Pool, problem: &Problem) -> Vec<Vec<Expr>> {
+    let mut found = Vec::new();
+    for part in pool.reachable(&sides(problem)) {
+        if let Node::Apply(Operation::Asin | Operation::Acos, of) = pool.node(part) {
+            let argument = of[0];
+            for (p, q) in [(0, 1), (1, 2), (-1, 2)] {
+                let target = pool.ratio(p, q);
+                found.push(vec![pool.subtract(argument, target)]);
+            }
+        }
+    }
+    for condition in &problem.assumptions {
+        let difference = pool.subtract(condition.left, condition.right);
+        let symbols = pool.symbols_in(&[difference]);
+        if symbols.len() <= MOST_VARIABLES {
+            found.push(symbols.into_iter().map(|symbol| pool.derivative(difference, symbol)).collect());
+        }
+    }
+    found
+}
+
+/// The sides of the components and of the conditions.
+fn sides(problem: &Problem) -> Vec<Expr> {
+    let sides = problem.components.iter().flat_map(|c| [c.left, c.right]);
+    sides.chain(problem.assumptions.iter().flat_map(|c| [c.left, c.right])).collect()
+}
+
 /// What has to vanish for a factor to: both parts of a sum of squares or magnitudes, what a magnitude is of.
-fn vanishing_together(pool: &Pool, factor: Expr) -> Vec<Expr> {
+pub(super) fn vanishing_together(pool: &Pool, factor: Expr) -> Vec<Expr> {
     match pool.node(factor) {
         Node::Add(a, b) if pool.nature(*a) != Nature::Open && pool.nature(*b) != Nature::Open => {
             [vanishing_together(pool, *a), vanishing_together(pool, *b)].concat()
@@ -95,10 +132,8 @@ fn vanishing_together(pool: &Pool, factor: Expr) -> Vec<Expr> {
 
 /// What the sines, cosines and tangents of a problem are of.
 fn angles(pool: &Pool, problem: &Problem) -> Vec<Expr> {
-    let sides = problem.components.iter().flat_map(|c| [c.left, c.right]);
-    let all: Vec<Expr> = sides.chain(problem.assumptions.iter().flat_map(|c| [c.left, c.right])).collect();
     let mut angles: Vec<Expr> = Vec::new();
-    for part in pool.reachable(&all) {
+    for part in pool.reachable(&sides(problem)) {
         if let Node::Apply(Operation::Sin | Operation::Cos | Operation::Tan, of) = pool.node(part)
             && !angles.contains(&of[0])
         {
@@ -109,14 +144,14 @@ fn angles(pool: &Pool, problem: &Problem) -> Vec<Expr> {
 }
 
 /// A problem with expressions in the place of variables.
-struct Stratum {
-    problem: Problem,
+pub(super) struct Stratum {
+    pub(super) problem: Problem,
     values: Vec<(Symbol, Expr)>,
 }
 
 impl Stratum {
     /// The stratum on which expressions vanish; nothing where one is not solved for a variable.
-    fn of(pool: &mut Pool, problem: &Problem, equations: &[Expr]) -> Option<Stratum> {
+    pub(super) fn of(pool: &mut Pool, problem: &Problem, equations: &[Expr]) -> Option<Stratum> {
         let mut values: Vec<(Symbol, Expr)> = Vec::new();
         for &equation in equations {
             let known: Substitution = values.iter().copied().collect();
@@ -132,24 +167,7 @@ impl Stratum {
             values.push((symbol, value));
         }
         let substitution: Substitution = values.iter().copied().collect();
-        let mut image = |expression: Expr| {
-            let substituted = pool.substitute(expression, &substitution);
-            simplified(pool, substituted)
-        };
-        let component = |component: &Component, image: &mut dyn FnMut(Expr) -> Expr| Component {
-            label: component.label.clone(),
-            left: image(component.left),
-            right: image(component.right),
-            difference: image(component.difference),
-        };
-        let components = problem.components.iter().map(|c| component(c, &mut image)).collect();
-        let mut assumptions = Vec::new();
-        for Condition { left, relation, right } in &problem.assumptions {
-            let (left, right) = (image(*left), image(*right));
-            assumptions.push(Condition { left, relation: *relation, right });
-        }
-        let identical = problem.identical.iter().map(|&side| image(side)).collect();
-        let problem = Problem { components, identical, assumptions, stated: problem.stated };
+        let problem = mapped(pool, problem, |pool, expression| pool.substitute(expression, &substitution));
         Some(Stratum { problem, values })
     }
 
@@ -175,13 +193,34 @@ impl Stratum {
     }
 }
 
-/// s and v where e = 0 says s = v: e is linear in s, with a slope that is a number or a multiple of π.
-fn solved(pool: &mut Pool, equation: Expr) -> Option<(Symbol, Expr)> {
+/// The problem with an image of each side, through its normal form.
+pub(super) fn mapped(pool: &mut Pool, problem: &Problem, image: impl Fn(&mut Pool, Expr) -> Expr) -> Problem {
+    let mut image = |expression: Expr| {
+        let image = image(pool, expression);
+        simplified(pool, image)
+    };
+    let mut components = Vec::new();
+    for Component { label, left, right, difference } in &problem.components {
+        let (left, right, difference) = (image(*left), image(*right), image(*difference));
+        components.push(Component { label: label.clone(), left, right, difference });
+    }
+    let mut assumptions = Vec::new();
+    for Condition { left, relation, right } in &problem.assumptions {
+        let (left, right) = (image(*left), image(*right));
+        assumptions.push(Condition { left, relation: *relation, right });
+    }
+    let identical = problem.identical.iter().map(|&side| image(side)).collect();
+    Problem { components, identical, assumptions, stated: problem.stated }
+}
+
+/// s and v where e = 0 says s = v: e is linear in s, with a slope that is a number and not zero.
+pub(super) fn solved(pool: &mut Pool, equation: Expr) -> Option<(Symbol, Expr)> {
     for symbol in pool.symbols_in(&[equation]) {
         let slope = pool.derivative(equation, symbol);
         let slope = simplified(pool, slope);
-        let is_constant = pool.symbols_in(&[slope]).is_empty() && !has_jets(pool, slope);
-        if !is_constant || pool.as_number(slope).is_some_and(Zero::is_zero) {
+        if !enclose_number(pool, slope, PRECISION)
+            .is_ok_and(|slope| slope.is_positive() || slope.is_negative())
+        {
             continue;
         }
         let origin: Substitution = [(symbol, pool.integer(0))].into_iter().collect();
@@ -191,8 +230,4 @@ fn solved(pool: &mut Pool, equation: Expr) -> Option<(Symbol, Expr)> {
         return Some((symbol, simplified(pool, value)));
     }
     None
-}
-
-fn has_jets(pool: &Pool, expression: Expr) -> bool {
-    pool.reachable(&[expression]).into_iter().any(|part| matches!(pool.node(part), Node::Jet { .. }))
 }
