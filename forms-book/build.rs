@@ -9,8 +9,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// Folders below the root, and the endings of the files that are taken from them.
-const FOLDERS: [(&str, &[&str]); 4] = [
+const FOLDERS: [(&str, &[&str]); 5] = [
     ("docs", &["md", "svg", "png"]),
+    ("docs/book/scenes", &["toml"]),
     ("forms-radiometry/theory", &["forms"]),
     ("forms-radiometry/kernels", &["forms"]),
     ("scenes", &["md", "toml", "svg", "png"]),

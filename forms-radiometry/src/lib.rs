@@ -1,8 +1,8 @@
 //! Radiometry of scenes: the text of a scene file becomes a [`Scene`](scene::Scene), a plan says which effects of light it
 //! calls for, and what its receivers get comes out with an error ([`simulation`]).
 //!
-//! Diffuse surfaces and everything that shines on them are simulated. Scenes may say more than that ([`scene`]); what is
-//! not simulated yet is refused with its place.
+//! Nearly everything that a scene file can describe is simulated: diffuse, reflecting and refracting surfaces, media, bands and
+//! time. [`scene::not_simulated`] lists the rest; such a scene is refused, with the place of each request.
 //!
 //! ```
 //! use forms_radiometry::{scene, simulation};

@@ -41,7 +41,7 @@ mod walk;
 mod weights;
 mod whole;
 
-pub(crate) use closed_form::Straight;
+pub(crate) use closed_form::{Straight, is_precise};
 pub(crate) use direct::Lights;
 pub(crate) use gather::{Group, Scratch, Transport};
 pub(crate) use gathering::{Gathering, Hiding};

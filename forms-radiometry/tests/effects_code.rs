@@ -12,8 +12,6 @@ use std::collections::BTreeSet;
 
 /// The variable that tells this program under callgrind which scene it simulates.
 const COUNTED: &str = "FORMS_COUNTED_SCENE";
-/// The scenes whose instructions are counted: with and without each effect, and quickly.
-const COUNTED_SCENES: [&str; 4] = ["floor", "plate", "reflected", "all kinds of light"];
 
 /// All sets of effects of the kernel.
 fn sets() -> impl Iterator<Item = Effects> {
@@ -102,15 +100,23 @@ fn scenes_of_paths() -> Vec<(&'static str, String)> {
     ]
 }
 
+/// So many points that what each gets of a lamp is summed in `f64`, and not to the last digit.
+fn many_points() -> String {
+    (0..300).map(|index| POINT.replace("here", &format!("here {index}"))).collect()
+}
+
 /// Scenes by name, each with the kernels that it runs and the effects that their members are without.
 fn scenes() -> Vec<(&'static str, String, String)> {
     let straight = "gathered_light - surroundings beams interreflection, edge_form_factor";
     let exchange = "exchange_density, edge_potential, irradiance";
+    // closed forms of few points are added up in double-double, without `gathered_light`
+    let precise = "edge_form_factor";
     vec![
-        ("point", lamp(0.0, POINT), straight.to_owned()),
+        ("point", lamp(0.0, POINT), precise.to_owned()),
+        ("many points", lamp(0.0, &many_points()), straight.to_owned()),
         ("ray", lamp(0.0, RAY), straight.to_owned()),
-        ("plate", lamp(0.0, &format!("{PLATE}{POINT}")), straight.to_owned()),
-        ("ball", lamp(0.0, BALL), format!("{straight}, solid_angle_triangle")),
+        ("plate", lamp(0.0, &format!("{PLATE}{POINT}")), precise.to_owned()),
+        ("ball", lamp(0.0, BALL), format!("{precise}, solid_angle_triangle")),
         ("floor", lamp(0.0, FLOOR), format!("{straight}, {exchange}")),
         (
             "reflected",
@@ -179,8 +185,10 @@ fn the_counted_scene_has_answers() {
 
 #[test]
 fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan() {
+    const TEST: &str =
+        "effects_code::what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan";
     if !callgrind::is_installed() {
-        eprintln!("skipped: valgrind is not installed, so no instructions were counted");
+        forms_testing::skipped(TEST, "valgrind", "no instructions are counted");
         return;
     }
     let program = std::env::current_exe().expect("this program");
@@ -188,11 +196,13 @@ fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan()
     // under valgrind each takes half a minute where the numeric code is not optimised
     let is_quick = |name: &str| !cfg!(debug_assertions) || name == "mirror";
     let paths = scenes_of_paths().into_iter().filter(|(name, _)| is_quick(name)).collect::<Vec<_>>();
-    for name in COUNTED_SCENES.into_iter().chain(paths.iter().map(|(name, _)| *name)) {
+    let mut without_lines = Vec::new();
+    let by_paths: Vec<&str> = paths.iter().map(|(name, _)| *name).collect();
+    for name in scenes().iter().map(|(name, ..)| *name).chain(by_paths.iter().copied()) {
         let scene = scene(name);
         let plan = planned(&scene);
         let is_by_paths = is_by_paths(&scene, &plan);
-        assert_eq!(is_by_paths, !COUNTED_SCENES.contains(&name), "{name}");
+        assert_eq!(is_by_paths, by_paths.contains(&name), "{name}");
         let on = plan.effects.iter().filter(|planned| planned.on).map(|planned| planned.effect.name());
         let scene = format!("{name}:{}", on.collect::<Vec<_>>().join(","));
         let counts = callgrind::counted(&program, &arguments, &[(COUNTED, &scene)]).expect("valgrind runs");
@@ -214,15 +224,20 @@ fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan()
         let files: BTreeSet<&str> = listed.iter().filter_map(|kernel| parts::file_of(kernel)).collect();
         let of_lines = parts::kernel_files(&counts);
         assert!(of_lines.is_subset(&files), "{name}: {of_lines:?} run, and {files:?} are in the plan");
-        if parts::has_lines(&counts) {
-            // of two ways from surface to surface the error decides
-            let by_error = ["exchange_density", "edge_potential"];
-            let has_run = |kernel: &str| {
-                run.contains(kernel) || parts::file_of(kernel).is_some_and(|file| of_lines.contains(file))
-            };
-            let unused =
-                listed.iter().find(|kernel| !by_error.contains(&kernel.as_str()) && !has_run(kernel));
-            assert_eq!(unused, None, "{name}: is in the plan and does not run");
+        if !parts::has_lines(&counts) {
+            without_lines.push(name);
+            continue;
         }
+        // of two ways from surface to surface the error decides
+        let by_error = ["exchange_density", "edge_potential"];
+        let has_run = |kernel: &str| {
+            run.contains(kernel) || parts::file_of(kernel).is_some_and(|file| of_lines.contains(file))
+        };
+        let unused = listed.iter().find(|kernel| !by_error.contains(&kernel.as_str()) && !has_run(kernel));
+        assert_eq!(unused, None, "{name}: is in the plan and does not run");
+    }
+    if !without_lines.is_empty() {
+        let why = "kernels that are inlined cannot be found, so nothing says whether those of the plan run";
+        forms_testing::skipped(TEST, "debug information", why);
     }
 }

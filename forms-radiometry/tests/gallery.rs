@@ -4,10 +4,11 @@
 mod known;
 
 use forms_radiometry::scene::{Effect, Force, ForcedEffect, Scene, open};
-use forms_radiometry::simulation::Quantity::{self, FluenceRate, Irradiance, VectorIrradiance};
+use forms_radiometry::simulation::Quantity::{self, FluenceRate, Irradiance, Radiance, VectorIrradiance};
 use forms_radiometry::simulation::{Answer, Simulation, Unwatched, plan, simulate};
 use known::{Exhibit, GALLERY, Known, known};
 use std::collections::BTreeSet;
+use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 
 fn folder() -> PathBuf {
@@ -120,6 +121,28 @@ fn every_scene_of_the_folder_is_tested_and_has_a_picture_on_the_page() {
 fn what_is_known_lies_within_the_errors_that_are_said() {
     let is_meant = |exhibit: &&Exhibit| !(exhibit.long && cfg!(debug_assertions));
     GALLERY.iter().filter(is_meant).for_each(Exhibit::assert_true);
+}
+
+/// What is known of the scenes of the book, in the order of their names.
+fn scenes_of_the_book() -> [(&'static str, Known); 2] {
+    let of_cloud = PI * (1.0 - 0.883_254_886_486_837_4);
+    [
+        ("lamp_in_glass.toml", known(&[(1.0, "outside", Radiance)], 0.96 / 2.25)),
+        ("thick_cloud.toml", known(&[(1.0, "transmitted", Irradiance)], of_cloud)),
+    ]
+}
+
+#[test]
+fn scenes_of_the_book_have_the_answers_that_it_derives() {
+    let folder = folder().join("../docs/book/scenes");
+    let files = std::fs::read_dir(&folder).expect("the scenes of the book").map(|file| file.expect("a file"));
+    let found: BTreeSet<String> = files.map(|file| file.file_name().to_string_lossy().into()).collect();
+    assert_eq!(found, scenes_of_the_book().iter().map(|(file, _)| (*file).to_owned()).collect());
+    for (file, known) in scenes_of_the_book() {
+        let scene = open(&folder.join(file)).unwrap_or_else(|errors| panic!("{}", errors[0]));
+        let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
+        known.assert_within(file, &simulate(&scene, &plan, &Unwatched).answers);
+    }
 }
 
 #[test]

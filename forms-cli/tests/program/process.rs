@@ -91,9 +91,9 @@ pub(crate) fn interrupted(folder: &Folder, arguments: &[&str], part: &str) -> Ru
     let mut output = BufReader::new(child.stdout.take().expect("a pipe"));
     let mut read = String::new();
     while !read.contains(part) && output.read_line(&mut read).expect("text") > 0 {}
-    let number = child.id().to_string();
-    let sent = Command::new("kill").args(["-INT", &number]).status().expect("the command kill");
-    assert!(sent.success());
+    let number = i32::try_from(child.id()).expect("a process number");
+    nix::sys::signal::kill(nix::unistd::Pid::from_raw(number), nix::sys::signal::SIGINT)
+        .expect("Ctrl-C is sent");
     output.read_to_string(&mut read).expect("text");
     let mut ended = run(child.wait_with_output().expect("the program ends"));
     ended.output = read;

@@ -10,7 +10,7 @@ const FALSE: &str = "chart Plane(x, y);\nprove binomial: (x + y)**2 == x**2 + y*
 /// A browser at the page, or a word on why there is none.
 fn opened(server: &Server) -> Option<Browser> {
     let Some(mut browser) = Browser::start() else {
-        eprintln!("skipped: there is no Chromium on this machine, so the page was not tried in a browser");
+        forms_testing::skipped("serve::page", "Chromium", "the page is not used in a browser");
         return None;
     };
     let address = format!("http://{}", server.address);

@@ -29,9 +29,28 @@ fn folder() -> PathBuf {
     PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
 }
 
-/// Whether a tool is there.
-fn has(tool: &str) -> bool {
-    Command::new(tool).arg("--version").output().is_ok_and(|output| output.status.success())
+/// Whether a compiler makes a program of the least source; where it does not, the test is reported as skipped. A linker may bear the
+/// name of a compiler and have no assembler or headers.
+fn compiles(compiler: &str, test: &str) -> bool {
+    if !forms_testing::is_installed(compiler) {
+        forms_testing::skipped(test, compiler, "it is not in PATH");
+        return false;
+    }
+    let (file, program) =
+        (folder().join(format!("least_{compiler}.c")), folder().join(format!("least_{compiler}")));
+    let source = "#include <math.h>\n#include <stdio.h>\nint main(void) { return 0; }\n";
+    std::fs::write(&file, source).expect("a file in the build's folder");
+    match Command::new(compiler).arg("-o").arg(program).arg(file).arg("-lm").output() {
+        Ok(output) if output.status.success() => true,
+        Ok(output) => {
+            forms_testing::skipped(test, compiler, &String::from_utf8_lossy(&output.stderr));
+            false
+        }
+        Err(error) => {
+            forms_testing::skipped(test, compiler, &error.to_string());
+            false
+        }
+    }
 }
 
 /// Runs a tool on a file; its complaints are a failure, silence too.
@@ -152,7 +171,9 @@ fn c_compiles_without_warnings_and_computes_what_the_interpreter_computes() {
     let row = |_| (0..8).map(|_| f64::from(inputs.next() as f32)).collect();
     let rows: Vec<Vec<f64>> = (0..30).map(row).collect();
     let programs = kernels();
-    for compiler in ["gcc", "clang"].into_iter().filter(|compiler| has(compiler)) {
+    let test = "kernel::targets::c_compiles_without_warnings_and_computes_what_the_interpreter_computes";
+    // `cc` links every Rust program, and on most machines it is one of the others
+    for compiler in ["cc", "gcc", "clang"].into_iter().filter(|compiler| compiles(compiler, test)) {
         for precision in [Precision::F64, Precision::F32] {
             let source = harness(&programs, &rows, precision);
             let printed = compiled_and_run(compiler, &source, precision);
@@ -199,10 +220,11 @@ fn cuda_is_sound_as_a_program_of_cpp() {
     for precision in [Precision::F64, Precision::F32] {
         let text = emitted(Target::Cuda, precision);
         let file = folder().join(format!("emitted_{}.cu", precision.name()));
-        if has("nvcc") {
+        let test = "kernel::targets::cuda_is_sound_as_a_program_of_cpp";
+        if forms_testing::is_installed("nvcc") {
             std::fs::write(&file, &text).expect("a file in the build's folder");
             accepted("nvcc", &["-c", "-o", "/dev/null"], &file);
-        } else if has("g++") {
+        } else if compiles("g++", test) {
             let text = format!("#define __host__\n#define __device__\n{text}");
             std::fs::write(&file, text).expect("a file in the build's folder");
             accepted(

@@ -90,9 +90,10 @@ pub(crate) fn has_lines(counts: &Counts) -> bool {
     counts.keys().any(|place| in_crate(&place.file).is_some())
 }
 
-/// The module of a line: that of its file, or if this is not one of the crate, that of the function.
+/// The module of a line: that of its file, or if this is not one of the crate, that of the function. Line 0 marks an instruction
+/// that the compiler has merged from several lines: its file is that of any of them, and the function it is in has it.
 fn module(place: &Place) -> String {
-    match in_crate(&place.file) {
+    match in_crate(&place.file).filter(|_| place.line > 0) {
         Some(path) => path.trim_end_matches(".rs").trim_end_matches("/mod").replace('/', "::"),
         None => of_function(&place.function).unwrap_or_default().to_owned(),
     }

@@ -8,7 +8,7 @@
 //! ```
 //! It takes some hundred times as long as a sum in `f64`, so that few receivers are worth it: answers, and not the cells of maps.
 
-use super::direct::Lights;
+use super::direct::{Lights, kinds, sources};
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use super::round::{bulges, sees};
@@ -19,6 +19,7 @@ use crate::geometry::precise::{
 use crate::geometry::{Between, Face, Vector};
 use crate::scene::{Light, LightKind, Scene, Surface};
 use forms::math::{DoubleDouble, Real};
+use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
 /// What the corners of a piece of a luminaire and what its edges add are rounded by in `f64`.
@@ -27,6 +28,20 @@ const OF_PIECE: f64 = 16.0 * f64::EPSILON;
 const WITH_HORIZON: f64 = 3.0;
 /// The edges in whose time a round shape is seen as a whole.
 const OF_ROUND: usize = 6;
+/// The most edges that all answers together see in double-double, each in some 2 µs.
+const PRECISE_EDGES: usize = 1024;
+
+/// Whether the direct light of this many answers is computed to the last digit, by [`Lights::precisely`], and not gathered in `f64`.
+pub(crate) fn is_precise(scene: &Scene, faces: &[Face], answers: usize) -> bool {
+    let seen = sources(scene, faces, kinds(scene, faces));
+    let (round, flat): (Vec<&Face>, Vec<&Face>) = seen
+        .into_iter()
+        .map(|index| &faces[index])
+        .partition(|face| scene.surfaces[face.surface].shape.is_round());
+    let round: BTreeSet<usize> = round.into_iter().map(|face| face.surface).collect();
+    let edges = flat.into_iter().map(|face| face.vertices.len()).sum::<usize>() + OF_ROUND * round.len();
+    edges * answers <= PRECISE_EDGES
+}
 
 /// What a point gets straight from lights.
 pub(crate) struct Straight {
@@ -83,13 +98,6 @@ impl Lights<'_> {
     /// How many edges there are to see from a point.
     pub(crate) fn edges(&self, transport: &Transport) -> usize {
         self.faces().iter().map(|&index| transport.faces[index].vertices.len()).sum()
-    }
-
-    /// The same where round shapes are seen as a whole.
-    pub(crate) fn edges_beside_round(&self, transport: &Transport) -> usize {
-        let faces = self.faces().iter().map(|&index| &transport.faces[index]);
-        let flat = faces.filter(|face| !self.round().contains(&face.surface));
-        flat.map(|face| face.vertices.len()).sum::<usize>() + OF_ROUND * self.round().len()
     }
 
     /// What a point gets straight from lights. Shapes may be `seen_whole` if nothing that this is compared with is the sum of their pieces.

@@ -38,11 +38,16 @@ pub(crate) struct Lights<'s> {
     kinds: Kinds,
 }
 
+/// The faces that a point has to see for direct light: those that emit, and all of them where light comes from outside.
+pub(super) fn sources(scene: &Scene, faces: &[Face], kinds: Effects) -> Vec<usize> {
+    let counts = |&index: &usize| kinds.surroundings || emits(scene, &faces[index]);
+    (0..faces.len()).filter(counts).collect()
+}
+
 impl<'s> Lights<'s> {
     pub(crate) fn of(scene: &'s Scene, transport: &Transport) -> Self {
         let effects = kinds(scene, &transport.faces);
-        let counts = |&index: &usize| effects.surroundings || emits(scene, &transport.faces[index]);
-        let faces: Vec<usize> = (0..transport.faces.len()).filter(counts).collect();
+        let faces = sources(scene, &transport.faces, effects);
         let mut round: Vec<usize> = faces.iter().map(|&index| transport.faces[index].surface).collect();
         round.dedup();
         round.retain(|&surface| scene.surfaces[surface].shape.is_round());

@@ -57,7 +57,7 @@ struct Computed {
 }
 
 impl Computed {
-    fn of(scene: &Scene, faces: &[Face], question: &Question, hiding: Hiding) -> Self {
+    fn of(scene: &Scene, faces: &[Face], question: &Question, (hiding, is_precise): (Hiding, bool)) -> Self {
         let straight = kinds(scene, faces);
         let reflected = question.orders != Some(0) && faces.iter().any(|f| is_reflecting(scene, f));
         // where rays take too long, pieces follow
@@ -66,7 +66,16 @@ impl Computed {
             Gathering::Rays { most } => (true, most.is_finite()),
         };
         let asks = |is: fn(&ReceiverKind) -> bool| scene.receivers.iter().any(|receiver| is(&receiver.kind));
-        let at_points = asks(|kind| !matches!(kind, ReceiverKind::Surface { grid: None, .. }));
+        let asks_points =
+            asks(|kind| matches!(kind, ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. }));
+        let asks_elsewhere = asks(|kind| match kind {
+            ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. } => false,
+            ReceiverKind::Surface { grid, .. } => grid.is_some(),
+            ReceiverKind::Ray { .. } | ReceiverKind::Camera(_) => true,
+        });
+        let at_points = asks_points || asks_elsewhere;
+        // the closed forms of points add up light in double-double, without the kernel
+        let gathers = asks_elsewhere || (asks_points && !is_precise);
         let on_surfaces = question.receives.contains(&true);
         let has_points = on_surfaces || reflected || (rays && at_points);
         let from_faces = straight.luminaires || (straight.surroundings && !faces.is_empty());
@@ -75,8 +84,6 @@ impl Computed {
             receives && Element::of(index, face, &ConvexPiece::whole(face)).iter().any(Element::is_triangle)
         };
         let is_straight = pieces && question.orders == Some(0);
-        let asks_points =
-            asks(|kind| matches!(kind, ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. }));
         let is_seen = |surface: &Surface| straight.surroundings || surface.emits();
         let shines = |is: fn(&Shape) -> bool| {
             scene.surfaces.iter().any(|surface| is(&surface.shape) && is_seen(surface))
@@ -87,7 +94,7 @@ impl Computed {
                 is_whole(|shape| matches!(shape, Shape::Sphere(_))),
                 is_whole(|shape| matches!(shape, Shape::Disk(_))),
             ],
-            gathered: (pieces && at_points).then(|| question.kinds(straight)),
+            gathered: (pieces && gathers).then(|| question.kinds(straight)),
             straight: has_points.then_some(straight),
             views: reflected || (from_faces && (question.direct || has_points)),
             spheres: asks(|kind| matches!(kind, ReceiverKind::Sphere { .. })),
@@ -99,10 +106,16 @@ impl Computed {
     }
 }
 
-/// The kernels that the simulation of a scene with these faces runs.
-pub(crate) fn kernels(scene: &Scene, faces: &[Face], question: &Question, hiding: Hiding) -> Vec<UsedKernel> {
+/// The kernels that the simulation of a scene with these faces runs, by what surfaces hide and whether direct light at points
+/// [is computed to the last digit](super::is_precise).
+pub(crate) fn kernels(
+    scene: &Scene,
+    faces: &[Face],
+    question: &Question,
+    (hiding, is_precise): (Hiding, bool),
+) -> Vec<UsedKernel> {
     let Computed { gathered, straight, views, spheres, reflections, whole, exchange, rays, triangles } =
-        Computed::of(scene, faces, question, hiding);
+        Computed::of(scene, faces, question, (hiding, is_precise));
     let [whole_spheres, whole_disks] = whole;
     let all_light = gathered.map(|kinds| member(kinds, "what a receiver gathers"));
     let is_another = straight.filter(|straight| Some(*straight) != gathered);

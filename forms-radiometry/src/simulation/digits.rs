@@ -8,12 +8,9 @@
 
 use super::readings::Reading;
 use super::solver::RULES;
-use crate::radiosity::{Radiosity, Scratch, Straight};
+use crate::radiosity::{Radiosity, Scratch, Straight, is_precise};
 use crate::scene::Scene;
 use std::borrow::Cow;
-
-/// So many edges are seen from all points together in double-double at most, each in some 2 µs; what is seen of more is summed in `f64`.
-const PRECISE_EDGES: usize = 1024;
 
 /// How readings are computed.
 pub(super) enum Digits {
@@ -36,13 +33,18 @@ pub(super) struct Value<'d> {
 }
 
 impl Digits {
-    /// Of some readings, of which so many are answers; those after them are watched.
-    pub(super) fn of(readings: &[Reading], answers: usize, is_straight: bool, radiosity: &Radiosity) -> Self {
+    /// Of readings of a scene, the first `answers` of which are answers; those after them are watched.
+    pub(super) fn of(
+        (scene, readings): (&Scene, &[Reading]),
+        answers: usize,
+        is_straight: bool,
+        radiosity: &Radiosity,
+    ) -> Self {
         if !is_straight {
             return Self::Unknown;
         }
         let (lights, transport) = (radiosity.lights(), radiosity.transport());
-        if lights.edges_beside_round(transport) * answers <= PRECISE_EDGES {
+        if is_precise(scene, &transport.faces, answers) {
             return Self::All;
         }
         let points: Vec<_> = readings.iter().filter_map(Reading::at_point).map(|(point, _)| point).collect();

@@ -2,11 +2,12 @@
 
 use super::answer::PlannedEffect;
 use super::followed::Computable;
+use super::readings::Reading;
 use super::survey::receiving;
 use crate::faces::{faces, is_round};
 use crate::geometry::{Face, Screens};
 use crate::monte_carlo::{self, Limits};
-use crate::radiosity::{Gathering, Hiding, Question, UsedKernel, kernels};
+use crate::radiosity::{Gathering, Hiding, Question, UsedKernel, is_precise, kernels};
 use crate::scene::{Effect, Force, Receiver, ReceiverKind, Scene};
 
 /// What the solver does.
@@ -73,7 +74,11 @@ impl Effects {
     pub(super) fn kernels(&self, scene: &Scene) -> Vec<UsedKernel> {
         let merged = (!self.bands && scene.band_count() > 1).then(|| scene.with_one_band());
         let scene = merged.as_ref().unwrap_or(scene);
-        kernels(scene, &faces(scene, 0), &self.question(scene), self.hiding)
+        let (faces, question) = (faces(scene, 0), self.question(scene));
+        let readings =
+            scene.receivers.iter().enumerate().map(|(index, receiver)| Reading::of(index, receiver).len());
+        let is_precise = self.orders == Some(0) && is_precise(scene, &faces, readings.sum());
+        kernels(scene, &faces, &question, (self.hiding, is_precise))
     }
 
     /// How far paths go.

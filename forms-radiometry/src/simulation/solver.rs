@@ -246,7 +246,8 @@ impl<'s> Work<'s> {
 
     /// All readings in all bands; in none where the work was stopped before.
     fn read(&self, radiosity: &Radiosity, before: Option<(&Vec<Found>, f64, f64)>) -> Vec<Found> {
-        let digits = Digits::of(&self.readings, self.answers, self.effects.orders == Some(0), radiosity);
+        let is_straight = self.effects.orders == Some(0);
+        let digits = Digits::of((self.scene, &self.readings), self.answers, is_straight, radiosity);
         let one = |scratch: &mut Scratch, (index, reading): (usize, &Reading)| {
             let begin = Instant::now();
             let found = (!self.watch.is_stopped())
