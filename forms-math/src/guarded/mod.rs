@@ -72,11 +72,6 @@ impl<T: Guardable> Guarded<T> {
         self.value.is_nan() && self.error.is_zero()
     }
 
-    /// True where the exact value may be zero, as far as the error is bounded.
-    pub(crate) fn may_vanish(self) -> bool {
-        self.error.is_finite() && self.value.size_down() <= self.error
-    }
-
     fn is_exact(self) -> bool {
         self.error.is_zero()
     }

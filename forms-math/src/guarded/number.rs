@@ -1,9 +1,10 @@
 //! What each type of number says of its own rounding: the one place where bounds of a type's functions stand.
 
+use super::Guarded;
 use super::bound::{Bound, Magnitude};
 use crate::error_free::{difference_in_words, has_exact_rest, two_product, two_sum};
 use crate::scalar::Scalar;
-use crate::{DoubleDouble, Real, Wide};
+use crate::{DoubleDouble, Number, Real, Wide};
 
 /// Bounds of relative errors of functions, in units of 2^−[`Scalar::PRECISION`].
 #[derive(Clone, Copy, Debug)]
@@ -38,6 +39,8 @@ pub trait Guardable: Scalar {
     fn size(self) -> Self::Bound;
     /// |x| ≥
     fn size_down(self) -> Self::Bound;
+    /// A number of a formula and a bound of its error.
+    fn enclosed(number: Number<'_>) -> (Self, Self::Bound);
     /// A bound of the error of a value within so many units of it; none where the value is out of the range in which
     /// that is stated.
     fn rounding(self, units: f64) -> Self::Bound;
@@ -88,6 +91,11 @@ impl Guardable for f64 {
     fn rounding(self, units: f64) -> f64 {
         let relative = self.abs() * (units * (f64::EPSILON / 2.0 * (1.0 + 4.0 * f64::EPSILON)));
         if self.abs() < NORMAL { relative + units * SMALLEST } else { relative }
+    }
+    /// What the second word leaves is below half an ulp of it.
+    fn enclosed(number: Number<'_>) -> (Self, f64) {
+        let [value, rest] = *number.words();
+        (value, (rest.abs() * (1.0 + f64::EPSILON)).plus(if value.abs() < NORMAL / f64::EPSILON { SMALLEST } else { 0.0 }))
     }
     fn underflow(units: f64) -> f64 {
         units * SMALLEST
@@ -195,6 +203,10 @@ impl Guardable for DoubleDouble {
         const UNIT: f64 = f64::from_bits((1023 - 106) << 52) * (1.0 + 4.0 * f64::EPSILON);
         if in_range(self.high()) { self.high().abs() * (units * UNIT) } else { f64::INFINITY }
     }
+    fn enclosed(number: Number<'_>) -> (Self, f64) {
+        let value = Self::number(number);
+        (value, value.rounding(Self::UNITS.constant))
+    }
     fn underflow(_: f64) -> f64 {
         f64::INFINITY
     }
@@ -262,6 +274,23 @@ impl<const LIMBS: usize> Guardable for Wide<LIMBS> {
     }
     fn rounding(self, units: f64) -> Magnitude {
         self.size().times(Magnitude::of(units)).shifted(-i64::from(Self::PRECISION))
+    }
+    /// By the quotient and the power of π, each with its error.
+    fn enclosed(number: Number<'_>) -> (Self, Magnitude) {
+        let part = |words: &[u64]| {
+            let value = Self::from_words(words);
+            let rounded = words.len() > LIMBS;
+            Guarded { value, error: if rounded { value.rounding(1.0) } else { Magnitude::ZERO } }
+        };
+        let quotient = part(number.numerator()) / part(number.denominator());
+        let value = match i64::from(number.pi_exponent()) {
+            0 => quotient,
+            exponent => {
+                let pi = Self::pi();
+                quotient * Guarded { value: pi, error: pi.rounding(1.0) }.rational_power(exponent, 1)
+            }
+        };
+        (if number.is_negative() { -value.value } else { value.value }, value.error)
     }
     /// Where eˣ is out of range it is below 2^(−2⁵⁰).
     fn underflow(_: f64) -> Magnitude {

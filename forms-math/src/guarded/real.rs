@@ -1,7 +1,7 @@
 //! A guarded number as a number of a kernel; choices that the errors leave open have the values of both branches.
 
 use super::{Bound, Guardable, Guarded};
-use crate::Real;
+use crate::{Number, Real};
 use crate::quadrature::{Kind, double_exponential};
 
 impl<T: Guardable> Guarded<T> {
@@ -69,6 +69,10 @@ impl<T: Guardable> Real for Guarded<T> {
         // What the words leave, and what the type leaves of the words.
         let beyond = T::Bound::of(last.abs()).shifted(-53);
         Self { value, error: value.rounding(T::UNITS.constant).plus(beyond) }
+    }
+    fn number(number: Number<'_>) -> Self {
+        let (value, error) = T::enclosed(number);
+        Self { value, error }
     }
     #[inline]
     fn from_f64(value: f64) -> Self {

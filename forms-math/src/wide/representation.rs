@@ -88,6 +88,11 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         Self::normalized(negative, exponent + 64 * words as i64, mantissa, guard, false).0
     }
 
+    /// The natural number of these words, the least significant first.
+    pub(crate) fn from_words(words: &[u64]) -> Self {
+        Self::from_natural(false, words, 0)
+    }
+
     /// The nearest number of so many limbs; the same where they are no fewer.
     pub fn to_limbs<const OTHER: usize>(self) -> Wide<OTHER> {
         match self.class {
