@@ -29,9 +29,15 @@ impl<T: Guardable> Guarded<T> {
         Self { value, error }
     }
 
-    /// A function that vanishes where its value says so has no rounding error there.
+    /// A function that vanishes at 0 or 1 has no rounding error there; anywhere else a zero has underflowed.
     fn rounding_of(self, value: T, units: f64) -> T::Bound {
-        if value == T::from_f64(0.0) && self.is_exact() { T::Bound::ZERO } else { value.rounding(units) }
+        let zero = T::from_f64(0.0);
+        let vanishes = self.value == zero || self.value == T::from_f64(1.0);
+        if value == zero && self.is_exact() && vanishes {
+            T::Bound::ZERO
+        } else {
+            rounding_above_zero(value, units)
+        }
     }
 
     /// Undefined where the argument is surely so far outside of the domain, and without a bound where it may be.
