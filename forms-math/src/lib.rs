@@ -42,10 +42,10 @@ pub use escalate::{
 pub use formula::Formula;
 pub use guarded::{Bound, Guardable, Guarded, Magnitude, Units};
 pub use lane::{Lane32, Lane64};
-pub use number::Number;
 /// The matrices of [`batch_rows`].
 #[cfg(feature = "ndarray")]
 pub use ndarray;
+pub use number::Number;
 pub use real::Real;
 pub use scalar::Scalar;
 pub use source::{crate_files, source};

@@ -259,8 +259,11 @@ fn climb<R: Rounding>(
     slots: &mut [Slot<R::Number>],
 ) {
     let tape = Tape::of(arguments.len(), |arguments| computation.values(arguments));
+    // what does not depend on how large an infinite argument is shows at once
+    let is_finite = arguments.iter().all(|argument| argument.high().is_finite());
     let most = if tape.has_integral() { MOST_WORDS_OF_INTEGRALS } else { MOST_WORDS };
     let _ = in_words::<4, R>(&tape, arguments, rounding, slots)
+        || !is_finite
         || in_words::<8, R>(&tape, arguments, rounding, slots)
         || in_words::<16, R>(&tape, arguments, rounding, slots)
         || most <= 16

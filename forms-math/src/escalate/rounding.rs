@@ -30,14 +30,17 @@ const LEAST_SLACK: f64 = 1.0 / (1_u64 << 28) as f64;
 /// A binary format: relative to a normal number half an ulp is at most 2^−`precision`.
 struct Format {
     precision: i64,
-    /// The least normal number.
+    /// The least normal number, and the largest.
     normal: f64,
+    largest: f64,
     /// Half the least number above zero is 2^this.
     half_of_least: i64,
 }
 
-const SINGLE: Format = Format { precision: 24, normal: f32::MIN_POSITIVE as f64, half_of_least: -150 };
-const DOUBLE: Format = Format { precision: 53, normal: f64::MIN_POSITIVE, half_of_least: -1075 };
+const SINGLE: Format =
+    Format { precision: 24, normal: f32::MIN_POSITIVE as f64, largest: f32::MAX as f64, half_of_least: -150 };
+const DOUBLE: Format =
+    Format { precision: 53, normal: f64::MIN_POSITIVE, largest: f64::MAX, half_of_least: -1075 };
 
 impl Format {
     /// Whether `nearest` is within so many units of the exact value, relative to it where it is a normal number, and else
@@ -50,8 +53,8 @@ impl Format {
         let least = number.size_down().minus_down(error);
         let unit = |units: f64| T::Bound::of(units).shifted(-self.precision);
         if !nearest.is_finite() {
-            // beyond the largest number
-            let known = error <= unit(LEAST_SLACK).times_down(least);
+            // beyond the largest number, by more than a number that is nearly so may be
+            let known = least >= T::Bound::of(self.largest) && error <= unit(LEAST_SLACK).times_down(least);
             return if known { Outcome::Known(nearest) } else { Outcome::Open };
         }
         let (left, rounding) = number.sum(-T::from_f64(nearest));
@@ -138,7 +141,8 @@ impl Rounding for ToTwoWords {
         let absolute = T::Bound::of(1.0).shifted(DOUBLE.half_of_least + scale);
         let places = T::Bound::of(1.0).shifted(Self::PLACES);
         let is_small = rounded.high().abs() < Self::LEAST && error.shifted(scale) <= absolute;
-        if is_small || error <= number.size_down().minus_down(error).times_down(places) {
+        let is_large = number.size_down() >= T::Bound::of(f64::MAX) || rounded.high().is_finite();
+        if is_small || is_large && error <= number.size_down().minus_down(error).times_down(places) {
             return Outcome::Known(rounded);
         }
         Outcome::Open

@@ -20,14 +20,24 @@ enum Step {
     Argument(usize),
     Double(f64),
     Words(Vec<f64>),
-    Number { words: [f64; 2], numerator: Vec<u64>, denominator: Vec<u64>, pi_exponent: i32 },
+    Number {
+        words: [f64; 2],
+        numerator: Vec<u64>,
+        denominator: Vec<u64>,
+        pi_exponent: i32,
+    },
     Function(Function, u32),
     Binary(Binary, [u32; 2]),
     Power(u32, i64, i64),
     DifferenceOfProducts([u32; 4]),
     Choice(Choice, [u32; 4]),
     /// Of the steps behind it up to `end`, the first the variable, one gives the integrand's value.
-    Integral { from: u32, to: u32, end: u32, value: u32 },
+    Integral {
+        from: u32,
+        to: u32,
+        end: u32,
+        value: u32,
+    },
     /// What is integrated over.
     Variable,
 }

@@ -35,6 +35,17 @@ pub trait Guardable: Scalar {
     type Bound: Bound;
     /// What is stated of its functions.
     const UNITS: Units;
+    /// Whether the type has numbers beyond its exponents of which the sign and a least size are known.
+    const HAS_BEYOND: bool = false;
+    /// A number of this sign that is at least 2^`exponent` in size.
+    fn beyond(_negative: bool, _exponent: i64) -> Self {
+        Self::nan()
+    }
+    /// (whether it is negative, e) of such a number.
+    #[inline(always)]
+    fn is_beyond(self) -> Option<(bool, i64)> {
+        None
+    }
     /// |x| ≤
     fn size(self) -> Self::Bound;
     /// |x| ≥
@@ -95,7 +106,14 @@ impl Guardable for f64 {
     /// What the second word leaves is below half an ulp of it.
     fn enclosed(number: Number<'_>) -> (Self, f64) {
         let [value, rest] = *number.words();
-        (value, (rest.abs() * (1.0 + f64::EPSILON)).plus(if value.abs() < NORMAL / f64::EPSILON { SMALLEST } else { 0.0 }))
+        (
+            value,
+            (rest.abs() * (1.0 + f64::EPSILON)).plus(if value.abs() < NORMAL / f64::EPSILON {
+                SMALLEST
+            } else {
+                0.0
+            }),
+        )
     }
     fn underflow(units: f64) -> f64 {
         units * SMALLEST
@@ -259,6 +277,13 @@ impl<const LIMBS: usize> Guardable for Wide<LIMBS> {
         node_by_logarithm: 1.0,
     };
 
+    const HAS_BEYOND: bool = true;
+    fn beyond(negative: bool, exponent: i64) -> Self {
+        Self::infinite(negative, exponent)
+    }
+    fn is_beyond(self) -> Option<(bool, i64)> {
+        self.least_exponent_of_infinite()
+    }
     fn size(self) -> Magnitude {
         match self.exponent() {
             Some(exponent) => Magnitude::new(self.scaled(-exponent).to_f64().abs().next_up(), exponent),
@@ -269,7 +294,10 @@ impl<const LIMBS: usize> Guardable for Wide<LIMBS> {
     fn size_down(self) -> Magnitude {
         match self.exponent() {
             Some(exponent) => Magnitude::new(self.scaled(-exponent).to_f64().abs().next_down(), exponent),
-            None => Magnitude::ZERO,
+            None => match self.is_beyond() {
+                Some((_, exponent)) => Magnitude::new(0.5, exponent + 1),
+                None => Magnitude::ZERO,
+            },
         }
     }
     fn rounding(self, units: f64) -> Magnitude {
@@ -325,7 +353,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         }
         // Zero that is not exact lies below the range of the exponents.
         if value == Self::from_f64(0.0) {
-            return (value, Magnitude::INFINITE);
+            return (value, <Self as Guardable>::underflow(1.0));
         }
         (value, value.size().shifted(-64 * LIMBS as i64))
     }

@@ -1,9 +1,9 @@
 //! Wide floating point as a number of a kernel.
 
 use super::{Class, Wide};
-use crate::{Number, Real};
 use crate::scalar::{Scalar, composed_functions};
 use crate::table::table;
+use crate::{Number, Real};
 
 impl<const LIMBS: usize> Real for Wide<LIMBS> {
     fn constant(words: &[f64]) -> Self {
