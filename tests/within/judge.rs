@@ -7,6 +7,7 @@ use forms::core::accuracy::{Format, Rounded, Truth, Value};
 use forms::core::check::read_theory;
 use forms::core::expression::{Rational, Symbol};
 use forms::core::generation::{Generated, generate};
+use forms::core::kernel::Instruction;
 use forms::core::resolve::{Kernel, Theory};
 use forms::core::stability::by_rules;
 use forms::math::Tier;
@@ -93,6 +94,13 @@ impl Judge {
         Some(Judge { theory, kernel, generated, within, text })
     }
 
+    /// Whether the truth of a value takes seconds: of an integral, and of hundreds of functions.
+    pub(crate) fn is_long(&self) -> bool {
+        let instructions = self.generated.written.instructions();
+        let is_integral = |instruction: &Instruction| matches!(instruction, Instruction::Quadrature { .. });
+        instructions.len() > 600 || instructions.iter().any(is_integral)
+    }
+
     /// A point of the domain, if one is found.
     fn point(&self, truth: &Truth<'_>, dice: &mut Dice) -> Option<Vec<f64>> {
         (0..DRAWS).find_map(|_| {
@@ -123,7 +131,13 @@ impl Judge {
         tally
     }
 
-    fn judge(&self, (value, tier): (f64, Tier), truth: &Value, tally: &mut Tally, said: impl FnOnce() -> String) {
+    fn judge(
+        &self,
+        (value, tier): (f64, Tier),
+        truth: &Value,
+        tally: &mut Tally,
+        said: impl FnOnce() -> String,
+    ) {
         let Value::Known(Rounded::DoubleDouble(high, low)) = *truth else {
             tally.open += 1;
             return;
@@ -134,7 +148,8 @@ impl Judge {
         }
         let subnormal = high.abs() < f64::MIN_POSITIVE;
         // rounding is right where the promise is about a number that is not normal
-        let is_right = if subnormal || !high.is_finite() { value == high } else { self.is_within(value, high, low) };
+        let is_right =
+            if subnormal || !high.is_finite() { value == high } else { self.is_within(value, high, low) };
         if is_right {
             tally.known += 1;
             tally.subnormal += usize::from(subnormal && high != 0.0);
@@ -148,13 +163,16 @@ impl Judge {
         }
     }
 
-    /// |value − truth| ≤ N 2⁻⁵³ |truth|, with 2⁻²⁸ of a unit for `within 1`.
+    /// |value − truth| ≤ N 2⁻⁵³ |truth|
     fn is_within(&self, value: f64, high: f64, low: f64) -> bool {
         let exact = |value: f64| Rational::from_float(value);
-        let (Some(value), Some(high), Some(low)) = (exact(value), exact(high), exact(low)) else { return false };
+        let (Some(value), Some(high), Some(low)) = (exact(value), exact(high), exact(low)) else {
+            return false;
+        };
         let truth = high + low;
-        let slack = if self.within > 1.0 { 1e-12 } else { 4e-9 };
-        let units = Rational::from_float((self.within + slack) * f64::EPSILON / 2.0).expect("a finite number");
+        // the truth has 32 digits
+        let units =
+            Rational::from_float(self.within * (1.0 + 1e-14) * f64::EPSILON / 2.0).expect("a finite number");
         let size = |value: Rational| if value < Rational::from_integer(0.into()) { -value } else { value };
         size(value - &truth) <= units * size(truth)
     }
@@ -177,7 +195,11 @@ impl Judge {
             // what cancels to nothing in the other library may be nothing
             let agrees = nearest == known || (nearest - known).abs() <= known.abs() * f64::EPSILON + 5e-324;
             let is_nothing = known == 0.0 && nearest.abs() < 1e-250;
-            assert!(agrees || is_nothing, "{} at {point:?}: {known:e}, elsewhere {nearest:e}", term.kernel(1));
+            assert!(
+                agrees || is_nothing,
+                "{} at {point:?}: {known:e}, elsewhere {nearest:e}",
+                term.kernel(1)
+            );
             agreeing += 1;
         }
         agreeing

@@ -23,7 +23,8 @@ const KERNELS: usize = 60;
 const UNKNOWN: usize = 10;
 
 fn wanted(variable: &str, usual: usize) -> usize {
-    std::env::var(variable).map_or(usual, |text| text.parse().unwrap_or_else(|_| panic!("{variable} is a number")))
+    std::env::var(variable)
+        .map_or(usual, |text| text.parse().unwrap_or_else(|_| panic!("{variable} is a number")))
 }
 
 /// Tallies of the numbers below a count, on all processors.
@@ -42,26 +43,42 @@ fn shared(count: usize, tally: impl Fn(usize) -> Tally + Sync) -> Tally {
     };
     std::thread::scope(|scope| {
         let shares: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-        shares.into_iter().map(|share| share.join().expect("no kernel panics")).fold(Tally::default(), |mut sum, more| {
-            sum.add(more);
-            sum
-        })
+        shares.into_iter().map(|share| share.join().expect("no kernel panics")).fold(
+            Tally::default(),
+            |mut sum, more| {
+                sum.add(more);
+                sum
+            },
+        )
     })
 }
 
 fn report(name: &str, tally: &Tally) {
     println!("{name}: {tally}");
-    assert!(tally.wrong.is_empty(), "{} values are not within what is promised:\n{}", tally.wrong.len(), tally.wrong.join("\n"));
+    assert!(
+        tally.wrong.is_empty(),
+        "{} values are not within what is promised:\n{}",
+        tally.wrong.len(),
+        tally.wrong.join("\n")
+    );
     assert!(tally.known > 0);
     let allowed = 2 + (tally.known + tally.unknown.len()) * UNKNOWN / 1000;
-    assert!(tally.unknown.len() <= allowed, "{} values are NaN:\n{}", tally.unknown.len(), tally.unknown.join("\n"));
+    assert!(
+        tally.unknown.len() <= allowed,
+        "{} values are NaN:\n{}",
+        tally.unknown.len(),
+        tally.unknown.join("\n")
+    );
 }
 
 #[test]
 fn kernels_of_the_repository_keep_what_they_promise() {
     let points = wanted("FORMS_WITHIN", POINTS);
-    let judges: Vec<Judge> = sources::all().iter().flat_map(|text| Judge::of_promises(text)).collect();
+    let mut judges: Vec<Judge> = sources::all().iter().flat_map(|text| Judge::of_promises(text)).collect();
     assert!(judges.len() > 70, "{}", judges.len());
+    if points <= POINTS {
+        judges.retain(|judge| !judge.is_long());
+    }
     let tally = shared(judges.len(), |number| judges[number].tally(points, number as u64));
     report("kernels of the repository", &tally);
 }

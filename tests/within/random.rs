@@ -5,7 +5,8 @@ use astro_float::{BigFloat, Consts, RoundingMode};
 
 /// Functions that kernels and the other library have.
 const FUNCTIONS: [&str; 14] = [
-    "sqrt", "exp", "log", "sin", "cos", "tan", "atan", "sinh", "cosh", "tanh", "abs", "expm1", "log1p", "asin",
+    "sqrt", "exp", "log", "sin", "cos", "tan", "atan", "sinh", "cosh", "tanh", "abs", "expm1", "log1p",
+    "asin",
 ];
 
 /// Bits of the other library.
@@ -61,7 +62,9 @@ impl Term {
             Term::Argument(place) => ["x", "y"][*place].to_string(),
             Term::Number(p, q) => format!("({p}/{q})"),
             Term::Pi => "pi".to_string(),
-            Term::Binary(operation, sides) => format!("({} {operation} {})", sides[0].text(), sides[1].text()),
+            Term::Binary(operation, sides) => {
+                format!("({} {operation} {})", sides[0].text(), sides[1].text())
+            }
             Term::Power(base, exponent) => format!("({})**({exponent})", base.text()),
             Term::Function(name, argument) => format!("{name}({})", argument.text()),
         }
@@ -73,7 +76,9 @@ impl Term {
         let one = BigFloat::from_i64(1, p);
         let value = match self {
             Term::Argument(place) => exactly(arguments[*place]),
-            Term::Number(above, below) => BigFloat::from_u64(*above, p).div(&BigFloat::from_u64(*below, p), p, rm),
+            Term::Number(above, below) => {
+                BigFloat::from_u64(*above, p).div(&BigFloat::from_u64(*below, p), p, rm)
+            }
             Term::Pi => constants.pi(p, rm),
             Term::Binary(operation, sides) => {
                 let [a, b] = [sides[0].value(arguments, constants)?, sides[1].value(arguments, constants)?];

@@ -62,8 +62,8 @@ impl std::error::Error for NotWithin {}
 /// The outputs within `within` · 2⁻⁵³ of their exact values, relative to them; half an ulp from them where they are below
 /// 2⁻¹⁰²², and infinite beyond the largest `f64`.
 ///
-/// Rounding to `f64` takes up to 2⁻⁵³ of that: with `within` below 1 there are values that no `f64` is near enough to, and
-/// with 1 the error may be 2⁻²⁸ of a unit more. NaN where a formula is not defined, and where no precision bounds the error
+/// Rounding to `f64` takes up to 2⁻⁵³ of that: with `within` below 1 there are values that no `f64` is near enough to. On the
+/// boundary of two roundings, where no precision tells which is nearer, the error may be 2⁻²⁸ of a unit more. NaN where a formula is not defined, and where no precision bounds the error
 /// well enough: [`escalate_checked`] tells these apart.
 ///
 /// ```
@@ -137,7 +137,7 @@ fn rounded<F: Formula<A, O>, const A: usize, const O: usize, R: Rounding>(
 ) -> [(R::Number, Tier); O] {
     let mut slots = [Slot::open(R::NAN); O];
     let values = F::value(arguments.map(Guarded::<f64>::from_f64));
-    if !take(&values, Tier::Double, rounding, &mut slots) {
+    if !take(&values, Tier::Double, (rounding, 0.0), &mut slots) {
         beyond_double::<F, A, O, R>(arguments, rounding, &mut slots);
     }
     slots.map(|slot| (slot.number, slot.tier))
@@ -151,7 +151,7 @@ fn beyond_double<F: Formula<A, O>, const A: usize, const O: usize, R: Rounding>(
     slots: &mut [Slot<R::Number>],
 ) {
     let arguments = arguments.map(DoubleDouble::from_f64);
-    if !take(&F::value(arguments.map(argument)), Tier::DoubleDouble, rounding, slots) {
+    if !take(&F::value(arguments.map(argument)), Tier::DoubleDouble, (rounding, 0.0), slots) {
         climb(&Of::<F, A, O>::new(), &arguments, rounding, slots);
     }
 }
@@ -192,7 +192,7 @@ pub fn escalate_computation(
     let rounding = ToDouble { units: within };
     let mut slots = vec![Slot::open(f64::NAN); outputs];
     let doubles: Vec<Guarded<f64>> = arguments.iter().map(|&value| Guarded::from_f64(value)).collect();
-    if !take(&computation.values(&doubles), Tier::Double, rounding, &mut slots) {
+    if !take(&computation.values(&doubles), Tier::Double, (rounding, 0.0), &mut slots) {
         let words: Vec<_> = arguments.iter().map(|&value| DoubleDouble::from_f64(value)).collect();
         from_two_words(computation, &words, rounding, &mut slots);
     }
@@ -207,7 +207,7 @@ fn from_two_words<R: Rounding>(
     slots: &mut [Slot<R::Number>],
 ) {
     let words: Vec<_> = arguments.iter().map(|&value| argument(value)).collect();
-    if !take(&computation.values(&words), Tier::DoubleDouble, rounding, slots) {
+    if !take(&computation.values(&words), Tier::DoubleDouble, (rounding, 0.0), slots) {
         climb(computation, arguments, rounding, slots);
     }
 }
@@ -231,7 +231,7 @@ impl<N> Slot<N> {
 fn take<T: Guardable, R: Rounding>(
     values: &[Guarded<T>],
     tier: Tier,
-    rounding: R,
+    (rounding, slack): (R, f64),
     slots: &mut [Slot<R::Number>],
 ) -> bool {
     let mut is_open = false;
@@ -239,7 +239,7 @@ fn take<T: Guardable, R: Rounding>(
         if !slot.is_open {
             continue;
         }
-        match rounding.round(value) {
+        match rounding.round(value, slack) {
             Outcome::Known(number) => *slot = Slot { number, tier, is_open: false },
             Outcome::Open => is_open = true,
             Outcome::Never => slot.is_open = false,
@@ -261,29 +261,40 @@ fn climb<R: Rounding>(
     let tape = Tape::of(arguments.len(), |arguments| computation.values(arguments));
     // what does not depend on how large an infinite argument is shows at once
     let is_finite = arguments.iter().all(|argument| argument.high().is_finite());
-    let most = if tape.has_integral() { MOST_WORDS_OF_INTEGRALS } else { MOST_WORDS };
-    let _ = in_words::<4, R>(&tape, arguments, rounding, slots)
-        || !is_finite
-        || in_words::<8, R>(&tape, arguments, rounding, slots)
-        || in_words::<16, R>(&tape, arguments, rounding, slots)
-        || most <= 16
-        || in_words::<40, R>(&tape, arguments, rounding, slots)
-        || in_words::<96, R>(&tape, arguments, rounding, slots)
-        || in_words::<MOST_WORDS, R>(&tape, arguments, rounding, slots);
+    let most = match (is_finite, tape.has_integral()) {
+        (false, _) => 4,
+        (true, true) => MOST_WORDS_OF_INTEGRALS,
+        (true, false) => MOST_WORDS,
+    };
+    let climbing = Climbing { tape, arguments, rounding, most };
+    let _ = climbing.is_done_in::<4>(slots)
+        || climbing.is_done_in::<8>(slots)
+        || climbing.is_done_in::<16>(slots)
+        || climbing.is_done_in::<40>(slots)
+        || climbing.is_done_in::<96>(slots)
+        || climbing.is_done_in::<MOST_WORDS>(slots);
 }
 
-#[inline(never)]
-fn in_words<const LIMBS: usize, R: Rounding>(
-    tape: &Tape,
-    arguments: &[DoubleDouble],
+/// A formula at arguments, in up to so many words.
+struct Climbing<'a, R> {
+    tape: Tape,
+    arguments: &'a [DoubleDouble],
     rounding: R,
-    slots: &mut [Slot<R::Number>],
-) -> bool {
-    // a number of two words is the sum of two exact ones
-    let exact = |value: &DoubleDouble| match value.low() {
-        0.0 => Guarded::<Wide<LIMBS>>::from_f64(value.high()),
-        low => Guarded::from_f64(value.high()) + Guarded::from_f64(low),
-    };
-    let arguments: Vec<_> = arguments.iter().map(exact).collect();
-    take(&tape.values(&arguments), Tier::Words(LIMBS as u16), rounding, slots)
+    most: usize,
+}
+
+impl<R: Rounding> Climbing<'_, R> {
+    /// Computes what is still open in so many words; true where nothing is left, or no more words are tried.
+    #[inline(never)]
+    fn is_done_in<const LIMBS: usize>(&self, slots: &mut [Slot<R::Number>]) -> bool {
+        // a number of two words is the sum of two exact ones
+        let exact = |value: &DoubleDouble| match value.low() {
+            0.0 => Guarded::<Wide<LIMBS>>::from_f64(value.high()),
+            low => Guarded::from_f64(value.high()) + Guarded::from_f64(low),
+        };
+        let arguments: Vec<_> = self.arguments.iter().map(exact).collect();
+        let is_last = LIMBS >= self.most;
+        let rounding = (self.rounding, if is_last { rounding::LEAST_SLACK } else { 0.0 });
+        take(&self.tape.values(&arguments), Tier::Words(LIMBS as u16), rounding, slots) || is_last
+    }
 }

@@ -20,12 +20,12 @@ pub(super) trait Rounding: Copy {
     type Number: Copy;
     /// The number of what is defined nowhere or not known.
     const NAN: Self::Number;
-    /// The result of a value.
-    fn round<T: Guardable>(self, value: Guarded<T>) -> Outcome<Self::Number>;
+    /// The result of a value; so much of a unit more is allowed.
+    fn round<T: Guardable>(self, value: Guarded<T>, slack: f64) -> Outcome<Self::Number>;
 }
 
-/// What is left for the error of a value in more precision where rounding it takes all that is allowed, in units.
-const LEAST_SLACK: f64 = 1.0 / (1_u64 << 28) as f64;
+/// What the last precision may take beyond what is allowed, in units: on the boundary of two roundings none tells.
+pub(super) const LEAST_SLACK: f64 = 1.0 / (1_u64 << 28) as f64;
 
 /// A binary format: relative to a normal number half an ulp is at most 2^−`precision`.
 struct Format {
@@ -45,7 +45,12 @@ const DOUBLE: Format =
 impl Format {
     /// Whether `nearest` is within so many units of the exact value, relative to it where it is a normal number, and else
     /// half an ulp away.
-    fn accepts<T: Guardable>(&self, value: Guarded<T>, nearest: f64, units: f64) -> Outcome<f64> {
+    fn accepts<T: Guardable>(
+        &self,
+        value: Guarded<T>,
+        nearest: f64,
+        (units, slack): (f64, f64),
+    ) -> Outcome<f64> {
         let (number, error) = (value.value(), value.error());
         if number.is_nan() || !error.is_finite() {
             return Outcome::Open;
@@ -63,14 +68,13 @@ impl Format {
         if nearest.abs() < self.normal {
             // scaled up, since the bounds of `f64` do not reach so far
             let scale = -self.half_of_least / 2;
-            let half = T::Bound::of(1.0 + LEAST_SLACK).shifted(self.half_of_least + scale);
+            let half = T::Bound::of(1.0 + slack).shifted(self.half_of_least + scale);
             return if distance.shifted(scale) <= half { Outcome::Known(nearest) } else { Outcome::Open };
         }
-        let slack = if units > 1.0 + LEAST_SLACK { 0.0 } else { LEAST_SLACK };
         if distance <= unit(units + slack).times_down(least) {
             return Outcome::Known(nearest);
         }
-        let most = unit(units + 2.0 * slack).times(number.size().plus(error));
+        let most = unit(units + 2.0 * LEAST_SLACK).times(number.size().plus(error));
         if left.size_down().minus_down(beyond) > most { Outcome::Never } else { Outcome::Open }
     }
 }
@@ -84,11 +88,11 @@ pub(super) struct ToDouble {
 impl Rounding for ToDouble {
     type Number = f64;
     const NAN: f64 = f64::NAN;
-    fn round<T: Guardable>(self, value: Guarded<T>) -> Outcome<f64> {
+    fn round<T: Guardable>(self, value: Guarded<T>, slack: f64) -> Outcome<f64> {
         if value.is_undefined() {
             return Outcome::Known(f64::NAN);
         }
-        DOUBLE.accepts(value, value.value().to_f64(), self.units)
+        DOUBLE.accepts(value, value.value().to_f64(), (self.units, slack))
     }
 }
 
@@ -101,12 +105,12 @@ pub(super) struct ToSingle {
 impl Rounding for ToSingle {
     type Number = f32;
     const NAN: f32 = f32::NAN;
-    fn round<T: Guardable>(self, value: Guarded<T>) -> Outcome<f32> {
+    fn round<T: Guardable>(self, value: Guarded<T>, slack: f64) -> Outcome<f32> {
         if value.is_undefined() {
             return Outcome::Known(f32::NAN);
         }
         let nearest = value.value().to_f64() as f32;
-        match SINGLE.accepts(value, nearest.into(), self.units) {
+        match SINGLE.accepts(value, nearest.into(), (self.units, slack)) {
             Outcome::Known(_) => Outcome::Known(nearest),
             Outcome::Open => Outcome::Open,
             Outcome::Never => Outcome::Never,
@@ -128,7 +132,7 @@ impl ToTwoWords {
 impl Rounding for ToTwoWords {
     type Number = DoubleDouble;
     const NAN: DoubleDouble = DoubleDouble::NAN;
-    fn round<T: Guardable>(self, value: Guarded<T>) -> Outcome<DoubleDouble> {
+    fn round<T: Guardable>(self, value: Guarded<T>, _: f64) -> Outcome<DoubleDouble> {
         if value.is_undefined() {
             return Outcome::Known(DoubleDouble::NAN);
         }
