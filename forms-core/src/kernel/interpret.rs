@@ -5,7 +5,8 @@
 use super::program::{Instruction, Program, Value};
 use crate::syntax::ast::Relation;
 use forms_math::{
-    Computation, DoubleDouble, Real, Tier, escalate_computation, escalate_double_double_computation, row_within,
+    Computation, DoubleDouble, Real, Tier, escalate_computation, escalate_double_double_computation,
+    row_within,
 };
 
 /// A program with its numbers rounded to one precision.
