@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! written ─ emit_formula ─▶ Plain ──┬─▶ plain
-//! optimised ─ emit_formula ▶ Stable ┴─▶ f32, dd, batch, batch_f32, batch_parallel, batch_rows; unguarded, batch_unguarded
+//! optimised ─ emit_formula ▶ Stable ┴─▶ f32, dd, batch, batch_f32, batch_parallel, batch_rows
+//!                                        └─ with a promise: checked, unguarded, batch_unguarded
 //! ```
 //! The batch of a kernel that promises an accuracy keeps the promise; what it is without is `unguarded`.
 //!
@@ -34,9 +35,9 @@ pub(crate) fn module(
         quote!(pub enum Stable {} #stable)
     };
     let tiers = Tiers::of(program);
-    let mut functions = vec![tiers.plain(), tiers.f32(), tiers.dd(within.is_some())];
-    if within.is_some() {
-        functions.push(tiers.unguarded());
+    let mut functions = vec![tiers.plain(), tiers.f32(within.is_some()), tiers.dd(within.is_some())];
+    if let Some(within) = within {
+        functions.extend([tiers.checked(within), tiers.unguarded()]);
     }
     functions.extend(batches(within).into_iter().map(|batch| tiers.batch(batch)));
     if cfg!(feature = "ndarray") {
@@ -142,9 +143,10 @@ impl Tiers {
         self.scalar(&docs, &format_ident!("plain"), &quote!(f64), &quote!(Plain))
     }
 
-    /// The stable form in `f32`.
-    fn f32(&self) -> TokenStream {
-        let docs = format!(" `{}` in `f32`.", self.name);
+    /// The stable form in `f32`, which a promise does not reach.
+    fn f32(&self, promised: bool) -> TokenStream {
+        let promise = if promised { ", by its form alone: what `within` promises is not kept" } else { "" };
+        let docs = format!(" `{}` in `f32`{promise}.", self.name);
         self.scalar(&docs, &format_ident!("f32"), &quote!(f32), &quote!(Stable))
     }
 
@@ -157,10 +159,38 @@ impl Tiers {
             let docs = format!(" `{}` in double-double arithmetic, of about 31 digits.", self.name);
             return self.scalar(&docs, &name, &number, &quote!(Stable));
         }
-        let docs = format!(" `{}` in double-double, its digits bounded: 29 at least.", self.name);
+        let docs = format!(" `{}` in double-double, its digits bounded: 29 at least, or NaN.", self.name);
         let escalate = quote!(::forms::math::escalate_double_double);
         let value = quote!(#escalate::<Stable, #count, #outputs>([#(#arguments),*]));
         self.function(&docs, &name, &number, value)
+    }
+
+    /// The values as near as a kernel promises, or an error instead of a value that is not known so well.
+    fn checked(&self, within: f64) -> TokenStream {
+        let (count, outputs, arguments) = (self.arguments.len(), self.outputs, &self.arguments);
+        let docs = format!(" `{}` in `f64`, with an error where its value is not known within the promise.", self.name);
+        let result = self.result(&quote!(f64));
+        let values = quote! {
+            ::forms::math::escalate_checked::<Stable, #count, #outputs>([#(#arguments),*], #within)
+        };
+        let body = match self.outputs {
+            1 => quote!(::core::result::Result::map(#values, |[value]| value)),
+            _ => values,
+        };
+        quote! {
+            #[doc = #docs]
+            ///
+            /// Outside the domain the value is NaN, without an error.
+            ///
+            /// # Errors
+            /// Where no precision that is tried bounds the error of a result as well as `within` promises.
+            #[inline]
+            pub fn checked(
+                #(#arguments: f64),*
+            ) -> ::core::result::Result<#result, ::forms::math::NotWithin> {
+                #body
+            }
+        }
     }
 
     /// The form that a kernel with a promise is computed by, in `f64` and without the promise.

@@ -17,6 +17,7 @@ mod escalate;
 mod formula;
 mod guarded;
 mod lane;
+mod number;
 mod quadrature;
 mod real;
 mod scalar;
@@ -35,8 +36,8 @@ pub use batch::{RowsMismatch, batch_rows, batch_rows_within};
 pub use batch::{batch_f32_parallel, batch_parallel, batch_within_parallel};
 pub use double_double::DoubleDouble;
 pub use escalate::{
-    Computation, Tier, escalate, escalate_computation, escalate_double_double,
-    escalate_double_double_computation, escalate_with_tier,
+    Computation, NotWithin, Tier, escalate, escalate_checked, escalate_computation, escalate_double_double,
+    escalate_double_double_computation, escalate_f32, escalate_with_tier,
 };
 pub use formula::Formula;
 pub use guarded::{Bound, Guardable, Guarded, Magnitude, Units};
@@ -44,6 +45,7 @@ pub use lane::{Lane32, Lane64};
 /// The matrices of [`batch_rows`].
 #[cfg(feature = "ndarray")]
 pub use ndarray;
+pub use number::Number;
 pub use real::Real;
 pub use scalar::Scalar;
 pub use source::{crate_files, source};

@@ -2,6 +2,8 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::Number;
+
 /// Real numbers of some precision, with NaN for what is no real number.
 ///
 /// A choice evaluates both of its branches, so that a body is one straight line and can run in the lanes of a vector.
@@ -11,6 +13,11 @@ pub trait Real:
 {
     /// The number c₀ + c₁ + …: each word is the nearest `f64` of what the words before it leave.
     fn constant(words: &[f64]) -> Self;
+    /// A number of a formula in all digits that the type holds.
+    #[inline(always)]
+    fn number(number: Number<'_>) -> Self {
+        Self::constant(number.words())
+    }
     /// The number of this value.
     fn from_f64(value: f64) -> Self;
     /// The nearest `f64`.

@@ -81,9 +81,9 @@ fn as_little_precision_as_it_takes() {
     let tiers = |x: f64| escalate_with_tier::<Cancelling, 1, 3>([x], 8.0).map(|(_, tier)| tier);
     assert_eq!(tiers(1.0), [Tier::Double; 3]);
     assert_eq!(tiers(1e-5)[0], Tier::DoubleDouble);
-    assert_eq!(tiers(1e-12)[0], Tier::Words4);
-    assert_eq!(tiers(1e-40)[0], Tier::Words8);
-    assert_eq!(tiers(1e-100)[0], Tier::Words16);
+    assert_eq!(tiers(1e-12)[0], Tier::Words(4));
+    assert_eq!(tiers(1e-40)[0], Tier::Words(8));
+    assert_eq!(tiers(1e-100)[0], Tier::Words(16));
     assert_eq!(escalate::<Heron, 3, 1>([3.0, 4.0, 5.0], 1.0), [6.0]);
     assert_eq!(escalate_with_tier::<Heron, 3, 1>([3.0, 4.0, 5.0], 1.0)[0].1, Tier::Double);
 }

@@ -50,6 +50,9 @@ pub(crate) fn emit(
     };
     match kernel::emit(&sources, target, precision) {
         Ok(text) => {
+            for line in kernel::broken_promises(&sources, target, precision) {
+                eprintln!("warning: {line}");
+            }
             write!(output, "{}\n{text}", heading(if file == LIBRARY { "the library" } else { file }))?;
             Ok(Status::AsStated)
         }

@@ -1,12 +1,13 @@
 //! Numbers of a kernel: kept exact, rounded to a floating-point number once, when they are used.
 
 use crate::expression::Rational;
+use forms_math::{Number, Real};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::fmt;
 
-/// π to a hundred decimals, so that q πᵏ rounds correctly to every precision a kernel has.
+/// π to a hundred decimals, so that the words of q πᵏ are right to double-double.
 const PI_DIGITS: &str =
     "31415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679";
 
@@ -23,9 +24,6 @@ pub struct Constant {
 }
 
 impl Constant {
-    /// So many words of an endless number reach beyond 256 bits.
-    pub(crate) const WORDS: usize = 5;
-
     /// A rational number.
     pub fn rational(factor: Rational) -> Self {
         Constant { factor, pi_exponent: 0 }
@@ -117,6 +115,28 @@ impl Constant {
             words.pop();
         }
         words
+    }
+
+    /// The number as it is, in any precision.
+    pub(crate) fn to_real<T: Real>(&self) -> T {
+        let words = self.words(2);
+        if self.is_double() {
+            return T::from_f64(words[0]);
+        }
+        let [numerator, denominator] = self.natural_words();
+        let words = [words[0], words.get(1).copied().unwrap_or(0.0)];
+        T::number(Number::new(words, &numerator, &denominator, self.pi_exponent))
+    }
+
+    /// Whether it is an `f64`.
+    pub(crate) fn is_double(&self) -> bool {
+        self.pi_exponent == 0
+            && Rational::from_float(self.to_f64()).is_none_or(|nearest| nearest == self.factor)
+    }
+
+    /// The sizes of the numerator and the denominator of q, each the least significant word first.
+    pub(crate) fn natural_words(&self) -> [Vec<u64>; 2] {
+        [self.factor.numer(), self.factor.denom()].map(|part| part.magnitude().to_u64_digits())
     }
 
     /// q πᵏ, with π to a hundred decimals.

@@ -2,11 +2,11 @@
 //!
 //! The precision is a type, as in the generated source: both compute the same operations in the same order.
 
-use super::constant::Constant;
 use super::program::{Instruction, Program, Value};
 use crate::syntax::ast::Relation;
 use forms_math::{
-    Computation, DoubleDouble, Real, escalate_computation, escalate_double_double_computation, row_within,
+    Computation, DoubleDouble, Real, Tier, escalate_computation, escalate_double_double_computation,
+    row_within,
 };
 
 /// A program with its numbers rounded to one precision.
@@ -38,7 +38,7 @@ impl Program {
     /// The program ready to be run many times in one precision.
     pub fn interpreter<T: Real>(&self) -> Interpreter<'_, T> {
         let constants = self.instructions.iter().map(|instruction| match instruction {
-            Instruction::Constant(constant) => Some(T::constant(&constant.words(Constant::WORDS))),
+            Instruction::Constant(constant) => Some(constant.to_real()),
             _ => None,
         });
         Interpreter { program: self, constants: constants.collect() }
@@ -56,8 +56,13 @@ impl Computation for InAnyPrecision<'_> {
 
 impl Program {
     /// The outputs within so many units of 2⁻⁵³ of their exact values, in as much precision as that takes at these
-    /// arguments.
+    /// arguments; NaN where no precision that is tried does.
     pub fn interpret_within(&self, arguments: &[f64], within: f64) -> Vec<f64> {
+        self.interpret_with_tier(arguments, within).into_iter().map(|(value, _)| value).collect()
+    }
+
+    /// The same, with the precision that each output was taken from.
+    pub fn interpret_with_tier(&self, arguments: &[f64], within: f64) -> Vec<(f64, Tier)> {
         escalate_computation(&InAnyPrecision(self), arguments, self.outputs.len(), within)
     }
 
@@ -102,7 +107,7 @@ impl<T: Real> Interpreter<'_, T> {
 
 fn value_of<T: Real>(instruction: &Instruction, arguments: &[T], of: impl Fn(Value) -> T) -> T {
     match instruction {
-        Instruction::Constant(constant) => T::constant(&constant.words(Constant::WORDS)),
+        Instruction::Constant(constant) => constant.to_real(),
         Instruction::Argument(place) => arguments.get(*place as usize).copied().unwrap_or_else(T::nan),
         Instruction::Add(a, b) => of(*a) + of(*b),
         Instruction::Subtract(a, b) => of(*a) - of(*b),

@@ -59,8 +59,8 @@ pub use constant::Constant;
 pub(crate) use constant::{Binary, DOUBLE, SINGLE, nearest, nearest_f64};
 pub use count::OperationCount;
 pub use emit::{
-    EmitError, KernelDocs, MANY_ARGUMENTS, Precision, Source, Target, emit, emit_formula, emit_rust,
-    emit_rust_within,
+    EmitError, KernelDocs, MANY_ARGUMENTS, Precision, Source, Target, broken_promises, emit, emit_formula,
+    emit_rust, emit_rust_within,
 };
 pub use evaluate::evaluate_f64;
 pub use interpret::Interpreter;

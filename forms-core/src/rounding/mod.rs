@@ -1,4 +1,5 @@
-//! Rounding: how far a kernel's value in `f64` can be from the true one, anywhere on its domain.
+//! Rounding: how far a kernel's value in `f64`, or in the arithmetic of another target, can be from the true one, anywhere on
+//! its domain.
 //!
 //! ```text
 //! domain ─▶ boxes ─┬─ ranges: every value that rounding can make of each instruction   (forward)
@@ -13,10 +14,13 @@
 //! Source: the sum is that of A. Solovyev et al., Rigorous estimation of floating-point round-off errors with symbolic
 //! Taylor expansions, ACM TOPLAS 41 (2018), without its remainder, which the perturbed ranges contain.
 
+mod arithmetic;
 mod domain;
 mod interval;
 mod search;
 mod sensitivity;
+
+pub use arithmetic::Arithmetic;
 
 use crate::kernel::Program;
 use std::fmt;
@@ -95,7 +99,15 @@ impl Program {
     /// # Errors
     /// If the domain leaves an argument unbounded, or if no finite bound was found.
     pub fn error_bound(&self, boxes: usize) -> Result<Vec<ErrorBound>, Unbounded> {
+        self.error_bound_in(Arithmetic::DOUBLE, boxes)
+    }
+
+    /// [`Program::error_bound`] where operations round so.
+    ///
+    /// # Errors
+    /// If the domain leaves an argument unbounded, or if no finite bound was found.
+    pub fn error_bound_in(&self, arithmetic: Arithmetic, boxes: usize) -> Result<Vec<ErrorBound>, Unbounded> {
         // two roundings instead of one, and products whose roundings cancel, bound those of fused instructions
-        search::error_bound(&self.unfused(), boxes)
+        search::error_bound(&self.unfused(), arithmetic, boxes)
     }
 }

@@ -1,5 +1,6 @@
 //! The domain is split where its bound is worst, until the boxes are used up or the bound no longer falls.
 
+use super::arithmetic::Arithmetic;
 use super::domain::{Box, domain};
 use super::interval::Interval;
 use super::sensitivity::{Analysis, BoxError};
@@ -12,10 +13,14 @@ struct Part {
     error: BoxError,
 }
 
-pub(super) fn error_bound(program: &Program, boxes: usize) -> Result<Vec<ErrorBound>, Unbounded> {
+pub(super) fn error_bound(
+    program: &Program,
+    arithmetic: Arithmetic,
+    boxes: usize,
+) -> Result<Vec<ErrorBound>, Unbounded> {
     // a fused product is rounded once less than a separate one, at most
     let program = &program.with_separate_roundings();
-    let analysis = Analysis::new(program);
+    let analysis = Analysis::new(program, arithmetic);
     let whole = domain(program)?;
     let mut parts = part(&analysis, whole).into_iter().collect::<Vec<Part>>();
     for step in 0..boxes {

@@ -1,20 +1,15 @@
 //! The error of one box: ranges forward, sensitivities backward, their sum.
 
+use super::arithmetic::Arithmetic;
 use super::interval::Interval;
 use crate::expression::{Operation, Pool, SymbolKind};
 use crate::kernel::{Instruction, KernelSource, Program, Value, lower};
 use rustc_hash::FxHashMap;
 
-/// The rounding of an operation that is rounded correctly: half an ulp.
-const ROUNDING: f64 = f64::EPSILON / 2.0;
-/// Two ulp, which every function of the op table holds.
-const FUNCTION: f64 = 2.0 * f64::EPSILON;
-/// Half the least subnormal number, rounded up.
-const UNDERFLOW: f64 = f64::from_bits(1);
-
 /// A program with the derivatives of the functions it calls.
 pub(super) struct Analysis<'a> {
     program: &'a Program,
+    arithmetic: Arithmetic,
     partials: FxHashMap<Operation, Program>,
 }
 
@@ -33,19 +28,22 @@ pub(super) struct BoxError {
 }
 
 impl<'a> Analysis<'a> {
-    pub(super) fn new(program: &'a Program) -> Self {
+    pub(super) fn new(program: &'a Program, arithmetic: Arithmetic) -> Self {
         let mut partials = FxHashMap::default();
         for instruction in program.instructions() {
             if let Instruction::Call(operation, _) = instruction {
                 partials.entry(*operation).or_insert_with(|| partials_of(*operation));
             }
         }
-        Analysis { program, partials }
+        Analysis { program, arithmetic, partials }
     }
 
     /// Nothing, if no point of the box is in the kernel's domain.
     pub(super) fn error(&self, arguments: &[Interval]) -> Option<BoxError> {
-        let ranges = ranges(self.program, arguments, rounding);
+        let arithmetic = &self.arithmetic;
+        let ranges = ranges(self.program, arguments, arithmetic.largest, |program, place| {
+            arithmetic.rounding(program, place)
+        });
         let of = |value: Value| ranges[value.place()];
         let fails = |condition: &crate::kernel::Comparison| {
             of(condition.left).decide(condition.relation, of(condition.right)) == Some(false)
@@ -80,7 +78,7 @@ impl<'a> Analysis<'a> {
         let range = ranges[output.place()];
         let [mut rounded, mut underflown, mut relative] = [0.0_f64; 3];
         for place in 0..ranges.len() {
-            let (rounding, underflow) = rounding(self.program, place);
+            let (rounding, underflow) = self.arithmetic.rounding(self.program, place);
             let sensitivity = sensitivities[place].map_or(0.0, Interval::magnitude);
             let condition = conditions[place].map_or(0.0, Interval::magnitude);
             if rounding > 0.0 {
@@ -229,46 +227,11 @@ fn partials_of(operation: Operation) -> Program {
     lower(&pool, &source).expect("the derivatives of a function are functions of its arguments")
 }
 
-/// What the rounding of an instruction does to its value: a relative and an absolute perturbation.
-fn rounding(program: &Program, place: usize) -> (f64, f64) {
-    let is_power_of_two = |value: Value| match &program.instructions()[value.place()] {
-        Instruction::Constant(constant) => {
-            let number = constant.to_f64();
-            constant.pi_exponent == 0 && is_exact(constant) && number.to_bits() << 12 == 0
-        }
-        _ => false,
-    };
-    match &program.instructions()[place] {
-        Instruction::Constant(constant) if is_exact(constant) => (0.0, 0.0),
-        Instruction::Argument(_) | Instruction::Negate(_) | Instruction::Select { .. } => (0.0, 0.0),
-        Instruction::Call(Operation::Abs, _) => (0.0, 0.0),
-        // a sum that is subnormal is exact
-        Instruction::Add(..) | Instruction::Subtract(..) => (ROUNDING, 0.0),
-        Instruction::Sqrt(_) => (ROUNDING, 0.0),
-        Instruction::Multiply(a, b) if is_power_of_two(*a) || is_power_of_two(*b) => (0.0, UNDERFLOW),
-        Instruction::Divide(_, b) if is_power_of_two(*b) => (0.0, UNDERFLOW),
-        Instruction::Constant(_) | Instruction::Multiply(..) | Instruction::Divide(..) => {
-            (ROUNDING, UNDERFLOW)
-        }
-        Instruction::MultiplyAdd(..) => unreachable!("roundings were separated"),
-        // a few ulp, as `Real::difference_of_products` states
-        Instruction::DifferenceOfProducts(_) | Instruction::SumOfProducts(_) => (FUNCTION, UNDERFLOW),
-        Instruction::Power(..) | Instruction::Call(..) => (FUNCTION, UNDERFLOW),
-        // what the rule leaves out is estimated where it is computed, not bounded here
-        Instruction::Quadrature { .. } => (f64::INFINITY, f64::INFINITY),
-    }
-}
-
-fn is_exact(constant: &crate::kernel::Constant) -> bool {
-    let number = constant.to_f64();
-    constant.pi_exponent == 0
-        && num_rational::BigRational::from_float(number).is_some_and(|exact| exact == constant.factor)
-}
-
 /// The range of each value, with whatever the rounding makes of it.
 fn ranges(
     program: &Program,
     arguments: &[Interval],
+    largest: f64,
     rounding: impl Fn(&Program, usize) -> (f64, f64),
 ) -> Vec<Interval> {
     let mut ranges: Vec<Interval> = Vec::with_capacity(program.instructions().len());
@@ -305,19 +268,21 @@ fn ranges(
         };
         let (relative, absolute) = rounding(program, place);
         let is_kept = relative == 0.0 && absolute == 0.0;
-        ranges.push(if is_kept { exact } else { exact.perturbed(relative, absolute) });
+        let range = if is_kept { exact } else { exact.perturbed(relative, absolute) };
+        // what overflows may be anything
+        ranges.push(if range.magnitude() <= largest { range } else { range.hull(Interval::EVERYTHING) });
     }
     ranges
 }
 
 /// The same without rounding: of derivatives, which are not computed but bounded.
 fn ranges_of_exact(program: &Program, arguments: &[Interval]) -> Vec<Interval> {
-    ranges(program, arguments, |_, _| (0.0, 0.0))
+    ranges(program, arguments, f64::INFINITY, |_, _| (0.0, 0.0))
 }
 
 fn constant_range(constant: &crate::kernel::Constant) -> Interval {
     let number = constant.to_f64();
-    if is_exact(constant) {
+    if Arithmetic::DOUBLE.holds(constant) {
         Interval::point(number)
     } else {
         Interval::between(number.next_down(), number.next_up())

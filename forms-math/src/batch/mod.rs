@@ -131,7 +131,8 @@ pub fn row_within(
     let values: Vec<f64> =
         computation.values(&lanes).into_iter().map(|value| value.value_within(within)).collect();
     if values.iter().any(|value| value.is_nan()) {
-        return escalate_computation(computation, arguments, outputs, within);
+        let values = escalate_computation(computation, arguments, outputs, within);
+        return values.into_iter().map(|(value, _)| value).collect();
     }
     values
 }

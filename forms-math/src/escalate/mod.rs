@@ -1,17 +1,27 @@
 //! A kernel in as much precision as its arguments need for the accuracy promised.
 //!
 //! ```text
-//! Guarded<f64> ─▶ Guarded<DoubleDouble> ─▶ Guarded<Wide<4>> ─▶ <8> ─▶ <16>
+//! Guarded<f64> ─▶ Guarded<DoubleDouble> ─▶ tape ─▶ Guarded<Wide<4>> ─▶ <8> ─▶ … ─▶ <256>
 //!       └─ each output from the first that bounds its error well enough
 //! ```
-//! Results of two words begin with the second ([`double_double`]).
+//! Results of two words begin with the second ([`double_double`]). Numbers of words have exponents of 60 bits, so that
+//! nothing is lost on the way to a result that `f64` holds. What 16 376 bits do not tell is NaN, and a [`NotWithin`] where
+//! it is asked for.
 
 mod double_double;
+mod rounding;
+mod tape;
 
 pub use double_double::{escalate_double_double, escalate_double_double_computation};
 
-use crate::guarded::{Bound, Guardable, Guarded};
+use std::fmt;
+use std::marker::PhantomData;
+
+use crate::guarded::{Guardable, Guarded};
+use crate::scalar::Scalar;
 use crate::{DoubleDouble, Formula, Real, Wide};
+use rounding::{Outcome, Rounding, ToDouble, ToSingle};
+use tape::Tape;
 
 /// The precision that an output was taken from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -20,20 +30,41 @@ pub enum Tier {
     Double,
     /// 106 bits
     DoubleDouble,
-    /// 256 bits
-    Words4,
-    /// 512 bits
-    Words8,
-    /// 1024 bits
-    Words16,
-    /// 1024 bits, which did not bound its error well enough.
+    /// So many words of 64 bits.
+    Words(u16),
+    /// None bounded the error well enough.
     Undecided,
 }
 
-/// The outputs within `within` · 2⁻⁵³ of their exact values, relative to them; below 2⁻¹⁰²² within as much of 2⁻¹⁰²².
+/// The words of the widest numbers that are tried.
+const MOST_WORDS: usize = 256;
+
+/// The error of a kernel whose value no precision that is tried bounds as well as its `within` promises: it is computed as
+/// NaN.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NotWithin {
+    /// The place of the result.
+    pub output: usize,
+    /// What is promised, in units of 2⁻⁵³.
+    pub within: f64,
+}
+
+impl fmt::Display for NotWithin {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (place, within) = (self.output, self.within);
+        let bits = 64 * MOST_WORDS - 8;
+        write!(formatter, "result {place} is not known within {within}·2⁻⁵³ from {bits} bits")
+    }
+}
+
+impl std::error::Error for NotWithin {}
+
+/// The outputs within `within` · 2⁻⁵³ of their exact values, relative to them; half an ulp from them where they are below
+/// 2⁻¹⁰²², and infinite beyond the largest `f64`.
 ///
-/// Rounding to `f64` takes 2⁻⁵³ of that, so that `within` is at least 1. NaN where a formula is not defined. An output
-/// whose error no precision bounds well enough is that of the widest, and zero where that may as well be zero.
+/// Rounding to `f64` takes up to 2⁻⁵³ of that: with `within` below 1 there are values that no `f64` is near enough to. On the
+/// boundary of two roundings, where no precision tells which is nearer, the error may be 2⁻²⁸ of a unit more. NaN where a formula is not defined, and where no precision bounds the error
+/// well enough: [`escalate_checked`] tells these apart.
 ///
 /// ```
 /// use forms_math::{Formula, Real, escalate};
@@ -44,6 +75,7 @@ pub enum Tier {
 ///     }
 /// }
 /// assert_eq!(escalate::<VersineOverSquare, 1, 1>([1e-30], 1.0), [0.5]);
+/// assert_eq!(escalate::<VersineOverSquare, 1, 1>([1e-300], 1.0), [0.5]);
 /// ```
 pub fn escalate<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: [f64; A],
@@ -52,28 +84,81 @@ pub fn escalate<F: Formula<A, O>, const A: usize, const O: usize>(
     escalate_with_tier::<F, A, O>(arguments, within).map(|(value, _)| value)
 }
 
-/// The same, with the precision that each output was taken from.
+/// [`escalate`], with an error where a value is not known as well as that.
+///
+/// # Errors
+/// The first result that no precision bounds well enough.
+///
+/// ```
+/// use forms_math::{Formula, NotWithin, Real, escalate_checked};
+/// /// 1 below √2 · √2, 2 from there on.
+/// struct Step;
+/// impl Formula<1, 1> for Step {
+///     fn value<T: Real>([x]: [T; 1]) -> [T; 1] {
+///         let [one, two] = [1.0, 2.0].map(T::from_f64);
+///         [T::if_less(x, two.sqrt() * two.sqrt(), one, two)]
+///     }
+/// }
+/// assert_eq!(escalate_checked::<Step, 1, 1>([1.5], 1.0), Ok([1.0]));
+/// assert_eq!(escalate_checked::<Step, 1, 1>([2.0], 1.0), Err(NotWithin { output: 0, within: 1.0 }));
+/// ```
+pub fn escalate_checked<F: Formula<A, O>, const A: usize, const O: usize>(
+    arguments: [f64; A],
+    within: f64,
+) -> Result<[f64; O], NotWithin> {
+    let values = escalate_with_tier::<F, A, O>(arguments, within);
+    match values.iter().position(|(_, tier)| *tier == Tier::Undecided) {
+        Some(output) => Err(NotWithin { output, within }),
+        None => Ok(values.map(|(value, _)| value)),
+    }
+}
+
+/// [`escalate`], with the precision that each output was taken from.
 pub fn escalate_with_tier<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: [f64; A],
     within: f64,
 ) -> [(f64, Tier); O] {
-    let mut outputs = [(f64::NAN, Tier::Undecided); O];
-    let _ = take::<F, f64, A, O>(arguments, within, Tier::Double, &mut outputs)
-        || take::<F, DoubleDouble, A, O>(arguments, within, Tier::DoubleDouble, &mut outputs)
-        || take::<F, Wide<4>, A, O>(arguments, within, Tier::Words4, &mut outputs)
-        || take::<F, Wide<8>, A, O>(arguments, within, Tier::Words8, &mut outputs)
-        || take::<F, Wide<16>, A, O>(arguments, within, Tier::Words16, &mut outputs);
-    outputs
+    rounded::<F, A, O, _>(arguments, ToDouble { units: within })
 }
 
-/// Computes in guarded `T` what is still open; true where nothing is left.
-fn take<F: Formula<A, O>, T: Guardable, const A: usize, const O: usize>(
-    arguments: [f64; A],
+/// [`escalate`] of numbers of `f32`: within `within` · 2⁻²⁴ of the exact values, relative to them, and half an ulp from them
+/// where they are below 2⁻¹²⁶.
+pub fn escalate_f32<F: Formula<A, O>, const A: usize, const O: usize>(
+    arguments: [f32; A],
     within: f64,
-    tier: Tier,
-    outputs: &mut [(f64, Tier); O],
-) -> bool {
-    settle(&F::value(arguments.map(Guarded::<T>::from_f64)), within, tier, outputs)
+) -> [f32; O] {
+    rounded::<F, A, O, _>(arguments.map(f64::from), ToSingle { units: within }).map(|(value, _)| value)
+}
+
+#[inline]
+fn rounded<F: Formula<A, O>, const A: usize, const O: usize, R: Rounding>(
+    arguments: [f64; A],
+    rounding: R,
+) -> [(R::Number, Tier); O] {
+    let mut slots = [Slot::open(R::NAN); O];
+    let values = F::value(arguments.map(Guarded::<f64>::from_f64));
+    if !take(&values, Tier::Double, (rounding, 0.0), &mut slots) {
+        beyond_double::<F, A, O, R>(arguments, rounding, &mut slots);
+    }
+    slots.map(|slot| (slot.number, slot.tier))
+}
+
+#[cold]
+#[inline(never)]
+fn beyond_double<F: Formula<A, O>, const A: usize, const O: usize, R: Rounding>(
+    arguments: [f64; A],
+    rounding: R,
+    slots: &mut [Slot<R::Number>],
+) {
+    let arguments = arguments.map(DoubleDouble::from_f64);
+    if !take(&F::value(arguments.map(argument)), Tier::DoubleDouble, (rounding, 0.0), slots) {
+        climb(&Of::<F, A, O>::new(), &arguments, rounding, slots);
+    }
+}
+
+/// An argument of two words as it is.
+fn argument(value: DoubleDouble) -> Guarded<DoubleDouble> {
+    if value.is_nan() { Guarded::undefined() } else { Guarded::exact(value) }
 }
 
 /// What can be computed in numbers of every kind: a formula known when the program runs.
@@ -82,58 +167,134 @@ pub trait Computation {
     fn values<T: Real>(&self, arguments: &[T]) -> Vec<T>;
 }
 
-/// [`escalate`] of a computation with so many outputs.
+/// A formula as a computation.
+struct Of<F, const A: usize, const O: usize>(PhantomData<F>);
+
+impl<F, const A: usize, const O: usize> Of<F, A, O> {
+    fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+impl<F: Formula<A, O>, const A: usize, const O: usize> Computation for Of<F, A, O> {
+    fn values<T: Real>(&self, arguments: &[T]) -> Vec<T> {
+        F::value(std::array::from_fn(|place| arguments[place])).to_vec()
+    }
+}
+
+/// [`escalate_with_tier`] of a computation with so many outputs.
 pub fn escalate_computation(
     computation: &impl Computation,
     arguments: &[f64],
     outputs: usize,
     within: f64,
-) -> Vec<f64> {
-    fn take<T: Guardable>(
-        computation: &impl Computation,
-        arguments: &[f64],
-        (within, tier): (f64, Tier),
-        outputs: &mut [(f64, Tier)],
-    ) -> bool {
-        let arguments: Vec<Guarded<T>> = arguments.iter().map(|&value| Guarded::from_f64(value)).collect();
-        settle(&computation.values(&arguments), within, tier, outputs)
+) -> Vec<(f64, Tier)> {
+    let rounding = ToDouble { units: within };
+    let mut slots = vec![Slot::open(f64::NAN); outputs];
+    let doubles: Vec<Guarded<f64>> = arguments.iter().map(|&value| Guarded::from_f64(value)).collect();
+    if !take(&computation.values(&doubles), Tier::Double, (rounding, 0.0), &mut slots) {
+        let words: Vec<_> = arguments.iter().map(|&value| DoubleDouble::from_f64(value)).collect();
+        from_two_words(computation, &words, rounding, &mut slots);
     }
-    let mut found = vec![(f64::NAN, Tier::Undecided); outputs];
-    let _ = take::<f64>(computation, arguments, (within, Tier::Double), &mut found)
-        || take::<DoubleDouble>(computation, arguments, (within, Tier::DoubleDouble), &mut found)
-        || take::<Wide<4>>(computation, arguments, (within, Tier::Words4), &mut found)
-        || take::<Wide<8>>(computation, arguments, (within, Tier::Words8), &mut found)
-        || take::<Wide<16>>(computation, arguments, (within, Tier::Words16), &mut found);
-    found.into_iter().map(|(value, _)| value).collect()
+    slots.into_iter().map(|slot| (slot.number, slot.tier)).collect()
 }
 
-/// Takes of the values what is good enough of the outputs that are still open; true where none is left.
-fn settle<T: Guardable>(values: &[Guarded<T>], within: f64, tier: Tier, outputs: &mut [(f64, Tier)]) -> bool {
-    let units = if tier == Tier::Double { within } else { (within - 1.0).max(LEAST_SLACK) };
-    for (output, &value) in outputs.iter_mut().zip(values) {
-        if output.1 != Tier::Undecided {
+/// What is open, from double-double on.
+fn from_two_words<R: Rounding>(
+    computation: &impl Computation,
+    arguments: &[DoubleDouble],
+    rounding: R,
+    slots: &mut [Slot<R::Number>],
+) {
+    let words: Vec<_> = arguments.iter().map(|&value| argument(value)).collect();
+    if !take(&computation.values(&words), Tier::DoubleDouble, (rounding, 0.0), slots) {
+        climb(computation, arguments, rounding, slots);
+    }
+}
+
+/// A result that is looked for.
+#[derive(Clone, Copy)]
+struct Slot<N> {
+    number: N,
+    tier: Tier,
+    /// Whether more precision may tell.
+    is_open: bool,
+}
+
+impl<N> Slot<N> {
+    fn open(nan: N) -> Self {
+        Slot { number: nan, tier: Tier::Undecided, is_open: true }
+    }
+}
+
+/// Takes of these values what is good enough of the results that are still open; true where none is left.
+fn take<T: Guardable, R: Rounding>(
+    values: &[Guarded<T>],
+    tier: Tier,
+    (rounding, slack): (R, f64),
+    slots: &mut [Slot<R::Number>],
+) -> bool {
+    let mut is_open = false;
+    for (slot, &value) in slots.iter_mut().zip(values) {
+        if !slot.is_open {
             continue;
         }
-        output.0 = if value.may_vanish() { 0.0 } else { value.to_f64() };
-        if is_within(value, units) {
-            output.1 = tier;
+        match rounding.round(value, slack) {
+            Outcome::Known(number) => *slot = Slot { number, tier, is_open: false },
+            Outcome::Open => is_open = true,
+            Outcome::Never => slot.is_open = false,
         }
     }
-    outputs.iter().all(|(_, tier)| *tier != Tier::Undecided)
+    !is_open
 }
 
-/// What is left for the error of a value in more precision where rounding it to `f64` takes all that is allowed.
-const LEAST_SLACK: f64 = 1.0 / (1_u64 << 30) as f64;
+/// The widest numbers for a formula with an integral: its rule takes many nodes, and is no better than its estimate.
+const MOST_WORDS_OF_INTEGRALS: usize = 16;
 
-fn is_within<T: Guardable>(value: Guarded<T>, units: f64) -> bool {
-    if value.is_undefined() {
-        return true;
+/// What is left open is computed in words, more and more of them.
+fn climb<R: Rounding>(
+    computation: &impl Computation,
+    arguments: &[DoubleDouble],
+    rounding: R,
+    slots: &mut [Slot<R::Number>],
+) {
+    let tape = Tape::of(arguments.len(), |arguments| computation.values(arguments));
+    // what does not depend on how large an infinite argument is shows at once
+    let is_finite = arguments.iter().all(|argument| argument.high().is_finite());
+    let most = match (is_finite, tape.has_integral()) {
+        (false, _) => 4,
+        (true, true) => MOST_WORDS_OF_INTEGRALS,
+        (true, false) => MOST_WORDS,
+    };
+    let climbing = Climbing { tape, arguments, rounding, most };
+    let _ = climbing.is_done_in::<4>(slots)
+        || climbing.is_done_in::<8>(slots)
+        || climbing.is_done_in::<16>(slots)
+        || climbing.is_done_in::<40>(slots)
+        || climbing.is_done_in::<96>(slots)
+        || climbing.is_done_in::<MOST_WORDS>(slots);
+}
+
+/// A formula at arguments, in up to so many words.
+struct Climbing<'a, R> {
+    tape: Tape,
+    arguments: &'a [DoubleDouble],
+    rounding: R,
+    most: usize,
+}
+
+impl<R: Rounding> Climbing<'_, R> {
+    /// Computes what is still open in so many words; true where nothing is left, or no more words are tried.
+    #[inline(never)]
+    fn is_done_in<const LIMBS: usize>(&self, slots: &mut [Slot<R::Number>]) -> bool {
+        // a number of two words is the sum of two exact ones
+        let exact = |value: &DoubleDouble| match value.low() {
+            0.0 => Guarded::<Wide<LIMBS>>::from_f64(value.high()),
+            low => Guarded::from_f64(value.high()) + Guarded::from_f64(low),
+        };
+        let arguments: Vec<_> = self.arguments.iter().map(exact).collect();
+        let is_last = LIMBS >= self.most;
+        let rounding = (self.rounding, if is_last { rounding::LEAST_SLACK } else { 0.0 });
+        take(&self.tape.values(&arguments), Tier::Words(LIMBS as u16), rounding, slots) || is_last
     }
-    let (number, error) = (value.value(), value.error());
-    if number.is_nan() || !error.is_finite() {
-        return false;
-    }
-    let scale = number.size_down().most(T::Bound::of(f64::MIN_POSITIVE));
-    error <= T::Bound::of(units).shifted(-53).times_down(scale)
-        || (error.is_zero() && number == T::from_f64(0.0))
 }

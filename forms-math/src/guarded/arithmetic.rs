@@ -31,6 +31,9 @@ impl<T: Guardable> Guarded<T> {
 
     /// √: |δ|/(√x + √(x + δ)) ≤ α/(√x + √(x − α))
     pub(super) fn root(self) -> Self {
+        if let Some(beyond) = self.is_beyond() {
+            return beyond.root();
+        }
         let zero = T::from_f64(0.0);
         if self.value < zero && self.value.size_down() > self.error {
             return Self::undefined();
@@ -59,6 +62,9 @@ impl<T: Guardable> Add for Guarded<T> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
+        if self.is_beyond().is_some() || other.is_beyond().is_some() {
+            return Self::sum_beyond(self, other);
+        }
         let (value, rounding) = self.value.sum(other.value);
         Self::of_operands(&[self, other], value, rounding.plus(self.error).plus(other.error))
     }
@@ -84,6 +90,9 @@ impl<T: Guardable> Mul for Guarded<T> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
+        if self.is_beyond().is_some() || other.is_beyond().is_some() {
+            return Self::product_beyond(self, other);
+        }
         let (value, rounding) = self.value.product(other.value);
         Self::of_operands(&[self, other], value, rounding.plus(self.error_of_product(other)))
     }
@@ -94,7 +103,13 @@ impl<T: Guardable> Div for Guarded<T> {
     /// (α + |a/b| β)/(|b| − β)
     #[inline]
     fn div(self, other: Self) -> Self {
+        if self.is_beyond().is_some() || other.is_beyond().is_some() {
+            return Self::quotient_beyond(self, other);
+        }
         let (value, rounding) = self.value.quotient(other.value);
+        if !value.size().is_finite() && other.is_exact_zero() {
+            return Self::undefined();
+        }
         let least = other.value.size_down().minus_down(other.error);
         let propagated = if self.is_exact() && other.is_exact() {
             T::Bound::ZERO

@@ -14,6 +14,8 @@ pub trait Bound: Copy + PartialOrd + std::fmt::Debug {
     fn times(self, other: Self) -> Self;
     /// The quotient by what the divisor is at least; without a bound where that is nothing.
     fn over(self, least: Self) -> Self;
+    /// e of a finite size other than zero with 2^(e − 1) ≤ size < 2^e.
+    fn exponent(self) -> Option<i64>;
     /// self · 2^exponent
     fn shifted(self, exponent: i64) -> Self;
     /// What is at least left of at least `self` less at most `other`.
@@ -114,6 +116,9 @@ impl Bound for f64 {
         }
         size.times(other_error).plus(other_size.plus(other_error).times(error))
     }
+    fn exponent(self) -> Option<i64> {
+        (self > 0.0 && self < f64::INFINITY).then(|| crate::error_free::mantissa_and_exponent(self).1)
+    }
     #[inline(always)]
     fn shifted(self, exponent: i64) -> Self {
         let scaled = crate::error_free::scaled(self, exponent);
@@ -211,6 +216,9 @@ impl Bound for Magnitude {
             return Self::new(0.5, i64::MIN / 4);
         }
         Self::new((self.mantissa / least.mantissa).next_up(), self.exponent.saturating_sub(least.exponent))
+    }
+    fn exponent(self) -> Option<i64> {
+        self.is_usual().then_some(self.exponent)
     }
     fn shifted(self, exponent: i64) -> Self {
         if self.is_usual() { Self { exponent: self.exponent.saturating_add(exponent), ..self } } else { self }

@@ -29,9 +29,15 @@ impl<T: Guardable> Guarded<T> {
         Self { value, error }
     }
 
-    /// A function that vanishes where its value says so has no rounding error there.
+    /// A function that vanishes at 0 or 1 has no rounding error there; anywhere else a zero has underflowed.
     fn rounding_of(self, value: T, units: f64) -> T::Bound {
-        if value == T::from_f64(0.0) && self.is_exact() { T::Bound::ZERO } else { value.rounding(units) }
+        let zero = T::from_f64(0.0);
+        let vanishes = self.value == zero || self.value == T::from_f64(1.0);
+        if value == zero && self.is_exact() && vanishes {
+            T::Bound::ZERO
+        } else {
+            rounding_above_zero(value, units)
+        }
     }
 
     /// Undefined where the argument is surely so far outside of the domain, and without a bound where it may be.
@@ -53,6 +59,9 @@ impl<T: Guardable> Guarded<T> {
 
     /// e^(x + δ) − e^x = e^x (e^δ − 1)
     pub(super) fn exponential(self) -> Self {
+        if let Some(beyond) = self.exponential_beyond() {
+            return beyond.exponential(0.0);
+        }
         let value = self.value.exp();
         let rounding = rounding_above_zero(value, T::UNITS.elementary);
         self.function_rounded(value, rounding, || value.size().plus(rounding).times(self.growth()))
@@ -60,6 +69,9 @@ impl<T: Guardable> Guarded<T> {
 
     /// The same difference, with e^x ≤ |e^x − 1| + 1.
     pub(super) fn exponential_minus_one(self) -> Self {
+        if let Some(beyond) = self.exponential_beyond() {
+            return beyond.exponential(-1.0);
+        }
         let value = self.value.exp_m1();
         self.function(value, T::UNITS.elementary, || {
             value.size().shifted(1).plus(T::Bound::of(1.0)).times(self.growth())
@@ -68,6 +80,12 @@ impl<T: Guardable> Guarded<T> {
 
     /// |ln(1 + δ/x)| ≤ ε/(x − ε)
     pub(super) fn logarithm(self) -> Self {
+        if let Some(beyond) = self.is_beyond() {
+            return beyond.logarithm();
+        }
+        if self.is_exact_zero() {
+            return Self::undefined();
+        }
         if self.value < T::from_f64(0.0) {
             return self.outside(self.value);
         }
@@ -77,7 +95,13 @@ impl<T: Guardable> Guarded<T> {
 
     /// The same with 1 + x.
     pub(super) fn logarithm_of_one_plus(self) -> Self {
+        if let Some(beyond) = self.is_beyond() {
+            return beyond.logarithm();
+        }
         let shifted = Self::exact(T::from_f64(1.0)) + self;
+        if shifted.is_exact_zero() {
+            return Self::undefined();
+        }
         if shifted.value < T::from_f64(0.0) {
             return self.outside(shifted.value);
         }
@@ -87,16 +111,25 @@ impl<T: Guardable> Guarded<T> {
 
     /// |sin(x + δ) − sin x| ≤ ε
     pub(super) fn sine(self) -> Self {
+        if let Some(beyond) = self.is_beyond() {
+            return beyond.oscillation();
+        }
         self.function(self.value.sin(), T::UNITS.elementary, || self.error)
     }
 
     /// |cos(x + δ) − cos x| ≤ ε
     pub(super) fn cosine(self) -> Self {
+        if let Some(beyond) = self.is_beyond() {
+            return beyond.oscillation();
+        }
         self.function(self.value.cos(), T::UNITS.elementary, || self.error)
     }
 
     /// tan(x + δ) − tan x = (1 + t²) tan δ/(1 − t tan δ), t = tan x, tan ε ≤ ε (1 + ε²) for ε < 1
     pub(super) fn tangent(self) -> Self {
+        if self.is_beyond().is_some() {
+            return Self::undecided(T::nan());
+        }
         let value = self.value.tan();
         self.function(value, T::UNITS.elementary, || {
             let one = T::Bound::of(1.0);
@@ -127,16 +160,25 @@ impl<T: Guardable> Guarded<T> {
 
     /// The arc sine.
     pub(super) fn arc_sine(self) -> Self {
+        if let Some(beyond) = self.is_beyond() {
+            return beyond.outside_of_one();
+        }
         self.arc(self.value.asin())
     }
 
     /// The arc cosine.
     pub(super) fn arc_cosine(self) -> Self {
+        if let Some(beyond) = self.is_beyond() {
+            return beyond.outside_of_one();
+        }
         self.arc(self.value.acos())
     }
 
     /// ε/(1 + (|x| − ε)²)
     pub(super) fn arc_tangent(self) -> Self {
+        if let Some(beyond) = self.is_beyond() {
+            return beyond.arc_tangent();
+        }
         self.function(self.value.atan(), T::UNITS.elementary, || {
             let least = self.least_size();
             // 1 + m² ≥ the larger of 1 and m²
@@ -147,6 +189,9 @@ impl<T: Guardable> Guarded<T> {
     /// With |y|, |x| ≤ p m, q m and max(|x|, |y|) ≥ m > 0, the angle between (x, y) and (x + ξ, y + η) has the tangent
     /// |x η − y ξ|/(x² + y² + x ξ + y η) ≤ (q η + p ξ)/(m − ξ − η), where the sign of y is certain left of the origin.
     pub(super) fn angle(self, x: Self) -> Self {
+        if self.is_beyond().is_some() || x.is_beyond().is_some() {
+            return Self::angle_beyond(self, x);
+        }
         let (y, zero) = (self, T::from_f64(0.0));
         // Zero has no sign here, whatever the type makes of one.
         let unsigned = |value: T| if value == zero { zero } else { value };
@@ -177,6 +222,9 @@ impl<T: Guardable> Guarded<T> {
 
     /// sinh(x + δ) − sinh x: cosh(|x| + ε) ε ≤ (|sinh x| + 1)(1 + 2ε) ε for ε < 1
     pub(super) fn hyperbolic_sine(self) -> Self {
+        if let Some(beyond) = self.exponential_beyond() {
+            return beyond.hyperbolic(beyond.is_negative());
+        }
         let value = self.value.sinh();
         self.function(value, T::UNITS.hyperbolic, || {
             value.size().shifted(1).plus(T::Bound::of(1.0)).times(self.growth().shifted(1))
@@ -185,17 +233,26 @@ impl<T: Guardable> Guarded<T> {
 
     /// The same, with sinh(|x| + ε) ≤ cosh x (1 + 2ε).
     pub(super) fn hyperbolic_cosine(self) -> Self {
+        if let Some(beyond) = self.exponential_beyond() {
+            return beyond.hyperbolic(false);
+        }
         let value = self.value.cosh();
         self.function(value, T::UNITS.hyperbolic, || value.size().shifted(1).times(self.growth().shifted(1)))
     }
 
     /// |tanh(x + δ) − tanh x| ≤ ε
     pub(super) fn hyperbolic_tangent(self) -> Self {
+        if let Some(beyond) = self.exponential_beyond() {
+            return beyond.step();
+        }
         self.function(self.value.tanh(), T::UNITS.hyperbolic, || self.error)
     }
 
     /// |(1 + δ/x)^p − 1| ≤ e^z − 1 ≤ z (1 + z) for z = |p| ε/(|x| − ε) < 1
     pub(super) fn rational_power(self, numerator: i64, denominator: i64) -> Self {
+        if let Some(beyond) = self.is_beyond() {
+            return beyond.power(numerator, denominator);
+        }
         let one = T::Bound::of(1.0);
         let negative = self.value < T::from_f64(0.0);
         match (numerator, denominator) {
@@ -204,6 +261,7 @@ impl<T: Guardable> Guarded<T> {
             (2, 1) => return self * self,
             (1, 2) => return self.root(),
             (-1, 1) => return Self::exact(T::from_f64(1.0)) / self,
+            (n, _) if n < 0 && self.is_exact_zero() => return Self::undefined(),
             (_, d) if negative && d != 1 => return self.outside(self.value),
             _ => (),
         }

@@ -3,13 +3,15 @@
 //! ```text
 //! bound ─ number (what each type states of its rounding) ─ Guarded ─┬─ arithmetic
 //!                                                                    ├─ functions, special functions
-//!                                                                    └─ choices
+//!                                                                    ├─ choices
+//!                                                                    └─ numbers beyond the exponents
 //! ```
 //! The bound of a result is that of its own rounding and what the errors of the arguments make of it, to all orders.
 //! Arguments of a kernel have no error. Where a function is not defined for all that an argument may be, the result has
 //! no bound; where it is defined for none of it, the result is undefined: NaN without an error.
 
 mod arithmetic;
+mod beyond;
 mod bound;
 mod functions;
 mod number;
@@ -38,7 +40,7 @@ pub struct Guarded<T: Guardable> {
 impl<T: Guardable> Guarded<T> {
     /// A number without error.
     pub fn exact(value: T) -> Self {
-        let known = value.exponent().is_some() || value == T::from_f64(0.0);
+        let known = value.exponent().is_some() || value == T::from_f64(0.0) || value.is_beyond().is_some();
         Self { value, error: if known { T::Bound::ZERO } else { T::Bound::INFINITE } }
     }
 
@@ -72,12 +74,11 @@ impl<T: Guardable> Guarded<T> {
         self.value.is_nan() && self.error.is_zero()
     }
 
-    /// True where the exact value may be zero, as far as the error is bounded.
-    pub(crate) fn may_vanish(self) -> bool {
-        self.error.is_finite() && self.value.size_down() <= self.error
-    }
-
     fn is_exact(self) -> bool {
         self.error.is_zero()
+    }
+
+    fn is_exact_zero(self) -> bool {
+        self.is_exact() && self.value == T::from_f64(0.0)
     }
 }

@@ -1,9 +1,10 @@
 //! What each type of number says of its own rounding: the one place where bounds of a type's functions stand.
 
+use super::Guarded;
 use super::bound::{Bound, Magnitude};
 use crate::error_free::{difference_in_words, has_exact_rest, two_product, two_sum};
 use crate::scalar::Scalar;
-use crate::{DoubleDouble, Real, Wide};
+use crate::{DoubleDouble, Number, Real, Wide};
 
 /// Bounds of relative errors of functions, in units of 2^−[`Scalar::PRECISION`].
 #[derive(Clone, Copy, Debug)]
@@ -34,10 +35,23 @@ pub trait Guardable: Scalar {
     type Bound: Bound;
     /// What is stated of its functions.
     const UNITS: Units;
+    /// Whether the type has numbers beyond its exponents of which the sign and a least size are known.
+    const HAS_BEYOND: bool = false;
+    /// A number of this sign that is at least 2^`exponent` in size.
+    fn beyond(_negative: bool, _exponent: i64) -> Self {
+        Self::nan()
+    }
+    /// (whether it is negative, e) of such a number.
+    #[inline(always)]
+    fn is_beyond(self) -> Option<(bool, i64)> {
+        None
+    }
     /// |x| ≤
     fn size(self) -> Self::Bound;
     /// |x| ≥
     fn size_down(self) -> Self::Bound;
+    /// A number of a formula and a bound of its error.
+    fn enclosed(number: Number<'_>) -> (Self, Self::Bound);
     /// A bound of the error of a value within so many units of it; none where the value is out of the range in which
     /// that is stated.
     fn rounding(self, units: f64) -> Self::Bound;
@@ -88,6 +102,18 @@ impl Guardable for f64 {
     fn rounding(self, units: f64) -> f64 {
         let relative = self.abs() * (units * (f64::EPSILON / 2.0 * (1.0 + 4.0 * f64::EPSILON)));
         if self.abs() < NORMAL { relative + units * SMALLEST } else { relative }
+    }
+    /// What the second word leaves is below half an ulp of it.
+    fn enclosed(number: Number<'_>) -> (Self, f64) {
+        let [value, rest] = *number.words();
+        (
+            value,
+            (rest.abs() * (1.0 + f64::EPSILON)).plus(if value.abs() < NORMAL / f64::EPSILON {
+                SMALLEST
+            } else {
+                0.0
+            }),
+        )
     }
     fn underflow(units: f64) -> f64 {
         units * SMALLEST
@@ -195,6 +221,10 @@ impl Guardable for DoubleDouble {
         const UNIT: f64 = f64::from_bits((1023 - 106) << 52) * (1.0 + 4.0 * f64::EPSILON);
         if in_range(self.high()) { self.high().abs() * (units * UNIT) } else { f64::INFINITY }
     }
+    fn enclosed(number: Number<'_>) -> (Self, f64) {
+        let value = Self::number(number);
+        (value, value.rounding(Self::UNITS.constant))
+    }
     fn underflow(_: f64) -> f64 {
         f64::INFINITY
     }
@@ -247,6 +277,13 @@ impl<const LIMBS: usize> Guardable for Wide<LIMBS> {
         node_by_logarithm: 1.0,
     };
 
+    const HAS_BEYOND: bool = true;
+    fn beyond(negative: bool, exponent: i64) -> Self {
+        Self::infinite(negative, exponent)
+    }
+    fn is_beyond(self) -> Option<(bool, i64)> {
+        self.least_exponent_of_infinite()
+    }
     fn size(self) -> Magnitude {
         match self.exponent() {
             Some(exponent) => Magnitude::new(self.scaled(-exponent).to_f64().abs().next_up(), exponent),
@@ -257,11 +294,31 @@ impl<const LIMBS: usize> Guardable for Wide<LIMBS> {
     fn size_down(self) -> Magnitude {
         match self.exponent() {
             Some(exponent) => Magnitude::new(self.scaled(-exponent).to_f64().abs().next_down(), exponent),
-            None => Magnitude::ZERO,
+            None => match self.is_beyond() {
+                Some((_, exponent)) => Magnitude::new(0.5, exponent + 1),
+                None => Magnitude::ZERO,
+            },
         }
     }
     fn rounding(self, units: f64) -> Magnitude {
         self.size().times(Magnitude::of(units)).shifted(-i64::from(Self::PRECISION))
+    }
+    /// By the quotient and the power of π, each with its error.
+    fn enclosed(number: Number<'_>) -> (Self, Magnitude) {
+        let part = |words: &[u64]| {
+            let value = Self::from_words(words);
+            let rounded = words.len() > LIMBS;
+            Guarded { value, error: if rounded { value.rounding(1.0) } else { Magnitude::ZERO } }
+        };
+        let quotient = part(number.numerator()) / part(number.denominator());
+        let value = match i64::from(number.pi_exponent()) {
+            0 => quotient,
+            exponent => {
+                let pi = Self::pi();
+                quotient * Guarded { value: pi, error: pi.rounding(1.0) }.rational_power(exponent, 1)
+            }
+        };
+        (if number.is_negative() { -value.value } else { value.value }, value.error)
     }
     /// Where eˣ is out of range it is below 2^(−2⁵⁰).
     fn underflow(_: f64) -> Magnitude {
@@ -296,7 +353,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         }
         // Zero that is not exact lies below the range of the exponents.
         if value == Self::from_f64(0.0) {
-            return (value, Magnitude::INFINITE);
+            return (value, <Self as Guardable>::underflow(1.0));
         }
         (value, value.size().shifted(-64 * LIMBS as i64))
     }

@@ -1,13 +1,13 @@
 //! A guarded number as a number of a kernel; choices that the errors leave open have the values of both branches.
 
 use super::{Bound, Guardable, Guarded};
-use crate::Real;
 use crate::quadrature::{Kind, double_exponential};
+use crate::{Number, Real};
 
 impl<T: Guardable> Guarded<T> {
     /// left − right: `None` where the errors leave open whether it is below, at or above zero.
     fn order(left: Self, right: Self) -> Option<std::cmp::Ordering> {
-        if left.is_exact() && right.is_exact() {
+        if left.is_exact() && right.is_exact() && left.is_beyond().is_none() && right.is_beyond().is_none() {
             return left.value.partial_cmp(&right.value);
         }
         let distance = left - right;
@@ -23,7 +23,7 @@ impl<T: Guardable> Guarded<T> {
         if first.value.is_nan() || second.value.is_nan() {
             return Self::undecided(T::nan());
         }
-        if first.value == second.value {
+        if first.value == second.value && first.is_beyond().is_none() {
             return Self { value: first.value, error: first.error.most(second.error) };
         }
         let (distance, rounding) = first.value.sum(-second.value);
@@ -70,6 +70,10 @@ impl<T: Guardable> Real for Guarded<T> {
         let beyond = T::Bound::of(last.abs()).shifted(-53);
         Self { value, error: value.rounding(T::UNITS.constant).plus(beyond) }
     }
+    fn number(number: Number<'_>) -> Self {
+        let (value, error) = T::enclosed(number);
+        Self { value, error }
+    }
     #[inline]
     fn from_f64(value: f64) -> Self {
         if value.is_nan() { Self::undefined() } else { Self::exact(T::from_f64(value)) }
@@ -83,6 +87,9 @@ impl<T: Guardable> Real for Guarded<T> {
     }
     #[inline]
     fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
+        if [a, b, c, d].iter().any(|factor| factor.is_beyond().is_some()) {
+            return a * b - c * d;
+        }
         let (value, rounding) = T::products_difference(a.value, b.value, c.value, d.value);
         let propagated = a.error_of_product(b).plus(c.error_of_product(d));
         Self::of_operands(&[a, b, c, d], value, rounding.plus(propagated))

@@ -6,14 +6,23 @@ use super::{Bound, Guardable, Guarded};
 impl<T: Guardable> Guarded<T> {
     /// |erf′| ≤ 2/√π < 1.13
     pub(super) fn error_function(self) -> Self {
+        if let Some(beyond) = self.is_beyond() {
+            return beyond.step();
+        }
         self.function(self.value.erf(), T::UNITS.special, || self.error.times(T::Bound::of(1.13)))
     }
 
     /// Eₙ′ = −Eₙ₋₁, and e^(−x) < (x + n) Eₙ(x). Between x − ε and x + ε, with y = x − ε > 0 and e^(−y) ≤ e^(−x)(1 + 2ε):
     /// E₀ = e^(−y)/y, E₁ ≤ e^(−y) ln(1 + 1/y) ≤ e^(−y)/√y, E₂ ≤ e^(−y)/(1 + y) ≤ e^(−y).
     pub(super) fn exponential_integral(self, order: u32) -> Self {
+        if let Some(beyond) = self.exponential_beyond() {
+            return beyond.exponential_integral();
+        }
         if self.value < T::from_f64(0.0) {
             return self.outside(self.value);
+        }
+        if order == 1 && self.is_exact_zero() {
+            return Self::undefined();
         }
         let value = match order {
             1 => self.value.expint1(),
@@ -40,6 +49,9 @@ impl<T: Guardable> Guarded<T> {
     /// Li₂′ = −ln(1 − t)/t grows; up to ½ it is below 1.4, and with w = 1 − x − ε, −ln w ≤ 0.75/√w gives 1.5/√w beyond;
     /// for t ≤ −1, ln(1 + |t|)/|t| ≤ 1/√|t|.
     pub(super) fn dilogarithm(self) -> Self {
+        if self.is_beyond().is_some() {
+            return Self::undecided(T::nan());
+        }
         let one = Self::exact(T::from_f64(1.0));
         let beyond = self.value - T::from_f64(1.0);
         if beyond > T::from_f64(0.0) {
@@ -58,6 +70,9 @@ impl<T: Guardable> Guarded<T> {
 
     /// Cl₂′ = −ln|2 sin(t/2)|, between −ln 2 and 1/√m where |2 sin(t/2)| ≥ m, and that changes by at most ε.
     pub(super) fn clausen_function(self) -> Self {
+        if self.is_beyond().is_some() {
+            return Self::undecided(T::nan());
+        }
         self.function(self.value.clausen(), T::UNITS.special, || {
             let half = Self { value: self.value.scaled(-1), error: T::Bound::ZERO };
             let least = half.sine().least_size().shifted(1).minus_down(self.error);

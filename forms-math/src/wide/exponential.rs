@@ -1,5 +1,6 @@
 //! eˣ and eˣ − 1.
 
+use super::product::LARGEST;
 use super::{Class, Wide};
 
 impl<const LIMBS: usize> Wide<LIMBS> {
@@ -40,7 +41,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         }
         match super::product::within_range(self.exponent.saturating_add(exponent)) {
             Some(exponent) => Self { exponent, ..self },
-            None if exponent > 0 => Self::infinite(self.negative),
+            None if exponent > 0 => Self::infinite(self.negative, LARGEST - 1),
             None => Self::ZERO,
         }
     }
@@ -55,7 +56,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
                 (Self::of_f64(1.0) + value).by_power_of_two(count)
             }
             _ if self.negative => Self::ZERO,
-            _ => Self::infinite(false),
+            _ => Self::infinite(false, 0),
         }
     }
 
@@ -72,7 +73,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
                 value.by_power_of_two(count) + (one.by_power_of_two(count) - one)
             }
             _ if self.negative => -one,
-            _ => Self::infinite(false),
+            _ => Self::infinite(false, 0),
         }
     }
 }

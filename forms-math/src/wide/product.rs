@@ -17,7 +17,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
             | (Class::Infinite, Class::Zero) => {
                 return (Self::NAN, false);
             }
-            (Class::Infinite, _) | (_, Class::Infinite) => return (Self::infinite(negative), false),
+            (Class::Infinite, _) | (_, Class::Infinite) => return (Self::infinite(negative, 0), false),
             (Class::Zero, _) | (_, Class::Zero) => return (Self::ZERO, true),
         }
         let (mut low, mut high) = ([0_u64; LIMBS], [0_u64; LIMBS]);
@@ -37,15 +37,18 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         let sticky = low[..LIMBS - 1].iter().any(|&word| word != 0);
         match within_range(self.exponent.saturating_add(other.exponent)) {
             Some(exponent) => Self::normalized(negative, exponent, high, guard, sticky),
-            None if self.exponent > 0 => (Self::infinite(negative), false),
+            None if self.exponent > 0 => (Self::infinite(negative, LARGEST - 1), false),
             None => (Self::ZERO, false),
         }
     }
 }
 
-/// An exponent that leaves room for shifts.
+/// The exponents of finite numbers are below this in size, which leaves room for shifts.
+pub(super) const LARGEST: i64 = 1 << 60;
+
+/// An exponent in that range.
 pub(super) fn within_range(exponent: i64) -> Option<i64> {
-    (exponent.abs() < 1 << 60).then_some(exponent)
+    (exponent.abs() < LARGEST).then_some(exponent)
 }
 
 impl<const LIMBS: usize> Mul for Wide<LIMBS> {

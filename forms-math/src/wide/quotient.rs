@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::ops::Div;
 
 use super::natural::{divide_by_word, quotient_word};
-use super::product::within_range;
+use super::product::{LARGEST, within_range};
 use super::{Class, Wide};
 
 impl<const LIMBS: usize> Wide<LIMBS> {
@@ -19,12 +19,13 @@ impl<const LIMBS: usize> Wide<LIMBS> {
             | (Class::Infinite, Class::Infinite) => {
                 return (Self::NAN, false);
             }
-            (Class::Infinite, _) | (_, Class::Zero) => return (Self::infinite(negative), false),
+            (Class::Infinite, _) | (_, Class::Zero) => return (Self::infinite(negative, 0), false),
             (Class::Zero, _) => return (Self::ZERO, true),
             (_, Class::Infinite) => return (Self::ZERO, false),
         }
         let Some(exponent) = within_range(self.exponent.saturating_sub(other.exponent)) else {
-            return if self.exponent > 0 { (Self::infinite(negative), false) } else { (Self::ZERO, false) };
+            let infinite = self.exponent > 0;
+            return (if infinite { Self::infinite(negative, LARGEST - 2) } else { Self::ZERO }, false);
         };
         // The dividend below the divisor, so that the first bit of the quotient stands right after the point.
         let halved = self.mantissa.iter().rev().cmp(other.mantissa.iter().rev()) != Ordering::Less;

@@ -1,13 +1,21 @@
 //! Wide floating point as a number of a kernel.
 
 use super::{Class, Wide};
-use crate::Real;
 use crate::scalar::{Scalar, composed_functions};
 use crate::table::table;
+use crate::{Number, Real};
 
 impl<const LIMBS: usize> Real for Wide<LIMBS> {
     fn constant(words: &[f64]) -> Self {
         words.iter().rev().fold(Self::ZERO, |sum, &word| sum + Self::of_f64(word))
+    }
+    fn number(number: Number<'_>) -> Self {
+        let quotient = Self::from_words(number.numerator()) / Self::from_words(number.denominator());
+        let value = match i64::from(number.pi_exponent()) {
+            0 => quotient,
+            exponent => quotient * Self::pi().power(exponent, 1),
+        };
+        if number.is_negative() { -value } else { value }
     }
     fn from_f64(value: f64) -> Self {
         Self::of_f64(value)

@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 
 use super::natural::{add_with_carry, bit_length};
+use super::product::LARGEST;
 use super::{Class, Wide};
 use crate::error_free::{mantissa_and_exponent, scaled};
 
@@ -11,8 +12,14 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         Self { class: Class::Zero, negative: false, exponent: 0, mantissa: [0; LIMBS] };
     pub(super) const NAN: Self = Self { class: Class::Nan, ..Self::ZERO };
 
-    pub(super) fn infinite(negative: bool) -> Self {
-        Self { class: Class::Infinite, negative, ..Self::ZERO }
+    /// A number of this sign that is at least 2^`exponent` in size.
+    pub(crate) fn infinite(negative: bool, exponent: i64) -> Self {
+        Self { class: Class::Infinite, negative, exponent, ..Self::ZERO }
+    }
+
+    /// (whether it is negative, e) of a number beyond the exponents that is at least 2^e in size.
+    pub(crate) fn least_exponent_of_infinite(self) -> Option<(bool, i64)> {
+        (self.class == Class::Infinite).then_some((self.negative, self.exponent))
     }
 
     /// ± 0.m · 2^exponent rounded by the bits after m: the next 64 and whether there are others. True where it is exact.
@@ -88,13 +95,18 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         Self::normalized(negative, exponent + 64 * words as i64, mantissa, guard, false).0
     }
 
+    /// The natural number of these words, the least significant first.
+    pub(crate) fn from_words(words: &[u64]) -> Self {
+        Self::from_natural(false, words, 0)
+    }
+
     /// The nearest number of so many limbs; the same where they are no fewer.
     pub fn to_limbs<const OTHER: usize>(self) -> Wide<OTHER> {
         match self.class {
             Class::Finite => {
                 Wide::from_natural(self.negative, &self.mantissa, self.exponent - 64 * LIMBS as i64)
             }
-            class => Wide { class, negative: self.negative, ..Wide::ZERO },
+            class => Wide { class, negative: self.negative, exponent: self.exponent, ..Wide::ZERO },
         }
     }
 
@@ -106,7 +118,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
             return Self::NAN;
         }
         if value.is_infinite() {
-            return Self::infinite(value < 0.0);
+            return Self::infinite(value < 0.0, LARGEST);
         }
         let (fraction, exponent) = mantissa_and_exponent(value);
         let mut mantissa = [0; LIMBS];

@@ -1,7 +1,7 @@
 //! The generic body: `impl Formula<…> for …`, one straight line that runs in any `Real`.
 //!
 //! Choices compute both branches, so that the same body runs in the lanes of a vector; outside the domain every
-//! output is NaN. Numbers are written exactly, or as five words, which is more than any precision rounds to.
+//! output is NaN. Numbers are written exactly, with two words for the precisions that need no more.
 
 use super::body;
 use super::dialect::{ChoiceFunction, Choices, Dialect};
@@ -27,7 +27,7 @@ pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
     let used = |place: usize| program.instructions.contains(&Instruction::Argument(place as u32));
     let bound: Vec<&str> =
         names.iter().enumerate().map(|(place, name)| if used(place) { name.as_str() } else { "_" }).collect();
-    let body = body::write(&Generic, program, &names);
+    let body = body::write(&Generic { math }, program, &names);
     let gives_up = if program.instructions.iter().all(lanes_have_it_everywhere) {
         "    const MAY_GIVE_UP: bool = false;\n"
     } else {
@@ -108,9 +108,11 @@ pub(super) fn closure(
 }
 
 /// Rust over any `T: Real`.
-struct Generic;
+struct Generic<'a> {
+    math: &'a str,
+}
 
-impl Generic {
+impl Generic<'_> {
     fn method(value: &Written, name: &str, rest: &[String]) -> Written {
         Written::atom(format!("{}.{name}({})", value.within(Binding::Atom), rest.join(", ")))
     }
@@ -120,7 +122,7 @@ impl Generic {
     }
 }
 
-impl Dialect for Generic {
+impl Dialect for Generic<'_> {
     fn choices(&self) -> Choices<'_> {
         Choices::Function(self)
     }
@@ -128,13 +130,15 @@ impl Dialect for Generic {
     fn number(&self, constant: &Constant) -> Written {
         // the first word by its name where it has one
         let first = number(constant, Precision::F64).text;
-        Written::atom(match constant.words(Constant::WORDS)[..] {
-            [_] => format!("T::from_f64({first})"),
-            ref words => {
-                let rest: Vec<String> = words[1..].iter().map(|word| format!("{word:?}")).collect();
-                format!("T::constant(&[{first}, {}])", rest.join(", "))
-            }
-        })
+        if constant.is_double() {
+            return Written::atom(format!("T::from_f64({first})"));
+        }
+        let rest = constant.words(2).get(1).copied().unwrap_or(0.0);
+        let [numerator, denominator] = constant.natural_words();
+        let (math, exponent) = (self.math, constant.pi_exponent);
+        Written::atom(format!(
+            "T::number({math}::Number::new([{first}, {rest:?}], &{numerator:?}, &{denominator:?}, {exponent}))"
+        ))
     }
 
     fn sqrt(&self, value: &Written) -> Written {
@@ -182,7 +186,7 @@ impl Dialect for Generic {
     }
 }
 
-impl ChoiceFunction for Generic {
+impl ChoiceFunction for Generic<'_> {
     fn choice(
         &self,
         [left, right]: [&Written; 2],

@@ -17,6 +17,7 @@ mod docs;
 mod generic;
 mod names;
 mod number;
+mod promise;
 mod rust;
 mod target;
 mod unordered;
@@ -25,5 +26,6 @@ mod written;
 
 pub use docs::KernelDocs;
 pub use generic::emit_formula;
+pub use promise::broken_promises;
 pub use rust::{MANY_ARGUMENTS, emit_rust, emit_rust_within};
 pub use target::{EmitError, Precision, Source, Target, emit};

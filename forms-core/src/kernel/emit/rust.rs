@@ -5,7 +5,8 @@ use super::dialect::{Branches, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
 use super::generic::{MATH, closure, nested_formula};
 use super::number::{number, receiver};
-use super::target::Precision;
+use super::promise::Promise;
+use super::target::{Precision, Target};
 use super::written::{Binding, Written, function};
 use crate::expression::{Operation, Rational};
 use crate::kernel::constant::{Constant, nearest_f64};
@@ -35,28 +36,39 @@ pub fn emit_rust_within(
     formula: &str,
     within: &Rational,
 ) -> String {
-    let escalated = escalated(program, math, formula, within);
+    let escalated = escalated(program, math, formula, within, Precision::F64);
     Rust { math, precision: Precision::F64 }.function(program, &promised(docs, within), |_| true, &escalated)
 }
 
 /// The same with the formula inside.
-pub(super) fn escalating(program: &Program, docs: &KernelDocs, within: &Rational) -> String {
-    let body = nested_formula(program) + &escalated(program, MATH, "Formula", within);
-    let dialect = Rust { math: MATH, precision: Precision::F64 };
-    dialect.function(program, &promised(docs, within), |_| true, &body)
+pub(super) fn escalating(
+    program: &Program,
+    docs: &KernelDocs,
+    within: &Rational,
+    precision: Precision,
+) -> String {
+    let body = nested_formula(program) + &escalated(program, MATH, "Formula", within, precision);
+    Rust { math: MATH, precision }.function(program, docs, |_| true, &body)
 }
 
 fn promised(docs: &KernelDocs, within: &Rational) -> KernelDocs {
-    let promise = format!("Its value is within {}·2⁻⁵³ of the exact one, relative to it.", below(within));
-    KernelDocs { rounding: promise, ..docs.clone() }
+    let sentence = Promise::ByPrecision.sentence(within, Target::Rust, Precision::F64);
+    KernelDocs { rounding: sentence, ..docs.clone() }
 }
 
 /// The statements that compute the values of a formula well enough.
-fn escalated(program: &Program, math: &str, formula: &str, within: &Rational) -> String {
+fn escalated(
+    program: &Program,
+    math: &str,
+    formula: &str,
+    within: &Rational,
+    precision: Precision,
+) -> String {
     let (arguments, outputs) = (program.arguments.len(), program.outputs.len());
     let within = below(within);
+    let escalate = if precision == Precision::F32 { "escalate_f32" } else { "escalate" };
     let values = format!(
-        "{math}::escalate::<{formula}, {arguments}, {outputs}>([{}], {within:?})",
+        "{math}::{escalate}::<{formula}, {arguments}, {outputs}>([{}], {within:?})",
         program.arguments.join(", ")
     );
     match outputs {

@@ -2,6 +2,7 @@
 
 use super::c::{C, Flavour};
 use super::docs::KernelDocs;
+use super::promise::{Promise, promise};
 use super::{generic, names, rust, wgsl};
 use crate::expression::Rational;
 use crate::kernel::program::{Instruction, Program};
@@ -139,25 +140,27 @@ pub struct Source {
     pub program: Program,
     /// What is said above it.
     pub docs: KernelDocs,
-    /// How far its `f64` value may be from the exact one, in units of 2⁻⁵³ of that; kept in Rust alone.
+    /// How far its `f64` value may be from the exact one, in units of 2⁻⁵³ of that; in `f32` of
+    /// 2⁻²⁴. Kept by more precision in Rust, elsewhere where a bound of the rounding shows it.
     pub within: Option<Rational>,
 }
 
 impl Source {
     /// The documented function.
     fn function(&self, target: Target, precision: Precision) -> String {
-        let program = &self.program;
+        let (program, promise) = (&self.program, self.promise(target, precision));
         let mut docs = self.docs.clone();
-        if precision != Precision::F64 {
-            docs.rounding.clear();
+        match (&promise, &self.within) {
+            (Some(promise), Some(within)) => docs.rounding = promise.sentence(within, target, precision),
+            _ if precision != Precision::F64 => docs.rounding.clear(),
+            _ => {}
         }
         let docs = &docs;
+        let escalates = promise == Some(Promise::ByPrecision);
         match (target, precision) {
-            (Target::Rust, Precision::DoubleDouble) => {
-                generic::double_double(program, docs, self.within.is_some())
-            }
+            (Target::Rust, Precision::DoubleDouble) => generic::double_double(program, docs, escalates),
             (Target::Rust, _) => match &self.within {
-                Some(within) if precision == Precision::F64 => rust::escalating(program, docs, within),
+                Some(within) if escalates => rust::escalating(program, docs, within, precision),
                 _ => rust::written(program, docs, generic::MATH, precision),
             },
             (Target::C, _) => C::new(Flavour::C, precision).function(program, docs),
@@ -166,11 +169,18 @@ impl Source {
         }
     }
 
+    /// What becomes of its promise, if it has one.
+    fn promise(&self, target: Target, precision: Precision) -> Option<Promise> {
+        Some(promise(self, self.within.as_ref()?, target, precision))
+    }
+
     /// Whether its Rust source needs the arithmetic of `forms_math`.
     fn needs_math(&self, precision: Precision) -> bool {
         match precision {
-            Precision::F32 => self.program.needs_math(),
-            Precision::F64 => self.within.is_some() || self.program.needs_math(),
+            Precision::F32 | Precision::F64 => {
+                self.promise(Target::Rust, precision) == Some(Promise::ByPrecision)
+                    || self.program.needs_math()
+            }
             Precision::DoubleDouble => true,
         }
     }

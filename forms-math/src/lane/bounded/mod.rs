@@ -56,7 +56,7 @@ impl<W: Word> Bounded<W> {
     /// The value where its error is at most so much of it, otherwise NaN.
     #[inline(always)]
     fn within(self, relative: W) -> W {
-        let allowed = relative * below_one() * self.value.magnitude();
+        let allowed = relative * below_one() * (self.value.magnitude() - self.error);
         if self.error <= allowed { self.value } else { W::not_a_number() }
     }
 

@@ -3,7 +3,7 @@
 use super::super::pair::two_product;
 use super::super::word::Word;
 use super::Bounded;
-use crate::Real;
+use crate::{Number, Real};
 
 impl<W: Word> Bounded<W> {
     /// Whether the order of the numbers is known: |a − b| > α + β, or neither has an error.
@@ -55,6 +55,12 @@ impl<W: Word> Real for Bounded<W> {
         let value = W::literal(word(0));
         let rest = W::literal((word(0) - value.to_double() + word(1)).abs());
         Self::raised(value, rest)
+    }
+    /// What a second word of zero leaves may have been lost to underflow.
+    #[inline(always)]
+    fn number(number: Number<'_>) -> Self {
+        let known = Self::constant(number.words());
+        Self { error: known.error + W::two_to(W::SMALL), ..known }
     }
     #[inline(always)]
     fn from_f64(value: f64) -> Self {

@@ -1,0 +1,121 @@
+//! What a target makes of `within`: kept by more precision, kept by a bound of the rounding, or not kept and said so.
+
+use super::target::{Precision, Source, Target};
+use crate::expression::Rational;
+use crate::kernel::constant::nearest_f64;
+use crate::rounding::Arithmetic;
+
+/// Boxes that the domain is split into for the bound.
+const BOXES: usize = 256;
+
+/// How the value of a kernel with `within` stands to the exact one where it is emitted.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Promise {
+    /// As much precision as it takes is used.
+    ByPrecision,
+    /// The rounding of the form is bounded by so many units, which are within the promise.
+    ByBound(f64),
+    /// It is not kept, for this reason.
+    NotKept(String),
+}
+
+/// A promise where a kernel is emitted in a precision of a target.
+pub(super) fn promise(source: &Source, within: &Rational, target: Target, precision: Precision) -> Promise {
+    if target == Target::Rust && precision != Precision::F32 {
+        return Promise::ByPrecision;
+    }
+    let bounds = source.program.error_bound_in(arithmetic(target, precision), BOXES);
+    let promise = match bounds {
+        Ok(bounds) => {
+            let arithmetic = arithmetic(target, precision);
+            let units = bounds.iter().map(|bound| bound.relative.map(|relative| relative / arithmetic.unit));
+            let worst = units.fold(Some(0.0), |worst: Option<f64>, units| Some(worst?.max(units?)));
+            match worst {
+                Some(units) if units <= nearest_f64(within).next_down() => Promise::ByBound(units),
+                Some(units) => Promise::NotKept(format!(
+                    "rounding is known to be within {units:.1}·{} of it on the domain",
+                    unit(precision)
+                )),
+                None => {
+                    let absolute = bounds.iter().map(|bound| bound.absolute).fold(0.0, f64::max);
+                    Promise::NotKept(format!(
+                        "rounding is known to be within {absolute:.1e} on the domain, and has no bound relative to it"
+                    ))
+                }
+            }
+        }
+        Err(reason) => Promise::NotKept(format!("no bound of its error is known, since {reason}")),
+    };
+    match promise {
+        // numbers of more digits are at hand
+        Promise::NotKept(_) if target == Target::Rust => Promise::ByPrecision,
+        promise => promise,
+    }
+}
+
+fn arithmetic(target: Target, precision: Precision) -> Arithmetic {
+    match (target, precision) {
+        (Target::Wgsl, _) => Arithmetic::SHADER,
+        (_, Precision::F32) => Arithmetic::SINGLE,
+        _ => Arithmetic::DOUBLE,
+    }
+}
+
+fn unit(precision: Precision) -> &'static str {
+    if precision == Precision::F32 { "2⁻²⁴" } else { "2⁻⁵³" }
+}
+
+impl Promise {
+    /// What is said of it above the function.
+    pub(super) fn sentence(&self, within: &Rational, target: Target, precision: Precision) -> String {
+        let unit = unit(precision);
+        match self {
+            Promise::ByPrecision if precision == Precision::DoubleDouble => {
+                "Its value is within 2⁻⁹⁸ of the exact one, relative to it, or NaN where no precision that is tried tells \
+                 it so well."
+                    .to_string()
+            }
+            Promise::ByPrecision => format!(
+                "Its value is within {within}·{unit} of the exact one, relative to it, or NaN where no precision that is \
+                 tried tells it so well."
+            ),
+            Promise::ByBound(units) => format!(
+                "Its value is within {within}·{unit} of the exact one, relative to it: rounding makes at most \
+                 {units:.1}·{unit} of it{}.",
+                if target == Target::Wgsl { "" } else { assumption(precision) }
+            ),
+            Promise::NotKept(reason) => format!("`within {within}` is not kept here: {reason}."),
+        }
+    }
+}
+
+/// What a bound takes for granted of the library of a target.
+fn assumption(precision: Precision) -> &'static str {
+    if precision == Precision::F32 {
+        ", where functions are within 4 ulp and nothing is computed by fast mathematics"
+    } else {
+        ", where functions are within 2 ulp and nothing is computed by fast mathematics"
+    }
+}
+
+/// The promises that these kernels do not keep in a target, each in a line.
+///
+/// ```
+/// use forms_core::{check::read_theory, generation::generate, kernel::{KernelDocs, Precision, Source, Target}};
+/// use forms_core::kernel::broken_promises;
+/// let (mut theory, _) = read_theory("kernel k(x) = (1 - cos(x))/x**2 within 2;");
+/// let program = generate(&mut theory.pool, &theory.kernels[0]).unwrap().optimised;
+/// let within = theory.kernels[0].within.clone();
+/// let source = Source { program, docs: KernelDocs::default(), within };
+/// let lines = broken_promises(&[source], Target::C, Precision::F64);
+/// assert!(lines[0].starts_with("`k`: `within 2` is not kept here"));
+/// ```
+pub fn broken_promises(kernels: &[Source], target: Target, precision: Precision) -> Vec<String> {
+    let line = |source: &Source| {
+        let within = source.within.as_ref()?;
+        let promise = promise(source, within, target, precision);
+        matches!(promise, Promise::NotKept(_))
+            .then(|| format!("`{}`: {}", source.program.name(), promise.sentence(within, target, precision)))
+    };
+    kernels.iter().filter_map(line).collect()
+}
