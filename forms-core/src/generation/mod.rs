@@ -10,16 +10,24 @@
 
 mod boundary;
 mod cuts;
+mod definedness;
 mod effects;
+mod entailment;
+mod exact_point;
+mod fault;
 mod limit;
+mod obligation;
 mod opaque;
 mod pieces;
 mod ratios;
 mod residue;
 mod seam;
+mod special_points;
 mod translation;
 
+pub(crate) use definedness::{guarded, is_kept};
 pub use effects::{Specialisation, specialisations};
+pub use fault::{Claim, Fault};
 pub use translation::Translation;
 
 use crate::diagnostic::Diagnostic;
@@ -87,12 +95,9 @@ pub fn generate(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagn
         lower(pool, source).map_err(|error| vec![Diagnostic::new(kernel.span, error.to_string())])
     };
     let written = lowered(pool, &source)?;
-    let mut faults = seam::faults(pool, kernel);
-    if faults.is_empty() {
-        faults = form_faults(pool, kernel);
-    }
+    let faults = own_faults(pool, kernel);
     if !faults.is_empty() {
-        return Err(faults);
+        return Err(faults.into_iter().map(|fault| fault.diagnostic).collect());
     }
     let form = with_form(kernel, &kernel.computed).or_else(|| with_form(kernel, &kernel.rewritten));
     let computed = form.as_ref().unwrap_or(kernel);
@@ -113,12 +118,33 @@ pub fn generate(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagn
     }
 }
 
-/// What is to be said of the form that a kernel is computed by: pieces that do not agree where they meet, or a form that is
-/// not proved equal to the formula. Nothing where there is no form.
-pub(crate) fn form_faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Diagnostic> {
+/// What a kernel claims of itself and was not shown: that its pieces agree where they meet, that the form behind `by` has the
+/// value of the formula wherever the formula has one, and that it has a value where each of its effects vanishes.
+pub fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
+    let mut faults = own_faults(pool, kernel);
+    if faults.is_empty()
+        && !kernel.effects.is_empty()
+        && let Err(found) = specialisations(pool, kernel)
+    {
+        faults.extend(found.into_iter().map(|diagnostic| Fault::told(&kernel.name, Claim::Effect, diagnostic)));
+    }
+    faults
+}
+
+/// The same without its effects.
+fn own_faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
+    let faults = seam::faults(pool, kernel);
+    if faults.is_empty() { form_faults(pool, kernel) } else { faults }
+}
+
+/// What is to be said of the form that a kernel is computed by. Where it has the value of the formula wherever there is one,
+/// its pieces agree where those of the formula do. Nothing where there is no form.
+pub(crate) fn form_faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
     let Some(form) = with_form(kernel, &kernel.computed) else { return Vec::new() };
-    let faults = seam::faults(pool, &form);
-    if faults.is_empty() { translation::of_form(pool, kernel).into_iter().collect() } else { faults }
+    match translation::of_form(pool, kernel) {
+        Some(fault) => vec![fault],
+        None => seam::faults(pool, &form),
+    }
 }
 
 /// The kernel with this form for its formula, if there is one.
