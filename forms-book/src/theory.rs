@@ -7,9 +7,9 @@
 
 use crate::page::{Block, Page};
 use forms_core::check::{objection, read_theory};
+use forms_core::compile::compile_kernel;
 use forms_core::decide::decide;
 use forms_core::diagnostic::Diagnostic;
-use forms_core::generation::generate;
 use forms_core::syntax::Source;
 use std::ops::AddAssign;
 
@@ -85,7 +85,7 @@ pub(crate) fn findings(source: &Source, from: usize) -> Findings {
         }
         let kernels = theory.kernels.clone();
         for kernel in kernels.iter().filter(|kernel| is_new(kernel.span.start)) {
-            diagnostics.extend(generate(&mut theory.pool, kernel).err().into_iter().flatten());
+            diagnostics.extend(compile_kernel(&mut theory.pool, kernel).err().into_iter().flatten());
             counted.kernels += 1;
         }
     }

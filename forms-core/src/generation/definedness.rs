@@ -11,8 +11,9 @@
 use super::entailment::Known;
 use super::exact_point::{ExactPoint, NoValue, Point, digits, sign_of};
 use super::obligation::{Obligation, obligations};
-use super::pieces::{MOST_PIECES, pieces};
+use super::pieces::{MOST_PIECES, negated, pieces};
 use super::special_points::SpecialPoints;
+use super::translation::{EFFORT, equality};
 use crate::decide::Witness;
 use crate::expression::{Condition, Expr, Node, Pool, Seam};
 use crate::resolve::Kernel;
@@ -23,6 +24,9 @@ const MORE_POINTS: usize = 600;
 
 /// Conditions that a form is guarded by.
 const MOST_GUARDS: usize = 3;
+
+/// Conditions of the formula that one of the form is compared with.
+const MOST_COMPARED: usize = 8;
 
 /// What is known of a form beside its formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,7 +60,10 @@ impl Breach {
         match &self.form {
             Ok(value) => format!("{place}: the formula is {}, the form is {value}", self.formula),
             Err(part) => {
-                format!("{place}: the formula is {}, the form has no value: `{part}` is not defined", self.formula)
+                format!(
+                    "{place}: the formula is {}, the form has no value: `{part}` is not defined",
+                    self.formula
+                )
             }
         }
     }
@@ -111,34 +118,76 @@ pub(crate) fn of_form(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Define
     Definedness::Undecided { reason }
 }
 
-/// The same form, with the formula in its place wherever the form is not shown to be defined: `if c { form } else { formula }`.
-/// Nothing where that takes too many conditions.
+/// The same form, with the formula in its place wherever the form is not shown to be defined: `if c { form } else { formula }`,
+/// in the branch where it is needed. Nothing where that takes too many conditions.
 pub(crate) fn guarded(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Option<Vec<Expr>> {
-    let open = not_shown(pool, kernel, form).ok()?;
-    let is_piecewise = |pool: &Pool, part: Expr| {
-        pool.reachable(&[part]).iter().any(|&inner| matches!(pool.node(inner), Node::Select { .. }))
-    };
-    let mut guards: Vec<Condition> = Vec::new();
-    for obligation in &open {
-        for condition in &obligation.ways[0] {
-            if is_piecewise(pool, condition.left) || is_piecewise(pool, condition.right) {
-                return None;
+    let mut found = Vec::new();
+    for (&form, &formula) in form.iter().zip(&kernel.outputs) {
+        let open = match obligations(pool, &[form]) {
+            Some(obligations) if form != formula => {
+                open_obligations(pool, &kernel.domain, formula, obligations).ok()?
             }
-            if !guards.contains(condition) {
-                guards.push(*condition);
+            Some(_) => Vec::new(),
+            None => return None,
+        };
+        let mut guards: Vec<Guard> = Vec::new();
+        for obligation in open {
+            for condition in &obligation.ways[0] {
+                let guard = Guard { path: obligation.path.clone(), condition: *condition };
+                if is_piecewise(pool, condition) {
+                    return None;
+                }
+                if !guards.contains(&guard) {
+                    guards.push(guard);
+                }
             }
         }
+        if guards.len() > MOST_GUARDS {
+            return None;
+        }
+        found.push(with_guards(pool, form, formula, &guards));
     }
-    if guards.len() > MOST_GUARDS {
-        return None;
+    Some(found)
+}
+
+/// A condition that a form needs, and the choices that lead to where it does.
+#[derive(Clone, PartialEq)]
+struct Guard {
+    path: Vec<Condition>,
+    condition: Condition,
+}
+
+fn is_piecewise(pool: &Pool, condition: &Condition) -> bool {
+    let parts = pool.reachable(&[condition.left, condition.right]);
+    parts.iter().any(|&inner| matches!(pool.node(inner), Node::Select { .. }))
+}
+
+/// The form guarded in the branches that the paths lead to; what cannot be put there guards the whole.
+fn with_guards(pool: &mut Pool, form: Expr, formula: Expr, guards: &[Guard]) -> Expr {
+    let (mut whole, mut guarded) = (Vec::new(), form);
+    if let Node::Select { left, relation, right, then, otherwise, seam } = *pool.node(form) {
+        let condition = Condition { left, relation, right };
+        let choices = [vec![condition], negated(&condition)];
+        let mut inner: [Vec<Guard>; 2] = Default::default();
+        for guard in guards {
+            match choices.iter().position(|choice| guard.path.starts_with(choice)) {
+                Some(branch) => {
+                    let path = guard.path[choices[branch].len()..].to_vec();
+                    inner[branch].push(Guard { path, condition: guard.condition });
+                }
+                None => whole.push(guard.condition),
+            }
+        }
+        let then = with_guards(pool, then, formula, &inner[0]);
+        let otherwise = with_guards(pool, otherwise, formula, &inner[1]);
+        guarded = pool.select((left, relation, right), then, otherwise, seam);
+    } else {
+        whole.extend(guards.iter().map(|guard| guard.condition));
     }
-    let pairs = form.iter().zip(&kernel.outputs);
-    let guarded = pairs.map(|(&form, &formula)| {
-        guards.iter().rev().fold(form, |form, c| {
-            pool.select((c.left, c.relation, c.right), form, formula, Seam::Jumps)
-        })
-    });
-    Some(guarded.collect())
+    whole
+        .iter()
+        .rev()
+        .fold(guarded, |form, c| pool.select((c.left, c.relation, c.right), form, formula, Seam::Jumps))
 }
 
 /// The obligations of a form that are not shown to hold wherever its formula has a value.
@@ -150,7 +199,9 @@ fn not_shown(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Result<Vec<Obli
                 return Err(format!("it has more than {MOST_PIECES} pieces"));
             };
             let found = open_obligations(pool, &kernel.domain, formula, obligations)?;
-            open.extend(found.into_iter().filter(|obligation| !open.contains(obligation)).collect::<Vec<_>>());
+            open.extend(
+                found.into_iter().filter(|obligation| !open.contains(obligation)).collect::<Vec<_>>(),
+            );
         }
     }
     Ok(open)
@@ -167,12 +218,8 @@ fn open_obligations(
     for obligation in obligations {
         // everything without choices, piece by piece
         let mut expressions = vec![formula];
-        let conditions: Vec<Condition> = domain
-            .iter()
-            .chain(&obligation.path)
-            .chain(obligation.ways.iter().flatten())
-            .copied()
-            .collect();
+        let conditions: Vec<Condition> =
+            domain.iter().chain(&obligation.path).chain(obligation.ways.iter().flatten()).copied().collect();
         expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
         let Some(pieces) = pieces(pool, &expressions, |_, _, _| false) else {
             return Err(format!("it has more than {MOST_PIECES} pieces"));
@@ -180,8 +227,9 @@ fn open_obligations(
         let stated = domain.len() + obligation.path.len();
         let follows = pieces.into_iter().all(|piece| {
             let sides = piece.expressions[1..].chunks_exact(2).zip(&conditions);
-            let images: Vec<Condition> =
-                sides.map(|(side, condition)| Condition { left: side[0], right: side[1], ..*condition }).collect();
+            let images: Vec<Condition> = sides
+                .map(|(side, condition)| Condition { left: side[0], right: side[1], ..*condition })
+                .collect();
             let (known, wanted) = images.split_at(stated);
             let mut known: Vec<Condition> = known.to_vec();
             known.extend(&piece.path);
@@ -193,11 +241,30 @@ fn open_obligations(
                 obligation.ways.iter().map(|way| wanted.by_ref().take(way.len()).collect()).collect();
             excludes_itself(&known) || Known::new(pool, known).imply_one(&ways)
         });
-        if !follows {
+        if !follows && !is_of_the_formula(pool, domain, formula, &obligation) {
             open.push(obligation);
         }
     }
     Ok(open)
+}
+
+/// Whether the formula asks for the same, in other words: the sides of one of its conditions and those of the obligation
+/// have equal differences.
+fn is_of_the_formula(pool: &mut Pool, domain: &[Condition], formula: Expr, obligation: &Obligation) -> bool {
+    let [wanted] = obligation.ways[0][..] else { return false };
+    let Some(stated) = obligations(pool, &[formula]) else { return false };
+    let stated: Vec<Condition> = stated
+        .into_iter()
+        .filter(|stated| stated.path.is_empty())
+        .flat_map(|stated| stated.ways[0].clone())
+        .filter(|condition| condition.relation == wanted.relation)
+        .take(MOST_COMPARED)
+        .collect();
+    let conditions: Vec<Condition> = domain.iter().chain(&obligation.path).copied().collect();
+    stated.iter().any(|condition| {
+        let [wanted, stated] = [&wanted, condition].map(|c| pool.subtract(c.left, c.right));
+        equality(pool, &[(wanted, stated)], &conditions, EFFORT).is_proved()
+    })
 }
 
 /// Whether a condition stands beside its opposite.
@@ -270,9 +337,7 @@ fn breach_at(pool: &mut Pool, kernel: &Kernel, form: &[Expr], point: &Point) -> 
             Err(NoValue::Undefined(part)) => Err(pool.text(part)),
             Err(NoValue::Unknown) => continue,
         };
-        let name = |&argument: &_| {
-            (pool.symbol_name(argument).to_string(), pool.text(point[&argument]))
-        };
+        let name = |&argument: &_| (pool.symbol_name(argument).to_string(), pool.text(point[&argument]));
         let point = kernel.arguments.iter().map(name).collect();
         return Some(Breach { point, formula: digits(pool, expected), form });
     }

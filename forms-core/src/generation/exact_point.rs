@@ -161,7 +161,9 @@ fn apply(pool: &mut Pool, operation: Operation, q: &[Expr]) -> Expr {
             _ => {}
         }
     }
-    if operation == Abs && let Some(value) = pool.as_number(q[0]).map(Signed::abs) {
+    if operation == Abs
+        && let Some(value) = pool.as_number(q[0]).map(Signed::abs)
+    {
         return pool.number(value);
     }
     pool.apply(operation, q)

@@ -56,6 +56,14 @@ pub struct Generated {
 const LONGEST_FORM: usize = 200;
 
 impl Generated {
+    /// The kernel's values in `f64`, within what it promises.
+    pub fn values(&self, arguments: &[f64]) -> Vec<f64> {
+        match self.within {
+            Some(within) => self.optimised.interpret_within(arguments, within),
+            None => self.optimised.interpret(arguments),
+        }
+    }
+
     /// What the program is beside the formula, in sentences.
     pub fn account(&self) -> String {
         if self.rewritten.is_empty() {
@@ -67,22 +75,18 @@ impl Generated {
     }
 }
 
-/// Generates a kernel whose expressions belong to this pool.
-///
-/// ```
-/// use forms_core::{check::read_theory, generation::generate};
-/// let (mut theory, errors) = read_theory("kernel seventh(x) = x**7;");
-/// assert!(errors.is_empty());
-/// let generated = generate(&mut theory.pool, &theory.kernels[0])?;
-/// assert!(generated.translation.is_proved());
-/// # Ok::<(), Vec<forms_core::diagnostic::Diagnostic>>(())
-/// ```
+/// Generates a kernel whose expressions belong to this pool. What rules made of its outputs, each step proved, is what it is
+/// computed by where it has no form of its own; it may be empty.
 ///
 /// # Errors
 /// If it is no kernel, if two of its pieces are not shown to agree where they meet, if the form behind `by` is not proved
 /// equal to the formula, or if the optimised program does not compute that form, which is a fault of this crate and not of
 /// the kernel.
-pub fn generate(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagnostic>> {
+pub(crate) fn generate(
+    pool: &mut Pool,
+    kernel: &Kernel,
+    rewritten: &[Expr],
+) -> Result<Generated, Vec<Diagnostic>> {
     let source = KernelSource {
         name: kernel.name.clone(),
         docs: kernel.docs.clone(),
@@ -99,7 +103,7 @@ pub fn generate(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagn
     if !faults.is_empty() {
         return Err(faults.into_iter().map(|fault| fault.diagnostic).collect());
     }
-    let form = with_form(kernel, &kernel.computed).or_else(|| with_form(kernel, &kernel.rewritten));
+    let form = with_form(kernel, &kernel.computed).or_else(|| with_form(kernel, rewritten));
     let computed = form.as_ref().unwrap_or(kernel);
     let program = lowered(pool, &KernelSource { outputs: computed.outputs.clone(), ..source })?;
     // a form that was chosen keeps the order of its sums and products, on which its rounding depends
@@ -111,8 +115,7 @@ pub fn generate(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagn
     match translation.objection(kernel) {
         Some(objection) => Err(vec![objection]),
         None => {
-            let (rewritten, within) =
-                (pool.texts(&kernel.rewritten), kernel.within.as_ref().map(nearest_f64));
+            let (rewritten, within) = (pool.texts(rewritten), kernel.within.as_ref().map(nearest_f64));
             Ok(Generated { written, optimised, translation, rewritten, within })
         }
     }
@@ -126,7 +129,8 @@ pub fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
         && !kernel.effects.is_empty()
         && let Err(found) = specialisations(pool, kernel)
     {
-        faults.extend(found.into_iter().map(|diagnostic| Fault::told(&kernel.name, Claim::Effect, diagnostic)));
+        faults
+            .extend(found.into_iter().map(|diagnostic| Fault::told(&kernel.name, Claim::Effect, diagnostic)));
     }
     faults
 }
@@ -151,6 +155,6 @@ pub(crate) fn form_faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
 fn with_form(kernel: &Kernel, form: &[Expr]) -> Option<Kernel> {
     let mut with_form = (!form.is_empty()).then(|| kernel.clone())?;
     with_form.outputs = form.to_vec();
-    (with_form.computed, with_form.rewritten) = (Vec::new(), Vec::new());
+    with_form.computed = Vec::new();
     Some(with_form)
 }

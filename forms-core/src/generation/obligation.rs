@@ -81,7 +81,9 @@ fn outside_choices(pool: &Pool, roots: &[Expr]) -> (Vec<Expr>, Vec<Expr>) {
 /// The ways in which an operation has a value; none where it always has one.
 fn ways(pool: &mut Pool, part: Expr) -> Vec<Vec<Condition>> {
     let (stated, operation, q) = match pool.node(part).clone() {
-        Node::Divide(_, divisor) => return pool.quotient_domain(divisor).map(|c| vec![c]).into_iter().collect(),
+        Node::Divide(_, divisor) => {
+            return pool.quotient_domain(divisor).map(|c| vec![c]).into_iter().collect();
+        }
         Node::Power(base, exponent) => {
             return pool.power_domain(base, exponent).map(|c| vec![c]).into_iter().collect();
         }
@@ -96,10 +98,9 @@ fn ways(pool: &mut Pool, part: Expr) -> Vec<Vec<Condition>> {
             let (below, above) = (pool.subtract(one, q[0]), pool.add(one, q[0]));
             vec![[below, above].map(|margin| against_zero(margin, Relation::GreaterEqual)).to_vec()]
         }
-        Operation::Atan2 => vec![
-            vec![against_zero(q[1], Relation::Greater)],
-            vec![against_zero(q[0], Relation::NotEqual)],
-        ],
+        Operation::Atan2 => {
+            vec![vec![against_zero(q[1], Relation::Greater)], vec![against_zero(q[0], Relation::NotEqual)]]
+        }
         _ => Vec::new(),
     };
     std::iter::once(vec![stated]).chain(others).collect()
@@ -116,9 +117,8 @@ mod tests {
         let outputs = theory.kernels[0].outputs.clone();
         let found = obligations(&mut theory.pool, &outputs).expect("few paths");
         let pool = &theory.pool;
-        let list = |conditions: &[Condition]| {
-            conditions.iter().map(|c| c.text(pool)).collect::<Vec<_>>().join(", ")
-        };
+        let list =
+            |conditions: &[Condition]| conditions.iter().map(|c| c.text(pool)).collect::<Vec<_>>().join(", ");
         let mut texts: Vec<String> =
             found.iter().map(|it| format!("[{}] {}", list(&it.path), list(&it.ways[0]))).collect();
         texts.sort();

@@ -119,7 +119,10 @@ fn solutions(pool: &mut Pool, arguments: &[Symbol], zeros: &[Expr]) -> Vec<(Symb
             for solution in sheet.solutions(pool, &[]) {
                 let Node::Symbol(symbol) = *pool.node(solution.part) else { continue };
                 for (value, _) in solution.values {
-                    if arguments.contains(&symbol) && count < MOST_SOLUTIONS && !found.contains(&(symbol, value)) {
+                    if arguments.contains(&symbol)
+                        && count < MOST_SOLUTIONS
+                        && !found.contains(&(symbol, value))
+                    {
                         count += 1;
                         found.push((symbol, value));
                     }

@@ -111,7 +111,9 @@ pub(super) fn of_form(pool: &mut Pool, kernel: &Kernel) -> Option<Fault> {
             Translation::Refuted(witness) => return Some(different(kernel, witness)),
             Translation::Unknown { reason, .. } => {
                 let breach = definedness::any_breach(pool, kernel, &kernel.computed);
-                return Some(breach.map_or_else(|| undecided(kernel, reason), |breach| broken(kernel, &breach)));
+                return Some(
+                    breach.map_or_else(|| undecided(kernel, reason), |breach| broken(kernel, &breach)),
+                );
             }
         }
     }
@@ -136,7 +138,8 @@ fn broken(kernel: &Kernel, breach: &Breach) -> Fault {
 }
 
 fn different(kernel: &Kernel, witness: Witness) -> Fault {
-    let message = format!("the form that `{}` is computed by differs from its formula\n{witness}", kernel.name);
+    let message =
+        format!("the form that `{}` is computed by differs from its formula\n{witness}", kernel.name);
     let diagnostic = Diagnostic::new(kernel.span, message).with_help(EQUAL);
     Fault::refuted(&kernel.name, Claim::By, witness, diagnostic)
 }
@@ -160,7 +163,8 @@ fn undefined(kernel: &Kernel, reason: String) -> Fault {
     Fault::unknown(&kernel.name, Claim::By, reason, diagnostic)
 }
 
-const EQUAL: &str = "what stands behind `by` has to have the value of the formula wherever the formula has one";
+const EQUAL: &str =
+    "what stands behind `by` has to have the value of the formula wherever the formula has one";
 
 /// Whether the sides of each pair are equal under the conditions: without a look inside choices or at least inside functions,
 /// which is enough for most programs and costs little, or else with one.

@@ -40,7 +40,7 @@ const DIRECT: &[Direct] = &[
 
 /// The form that rules alone give each output of a kernel; empty if that is the formula, or if the kernel says itself how it
 /// is computed.
-pub fn by_rules(pool: &mut Pool, kernel: &Kernel) -> Vec<Expr> {
+pub(crate) fn by_rules(pool: &mut Pool, kernel: &Kernel) -> Vec<Expr> {
     if kernel.has_form() {
         return Vec::new();
     }
