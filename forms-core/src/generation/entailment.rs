@@ -8,6 +8,7 @@
 //! Every step speaks of one point at which the expression is defined, so it holds on domains of any shape.
 
 use super::limit::holds;
+use crate::assume::vanishes;
 use crate::expression::{Condition, Expr, Nature, Node, Operation, Pool};
 use crate::syntax::ast::Relation;
 use num_traits::{Signed, Zero};
@@ -15,6 +16,9 @@ use rustc_hash::FxHashMap;
 
 /// Signs of parts within parts that are looked at.
 const DEEPEST: usize = 12;
+
+/// Conditions that an expression is compared with by normal forms.
+const MOST_COMPARED: usize = 12;
 
 /// Contradictions that are looked for: each is a proof of its own.
 const MOST_CONTRADICTIONS: usize = 48;
@@ -62,6 +66,25 @@ fn terms_of(pool: &mut Pool, expression: Expr, opposite: bool) -> Terms {
     terms
 }
 
+/// The factors of what is known not to be zero: a product is zero where one of them is.
+fn factors_not_zero(pool: &Pool, conditions: &[Condition]) -> Vec<Expr> {
+    let (mut found, mut open) = (Vec::new(), Vec::new());
+    for condition in conditions.iter().filter(|c| Sign::NotZero.follows_from(c.relation)) {
+        open.extend(pool.is_zero(condition.right).then_some(condition.left));
+    }
+    while let Some(part) = open.pop() {
+        match pool.node(part) {
+            Node::Multiply(a, b) | Node::Divide(a, b) => open.extend([*a, *b]),
+            Node::Negate(a) | Node::Power(a, _) => open.push(*a),
+            Node::Apply(operation, q) if increases_through_zero(*operation) => open.push(q[0]),
+            Node::Apply(Operation::Abs, q) => open.push(q[0]),
+            _ => {}
+        }
+        found.push(part);
+    }
+    found
+}
+
 /// What is known, and what was found to follow from it.
 pub(super) struct Known<'a> {
     pool: &'a mut Pool,
@@ -78,7 +101,10 @@ impl<'a> Known<'a> {
             let difference = pool.subtract(c.left, c.right);
             (terms_of(pool, difference, false), c.relation)
         };
-        let differences = conditions.iter().map(&mut difference).collect();
+        let mut differences: Vec<(Terms, Relation)> = conditions.iter().map(&mut difference).collect();
+        for part in factors_not_zero(pool, &conditions) {
+            differences.push((terms_of(pool, part, false), Relation::NotEqual));
+        }
         Known { pool, conditions, differences, found: FxHashMap::default(), contradictions: 0 }
     }
 
@@ -133,6 +159,17 @@ impl<'a> Known<'a> {
         let found = self.is_stated(part, sign) || self.is_seen(part, sign, depth - 1);
         self.found.insert((part, sign), found);
         found
+    }
+
+    /// Whether a condition says in other words that it is not zero: exp q − 1 ≠ 0 of expm1 q.
+    fn is_stated_otherwise(&mut self, part: Expr) -> bool {
+        let not_zero: Vec<Condition> =
+            self.conditions.iter().filter(|c| Sign::NotZero.follows_from(c.relation)).copied().collect();
+        not_zero.into_iter().take(MOST_COMPARED).any(|condition| {
+            let known = self.pool.subtract(condition.left, condition.right);
+            let (difference, sum) = (self.pool.subtract(known, part), self.pool.add(known, part));
+            vanishes(self.pool, difference) || vanishes(self.pool, sum)
+        })
     }
 
     /// Whether a condition says so of the expression or of its opposite.
@@ -238,9 +275,39 @@ impl<'a> Known<'a> {
             Operation::Exp | Operation::Cosh => true,
             Operation::Abs => sign == Sign::NotNegative || self.has(q[0], Sign::NotZero, depth),
             Operation::Acos => sign == Sign::NotNegative,
-            _ if increases_through_zero(operation) => self.has(q[0], sign, depth),
+            Operation::Sin | Operation::Cos if sign == Sign::NotZero => self.half_angle(operation, q[0]),
+            _ if increases_through_zero(operation) => {
+                self.has(q[0], sign, depth)
+                    || sign == Sign::NotZero && {
+                        let part = self.pool.apply(operation, q);
+                        self.is_stated_otherwise(part)
+                    }
+            }
             _ => false,
         }
+    }
+}
+
+impl Known<'_> {
+    /// sin q or cos q, where sin 2q = 2 sin q cos q is not zero, or 1 ∓ cos 2q, which is 2 sin² q or 2 cos² q.
+    fn half_angle(&mut self, operation: Operation, q: Expr) -> bool {
+        let pool = &mut *self.pool;
+        let [sine, cosine] = [Operation::Sin, Operation::Cos].map(|wave| pool.apply(wave, &[q]));
+        let own = if operation == Operation::Sin { sine } else { cosine };
+        let two = pool.integer(2);
+        let products = [(sine, cosine), (own, own)].map(|(a, b)| {
+            let product = pool.multiply(a, b);
+            pool.multiply(two, product)
+        });
+        let stated: Vec<Condition> =
+            self.conditions.iter().filter(|c| Sign::NotZero.follows_from(c.relation)).copied().collect();
+        stated.into_iter().any(|condition| {
+            let known = self.pool.subtract(condition.left, condition.right);
+            products.iter().any(|&product| {
+                let (difference, sum) = (self.pool.subtract(known, product), self.pool.add(known, product));
+                vanishes(self.pool, difference) || vanishes(self.pool, sum)
+            })
+        })
     }
 }
 
@@ -282,6 +349,11 @@ mod tests {
             ("-x - y != 0", "x > 0, y >= 0"),
             ("x/y >= 0", "x >= 0, y > 0"),
             ("x > 0", "x >= 0, x != 0"),
+            ("cos(x/2) != 0", "sin(x) != 0, y > 0"),
+            ("expm1(x*y) != 0", "exp(x*y) - 1 != 0, y > 0"),
+            ("x != 0", "x**2*y != 0, y > 0"),
+            ("x/y > 0", "x*y**2 > 0, x >= 0, y >= 0"),
+            ("cos(x) != 0", "1 + cos(2*x) != 0, y > 0"),
         ] {
             assert!(shown(claim, conditions), "{claim} where {conditions}");
         }
@@ -301,6 +373,8 @@ mod tests {
             ("sin(x) >= 0", "x >= 0, y > 0"),
             ("x + y != 0", "x != 0, y != 0"),
             ("x**(-1) > 0", "x != 0, y > 0"),
+            ("cos(x) != 0", "sin(x) != 0, y > 0"),
+            ("cos(x) != 0", "1 - cos(2*x) != 0, y > 0"),
         ] {
             assert!(!shown(claim, conditions), "{claim} where {conditions}");
         }

@@ -31,7 +31,7 @@ pub use fault::{Claim, Fault};
 pub use translation::Translation;
 
 use crate::diagnostic::Diagnostic;
-use crate::expression::{Expr, Pool};
+use crate::expression::{Expr, Node, Pool, Seam};
 use crate::kernel::{KernelSource, Program, lower, nearest_f64};
 use crate::notation::results;
 use crate::resolve::Kernel;
@@ -133,6 +133,16 @@ pub fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
             .extend(found.into_iter().map(|diagnostic| Fault::told(&kernel.name, Claim::Effect, diagnostic)));
     }
     faults
+}
+
+/// Whether a kernel claims anything of itself: that a form behind `by` is its formula, that pieces agree where they meet, or
+/// that it has a value where an effect vanishes.
+pub fn makes_claims(pool: &Pool, kernel: &Kernel) -> bool {
+    let expressions: Vec<Expr> = kernel.outputs.iter().chain(&kernel.computed).copied().collect();
+    let is_claim = |part: &Expr| matches!(pool.node(*part), Node::Select { seam: Seam::Agrees, .. });
+    !kernel.computed.is_empty()
+        || !kernel.effects.is_empty()
+        || pool.reachable(&expressions).iter().any(is_claim)
 }
 
 /// The same without its effects.

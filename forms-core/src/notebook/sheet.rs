@@ -2,9 +2,11 @@
 
 use super::{escaped, print_content, print_markdown};
 use crate::check::{decide_all, read_file};
+use crate::compile::kernel_faults;
 use crate::decide::Verdict;
 use crate::derivation::{Derivation, derive};
 use crate::diagnostic::{Diagnostic, counted};
+use crate::generation::Fault;
 use crate::notation::{latex_as_written, latex_of_condition, latex_of_name, latex_of_named, text_of_named};
 use crate::resolve::Theory;
 use crate::syntax::Source;
@@ -40,6 +42,8 @@ pub struct Shown {
 #[derive(Clone, Debug)]
 pub struct Decided {
     claims: Vec<DecidedClaim>,
+    /// What kernels claim of themselves and was not shown.
+    faults: Vec<Fault>,
 }
 
 #[derive(Clone, Debug)]
@@ -85,7 +89,7 @@ impl Sheet {
         shown.equals(&Shown { text, latex })
     }
 
-    /// Decides every claim, in order.
+    /// Decides every claim, in order, and what kernels claim of themselves.
     pub fn decide(&mut self) -> Decided {
         let verdicts = decide_all(&mut self.theory);
         let statements = self.theory.statements.clone();
@@ -95,7 +99,8 @@ impl Sheet {
             claim: statement.claim,
             verdict,
         });
-        Decided { claims: claims.collect() }
+        let claims = claims.collect();
+        Decided { claims, faults: kernel_faults(&mut self.theory) }
     }
 
     /// The steps that decide one claim.
@@ -214,7 +219,7 @@ impl Decided {
 
     /// Whether every claim is as its author says.
     pub fn are_as_claimed(&self) -> bool {
-        self.claims.iter().all(DecidedClaim::is_as_claimed)
+        self.claims.iter().all(DecidedClaim::is_as_claimed) && self.faults.is_empty()
     }
 
     /// Each claim in Markdown: its name and verdict, and its equation in LaTeX.
@@ -230,7 +235,11 @@ impl Decided {
                 formula.latex
             )
         };
-        self.claims.iter().map(each).collect()
+        let of_kernel = |fault: &Fault| {
+            let (kernel, claim) = (escaped(&fault.kernel), fault.claim.name());
+            format!("✗ {kernel}, `{claim}`, is {}, **not as claimed**\n\n", fault.verdict.markdown())
+        };
+        self.claims.iter().map(each).chain(self.faults.iter().map(of_kernel)).collect()
     }
 
     /// Shows the claims with their verdicts in a cell of a notebook.
@@ -238,7 +247,10 @@ impl Decided {
         let each = |decided: &DecidedClaim| {
             format!("{} {}: {}\n", decided.mark(), decided.name, decided.verdict.name())
         };
-        print_markdown(&self.markdown(), &self.claims.iter().map(each).collect::<String>());
+        let of_kernel =
+            |fault: &Fault| format!("✗ {}, {}: {}\n", fault.kernel, fault.claim.name(), fault.verdict.name());
+        let lines = self.claims.iter().map(each).chain(self.faults.iter().map(of_kernel));
+        print_markdown(&self.markdown(), &lines.collect::<String>());
     }
 }
 

@@ -68,9 +68,10 @@ fn fowler_noll_vo(bytes: &[u8]) -> u64 {
 pub fn written(pool: &Pool, choices: &[(&Kernel, &Found)]) -> Option<String> {
     let mut text = HEAD.to_string();
     for (kernel, found) in choices {
-        let form = found.chosen();
-        if form.loss > found.written.loss {
-            continue;
+        let mut form = found.chosen();
+        // where more precision is promised anyway, a form has to be worth its place
+        if form.loss > found.written.loss || is_open(form) && form.loss > found.written.loss / 2.0 {
+            form = &found.written;
         }
         if (form.outputs != kernel.outputs || is_open(form)) && !kernel.has_form() {
             entry(pool, kernel, found, form, &mut text);

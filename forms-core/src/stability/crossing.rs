@@ -21,6 +21,9 @@ const HALVINGS: usize = 12;
 /// A bound that is not this many times another is as good as it.
 const CLEARLY: f64 = 2.0;
 
+/// A relative bound of a few roundings is good enough: no form is clearly better than one that has it.
+const GOOD: f64 = 12.0 * f64::EPSILON;
+
 /// The interval in which a form stops to be clearly better than another, and that begins to be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Crossing {
@@ -46,22 +49,25 @@ pub(super) struct Pair<'a> {
 }
 
 impl Pair<'_> {
-    /// Where the bounds cross, the same at all of these points.
+    /// Where the bounds cross, the same at all of these points; nothing where one of the forms is nowhere clearly better.
     pub(super) fn crossing(&self, points: &[&[f64]]) -> Option<Crossing> {
         let mut common = Crossing { lower: self.range.0, upper: self.range.1 };
+        let mut needed = [false, false];
         for point in points {
-            let found = self.along(point)?;
+            let (found, is_better) = self.along(point)?;
             common = Crossing { lower: common.lower.max(found.lower), upper: common.upper.min(found.upper) };
+            needed = [needed[0] || is_better[0], needed[1] || is_better[1]];
         }
-        (common.lower < common.upper).then_some(common)
+        (needed == [true, true] && common.lower < common.upper).then_some(common)
     }
 
-    /// The crossing with the other arguments as they are; the whole range where neither form is clearly better.
-    fn along(&self, point: &[f64]) -> Option<Crossing> {
+    /// The crossing with the other arguments as they are, the whole range where neither form is clearly better; and whether
+    /// the form below is somewhere, and that above.
+    fn along(&self, point: &[f64]) -> Option<(Crossing, [bool; 2])> {
         let ends = [self.range.0, self.range.1].map(|end| Width::Double.ordinal(end));
         let place = |number: usize| {
-            let share = (ends[1] - ends[0]) as i128 * number as i128 / (PLACES - 1) as i128;
-            Width::Double.at(ends[0] + share as i64)
+            let [start, end] = ends.map(i128::from);
+            Width::Double.at((start + (end - start) * number as i128 / (PLACES - 1) as i128) as i64)
         };
         let places: Vec<f64> = (0..PLACES).map(place).collect();
         let found: Vec<Better> = places.iter().map(|&value| self.better_at(point, value)).collect();
@@ -90,17 +96,20 @@ impl Pair<'_> {
             Some(before) => border(first, before, Better::Above),
             None => self.range.0,
         });
-        Some(Crossing { lower: lower.min(upper), upper: upper.max(lower) })
+        let is_better = [last.is_some(), first.is_some()];
+        Some((Crossing { lower: lower.min(upper), upper: upper.max(lower) }, is_better))
     }
 
     fn better_at(&self, point: &[f64], value: f64) -> Better {
         let mut arguments: Vec<Guarded<f64>> = point.iter().map(|&value| Guarded::from_f64(value)).collect();
         arguments[self.argument] = Guarded::from_f64(value);
         let [below, above] = [self.below, self.above].map(|program| bound(program, &arguments));
-        match (below, above) {
-            _ if below * CLEARLY < above => Better::Below,
-            _ if above * CLEARLY < below => Better::Above,
-            _ => Better::Neither,
+        if below * CLEARLY < above && above > GOOD {
+            Better::Below
+        } else if above * CLEARLY < below && below > GOOD {
+            Better::Above
+        } else {
+            Better::Neither
         }
     }
 }
@@ -144,7 +153,8 @@ mod tests {
     fn conjugate_forms_change_places_where_the_sign_of_a_term_does() {
         let points: &[&[f64]] = &[&[0.0, 1.0], &[0.0, 1e-20], &[0.0, 1e20]];
         let forms = ["b**2/(sqrt(a**2 + b**2) - a)", "sqrt(a**2 + b**2) + a"];
-        let found = crossing(forms, (-1e300, 1e300), points).expect("a crossing");
+        let each: Vec<_> = points.iter().map(|point| crossing(forms, (-1e300, 1e300), &[point])).collect();
+        let found = crossing(forms, (-1e300, 1e300), points).unwrap_or_else(|| panic!("{each:?}"));
         assert!(found.lower <= 0.0 && 0.0 <= found.upper && found.upper < 1e-18, "{found:?}");
     }
 

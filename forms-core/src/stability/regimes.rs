@@ -32,8 +32,11 @@ pub(super) struct Cut {
 pub(super) fn cuts(points: &[&[f64]], weights: &[f64], losses: &[&[f64]]) -> Vec<Cut> {
     let arguments = points.first().map_or(0, |point| point.len());
     let single = losses.iter().map(|loss| mean(loss, weights)).fold(f64::INFINITY, f64::min);
-    let cuts = (0..arguments).filter_map(|argument| cut(points, weights, losses, argument, single));
-    let mut cuts: Vec<Cut> = cuts.collect();
+    let mut cuts: Vec<Cut> = Vec::new();
+    for argument in 0..arguments {
+        cuts.extend(cut(points, weights, losses, argument, single));
+        cuts.extend(by_sign(points, weights, losses, argument).filter(|cut| cut.loss + LEAST_GAIN < single));
+    }
     cuts.sort_by(|a, b| a.loss.total_cmp(&b.loss));
     cuts
 }
@@ -76,6 +79,24 @@ impl Crossing {
             between(self.lower, self.upper)
         }
     }
+}
+
+/// The best two forms for the two signs of an argument.
+fn by_sign(points: &[&[f64]], weights: &[f64], losses: &[&[f64]], argument: usize) -> Option<Cut> {
+    let best = |negative: bool| {
+        let loss = |form: &usize| -> f64 {
+            let samples = points.iter().zip(weights).zip(losses[*form]);
+            samples
+                .filter(|((point, _), _)| (point[argument] < 0.0) == negative)
+                .map(|((_, weight), loss)| weight * loss)
+                .sum()
+        };
+        let form = (0..losses.len()).min_by(|a, b| loss(a).total_cmp(&loss(b)))?;
+        Some((form, loss(&form)))
+    };
+    let ((below, lost_below), (above, lost_above)) = (best(true)?, best(false)?);
+    let pieces = vec![(below, Some(Rational::zero())), (above, None)];
+    (below != above).then_some(Cut { argument, pieces, loss: lost_below + lost_above })
 }
 
 /// The mean loss, each sample with its weight.

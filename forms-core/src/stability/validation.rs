@@ -24,6 +24,9 @@ const ROUNDINGS: f64 = 0.5;
 const NUMBERS: &[f64] =
     &[0.0, 1.0, 0.5, 2.0, 0.25, 0.1, 10.0, 1e-3, 1e3, 1e-8, 1e8, 1e-17, 1e17, 1e-100, 1e100, 1e-160, 1e160];
 
+/// Values from here on round to infinity where one more rounding meets them.
+const BESIDE_THE_LARGEST: f64 = f64::MAX / 16.0;
+
 /// Samples that no form was chosen by.
 pub(super) struct Validation {
     regimes: Vec<Samples>,
@@ -71,7 +74,8 @@ impl Validation {
 /// Whether each value is a number where that of the formula is and should be.
 fn has_numbers_where(sample: &Sample, values: &[f64], written: &[f64]) -> bool {
     let outputs = sample.values.iter().zip(values.iter().zip(written));
-    outputs
-        .into_iter()
-        .all(|(exact, (value, written))| exact.is_none() || value.is_finite() || !written.is_finite())
+    outputs.into_iter().all(|(exact, (value, written))| match exact {
+        Some((exact, _)) if written.is_finite() => value.is_finite() || exact.abs() > BESIDE_THE_LARGEST,
+        _ => true,
+    })
 }
