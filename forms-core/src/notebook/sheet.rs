@@ -2,11 +2,11 @@
 
 use super::{escaped, print_content, print_markdown};
 use crate::check::{decide_all, read_file};
-use crate::compile::kernel_faults;
+use crate::compile::{compile_kernel, kernel_faults};
 use crate::decide::Verdict;
 use crate::derivation::{Derivation, derive};
 use crate::diagnostic::{Diagnostic, counted};
-use crate::generation::Fault;
+use crate::generation::{Fault, Generated};
 use crate::notation::{latex_as_written, latex_of_condition, latex_of_name, latex_of_named, text_of_named};
 use crate::resolve::Theory;
 use crate::syntax::Source;
@@ -64,6 +64,24 @@ impl Sheet {
     /// The theory that the text declares.
     pub fn theory(&self) -> &Theory {
         &self.theory
+    }
+
+    /// A kernel of the text, compiled by its stable form.
+    ///
+    /// ```
+    /// use forms_core::notebook::Sheet;
+    /// let mut sheet = Sheet::read("kernel growth(x) = exp(x) - 1;");
+    /// assert_eq!(sheet.kernel("growth").unwrap().values(&[1e-17]), [1e-17]);
+    /// ```
+    ///
+    /// # Errors
+    /// If there is no kernel of that name, or something is wrong with it.
+    pub fn kernel(&mut self, name: &str) -> Result<Generated, String> {
+        let Some(kernel) = self.theory.kernels.iter().find(|kernel| kernel.name == name).cloned() else {
+            return Err(format!("no kernel is named `{name}`"));
+        };
+        compile_kernel(&mut self.theory.pool, &kernel)
+            .map_err(|errors| errors.iter().map(|error| self.source.render(error)).collect())
     }
 
     /// What a name stands for: of a form its expression as it was written and, where that is another, simplified; of a
