@@ -1,11 +1,12 @@
-//! Decides statements that are read at run time.
+//! Decides statements that are read at run time, and computes kernels.
 //!
 //! ```text
-//! text ─▶ theory ─▶ verdicts: proved under conditions, refuted at a point, or unknown
+//! text ─ compile ─┬─▶ verdicts: proved under conditions, refuted at a point, or unknown
+//!                 └─▶ kernels, each computed by a form that is proved equal to its formula
 //! ```
 //! `cargo run --release --example prove`, or with the path of a `.forms` file behind `--`. Change a sign and see what happens.
 
-use forms::core::check::{decide_all, read_theory};
+use forms::core::compile::{Options, compile};
 use forms::core::decide::Verdict;
 use forms::core::syntax::Source;
 use std::process::ExitCode;
@@ -17,20 +18,17 @@ const TEXT: &str = "
     form solid_angle: 2 on Hemisphere = sin(theta)*dtheta^dphi;
 
     prove nusselt: pullback(shadow, da^db) == cos(theta)*solid_angle;
-    prove without_cosine: pullback(shadow, da^db) == solid_angle;
+    refute without_cosine: pullback(shadow, da^db) == solid_angle;
+
+    kernel cap(theta) = 2*pi*(1 - cos(theta)) where 0 <= theta <= pi;
 ";
 
 fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     let file = std::env::args().nth(1);
     let text = file.as_ref().map_or(Ok(TEXT.to_string()), std::fs::read_to_string)?;
     let source = Source::new(file.as_deref().unwrap_or("the text of this program"), &text);
-    let (mut theory, errors) = read_theory(&text);
-    if !errors.is_empty() {
-        errors.iter().for_each(|error| eprintln!("{}", source.render(error)));
-        return Ok(ExitCode::FAILURE);
-    }
-    let verdicts = decide_all(&mut theory);
-    for (statement, verdict) in theory.statements.iter().zip(&verdicts) {
+    let compiled = compile(&text, &Options::default());
+    for (statement, verdict) in &compiled.statements {
         match verdict {
             Verdict::Proved(_) => println!("{}: proved", statement.name),
             Verdict::Refuted(witness) => println!("{}: refuted, {witness}", statement.name),
@@ -38,5 +36,11 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
             Verdict::Empty { .. } => println!("{}: no point meets its conditions", statement.name),
         }
     }
-    Ok(ExitCode::SUCCESS)
+    for kernel in &compiled.kernels {
+        let arguments = vec![1e-9; kernel.kernel().arguments.len()];
+        println!("{}{arguments:?} = {:?}", kernel.kernel().name, kernel.values(&arguments));
+    }
+    // statements that are not as claimed are among the diagnostics
+    compiled.diagnostics.iter().for_each(|diagnostic| eprintln!("{}", source.render(diagnostic)));
+    Ok(if compiled.diagnostics.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

@@ -26,12 +26,13 @@
 //! |---|---|---|
 //! | [`forms!`] | a whole file of the language | its kernels as functions; a false claim is a compile error |
 //! | [`include_forms!`] | the path of a `.forms` file | the same |
-//! | [`proof_tests!`] | the path of a `.forms` file | one `#[test]` for each statement |
+//! | [`proof_tests!`] | the path of a `.forms` file | one `#[test]` for each statement, and for each kernel that claims something |
 //! | [`prove!`] | declarations and an equation | nothing; a compile error if it is not proved |
 //! | [`kernel!`] | declarations and one kernel | its function |
 //! | [`form!`] | declarations and an expression | a [`Form`]: degree and simplified coefficients |
 //!
-//! [`core`] is the machinery below the macros, for programs that read the language at run time; [`math`] is the
+//! [`core`] is the machinery below the macros, for programs that read the language at run time:
+//! [`core::compile`] takes them the same way. [`math`] is the
 //! arithmetic that generated kernels run in.
 
 mod form;

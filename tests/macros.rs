@@ -19,6 +19,7 @@ mod radiometry {
         pub kernel ramp(t) = if t > 0 { t } else { 0 };
         kernel one_third() = 1/3;
         pub kernel versine_ratio(x) = (1 - cos(x))/x**2 within 2 where x > 0;
+        pub kernel growth(x) = exp(x) - 1;
         pub kernel gap(a, b) = (a**2 - b**2)/(a + b) by a - b where a + b > 0;
     }
 
@@ -44,6 +45,13 @@ fn points() -> impl Iterator<Item = (f64, f64, f64)> {
 #[track_caller]
 fn assert_close(a: f64, b: f64) {
     assert!((a - b).abs() <= 1e-14 * b.abs().max(1.0), "{a} against {b}");
+}
+
+#[test]
+fn a_kernel_is_computed_by_its_stable_form() {
+    assert_eq!(radiometry::growth(1e-17), 1e-17);
+    let compiled = forms::core::compile::compile("kernel growth(x) = exp(x) - 1;", &Default::default());
+    assert_eq!(compiled.kernel("growth").expect("compiled").values(&[1e-17]), [1e-17]);
 }
 
 #[test]

@@ -7,9 +7,10 @@
 
 use crate::page::{Block, Page};
 use forms_core::check::{objection, read_theory};
+use forms_core::compile::compile_kernel;
 use forms_core::decide::decide;
 use forms_core::diagnostic::Diagnostic;
-use forms_core::generation::generate;
+use forms_core::generation::specialisations;
 use forms_core::syntax::Source;
 use std::ops::AddAssign;
 
@@ -85,7 +86,9 @@ pub(crate) fn findings(source: &Source, from: usize) -> Findings {
         }
         let kernels = theory.kernels.clone();
         for kernel in kernels.iter().filter(|kernel| is_new(kernel.span.start)) {
-            diagnostics.extend(generate(&mut theory.pool, kernel).err().into_iter().flatten());
+            let compiled = compile_kernel(&mut theory.pool, kernel).map(|_| ());
+            let found = compiled.and_then(|()| specialisations(&mut theory.pool, kernel).map(|_| ()));
+            diagnostics.extend(found.err().into_iter().flatten());
             counted.kernels += 1;
         }
     }

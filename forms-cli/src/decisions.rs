@@ -1,4 +1,5 @@
-//! Decisions: the statements of files, decided on all processors and handed over in the order of the files.
+//! Decisions: the statements of files and what their kernels claim, decided on all processors and handed over in the order of
+//! the files.
 //!
 //! ```text
 //! names ─ a task each: read ─▶ TheoryFile ─ a task for some statements each: decide ─▶ DecidedFile ─ in order ─▶ visit
@@ -10,23 +11,36 @@ use crate::STACK_BYTES;
 use crate::theory_file::{self, FileError, TheoryFile};
 use crate::verdict_line::Decided;
 use forms::core::decide::decide;
-use forms::core::resolve::{Statement, Theory};
+use forms::core::expression::Pool;
+use forms::core::generation::{Fault, faults, makes_claims};
+use forms::core::resolve::{Kernel, Statement, Theory};
 use forms::core::syntax::Source;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::collections::BTreeMap;
 use std::io;
 use std::sync::mpsc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// So many statements are one task, on average ten times the work of copying their theory or more.
 const TASK: usize = 16;
+
+/// So many kernels that claim something of themselves are one task.
+const KERNELS_OF_A_TASK: usize = 4;
 
 /// A file without errors and its statements, decided.
 pub(crate) struct DecidedFile {
     pub(crate) source: Source,
     pub(crate) theory: Theory,
     pub(crate) statements: Vec<Decided>,
+    /// What its kernels claim of themselves and was not shown.
+    pub(crate) faults: Vec<DecidedFault>,
+}
+
+/// A claim of a kernel that is false or undecided.
+pub(crate) struct DecidedFault {
+    pub(crate) fault: Fault,
+    pub(crate) time: Duration,
 }
 
 /// What became of a file: its errors if there are any.
@@ -40,7 +54,9 @@ pub(crate) fn for_each_file(
     // A file with no more statements than one task holds is not worth a thread.
     if let [name] = names {
         let file = theory_file::read(name);
-        if file.as_ref().map_or(0, |file| file.theory.statements.len()) <= TASK {
+        if file.as_ref().map_or(0, |file| file.theory.statements.len()) <= TASK
+            && file.as_ref().map_or(0, |file| file.theory.kernels.len()) <= KERNELS_OF_A_TASK
+        {
             return visit(file.map(decided_file));
         }
         let pool = workers()?;
@@ -78,7 +94,30 @@ pub(crate) fn workers() -> io::Result<ThreadPool> {
 fn decided_file(file: TheoryFile) -> DecidedFile {
     let TheoryFile { source, mut theory, .. } = file;
     let statements = decide_all(&mut theory);
-    DecidedFile { source, theory, statements }
+    let faults = faults_of_kernels(&mut theory);
+    DecidedFile { source, theory, statements, faults }
+}
+
+/// What the kernels of one theory claim of themselves and was not shown, in order.
+fn faults_of_kernels(theory: &mut Theory) -> Vec<DecidedFault> {
+    let kernels: Vec<Kernel> =
+        theory.kernels.iter().filter(|kernel| makes_claims(&theory.pool, kernel)).cloned().collect();
+    if kernels.len() <= KERNELS_OF_A_TASK {
+        return kernels.iter().flat_map(|kernel| faults_of(&mut theory.pool, kernel)).collect();
+    }
+    let pool = &theory.pool;
+    let tasks = kernels.par_chunks(KERNELS_OF_A_TASK).flat_map_iter(|task| {
+        let mut pool = pool.clone();
+        task.iter().flat_map(move |kernel| faults_of(&mut pool, kernel))
+    });
+    tasks.collect()
+}
+
+fn faults_of(pool: &mut Pool, kernel: &Kernel) -> Vec<DecidedFault> {
+    let start = Instant::now();
+    let found = faults(pool, kernel);
+    let time = start.elapsed();
+    found.into_iter().map(|fault| DecidedFault { fault, time }).collect()
 }
 
 /// The statements of one theory, decided in order.

@@ -1,9 +1,9 @@
 //! Kernels of a file or of the library, found by name and generated.
 
 use crate::theory_file::{self, FileError, TheoryFile};
-use forms::core::generation::{Generated, generate};
+use forms::core::compile::compile_kernel;
+use forms::core::generation::Generated;
 use forms::core::resolve::Kernel;
-use forms::core::stability::by_rules;
 
 /// Where FILE is this, the library is meant.
 pub(crate) const LIBRARY: &str = "-";
@@ -44,7 +44,6 @@ pub(crate) fn generated(file: &TheoryFile, kernel: &Kernel) -> Result<Generated,
     let mut kernel = kernel.clone();
     kernel.public = true;
     let mut pool = file.theory.pool.clone();
-    kernel.rewritten = by_rules(&mut pool, &kernel);
-    generate(&mut pool, &kernel)
+    compile_kernel(&mut pool, &kernel)
         .map_err(|errors| errors.iter().map(|error| FileError::at(&file.source, error)).collect())
 }

@@ -10,9 +10,9 @@ use std::time::Duration;
 /// Columns for the name of a statement, beyond which the verdict moves to the right.
 const NAME: usize = 44;
 /// Columns for the verdict.
-const WORDS: usize = 16;
+pub(crate) const WORDS: usize = 16;
 /// Where what belongs to a statement begins.
-const INDENT: usize = 6;
+pub(crate) const INDENT: usize = 6;
 /// How the names of equations end that are wrong where they were printed.
 const AS_PRINTED: &str = "_as_printed";
 
@@ -58,8 +58,7 @@ impl Decided {
             (true, Claim::Refute) => (palette.good("✓"), palette.notable(&words)),
             (false, _) => (palette.bad("✗"), palette.bad(&words)),
         };
-        let time = palette.quiet(&format!("{:>9}", duration(self.time)));
-        format!("  {mark} {:NAME$}  {words} {time}", self.statement.name)
+        line(palette, &mark, &self.statement.name, &words, self.time)
     }
 
     /// What the verdict rests on: conditions, the witness, or what stood in the way.
@@ -72,6 +71,12 @@ impl Decided {
         };
         wrap(&text, INDENT).iter().map(|line| palette.quiet(line)).collect()
     }
+}
+
+/// Mark, name, verdict and time in one line, all but the name as they are shown.
+pub(crate) fn line(palette: Palette, mark: &str, name: &str, words: &str, time: Duration) -> String {
+    let time = palette.quiet(&format!("{:>9}", duration(time)));
+    format!("  {mark} {name:NAME$}  {words} {time}")
 }
 
 /// The witness and, where the sides differ by a simple factor, that factor.

@@ -8,6 +8,7 @@
 
 use crate::decide::{Verdict, Witness, decide};
 use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::generation::faults;
 use crate::resolve::{Statement, Theory, resolve, resolve_traced};
 use crate::syntax::ast::{Claim, File};
 use crate::syntax::token::{Token, TokenKind};
@@ -132,6 +133,25 @@ fn contradiction(witness: &Witness) -> String {
         "left - right = {}{component}\n{place}: left = {}, right = {}{ratio}",
         witness.difference, witness.left, witness.right
     )
+}
+
+/// Decides what one kernel of a source claims of itself, by the kernel's name; the error is a text to be read.
+///
+/// # Errors
+/// If the source has an error or no such kernel, or if a claim is false or was not shown.
+pub fn check_kernel(source: &Source, name: &str) -> Result<(), String> {
+    let (mut theory, diagnostics) = read_theory(&source.text);
+    if !diagnostics.is_empty() {
+        return Err(diagnostics.iter().map(|diagnostic| source.render(diagnostic)).collect());
+    }
+    let Some(kernel) = theory.kernels.iter().find(|kernel| kernel.name == name).cloned() else {
+        return Err(format!("`{}` has no kernel named `{name}`", source.name));
+    };
+    let faults = faults(&mut theory.pool, &kernel);
+    if faults.is_empty() {
+        return Ok(());
+    }
+    Err(faults.iter().map(|fault| source.render(&fault.diagnostic)).collect())
 }
 
 /// Decides one statement of a source by its name; the error is a text to be read.

@@ -14,6 +14,7 @@ mod assume;
 pub mod calculus;
 pub mod certificate;
 pub mod check;
+pub mod compile;
 pub mod decide;
 pub mod derivation;
 pub mod diagnostic;

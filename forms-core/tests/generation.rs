@@ -1,7 +1,8 @@
 //! Kernels as they are generated: seams that agree, that do not, that cannot be decided; translations.
 
 use forms_core::check::read_theory;
-use forms_core::generation::{Generated, generate};
+use forms_core::compile::compile_kernel;
+use forms_core::generation::Generated;
 use forms_core::syntax::Source;
 
 /// The last kernel of a source, or what is said of it.
@@ -10,7 +11,7 @@ fn generated(text: &str) -> Result<Generated, String> {
     let (mut theory, errors) = read_theory(text);
     assert!(errors.is_empty(), "{}", errors.iter().map(|error| source.render(error)).collect::<String>());
     let kernel = theory.kernels.last().cloned().expect("a kernel");
-    generate(&mut theory.pool, &kernel).map_err(|errors| {
+    compile_kernel(&mut theory.pool, &kernel).map_err(|errors| {
         errors.iter().map(|error| format!("{}\n", error.message)).collect::<String>().trim_end().to_string()
     })
 }

@@ -82,3 +82,11 @@ fn the_text_of_a_table_is_no_markup() {
         "<table>\n<thead><tr><th>a &lt; b</th></tr></thead>\n<tbody>\n<tr><td>x &amp; y</td></tr>\n</tbody>\n</table>"
     );
 }
+
+#[test]
+fn a_claim_of_a_kernel_that_does_not_hold_is_told() {
+    let mut sheet = Sheet::read("kernel k(u, v) = sqrt(u**2 + v**2) by abs(u)*sqrt(1 + (v/u)**2);");
+    let decided = sheet.decide();
+    assert!(!decided.are_as_claimed());
+    assert!(decided.markdown().contains("✗ k, `by`, is **refuted**"), "{}", decided.markdown());
+}

@@ -2,8 +2,8 @@
 
 use forms_core::accuracy::{Format, Rounded, Truth, Value};
 use forms_core::check::{decide_all, read_theory};
+use forms_core::compile::compile_kernel;
 use forms_core::expression::{Rational, Symbol};
-use forms_core::generation::generate;
 use forms_core::kernel::{Instruction, evaluate_f64};
 use forms_core::resolve::Theory;
 
@@ -17,7 +17,7 @@ fn theory(text: &str) -> Theory {
 fn values(text: &str, arguments: &[f64]) -> Vec<f64> {
     let mut theory = theory(text);
     let kernel = theory.kernels.last().cloned().expect("a kernel");
-    let generated = generate(&mut theory.pool, &kernel).expect("a kernel");
+    let generated = compile_kernel(&mut theory.pool, &kernel).expect("a kernel");
     assert!(generated.translation.is_proved(), "{text}: {}", generated.translation);
     let point: Vec<_> = kernel.arguments.iter().copied().zip(arguments.iter().copied()).collect();
     let values = generated.optimised.interpret(arguments);
@@ -72,7 +72,7 @@ fn kernels_compute_quadratures_and_integrals_without_a_closed_form() {
 fn operations_of_the_integrand(text: &str) -> String {
     let mut theory = theory(text);
     let kernel = theory.kernels.last().cloned().expect("a kernel");
-    let generated = generate(&mut theory.pool, &kernel).expect("a kernel");
+    let generated = compile_kernel(&mut theory.pool, &kernel).expect("a kernel");
     assert!(generated.translation.is_proved(), "{text}: {}", generated.translation);
     let integrand = generated.optimised.instructions().iter().find_map(|instruction| match instruction {
         Instruction::Quadrature { integrand, .. } => Some(integrand.operations().to_string()),

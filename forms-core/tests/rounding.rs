@@ -1,9 +1,9 @@
 //! Bounds of rounding errors: no sample exceeds them, and they are not idle.
 
 use forms_core::check::read_theory;
+use forms_core::compile::compile_kernel;
 use forms_core::enclosure::{Enclosure, Precision, enclose};
 use forms_core::expression::{Pool, Rational};
-use forms_core::generation::generate;
 use forms_core::kernel::Program;
 use forms_core::resolve::Kernel;
 use forms_core::rounding::{ErrorBound, Unbounded};
@@ -25,7 +25,7 @@ fn kernel(text: &str) -> Bounded {
     let (mut theory, errors) = read_theory(text);
     assert!(errors.is_empty(), "{text}: {errors:?}");
     let kernel = theory.kernels.last().cloned().expect("a kernel");
-    let program = generate(&mut theory.pool, &kernel).expect("generated").optimised;
+    let program = compile_kernel(&mut theory.pool, &kernel).expect("generated").optimised;
     Bounded { pool: theory.pool, kernel, program }
 }
 

@@ -2,7 +2,7 @@
 
 use forms_core::accuracy::{Regime, Samples, Score, Width, sample};
 use forms_core::check::read_theory;
-use forms_core::generation::generate;
+use forms_core::compile::compile_kernel;
 use forms_core::kernel::Program;
 use forms_core::resolve::{Kernel, Theory};
 use forms_core::stability::Choices;
@@ -68,7 +68,7 @@ fn loss(samples: &[Samples], mut values: impl FnMut(&[f64]) -> Vec<f64>) -> f64 
 
 /// The loss as written, and by the form that was chosen.
 fn losses(theory: &mut Theory, kernel: &Kernel) -> (f64, f64) {
-    let generated = generate(&mut theory.pool, kernel).unwrap_or_else(|errors| panic!("{errors:?}"));
+    let generated = compile_kernel(&mut theory.pool, kernel).unwrap_or_else(|errors| panic!("{errors:?}"));
     assert!(generated.translation.is_proved(), "{}: {}", kernel.name, generated.translation);
     let samples = sample(&theory.pool, kernel, Width::Double, &Regime::ALL, SAMPLES, SEED);
     let by = |program: &Program| loss(&samples, |arguments| program.interpret(arguments));

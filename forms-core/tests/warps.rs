@@ -1,9 +1,9 @@
 //! Warps: what follows from one, and what is said of a slip in one.
 
 use forms_core::check::{decide_all, read_theory};
+use forms_core::compile::compile_kernel;
 use forms_core::decide::Verdict;
 use forms_core::derivation::derive;
-use forms_core::generation::generate;
 use forms_core::resolve::Theory;
 use forms_core::syntax::Source;
 
@@ -58,8 +58,8 @@ fn a_warp_gives_a_sample_a_density_and_an_inverse() {
         theory.kernels.iter().all(|kernel| kernel.public && kernel.docs[0] == "Cosine-weighted directions.")
     );
     let kernels = theory.kernels.clone();
-    let [sample, pdf, inverse] =
-        [0, 1, 2].map(|number| generate(&mut theory.pool, &kernels[number]).expect("a kernel").optimised);
+    let [sample, pdf, inverse] = [0, 1, 2]
+        .map(|number| compile_kernel(&mut theory.pool, &kernels[number]).expect("a kernel").optimised);
     let (u, v) = (0.3, 0.8);
     let point = sample.interpret(&[u, v]);
     assert!((point.iter().map(|x| x * x).sum::<f64>() - 1.0).abs() < 1e-15);
@@ -76,12 +76,12 @@ fn a_form_behind_by_and_an_accuracy_go_with_the_sample() {
     let mut known = theory(&HEMISPHERE.replace("+ 1/2);", &format!("+ 1/2) {by}")));
     let kernels = known.kernels.clone();
     assert!(kernels.iter().all(|kernel| kernel.within.is_some()));
-    let sample = generate(&mut known.pool, &kernels[0]).expect("a kernel").optimised;
+    let sample = compile_kernel(&mut known.pool, &kernels[0]).expect("a kernel").optimised;
     assert_eq!(sample.interpret(&[0.5, 0.25])[0], 0.0);
     let wrong = HEMISPHERE.replace("+ 1/2);", &format!("+ 1/2) {}", by.replace("1/4 - v", "1/2 - v")));
     let mut wrong = theory(&wrong);
     let kernel = wrong.kernels[0].clone();
-    assert!(generate(&mut wrong.pool, &kernel).is_err());
+    assert!(compile_kernel(&mut wrong.pool, &kernel).is_err());
     assert!(
         errors(&HEMISPHERE.replace("+ 1/2);", "+ 1/2) by (u, v);")).contains("3 outputs, and 2 behind `by`")
     );

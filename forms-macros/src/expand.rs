@@ -10,14 +10,14 @@ use crate::report::{Origin, warned};
 use crate::tiers;
 use crate::tokens::Body;
 use forms_core::accuracy::removable_singularities;
-use forms_core::check::{decide_all, objection, resolve_parsed};
+use forms_core::check::resolve_parsed;
+use forms_core::compile::{Compiled, CompiledKernel, Options, compile_theory};
 use forms_core::decide::Verdict;
 use forms_core::diagnostic::{Diagnostic, Span};
-use forms_core::generation::{Generated, generate};
+use forms_core::generation::Generated;
 use forms_core::kernel::{KernelDocs, emit_rust, emit_rust_within};
 use forms_core::notation::results;
 use forms_core::resolve::{Kernel, Theory};
-use forms_core::stability::by_rules;
 use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
 use forms_core::syntax::token::{Symbol, Token, TokenKind};
 use forms_core::syntax::words::ITEMS;
@@ -128,41 +128,29 @@ fn split_last(tokens: &[Token]) -> (&[Token], &[Token]) {
 
 /// Every statement decided and every kernel written; kernels stand even beside errors, so that what calls them
 /// adds none.
-pub(crate) fn theory_checked(
-    mut theory: Theory,
-    mut diagnostics: Vec<Diagnostic>,
-    origin: &Origin,
-) -> TokenStream {
-    let verdicts = decide_all(&mut theory);
-    diagnostics.extend(
-        theory
-            .statements
-            .iter()
-            .zip(&verdicts)
-            .filter_map(|(statement, verdict)| objection(statement, verdict)),
-    );
+pub(crate) fn theory_checked(theory: Theory, diagnostics: Vec<Diagnostic>, origin: &Origin) -> TokenStream {
+    let mut compiled = compile_theory(theory, diagnostics, &Options::default());
     let mut output = TokenStream::new();
-    for mut kernel in theory.kernels.clone() {
-        kernel.rewritten = by_rules(&mut theory.pool, &kernel);
-        match function(&mut theory, &verdicts, &kernel, origin) {
+    let kernels = std::mem::take(&mut compiled.kernels);
+    for kernel in &kernels {
+        match function(&mut compiled, kernel, origin) {
             Ok(function) => output.extend(function),
-            Err(found) => diagnostics.extend(found),
+            Err(found) => compiled.diagnostics.extend(found),
         }
     }
-    output.extend(origin.errors(&diagnostics));
+    output.extend(origin.errors(&compiled.diagnostics));
     output
 }
 
 /// A kernel as a documented Rust function and the module of its tiers, the function's name on the user's own.
 fn function(
-    theory: &mut Theory,
-    verdicts: &[Verdict],
-    kernel: &Kernel,
+    compiled: &mut Compiled,
+    of_kernel: &CompiledKernel,
     origin: &Origin,
 ) -> Result<TokenStream, Vec<Diagnostic>> {
-    let generated = generate(&mut theory.pool, kernel)?;
-    let docs = documentation(theory, verdicts, kernel, &generated);
-    let program = &generated.optimised;
+    let (kernel, generated) = (of_kernel.kernel(), of_kernel.generated());
+    let docs = documentation(compiled, kernel, generated);
+    let program = of_kernel.program();
     let source = match &kernel.within {
         None => emit_rust(program, &docs, tiers::MATH),
         Some(within) => {
@@ -175,9 +163,9 @@ fn function(
         vec![Diagnostic::new(kernel.span, message)]
     };
     let mut items = source.parse::<TokenStream>().map_err(unreadable)?;
-    let lattice = lattice::items(&mut theory.pool, kernel, &generated)?;
-    items.extend(tiers::module(&generated, &lattice).map_err(unreadable)?);
-    items.extend(warning(theory, kernel));
+    let lattice = lattice::items(&mut compiled.theory.pool, kernel, generated)?;
+    items.extend(tiers::module(generated, &lattice).map_err(unreadable)?);
+    items.extend(warning(&compiled.theory, kernel));
     Ok(named_at(items, &kernel.name, origin.place(kernel.span).0))
 }
 
@@ -198,16 +186,12 @@ fn warning(theory: &Theory, kernel: &Kernel) -> Option<TokenStream> {
 }
 
 /// The formula, the proved statements it rests on, the domain it is stated on, and whether it is computed.
-fn documentation(
-    theory: &Theory,
-    verdicts: &[Verdict],
-    kernel: &Kernel,
-    generated: &Generated,
-) -> KernelDocs {
+fn documentation(compiled: &Compiled, kernel: &Kernel, generated: &Generated) -> KernelDocs {
+    let theory = &compiled.theory;
     let arguments: Vec<&str> =
         kernel.arguments.iter().map(|&argument| theory.pool.symbol_name(argument)).collect();
     let is_proved = |name: &&String| {
-        let mut decided = theory.statements.iter().zip(verdicts);
+        let mut decided = compiled.statements.iter();
         decided.any(|(statement, verdict)| statement.name == **name && matches!(verdict, Verdict::Proved(_)))
     };
     KernelDocs {

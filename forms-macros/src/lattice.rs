@@ -6,13 +6,13 @@
 //! Each member is compiled by itself: what it is without is not in its code.
 
 use crate::tiers::{MATH, Tiers, operations};
+use forms_core::compile::compile_kernel;
 use forms_core::diagnostic::Diagnostic;
 use forms_core::expression::Pool;
-use forms_core::generation::{Generated, generate, specialisations};
+use forms_core::generation::{Generated, specialisations};
 use forms_core::kernel::{KernelSource, Program, emit_formula, lower};
 use forms_core::notation::results;
 use forms_core::resolve::Kernel;
-use forms_core::stability::by_rules;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -39,10 +39,9 @@ pub(crate) fn items(
     let all = vec![true; kernel.effects.len()];
     let mut members =
         vec![Member { present: all, formula: results(&kernel.formula), generated: full.clone() }];
-    for mut specialisation in specialisations(pool, kernel)? {
-        let special = &mut specialisation.kernel;
-        special.rewritten = by_rules(pool, special);
-        let generated = generate(pool, special)?;
+    for specialisation in specialisations(pool, kernel)? {
+        let special = &specialisation.kernel;
+        let generated = compile_kernel(pool, special)?;
         members.push(Member {
             present: specialisation.present,
             formula: results(&special.formula),

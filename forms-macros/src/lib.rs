@@ -39,7 +39,8 @@ pub fn include_forms(path: TokenStream) -> TokenStream {
 
 /// Turns each statement of a file into a test that decides it: `proof_tests!("src/sphere.forms")`.
 ///
-/// The tests carry the names of the statements. The path is relative to the folder of the crate's `Cargo.toml`.
+/// The tests carry the names of the statements; what a kernel claims by `by`, at a seam or of an effect is the test
+/// `kernel_NAME`. The path is relative to the folder of the crate's `Cargo.toml`.
 /// Only what cannot be read is an error of compilation; what is false or undecided fails its test.
 #[proc_macro]
 pub fn proof_tests(path: TokenStream) -> TokenStream {

@@ -1,9 +1,11 @@
-//! `proof_tests!("file.forms")`: one `#[test]` for each statement of a file, which decides it.
+//! `proof_tests!("file.forms")`: one `#[test]` for each statement of a file, which decides it, and for each kernel
+//! that claims something of itself.
 
 use crate::include::Included;
 use crate::report::Origin;
 use forms_core::check::read_theory;
 use forms_core::diagnostic::Diagnostic;
+use forms_core::generation::makes_claims;
 use forms_core::resolve::Statement;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -24,9 +26,27 @@ pub(crate) fn tests(argument: TokenStream) -> TokenStream {
             Err(diagnostic) => diagnostics.push(diagnostic),
         }
     }
+    for kernel in theory.kernels.iter().filter(|kernel| makes_claims(&theory.pool, kernel)) {
+        output.extend(test_of_kernel(&kernel.name, name, &text));
+    }
     output.extend(quote! { const _: &str = #text; });
     output.extend(Origin::File(included.source, included.place).errors(&diagnostics));
     output
+}
+
+/// The test `kernel_NAME` of what a kernel claims of itself.
+fn test_of_kernel(name: &str, file: &str, text: &TokenStream) -> TokenStream {
+    let function = quote::format_ident!("kernel_{name}");
+    quote! {
+        #[::core::prelude::v1::test]
+        #[allow(non_snake_case, reason = "the name of the kernel")]
+        fn #function() {
+            let source = ::forms::core::syntax::Source::new(#file, #text);
+            if let ::core::result::Result::Err(message) = ::forms::core::check::check_kernel(&source, #name) {
+                ::core::panic!("{message}");
+            }
+        }
+    }
 }
 
 fn test(statement: &Statement, file: &str, text: &TokenStream) -> Result<TokenStream, Diagnostic> {

@@ -1,13 +1,13 @@
-//! `forms prove`: every statement of every file, decided.
+//! `forms prove`: every statement of every file, and what its kernels claim of themselves, decided.
 
 use crate::certificate::Certificate;
-use crate::decisions::{DecidedFile, for_each_file};
+use crate::decisions::{DecidedFault, DecidedFile, for_each_file};
 use crate::json::{Point, StatementRecord, write_error, write_record};
-use crate::layout::duration;
+use crate::layout::{duration, wrap};
 use crate::palette::Palette;
 use crate::status::Status;
 use crate::theory_file::{FileError, complain};
-use crate::verdict_line::Decided;
+use crate::verdict_line::{Decided, INDENT, WORDS, line};
 use forms::core::decide::Verdict;
 use forms::core::diagnostic::Diagnostic;
 use forms::core::diagnostic::counted;
@@ -52,6 +52,9 @@ pub(super) struct Totals {
     refuted: usize,
     unknown: usize,
     not_as_stated: usize,
+    /// Claims of kernels that are false, and those that are undecided.
+    false_claims: usize,
+    open_claims: usize,
     /// Files with errors, of which nothing was decided.
     unread: usize,
     time: Duration,
@@ -68,13 +71,29 @@ impl Totals {
         self.time += decided.time;
     }
 
-    /// `3 statements: 2 proved, 1 refuted`
+    fn count_fault(&mut self, decided: &DecidedFault) {
+        match decided.fault.verdict {
+            Verdict::Refuted(_) => self.false_claims += 1,
+            _ => self.open_claims += 1,
+        }
+        self.not_as_stated += 1;
+        self.time += decided.time;
+    }
+
+    /// `3 statements: 2 proved, 1 refuted; 1 claim of a kernel: 1 refuted`
     pub(super) fn sentence(&self) -> String {
         let kinds = [(self.proved, "proved"), (self.refuted, "refuted"), (self.unknown, "unknown")];
         let kinds: Vec<String> =
             kinds.iter().filter(|kind| kind.0 > 0).map(|(count, kind)| format!("{count} {kind}")).collect();
         let all = counted(self.count_of_statements(), "statement");
-        if kinds.is_empty() { all } else { format!("{all}: {}", kinds.join(", ")) }
+        let statements = if kinds.is_empty() { all } else { format!("{all}: {}", kinds.join(", ")) };
+        let claims = [(self.false_claims, "refuted"), (self.open_claims, "unknown")];
+        let claims: Vec<String> = claims
+            .iter()
+            .filter(|kind| kind.0 > 0)
+            .map(|(count, kind)| format!("{} of a kernel {kind}", counted(*count, "claim")))
+            .collect();
+        [vec![statements], claims].concat().join("; ")
     }
 
     fn count_of_statements(&self) -> usize {
@@ -100,7 +119,7 @@ struct Report<'a> {
 
 impl Report<'_> {
     fn file(&mut self, file: DecidedFile) -> io::Result<Status> {
-        let DecidedFile { source, mut theory, statements } = file;
+        let DecidedFile { source, mut theory, statements, faults } = file;
         if !self.json {
             writeln!(self.output, "{}", self.palette.heading(&source.name))?;
         }
@@ -120,6 +139,10 @@ impl Report<'_> {
             if let Some(certificate) = &mut self.certificate {
                 certificate.add(&mut theory, statement, &decided.verdict);
             }
+        }
+        for decided in &faults {
+            status = status.max(Status::NotAsStated);
+            self.fault(&source.name, decided)?;
         }
         if !self.json {
             writeln!(self.output)?;
@@ -143,6 +166,20 @@ impl Report<'_> {
         Ok(())
     }
 
+    /// A claim of a kernel that is not shown, like a statement that is not as stated.
+    fn fault(&mut self, file: &str, decided: &DecidedFault) -> io::Result<()> {
+        self.totals.count_fault(decided);
+        let fault = &decided.fault;
+        if self.json {
+            return write_fault(self.output, file, decided);
+        }
+        writeln!(self.output, "{}", fault_line(decided, self.palette))?;
+        for line in wrap(&fault.diagnostic.message, INDENT) {
+            writeln!(self.output, "{}", self.palette.quiet(&line))?;
+        }
+        Ok(())
+    }
+
     fn errors(&mut self, errors: &[FileError]) -> io::Result<Status> {
         if self.json {
             for error in errors {
@@ -160,7 +197,7 @@ impl Report<'_> {
         if totals.unread > 0 {
             let errors = format!("{} with errors, not decided", counted(totals.unread, "file"));
             writeln!(self.output, "{}", self.palette.bad(&errors))?;
-            if totals.count_of_statements() == 0 {
+            if totals.count_of_statements() == 0 && totals.not_as_stated == 0 {
                 return Ok(());
             }
         }
@@ -173,6 +210,36 @@ impl Report<'_> {
         let times = format!("{} of deciding in {}", duration(totals.time), duration(all));
         writeln!(self.output, "{}", self.palette.quiet(&times))
     }
+}
+
+/// Mark, kernel and claim, verdict and time in one line.
+fn fault_line(decided: &DecidedFault, palette: Palette) -> String {
+    let DecidedFault { fault, time } = decided;
+    let words = match fault.verdict {
+        Verdict::Refuted(_) => "does not hold",
+        _ => "unknown",
+    };
+    let name = format!("{}: {}", fault.kernel, fault.claim.name());
+    line(palette, &palette.bad("✗"), &name, &palette.bad(&format!("{words:WORDS$}")), *time)
+}
+
+fn write_fault(output: &mut dyn Write, file: &str, decided: &DecidedFault) -> io::Result<()> {
+    let DecidedFault { fault, time } = decided;
+    let (conditions, witness): (&[String], _) = match &fault.verdict {
+        Verdict::Refuted(witness) => (&witness.conditions, Some(Point(&witness.point))),
+        _ => (&[], None),
+    };
+    let record = StatementRecord {
+        file,
+        name: &fault.kernel,
+        kind: fault.claim.name(),
+        verdict: fault.verdict.name(),
+        ok: false,
+        conditions,
+        witness,
+        micros: u64::try_from(time.as_micros()).unwrap_or(u64::MAX),
+    };
+    write_record(output, &record)
 }
 
 /// A statement that speaks of no point is an error, which is written in its place.

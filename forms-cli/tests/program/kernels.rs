@@ -21,6 +21,18 @@ fn rows_are_evaluated_and_written_with_their_values() {
 }
 
 #[test]
+fn a_kernel_is_computed_by_its_stable_form() {
+    let folder = Folder::with(&[("growth.forms", "kernel growth(x) = exp(x) - 1;")]);
+    let row = |tier: &[&str]| {
+        forms_on(&folder, &[&["eval", "growth.forms", "growth"], tier].concat(), "x\n1e-17\n").output
+    };
+    assert!(row(&[]).ends_with(",1.0000000000000001e-17\n"), "{}", row(&[]));
+    assert!(row(&["--tier", "plain"]).ends_with(",0.0000000000000000e0\n"), "{}", row(&["--tier", "plain"]));
+    let source = forms(&folder, &["emit", "growth.forms", "--target", "c"]).output;
+    assert!(source.contains("expm1("), "{source}");
+}
+
+#[test]
 fn a_mistake_in_the_rows_is_named_and_ends_the_output() {
     let folder = Folder::with(&[("good.forms", THEORY)]);
     let cases = [

@@ -43,6 +43,40 @@ fn a_statement_not_as_stated_ends_in_status_1() {
 }
 
 #[test]
+fn a_false_claim_of_a_kernel_is_listed_like_a_statement() {
+    let kernels = "chart L(x); prove right: x == x;\n\
+        kernel loses(u, v) = sqrt(u**2 + v**2) by abs(u)*sqrt(1 + (v/u)**2);\n\
+        kernel differs(x, y) = abs(y) + abs(1 + cos(x)) by 1 + cos(x) - y where (1 + cos(x))*y <= 0;\n\
+        kernel step(u) = if u > 0 { u + 1 } else { u };\n\
+        kernel pole(a) = abs(a)/a effects { off: a = 0; };\n\
+        kernel fine(w) = sqrt(w + 1) - sqrt(w) by 1/(sqrt(w + 1) + sqrt(w)) where w >= 0;\n";
+    let folder = Folder::with(&[("kernels.forms", kernels)]);
+    let run = forms(&folder, &["prove", "kernels.forms"]);
+    assert_eq!(run.status, 1, "{}", run.errors);
+    for part in [
+        "✓ right",
+        "✗ loses: by",
+        "u = 0, v = 0",
+        "✗ differs: by",
+        "x = pi, y = 1",
+        "✗ step: seam",
+        "✗ pole: effect",
+        "1 statement: 1 proved; 3 claims of a kernel refuted; 1 claim of a kernel unknown; 4 are not as stated",
+    ] {
+        assert!(run.output.contains(part), "{part}: {}", run.output);
+    }
+    assert!(!run.output.contains("fine"), "{}", run.output);
+    let run = forms(&folder, &["prove", "--json", "kernels.forms"]);
+    assert_eq!((run.status, run.errors.as_str()), (1, ""));
+    let lines: Vec<&str> = run.output.lines().collect();
+    assert_eq!(lines.len(), 5);
+    let loses = "{\"file\":\"kernels.forms\",\"name\":\"loses\",\"kind\":\"by\",\"verdict\":\"refuted\",\
+        \"ok\":false,\"conditions\":[],\"witness\":{\"u\":\"0\",\"v\":\"0\"},\"micros\":";
+    assert_eq!(without_micros(lines[1]), loses);
+    assert!(lines[3].contains("\"kind\":\"seam\"") && lines[4].contains("\"kind\":\"effect\""), "{lines:?}");
+}
+
+#[test]
 fn every_error_of_every_file_is_reported_with_its_place() {
     let first = "chart L(x);\nprove a: y == 1;\nlet b = dx*dx;\n";
     let folder =

@@ -83,6 +83,18 @@ fn a_kernel_is_told_with_its_ranges_and_written_in_three_languages() {
 }
 
 #[test]
+fn a_plot_is_of_the_stable_form_and_a_false_claim_of_a_kernel_is_told() {
+    let server = Server::start(&[]);
+    let across = json!({ "name": "x", "from": 1e-18, "to": 1e-17 });
+    let request = json!({ "text": "kernel growth(x) = exp(x) - 1;", "kernel": "growth", "across": across });
+    let drawing = &server.post("/api/plot", &request).json()["drawing"];
+    assert_eq!((&drawing["least"], &drawing["greatest"]), (&json!(1e-18), &json!(1e-17)));
+    let text = "kernel k(u, v) = sqrt(u**2 + v**2) by abs(u)*sqrt(1 + (v/u)**2);";
+    let answer = server.post("/api/check", &json!({ "text": text })).body;
+    assert!(answer.contains("loses a point of its formula"), "{answer}");
+}
+
+#[test]
 fn a_plot_shows_where_a_kernel_is_not_defined() {
     let server = Server::start(&[]);
     let axis = |name: &str, to: f64| json!({ "name": name, "from": 0.0, "to": to });

@@ -24,6 +24,7 @@ pub use format::{Format, Rounded};
 pub use ordinal::Width;
 pub use regime::Regime;
 pub use removable::removable_singularities;
+pub(crate) use sample::sample_at;
 pub use sample::{Sample, Samples, sample};
 pub(crate) use score::bits_lost;
 pub use score::{Score, Statistics};

@@ -43,7 +43,7 @@ impl Width {
     }
 
     /// The number's place among all in order, with 0 at zero.
-    pub(super) fn ordinal(self, value: f64) -> i64 {
+    pub(crate) fn ordinal(self, value: f64) -> i64 {
         let magnitude = match self {
             Width::Single => i64::from((value as f32).abs().to_bits()),
             Width::Double => value.abs().to_bits() as i64,
@@ -52,7 +52,7 @@ impl Width {
     }
 
     /// The number at a place.
-    pub(super) fn at(self, ordinal: i64) -> f64 {
+    pub(crate) fn at(self, ordinal: i64) -> f64 {
         let magnitude = match self {
             Width::Single => f64::from(f32::from_bits(ordinal.unsigned_abs() as u32)),
             Width::Double => f64::from_bits(ordinal.unsigned_abs()),

@@ -62,6 +62,15 @@ pub fn sample(
     drawn.filter(|samples| !samples.samples.is_empty()).collect()
 }
 
+/// The samples at given arguments: those in the domain at which some output has a certain value.
+pub(crate) fn sample_at(pool: &Pool, kernel: &Kernel, width: Width, points: &[Vec<f64>]) -> Vec<Sample> {
+    let edges = Edges::of(&mut pool.clone(), kernel);
+    let truth = Truth::new(pool, &kernel.outputs, &kernel.domain).up_to(MOST_PLACES);
+    let arguments = Arguments { edges: &edges, width, random: SplitMix(0) };
+    let drawing = Drawing { pool, kernel, truth: &truth, width, arguments, inside: None };
+    points.iter().filter_map(|point| drawing.sample(point)).collect()
+}
+
 /// The exact value of each argument.
 type Point = Vec<(Symbol, Rational)>;
 
@@ -93,6 +102,20 @@ impl Drawing<'_> {
             }
         }
         found
+    }
+
+    /// The sample at these arguments, if they are in the domain and some output has a certain value.
+    fn sample(&self, arguments: &[f64]) -> Option<Sample> {
+        let numbers: Option<Vec<Rational>> =
+            arguments.iter().map(|&value| Rational::from_float(value)).collect();
+        let point: Point = self.kernel.arguments.iter().copied().zip(numbers?).collect();
+        if !self.seems_inside(arguments) || self.truth.admits(&point) != Some(true) {
+            return None;
+        }
+        let values = self.truth.at(&point, Format::DoubleDouble).into_iter();
+        let values: Vec<_> = values.map(|value| self.representable(value)).collect();
+        let is_known = values.iter().any(Option::is_some);
+        is_known.then(|| Sample { arguments: arguments.to_vec(), values })
     }
 
     /// The arguments, moved into the domain if they can be, also as an exact point.

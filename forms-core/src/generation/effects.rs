@@ -10,6 +10,7 @@
 //! error, never a kernel.
 
 use super::boundary::replaced;
+use super::definedness::is_kept;
 use super::limit::{follow, holds, limit};
 use super::pieces::negated;
 use super::seam::is_excluded;
@@ -98,7 +99,7 @@ fn without(pool: &mut Pool, kernel: &Kernel, effect: &Effect) -> Result<Kernel, 
     }
     let domain = domain.into_iter().filter(|condition| condition.decided(pool) != Some(true)).collect();
     let mut without = kernel.clone();
-    (without.outputs, without.computed, without.rewritten) = (outputs, computed, Vec::new());
+    (without.outputs, without.computed) = (outputs, computed);
     (without.domain, without.effects) = (domain, effects);
     let mut without = at_less_cost(pool, without);
     without.formula = pool.texts(&without.outputs);
@@ -154,7 +155,11 @@ fn at_less_cost(pool: &mut Pool, kernel: Kernel) -> Kernel {
     let Some(simple) = with_form(&kernel, &outputs) else { return kernel };
     let pairs: Vec<(Expr, Expr)> = outputs.into_iter().zip(kernel.outputs.iter().copied()).collect();
     let is_less = cost(pool, &simple) < cost(pool, &kernel);
-    if is_less && equality(pool, &pairs, &kernel.domain, EFFORT).is_proved() { simple } else { kernel }
+    let is_kept = |pool: &mut Pool| {
+        pairs.iter().all(|&(simple, formula)| is_kept(pool, &kernel.domain, formula, simple))
+            && equality(pool, &pairs, &kernel.domain, EFFORT).is_proved()
+    };
+    if is_less && is_kept(pool) { simple } else { kernel }
 }
 
 /// What the kernel's formula costs; all there is, if it is no kernel.

@@ -6,6 +6,7 @@
 //! boundary, as sin(x)/x at 0, has its limit there compared with the value of the other.
 
 use super::boundary::{Sheet, Solution, replaced, sheets};
+use super::fault::{Claim, Fault};
 use super::limit::{follow, limit};
 use super::pieces::{negated, pieces};
 use crate::decide::{Effort, Equations, Finding, Witness, contradiction, simplified};
@@ -36,7 +37,7 @@ enum Agreement {
 }
 
 /// What is to be said of the seams of a kernel at which its pieces are not shown to agree.
-pub(super) fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Diagnostic> {
+pub(super) fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
     let claims = with_claims(pool, &kernel.outputs);
     let (mut faults, mut seams) = (Vec::new(), 0);
     let mut seen: FxHashSet<(Expr, Vec<Condition>)> = FxHashSet::default();
@@ -53,7 +54,7 @@ pub(super) fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Diagnostic> {
         seams += 1;
         if seams > MOST_SEAMS {
             let message = format!("`{}` has more than {MOST_SEAMS} seams", kernel.name);
-            faults.push(Diagnostic::new(kernel.span, message));
+            faults.push(Fault::told(&kernel.name, Claim::Seam, Diagnostic::new(kernel.span, message)));
             break;
         }
         let condition = Condition { left, relation, right };
@@ -103,25 +104,30 @@ fn outermost_choices(pool: &Pool, expression: Expr) -> Vec<Expr> {
 }
 
 impl Choice {
-    fn fault(&self, pool: &mut Pool, assumed: &[Condition], kernel: &Kernel) -> Option<Diagnostic> {
+    fn fault(&self, pool: &mut Pool, assumed: &[Condition], kernel: &Kernel) -> Option<Fault> {
         for sheet in sheets(pool, &self.condition) {
             let agreement = self.on_sheet(pool, &sheet, assumed);
             let place = format!("the seam {} of `{}`", sheet.text(pool), kernel.name);
-            let message = match agreement {
-                Agreement::Agrees => continue,
-                Agreement::Differs(witness) => format!(
-                    "the branches of `if {}` differ at {place}: their difference is {}\n{}",
-                    self.condition.text(pool),
-                    witness.difference,
-                    values(&witness)
-                ),
-                Agreement::Undecided(reason) => format!(
-                    "whether the branches of `if {}` agree at {place} is undecided: {reason}",
-                    self.condition.text(pool)
-                ),
-            };
+            let condition = self.condition.text(pool);
             let help = "say `jump` after `if` where the branches may differ";
-            return Some(Diagnostic::new(kernel.span, message).with_help(help));
+            let diagnostic = |message: String| Diagnostic::new(kernel.span, message).with_help(help);
+            return Some(match agreement {
+                Agreement::Agrees => continue,
+                Agreement::Differs(witness) => {
+                    let message = format!(
+                        "the branches of `if {condition}` differ at {place}: their difference is {}\n{}",
+                        witness.difference,
+                        values(&witness)
+                    );
+                    Fault::refuted(&kernel.name, Claim::Seam, witness, diagnostic(message))
+                }
+                Agreement::Undecided(reason) => {
+                    let message = format!(
+                        "whether the branches of `if {condition}` agree at {place} is undecided: {reason}"
+                    );
+                    Fault::unknown(&kernel.name, Claim::Seam, reason, diagnostic(message))
+                }
+            });
         }
         None
     }

@@ -26,9 +26,9 @@ impl Program {
     /// The outputs in the precision of the arguments.
     ///
     /// ```
-    /// # use forms_core::{check::read_theory, generation::generate};
-    /// let (mut theory, _) = read_theory("kernel third(x) = x/3;");
-    /// let third = generate(&mut theory.pool, &theory.kernels[0]).expect("a kernel").written;
+    /// # use forms_core::compile::{Options, compile};
+    /// let compiled = compile("kernel third(x) = x/3;", &Options::default());
+    /// let third = compiled.kernels[0].program();
     /// assert_eq!(third.interpret_as(&[1.0_f32]), [1.0 / 3.0]);
     /// ```
     pub fn interpret_as<T: Real>(&self, arguments: &[T]) -> Vec<T> {

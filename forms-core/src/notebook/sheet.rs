@@ -2,9 +2,11 @@
 
 use super::{escaped, print_content, print_markdown};
 use crate::check::{decide_all, read_file};
+use crate::compile::{compile_kernel, kernel_faults};
 use crate::decide::Verdict;
 use crate::derivation::{Derivation, derive};
 use crate::diagnostic::{Diagnostic, counted};
+use crate::generation::{Fault, Generated};
 use crate::notation::{latex_as_written, latex_of_condition, latex_of_name, latex_of_named, text_of_named};
 use crate::resolve::Theory;
 use crate::syntax::Source;
@@ -40,6 +42,8 @@ pub struct Shown {
 #[derive(Clone, Debug)]
 pub struct Decided {
     claims: Vec<DecidedClaim>,
+    /// What kernels claim of themselves and was not shown.
+    faults: Vec<Fault>,
 }
 
 #[derive(Clone, Debug)]
@@ -60,6 +64,24 @@ impl Sheet {
     /// The theory that the text declares.
     pub fn theory(&self) -> &Theory {
         &self.theory
+    }
+
+    /// A kernel of the text, compiled by its stable form.
+    ///
+    /// ```
+    /// use forms_core::notebook::Sheet;
+    /// let mut sheet = Sheet::read("kernel growth(x) = exp(x) - 1;");
+    /// assert_eq!(sheet.kernel("growth").unwrap().values(&[1e-17]), [1e-17]);
+    /// ```
+    ///
+    /// # Errors
+    /// If there is no kernel of that name, or something is wrong with it.
+    pub fn kernel(&mut self, name: &str) -> Result<Generated, String> {
+        let Some(kernel) = self.theory.kernels.iter().find(|kernel| kernel.name == name).cloned() else {
+            return Err(format!("no kernel is named `{name}`"));
+        };
+        compile_kernel(&mut self.theory.pool, &kernel)
+            .map_err(|errors| errors.iter().map(|error| self.source.render(error)).collect())
     }
 
     /// What a name stands for: of a form its expression as it was written and, where that is another, simplified; of a
@@ -85,7 +107,7 @@ impl Sheet {
         shown.equals(&Shown { text, latex })
     }
 
-    /// Decides every claim, in order.
+    /// Decides every claim, in order, and what kernels claim of themselves.
     pub fn decide(&mut self) -> Decided {
         let verdicts = decide_all(&mut self.theory);
         let statements = self.theory.statements.clone();
@@ -95,7 +117,8 @@ impl Sheet {
             claim: statement.claim,
             verdict,
         });
-        Decided { claims: claims.collect() }
+        let claims = claims.collect();
+        Decided { claims, faults: kernel_faults(&mut self.theory) }
     }
 
     /// The steps that decide one claim.
@@ -214,7 +237,7 @@ impl Decided {
 
     /// Whether every claim is as its author says.
     pub fn are_as_claimed(&self) -> bool {
-        self.claims.iter().all(DecidedClaim::is_as_claimed)
+        self.claims.iter().all(DecidedClaim::is_as_claimed) && self.faults.is_empty()
     }
 
     /// Each claim in Markdown: its name and verdict, and its equation in LaTeX.
@@ -230,7 +253,11 @@ impl Decided {
                 formula.latex
             )
         };
-        self.claims.iter().map(each).collect()
+        let of_kernel = |fault: &Fault| {
+            let (kernel, claim) = (escaped(&fault.kernel), fault.claim.name());
+            format!("✗ {kernel}, `{claim}`, is {}, **not as claimed**\n\n", fault.verdict.markdown())
+        };
+        self.claims.iter().map(each).chain(self.faults.iter().map(of_kernel)).collect()
     }
 
     /// Shows the claims with their verdicts in a cell of a notebook.
@@ -238,7 +265,10 @@ impl Decided {
         let each = |decided: &DecidedClaim| {
             format!("{} {}: {}\n", decided.mark(), decided.name, decided.verdict.name())
         };
-        print_markdown(&self.markdown(), &self.claims.iter().map(each).collect::<String>());
+        let of_kernel =
+            |fault: &Fault| format!("✗ {}, {}: {}\n", fault.kernel, fault.claim.name(), fault.verdict.name());
+        let lines = self.claims.iter().map(each).chain(self.faults.iter().map(of_kernel));
+        print_markdown(&self.markdown(), &lines.collect::<String>());
     }
 }
 

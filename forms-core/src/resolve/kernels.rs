@@ -42,7 +42,6 @@ impl Resolver {
             arguments,
             outputs,
             computed,
-            rewritten: Vec::new(),
             domain,
             within,
             effects,
@@ -92,7 +91,6 @@ impl Resolver {
         self.theory.kernels.push(Kernel {
             outputs,
             computed,
-            rewritten: Vec::new(),
             within: None,
             effects: Vec::new(),
             formula,

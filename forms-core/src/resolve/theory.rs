@@ -121,9 +121,6 @@ pub struct Kernel {
     pub outputs: Vec<Expr>,
     /// What it is computed by, an equal form of each output; empty where that is the formula itself.
     pub computed: Vec<Expr>,
-    /// What it is computed by where nobody chose a form: an equal form of each output that rules alone give, each step of
-    /// which is proved ([`crate::stability::by_rules`]); empty where that is the formula itself or a form was chosen.
-    pub rewritten: Vec<Expr>,
     /// Its stated domain; outside, the value is NaN.
     pub domain: Vec<Condition>,
     /// How far its `f64` value may be from the exact one, in units of 2⁻⁵³ of that; none where nothing is promised.

@@ -254,7 +254,6 @@ impl Resolver {
             arguments,
             outputs,
             computed,
-            rewritten: Vec::new(),
             domain,
             within,
             effects: Vec::new(),

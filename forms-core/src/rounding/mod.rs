@@ -88,9 +88,9 @@ impl Program {
     /// Functions of the op table are taken to be within 2 ulp. More boxes make the bound sharper.
     ///
     /// ```
-    /// use forms_core::{check::read_theory, generation::generate};
-    /// let (mut theory, _) = read_theory("kernel half_root(x) = sqrt(x)/3 where 1 <= x <= 4;");
-    /// let program = generate(&mut theory.pool, &theory.kernels[0]).unwrap().optimised;
+    /// use forms_core::compile::{Options, compile};
+    /// let compiled = compile("kernel half_root(x) = sqrt(x)/3 where 1 <= x <= 4;", &Options::default());
+    /// let program = compiled.kernels[0].program();
     /// // the root's rounding and that of the factor 1/3 or of the division
     /// let units = program.error_bound(100).unwrap()[0].units().unwrap();
     /// assert!(units >= 1.5 && units < 3.5, "{units}");

@@ -68,7 +68,11 @@ fn fowler_noll_vo(bytes: &[u8]) -> u64 {
 pub fn written(pool: &Pool, choices: &[(&Kernel, &Found)]) -> Option<String> {
     let mut text = HEAD.to_string();
     for (kernel, found) in choices {
-        let form = found.chosen();
+        let mut form = found.chosen();
+        // where more precision is promised anyway, a form has to be worth its place
+        if form.loss > found.written.loss || is_open(form) && form.loss > found.written.loss / 2.0 {
+            form = &found.written;
+        }
         if (form.outputs != kernel.outputs || is_open(form)) && !kernel.has_form() {
             entry(pool, kernel, found, form, &mut text);
         }
@@ -168,7 +172,7 @@ fn fits(entry: &Kernel, pool: &Pool, kernel: &Kernel) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::generation::generate;
+    use crate::compile::compile_kernel;
     use crate::stability::{Effort, search};
 
     const SOURCE: &str = "kernel root(x) = sqrt(x + 1) - sqrt(x) where x >= 0;\nkernel plain(x) = x + 1;";
@@ -200,7 +204,7 @@ mod tests {
         let mut theory = theory(SOURCE);
         assert_eq!(Choices::read(&text).expect("a file").apply(&mut theory), 1);
         let kernel = theory.kernels[0].clone();
-        let generated = generate(&mut theory.pool, &kernel).expect("a kernel");
+        let generated = compile_kernel(&mut theory.pool, &kernel).expect("a kernel");
         assert!(generated.translation.is_proved());
         assert_eq!(generated.optimised.interpret(&[1e20]), [5e-11]);
         assert_eq!(generated.written.interpret(&[1e20]), [0.0]);
@@ -235,7 +239,7 @@ mod tests {
         let mut theory = theory(SOURCE);
         assert_eq!(choices.expect("a file").apply(&mut theory), 1);
         let kernel = theory.kernels[0].clone();
-        let errors = generate(&mut theory.pool, &kernel).expect_err("a false form");
+        let errors = compile_kernel(&mut theory.pool, &kernel).expect_err("a false form");
         assert!(errors[0].message.contains("differs from its formula"), "{errors:?}");
     }
 }

@@ -1,9 +1,13 @@
 //! Regimes: where no form is best everywhere, each is used where it is best, with the seams at exact numbers.
 //!
 //! The samples are put in the order of one argument. The cheapest way to cut them into at most so many runs, each with
-//! the form that loses least on it, is found by dynamic programming; a cut has to save enough to be made.
+//! the form that loses least on it, is found by dynamic programming; a cut has to save enough to be made. That says which
+//! forms meet in which order. Where they meet is not told by samples: it is a number at which the bounds of their errors
+//! cross, whatever the other arguments are; where there is none, no cut is made.
 
+use super::crossing::{Crossing, Pair};
 use crate::expression::{Expr, Pool, Rational, Seam, Symbol};
+use crate::kernel::{Program, nearest_f64};
 use crate::syntax::ast::Relation;
 use num_bigint::BigInt;
 use num_traits::Zero;
@@ -23,12 +27,76 @@ pub(super) struct Cut {
     pub(super) loss: f64,
 }
 
-/// The best way to use these forms on the runs of one argument: `losses` has for each form the loss at each sample.
-pub(super) fn best_cut(points: &[&[f64]], weights: &[f64], losses: &[&[f64]]) -> Option<Cut> {
-    let arguments = points.first()?.len();
+/// The best way to use these forms on the runs of each argument, the best argument first: `losses` has for each form the loss
+/// at each sample.
+pub(super) fn cuts(points: &[&[f64]], weights: &[f64], losses: &[&[f64]]) -> Vec<Cut> {
+    let arguments = points.first().map_or(0, |point| point.len());
     let single = losses.iter().map(|loss| mean(loss, weights)).fold(f64::INFINITY, f64::min);
-    let cuts = (0..arguments).filter_map(|argument| cut(points, weights, losses, argument, single));
-    cuts.min_by(|a, b| a.loss.total_cmp(&b.loss))
+    let mut cuts: Vec<Cut> = Vec::new();
+    for argument in 0..arguments {
+        cuts.extend(cut(points, weights, losses, argument, single));
+        cuts.extend(by_sign(points, weights, losses, argument).filter(|cut| cut.loss + LEAST_GAIN < single));
+    }
+    cuts.sort_by(|a, b| a.loss.total_cmp(&b.loss));
+    cuts
+}
+
+/// Points that a crossing has to be the same at.
+const MOST_POINTS: usize = 24;
+
+impl Cut {
+    /// The same with each number where the bounds of the errors of the forms on both sides cross, at points of every scale;
+    /// nothing where they cross nowhere or elsewhere at another point.
+    pub(super) fn at_crossings(
+        mut self,
+        points: &[&[f64]],
+        programs: &[&Program],
+        range: (f64, f64),
+    ) -> Option<Cut> {
+        let step = points.len().div_ceil(MOST_POINTS).max(1);
+        let points: Vec<&[f64]> = points.iter().copied().step_by(step).collect();
+        let mut last = f64::NEG_INFINITY;
+        for place in 0..self.pieces.len() - 1 {
+            let [below, above] = [place, place + 1].map(|piece| programs[self.pieces[piece].0]);
+            let crossing = Pair { below, above, argument: self.argument, range }.crossing(&points)?;
+            let bound = crossing.number();
+            let size = nearest_f64(&bound);
+            if size <= last {
+                return None;
+            }
+            (self.pieces[place].1, last) = (Some(bound), size);
+        }
+        Some(self)
+    }
+}
+
+impl Crossing {
+    /// A short number in the interval: zero where it is in it.
+    fn number(&self) -> Rational {
+        if self.lower <= 0.0 && self.upper >= 0.0 {
+            Rational::zero()
+        } else {
+            between(self.lower, self.upper)
+        }
+    }
+}
+
+/// The best two forms for the two signs of an argument.
+fn by_sign(points: &[&[f64]], weights: &[f64], losses: &[&[f64]], argument: usize) -> Option<Cut> {
+    let best = |negative: bool| {
+        let loss = |form: &usize| -> f64 {
+            let samples = points.iter().zip(weights).zip(losses[*form]);
+            samples
+                .filter(|((point, _), _)| (point[argument] < 0.0) == negative)
+                .map(|((_, weight), loss)| weight * loss)
+                .sum()
+        };
+        let form = (0..losses.len()).min_by(|a, b| loss(a).total_cmp(&loss(b)))?;
+        Some((form, loss(&form)))
+    };
+    let ((below, lost_below), (above, lost_above)) = (best(true)?, best(false)?);
+    let pieces = vec![(below, Some(Rational::zero())), (above, None)];
+    (below != above).then_some(Cut { argument, pieces, loss: lost_below + lost_above })
 }
 
 /// The mean loss, each sample with its weight.
@@ -143,11 +211,11 @@ mod tests {
         let left: Vec<f64> = numbers.iter().map(|x| if x[0] < 3.0 { 0.0 } else { 20.0 }).collect();
         let right: Vec<f64> = numbers.iter().map(|x| if x[0] < 3.0 { 30.0 } else { 1.0 }).collect();
         let weights = vec![0.05; 20];
-        let cut = best_cut(&points, &weights, &[&left, &right]).expect("a cut");
+        let cut = cuts(&points, &weights, &[&left, &right]).remove(0);
         let [(0, Some(seam)), (1, None)] = &cut.pieces[..] else { panic!("two pieces") };
         assert_eq!(*seam, Rational::new(12.into(), 5.into()));
         assert!((cut.loss - 7.0 * 0.05).abs() < 1e-12);
-        assert!(best_cut(&points, &weights, &[&left, &left]).is_none());
+        assert!(cuts(&points, &weights, &[&left, &left]).is_empty());
     }
 
     #[test]

@@ -1,10 +1,11 @@
 //! The search: best first, from the formula as it was written, bounded by the forms that are looked at.
 
 use super::locate::lossy;
-use super::proof::proved;
-use super::regimes::{best_cut, joined, mean};
+use super::proof::{provable, proved};
+use super::regimes::{cuts, joined, mean};
 use super::rules::Rewriting;
-use crate::accuracy::{Regime, Sample, Samples, Width, bits_lost, sample};
+use super::validation::Validation;
+use crate::accuracy::{Regime, Sample, Samples, Width, bits_lost, ranges, sample};
 use crate::expression::{Expr, Pool};
 use crate::kernel::{KernelSource, Program, lower};
 use crate::resolve::Kernel;
@@ -216,7 +217,10 @@ impl<'a> Search<'a> {
         let mut proved: Vec<usize> = Vec::new();
         for place in self.finalists() {
             let outputs = self.candidates[place].outputs.clone();
-            if place == 0 || self::proved(self.pool, self.kernel, &outputs) {
+            let form = if place == 0 { Some(outputs) } else { provable(self.pool, self.kernel, &outputs) };
+            if let Some(place) = form.and_then(|form| self.place_of(form))
+                && !proved.contains(&place)
+            {
                 proved.push(place);
             }
         }
@@ -229,6 +233,15 @@ impl<'a> Search<'a> {
         for place in proved {
             forms.extend(self.form(&self.candidates[place].outputs.clone()));
         }
+        let validation = Validation::new(self.pool, self.kernel);
+        forms.retain(|form| {
+            let program = |outputs: &[Expr]| program(self.pool, self.kernel, outputs);
+            let (Some(of_form), Some(of_formula)) = (program(&form.outputs), program(&self.kernel.outputs))
+            else {
+                return false;
+            };
+            form.outputs == self.kernel.outputs || validation.loses_no_more(&of_form, &of_formula)
+        });
         forms.sort_by(|a, b| a.loss.total_cmp(&b.loss).then(a.cost.cmp(&b.cost)));
         let mut front: Vec<Form> = Vec::new();
         for form in forms {
@@ -267,23 +280,42 @@ impl<'a> Search<'a> {
         chosen
     }
 
-    /// The proved forms joined where each is best, if that is better than the best of them.
+    /// The proved forms joined where each is best, at numbers where the bounds of their errors cross, if that is better than
+    /// the best of them.
     fn joined(&mut self, proved: &[usize]) -> Option<Vec<Expr>> {
         let points: Vec<&[f64]> = self.points.iter().map(|sample| &sample.arguments[..]).collect();
         let losses: Vec<&[f64]> = proved.iter().map(|&place| &self.candidates[place].losses[..]).collect();
-        let cut = best_cut(&points, &self.weights, &losses)?;
         let forms: Vec<Vec<Expr>> =
             proved.iter().map(|&place| self.candidates[place].outputs.clone()).collect();
+        let programs: Vec<Program> =
+            forms.iter().filter_map(|form| program(self.pool, self.kernel, form)).collect();
+        let programs: Vec<&Program> = programs.iter().collect();
+        if programs.len() < forms.len() {
+            return None;
+        }
+        let ranges = ranges(self.pool, self.kernel);
+        let cut = cuts(&points, &self.weights, &losses).into_iter().find_map(|cut| {
+            let (lower, upper) = ranges[cut.argument];
+            let range = (lower.unwrap_or(f64::MIN), upper.unwrap_or(f64::MAX));
+            cut.at_crossings(&points, &programs, range)
+        })?;
         let forms: Vec<&[Expr]> = forms.iter().map(|form| &form[..]).collect();
         Some(joined(self.pool, self.kernel.arguments[cut.argument], &forms, &cut))
     }
 
-    fn form(&mut self, outputs: &[Expr]) -> Option<Form> {
-        if !self.candidates.iter().any(|known| known.outputs == outputs) {
+    /// The place of a form among the candidates, where it is put if it is not there.
+    fn place_of(&mut self, outputs: Vec<Expr>) -> Option<usize> {
+        let known = self.candidates.iter().position(|known| known.outputs == outputs);
+        known.or_else(|| {
             self.largest = usize::MAX;
-            self.add(outputs.to_vec());
-        }
-        let known = self.candidates.iter().find(|known| known.outputs == outputs)?;
+            self.add(outputs.clone());
+            self.candidates.iter().position(|known| known.outputs == outputs)
+        })
+    }
+
+    fn form(&mut self, outputs: &[Expr]) -> Option<Form> {
+        let place = self.place_of(outputs.to_vec())?;
+        let known = &self.candidates[place];
         let regimes = self.samples.iter().enumerate();
         let regimes = regimes.map(|(place, regime)| (regime.regime, self.regime_loss(known, place)));
         Some(Form {

@@ -1,4 +1,4 @@
-//! Errors, statements and kernels of a text, then the verdict on each statement.
+//! Errors, statements and kernels of a text, then the verdict on each statement and what kernels claim that was not shown.
 
 use super::record::{Place, mathml, read, tell};
 use crate::decisions::timed;
@@ -8,6 +8,7 @@ use crate::verdict_line::Decided;
 use forms::core::accuracy::ranges;
 use forms::core::decide::{Verdict, Witness};
 use forms::core::diagnostic::Diagnostic;
+use forms::core::generation::{Fault, faults};
 use forms::core::notation::{latex, latex_as_written, latex_of_condition};
 use forms::core::resolve::{Kernel, Theory, Value};
 use forms::core::syntax::ast::{Claim, File, ItemKind, Name};
@@ -94,6 +95,14 @@ pub(super) fn check(request: &Request, output: &mut dyn Write) -> io::Result<()>
         let decided = timed(&mut theory_file.theory, statement);
         verdict(&theory_file, &decided, output)?;
         output.flush()?;
+    }
+    for kernel in theory_file.theory.kernels.clone() {
+        let faults = faults(&mut theory_file.theory.pool, &kernel);
+        if !faults.is_empty() {
+            let error = |fault: &Fault| FileError::at(&theory_file.source, &fault.diagnostic);
+            tell(&faults.iter().map(error).collect::<Vec<_>>(), output)?;
+            output.flush()?;
+        }
     }
     Ok(())
 }

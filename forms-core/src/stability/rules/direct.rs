@@ -1,11 +1,13 @@
 //! Direct: the form that rules alone give, without a sample, for kernels that nobody chose a form for.
 //!
-//! Of all rules these are the ones whose result is not less accurate than what it stands for at any argument, and is
-//! defined wherever that is. Each step is proved by itself: both sides are equal wherever both are defined.
+//! Of all rules these are the ones whose result is not less accurate than what it stands for at any argument. Each step is
+//! proved by itself: what comes out has a value wherever what went in has one, and both sides are equal wherever both have
+//! one.
 
 use super::{Rewriting, exponential, factors, fractions, is_short, radical, sums, trigonometric};
 use crate::decide::{Effort, Equations, Finding};
 use crate::expression::{Condition, Expr, Node, Operation, Pool};
+use crate::generation::is_kept;
 use crate::resolve::Kernel;
 use rustc_hash::FxHashMap;
 
@@ -38,7 +40,7 @@ const DIRECT: &[Direct] = &[
 
 /// The form that rules alone give each output of a kernel; empty if that is the formula, or if the kernel says itself how it
 /// is computed.
-pub fn by_rules(pool: &mut Pool, kernel: &Kernel) -> Vec<Expr> {
+pub(crate) fn by_rules(pool: &mut Pool, kernel: &Kernel) -> Vec<Expr> {
     if kernel.has_form() {
         return Vec::new();
     }
@@ -78,7 +80,8 @@ fn step(pool: &mut Pool, conditions: &[Condition], before: Expr) -> Option<Expr>
         proposed.into_iter().find(|&after| after != before && is_never_worse(&mut rewriting, before, after))
     })?;
     let finding = Equations { sides: &[(before, found)], conditions }.decide(pool, EFFORT);
-    matches!(finding, Finding::Equal { .. }).then_some(found)
+    let is_equal = matches!(finding, Finding::Equal { .. });
+    (is_equal && is_kept(pool, conditions, before, found)).then_some(found)
 }
 
 /// log(1 + u) = log1p u, with the u that is there

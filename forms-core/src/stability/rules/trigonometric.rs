@@ -152,7 +152,8 @@ pub(super) fn arc_tangents(rewriting: &mut Rewriting<'_>, expression: Expr) -> V
     vec![rewriting.pool.multiply(c, angle), rewriting.pool.multiply(c, tangent)]
 }
 
-/// acos q = atan2(√((1 − q)(1 + q)), q) = 2 asin √((1 − q)/2), asin q = atan2(q, √((1 − q)(1 + q)))
+/// acos q = 2 atan2(√(1 − q), √(1 + q)) = atan2(√((1 − q)(1 + q)), q) = 2 asin √((1 − q)/2),
+/// asin q = atan2(q, √((1 − q)(1 + q)))
 pub(super) fn from_the_other_leg(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Node::Apply(operation @ (Operation::Acos | Operation::Asin), arguments) =
         rewriting.pool.node(expression).clone()
@@ -169,5 +170,8 @@ pub(super) fn from_the_other_leg(rewriting: &mut Rewriting<'_>, expression: Expr
     let half = rewriting.half(below);
     let root = rewriting.pool.sqrt(half);
     let sine = rewriting.pool.apply(Operation::Asin, &[root]);
-    vec![rewriting.pool.apply(Operation::Atan2, &[leg, q]), rewriting.times(2, sine)]
+    let legs = [below, above].map(|square| rewriting.pool.sqrt(square));
+    let half_angle = rewriting.pool.apply(Operation::Atan2, &legs);
+    let angle = rewriting.pool.apply(Operation::Atan2, &[leg, q]);
+    vec![rewriting.times(2, half_angle), angle, rewriting.times(2, sine)]
 }

@@ -1,0 +1,382 @@
+//! Entailment: whether conditions hold wherever others do, by signs that are seen from how an expression is written, else by
+//! a contradiction of the opposite.
+//!
+//! ```text
+//! e > 0 ─┬─ by the signs of its parts: sums of non-negative terms, products, powers, monotone functions
+//!        └─ known conditions and e ≤ 0 contradict each other
+//! ```
+//! Every step speaks of one point at which the expression is defined, so it holds on domains of any shape.
+
+use super::limit::holds;
+use crate::assume::vanishes;
+use crate::expression::{Condition, Expr, Nature, Node, Operation, Pool};
+use crate::syntax::ast::Relation;
+use num_traits::{Signed, Zero};
+use rustc_hash::FxHashMap;
+
+/// Signs of parts within parts that are looked at.
+const DEEPEST: usize = 12;
+
+/// Conditions that an expression is compared with by normal forms.
+const MOST_COMPARED: usize = 12;
+
+/// Contradictions that are looked for: each is a proof of its own.
+const MOST_CONTRADICTIONS: usize = 48;
+
+/// The relations of an expression to zero that are asked about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Sign {
+    Positive,
+    NotNegative,
+    NotZero,
+}
+
+impl Sign {
+    fn relation(self) -> Relation {
+        match self {
+            Sign::Positive => Relation::Greater,
+            Sign::NotNegative => Relation::GreaterEqual,
+            Sign::NotZero => Relation::NotEqual,
+        }
+    }
+
+    /// Whether a known relation of an expression to zero says so.
+    fn follows_from(self, known: Relation) -> bool {
+        match self {
+            Sign::Positive => known == Relation::Greater,
+            Sign::NotNegative => matches!(known, Relation::Greater | Relation::GreaterEqual),
+            Sign::NotZero => matches!(known, Relation::Greater | Relation::Less | Relation::NotEqual),
+        }
+    }
+}
+
+/// The terms of a sum with their signs, in a fixed order.
+type Terms = Vec<(Expr, bool)>;
+
+/// The terms of an expression or of its opposite; a number stands with the sign of the term.
+fn terms_of(pool: &mut Pool, expression: Expr, opposite: bool) -> Terms {
+    let mut terms = pool.summands(expression);
+    for term in &mut terms {
+        term.1 ^= opposite;
+        if pool.as_number(term.0).is_some_and(Signed::is_negative) {
+            *term = (pool.negate(term.0), !term.1);
+        }
+    }
+    terms.sort_unstable();
+    terms
+}
+
+/// The factors of what is known not to be zero: a product is zero where one of them is.
+fn factors_not_zero(pool: &Pool, conditions: &[Condition]) -> Vec<Expr> {
+    let (mut found, mut open) = (Vec::new(), Vec::new());
+    for condition in conditions.iter().filter(|c| Sign::NotZero.follows_from(c.relation)) {
+        open.extend(pool.is_zero(condition.right).then_some(condition.left));
+    }
+    while let Some(part) = open.pop() {
+        match pool.node(part) {
+            Node::Multiply(a, b) | Node::Divide(a, b) => open.extend([*a, *b]),
+            Node::Negate(a) | Node::Power(a, _) => open.push(*a),
+            Node::Apply(operation, q) if increases_through_zero(*operation) => open.push(q[0]),
+            Node::Apply(Operation::Abs, q) => open.push(q[0]),
+            _ => {}
+        }
+        found.push(part);
+    }
+    found
+}
+
+/// What is known, and what was found to follow from it.
+pub(super) struct Known<'a> {
+    pool: &'a mut Pool,
+    conditions: Vec<Condition>,
+    /// Each condition as a relation of a difference to zero.
+    differences: Vec<(Terms, Relation)>,
+    found: FxHashMap<(Expr, Sign), bool>,
+    contradictions: usize,
+}
+
+impl<'a> Known<'a> {
+    pub(super) fn new(pool: &'a mut Pool, conditions: Vec<Condition>) -> Self {
+        let mut difference = |c: &Condition| {
+            let difference = pool.subtract(c.left, c.right);
+            (terms_of(pool, difference, false), c.relation)
+        };
+        let mut differences: Vec<(Terms, Relation)> = conditions.iter().map(&mut difference).collect();
+        for part in factors_not_zero(pool, &conditions) {
+            differences.push((terms_of(pool, part, false), Relation::NotEqual));
+        }
+        Known { pool, conditions, differences, found: FxHashMap::default(), contradictions: 0 }
+    }
+
+    /// Whether one of the ways is shown to hold wherever what is known does.
+    pub(super) fn imply_one(&mut self, ways: &[Vec<Condition>]) -> bool {
+        let by_signs = |known: &mut Self, way: &Vec<Condition>| way.iter().all(|c| known.by_signs(c));
+        ways.iter().any(|way| by_signs(self, way))
+            || ways.iter().any(|way| way.iter().all(|c| self.by_signs(c) || self.by_contradiction(c)))
+    }
+
+    fn by_signs(&mut self, condition: &Condition) -> bool {
+        let (left, right) = (condition.left, condition.right);
+        let (left, right, sign) = match condition.relation {
+            Relation::Greater => (left, right, Sign::Positive),
+            Relation::GreaterEqual => (left, right, Sign::NotNegative),
+            Relation::Less => (right, left, Sign::Positive),
+            Relation::LessEqual => (right, left, Sign::NotNegative),
+            Relation::NotEqual => (left, right, Sign::NotZero),
+        };
+        let difference = self.pool.subtract(left, right);
+        self.has(difference, sign, DEEPEST)
+    }
+
+    fn by_contradiction(&mut self, condition: &Condition) -> bool {
+        if self.contradictions >= MOST_CONTRADICTIONS {
+            return false;
+        }
+        self.contradictions += 1;
+        if holds(self.pool, condition, &self.conditions) {
+            return true;
+        }
+        // a product is not zero where its factors are not
+        let zero = self.pool.integer(0);
+        if condition.relation != Relation::NotEqual || !self.pool.is_zero(condition.right) {
+            return false;
+        }
+        let factors = self.pool.factors_that_may_vanish(condition.left);
+        factors.len() > 1
+            && factors.into_iter().all(|left| {
+                let factor = Condition { left, relation: Relation::NotEqual, right: zero };
+                self.by_signs(&factor) || holds(self.pool, &factor, &self.conditions)
+            })
+    }
+
+    fn has(&mut self, part: Expr, sign: Sign, depth: usize) -> bool {
+        if depth == 0 {
+            return false;
+        }
+        if let Some(&known) = self.found.get(&(part, sign)) {
+            return known;
+        }
+        let found = self.is_stated(part, sign) || self.is_seen(part, sign, depth - 1);
+        self.found.insert((part, sign), found);
+        found
+    }
+
+    /// Whether a condition says in other words that it is not zero: exp q − 1 ≠ 0 of expm1 q.
+    fn is_stated_otherwise(&mut self, part: Expr) -> bool {
+        let not_zero: Vec<Condition> =
+            self.conditions.iter().filter(|c| Sign::NotZero.follows_from(c.relation)).copied().collect();
+        not_zero.into_iter().take(MOST_COMPARED).any(|condition| {
+            let known = self.pool.subtract(condition.left, condition.right);
+            let (difference, sum) = (self.pool.subtract(known, part), self.pool.add(known, part));
+            vanishes(self.pool, difference) || vanishes(self.pool, sum)
+        })
+    }
+
+    /// Whether a condition says so of the expression or of its opposite.
+    fn is_stated(&mut self, part: Expr, sign: Sign) -> bool {
+        let [own, opposite] = [false, true].map(|negative| terms_of(self.pool, part, negative));
+        self.differences.iter().any(|(difference, relation)| {
+            *difference == own && sign.follows_from(*relation)
+                || *difference == opposite && sign.follows_from(relation.mirrored())
+        })
+    }
+
+    fn is_seen(&mut self, part: Expr, sign: Sign, depth: usize) -> bool {
+        let nature = self.pool.nature(part);
+        if nature == Nature::Positive || nature == Nature::NotNegative && sign == Sign::NotNegative {
+            return true;
+        }
+        let node = self.pool.node(part).clone();
+        let seen = match node {
+            Node::Number(value) => sign.relation().admits(value.cmp(&Zero::zero())),
+            Node::Negate(a) if sign == Sign::NotZero => self.has(a, sign, depth),
+            Node::Negate(a) => self.opposite(a, sign, depth),
+            Node::Multiply(a, b) | Node::Divide(a, b) => self.product(a, b, sign, depth),
+            // where it is defined its base is not zero
+            Node::Power(_, r) if r.is_negative() && sign == Sign::NotZero => true,
+            Node::Power(a, r) if sign == Sign::NotNegative && r.is_integer() => self.has(a, sign, depth),
+            Node::Power(a, r) if !r.is_integer() || r.numer() % 2 == 0 => self.has(a, Sign::NotZero, depth),
+            Node::Power(a, _) => self.has(a, sign, depth),
+            Node::Add(..) => self.sum(part, sign, depth),
+            Node::Apply(operation, q) => self.function(operation, &q, sign, depth),
+            _ => false,
+        };
+        seen || sign != Sign::Positive && self.has(part, Sign::Positive, depth)
+            || sign == Sign::NotZero && !matches!(self.pool.node(part), Node::Negate(_)) && {
+                let opposite = self.pool.negate(part);
+                self.has(opposite, Sign::Positive, depth)
+            }
+            || sign == Sign::Positive && self.is_not_negative_and_not_zero(part)
+    }
+
+    /// −a > 0 or −a ≥ 0, the sign taken into a part.
+    fn opposite(&mut self, a: Expr, sign: Sign, depth: usize) -> bool {
+        match self.pool.node(a).clone() {
+            Node::Add(..) => {
+                let summands = self.pool.summands(a);
+                let terms: Vec<Expr> = summands
+                    .into_iter()
+                    .map(|(term, negative)| if negative { term } else { self.pool.negate(term) })
+                    .collect();
+                self.terms(&terms, sign, depth)
+            }
+            Node::Multiply(p, q) | Node::Divide(p, q) => {
+                let [minus_p, minus_q] = [p, q].map(|part| self.pool.negate(part));
+                self.has(minus_p, sign, depth) && self.has(q, sign, depth)
+                    || self.has(p, sign, depth) && self.has(minus_q, sign, depth)
+            }
+            Node::Power(base, r) if r.is_integer() && r.numer() % 2 != 0 => {
+                let base = self.pool.negate(base);
+                self.has(base, sign, depth)
+            }
+            Node::Apply(operation, q) if is_odd_and_increasing(operation) => {
+                let argument = self.pool.negate(q[0]);
+                self.has(argument, sign, depth)
+            }
+            _ => false,
+        }
+    }
+
+    /// Both by what is stated: q ≥ 0 and q ≠ 0.
+    fn is_not_negative_and_not_zero(&mut self, part: Expr) -> bool {
+        let not_negative =
+            self.is_stated(part, Sign::NotNegative) || self.pool.nature(part) == Nature::NotNegative;
+        not_negative && self.is_stated(part, Sign::NotZero)
+    }
+
+    fn product(&mut self, a: Expr, b: Expr, sign: Sign, depth: usize) -> bool {
+        if a == b {
+            return sign == Sign::NotNegative || self.has(a, Sign::NotZero, depth);
+        }
+        if self.has(a, sign, depth) && self.has(b, sign, depth) {
+            return true;
+        }
+        let (a, b) = (self.pool.negate(a), self.pool.negate(b));
+        sign != Sign::NotZero && self.has(a, sign, depth) && self.has(b, sign, depth)
+    }
+
+    fn sum(&mut self, part: Expr, sign: Sign, depth: usize) -> bool {
+        let summands = self.pool.summands(part);
+        let terms: Vec<Expr> = summands
+            .into_iter()
+            .map(|(term, negative)| if negative { self.pool.negate(term) } else { term })
+            .collect();
+        sign != Sign::NotZero && self.terms(&terms, sign, depth)
+    }
+
+    /// A sum of terms that are not negative, for a positive one with one that is positive.
+    fn terms(&mut self, terms: &[Expr], sign: Sign, depth: usize) -> bool {
+        terms.iter().all(|&term| self.has(term, Sign::NotNegative, depth))
+            && (sign == Sign::NotNegative || terms.iter().any(|&term| self.has(term, Sign::Positive, depth)))
+    }
+
+    fn function(&mut self, operation: Operation, q: &[Expr], sign: Sign, depth: usize) -> bool {
+        match operation {
+            Operation::Exp | Operation::Cosh => true,
+            Operation::Abs => sign == Sign::NotNegative || self.has(q[0], Sign::NotZero, depth),
+            Operation::Acos => sign == Sign::NotNegative,
+            Operation::Sin | Operation::Cos if sign == Sign::NotZero => self.half_angle(operation, q[0]),
+            _ if increases_through_zero(operation) => {
+                self.has(q[0], sign, depth)
+                    || sign == Sign::NotZero && {
+                        let part = self.pool.apply(operation, q);
+                        self.is_stated_otherwise(part)
+                    }
+            }
+            _ => false,
+        }
+    }
+}
+
+impl Known<'_> {
+    /// sin q or cos q, where sin 2q = 2 sin q cos q is not zero, or 1 ∓ cos 2q, which is 2 sin² q or 2 cos² q.
+    fn half_angle(&mut self, operation: Operation, q: Expr) -> bool {
+        let pool = &mut *self.pool;
+        let [sine, cosine] = [Operation::Sin, Operation::Cos].map(|wave| pool.apply(wave, &[q]));
+        let own = if operation == Operation::Sin { sine } else { cosine };
+        let two = pool.integer(2);
+        let products = [(sine, cosine), (own, own)].map(|(a, b)| {
+            let product = pool.multiply(a, b);
+            pool.multiply(two, product)
+        });
+        let stated: Vec<Condition> =
+            self.conditions.iter().filter(|c| Sign::NotZero.follows_from(c.relation)).copied().collect();
+        stated.into_iter().any(|condition| {
+            let known = self.pool.subtract(condition.left, condition.right);
+            products.iter().any(|&product| {
+                let (difference, sum) = (self.pool.subtract(known, product), self.pool.add(known, product));
+                vanishes(self.pool, difference) || vanishes(self.pool, sum)
+            })
+        })
+    }
+}
+
+/// f(−q) = −f(q), and f increases.
+fn is_odd_and_increasing(operation: Operation) -> bool {
+    use Operation::{Asin, Atan, Erf, Sinh, Tanh};
+    matches!(operation, Sinh | Asin | Atan | Tanh | Erf)
+}
+
+/// f(0) = 0, and f increases: it has the sign of its argument.
+fn increases_through_zero(operation: Operation) -> bool {
+    is_odd_and_increasing(operation) || matches!(operation, Operation::Expm1 | Operation::Log1p)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::read_theory;
+
+    /// Whether signs alone show `claim` under the conditions.
+    fn shown(claim: &str, conditions: &str) -> bool {
+        let (mut theory, errors) = read_theory(&format!("kernel k(x, y) = 0 where {claim}, {conditions};"));
+        assert!(errors.is_empty(), "{errors:?}");
+        let mut domain = theory.kernels[0].domain.clone();
+        let claim = domain.remove(0);
+        Known::new(&mut theory.pool, domain).by_signs(&claim)
+    }
+
+    #[test]
+    fn signs_of_parts_show_signs_of_the_whole() {
+        for (claim, conditions) in [
+            ("sqrt(x + 1) + sqrt(x) > 0", "x >= 0"),
+            ("(x + 1)*x != 0", "x + 1 != 0, x != 0"),
+            ("1 + x**2 > 0", "y > 0"),
+            ("x**2 + y**2 > 0", "x != 0, y >= 0"),
+            ("expm1(x*y) > 0", "x > 0, y > 0"),
+            ("x*y > 0", "x < 0, y < 0"),
+            ("abs(x) > 0", "x != 0, y > 0"),
+            ("-x - y != 0", "x > 0, y >= 0"),
+            ("x/y >= 0", "x >= 0, y > 0"),
+            ("x > 0", "x >= 0, x != 0"),
+            ("cos(x/2) != 0", "sin(x) != 0, y > 0"),
+            ("expm1(x*y) != 0", "exp(x*y) - 1 != 0, y > 0"),
+            ("x != 0", "x**2*y != 0, y > 0"),
+            ("x/y > 0", "x*y**2 > 0, x >= 0, y >= 0"),
+            ("cos(x) != 0", "1 + cos(2*x) != 0, y > 0"),
+        ] {
+            assert!(shown(claim, conditions), "{claim} where {conditions}");
+        }
+    }
+
+    #[test]
+    fn signs_that_some_point_breaks_are_not_shown() {
+        for (claim, conditions) in [
+            ("sqrt(x + y) + sqrt(x) > 0", "x >= 0, y >= 0"),
+            ("x**2 + y**2 > 0", "x >= 0, y >= 0"),
+            ("x*y != 0", "x != 0, y >= 0"),
+            ("x*y > 0", "x < 0, y > 0"),
+            ("x - y != 0", "x > 0, y > 0"),
+            ("x**3 >= 0", "x != 0, y > 0"),
+            ("abs(x) > 0", "x >= 0, y > 0"),
+            ("acos(x) > 0", "x >= 0, y > 0"),
+            ("sin(x) >= 0", "x >= 0, y > 0"),
+            ("x + y != 0", "x != 0, y != 0"),
+            ("x**(-1) > 0", "x != 0, y > 0"),
+            ("cos(x) != 0", "sin(x) != 0, y > 0"),
+            ("cos(x) != 0", "1 - cos(2*x) != 0, y > 0"),
+        ] {
+            assert!(!shown(claim, conditions), "{claim} where {conditions}");
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! Obligations: what has to hold for an expression to have a value, with the choices that lead to each operation.
+//!
+//! ```text
+//! expression ─ operations outside every choice, then each branch under its condition ─▶ Obligation { path, ways }
+//! ```
+//! `ways` are alternatives, each a list of conditions that together are enough: 1 − q² ≥ 0 for asin q, or 1 − q ≥ 0 and
+//! 1 + q ≥ 0.
+
+use super::pieces::negated;
+use crate::expression::{Condition, Expr, Node, Operation, Pool};
+use crate::syntax::ast::Relation;
+use rustc_hash::FxHashSet;
+
+/// Expressions with more paths of choices than this are not gone through.
+const MOST_PATHS: usize = 256;
+
+/// One operation that is not defined everywhere.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Obligation {
+    /// The choices that lead to the operation.
+    pub(super) path: Vec<Condition>,
+    /// The operation.
+    pub(super) part: Expr,
+    /// Conditions each list of which is enough for it to have a value; the first is as the language states it.
+    pub(super) ways: Vec<Vec<Condition>>,
+}
+
+/// Every obligation of some expressions; nothing where they have too many paths of choices.
+pub(super) fn obligations(pool: &mut Pool, expressions: &[Expr]) -> Option<Vec<Obligation>> {
+    let mut found = Vec::new();
+    let mut open: Vec<(Vec<Condition>, Vec<Expr>)> = vec![(Vec::new(), expressions.to_vec())];
+    let mut paths = 0;
+    while let Some((path, roots)) = open.pop() {
+        paths += 1;
+        if paths > MOST_PATHS {
+            return None;
+        }
+        let (parts, choices) = outside_choices(pool, &roots);
+        for part in parts {
+            let ways = ways(pool, part);
+            if !ways.is_empty() {
+                found.push(Obligation { path: path.clone(), part, ways });
+            }
+        }
+        for choice in choices {
+            let Node::Select { left, relation, right, then, otherwise, .. } = *pool.node(choice) else {
+                continue;
+            };
+            let condition = Condition { left, relation, right };
+            open.push((path.clone(), vec![left, right]));
+            for (conditions, branch) in [(vec![condition], then), (negated(&condition), otherwise)] {
+                open.push((path.iter().copied().chain(conditions).collect(), vec![branch]));
+            }
+        }
+    }
+    Some(found)
+}
+
+/// The parts of expressions that are computed whatever is chosen, operands before results, and the outermost choices.
+fn outside_choices(pool: &Pool, roots: &[Expr]) -> (Vec<Expr>, Vec<Expr>) {
+    let (mut parts, mut choices) = (Vec::new(), Vec::new());
+    let mut seen: FxHashSet<Expr> = FxHashSet::default();
+    let mut open = roots.to_vec();
+    while let Some(part) = open.pop() {
+        if !seen.insert(part) {
+            continue;
+        }
+        match pool.node(part) {
+            Node::Select { .. } => choices.push(part),
+            node => {
+                parts.push(part);
+                node.for_each_operand(|operand| open.push(operand));
+            }
+        }
+    }
+    parts.sort_unstable();
+    choices.sort_unstable();
+    (parts, choices)
+}
+
+/// The ways in which an operation has a value; none where it always has one.
+fn ways(pool: &mut Pool, part: Expr) -> Vec<Vec<Condition>> {
+    let (stated, operation, q) = match pool.node(part).clone() {
+        Node::Divide(_, divisor) => {
+            return pool.quotient_domain(divisor).map(|c| vec![c]).into_iter().collect();
+        }
+        Node::Power(base, exponent) => {
+            return pool.power_domain(base, exponent).map(|c| vec![c]).into_iter().collect();
+        }
+        Node::Apply(operation, q) => (pool.operation_domain(operation, &q), operation, q),
+        _ => return Vec::new(),
+    };
+    let Some(stated) = stated else { return Vec::new() };
+    let (zero, one) = (pool.integer(0), pool.integer(1));
+    let against_zero = |left, relation| Condition { left, relation, right: zero };
+    let others = match operation {
+        Operation::Asin | Operation::Acos => {
+            let (below, above) = (pool.subtract(one, q[0]), pool.add(one, q[0]));
+            vec![[below, above].map(|margin| against_zero(margin, Relation::GreaterEqual)).to_vec()]
+        }
+        Operation::Atan2 => {
+            vec![vec![against_zero(q[1], Relation::Greater)], vec![against_zero(q[0], Relation::NotEqual)]]
+        }
+        _ => Vec::new(),
+    };
+    std::iter::once(vec![stated]).chain(others).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::read_theory;
+
+    fn texts(formula: &str) -> Vec<String> {
+        let (mut theory, errors) = read_theory(&format!("kernel k(x, y) = {formula};"));
+        assert!(errors.is_empty(), "{errors:?}");
+        let outputs = theory.kernels[0].outputs.clone();
+        let found = obligations(&mut theory.pool, &outputs).expect("few paths");
+        let pool = &theory.pool;
+        let list =
+            |conditions: &[Condition]| conditions.iter().map(|c| c.text(pool)).collect::<Vec<_>>().join(", ");
+        let mut texts: Vec<String> =
+            found.iter().map(|it| format!("[{}] {}", list(&it.path), list(&it.ways[0]))).collect();
+        texts.sort();
+        texts
+    }
+
+    #[test]
+    fn an_operation_is_asked_for_under_the_choices_that_lead_to_it() {
+        assert_eq!(
+            texts("if jump 1/y > x { sqrt(x) } else { if jump x != 0 { y/x } else { log(y) } }"),
+            [
+                "[1/y <= x, x != 0] x != 0",
+                "[1/y <= x, x <= 0, x >= 0] y > 0",
+                "[1/y > x] x >= 0",
+                "[] y != 0",
+            ]
+        );
+        assert_eq!(texts("x*y + sin(x)"), [""; 0]);
+    }
+}

@@ -1,0 +1,154 @@
+//! The scan: at points from simple numbers and powers of ten, where strata lie, no kernel is without a value that its formula
+//! has, neither as it is written nor by its stable form.
+//!
+//! The judge is exact: enclosures of the formula at the arguments as they are. It is asked only where a program gives NaN.
+//! `FORMS_SCAN` says how many points each kernel is looked at.
+
+use forms_core::accuracy::{Format, Truth, Value};
+use forms_core::check::read_theory;
+use forms_core::compile::compile_kernel;
+use forms_core::expression::{Pool, Rational, Symbol};
+use forms_core::resolve::Kernel;
+use std::path::{Path, PathBuf};
+
+/// Points of each kernel.
+fn count() -> usize {
+    std::env::var("FORMS_SCAN").ok().and_then(|text| text.parse().ok()).unwrap_or(60)
+}
+
+/// Powers of ten reach from −n to n: beyond, squares and products of a few arguments leave the range of `f64`.
+const LARGEST_POWER: i32 = 12;
+
+const SIMPLE: [f64; 9] = [0.0, 0.25, -0.25, 0.5, -0.5, 1.0, -1.0, 2.0, -2.0];
+
+/// xorshift64* (G. Marsaglia, S. Vigna).
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, bound: u64) -> u64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        (self.0.wrapping_mul(0x2545_f491_4f6c_dd1d) >> 11) % bound
+    }
+
+    fn number(&mut self) -> f64 {
+        if self.below(3) > 0 {
+            return SIMPLE[self.below(SIMPLE.len() as u64) as usize];
+        }
+        let exponent = self.below(2 * LARGEST_POWER as u64 + 1) as i32 - LARGEST_POWER;
+        let sign = if self.below(2) == 0 { 1.0 } else { -1.0 };
+        sign * 10f64.powi(exponent)
+    }
+}
+
+/// What a scan found.
+#[derive(Default)]
+struct Scan {
+    kernels: usize,
+    points: usize,
+    /// Values of `f64` programs that are numbers, and that are none where the formula has none.
+    numbers: usize,
+    undefined: usize,
+    /// NaN where the formula has a value.
+    lost: Vec<String>,
+}
+
+/// The values of the formula in `f64`, where it has them.
+fn truth(pool: &Pool, kernel: &Kernel, arguments: &[f64], format: Format) -> Vec<Value> {
+    let numbers = arguments.iter().map(|&value| Rational::from_float(value).expect("finite"));
+    let point: Vec<(Symbol, Rational)> = kernel.arguments.iter().copied().zip(numbers).collect();
+    let conditions = Truth::new(pool, &[], &kernel.domain);
+    if conditions.admits(&point) != Some(true) {
+        return vec![Value::Undefined; kernel.outputs.len()];
+    }
+    Truth::new(pool, &kernel.outputs, &[]).up_to(2500).at(&point, format)
+}
+
+impl Scan {
+    fn file(&mut self, path: &Path, count: usize) {
+        let text = std::fs::read_to_string(path).expect("a text");
+        let (mut theory, _) = read_theory(&text);
+        for kernel in theory.kernels.clone() {
+            // integrals in hundreds of bits take seconds
+            let Ok(generated) = compile_kernel(&mut theory.pool, &kernel) else { continue };
+            self.kernels += 1;
+            let mut random = Random(0x9e37_79b9_7f4a_7c15 ^ (kernel.name.len() as u64) << 7);
+            for _ in 0..count {
+                let point: Vec<f64> = kernel.arguments.iter().map(|_| random.number()).collect();
+                self.points += 1;
+                let tiers =
+                    [("plain", generated.written.interpret(&point)), ("stable", generated.values(&point))];
+                self.look(&theory.pool, &kernel, &point, &tiers, path);
+            }
+        }
+    }
+
+    fn look(&mut self, pool: &Pool, kernel: &Kernel, point: &[f64], tiers: &[(&str, Vec<f64>)], path: &Path) {
+        let is_nan = tiers.iter().any(|(_, values)| values.iter().any(|value| value.is_nan()));
+        self.numbers += usize::from(!is_nan);
+        if !is_nan {
+            return;
+        }
+        let exact = truth(pool, kernel, point, Format::Double);
+        let mut lost = false;
+        for (tier, values) in tiers {
+            for (place, (value, exact)) in values.iter().zip(&exact).enumerate() {
+                if value.is_nan() && matches!(exact, Value::Known(_)) {
+                    lost = true;
+                    let file = path.file_name().unwrap_or_default().to_string_lossy();
+                    self.lost.push(format!("{file} {}[{place}] {tier} {point:?}: {exact:?}", kernel.name));
+                }
+            }
+        }
+        self.undefined += usize::from(!lost);
+    }
+
+    fn finish(self, name: &str) {
+        println!(
+            "{name}: {} kernels, {} points: {} with numbers, {} where the formula has none, {} values lost",
+            self.kernels,
+            self.points,
+            self.numbers,
+            self.undefined,
+            self.lost.len()
+        );
+        assert!(self.kernels > 0 && self.numbers > self.points / 20, "the scan looks at something");
+        assert!(self.lost.is_empty(), "{} values lost:\n{}", self.lost.len(), self.lost.join("\n"));
+    }
+}
+
+fn files(folder: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
+    let paths = entries.filter_map(|entry| Some(entry.ok()?.path()));
+    let mut files: Vec<PathBuf> =
+        paths.filter(|path| path.extension().is_some_and(|extension| extension == "forms")).collect();
+    files.sort();
+    files
+}
+
+#[test]
+fn kernels_of_the_repository_have_every_value_of_their_formulas() {
+    let mut scan = Scan::default();
+    for folder in [
+        "../forms-radiometry/kernels",
+        "../forms-radiometry/theory",
+        "../forms-radiometry/benches/kernels/forms",
+        "../forms-serve/page/examples",
+        "../tests/stability",
+        "../tests/cases",
+    ] {
+        files(folder).iter().for_each(|path| scan.file(path, count()));
+    }
+    scan.finish("repository");
+}
+
+#[test]
+fn formulas_as_people_write_them_keep_their_values() {
+    let mut scan = Scan::default();
+    scan.file(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/formulas.forms"), count());
+    // what lies beside the repository, where it does
+    files("../../shared/faults").iter().for_each(|path| scan.file(path, count()));
+    scan.finish("formulas");
+}
