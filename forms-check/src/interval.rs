@@ -59,6 +59,11 @@ impl Interval {
         Interval { low: &self.low - by, high: &self.high + by }.rounded()
     }
 
+    /// Whether its ends are too long to be computed with.
+    pub(crate) fn is_long(&self) -> bool {
+        [&self.low, &self.high].iter().any(|end| end.numer().bits().max(end.denom().bits()) > LARGEST_BITS)
+    }
+
     /// The largest absolute value.
     fn magnitude(&self) -> BigRational {
         self.high.clone().max(-self.low.clone())
@@ -121,6 +126,9 @@ impl Interval {
 
     /// exp x = exp(x/2ᵏ)^(2ᵏ)
     pub(crate) fn exponential(&self) -> Option<Self> {
+        if self.magnitude() > rational(LARGEST, 1) {
+            return None;
+        }
         let (mut reduced, mut squarings) = (self.clone(), 0);
         while reduced.magnitude() > rational(1, 2) {
             reduced = reduced.scale(&rational(1, 2));
