@@ -5,9 +5,9 @@ use crate::expression::{Expr, rational};
 use crate::field::Field;
 use crate::integral::Range;
 use crate::interval::Interval;
+use crate::point::Point;
 use crate::sign::Seen;
 use crate::theory::{Condition, Relation, Theory};
-use crate::point::Point;
 use crate::{Stop, uncovered};
 use std::collections::HashMap;
 

@@ -195,13 +195,16 @@ impl<'a> Proof<'a> {
             match step.field.generators[g] {
                 Some((Pi, _)) => {}
                 Some((Variable(v), _)) => {
-                    moves |= self.subject == Subject::Statement || self.subject == Subject::AlmostEverywhere(v);
+                    moves |=
+                        self.subject == Subject::Statement || self.subject == Subject::AlmostEverywhere(v);
                 }
                 _ => is_product = false,
             }
         }
         if !is_product || !moves {
-            return rejected("the unit of a half angle is no number times powers of variables that can be moved");
+            return rejected(
+                "the unit of a half angle is no number times powers of variables that can be moved",
+            );
         }
         self.half_angles.push(expr);
         Ok(())

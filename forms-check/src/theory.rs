@@ -76,9 +76,32 @@ impl Statement {
 
 /// Words of the language that no declaration can take.
 const WORDS: [&str; 26] = [
-    "pi", "sqrt", "d", "interior", "lie", "bracket", "pair", "pullback", "diff", "hodge", "codiff", "laplace",
-    "flat", "sharp", "inner", "norm", "volume", "grad", "curl", "div", "potential", "integral",
-    "boundary_integral", "where", "on", "pub",
+    "pi",
+    "sqrt",
+    "d",
+    "interior",
+    "lie",
+    "bracket",
+    "pair",
+    "pullback",
+    "diff",
+    "hodge",
+    "codiff",
+    "laplace",
+    "flat",
+    "sharp",
+    "inner",
+    "norm",
+    "volume",
+    "grad",
+    "curl",
+    "div",
+    "potential",
+    "integral",
+    "boundary_integral",
+    "where",
+    "on",
+    "pub",
 ];
 
 /// The functions of the language of the arguments a and b: the derivative, and where it is real.
@@ -247,7 +270,11 @@ impl Theory {
     /// Gives a name its meaning, which it keeps.
     fn declare(&mut self, name: &str, meaning: Named) {
         let is_word = WORDS.contains(&name)
-            || FUNCTIONS.iter().map(|row| row.0).chain(DERIVED.iter().map(|row| row.0)).any(|word| word == name);
+            || FUNCTIONS
+                .iter()
+                .map(|row| row.0)
+                .chain(DERIVED.iter().map(|row| row.0))
+                .any(|word| word == name);
         if is_word {
             self.fault.get_or_insert(format!("`{name}` is a word of the language"));
         }

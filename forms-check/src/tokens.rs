@@ -193,7 +193,8 @@ fn number_length(text: &[u8]) -> usize {
 fn number(text: &str) -> Option<BigRational> {
     let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let exponent: i32 = exponent.parse().ok().filter(|e: &i32| e.unsigned_abs() as usize <= LONGEST_NUMBER)?;
+    let exponent: i32 =
+        exponent.parse().ok().filter(|e: &i32| e.unsigned_abs() as usize <= LONGEST_NUMBER)?;
     if whole.len() + part.len() > LONGEST_NUMBER {
         return None;
     }

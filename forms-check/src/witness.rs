@@ -18,9 +18,36 @@ const FLAT: u32 = 60;
 
 /// The values that variables are given.
 const VALUES: [(i64, i64); 30] = [
-    (1, 2), (1, 1), (2, 1), (1, 3), (3, 4), (3, 2), (-1, 2), (1, 4), (-1, 1), (3, 1), (5, 4), (1, 10), (-2, 1), (0, 1),
-    (7, 3), (5, 1), (-3, 2), (1, 100), (10, 1), (9, 10), (4, 3), (-1, 4), (100, 1), (99, 100), (-3, 1), (-1, 10),
-    (2, 3), (1, 1000), (-10, 1), (1000, 1),
+    (1, 2),
+    (1, 1),
+    (2, 1),
+    (1, 3),
+    (3, 4),
+    (3, 2),
+    (-1, 2),
+    (1, 4),
+    (-1, 1),
+    (3, 1),
+    (5, 4),
+    (1, 10),
+    (-2, 1),
+    (0, 1),
+    (7, 3),
+    (5, 1),
+    (-3, 2),
+    (1, 100),
+    (10, 1),
+    (9, 10),
+    (4, 3),
+    (-1, 4),
+    (100, 1),
+    (99, 100),
+    (-3, 1),
+    (-1, 10),
+    (2, 3),
+    (1, 1000),
+    (-10, 1),
+    (1000, 1),
 ];
 
 /// Checks a point of a refutation: it meets every condition, and the sides are enclosed apart there.
@@ -128,7 +155,8 @@ fn find(theory: &mut Theory, statement: &Statement) -> Result<(), Stop> {
         for round in 0..MOST_POINTS {
             let mut variables = HashMap::new();
             for (v, fitting) in &choices {
-                random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                random =
+                    random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
                 let chosen = (random >> 33) as usize % fitting.len();
                 variables.insert(*v, Interval::number(fitting[chosen].clone()));
             }
