@@ -29,7 +29,10 @@ fn an_expression_is_used_only_where_it_is_defined() {
         ("chart L(x); prove p: abs(x) == -x;", "proved p\nbase x\nnegative sqrt(-x)**2\nzero\n"),
         ("chart L(x); prove p: abs(x) == x;", "proved p\nbase sqrt(x)**2\npositive sqrt(x)**2\nzero\n"),
         ("chart L(x); prove p: abs(x) == x;", "proved p\nbase x\npositive sin(asin(sqrt(x)))**2\nzero\n"),
-        ("chart L(x) where x > 0; prove p: x == x + 1;", "proved p\nbase x\nnegative sqrt(-x)**2\nsplit 1\nend\n"),
+        (
+            "chart L(x) where x > 0; prove p: x == x + 1;",
+            "proved p\nbase x\nnegative sqrt(-x)**2\nsplit 1\nend\n",
+        ),
         // the product with y is not negative, and y vanishes wherever the statement speaks
         (
             "chart L(x, y); prove p: abs(x) == x where x*y >= 0, y >= 0, -y >= 0;",
@@ -86,7 +89,10 @@ fn numbers_at_the_edge_of_their_types_do_not_wrap() {
         ("chart L(x); prove p: x**100*x**100*x**57 == x;", "proved p\nzero\n"),
         ("chart L(x); prove p: x**120/x**-120/x**-16 == 1;", "proved p\nzero\n"),
         ("chart L(x); prove p: x**256 == 1;", "proved p\nzero\n"),
-        ("chart L(x) where x > 0; prove p: x**(1/256) == 1;", "proved p\nbase x\nroot 256\npositive x\nzero\n"),
+        (
+            "chart L(x) where x > 0; prove p: x**(1/256) == 1;",
+            "proved p\nbase x\nroot 256\npositive x\nzero\n",
+        ),
         ("chart L(x) where x > 0; prove p: (x + 1)**(1/255)*(x + 1)**120 == 1;", "proved p\nzero\n"),
         ("chart L(x); prove p: sin(256*x) == sin(0*x);", "proved p\ncircle x\nzero\n"),
         ("chart L(x); prove p: exp(256*x) == 1;", "proved p\nexponent x\nzero\n"),
@@ -107,15 +113,15 @@ fn every_point_lies_in_a_case() {
         (magnitude, "proved p\nbase x**2\nsplit 1\ncase +\nbase x\npositive x\nzero\nend\n"),
         (magnitude, "proved p\nbase x\nsplit 1\nend\n"),
         (magnitude, "proved p\nbase x\nbase -x\nsplit 1 2\ncase ++\nbase x\npositive x\nzero\nend\n"),
-        (magnitude, "proved p\nbase x\nsplit 1 1\ncase ++\nbase x\npositive x\nzero\ncase +-\nbase x\npositive x\nzero\nend\n"),
+        (
+            magnitude,
+            "proved p\nbase x\nsplit 1 1\ncase ++\nbase x\npositive x\nzero\ncase +-\nbase x\npositive x\nzero\nend\n",
+        ),
         (magnitude, "proved p\nbase x\nsplit 1\ncase +\nbase x\npositive x\nzero\ncase -\nundefined\nend\n"),
         (magnitude, "proved p\nbase x\nsplit 1\ncase \nzero\nend\n"),
         (magnitude, "proved p\nbase x\nsplit 1\ncase *\nbase x\npositive x\nzero\nend\n"),
         (strict, "proved p\nbase y\nbase x\nsplit 1\ncase +\nbase x\npositive x*y/y\nzero\nend\n"),
-        (
-            strict,
-            "proved p\nbase y\nbase x\nsplit 1 2\ncase ++\nbase x\npositive x\nzero\nend\n",
-        ),
+        (strict, "proved p\nbase y\nbase x\nsplit 1 2\ncase ++\nbase x\npositive x\nzero\nend\n"),
         // closed conditions hold where the base vanishes
         (
             "chart L(x, y); prove p: abs(y) == y where x*y >= 0, x >= 0;",
@@ -150,10 +156,7 @@ fn a_half_angle_leaves_out_only_limits_of_other_points() {
             "chart L(x, y); fn f(y); prove p: abs(y)*(2 + cos(f)) == y*(2 + cos(f)) where (1 + cos(f))*y >= 0;",
             "proved p\ntangent f\nbase y\npositive (1 + cos(f))*y*(1 + tan(f/2)**2)/2\nzero\n",
         ),
-        (
-            "chart L(x); prove p: cos(pi) == sin(pi);",
-            "proved p\ntangent pi\nzero\n",
-        ),
+        ("chart L(x); prove p: cos(pi) == sin(pi);", "proved p\ntangent pi\nzero\n"),
     ]);
 }
 
@@ -186,22 +189,19 @@ fn an_integral_is_not_taken_across_what_its_antiderivative_loses() {
         ("chart L(x); prove p: integral(1 + tan(x)**2, x = 0..pi) == 0;", "tan(x)\nzero"),
         ("chart L(x); prove p: integral(sqrt(x)*sqrt(x), x = -1..1) == 0;", "x**2/2\nzero"),
         ("chart L(x); prove p: integral(x/x, x = 0..0*x) == 1;", "x\nzero"),
-        (
-            "chart L(x); prove p: integral((abs(x) - x)/(abs(x) - x), x = 1..2) == 1;",
-            "x\nzero",
-        ),
+        ("chart L(x); prove p: integral((abs(x) - x)/(abs(x) - x), x = 1..2) == 1;", "x\nzero"),
         ("chart L(x); prove p: integral(1, x = 0..1) == 17;", "17*x + 1/(x - x)\nundefined"),
-        ("chart L(x); prove p: integral(1, x = 0..1) == 17;", "17*x\nbase x\nnegative sqrt(-x)**2\nsplit 1\nend"),
+        (
+            "chart L(x); prove p: integral(1, x = 0..1) == 17;",
+            "17*x\nbase x\nnegative sqrt(-x)**2\nsplit 1\nend",
+        ),
         // at x = 0 the value holds, but not around it
         (
             "chart L(x, y); prove p: diff(integral(x, y = 0..1), x) == -1 where sqrt(x) + sqrt(-x) + 1 > 0;",
             "-abs(x)*y\nbase x\nnegative sqrt(-x)**2\nzero",
         ),
         // the half angle stands still
-        (
-            "chart L(x, y); prove p: integral(0*x, x = 0..1) == 1;",
-            "x*(1 + cos(y))\ntangent y\nzero",
-        ),
+        ("chart L(x, y); prove p: integral(0*x, x = 0..1) == 1;", "x*(1 + cos(y))\ntangent y\nzero"),
     ] {
         assert!(!entry(source, offer), "{source} {offer}");
     }
@@ -218,7 +218,10 @@ fn a_refutation_is_a_point_of_the_statement() {
             "chart L(x); fn f(x); prove p: f(2*x) == f(x + x);",
             "refuted p\nat x = 1\nat f(2) = 1\nat f(2 + 1e-13) = 2\ncomponent\nleft 1\nright 2\n",
         ),
-        ("chart L(x); prove p: sqrt(x**2) == x where x > 0;", "refuted p\nat x = -1\ncomponent\nleft 1\nright -1\n"),
+        (
+            "chart L(x); prove p: sqrt(x**2) == x where x > 0;",
+            "refuted p\nat x = -1\ncomponent\nleft 1\nright -1\n",
+        ),
         ("chart L(x); prove p: log(x)*0 == 0;", "refuted p\nat x = 1\ncomponent\nleft 0\nright 1\n"),
         ("chart L(x); prove p: x/x == 1;", "refuted p\nat x = 0\ncomponent\nleft 0\nright 1\n"),
         ("chart L(x); prove p: x == x;", "refuted p\nat x = 0\nat x = 1\ncomponent\nleft 0\nright 1\n"),
@@ -277,7 +280,8 @@ fn depth_and_length_are_refused_and_no_panic() {
     ] {
         let source = format!("chart L(x); prove p: {text} == x + 1;");
         let lines = HEADER.to_string() + &file_lines("it.forms", &source);
-        let _ = checked(&(lines.clone() + &format!("proved p\nbase {text}\npositive {text}\nzero\n")), &source);
+        let _ =
+            checked(&(lines.clone() + &format!("proved p\nbase {text}\npositive {text}\nzero\n")), &source);
         let all = checked(&(lines + "proved p\nzero\n"), &source);
         assert!(!all.is_ok_and(|all| all.iter().any(|one| one.outcome == Outcome::Accepted)));
     }

@@ -2,8 +2,10 @@
 
 mod coverage;
 mod forgeries;
+mod grammar;
 mod integrals;
 mod metrics;
 mod mutations;
+mod population;
 mod support;
 mod written_by_hand;
