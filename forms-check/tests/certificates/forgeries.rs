@@ -59,6 +59,32 @@ fn an_expression_is_used_only_where_it_is_defined() {
 }
 
 #[test]
+fn a_sign_is_shown_of_the_base_and_a_number_is_taken_whole() {
+    let magnitude = "chart L(x); prove p: abs(x) == x;";
+    assert_none_is_taken(&[
+        (magnitude, "proved p\nbase x\nzero\n"),
+        (magnitude, "proved p\nbase x\npositive x**2\nzero\n"),
+        (magnitude, "proved p\nbase x\npositive x\nzero\n"),
+        (magnitude, "proved p\nbase x\npositive x + exp(x)\nzero\n"),
+        (magnitude, "proved p\nbase x\npositive x*1\nzero\n"),
+        (magnitude, "proved p\nbase x\npositive (x**3)/(x**2)\nzero\n"),
+        ("chart L(x); prove p: sqrt(3) == 1;", "proved p\nzero\n"),
+        ("chart L(x); prove p: sqrt(12) == 2;", "proved p\nbase 2\nzero\n"),
+        ("chart L(x); prove p: log(3) == 0;", "proved p\nzero\n"),
+        ("chart L(x); prove p: sin(x/2) == sin(x);", "proved p\ncircle x\nzero\n"),
+        ("chart L(x); prove p: exp(x/2) == exp(x);", "proved p\nexponent x\nzero\n"),
+        (
+            "chart L(x); prove p: log(x**2) == 2*log(x) + log(-x) - log(-x);",
+            "proved p\nbase x\nlogarithm\nzero\n",
+        ),
+        (
+            "chart L(x); prove p: sqrt(x**2 + 1) == x + 1;",
+            "proved p\nbase x**2 + 2*x + 1\npositive (x + 1)**2\nzero\n",
+        ),
+    ]);
+}
+
+#[test]
 fn a_root_has_the_order_it_was_declared_with() {
     let powers = "chart L(x) where x > 0; prove p: x**(1/3) == x**(1/2);";
     let cube = "chart L(x) where x > 0; prove p: x**(1/3) == x;";
@@ -67,9 +93,17 @@ fn a_root_has_the_order_it_was_declared_with() {
         (powers, "proved p\nbase x\nroot 2\npositive sqrt(x)**2\nroot 6\nzero\n"),
         (cube, "proved p\nbase x\nroot 2\npositive sqrt(x)**2\nroot 6\nzero\n"),
         (powers, "proved p\nbase x\nroot 2\npositive x\nbase sqrt(x)\nroot 3\npositive sqrt(x)\nzero\n"),
+        (
+            "chart L(x) where x > 0; prove p: x**(1/3)*cos(sqrt(x)) == x*cos(sqrt(x));",
+            "proved p\nbase x\nroot 2\npositive x\ncircle sqrt(x)\nroot 6\nzero\n",
+        ),
         (powers, "proved p\nbase x\nroot 1\npositive x\nzero\n"),
         (powers, "proved p\nbase x\nroot 0\npositive x\nzero\n"),
         (powers, "proved p\nbase x\nroot -6\npositive x\nzero\n"),
+        (
+            "chart L(x) where x > 0; prove p: x**(1/3)*cos(sqrt(x)) == x*cos(sqrt(x));",
+            "proved p\nbase x\nroot 2\npositive x\ncircle sqrt(x)\nroot 6\nzero\n",
+        ),
         (powers, "proved p\nbase x\nroot 18446744073709551616\npositive x\nzero\n"),
         (powers, "proved p\nbase x\nroot 256\npositive x\nzero\n"),
         ("chart L(x); prove p: sqrt(4) == 4;", "proved p\nbase 4\nroot 2\nbase 2\nroot 4\nzero\n"),
@@ -205,6 +239,23 @@ fn an_integral_is_not_taken_across_what_its_antiderivative_loses() {
     ] {
         assert!(!entry(source, offer), "{source} {offer}");
     }
+}
+
+#[test]
+fn the_value_of_an_integral_holds_all_around_the_points_it_is_used_at() {
+    // the condition leaves x = 0 alone, where x may be taken for −|x| and −|x| for −x
+    let source = "chart L(x, y, z); prove p: diff(integral(integral(x, y = 0..1), z = 0..1), x) == -1 \
+        where sqrt(x) + sqrt(-x) + 1 > 0;";
+    let place = |range: &str| source.find(range).expect("a range");
+    let lines = format!(
+        "integral {} -abs(x)*y\nbase x\nnegative sqrt(-x)**2\nzero\n\
+         integral {} -x*z\nbase x\npositive sqrt(x)**2\nzero\nproved p\nzero\n",
+        place("y = "),
+        place("z = ")
+    );
+    let lines = HEADER.to_string() + &file_lines("it.forms", source) + &lines;
+    let all = checked(&lines, source).expect("a certificate that can be read");
+    assert_ne!(all[0].outcome, Outcome::Accepted);
 }
 
 #[test]

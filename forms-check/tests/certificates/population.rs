@@ -57,24 +57,76 @@ const TRUE: [&str; 44] = [
     "integral(x*y, y = 0..1) == x/2",
 ];
 
-/// False claims that no small change of a true one gives, each with a point at which it fails.
-const FALSE: [(&str, &str); 16] = [
-    ("abs(x) == x", "x = -1"),
-    ("x == x + 1 where x > 0", "x = 1"),
-    ("x**(1/3) == x**(1/2) where x > 0", "x = 64"),
-    ("abs(y) == -y where (1 + cos(x))*y <= 0", "x = pi, y = 1"),
-    ("abs(y)*(2 + cos(x)) == -y*(2 + cos(x)) where (1 + cos(x))*y <= 0", "x = pi, y = 1"),
-    ("abs(x) == x where x*y >= 0, y >= 0", "x = -1, y = 0"),
-    ("abs(x) == x where x*y**2 >= 0", "x = -1, y = 0"),
-    ("abs(x) == x where x*sin(y) >= 0, sin(y) >= 0", "x = -1, y = 0"),
-    ("x**100*x**100*x**56 == 1", "x = 2"),
-    ("x**120*x**120*x**17 == x", "x = 2"),
-    ("cos(x) == 2 + sin(x)", "x = 0"),
-    ("integral(1/x**2, x = -1..1) == -2", "the integral diverges"),
-    ("integral(0*x, x = -1..1) == 2", "0 is not 2"),
-    ("diff(integral(x, y = 0..1), x) == -1 where sqrt(x) + sqrt(-x) + 1 > 0", "x = 0"),
-    ("log(x**2) == 2*log(-x) + 1", "x = -1"),
-    ("x/(y - y) == 1", "it speaks of no point"),
+/// False claims that no small change of a true one gives: each with a point at which it fails, and a proof by a rule
+/// applied outside its conditions, which forgeries start from.
+const FALSE: [(&str, &str, &str); 24] = [
+    ("abs(x) == x", "x = -1", "base x\npositive sqrt(x)**2\nzero"),
+    ("abs(x) == x", "x = -1", "base x\nsplit 1\ncase +\nbase x\npositive x\nzero\nend"),
+    ("x == x + 1 where x > 0", "x = 1", "base x\nnegative sqrt(-x)**2\nsplit 1\nend"),
+    ("x == x + 1 where x > 0, -x > 0", "it speaks of no point", "base x\nsplit 1\nend"),
+    ("x**(1/3) == x**(1/2) where x > 0", "x = 64", "base x\nroot 2\npositive x\nroot 6\nzero"),
+    (
+        "x**(1/3)*cos(sqrt(x)) == x*cos(sqrt(x)) where x > 0",
+        "x = 64",
+        "base x\nroot 2\npositive x\ncircle sqrt(x)\nroot 6\nzero",
+    ),
+    ("abs(y) == -y where (1 + cos(x))*y <= 0", "x = pi, y = 1", "tangent x\nbase y\nnegative -y\nzero"),
+    (
+        "abs(y)*(2 + cos(x)) == -y*(2 + cos(x)) where (1 + cos(x))*y <= 0",
+        "x = pi, y = 1",
+        "tangent x\nbase y\nnegative -(1 + cos(x))*y*(1 + tan(x/2)**2)/2\nzero",
+    ),
+    ("abs(x) == x where x*y >= 0, y >= 0", "x = -1, y = 0", "base x\npositive x*y/y\nzero"),
+    ("abs(x) == x where x*y**2 >= 0", "x = -1, y = 0", "base x\npositive x*y**2/y**2\nzero"),
+    (
+        "abs(x) == x where x*sin(y) >= 0, sin(y) >= 0",
+        "x = -1, y = 0",
+        "circle y\nbase x\npositive x*sin(y)/sin(y)\nzero",
+    ),
+    ("x**100*x**100*x**56 == 1", "x = 2", "zero"),
+    ("x**120*x**120*x**17 == x", "x = 2", "zero"),
+    (
+        "(1/(x - y**60 + z)*(1/(x + y**60 + z))*(1/((x+z)**2 + (x+z)*y**60 + y**120)))*((x+z)**6 - y**104) \
+         == (x+z)**2 - (x+z)*y**60 + y**120",
+        "x = 1, y = 1, z = 1: the left side is 1, the right one 3",
+        "zero",
+    ),
+    ("sqrt(3) == 1", "3 is not 1", "zero"),
+    ("sin(x/2) == sin(x)", "x = pi", "circle x\nzero"),
+    ("cos(x) == 2 + sin(x)", "x = 0", "tangent x\nbase 1 + tan(x/2)**2\nsplit 1\nend"),
+    ("integral(1/x**2, x = -1..1) == -2", "the integral diverges", "zero"),
+    ("integral(0*x, x = -1..1) == 2", "0 is not 2", "zero"),
+    (
+        "diff(integral(x, y = 0..1), x) == -1 where sqrt(x) + sqrt(-x) + 1 > 0",
+        "x = 0",
+        "base x\npositive sqrt(x)**2\nzero",
+    ),
+    ("log(x**2) == 2*log(-x) + 1", "x = -1", "base x\nlogarithm\nnegative sqrt(-x)**2\nzero"),
+    ("x/(y - y) == 1", "it speaks of no point", "undefined"),
+    ("log(-x**2) == 5", "it speaks of no point", "base x\nlogarithm\nundefined"),
+    ("f(1, y) == 0*f + 1", "f = 0", "base f\npositive f\nzero"),
+];
+
+/// Antiderivatives that lose a jump or a pole, for the false claims about integrals.
+const OFFERS: [(&str, &str); 3] = [
+    ("integral(1/x**2, x", "-1/x\nzero"),
+    ("integral(0*x, x", "abs(x)/x\nbase x\nzero"),
+    ("integral(x, y", "-abs(x)*y\nbase x\nnegative sqrt(-x)**2\nzero"),
+];
+
+/// True claims with points at which they seem to fail.
+const POINTS: [(&str, &str); 5] = [
+    (
+        "f(0, 1) == f(0, 1 + 1e40*(sqrt(2)**2 - 2))",
+        "at f(0, 0) = 0\nat f(0, 1) = 5\ncomponent\nleft 5\nright 0",
+    ),
+    (
+        "f(2*x, y) == f(x + x, y)",
+        "at x = 1\nat y = 0\nat f(2, 0) = 1\nat f(2 + 1e-13, 0) = 2\ncomponent\nleft 1\nright 2",
+    ),
+    ("sqrt(x**2) == x where x > 0", "at x = -1\ncomponent\nleft 1\nright -1"),
+    ("x/x == 1", "at x = 0\ncomponent\nleft 0\nright 1"),
+    ("x + y == y + x", "at x = 1\nat y = 1\ncomponent\nleft 2\nright 2"),
 ];
 
 /// A claim as a source, decided by the prover; the lines of its certificate apart.
@@ -130,12 +182,25 @@ fn targets() -> (Vec<Target>, Vec<Target>) {
         }
         donors.push(target);
     }
-    for (claim, _) in FALSE {
+    let lines = |text: &str| text.lines().map(String::from).collect::<Vec<_>>();
+    let mut written = Vec::new();
+    for (claim, _, proof) in FALSE {
         let source = format!("{DECLARED}prove p: {claim};");
-        let integrals = decided(claim).map(|known| known.0.integrals).unwrap_or_default();
-        let donor = &donors[targets.len() % donors.len()];
-        targets.push(Target { source, verdict: "proved", integrals, proof: donor.proof.clone() });
+        let mut integrals = Vec::new();
+        for (integral, offer) in OFFERS {
+            if let Some(place) = source.find(integral) {
+                integrals.extend(lines(&format!("integral {} {offer}", place + integral.len() - 1)));
+            }
+        }
+        written.push(Target { source, verdict: "proved", integrals, proof: lines(proof) });
     }
+    for (claim, point) in POINTS {
+        let source = format!("{DECLARED}prove p: {claim};");
+        written.push(Target { source, verdict: "refuted", integrals: Vec::new(), proof: lines(point) });
+    }
+    // as many of these as of the others
+    let copies = targets.len() / written.len();
+    (0..copies).for_each(|_| targets.extend(written.iter().cloned()));
     (targets, donors)
 }
 
@@ -144,9 +209,6 @@ fn no_forgery_is_accepted() {
     let count = std::env::var("FORMS_FORGERIES").ok().and_then(|n| n.parse().ok()).unwrap_or(1_000);
     let (targets, donors) = targets();
     assert!(targets.len() > 200, "{} targets", targets.len());
-    if let Ok(folder) = std::env::var("FORMS_FORGERY_TARGETS") {
-        std::fs::write(folder, format!("{targets:?}\n{donors:?}")).expect("a place to write to");
-    }
     let mut outcomes = [0_usize; 3];
     for number in 0..count {
         let mut random = Random(number);
