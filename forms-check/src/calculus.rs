@@ -58,6 +58,15 @@ impl Value {
         is_scalar.then(|| self.terms.get(&0).copied().unwrap_or_else(|| pool.number(rational(0, 1))))
     }
 
+    /// Whether both are scalars, forms of one degree, fields or quadratic forms, or one of them has no term.
+    pub(crate) fn is_alike(&self, other: &Value) -> bool {
+        let degree = |value: &Value| value.terms.keys().next().map(|blade| blade.count_ones());
+        match (degree(self), degree(other)) {
+            (Some(a), Some(b)) => self.kind == other.kind && (self.kind != Kind::Form || a == b),
+            _ => true,
+        }
+    }
+
     pub(crate) fn accumulate(&mut self, pool: &mut Pool, blade: Blade, sign: i64, c: Expr) {
         let term = if sign < 0 { pool.negate(c) } else { c };
         let sum = self.terms.get(&blade).map_or(term, |known| pool.make(Operation::Add, vec![*known, term]));

@@ -1,9 +1,9 @@
 //! The lines of a certificate: files, and for each statement a proof, a refutation or why there is neither.
 
 use crate::integral::Offered;
-use crate::proof::Proof;
+use crate::proof::{self, Subject};
 use crate::theory::Theory;
-use crate::{Checked, Outcome, Stop, integral, malformed, witness};
+use crate::{Checked, Claim, Outcome, Stop, integral, malformed, witness};
 
 /// A keyword and what follows it.
 pub(crate) type Line = (String, String);
@@ -40,6 +40,9 @@ pub(crate) fn check(
     if sections.next().is_some_and(|before| !before.is_empty()) {
         return Err(malformed("something before the first file"));
     }
+    if !lines.iter().any(|line| line.0 == "file") {
+        return Err(malformed("it speaks of no file"));
+    }
     let names = lines.iter().filter(|line| line.0 == "file").map(|line| &line.1);
     for (file, section) in names.zip(sections) {
         let source = read(file).map_err(malformed)?;
@@ -62,19 +65,29 @@ pub(crate) fn check(
                 claims.push((head, body));
             }
         }
-        let mut theory = Theory::read(&source, offered)?;
+        let mut theory = Theory::read(&source, offered).map_err(|stop| {
+            malformed(format!("{file} is no file whose statements can be decided: {}", stop.into_text()))
+        })?;
         for (head, body) in claims {
             let name = head.1.split(' ').next().unwrap_or_default().to_string();
             if checked.iter().any(|known| known.file == *file && known.name == name) {
                 return Err(malformed(format!("`{name}` stands twice")));
             }
             let outcome = entry(&mut theory, head, &name, body)?;
-            checked.push(Checked { file: file.clone(), name, outcome });
+            let shown = match head.0.as_str() {
+                "proved" => Some(Claim::Prove),
+                "refuted" => Some(Claim::Refute),
+                _ => None,
+            };
+            let shown = shown.filter(|_| outcome == Outcome::Accepted);
+            let claim = theory.claim(&name).unwrap_or(Claim::Prove);
+            checked.push(Checked { file: file.clone(), name, claim, shown, outcome });
         }
         for name in theory.statement_names() {
             if !checked.iter().any(|known| known.file == *file && known.name == name) {
                 let outcome = Outcome::NotCovered("the certificate has no entry".into());
-                checked.push(Checked { file: file.clone(), name, outcome });
+                let claim = theory.claim(&name).unwrap_or(Claim::Prove);
+                checked.push(Checked { file: file.clone(), name, claim, shown: None, outcome });
             }
         }
     }
@@ -91,20 +104,27 @@ fn entry(theory: &mut Theory, head: &Line, name: &str, body: &[Line]) -> Result<
         Err(Stop::Malformed(what)) => return Ok(Outcome::NotCovered(what)),
         other => other,
     };
-    let result = statement.and_then(|statement| match head.0.as_str() {
+    let statement = match statement {
+        Ok(statement) => statement,
+        Err(Stop::Uncovered(what)) => return Ok(Outcome::NotCovered(what)),
+        Err(stop) => return Ok(Outcome::Rejected(stop.into_text())),
+    };
+    let result = match head.0.as_str() {
         "proved" => {
-            let mut proof = Proof { theory, statement: &statement, lines: body.iter(), is_defined: true };
-            proof.check(&[], 0)?;
-            if proof.lines.next().is_some() { Err(malformed("lines after a proof")) } else { Ok(()) }
+            let (at, proof) = body.split_at(body.iter().take_while(|line| line.0 == "at").count());
+            proof::check(theory, &statement, proof, Subject::Statement)
+                .and_then(|()| witness::check_inhabited(theory, &statement, at))
         }
         "refuted" => witness::check(theory, &statement, body),
         other => Err(malformed(format!("`{other}` begins no entry"))),
-    });
+    };
     match result {
+        // where there was no room for a part, another stood for it
+        _ if theory.pool.is_full() => Ok(Outcome::NotCovered("expressions of so many parts".into())),
         Ok(()) => Ok(Outcome::Accepted),
         Err(Stop::Malformed(why)) => Err(malformed(format!("{name}: {why}"))),
-        Err(Stop::Uncovered(what)) => Ok(Outcome::NotCovered(what)),
-        Err(Stop::Rejected(why)) => Ok(Outcome::Rejected(why)),
+        // a proof that needs more than the checker does shows nothing
+        Err(Stop::Uncovered(why) | Stop::Rejected(why)) => Ok(Outcome::Rejected(why)),
         Err(Stop::Undefined) => Ok(Outcome::Rejected("it divides by zero".into())),
     }
 }

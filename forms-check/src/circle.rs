@@ -3,7 +3,7 @@
 use crate::element::one;
 use crate::expression::Operation::{Function, Pi};
 use crate::expression::rational;
-use crate::field::{Field, Fraction, Kind};
+use crate::field::{Field, Fraction, Kind, Unit};
 use crate::polynomial::Polynomial;
 use crate::{Stop, rejected};
 use num_bigint::BigInt;
@@ -79,8 +79,9 @@ impl Field {
         let generator = (0..self.generators.len()).find(|g| quantity.is_generator(*g));
         match generator.and_then(|g| self.generators[g].clone()) {
             Some((Pi, _)) => {
-                let times = i64::try_from(c.numer() % (c.denom() * BigInt::from(2))).unwrap_or(0);
-                let Some(q) = i64::try_from(c.denom()).ok().filter(|q| *q <= SMALLEST_PART) else {
+                let times = i64::try_from(c.numer() % (c.denom() * BigInt::from(2))).ok();
+                let q = i64::try_from(c.denom()).ok().filter(|q| *q <= SMALLEST_PART);
+                let (Some(times), Some(q)) = (times, q) else {
                     return rejected("so small a part of a circle");
                 };
                 return Ok((self.part_of_half_turn(q)?, times));
@@ -118,13 +119,48 @@ impl Field {
         Ok((self.inverse(&root)?, self.quotient(q, &root)?))
     }
 
-    /// tan(u/2) of a unit is its generator; any other is sine over cosine.
-    pub(crate) fn tangent(&mut self, angle: &Fraction) -> Result<Fraction, Stop> {
+    /// Declares a unit of angles or exponents, one term; its value.
+    pub(crate) fn declare(&mut self, kind: Kind, value: &Fraction) -> Result<Fraction, Stop> {
+        let value = self.expanded(value)?;
+        if value.numerator.0.len() != 1 {
+            return rejected("a unit is no number times a quantity");
+        }
+        let generator = self.new_generator(None)?;
+        if kind == Kind::Circle {
+            let sine = self.new_generator(None)?;
+            let square = Polynomial::generator(generator, 2).scale(&rational(-1, 1));
+            self.bind(sine, 2, square.add(&Polynomial::constant(rational(1, 1))));
+        }
+        self.units.push(Unit { kind, value: value.clone(), generator, used: 0 });
+        Ok(value)
+    }
+
+    /// Whether an angle is a declared unit.
+    pub(crate) fn has_unit(&mut self, angle: &Fraction) -> Result<bool, Stop> {
+        for number in 0..self.units.len() {
+            let value = self.units[number].value.clone();
+            if self.equal(angle, &value)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// tan a of half a unit a that is written by it.
+    pub(crate) fn half_unit(&mut self, angle: &Fraction) -> Result<Option<Fraction>, Stop> {
         for number in 0..self.units.len() {
             let unit = self.units[number].clone();
             if unit.kind == Kind::Tangent && self.equal(&angle.scale(&rational(2, 1)), &unit.value)? {
-                return Ok(Polynomial::generator(unit.generator, 1).into());
+                return Ok(Some(Polynomial::generator(unit.generator, 1).into()));
             }
+        }
+        Ok(None)
+    }
+
+    /// tan(u/2) of a unit is its generator; any other is sine over cosine.
+    pub(crate) fn tangent(&mut self, angle: &Fraction) -> Result<Fraction, Stop> {
+        if let Some(known) = self.half_unit(angle)? {
+            return Ok(known);
         }
         let (cosine, sine) = self.circular(angle)?;
         self.quotient(&sine, &cosine)

@@ -1,18 +1,21 @@
 //! Continuity over closed ranges: what a function is made of has the signs there that it needs.
 
-use crate::expression::Operation::{Add, Divide, Function, Jet, Multiply, Number, Pi, Power, Variable};
+use crate::expression::Operation::{Add, Divide, Function, Jet, Multiply, Number, Power, Variable};
 use crate::expression::{Expr, rational};
 use crate::field::Field;
 use crate::integral::Range;
 use crate::interval::Interval;
+use crate::point::Point;
 use crate::sign::Seen;
 use crate::theory::{Condition, Relation, Theory};
-use crate::witness::Point;
 use crate::{Stop, uncovered};
 use std::collections::HashMap;
 
 /// How many boxes are looked at for one sign.
 const MOST_BOXES: usize = 32;
+
+/// How many derivatives are looked at for one that is not zero.
+const MOST_DERIVATIVES: usize = 4;
 
 /// What is known of the points at which an antiderivative is looked at.
 pub(crate) struct Region<'a> {
@@ -24,27 +27,7 @@ impl Theory {
     /// That every part of an antiderivative is continuous over the closed ranges.
     pub(crate) fn check_continuous(&mut self, antiderivative: Expr, region: &Region) -> Result<(), Stop> {
         for part in self.pool.parts(&[antiderivative]) {
-            let (operation, a) = (self.pool.node(part).0.clone(), self.pool.node(part).1.to_vec());
-            let needed = match operation {
-                Divide => Some((a[1], Relation::NotZero)),
-                Power(p, 1) => (p < 0).then(|| (a[0], Relation::NotZero)),
-                Power(p, _) => Some((a[0], if p < 0 { Relation::Positive } else { Relation::NotNegative })),
-                Function("tan") => Some((self.pool.make(Function("cos"), a), Relation::NotZero)),
-                Function("log") => match self.pool.node(a[0]) {
-                    (Function("abs"), inner) => Some((inner[0], Relation::NotZero)),
-                    _ => Some((a[0], Relation::Positive)),
-                },
-                Function("asin") => {
-                    let (one, square) =
-                        (self.pool.number(rational(1, 1)), self.pool.make(Power(2, 1), vec![a[0]]));
-                    Some((self.difference(one, square), Relation::NotNegative))
-                }
-                // smooth where it is declared, which may not be everywhere
-                Jet(f, _) if !self.functions[f].1.is_empty() => {
-                    return uncovered("the integral of a function with a condition");
-                }
-                Function(_) | Jet(..) | Number(_) | Pi | Variable(_) | Add | Multiply => None,
-            };
+            let needed = self.need(part)?;
             if let Some((q, relation)) = needed
                 && !self.holds(q, relation, region)?
                 && !(relation == Relation::NotZero && self.leaves_out_zeros(q, region)?)
@@ -53,6 +36,100 @@ impl Theory {
             }
         }
         Ok(())
+    }
+
+    /// That an integrand is real over the range of the last variable u but for countably many values of u, and that the
+    /// formal derivative of an antiderivative is its derivative but for such.
+    pub(crate) fn check_almost_everywhere(
+        &mut self,
+        needs: &[Condition],
+        antiderivative: Expr,
+        region: &Region,
+    ) -> Result<(), Stop> {
+        let Some(u) = region.ranges.last().map(|range| range.variable) else { return Ok(()) };
+        for (q, relation) in needs {
+            let is_real = match relation {
+                Relation::NotZero => self.has_few_zeros(*q, region)?,
+                Relation::NotNegative => self.holds(*q, *relation, region)?,
+                Relation::Positive => {
+                    self.holds(*q, *relation, region)?
+                        || self.holds(*q, Relation::NotNegative, region)? && self.has_few_zeros(*q, region)?
+                }
+            };
+            if self.pool.variables(*q).contains(&u) && !is_real {
+                return uncovered("an integrand that is not seen to be defined over the range");
+            }
+        }
+        for part in self.pool.parts(&[antiderivative]) {
+            let kink = match (self.pool.node(part).0.clone(), self.need(part)?) {
+                (Function("abs"), _) => self.pool.node(part).1[0],
+                (_, Some((q, Relation::NotNegative))) => q,
+                _ => continue,
+            };
+            if self.pool.variables(kink).contains(&u) && !self.has_few_zeros(kink, region)? {
+                return uncovered("an antiderivative that is not seen to have a derivative");
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether q vanishes for at most countably many u of the range, whatever the other variables are: nowhere, or where
+    /// one of its factors does, or it is analytic in u and a derivative of it is not zero at either end or in the middle.
+    fn has_few_zeros(&mut self, q: Expr, region: &Region) -> Result<bool, Stop> {
+        if self.holds(q, Relation::NotZero, region)? {
+            return Ok(true);
+        }
+        let (operation, a) = (self.pool.node(q).0.clone(), self.pool.node(q).1.to_vec());
+        match operation {
+            Power(p, _) if p > 0 => return self.has_few_zeros(a[0], region),
+            Function("abs") | Divide => return self.has_few_zeros(a[0], region),
+            Multiply => return Ok(self.has_few_zeros(a[0], region)? && self.has_few_zeros(a[1], region)?),
+            _ => {}
+        }
+        let Some((range, outer)) = region.ranges.split_last() else { return Ok(false) };
+        if !self.is_analytic(q, range.variable, region)? {
+            return Ok(false);
+        }
+        let (u, half) = (range.variable, self.pool.number(rational(1, 2)));
+        let sum = self.pool.make(Add, vec![range.from, range.to]);
+        let middle = self.pool.make(Multiply, vec![half, sum]);
+        let is_outer = |c: &&Condition| !self.pool.variables(c.0).contains(&u);
+        let conditions = region.conditions.iter().filter(is_outer).copied().collect();
+        let outer = Region { ranges: outer, conditions };
+        let mut derivative = q;
+        for _ in 0..=MOST_DERIVATIVES {
+            for place in [range.to, range.from, middle] {
+                let value = self.pool.substitute(derivative, &HashMap::from([(u, place)]));
+                if self.holds(value, Relation::NotZero, &outer)? {
+                    return Ok(true);
+                }
+            }
+            derivative = self.pool.derivative(derivative, u);
+        }
+        Ok(false)
+    }
+
+    /// Whether every operation on something that depends on u is analytic all over the range.
+    fn is_analytic(&mut self, q: Expr, u: usize, region: &Region) -> Result<bool, Stop> {
+        for part in self.pool.parts(&[q]) {
+            if !self.pool.variables(part).contains(&u) {
+                continue;
+            }
+            let is_analytic = match (self.pool.node(part).0.clone(), self.need(part)?) {
+                (Jet(..), _) => false,
+                (Function("abs"), _) => {
+                    let inner = self.pool.node(part).1[0];
+                    self.holds(inner, Relation::NotZero, region)?
+                }
+                (_, Some((q, Relation::NotNegative))) => self.holds(q, Relation::Positive, region)?,
+                (_, Some((q, relation))) => self.holds(q, relation, region)?,
+                (_, None) => true,
+            };
+            if !is_analytic {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     /// Of parameters it becomes a condition that a polynomial is not zero; the statement's others have to be open, so

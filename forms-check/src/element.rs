@@ -3,7 +3,7 @@
 use crate::expression::Operation::{Add, Divide, Function, Jet, Multiply, Number, Pi, Power, Variable};
 use crate::expression::{Expr, Operation, Pool, rational};
 use crate::field::{Field, Fraction, Kind};
-use crate::polynomial::{MOST_GENERATORS, Polynomial};
+use crate::polynomial::{MOST_BITS, MOST_GENERATORS, Polynomial};
 use crate::{Stop, rejected, uncovered};
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
@@ -21,6 +21,15 @@ pub(crate) struct Factored {
 
 pub(crate) fn one() -> Fraction {
     Fraction::number(rational(1, 1))
+}
+
+/// cⁿ of a number that is not zero, unless it is too long to be computed with
+fn number_power(c: &BigRational, n: i64) -> Result<BigRational, Stop> {
+    let bits = c.numer().bits().max(c.denom().bits()).saturating_mul(n.unsigned_abs());
+    match i32::try_from(n).ok().filter(|_| bits <= MOST_BITS) {
+        Some(n) => Ok(c.pow(n)),
+        None => uncovered("numbers of so many digits"),
+    }
 }
 
 fn gcd(a: i64, b: i64) -> i64 {
@@ -120,7 +129,7 @@ impl Field {
         }
         let Factored { constant, powers, exponentials } = self.factored(q)?;
         let numbers = if r.is_integer() { BTreeMap::new() } else { self.number_powers(&constant)? };
-        let plain = if r.is_integer() { constant.pow(*r.numer() as i32) } else { rational(1, 1) };
+        let plain = if r.is_integer() { number_power(&constant, *r.numer())? } else { rational(1, 1) };
         let mut result = Fraction::number(if plain < rational(0, 1) { -plain } else { plain });
         let powers = powers.into_iter().map(|(base, (exponent, _))| (base, exponent));
         for (base, exponent) in powers.chain(numbers) {
@@ -165,7 +174,7 @@ impl Field {
     pub(crate) fn factored(&mut self, q: &Fraction) -> Result<Factored, Stop> {
         let mut found =
             Factored { constant: rational(1, 1), powers: BTreeMap::new(), exponentials: BTreeMap::new() };
-        let below = q.factors.iter().map(|(factor, n)| (self.factor(*factor).clone(), -i64::from(*n)));
+        let below = q.factors.iter().map(|(factor, n)| (self.factor(*factor).clone(), -*n));
         for (mut rest, times) in std::iter::once((q.numerator.clone(), 1)).chain(below.collect::<Vec<_>>()) {
             for (number, base) in self.bases.iter_mut().enumerate() {
                 let mut raise = |by: Ratio<i64>, is_whole: bool| {
@@ -192,7 +201,7 @@ impl Field {
             let Some(constant) = rest.as_constant() else {
                 return rejected("a radicand is not a product of the bases");
             };
-            found.constant *= constant.pow(times as i32);
+            found.constant *= number_power(&constant, times)?;
         }
         Ok(found)
     }

@@ -71,6 +71,9 @@ impl Theory {
         let mut value = self.product(reader)?;
         while let Some(sign) = reader.one_of(&["+", "-"]) {
             let right = self.product(reader)?;
+            if !value.is_alike(&right) {
+                return Err(malformed("a sum of different types"));
+            }
             value = value.add(&mut self.pool, &right, if sign == "+" { 1 } else { -1 });
         }
         Ok(value)
@@ -282,7 +285,10 @@ impl Theory {
         };
         reader.expect(")")?;
         if name == "diff" && reader.take("(") {
-            // `diff(f, x)(a)` is a derivative of an unknown function at other arguments
+            // `diff(f, x)(a)` is a derivative of an unknown function at other arguments, in certificates
+            if !self.is_sealed {
+                return uncovered("a derivative of a function at other arguments");
+            }
             let derivative = self.as_scalar(&value)?;
             let Jet(f, orders) = self.pool.node(derivative).0.clone() else {
                 return Err(malformed("only a derivative of an unknown function is taken elsewhere"));

@@ -1,5 +1,6 @@
 //! Scalar expressions, each part once: operands come before what is made of them.
 
+use crate::polynomial::is_long;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::collections::{BTreeSet, HashMap};
@@ -48,7 +49,8 @@ impl Pool {
         (&self.nodes[expr].0, &self.nodes[expr].1)
     }
 
-    /// Whether so many parts were made that the last one stands for others too.
+    /// Whether there is room for no other part: then the last one stands for others too, and nothing that is found
+    /// out afterwards means anything.
     pub(crate) fn is_full(&self) -> bool {
         self.nodes.len() >= MOST_PARTS
     }
@@ -75,11 +77,14 @@ impl Pool {
             _ => {}
         }
         if let [Some(a), Some(b)] = [0, 1].map(|k| operands.get(k).and_then(|e| self.as_number(*e))) {
-            match operation {
-                Add => return self.number(a + b),
-                Multiply => return self.number(a * b),
-                Divide if *b != rational(0, 1) => return self.number(a / b),
-                _ => {}
+            let value = match operation {
+                Add => Some(a + b),
+                Multiply => Some(a * b),
+                Divide if *b != rational(0, 1) => Some(a / b),
+                _ => None,
+            };
+            if let Some(value) = value.filter(|value| !is_long(value)) {
+                return self.number(value);
             }
         }
         let node = (operation, operands);

@@ -18,11 +18,14 @@ const MOST_TERMS: usize = 40;
 /// The largest exponent of a generator.
 const LARGEST_EXPONENT: u8 = 120;
 
+/// The largest exponent of a factor: roots of high order come below with that order.
+const LARGEST_FACTOR_EXPONENT: u64 = 1 << 15;
+
 /// numerator / ∏ factorᵉ; a factor above (e < 0) stays one until a sum needs it multiplied out.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Fraction {
     pub(crate) numerator: Polynomial,
-    pub(crate) factors: BTreeMap<usize, i16>,
+    pub(crate) factors: BTreeMap<usize, i64>,
 }
 
 /// What a generator stands for: a variable, π, an unknown function or one of which only the arguments are known,
@@ -114,6 +117,11 @@ impl Field {
         self.relations.push((generator, order, value));
     }
 
+    /// The generators that occur in a polynomial.
+    pub(crate) fn generators_of(&self, polynomial: &Polynomial) -> Vec<usize> {
+        (0..self.generators.len()).filter(|g| polynomial.degree(Some(*g)) > 0).collect()
+    }
+
     pub(crate) fn factor(&self, number: usize) -> &Polynomial {
         &self.factors[number]
     }
@@ -129,7 +137,10 @@ impl Field {
             if self.work > MOST_WORK || degree > 255 {
                 return uncovered("so much work");
             }
-            polynomial = polynomial.reduce(*generator, *order, value);
+            let Some(reduced) = polynomial.reduce(*generator, *order, value) else {
+                return uncovered("so much work");
+            };
+            polynomial = reduced;
         }
         Ok(polynomial)
     }
@@ -139,18 +150,19 @@ impl Field {
         if self.work > MOST_WORK || a.degree(None).saturating_add(b.degree(None)) > LARGEST_EXPONENT {
             return uncovered("so much work");
         }
-        self.reduce(a.multiply(b))
+        let Some(product) = a.multiply(b) else { return uncovered("so much work") };
+        self.reduce(product)
     }
 
     /// N / ∏ Fᵉ with every factor taken out that divides N; for a root also by ρⁿ = f.
-    fn cancel(&mut self, mut numerator: Polynomial, mut factors: BTreeMap<usize, i16>) -> Fraction {
+    fn cancel(&mut self, mut numerator: Polynomial, mut factors: BTreeMap<usize, i64>) -> Fraction {
         for (number, exponent) in &mut factors {
             while *exponent > 0 && self.factors[*number].0.len() <= MOST_TERMS {
                 let factor = &self.factors[*number];
                 let relation = self.relations.iter().find(|r| *factor == Polynomial::generator(r.0, 1));
                 let by_root = || {
                     let (root, order, value) = relation.filter(|r| numerator.degree(Some(r.0)) == 0)?;
-                    Some(numerator.divide(value)?.multiply(&Polynomial::generator(*root, order - 1)))
+                    numerator.divide(value)?.multiply(&Polynomial::generator(*root, order - 1))
                 };
                 let Some(quotient) = numerator.divide(factor).or_else(by_root) else { break };
                 (numerator, *exponent) = (quotient, *exponent - 1);
@@ -163,7 +175,7 @@ impl Field {
     pub(crate) fn add(&mut self, a: &Fraction, b: &Fraction) -> Result<Fraction, Stop> {
         let exponent = |side: &Fraction, factor: &usize| side.factors.get(factor).copied().unwrap_or(0);
         let all: BTreeSet<usize> = a.factors.keys().chain(b.factors.keys()).copied().collect();
-        let mut common: Vec<(usize, i16)> =
+        let mut common: Vec<(usize, i64)> =
             all.into_iter().map(|factor| (factor, exponent(a, &factor).max(exponent(b, &factor)))).collect();
         // the longest first, while the numerator is short
         common.sort_by_key(|(factor, _)| std::cmp::Reverse(self.factors[*factor].0.len()));
@@ -208,7 +220,7 @@ impl Field {
             .factors
             .into_iter()
             .for_each(|(factor, exponent)| *factors.entry(factor).or_default() += exponent);
-        if factors.values().any(|exponent| exponent.unsigned_abs() > u16::from(LARGEST_EXPONENT)) {
+        if factors.values().any(|exponent| exponent.unsigned_abs() > u64::from(LARGEST_EXPONENT)) {
             return uncovered("so large a power");
         }
         let product = self.product(&left.numerator, &right.numerator)?;
@@ -220,14 +232,14 @@ impl Field {
         if a.numerator.is_zero() {
             return Err(Stop::Undefined);
         }
-        let (mut rest, mut below) = (a.numerator.clone(), BTreeMap::<usize, i16>::new());
+        let (mut rest, mut below) = (a.numerator.clone(), BTreeMap::<usize, i64>::new());
         let generators = (0..self.generators.len()).map(|g| (Polynomial::generator(g, 1), g, 1));
         let radicands = self.relations.iter().map(|(g, order, value)| (value.clone(), *g, *order));
         for (value, generator, order) in generators.chain(radicands).collect::<Vec<_>>() {
             while let Some(quotient) = rest.divide(&value).filter(|_| value.as_constant().is_none()) {
                 rest = quotient;
                 *below.entry(self.factor_number(&Polynomial::generator(generator, 1))).or_default() +=
-                    i16::from(order);
+                    i64::from(order);
             }
         }
         for number in 0..self.factors.len() {
@@ -244,6 +256,9 @@ impl Field {
         }
         for (factor, exponent) in &a.factors {
             *below.entry(*factor).or_default() -= exponent;
+        }
+        if below.values().any(|exponent| exponent.unsigned_abs() > LARGEST_FACTOR_EXPONENT) {
+            return uncovered("so large a power");
         }
         Ok(self.cancel(Polynomial::constant(content), below))
     }

@@ -12,10 +12,10 @@
 use crate::calculus::{Value, order};
 use crate::certificate::Line;
 use crate::continuity::Region;
-use crate::expression::Operation::{Add, Multiply, Variable};
+use crate::expression::Operation::{Add, Function, Multiply, Variable};
 use crate::expression::{Expr, rational};
-use crate::field::Field;
-use crate::proof::Proof;
+use crate::field::{Field, Kind};
+use crate::proof::{self, Subject};
 use crate::sign::Seen;
 use crate::theory::{Condition, Relation, Scope, Statement, Theory};
 use crate::tokens::Reader;
@@ -165,7 +165,7 @@ impl Theory {
         };
         self.require_domains(integral, ranges);
         for count in (1..=ranges.len()).rev() {
-            integral = self.over(integral, &ranges[..count], defined)?;
+            integral = self.over(integral, ranges.split_at(count), defined)?;
         }
         Ok(integral)
     }
@@ -187,9 +187,15 @@ impl Theory {
         }
     }
 
-    /// The integral over the last range.
-    fn over(&mut self, f: Expr, ranges: &[Range], defined: &[Condition]) -> Result<Expr, Stop> {
+    /// The integral over the last range; over the later ones it is found already.
+    fn over(
+        &mut self,
+        f: Expr,
+        (ranges, later): (&[Range], &[Range]),
+        defined: &[Condition],
+    ) -> Result<Expr, Stop> {
         let Some(Range { variable, from, to, place }) = ranges.last().cloned() else { return Ok(f) };
+        let is_innermost = later.is_empty();
         let turn = self.integrated.entry(place).or_default();
         *turn += 1;
         let offer = self.offered.get(&place).and_then(|all| all.get(*turn - 1)).cloned();
@@ -198,8 +204,18 @@ impl Theory {
         };
         let region = Region { ranges, conditions: self.conditions_of(ranges)? };
         let mut conditions = region.conditions.clone();
-        for (expr, relation) in defined {
-            // where the integrand is defined, as far as it is seen
+        // what the integrand and the bounds within need; the value of an inner range is defined wherever it is used
+        let mut needs: Vec<Condition> = defined.to_vec();
+        if is_innermost {
+            for part in self.pool.parts(&[f]) {
+                needs.extend(self.need(part)?);
+            }
+        }
+        needs.retain(|need| {
+            let is_later = |range: &Range| self.pool.variables(need.0).contains(&range.variable);
+            !later.iter().any(is_later)
+        });
+        for (expr, relation) in &needs {
             if *relation != Relation::NotZero && self.holds(*expr, Relation::NotNegative, &region)? {
                 conditions.push((*expr, Relation::NotNegative));
             }
@@ -208,15 +224,12 @@ impl Theory {
             let antiderivative = theory.expression(&text)?;
             let slope = theory.pool.derivative(antiderivative, variable);
             let components = BTreeMap::from([(format!("of the integral over {text}"), [slope, f])]);
-            let statement = Statement { components, conditions };
-            let mut proof = Proof { theory, statement: &statement, lines: lines.iter(), is_defined: false };
-            proof.check(&[], 0)?;
-            if proof.lines.next().is_some() {
-                return Err(malformed("lines after a proof"));
-            }
+            let statement = Statement::new(&theory.pool, components, conditions);
+            proof::check(theory, &statement, &lines, Subject::AlmostEverywhere(variable))?;
             Ok(antiderivative)
         })?;
         self.check_continuous(antiderivative, &region)?;
+        self.check_almost_everywhere(&needs, antiderivative, &region)?;
         let upper = self.pool.substitute(antiderivative, &HashMap::from([(variable, to)]));
         let lower = self.pool.substitute(antiderivative, &HashMap::from([(variable, from)]));
         let negated = self.pool.negate(lower);
@@ -225,11 +238,14 @@ impl Theory {
 
     /// The strict conditions outside, and that each variable lies between its bounds.
     fn conditions_of(&mut self, ranges: &[Range]) -> Result<Vec<Condition>, Stop> {
-        let is_bound = |v: &usize| self.bound.contains(v) || ranges.iter().any(|range| range.variable == *v);
-        let outside =
-            |c: &&Condition| c.1 != Relation::NotNegative && !self.pool.variables(c.0).iter().any(is_bound);
-        let mut known: Vec<Condition> =
-            self.scope.conditions.iter().chain(&self.given).filter(outside).copied().collect();
+        let mut known: Vec<Condition> = Vec::new();
+        for condition in [&self.scope.conditions[..], &self.given].concat() {
+            let is_bound =
+                |v: &usize| self.bound.contains(v) || ranges.iter().any(|range| range.variable == *v);
+            if !self.pool.variables(condition.0).iter().any(is_bound) && self.is_open(condition)? {
+                known.push(condition);
+            }
+        }
         for range in ranges {
             let u = self.pool.make(Variable(range.variable), vec![]);
             let mut bounds = [range.from, range.to];
@@ -266,7 +282,19 @@ impl Theory {
     }
 
     pub(crate) fn seen(&mut self, q: Expr, conditions: &[Condition]) -> Result<Seen, Stop> {
-        Field::default().seen(&mut self.pool, q, conditions)
+        let mut field = Field::default();
+        for part in self.pool.parts(&[q]) {
+            if let (Function("sin" | "cos"), [angle]) = self.pool.node(part) {
+                field.elements.clear();
+                let angle = field.element(&self.pool, *angle)?;
+                if !field.has_unit(&angle)? {
+                    // an angle of several terms stays what it is
+                    let _ = field.declare(Kind::Circle, &angle);
+                }
+            }
+        }
+        field.elements.clear();
+        field.seen(&mut self.pool, q, conditions)
     }
 }
 

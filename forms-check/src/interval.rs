@@ -3,6 +3,7 @@
 use crate::expression::rational;
 use num_bigint::BigInt;
 use num_rational::BigRational;
+use std::sync::OnceLock;
 
 /// Ends are multiples of 2^−BITS.
 const BITS: u32 = 160;
@@ -55,8 +56,9 @@ impl Interval {
         Interval { low, high: products.into_iter().fold(last, Ord::max) }.rounded()
     }
 
-    fn widened(&self, by: &BigRational) -> Self {
-        Interval { low: &self.low - by, high: &self.high + by }.rounded()
+    /// Whether its ends are too long to be computed with.
+    pub(crate) fn is_long(&self) -> bool {
+        [&self.low, &self.high].iter().any(|end| end.numer().bits().max(end.denom().bits()) > LARGEST_BITS)
     }
 
     /// The largest absolute value.
@@ -103,24 +105,24 @@ impl Interval {
 
     /// Σ xⁿ/n!, Σ (−1)ⁿ x²ⁿ/(2n)!, Σ (−1)ⁿ x²ⁿ⁺¹/(2n+1)!; the rest is at most twice the next term where terms halve.
     fn taylor(&self) -> [Self; 3] {
-        let zero = Interval::number(rational(0, 1));
-        let mut sums = [zero.clone(), zero.clone(), zero];
-        let mut term = Interval::number(rational(1, 1));
+        let (x, mut term) = (Fixed::of(self), Fixed::one());
+        let mut sums = [Fixed::default(), Fixed::default(), Fixed::default()];
         let mut n = 0;
         let end = self.magnitude() * rational(4, 1) + rational(TERMS, 1);
         while rational(n, 1) < end {
-            let alternating = if n % 4 < 2 { term.clone() } else { term.scale(&rational(-1, 1)) };
-            let circular = 1 + (n % 2) as usize;
-            sums[0] = sums[0].add(&term);
-            sums[circular] = sums[circular].add(&alternating);
+            sums[0].add(&term, false);
+            sums[1 + (n % 2) as usize].add(&term, n % 4 >= 2);
             n += 1;
-            term = term.multiply(self).scale(&rational(1, n));
+            term = term.multiply(&x).over(n);
         }
-        sums.map(|sum| sum.widened(&(term.magnitude() * rational(2, 1))))
+        sums.map(|sum| sum.widened(&term).into_interval())
     }
 
     /// exp x = exp(x/2ᵏ)^(2ᵏ)
     pub(crate) fn exponential(&self) -> Option<Self> {
+        if self.magnitude() > rational(LARGEST, 1) {
+            return None;
+        }
         let (mut reduced, mut squarings) = (self.clone(), 0);
         while reduced.magnitude() > rational(1, 2) {
             reduced = reduced.scale(&rational(1, 2));
@@ -145,13 +147,13 @@ impl Interval {
 
     /// Σ sⁿ w²ⁿ⁺¹/(2n+1) for |w| ≤ 1/2: atan w for s = −1, artanh w for s = 1
     fn odd_series(&self, s: i64) -> Self {
-        let square = self.multiply(self).scale(&rational(s, 1));
-        let (mut sum, mut power) = (Interval::number(rational(0, 1)), self.clone());
+        let w = Fixed::of(self);
+        let (square, mut sum, mut power) = (w.multiply(&w), Fixed::default(), w);
         for n in 0..TERMS / 2 {
-            sum = sum.add(&power.scale(&rational(1, 2 * n + 1)));
+            sum.add(&power.over(2 * n + 1), s < 0 && n % 2 == 1);
             power = power.multiply(&square);
         }
-        sum.widened(&(power.magnitude() * rational(2, 1)))
+        sum.widened(&power).into_interval()
     }
 
     /// log x = k log 2 + 2 artanh((z − 1)/(z + 1)) for x = 2ᵏ z
@@ -166,13 +168,22 @@ impl Interval {
         }
         let one = Interval::number(rational(1, 1));
         let w = z.subtract(&one).divide(&z.add(&one))?;
-        let two = Interval::number(rational(1, 3)).odd_series(1).scale(&rational(2 * k, 1));
+        let two = Interval::logarithm_of_two().scale(&rational(k, 1));
         (w.magnitude() <= rational(1, 2)).then(|| two.add(&w.odd_series(1).scale(&rational(2, 1))))
     }
 
+    /// π = 4 (atan ½ + atan ⅓)
     pub(crate) fn pi() -> Self {
+        static PI: OnceLock<Interval> = OnceLock::new();
         let part = |q| Interval::number(rational(1, q)).odd_series(-1);
-        part(2).add(&part(3)).scale(&rational(4, 1))
+        PI.get_or_init(|| part(2).add(&part(3)).scale(&rational(4, 1))).clone()
+    }
+
+    /// log 2 = 2 artanh ⅓
+    fn logarithm_of_two() -> Self {
+        static LOGARITHM: OnceLock<Interval> = OnceLock::new();
+        let third = || Interval::number(rational(1, 3));
+        LOGARITHM.get_or_init(|| third().odd_series(1).scale(&rational(2, 1))).clone()
     }
 
     /// atan x = π/2 − atan(1/x) for x > 1, atan x = atan ½ + atan((x − ½)/(1 + x/2)) for ½ < x ≤ 1
@@ -210,5 +221,68 @@ impl Interval {
             "asin" => x.divide(&one.subtract(&x.multiply(x)).power(1, 2)?)?.arctangent(),
             _ => None,
         }
+    }
+}
+
+/// An interval whose ends are so many units of 2^−BITS: what series are summed in.
+#[derive(Clone, Default)]
+struct Fixed {
+    low: BigInt,
+    high: BigInt,
+}
+
+impl Fixed {
+    fn one() -> Self {
+        let one = BigInt::from(1) << BITS;
+        Fixed { low: one.clone(), high: one }
+    }
+
+    fn of(interval: &Interval) -> Self {
+        let scale = BigRational::from_integer(BigInt::from(1) << BITS);
+        let (low, high) = (&interval.low * &scale, &interval.high * scale);
+        Fixed { low: low.floor().to_integer(), high: high.ceil().to_integer() }
+    }
+
+    fn into_interval(self) -> Interval {
+        let end = |units: BigInt| BigRational::new(units, BigInt::from(1) << BITS);
+        Interval { low: end(self.low), high: end(self.high) }
+    }
+
+    fn add(&mut self, other: &Fixed, is_subtracted: bool) {
+        let (low, high) =
+            if is_subtracted { (-&other.high, -&other.low) } else { (other.low.clone(), other.high.clone()) };
+        self.low += low;
+        self.high += high;
+    }
+
+    /// The product, its ends rounded outwards: a shift to the right rounds down.
+    fn multiply(&self, other: &Fixed) -> Self {
+        let products = [
+            &self.low * &other.low,
+            &self.low * &other.high,
+            &self.high * &other.low,
+            &self.high * &other.high,
+        ];
+        let low = products.iter().min().cloned().unwrap_or_default() >> BITS;
+        let high = products.into_iter().max().unwrap_or_default();
+        Fixed { low, high: -(-high >> BITS) }
+    }
+
+    /// The quotient by a positive integer.
+    fn over(&self, n: i64) -> Self {
+        // division cuts towards zero, which is up for what is negative
+        let down = |end: &BigInt| {
+            let quotient = end / n;
+            if &quotient * n > *end { quotient - 1 } else { quotient }
+        };
+        Fixed { low: down(&self.low), high: -down(&-&self.high) }
+    }
+
+    /// Wider at both ends by twice the largest magnitude of a rest.
+    fn widened(mut self, rest: &Fixed) -> Self {
+        let magnitude = rest.high.clone().max(-rest.low.clone()) * 2;
+        self.low -= &magnitude;
+        self.high += magnitude;
+        self
     }
 }

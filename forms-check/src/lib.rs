@@ -14,6 +14,7 @@ mod calculus;
 mod certificate;
 mod circle;
 mod continuity;
+mod domain;
 mod element;
 mod evaluate;
 mod expression;
@@ -21,6 +22,7 @@ mod field;
 mod integral;
 mod interval;
 mod metric;
+mod point;
 mod polynomial;
 mod proof;
 mod sign;
@@ -39,6 +41,15 @@ pub enum Outcome {
     NotCovered(String),
 }
 
+/// What a statement is claimed to be, and what an entry shows of it: true, or false.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Claim {
+    /// `prove`: it holds at every point it speaks of, and it speaks of some.
+    Prove,
+    /// `refute`: it fails at one of them.
+    Refute,
+}
+
 /// One statement of one file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Checked {
@@ -46,8 +57,19 @@ pub struct Checked {
     pub file: String,
     /// The statement's name.
     pub name: String,
+    /// What the file says of it.
+    pub claim: Claim,
+    /// What an accepted entry shows of it.
+    pub shown: Option<Claim>,
     /// What was found.
     pub outcome: Outcome,
+}
+
+impl Checked {
+    /// Whether it is shown to be as the file says.
+    pub fn is_as_stated(&self) -> bool {
+        self.shown == Some(self.claim)
+    }
 }
 
 /// Checks a certificate. `read` gives the text of a file that it names.

@@ -7,7 +7,10 @@ use std::collections::{BTreeMap, HashMap};
 /// The most generators of one proof.
 pub(crate) const MOST_GENERATORS: usize = 32;
 
-/// The exponent of each generator. Products respect the lexicographic order; who multiplies bounds exponents.
+/// Coefficients of more bits are not computed with.
+pub(crate) const MOST_BITS: u64 = 1 << 15;
+
+/// The exponent of each generator. Products respect the lexicographic order.
 type Monomial = [u8; MOST_GENERATORS];
 
 /// Σ c m without zero coefficients; the last term leads.
@@ -24,6 +27,20 @@ fn plus_product(sum: &BigRational, a: &BigRational, b: &BigRational) -> BigRatio
         return BigRational::from_integer(sum.numer() + a.numer() * b.numer());
     }
     sum + a * b
+}
+
+/// The product, unless an exponent is too large for its type.
+fn product_of(a: &Monomial, b: &Monomial) -> Option<Monomial> {
+    let mut product = *a;
+    for (exponent, more) in product.iter_mut().zip(b) {
+        *exponent = exponent.checked_add(*more)?;
+    }
+    Some(product)
+}
+
+/// Whether a number is too long to be computed with.
+pub(crate) fn is_long(c: &BigRational) -> bool {
+    c.numer().bits().max(c.denom().bits()) > MOST_BITS
 }
 
 fn quotient_of(a: &Monomial, b: &Monomial) -> Option<Monomial> {
@@ -88,20 +105,20 @@ impl Polynomial {
         self
     }
 
-    pub(crate) fn multiply(&self, other: &Polynomial) -> Self {
+    /// The product; nothing where an exponent or a coefficient would be too large.
+    pub(crate) fn multiply(&self, other: &Polynomial) -> Option<Self> {
         let mut sums: HashMap<Monomial, BigRational> = HashMap::new();
         for (m, a) in &self.0 {
             for (n, b) in &other.0 {
-                let mut product = *m;
-                product.iter_mut().zip(n).for_each(|(exponent, more)| *exponent += more);
-                let sum = sums.entry(product).or_insert_with(zero);
+                let sum = sums.entry(product_of(m, n)?).or_insert_with(zero);
                 *sum = plus_product(sum, a, b);
             }
         }
-        Polynomial(sums.into_iter().filter(|term| term.1 != zero()).collect())
+        let product: BTreeMap<_, _> = sums.into_iter().filter(|term| term.1 != zero()).collect();
+        (!product.values().any(is_long)).then_some(Polynomial(product))
     }
 
-    /// The quotient, if the division leaves no rest.
+    /// The quotient, if the division leaves no rest and needs no exponent that is too large.
     pub(crate) fn divide(&self, by: &Polynomial) -> Option<Self> {
         let (leading, coefficient) = by.0.last_key_value()?;
         if let (Some(own), Some(least)) = (self.0.first_key_value(), by.0.first_key_value()) {
@@ -111,14 +128,14 @@ impl Polynomial {
         let (mut rest, mut quotient) = (self.clone(), Polynomial::default());
         while let Some((monomial, value)) = rest.0.last_key_value() {
             let term = Polynomial(BTreeMap::from([(quotient_of(monomial, leading)?, -value / coefficient)]));
-            rest = rest.add(&by.multiply(&term));
+            rest = rest.add(&by.multiply(&term)?);
             quotient = quotient.add(&term);
         }
         Some(quotient.scale(&-BigRational::from_integer(1.into())))
     }
 
-    /// The remainder by gⁿ = value: gᵏ becomes value^⌊k/n⌋ g^(k mod n).
-    pub(crate) fn reduce(&self, generator: usize, order: u8, value: &Polynomial) -> Self {
+    /// The remainder by gⁿ = value: gᵏ becomes value^⌊k/n⌋ g^(k mod n); nothing where it would be too large.
+    pub(crate) fn reduce(&self, generator: usize, order: u8, value: &Polynomial) -> Option<Self> {
         let (mut sum, mut parts) = (Polynomial::default(), BTreeMap::<u8, Polynomial>::new());
         for (monomial, c) in &self.0 {
             let mut rest = *monomial;
@@ -132,10 +149,12 @@ impl Polynomial {
         }
         let (mut power, mut reached) = (Polynomial::integer(1), 0);
         for (times, part) in parts {
-            power = (reached..times).fold(power, |power, _| power.multiply(value));
+            for _ in reached..times {
+                power = power.multiply(value)?;
+            }
             reached = times;
-            sum = sum.add(&part.multiply(&power));
+            sum = sum.add(&part.multiply(&power)?);
         }
-        sum
+        Some(sum)
     }
 }

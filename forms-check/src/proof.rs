@@ -1,123 +1,212 @@
 //! A proof replayed: declarations of bases and units, then zero, or cases of signs with a proof each.
+//!
+//! Every expression that the certificate writes has to be defined wherever what is proved is: it is made of parts of
+//! the statement, or the needs of its operations are shown.
 
 use crate::certificate::Line;
+use crate::expression::Operation::{Function, Multiply, Pi, Variable};
 use crate::expression::{Expr, rational};
-use crate::field::{Base, Field, Kind, Unit};
+use crate::field::{Base, Field, Fraction, Kind};
 use crate::polynomial::Polynomial;
-use crate::sign::Seen;
 use crate::theory::{Condition, Relation, Statement, Theory};
 use crate::{Stop, malformed, rejected};
+use std::collections::BTreeSet;
 
 /// Cases within cases.
 const DEEPEST: usize = 16;
 
-/// The lines of one proof, and what it is about.
-pub(crate) struct Proof<'a> {
-    pub(crate) theory: &'a mut Theory,
-    pub(crate) statement: &'a Statement,
-    pub(crate) lines: std::slice::Iter<'a, Line>,
-    /// Whether it speaks only of points at which both sides are defined.
-    pub(crate) is_defined: bool,
+/// The largest order of a base's root.
+const LARGEST_ORDER: i64 = 64;
+
+/// What is proved.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Subject {
+    /// That both sides agree wherever they are defined and the conditions hold.
+    Statement,
+    /// That they agree so, but for countably many values of a variable.
+    AlmostEverywhere(usize),
 }
 
-impl Proof<'_> {
-    /// Checks that both sides agree wherever the conditions hold and the given expressions are not negative.
-    pub(crate) fn check(&mut self, given: &[Condition], depth: usize) -> Result<(), Stop> {
-        let mut field = Field::default();
-        let mut bases: Vec<Expr> = Vec::new();
-        let conditions = [&self.statement.conditions[..], given].concat();
-        while let Some((keyword, rest)) = self.lines.next() {
+/// The lines of one proof, and what it is about.
+pub(crate) struct Proof<'a> {
+    theory: &'a mut Theory,
+    statement: &'a Statement,
+    lines: &'a [Line],
+    subject: Subject,
+    /// The units that are written by the tangents of their halves.
+    half_angles: Vec<Expr>,
+}
+
+/// The sign conditions of the cases around a step, and the parts of their expressions.
+#[derive(Clone, Default)]
+struct Cases {
+    given: Vec<Condition>,
+    parts: BTreeSet<Expr>,
+}
+
+/// Checks that both sides of a statement agree in every component.
+pub(crate) fn check(
+    theory: &mut Theory,
+    statement: &Statement,
+    lines: &[Line],
+    subject: Subject,
+) -> Result<(), Stop> {
+    let mut proof = Proof { theory, statement, lines, subject, half_angles: Vec::new() };
+    proof.step(&Cases::default(), 0)?;
+    if !proof.lines.is_empty() {
+        return Err(malformed("lines after a proof"));
+    }
+    let half_angles = std::mem::take(&mut proof.half_angles);
+    if half_angles.is_empty() || subject != Subject::Statement {
+        return Ok(());
+    }
+    theory.check_dense(statement, &half_angles)
+}
+
+/// One step while it is read.
+struct Step<'a> {
+    field: Field,
+    bases: Vec<Expr>,
+    cases: &'a Cases,
+    /// Those of the statement and of the cases.
+    conditions: Vec<Condition>,
+    depth: usize,
+}
+
+impl<'a> Proof<'a> {
+    fn next(&mut self) -> Option<(&'a str, &'a str)> {
+        let ((keyword, rest), after) = self.lines.split_first()?;
+        self.lines = after;
+        Some((keyword, rest))
+    }
+
+    /// What follows a keyword, if that is the next.
+    fn next_if(&mut self, wanted: &[&str]) -> Option<(&'a str, &'a str)> {
+        let (keyword, _) = self.lines.first()?;
+        if wanted.contains(&keyword.as_str()) { self.next() } else { None }
+    }
+
+    /// Checks one step: in the given cases both sides agree.
+    fn step(&mut self, cases: &Cases, depth: usize) -> Result<(), Stop> {
+        let conditions = [&self.statement.conditions[..], &cases.given].concat();
+        let mut step = Step { field: Field::default(), bases: Vec::new(), cases, conditions, depth };
+        while let Some((keyword, rest)) = self.next() {
             // what was opaque may be known by the next declaration
-            field.elements.clear();
-            match keyword.as_str() {
-                "base" => {
-                    bases.push(self.theory.expression(rest)?);
-                    self.base(&mut field, bases[bases.len() - 1])?;
-                }
-                "root" => {
-                    let order = rest.parse().ok().filter(|n| (1..=64).contains(n));
-                    let order = order.ok_or_else(|| malformed(format!("the order `{rest}`")))?;
-                    field.bases.last_mut().ok_or_else(|| malformed("a root without a base"))?.order = order;
-                }
-                "logarithm" => {
-                    let logarithm = Some(field.new_generator(None)?);
-                    let base =
-                        field.bases.last_mut().ok_or_else(|| malformed("a logarithm without a base"))?;
-                    base.logarithm = logarithm;
-                }
-                "positive" | "negative" => self.sign(&mut field, keyword == "positive", rest, &conditions)?,
-                "circle" => self.unit(&mut field, Kind::Circle, rest)?,
-                "tangent" => self.unit(&mut field, Kind::Tangent, rest)?,
-                "exponent" => self.unit(&mut field, Kind::Exponent, rest)?,
-                "split" if depth < DEEPEST => {
-                    return self.split(&mut field, &bases, rest, (given, &conditions), depth);
-                }
-                "undefined" if self.is_defined => return self.undefined(&mut field),
-                "zero" => return self.zero(&mut field),
+            step.field.elements.clear();
+            match keyword {
+                "base" => self.base(&mut step, rest)?,
+                "circle" => self.unit(&mut step, Kind::Circle, rest)?,
+                "tangent" => self.unit(&mut step, Kind::Tangent, rest)?,
+                "exponent" => self.unit(&mut step, Kind::Exponent, rest)?,
+                "split" if depth < DEEPEST => return self.split(&mut step, rest),
+                "undefined" if self.subject == Subject::Statement => return self.undefined(&mut step.field),
+                "zero" => return self.zero(&mut step.field),
                 other => return Err(malformed(format!("`{other}` in a proof"))),
             }
         }
         Err(malformed("a proof without an end"))
     }
 
-    fn base(&mut self, field: &mut Field, expr: Expr) -> Result<(), Stop> {
-        let element = field.element(&self.theory.pool, expr)?;
-        let element = field.expanded(&element)?;
+    /// An expression that the certificate writes, and the element it stands for.
+    fn declared(&mut self, step: &mut Step, text: &str) -> Result<(Expr, Fraction), Stop> {
+        let expr = self.theory.expression(text)?;
+        for part in self.theory.pool.parts(&[expr]) {
+            if self.statement.nodes.contains(&part)
+                || step.cases.parts.contains(&part)
+                || self.is_half_angle(step, part)?
+            {
+                continue;
+            }
+            if let Some(need) = self.theory.need(part)?
+                && !step.field.shows(&mut self.theory.pool, need, &step.conditions)?
+            {
+                return rejected(format!("`{text}` is not seen to be defined wherever the statement is"));
+            }
+        }
+        let element = step.field.element(&self.theory.pool, expr)?;
+        Ok((expr, element))
+    }
+
+    /// Whether it is the tangent of half a declared unit, which the points that are looked at do have.
+    fn is_half_angle(&mut self, step: &mut Step, part: Expr) -> Result<bool, Stop> {
+        let (Function("tan"), [angle]) = self.theory.pool.node(part) else { return Ok(false) };
+        let angle = step.field.element(&self.theory.pool, *angle)?;
+        Ok(step.field.half_unit(&angle)?.is_some())
+    }
+
+    /// `base g` with the lines that belong to it: its root, its logarithm, its sign.
+    fn base(&mut self, step: &mut Step, text: &str) -> Result<(), Stop> {
+        let (expr, element) = self.declared(step, text)?;
+        let element = step.field.expanded(&element)?;
         let constant = element.numerator.as_constant();
-        if !element.factors.is_empty()
-            || constant.as_ref().is_some_and(|c| *c <= rational(1, 1) || !c.is_integer())
-        {
+        let is_usable = |c: &num_rational::BigRational| *c > rational(1, 1) && c.is_integer();
+        if !element.factors.is_empty() || constant.as_ref().is_some_and(|c| !is_usable(c)) {
             return rejected("a base is no polynomial, nor an integer above 1");
         }
-        let sign = constant.map(|_| 1);
-        field.bases.push(Base {
-            polynomial: element.numerator,
-            order: 1,
-            used: 0,
-            sign,
-            root: None,
-            logarithm: None,
-        });
+        let order = match self.next_if(&["root"]) {
+            Some((_, order)) => {
+                let order = order.parse().ok().filter(|n| (2..=LARGEST_ORDER).contains(n));
+                order.ok_or_else(|| malformed("the order of a root is between 2 and 64"))?
+            }
+            None => 1,
+        };
+        let has_logarithm = self.next_if(&["logarithm"]).is_some();
+        let sign = match self.next_if(&["positive", "negative"]) {
+            Some((keyword, reason)) => {
+                Some(self.sign(step, &element.numerator, (keyword == "positive", reason))?)
+            }
+            None => constant.map(|_| 1),
+        };
+        let logarithm = if has_logarithm { Some(step.field.new_generator(None)?) } else { None };
+        let polynomial = element.numerator;
+        step.field.bases.push(Base { polynomial, order, used: 0, sign, root: None, logarithm });
+        step.bases.push(expr);
         Ok(())
     }
 
     /// The reason is the base, or minus the base, written so that it is visibly not negative.
     fn sign(
         &mut self,
-        field: &mut Field,
-        positive: bool,
-        reason: &str,
-        known: &[Condition],
-    ) -> Result<(), Stop> {
-        let expr = self.theory.expression(reason)?;
-        let element = field.element(&self.theory.pool, expr)?;
-        let sign = if positive { 1 } else { -1 };
-        let Some(base) = field.bases.last() else { return Err(malformed("a sign without a base")) };
-        let signed = base.polynomial.clone().scale(&rational(sign, 1)).into();
-        if !field.equal(&element, &signed)? {
+        step: &mut Step,
+        base: &Polynomial,
+        (is_positive, reason): (bool, &str),
+    ) -> Result<i64, Stop> {
+        let (expr, element) = self.declared(step, reason)?;
+        let sign = if is_positive { 1 } else { -1 };
+        let signed = base.clone().scale(&rational(sign, 1)).into();
+        if !step.field.equal(&element, &signed)? {
             return rejected("the reason for a sign is not the base");
         }
-        if field.seen(&mut self.theory.pool, expr, known)? == Seen::Nothing {
+        if !step.field.shows(&mut self.theory.pool, (expr, Relation::NotNegative), &step.conditions)? {
             return rejected("the reason for a sign does not show it");
         }
-        field.bases.last_mut().into_iter().for_each(|base| base.sign = Some(sign));
-        Ok(())
+        Ok(sign)
     }
 
-    fn unit(&mut self, field: &mut Field, kind: Kind, text: &str) -> Result<(), Stop> {
-        let expr = self.theory.expression(text)?;
-        let value = field.element(&self.theory.pool, expr)?;
-        let value = field.expanded(&value)?;
-        if value.numerator.0.len() != 1 {
-            return rejected("a unit is no number times a quantity");
+    fn unit(&mut self, step: &mut Step, kind: Kind, text: &str) -> Result<(), Stop> {
+        let (expr, value) = self.declared(step, text)?;
+        let value = step.field.declare(kind, &value)?;
+        if kind != Kind::Tangent {
+            return Ok(());
         }
-        let generator = field.new_generator(None)?;
-        if kind == Kind::Circle {
-            let sine = field.new_generator(None)?;
-            let square = Polynomial::generator(generator, 2).scale(&rational(-1, 1));
-            field.bind(sine, 2, square.add(&Polynomial::constant(rational(1, 1))));
+        // where the half angle has no tangent, the variables are moved
+        let (mut is_product, mut moves) = (value.factors.is_empty(), false);
+        for g in step.field.generators_of(&value.numerator) {
+            match step.field.generators[g] {
+                Some((Pi, _)) => {}
+                Some((Variable(v), _)) => {
+                    moves |=
+                        self.subject == Subject::Statement || self.subject == Subject::AlmostEverywhere(v);
+                }
+                _ => is_product = false,
+            }
         }
-        field.units.push(Unit { kind, value, generator, used: 0 });
+        if !is_product || !moves {
+            return rejected(
+                "the unit of a half angle is no number times powers of variables that can be moved",
+            );
+        }
+        self.half_angles.push(expr);
         Ok(())
     }
 
@@ -153,44 +242,37 @@ impl Proof<'_> {
         rejected("both sides are defined")
     }
 
-    fn split(
-        &mut self,
-        field: &mut Field,
-        bases: &[Expr],
-        text: &str,
-        (given, conditions): (&[Condition], &[Condition]),
-        depth: usize,
-    ) -> Result<(), Stop> {
-        let numbers: Option<Vec<usize>> = text.split_whitespace().map(|word| word.parse().ok()).collect();
-        let numbers = numbers.filter(|numbers| numbers.iter().all(|n| (1..=bases.len()).contains(n)));
-        let numbers = numbers.ok_or_else(|| malformed(format!("the bases `{text}`")))?;
-        let split: Vec<usize> = numbers.iter().map(|number| number - 1).collect();
+    fn split(&mut self, step: &mut Step, text: &str) -> Result<(), Stop> {
+        let number = |word: &str| word.parse().ok().filter(|n| (1..=step.bases.len()).contains(n));
+        let split: Option<Vec<usize>> =
+            text.split_whitespace().map(|word| number(word).map(|n| n - 1)).collect();
+        let split = split.ok_or_else(|| malformed(format!("the bases `{text}`")))?;
         let mut cases: Vec<Vec<i64>> = Vec::new();
-        loop {
-            match self.lines.next() {
-                Some((keyword, signs)) if keyword == "case" => {
-                    let signs: Vec<i64> = signs.chars().map(|c| if c == '-' { -1 } else { 1 }).collect();
-                    let length = cases.first().map_or(signs.len(), Vec::len);
-                    if signs.len() != length || length > split.len() || cases.contains(&signs) {
-                        return Err(malformed(
-                            "cases have as many signs, for the first bases, and stand once",
-                        ));
-                    }
-                    let mut known = given.to_vec();
-                    for (sign, base) in signs.iter().zip(&split) {
-                        let (factor, pool) = (rational(*sign, 1), &mut self.theory.pool);
-                        let factor = pool.number(factor);
-                        let signed =
-                            pool.make(crate::expression::Operation::Multiply, vec![factor, bases[*base]]);
-                        known.push((signed, Relation::NotNegative));
-                    }
-                    self.check(&known, depth + 1)?;
-                    cases.push(signs);
-                }
-                Some((keyword, _)) if keyword == "end" => break,
-                _ => return Err(malformed("cases without an end")),
+        while let Some((_, signs)) = self.next_if(&["case"]) {
+            let sign = |c: char| match c {
+                '+' => Some(1),
+                '-' => Some(-1),
+                _ => None,
+            };
+            let signs: Vec<i64> = signs.chars().map(sign).collect::<Option<_>>().unwrap_or_default();
+            let length = cases.first().map_or(signs.len(), Vec::len);
+            if signs.is_empty() || signs.len() != length || length > split.len() || cases.contains(&signs) {
+                return Err(malformed("cases have as many signs, for the first bases, and stand once"));
             }
+            let mut inner = step.cases.clone();
+            for (sign, base) in signs.iter().zip(&split) {
+                let base = step.bases[*base];
+                let factor = self.theory.pool.number(rational(*sign, 1));
+                let signed = self.theory.pool.make(Multiply, vec![factor, base]);
+                inner.given.push((signed, Relation::NotNegative));
+                inner.parts.extend(self.theory.pool.parts(&[signed]));
+            }
+            self.step(&inner, step.depth + 1)?;
+            cases.push(signs);
         }
-        field.check_cover(&self.theory.pool, conditions, &split, &cases)
+        if self.next_if(&["end"]).is_none() {
+            return Err(malformed("cases without an end"));
+        }
+        step.field.check_cover(&self.theory.pool, &step.conditions, &split, &cases)
     }
 }

@@ -3,9 +3,10 @@
 use crate::expression::Operation::{Add, Divide, Function, Multiply, Number, Pi, Power};
 use crate::expression::{Expr, Pool, rational};
 use crate::field::{Base, Field, Fraction, Kind};
-use crate::polynomial::Polynomial;
+use crate::polynomial::{MOST_GENERATORS, Polynomial};
 use crate::theory::{Condition, Relation};
 use crate::{Stop, rejected, uncovered};
+use num_rational::BigRational;
 use std::collections::HashMap;
 
 /// More bases than this are not told apart at once.
@@ -19,6 +20,19 @@ pub(crate) enum Seen {
     Positive,
 }
 
+/// What is seen of a polynomial all of whose terms are positive numbers times squares.
+fn squares(polynomial: &Polynomial) -> Seen {
+    let is_square = |(monomial, c): (&[u8; MOST_GENERATORS], &BigRational)| {
+        *c > rational(0, 1) && monomial.iter().all(|exponent| exponent % 2 == 0)
+    };
+    match polynomial.0.first_key_value() {
+        Some((least, _)) if polynomial.0.iter().all(is_square) => {
+            if least.iter().all(|exponent| *exponent == 0) { Seen::Positive } else { Seen::NotNegative }
+        }
+        _ => Seen::Nothing,
+    }
+}
+
 /// What is seen of a product of facts.
 fn product_of(facts: &[(Polynomial, Seen)], mut rest: Polynomial) -> Seen {
     let mut least = Seen::Positive;
@@ -28,8 +42,7 @@ fn product_of(facts: &[(Polynomial, Seen)], mut rest: Polynomial) -> Seen {
             least = least.min(*seen);
         }
     }
-    let is_positive = rest.as_constant().is_some_and(|c| c > rational(0, 1));
-    if is_positive { least } else { Seen::Nothing }
+    least.min(squares(&rest))
 }
 
 /// What a condition says of bases: the sign of a product of odd powers, where none of `all` vanishes.
@@ -129,6 +142,41 @@ impl Field {
             visible.insert(part, seen);
         }
         Ok(visible[&root])
+    }
+
+    /// Whether a relation is seen: of q as it is written, or since q is a product of what is not zero.
+    pub(crate) fn shows(
+        &mut self,
+        pool: &mut Pool,
+        (q, relation): Condition,
+        known: &[Condition],
+    ) -> Result<bool, Stop> {
+        match relation {
+            Relation::Positive => Ok(self.seen(pool, q, known)? == Seen::Positive),
+            Relation::NotNegative => Ok(self.seen(pool, q, known)? >= Seen::NotNegative),
+            Relation::NotZero => {
+                let negated = pool.negate(q);
+                Ok(self.seen(pool, q, known)? == Seen::Positive
+                    || self.seen(pool, negated, known)? == Seen::Positive
+                    || self.is_product_of_nonzero(pool, q, known)?)
+            }
+        }
+    }
+
+    /// Whether the factors of what conditions say is not zero divide q until a number is left.
+    fn is_product_of_nonzero(&mut self, pool: &Pool, q: Expr, known: &[Condition]) -> Result<bool, Stop> {
+        let mut rest = self.element(pool, q)?.numerator;
+        for (expr, _) in known.iter().filter(|condition| condition.1 != Relation::NotNegative) {
+            let Ok(element) = self.element(pool, *expr) else { continue };
+            let factors = element.factors.keys().map(|factor| self.factor(*factor).clone());
+            for divisor in std::iter::once(element.numerator.clone()).chain(factors.collect::<Vec<_>>()) {
+                while divisor.as_constant().is_none() && rest.as_constant().is_none() {
+                    let Some(quotient) = rest.divide(&divisor) else { break };
+                    rest = quotient;
+                }
+            }
+        }
+        Ok(rest.as_constant().is_some_and(|c| c != rational(0, 1)))
     }
 
     /// ±a and so many quarter turns

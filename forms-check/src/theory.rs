@@ -5,8 +5,8 @@ use crate::expression::{Expr, Pool, rational};
 use crate::integral::Offered;
 use crate::metric::Metric;
 use crate::tokens::{Reader, Token};
-use crate::{Stop, malformed, rejected, uncovered};
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use crate::{Claim, Stop, malformed, rejected, uncovered};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// The most coordinates and params of a file: each coordinate is a bit of a blade.
 const MOST_VARIABLES: usize = 128;
@@ -51,12 +51,58 @@ pub(crate) enum Named {
     Uncovered(String),
 }
 
-/// Both sides of a statement by component, and the points it speaks of.
+/// Both sides of a statement by component, and the points it speaks of: those at which every condition holds and every
+/// part of the sides and conditions is real.
 #[derive(Clone, Debug)]
 pub(crate) struct Statement {
     pub(crate) components: BTreeMap<String, [Expr; 2]>,
     pub(crate) conditions: Vec<Condition>,
+    /// All parts of the sides and conditions.
+    pub(crate) nodes: BTreeSet<Expr>,
 }
+
+impl Statement {
+    pub(crate) fn new(
+        pool: &Pool,
+        components: BTreeMap<String, [Expr; 2]>,
+        conditions: Vec<Condition>,
+    ) -> Self {
+        let mut roots: Vec<Expr> = components.values().flatten().copied().collect();
+        roots.extend(conditions.iter().map(|condition| condition.0));
+        let nodes = pool.parts(&roots);
+        Statement { components, conditions, nodes }
+    }
+}
+
+/// Words of the language that no declaration can take.
+const WORDS: [&str; 26] = [
+    "pi",
+    "sqrt",
+    "d",
+    "interior",
+    "lie",
+    "bracket",
+    "pair",
+    "pullback",
+    "diff",
+    "hodge",
+    "codiff",
+    "laplace",
+    "flat",
+    "sharp",
+    "inner",
+    "norm",
+    "volume",
+    "grad",
+    "curl",
+    "div",
+    "potential",
+    "integral",
+    "boundary_integral",
+    "where",
+    "on",
+    "pub",
+];
 
 /// The functions of the language of the arguments a and b: the derivative, and where it is real.
 pub(crate) const FUNCTIONS: [(&str, &str, &str); 8] = [
@@ -92,9 +138,12 @@ pub(crate) struct Theory {
     /// Where each function of the language is real.
     pub(crate) domains: HashMap<&'static str, Vec<Condition>>,
     pub(crate) charts: Vec<Chart>,
-    statements: HashMap<String, Reader>,
-    /// Statements that follow from warps.
-    of_warps: HashSet<String>,
+    /// What each statement is claimed to be, and where its sides stand; nowhere for those that follow from warps.
+    statements: HashMap<String, (Claim, Option<Reader>)>,
+    /// Why the file is none that can be proved.
+    fault: Option<String>,
+    /// An item that is not understood and may bind any statement.
+    obstacle: Option<String>,
     pub(crate) scope: Scope,
     /// Whether `*` between 1-forms is the symmetric product.
     pub(crate) in_metric: bool,
@@ -129,19 +178,29 @@ impl Theory {
             theory.scope = Scope::default();
             theory.integrated.clear();
             theory.bound.clear();
-            theory.item(&mut reader)?;
+            let start = reader.place;
+            if let Err(stop) = theory.item(&mut reader) {
+                theory.obstacle.get_or_insert(stop.into_text());
+                reader.place = start;
+                reader.pass_item();
+            }
         }
-        Ok(theory)
+        match theory.fault.take() {
+            Some(fault) => Err(malformed(fault)),
+            None => Ok(theory),
+        }
     }
 
     /// Derives both sides of a statement.
     pub(crate) fn statement(&mut self, name: &str) -> Result<Statement, Stop> {
-        if self.of_warps.contains(name) {
-            return uncovered("what follows from a warp");
-        }
-        let Some(mut reader) = self.statements.get(name).cloned() else {
-            return rejected("the file has no such statement");
+        let mut reader = match self.statements.get(name).cloned() {
+            None => return rejected("the file has no such statement"),
+            Some((_, None)) => return uncovered("what follows from a warp"),
+            Some((_, Some(reader))) => reader,
         };
+        if let Some(obstacle) = &self.obstacle {
+            return uncovered(format!("an item of the file is not understood: {obstacle}"));
+        }
         self.given.clear();
         self.given = self.stated(reader.clone())?;
         self.scope = Scope::default();
@@ -150,6 +209,9 @@ impl Theory {
         let left = self.sum(&mut reader)?;
         reader.expect("==")?;
         let sides = [left, self.sum(&mut reader)?];
+        if !sides[0].is_alike(&sides[1]) {
+            return Err(malformed("the sides are of different types"));
+        }
         let mut conditions = self.bounds(&mut reader)?;
         reader.expect(";")?;
         conditions.append(&mut self.scope.conditions);
@@ -173,7 +235,7 @@ impl Theory {
             }
         }
         self.check_size()?;
-        Ok(Statement { components, conditions })
+        Ok(Statement::new(&self.pool, components, conditions))
     }
 
     /// What a statement says after `where`.
@@ -191,6 +253,34 @@ impl Theory {
         let mut names: Vec<String> = self.statements.keys().cloned().collect();
         names.sort();
         names
+    }
+
+    /// What a statement is claimed to be.
+    pub(crate) fn claim(&self, name: &str) -> Option<Claim> {
+        self.statements.get(name).map(|statement| statement.0)
+    }
+
+    fn add_statement(&mut self, name: String, claim: Claim, reader: Option<Reader>) {
+        if self.statements.contains_key(&name) {
+            self.fault.get_or_insert(format!("two statements are called `{name}`"));
+        }
+        self.statements.insert(name, (claim, reader));
+    }
+
+    /// Gives a name its meaning, which it keeps.
+    fn declare(&mut self, name: &str, meaning: Named) {
+        let is_word = WORDS.contains(&name)
+            || FUNCTIONS
+                .iter()
+                .map(|row| row.0)
+                .chain(DERIVED.iter().map(|row| row.0))
+                .any(|word| word == name);
+        if is_word {
+            self.fault.get_or_insert(format!("`{name}` is a word of the language"));
+        }
+        if self.names.insert(name.to_string(), meaning).is_some() {
+            self.fault.get_or_insert(format!("`{name}` is declared twice"));
+        }
     }
 
     /// A scalar that the certificate writes; what it needs is no condition of the statement.
@@ -221,23 +311,31 @@ impl Theory {
         let (name, start) = (reader.name()?, reader.place);
         if keyword == "warp" {
             reader.pass_item();
-            self.of_warps.extend(["density", "inverse"].map(|what| format!("{name}_{what}")));
-            self.names.insert(name, Named::Uncovered("a warp".into()));
+            for what in ["density", "inverse"] {
+                self.add_statement(format!("{name}_{what}"), Claim::Prove, None);
+            }
+            self.declare(&name, Named::Uncovered("a warp".into()));
             return Ok(());
         }
+        let claim = match keyword.as_str() {
+            "prove" => Some(Claim::Prove),
+            "refute" => Some(Claim::Refute),
+            _ => None,
+        };
+        if let Some(claim) = claim {
+            reader.expect(":")?;
+            self.add_statement(name, claim, Some(reader.clone()));
+            reader.pass_item();
+            return Ok(());
+        }
+        self.declare(&name, Named::Uncovered("a declaration within itself".into()));
         let named = match keyword.as_str() {
             "chart" => self.chart(reader),
             "fn" => self.unknown_function(&name, reader),
             "let" | "form" | "field" => self.object(reader),
             "map" => self.map(reader),
             "metric" => self.metric(reader),
-            "prove" | "refute" => {
-                reader.expect(":")?;
-                self.statements.insert(name, reader.clone());
-                reader.pass_item();
-                return Ok(());
-            }
-            other => return Err(malformed(format!("an item cannot begin with `{other}`"))),
+            other => return uncovered(format!("`{other}`")),
         };
         // a declaration that is not understood is an obstacle only to what uses it
         let named = named.and_then(|named| reader.expect(";").map(|()| named)).unwrap_or_else(|stop| {
@@ -245,10 +343,14 @@ impl Theory {
             reader.pass_item();
             Named::Uncovered(stop.into_text())
         });
+        if keyword != "fn" && reader.defines_by(&name, start) {
+            self.fault.get_or_insert(format!("`{name}` is declared by itself"));
+        }
         self.names.insert(name, named);
         Ok(())
     }
 
+    /// A chart; if its domain is not understood, neither is what uses its coordinates.
     fn chart(&mut self, reader: &mut Reader) -> Result<Named, Stop> {
         let (mut coordinates, mut conditions) = (vec![], vec![]);
         if reader.take("=") {
@@ -260,15 +362,40 @@ impl Theory {
         } else {
             reader.expect("(")?;
             for name in reader.names(",")? {
-                let number = self.variable(&name).or_else(|_| self.new_variable(&name, true))?;
-                self.names.insert(format!("d{name}"), Named::Differential(number));
-                coordinates.push(number);
+                coordinates.push(self.coordinate(&name)?);
             }
             reader.expect(")")?;
         }
-        conditions.extend(self.domain(reader)?);
+        if (0..coordinates.len()).any(|n| coordinates[..n].contains(&coordinates[n])) {
+            self.fault.get_or_insert("a coordinate occurs twice in a chart".into());
+        }
+        match self.domain(reader).and_then(|own| reader.following(";").map(|()| own)) {
+            Ok(own) => conditions.extend(own),
+            Err(stop) => {
+                for v in coordinates {
+                    let name = self.variables[v].0.clone();
+                    let why = Named::Uncovered("a chart whose domain is not understood".into());
+                    self.names.insert(format!("d{name}"), why.clone());
+                    self.names.insert(name, why);
+                }
+                return Err(stop);
+            }
+        }
         self.charts.push((coordinates.clone(), conditions.clone()));
         Ok(Named::Chart((coordinates, conditions)))
+    }
+
+    /// The coordinate of a name, a new one perhaps.
+    fn coordinate(&mut self, name: &str) -> Result<usize, Stop> {
+        match self.names.get(name) {
+            Some(Named::Variable(v)) if self.variables[*v].1 => Ok(*v),
+            Some(Named::Uncovered(what)) => uncovered(what.clone()),
+            _ => {
+                let number = self.new_variable(name, true)?;
+                self.declare(&format!("d{name}"), Named::Differential(number));
+                Ok(number)
+            }
+        }
     }
 
     pub(crate) fn chart_named(&self, name: &str) -> Result<Chart, Stop> {
@@ -283,7 +410,7 @@ impl Theory {
             return Err(malformed(format!("more than {MOST_VARIABLES} variables")));
         }
         self.variables.push((name.to_string(), is_coordinate));
-        self.names.insert(name.to_string(), Named::Variable(self.variables.len() - 1));
+        self.declare(name, Named::Variable(self.variables.len() - 1));
         Ok(self.variables.len() - 1)
     }
 
@@ -299,7 +426,14 @@ impl Theory {
         let names = reader.names(",")?;
         let numbers: Vec<usize> =
             names.iter().map(|name| self.new_variable(name, false)).collect::<Result<_, _>>()?;
-        let conditions = self.domain(reader)?;
+        let domain = self.domain(reader).and_then(|own| reader.following(";").map(|()| own));
+        let Ok(conditions) = domain else {
+            for name in names {
+                self.names.insert(name, Named::Uncovered("a param whose condition is not understood".into()));
+            }
+            reader.pass_item();
+            return Ok(());
+        };
         for number in &numbers {
             let (mut reached, mut found): (_, Vec<Condition>) = (BTreeSet::from([*number]), vec![]);
             while let Some(next) = conditions.iter().find(|condition| {

@@ -11,7 +11,12 @@ pub(crate) enum Token {
     Number(BigRational),
     Name(String),
     Sign(&'static str),
+    /// A character that the checker does not know: what it belongs to is not covered.
+    Unknown(char),
 }
+
+/// Digits of a number, and the magnitude of its power of ten.
+const LONGEST_NUMBER: usize = 10_000;
 
 const SIGNS: [&str; 25] = [
     "**", "==", "<=", ">=", "!=", "->", "..", "+", "-", "*", "/", "^", "(", ")", "[", "]", "{", "}", ",",
@@ -49,9 +54,8 @@ impl Reader {
                 tokens.push((Token::Name(word.to_string()), place));
             } else if word.is_empty() {
                 let sign = SIGNS.iter().find(|sign| rest.starts_with(**sign));
-                let sign = sign.ok_or_else(|| malformed(format!("the character {first:?}")))?;
-                tokens.push((Token::Sign(sign), place));
-                rest = &rest[sign.len()..];
+                tokens.push((sign.map_or(Token::Unknown(first), |sign| Token::Sign(sign)), place));
+                rest = &rest[sign.map_or(first.len_utf8(), |sign| sign.len())..];
             }
             rest = rest.trim_start();
         }
@@ -100,6 +104,11 @@ impl Reader {
         if self.take(sign) { Ok(()) } else { Err(self.wrong(sign)) }
     }
 
+    /// That a sign stands next, which is not passed.
+    pub(crate) fn following(&self, sign: &str) -> Result<(), Stop> {
+        self.clone().expect(sign)
+    }
+
     pub(crate) fn wrong(&self, wanted: &str) -> Stop {
         malformed(format!("expected {wanted}, found {:?} (token {})", self.peek(), self.place))
     }
@@ -114,6 +123,13 @@ impl Reader {
         let Some(Token::Name(name)) = self.peek().cloned() else { return Err(self.wrong("a name")) };
         self.place += 1;
         Ok(name)
+    }
+
+    /// Whether a name occurs after the first equals sign of the tokens from a place to the present one.
+    pub(crate) fn defines_by(&self, name: &str, from: usize) -> bool {
+        let body = self.tokens[from..self.place].iter().map(|token| &token.0);
+        let mut body = body.skip_while(|token| **token != Token::Sign("="));
+        body.any(|token| matches!(token, Token::Name(own) if own == name))
     }
 
     /// The names of a declaration, separated by a sign, units passed over.
@@ -177,7 +193,11 @@ fn number_length(text: &[u8]) -> usize {
 fn number(text: &str) -> Option<BigRational> {
     let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let exponent: i32 = exponent.parse().ok().filter(|e: &i32| e.abs() <= 4096)?;
+    let exponent: i32 =
+        exponent.parse().ok().filter(|e: &i32| e.unsigned_abs() as usize <= LONGEST_NUMBER)?;
+    if whole.len() + part.len() > LONGEST_NUMBER {
+        return None;
+    }
     let digits: BigInt = format!("{whole}{part}").parse().ok()?;
     Some(
         BigRational::from_integer(digits)

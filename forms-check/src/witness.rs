@@ -1,63 +1,172 @@
-//! A refutation checked: an exact point that meets every condition, at which the sides are enclosed apart.
+//! Points that a certificate names or the checker finds: where two sides differ, and that a statement speaks of any.
 
 use crate::certificate::Line;
-use crate::expression::Operation::{Add, Divide, Function, Jet, Multiply, Number, Pi, Power, Variable};
-use crate::expression::{Expr, Pool, rational};
+use crate::expression::Expr;
+use crate::expression::rational;
 use crate::interval::Interval;
-use crate::theory::{Relation, Statement, Theory};
-use crate::{Stop, malformed, rejected};
+use crate::point::Point;
+use crate::theory::{Condition, Relation, Statement, Theory};
+use crate::{Stop, malformed, rejected, uncovered};
 use num_rational::BigRational;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
-/// Values of variables, or where they lie, and of unknown functions with their derivatives at places.
-#[derive(Default)]
-pub(crate) struct Point {
-    variables: HashMap<usize, Interval>,
-    jets: Vec<(usize, Vec<u32>, Vec<Interval>, BigRational)>,
-}
+/// How many points are looked at for one that a statement speaks of.
+const MOST_POINTS: u64 = 400;
 
-/// Checks a point against a statement.
+/// Some points have flat functions, which are enclosed for arguments that are physical constants.
+const FLAT: u32 = 60;
+
+/// The values that variables are given.
+const VALUES: [(i64, i64); 30] = [
+    (1, 2),
+    (1, 1),
+    (2, 1),
+    (1, 3),
+    (3, 4),
+    (3, 2),
+    (-1, 2),
+    (1, 4),
+    (-1, 1),
+    (3, 1),
+    (5, 4),
+    (1, 10),
+    (-2, 1),
+    (0, 1),
+    (7, 3),
+    (5, 1),
+    (-3, 2),
+    (1, 100),
+    (10, 1),
+    (9, 10),
+    (4, 3),
+    (-1, 4),
+    (100, 1),
+    (99, 100),
+    (-3, 1),
+    (-1, 10),
+    (2, 3),
+    (1, 1000),
+    (-10, 1),
+    (1000, 1),
+];
+
+/// Checks a point of a refutation: it meets every condition, and the sides are enclosed apart there.
 pub(crate) fn check(theory: &mut Theory, statement: &Statement, lines: &[Line]) -> Result<(), Stop> {
-    let (mut point, mut component, mut values) = (Point::default(), "", Vec::new());
-    for (keyword, rest) in lines {
-        match keyword.as_str() {
-            "at" => {
-                let (name, value) =
-                    rest.split_once(" = ").ok_or_else(|| malformed("a point without a value"))?;
-                let (place, value) = (theory.expression(name)?, number(theory, value)?);
-                point.set(&theory.pool, place, value)?;
-            }
-            "component" => component = rest,
-            "left" | "right" => values.push((number(theory, rest)?, rest)),
-            other => return Err(malformed(format!("`{other}` in a refutation"))),
-        }
+    let count = lines.iter().position(|line| line.0 != "at").unwrap_or(lines.len());
+    let (at, rest) = lines.split_at(count);
+    let point = listed(theory, at)?.completed(0);
+    let [(component_line, component), (left_line, left), (right_line, right)] = rest else {
+        return Err(malformed("a refutation is a point, a component, a left and a right value"));
+    };
+    if [component_line.as_str(), left_line, right_line] != ["component", "left", "right"] {
+        return Err(malformed("a refutation is a point, a component, a left and a right value"));
     }
     let Some(sides) = statement.components.get(component) else { return rejected("no such component") };
-    let [(left, left_text), (right, right_text)] = values.as_slice() else {
-        return Err(malformed("a refutation needs a left and a right value"));
-    };
     let mut known = HashMap::new();
-    for (expr, relation) in &statement.conditions {
-        let sign = point.at(&theory.pool, *expr, &mut known)?.sign();
-        let holds = match relation {
-            Relation::Positive => sign == Some(1),
-            Relation::NotNegative => matches!(sign, Some(0 | 1)),
-            Relation::NotZero => matches!(sign, Some(1 | -1)),
-        };
-        if !holds {
-            return rejected("a condition is not certain at the point");
-        }
+    if !meets(theory, &point, &statement.conditions, &mut known) {
+        return rejected("a condition is not certain at the point");
     }
-    let at = sides.map(|side| point.at(&theory.pool, side, &mut known));
-    let [a, b] = [at[0].clone()?, at[1].clone()?];
+    // both sides are defined in every component
+    for side in statement.components.values().flatten() {
+        point.enclosed(&theory.pool, *side, &mut known)?;
+    }
+    let [a, b] = [known[&sides[0]].clone(), known[&sides[1]].clone()];
     if a.low <= b.high && b.low <= a.high {
         return rejected("the sides are not told apart at the point");
     }
-    if is_rounded(&a, left, left_text) && is_rounded(&b, right, right_text) {
+    if is_rounded(&a, &number(theory, left)?, left) && is_rounded(&b, &number(theory, right)?, right) {
         Ok(())
     } else {
         rejected("other values")
     }
+}
+
+/// Checks that a statement speaks of some point: the one that the certificate names, or one that is found.
+pub(crate) fn check_inhabited(theory: &mut Theory, statement: &Statement, at: &[Line]) -> Result<(), Stop> {
+    if at.is_empty() {
+        return find(theory, statement);
+    }
+    let point = listed(theory, at)?.completed(0);
+    if is_of(theory, &point, statement) {
+        Ok(())
+    } else {
+        rejected("it is not certain that the statement speaks of the point")
+    }
+}
+
+fn listed(theory: &mut Theory, at: &[Line]) -> Result<Point, Stop> {
+    let mut point = Point::default();
+    for (_, rest) in at {
+        let (name, value) = rest.split_once(" = ").ok_or_else(|| malformed("a point without a value"))?;
+        let (place, value) = (theory.expression(name)?, number(theory, value)?);
+        point.set(&theory.pool, place, value)?;
+    }
+    Ok(point)
+}
+
+fn meets(
+    theory: &Theory,
+    point: &Point,
+    conditions: &[Condition],
+    known: &mut HashMap<Expr, Interval>,
+) -> bool {
+    conditions.iter().all(|(expr, relation)| {
+        let sign = point.enclosed(&theory.pool, *expr, known).ok().and_then(|value| value.sign());
+        match relation {
+            Relation::Positive => sign == Some(1),
+            Relation::NotNegative => matches!(sign, Some(0 | 1)),
+            Relation::NotZero => matches!(sign, Some(1 | -1)),
+        }
+    })
+}
+
+/// Whether every condition holds and both sides are defined.
+fn is_of(theory: &Theory, point: &Point, statement: &Statement) -> bool {
+    let mut known = HashMap::new();
+    meets(theory, point, &statement.conditions, &mut known)
+        && statement
+            .components
+            .values()
+            .flatten()
+            .all(|side| point.enclosed(&theory.pool, *side, &mut known).is_ok())
+}
+
+/// Looks for a point among values that meet the conditions on one variable alone.
+fn find(theory: &mut Theory, statement: &Statement) -> Result<(), Stop> {
+    let mut variables: BTreeSet<usize> = BTreeSet::new();
+    for part in &statement.nodes {
+        variables.extend(theory.pool.variables(*part));
+    }
+    let mut conditions = statement.conditions.clone();
+    conditions.sort_by_cached_key(|condition| theory.pool.parts(&[condition.0]).len());
+    let fits = |v: usize, value: &BigRational| {
+        let point = Point::within(HashMap::from([(v, Interval::number(value.clone()))])).completed(0);
+        let is_alone = |condition: &&Condition| theory.pool.variables(condition.0) == BTreeSet::from([v]);
+        let own: Vec<Condition> = conditions.iter().filter(is_alone).copied().collect();
+        meets(theory, &point, &own, &mut HashMap::new())
+    };
+    let values = VALUES.map(|(p, q)| rational(p, q));
+    let choices: Vec<(usize, Vec<BigRational>)> = variables
+        .into_iter()
+        .map(|v| (v, values.iter().filter(|value| fits(v, value)).cloned().collect()))
+        .collect();
+    if choices.iter().all(|(_, fitting)| !fitting.is_empty()) {
+        let mut random = 1_u64;
+        for round in 0..MOST_POINTS {
+            let mut variables = HashMap::new();
+            for (v, fitting) in &choices {
+                random =
+                    random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                let chosen = (random >> 33) as usize % fitting.len();
+                variables.insert(*v, Interval::number(fitting[chosen].clone()));
+            }
+            let point = Point::within(variables).completed(if round % 4 == 3 { FLAT } else { 0 });
+            if meets(theory, &point, &conditions, &mut HashMap::new()) && is_of(theory, &point, statement) {
+                return Ok(());
+            }
+        }
+    }
+    uncovered("no point is found that the statement speaks of")
 }
 
 fn number(theory: &mut Theory, text: &str) -> Result<BigRational, Stop> {
@@ -73,76 +182,4 @@ fn is_rounded(value: &Interval, number: &BigRational, text: &str) -> bool {
     let unit = if places == 0 { rational(0, 1) } else { rational(1, 10).pow(places.min(4096) as i32) };
     let half = unit / rational(2, 1) + width;
     value.low >= number - &half && value.high <= number + half
-}
-
-impl Point {
-    fn set(&mut self, pool: &Pool, place: Expr, value: BigRational) -> Result<(), Stop> {
-        let is_new = match pool.node(place) {
-            (Variable(v), _) => self.variables.insert(*v, Interval::number(value)).is_none(),
-            (Jet(f, orders), arguments) => {
-                let mut known = HashMap::new();
-                let at =
-                    arguments.iter().map(|a| self.at(pool, *a, &mut known)).collect::<Result<Vec<_>, _>>()?;
-                let is_new = self.find(*f, orders, &at, &rational(3, 1)).next().is_none();
-                self.jets.push((*f, orders.clone(), at, value));
-                is_new
-            }
-            _ => return Err(malformed("a point gives values of variables and unknown functions")),
-        };
-        if is_new { Ok(()) } else { rejected("two values at one place") }
-    }
-
-    /// The jets within 10⁻¹² times some factor of a place.
-    fn find<'a>(
-        &'a self,
-        function: usize,
-        orders: &'a [u32],
-        at: &'a [Interval],
-        factor: &BigRational,
-    ) -> impl Iterator<Item = &'a BigRational> {
-        let limit = factor / rational(10, 1).pow(12);
-        let is_near = move |places: &[Interval]| {
-            places.iter().zip(at).all(|(a, b)| &a.low - &b.high <= limit && &b.low - &a.high <= limit)
-        };
-        let jets = self.jets.iter().filter(move |(f, o, ..)| *f == function && o == orders);
-        jets.filter(move |jet| is_near(&jet.2)).map(|jet| &jet.3)
-    }
-
-    /// All numbers that variables may be.
-    pub(crate) fn within(variables: HashMap<usize, Interval>) -> Self {
-        Point { variables, jets: Vec::new() }
-    }
-
-    /// An enclosure of a value.
-    pub(crate) fn value(&self, pool: &Pool, expr: Expr) -> Result<Interval, Stop> {
-        self.at(pool, expr, &mut HashMap::new())
-    }
-
-    fn at(&self, pool: &Pool, expr: Expr, known: &mut HashMap<Expr, Interval>) -> Result<Interval, Stop> {
-        for part in pool.parts(&[expr]) {
-            if known.contains_key(&part) {
-                continue;
-            }
-            let (operation, operands) = pool.node(part);
-            let a: Vec<Interval> = operands.iter().map(|operand| known[operand].clone()).collect();
-            let value = match operation {
-                Number(value) => Some(Interval::number(value.clone())),
-                Pi => Some(Interval::pi()),
-                Variable(v) => self.variables.get(v).cloned(),
-                Add => Some(a[0].add(&a[1])),
-                Multiply => Some(a[0].multiply(&a[1])),
-                Divide => a[0].divide(&a[1]),
-                Power(p, q) => a[0].power(*p, *q),
-                Function(name) => Interval::function(name, &a[0]),
-                Jet(f, orders) => {
-                    self.find(*f, orders, &a, &rational(1, 1)).next().cloned().map(Interval::number)
-                }
-            };
-            let Some(value) = value else {
-                return rejected(format!("no certain value of {operation:?} at the point"));
-            };
-            known.insert(part, value);
-        }
-        Ok(known[&expr].clone())
-    }
 }

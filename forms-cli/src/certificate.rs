@@ -48,7 +48,8 @@ impl Certificate {
         };
         self.lines += &match refused {
             Some(why) if !lines.trim_start().starts_with("uncovered") => {
-                format!("\nuncovered {} {why}\n", statement.name)
+                // what stands on a line of its own is an entry
+                format!("\nuncovered {} {}\n", statement.name, why.replace(['\r', '\n'], " "))
             }
             _ => lines,
         };

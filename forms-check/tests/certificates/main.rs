@@ -1,8 +1,11 @@
 //! Certificates of the prover are accepted; those with a mistake are not.
 
 mod coverage;
+mod forgeries;
+mod grammar;
 mod integrals;
 mod metrics;
 mod mutations;
+mod population;
 mod support;
 mod written_by_hand;

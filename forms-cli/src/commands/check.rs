@@ -1,25 +1,30 @@
 //! `forms check`: a certificate, checked without the prover.
+//!
+//! Files with errors are refused as `forms prove` refuses them; the verdicts on the others rest on the checker alone.
 
 use super::refuse;
 use crate::certificate::place_of;
 use crate::layout::{duration, wrap};
 use crate::palette::Palette;
 use crate::status::Status;
-use crate::theory_file::text;
+use crate::theory_file::{complain, from_text, text};
 use forms::core::diagnostic::counted;
-use forms_check::{Checked, Outcome};
+use forms_check::{Checked, Claim, Outcome};
 use std::io::{self, Write};
 use std::time::Instant;
 
 /// Where a reason begins.
 const INDENT: usize = 6;
 
-/// Checks every entry of a certificate and prints what became of each.
+/// Checks every entry of a certificate and prints what it shows, and whether that is as the file states.
 pub(crate) fn check(file: &str, allow_uncovered: bool, output: &mut dyn Write) -> io::Result<Status> {
     let start = Instant::now();
+    let mut sources: Vec<(String, String)> = Vec::new();
     let read = |name: &str| {
         let place = place_of(file, name);
-        text(&place).map_err(|message| format!("{place}: {message}"))
+        let source = text(&place).map_err(|message| format!("{place}: {message}"))?;
+        sources.push((place, source.clone()));
+        Ok(source)
     };
     let certificate = match text(file) {
         Ok(certificate) => certificate,
@@ -29,14 +34,31 @@ pub(crate) fn check(file: &str, allow_uncovered: bool, output: &mut dyn Write) -
         Ok(checked) => checked,
         Err(message) => return Ok(refuse(&format!("{file}: {message}"))),
     };
+    for (place, source) in sources {
+        if let Err(errors) = from_text(&place, source) {
+            complain(&errors);
+            return Ok(Status::Error);
+        }
+    }
     report(&checked, output)?;
     writeln!(output, "{}", Palette::of_output().quiet(&duration(start.elapsed())))?;
     let is_harmless = |one: &Checked| match one.outcome {
-        Outcome::Accepted => true,
+        Outcome::Accepted => one.is_as_stated(),
         Outcome::NotCovered(_) => allow_uncovered,
         Outcome::Rejected(_) => false,
     };
     Ok(if checked.iter().all(is_harmless) { Status::AsStated } else { Status::NotAsStated })
+}
+
+/// What an accepted entry shows, and whether the file says so.
+fn shown(one: &Checked) -> String {
+    let verdict = match one.shown {
+        Some(Claim::Prove) => "proved",
+        Some(Claim::Refute) => "refuted",
+        None => "nothing shown",
+    };
+    let agreement = if one.is_as_stated() { "as stated" } else { "not as stated" };
+    format!("accepted: {verdict}, {agreement}")
 }
 
 fn report(checked: &[Checked], output: &mut dyn Write) -> io::Result<()> {
@@ -48,21 +70,25 @@ fn report(checked: &[Checked], output: &mut dyn Write) -> io::Result<()> {
             writeln!(output, "{}", palette.heading(file))?;
         }
         let (mark, words, why) = match &one.outcome {
-            Outcome::Accepted => (palette.good("✓"), "accepted", ""),
-            Outcome::Rejected(why) => (palette.bad("✗"), "rejected", why.as_str()),
-            Outcome::NotCovered(why) => (palette.notable("·"), "not covered", why.as_str()),
+            Outcome::Accepted if one.is_as_stated() => (palette.good("✓"), shown(one), ""),
+            Outcome::Accepted => (palette.bad("✗"), shown(one), ""),
+            Outcome::Rejected(why) => (palette.bad("✗"), "rejected".into(), why.as_str()),
+            Outcome::NotCovered(why) => (palette.notable("·"), "not covered".into(), why.as_str()),
         };
         writeln!(output, "  {mark} {:44}  {words}", one.name)?;
         for line in wrap(why, INDENT) {
             writeln!(output, "{}", palette.quiet(&line))?;
         }
     }
-    let count = |is: fn(&Outcome) -> bool| checked.iter().filter(|one| is(&one.outcome)).count();
-    let (rejected, open) = (
-        count(|outcome| matches!(outcome, Outcome::Rejected(_))),
-        count(|outcome| matches!(outcome, Outcome::NotCovered(_))),
-    );
+    let count = |is: fn(&Checked) -> bool| checked.iter().filter(|one| is(one)).count();
+    let rejected = count(|one| matches!(one.outcome, Outcome::Rejected(_)));
+    let open = count(|one| matches!(one.outcome, Outcome::NotCovered(_)));
+    let others = count(|one| one.outcome == Outcome::Accepted && !one.is_as_stated());
     let all = counted(checked.len(), "statement");
     let accepted = checked.len() - rejected - open;
-    writeln!(output, "\n{all}: {accepted} accepted, {rejected} rejected, {open} not covered")
+    write!(output, "\n{all}: {accepted} accepted, {rejected} rejected, {open} not covered")?;
+    if others > 0 {
+        write!(output, "; {others} of the accepted not as stated")?;
+    }
+    writeln!(output)
 }

@@ -274,6 +274,9 @@ fn a_certificate_is_checked_without_the_prover() {
     let run = forms(&folder, &["check", "good.certificate"]);
     assert_eq!((run.status, run.errors.as_str()), (0, ""));
     assert!(run.output.contains("2 statements: 2 accepted, 0 rejected, 0 not covered"), "{}", run.output);
+    for line in ["accepted: proved, as stated", "accepted: refuted, as stated"] {
+        assert!(run.output.contains(line), "{}", run.output);
+    }
 
     let lines = String::from_utf8(folder.read("good.certificate")).expect("text");
     folder.write("false.certificate", lines.replace("component", "compound").as_bytes());
@@ -287,6 +290,38 @@ fn a_certificate_is_checked_without_the_prover() {
     let run = forms(&folder, &["check", "good.certificate"]);
     assert!(run.status == 2 && run.errors.contains("hash differs"), "{}", run.errors);
     assert_eq!(forms(&folder, &["check", "missing.certificate"]).status, 2);
+}
+
+#[test]
+fn a_verdict_that_is_shown_and_is_not_the_stated_one_is_no_success() {
+    let text = "chart L(x); prove p: x == x + 1; refute q: x == x;";
+    let folder = Folder::with(&[("a.forms", text)]);
+    assert_eq!(forms(&folder, &["prove", "--certificate", "a.certificate", "a.forms"]).status, 1);
+    let run = forms(&folder, &["check", "a.certificate"]);
+    assert_eq!(run.status, 1, "{}", run.output);
+    for line in ["accepted: refuted, not as stated", "accepted: proved, not as stated"] {
+        assert!(run.output.contains(line), "{}", run.output);
+    }
+}
+
+#[test]
+fn the_checker_takes_no_file_that_the_prover_refuses() {
+    for text in [
+        "chart L(x); prove a: 1 == 2; prove a: x == x;",
+        "chart L(x); let a = a; prove q: x == x;",
+        "chart L(x); form w = dx + dx^dx; prove q: x == x; prove r: w == w + x;",
+        "chart L(x); let x = 1; prove q: x == x;",
+    ] {
+        let folder = Folder::with(&[("a.forms", text)]);
+        let hash = text
+            .bytes()
+            .fold(0xcbf2_9ce4_8422_2325_u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0000_0100_0000_01b3));
+        let name = if text.contains("prove q") { "q" } else { "a" };
+        let lines = format!("forms certificate 1\nfile a.forms\nhash {hash:016x}\nproved {name}\nzero\n");
+        folder.write("a.certificate", lines.as_bytes());
+        let run = forms(&folder, &["check", "--allow-uncovered", "a.certificate"]);
+        assert_eq!(run.status, 2, "{text}: {}", run.output);
+    }
 }
 
 #[test]

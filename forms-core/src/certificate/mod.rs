@@ -62,7 +62,7 @@ pub fn entry(theory: &mut Theory, statement: &Statement, verdict: &Verdict) -> S
             match writer.finish() {
                 Ok(lines) if proved => format!("\nproved {name}\n{lines}"),
                 Ok(_) => format!("\nuncovered {name} the proof was not found again\n"),
-                Err(reason) => format!("\nuncovered {name} {reason}\n"),
+                Err(reason) => format!("\nuncovered {name} {}\n", reason.replace(['\r', '\n'], " ")),
             }
         }
         Verdict::Refuted(witness) => {

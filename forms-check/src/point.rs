@@ -1,0 +1,146 @@
+//! Points: exact values of variables, values of unknown functions at places, and enclosures of expressions there.
+
+use crate::expression::Operation::{Add, Divide, Function, Jet, Multiply, Number, Pi, Power, Variable};
+use crate::expression::{Expr, Pool, rational};
+use crate::interval::Interval;
+use crate::{Stop, malformed, rejected};
+use num_rational::BigRational;
+use std::collections::HashMap;
+
+/// Places of an unknown function are enclosed within 10⁻¹², and one that is within twice that of a listed place is
+/// that place. Listed places are farther apart than any two places that are taken for one.
+const PLACE: (i64, u32) = (1, 12);
+
+/// The distance within which two listed places are one, in units of the width of a place.
+const APART: i64 = 10;
+
+/// A value of an unknown function or of one of its derivatives.
+struct ListedJet {
+    function: usize,
+    orders: Vec<u32>,
+    place: Vec<Interval>,
+    value: BigRational,
+}
+
+/// Values of variables, or where they lie, and of unknown functions with their derivatives at places.
+#[derive(Default)]
+pub(crate) struct Point {
+    variables: HashMap<usize, Interval>,
+    jets: Vec<ListedJet>,
+    /// With n, functions without a listed value are exponentials of 2⁻ⁿ times their arguments.
+    exponentials: Option<u32>,
+}
+
+/// 10⁻¹² times a number
+fn tolerance(times: i64) -> BigRational {
+    rational(times * PLACE.0, 1) / rational(10, 1).pow(PLACE.1 as i32)
+}
+
+fn is_near(a: &[Interval], b: &[Interval], limit: &BigRational) -> bool {
+    a.iter().zip(b).all(|(a, b)| &a.low - &b.high <= *limit && &b.low - &a.high <= *limit)
+}
+
+impl Point {
+    /// All numbers that variables may be.
+    pub(crate) fn within(variables: HashMap<usize, Interval>) -> Self {
+        Point { variables, ..Point::default() }
+    }
+
+    /// Takes every function f(x, y, …) without a listed value for exp((αx + βy + …)/2ⁿ), with factors of its own.
+    pub(crate) fn completed(mut self, n: u32) -> Self {
+        self.exponentials = Some(n);
+        self
+    }
+
+    /// Lists a value of a variable, or of an unknown function at a place that the variables listed before determine.
+    pub(crate) fn set(&mut self, pool: &Pool, place: Expr, value: BigRational) -> Result<(), Stop> {
+        let is_new = match pool.node(place) {
+            (Variable(v), _) => self.variables.insert(*v, Interval::number(value)).is_none(),
+            (Jet(function, orders), arguments) => {
+                let place: Vec<Interval> =
+                    arguments.iter().map(|a| self.value(pool, *a)).collect::<Result<_, _>>()?;
+                if !is_narrow(&place) {
+                    return rejected("a place of an unknown function is not enclosed narrowly");
+                }
+                let limit = tolerance(APART);
+                let is_same = |jet: &ListedJet| {
+                    jet.function == *function && jet.orders == *orders && is_near(&jet.place, &place, &limit)
+                };
+                let is_new = !self.jets.iter().any(is_same);
+                let (function, orders) = (*function, orders.clone());
+                self.jets.push(ListedJet { function, orders, place, value });
+                is_new
+            }
+            _ => return Err(malformed("a point gives values of variables and unknown functions")),
+        };
+        if is_new { Ok(()) } else { rejected("two values at one place") }
+    }
+
+    /// The value of an unknown function or derivative at a place: the listed one, if one alone can be meant.
+    fn jet(&self, function: usize, orders: &[u32], place: &[Interval]) -> Option<Interval> {
+        if let Some(n) = self.exponentials
+            && !self.jets.iter().any(|jet| jet.function == function)
+        {
+            return exponential_jet(function, orders, place, n);
+        }
+        let limit = tolerance(2);
+        let mut near = self.jets.iter().filter(|jet| {
+            jet.function == function && jet.orders == orders && is_near(&jet.place, place, &limit)
+        });
+        let found = near.next().filter(|_| is_narrow(place))?;
+        near.next().is_none().then(|| Interval::number(found.value.clone()))
+    }
+
+    /// An enclosure of a value.
+    pub(crate) fn value(&self, pool: &Pool, expr: Expr) -> Result<Interval, Stop> {
+        self.enclosed(pool, expr, &mut HashMap::new())
+    }
+
+    /// The same, with the parts that are known.
+    pub(crate) fn enclosed(
+        &self,
+        pool: &Pool,
+        expr: Expr,
+        known: &mut HashMap<Expr, Interval>,
+    ) -> Result<Interval, Stop> {
+        for part in pool.parts(&[expr]) {
+            if known.contains_key(&part) {
+                continue;
+            }
+            let (operation, operands) = pool.node(part);
+            let a: Vec<Interval> = operands.iter().map(|operand| known[operand].clone()).collect();
+            let value = match operation {
+                Number(value) => Some(Interval::number(value.clone())),
+                Pi => Some(Interval::pi()),
+                Variable(v) => self.variables.get(v).cloned(),
+                Add => Some(a[0].add(&a[1])),
+                Multiply => Some(a[0].multiply(&a[1])),
+                Divide => a[0].divide(&a[1]),
+                Power(p, q) => a[0].power(*p, *q),
+                Function(name) => Interval::function(name, &a[0]),
+                Jet(f, orders) => self.jet(*f, orders, &a),
+            };
+            let Some(value) = value.filter(|value| !value.is_long()) else {
+                return rejected(format!("no certain value of {operation:?} at the point"));
+            };
+            known.insert(part, value);
+        }
+        Ok(known[&expr].clone())
+    }
+}
+
+fn is_narrow(place: &[Interval]) -> bool {
+    place.iter().all(|side| &side.high - &side.low <= tolerance(1))
+}
+
+/// ∏ αₖ^nₖ exp(Σ αₖ xₖ) with αₖ = (k + 2)/(k + 3 + f)/2ⁿ
+fn exponential_jet(function: usize, orders: &[u32], place: &[Interval], n: u32) -> Option<Interval> {
+    let (mut factor, mut exponent) = (rational(1, 1), Interval::number(rational(0, 1)));
+    for (k, (order, x)) in orders.iter().zip(place).enumerate() {
+        let rate = rational(k as i64 + 2, k as i64 + 3 + i64::try_from(function).ok()?);
+        let rate = rate / rational(2, 1).pow(i32::try_from(n).ok()?);
+        factor *= rate.pow(i32::try_from(*order).ok()?);
+        exponent = exponent.add(&x.scale(&rate));
+    }
+    Some(exponent.exponential()?.scale(&factor))
+}
