@@ -12,7 +12,10 @@ use forms::core::check::read_file;
 use forms_book::{Page, Report, check_kinds, check_links, check_theories, with_errors_quoted};
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
+use serde_json::Value;
+use std::collections::BTreeSet;
 use std::path::Path;
+use std::process::Command;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -112,6 +115,84 @@ fn links_anchors_and_figures_are_there() {
     let counted = checked(|page| check_links(page, root())).counted;
     println!("{} links were followed", counted.links);
     assert!(counted.links > 10, "only {} links were found", counted.links);
+}
+
+/// The targets of the workspace, as `(package, kind, name)`, by cargo.
+fn targets() -> BTreeSet<(String, String, String)> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let arguments = ["metadata", "--no-deps", "--offline", "--format-version", "1"];
+    let output = Command::new(cargo).current_dir(root()).args(arguments).output().expect("cargo runs");
+    let metadata: Value = serde_json::from_slice(&output.stdout).expect("JSON of cargo");
+    let list = |value: &Value| value.as_array().cloned().unwrap_or_default();
+    let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
+    let mut targets = BTreeSet::new();
+    for package in list(&metadata["packages"]) {
+        for target in list(&package["targets"]) {
+            let (package, name) = (text(&package["name"]), text(&target["name"]));
+            targets
+                .extend(list(&target["kind"]).iter().map(|kind| (package.clone(), text(kind), name.clone())));
+        }
+    }
+    targets
+}
+
+/// The commands of cargo on a page, each with its line: of shell blocks, and between backquotes.
+fn cargo_commands(text: &str) -> Vec<(usize, String)> {
+    let mut found = vec![];
+    for (number, line) in (1..).zip(text.lines()) {
+        let quoted = line.split('`').skip(1).step_by(2);
+        for command in std::iter::once(line).chain(quoted) {
+            let command = command.trim_start_matches("FORMS_WRITE=1 ");
+            if let Some(words) = command.strip_prefix("cargo ") {
+                found.push((number, words.split(" #").next().unwrap_or_default().to_owned()));
+            }
+        }
+    }
+    found
+}
+
+/// The target or package that a command of cargo names and that does not exist.
+fn missing_target(command: &str, targets: &BTreeSet<(String, String, String)>) -> Option<String> {
+    let words: Vec<&str> = command.split_whitespace().take_while(|word| *word != "--").collect();
+    let named = |option: &str| {
+        let place = words.iter().position(|word| *word == option)?;
+        words.get(place + 1).copied().filter(|name| !name.starts_with('-'))
+    };
+    let package = named("-p");
+    let is_of_package = |of: &str| package.is_none_or(|package| package == of);
+    if let Some(package) = package.filter(|_| !targets.iter().any(|(of, ..)| is_of_package(of))) {
+        return Some(format!("the package {package}"));
+    }
+    ["bench", "example", "test", "bin"].into_iter().find_map(|kind| {
+        let name = named(&format!("--{kind}"))?;
+        let exists = targets.iter().any(|(of, is, has)| is_of_package(of) && is == kind && has == name);
+        (!exists).then(|| format!("the {kind} {name}"))
+    })
+}
+
+#[test]
+fn commands_of_cargo_name_packages_and_targets_that_exist() {
+    let targets = targets();
+    let more = ["CONTRIBUTING.md", "scenes/README.md"];
+    let more = more.map(|path| Page::new(path, std::fs::read_to_string(root().join(path)).expect("a page")));
+    let (mut commands, mut wrong) = (0, vec![]);
+    for page in pages().into_iter().chain(more) {
+        for (line, command) in cargo_commands(&page.text) {
+            commands += 1;
+            let missing = missing_target(&command, &targets);
+            wrong.extend(
+                missing.map(|missing| format!("{}:{line}: `cargo {command}`: no {missing}", page.path)),
+            );
+        }
+    }
+    assert!(commands > 20, "only {commands} commands were found");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    let missing = |command| missing_target(command, &targets);
+    assert_eq!(
+        missing("bench -p forms-math --bench nothing -- --write"),
+        Some("the bench nothing".to_owned())
+    );
+    assert_eq!(missing("test -p forms-nothing"), Some("the package forms-nothing".to_owned()));
 }
 
 #[test]
