@@ -134,7 +134,10 @@ impl Formula<1, 4> for Exponentials {
 fn what_overflows_on_the_way_does_not_matter() {
     let [softplus, planck, tangent, _] = escalate::<Exponentials, 1, 4>([800.0], 2.0);
     assert_eq!((softplus, tangent), (800.0, 1.0));
-    assert!((planck / (-400.0_f64).exp() / (-400.0_f64).exp() - 1.0).abs() < 1e-12 || planck == 0.0, "{planck:e}");
+    assert!(
+        (planck / (-400.0_f64).exp() / (-400.0_f64).exp() - 1.0).abs() < 1e-12 || planck == 0.0,
+        "{planck:e}"
+    );
     // e^−700, of which the sum with 1 leaves nothing in a thousand bits
     let [softplus, ..] = escalate::<Exponentials, 1, 4>([-700.0], 2.0);
     assert!((softplus / (-700.0_f64).exp() - 1.0).abs() < 4.0 * f64::EPSILON);

@@ -37,7 +37,8 @@ fn a_bound_over_the_domain_keeps_a_promise_in_every_target() {
         let (text, lost) = emitted(BOUNDED, target, precision);
         assert!(lost.is_empty(), "{lost:?}");
         let unit = if precision == Precision::F32 { "2⁻²⁴" } else { "2⁻⁵³" };
-        let sentence = format!("Its value is within 16·{unit} of the exact one, relative to it: rounding makes at most");
+        let sentence =
+            format!("Its value is within 16·{unit} of the exact one, relative to it: rounding makes at most");
         assert!(text.contains(&sentence), "{text}");
     }
 }
@@ -66,7 +67,11 @@ fn a_bound_beyond_the_promise_is_told() {
 fn rust_keeps_promises_by_precision_in_every_precision() {
     for (precision, function, sentence) in [
         (Precision::F64, "forms_math::escalate::<", "within 2·2⁻⁵³ of the exact one, relative to it, or NaN"),
-        (Precision::F32, "forms_math::escalate_f32::<", "within 2·2⁻²⁴ of the exact one, relative to it, or NaN"),
+        (
+            Precision::F32,
+            "forms_math::escalate_f32::<",
+            "within 2·2⁻²⁴ of the exact one, relative to it, or NaN",
+        ),
         (Precision::DoubleDouble, "forms_math::escalate_double_double::<", "within 2⁻⁹⁸ of the exact one"),
     ] {
         let (text, lost) = emitted(CANCELLING, Target::Rust, precision);
