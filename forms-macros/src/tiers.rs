@@ -168,7 +168,10 @@ impl Tiers {
     /// The values as near as a kernel promises, or an error instead of a value that is not known so well.
     fn checked(&self, within: f64) -> TokenStream {
         let (count, outputs, arguments) = (self.arguments.len(), self.outputs, &self.arguments);
-        let docs = format!(" `{}` in `f64`, with an error where its value is not known within the promise.", self.name);
+        let docs = format!(
+            " `{}` in `f64`, with an error where its value is not known within the promise.",
+            self.name
+        );
         let result = self.result(&quote!(f64));
         let values = quote! {
             ::forms::math::escalate_checked::<Stable, #count, #outputs>([#(#arguments),*], #within)

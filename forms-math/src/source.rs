@@ -26,6 +26,7 @@ const FILES: &[(&str, &str)] = &[
     ("formula", include_str!("formula.rs")),
     ("guarded", include_str!("guarded/mod.rs")),
     ("guarded/arithmetic", include_str!("guarded/arithmetic.rs")),
+    ("guarded/beyond", include_str!("guarded/beyond.rs")),
     ("guarded/bound", include_str!("guarded/bound.rs")),
     ("guarded/functions", include_str!("guarded/functions.rs")),
     ("guarded/number", include_str!("guarded/number.rs")),

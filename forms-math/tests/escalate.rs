@@ -1,6 +1,9 @@
 //! Escalation: what is promised is kept, by as little precision as it takes.
 
-use forms_math::{Formula, Guarded, Real, Tier, Wide, escalate, escalate_with_tier};
+use forms_math::{
+    Formula, Guarded, NotWithin, Number, Real, Tier, Wide, escalate, escalate_checked, escalate_f32,
+    escalate_with_tier,
+};
 use proptest::prelude::*;
 
 /// (1 − cos x)/x², √(1 + x²) − 1, and the product of the two.
@@ -114,4 +117,102 @@ fn a_choice_on_a_tie_is_left_open() {
     assert_eq!(escalate_with_tier::<Piecewise, 1, 1>([1.5], 1.0), [(2.0, Tier::Double)]);
     // The root of 2 is irrational: whether its square is below 2 no precision tells.
     assert_eq!(escalate_with_tier::<Piecewise, 1, 1>([2.0], 1.0)[0].1, Tier::Undecided);
+}
+
+/// ln(1 + eˣ), 1/(eˣ − 1), tanh x by its exponentials, e^(−x).
+struct Exponentials;
+
+impl Formula<1, 4> for Exponentials {
+    fn value<T: Real>([x]: [T; 1]) -> [T; 4] {
+        let one = T::from_f64(1.0);
+        let (up, down) = (x.exp(), (-x).exp());
+        [(one + up).ln(), one / (up - one), (up - down) / (up + down), down]
+    }
+}
+
+#[test]
+fn what_overflows_on_the_way_does_not_matter() {
+    let [softplus, planck, tangent, _] = escalate::<Exponentials, 1, 4>([800.0], 2.0);
+    assert_eq!((softplus, tangent), (800.0, 1.0));
+    assert!(
+        (planck / (-400.0_f64).exp() / (-400.0_f64).exp() - 1.0).abs() < 1e-12 || planck == 0.0,
+        "{planck:e}"
+    );
+    // e^−700, of which the sum with 1 leaves nothing in a thousand bits
+    let [softplus, ..] = escalate::<Exponentials, 1, 4>([-700.0], 2.0);
+    assert!((softplus / (-700.0_f64).exp() - 1.0).abs() < 4.0 * f64::EPSILON);
+    // below half the least number
+    assert_eq!(escalate::<Exponentials, 1, 4>([-800.0], 2.0)[0], 0.0);
+}
+
+#[test]
+fn beyond_all_exponents_sign_and_least_size_are_known() {
+    let found = escalate_with_tier::<Exponentials, 1, 4>([1e300], 2.0);
+    assert_eq!([found[1].0, found[3].0], [0.0, 0.0]);
+    assert_eq!([found[1].1, found[3].1], [Tier::Words(4); 2]);
+    // how large e^1e300 is no exponent holds, so that what depends on it is not known
+    assert_eq!([found[0].1, found[2].1], [Tier::Undecided; 2]);
+    assert!(found[0].0.is_nan());
+    assert_eq!(
+        escalate_checked::<Exponentials, 1, 4>([1e300], 2.0),
+        Err(NotWithin { output: 0, within: 2.0 })
+    );
+    let of_infinity = escalate::<Exponentials, 1, 4>([f64::INFINITY], 2.0);
+    assert_eq!([of_infinity[1], of_infinity[3]], [0.0, 0.0]);
+}
+
+/// x/π − x/3, with the numbers as kernels have them.
+struct Shares;
+
+impl Formula<1, 1> for Shares {
+    fn value<T: Real>([x]: [T; 1]) -> [T; 1] {
+        let pi = Number::new([std::f64::consts::FRAC_1_PI, -1.967_867_667_518_248_6e-17], &[1], &[1], -1);
+        let third = Number::new([1.0 / 3.0, 1.850_371_707_708_594_2e-17], &[1], &[3], 0);
+        let one = T::from_f64(1.0);
+        // the difference of what is left of 1 + x/π and 1 + x/3, x far below the digits of 1
+        let left = |number: Number<'_>| (one + x * T::number(number)) - one;
+        [left(pi) - left(third)]
+    }
+}
+
+#[test]
+fn numbers_of_a_formula_have_as_many_digits_as_it_takes() {
+    for x in [1.0, 1e-20, 1e-80, 1e-100, 1e-300] {
+        let [value] = escalate::<Shares, 1, 1>([x], 2.0);
+        let expected = x * -0.015_023_447_149_542_59;
+        assert!((value / expected - 1.0).abs() < 1e-14, "{x:e}: {value:e} is not {expected:e}");
+    }
+}
+
+#[test]
+fn results_below_the_normal_numbers_are_rounded_once() {
+    /// x², and x²/3.
+    struct Squares;
+    impl Formula<1, 2> for Squares {
+        fn value<T: Real>([x]: [T; 1]) -> [T; 2] {
+            [x * x, x * x / T::from_f64(3.0)]
+        }
+    }
+    let least = f64::from_bits(1);
+    let squares = |x: f64| escalate::<Squares, 1, 2>([x], 1000.0);
+    // 2^−1075 is half way to the least number, and rounds to even
+    assert_eq!(squares(2.0_f64.powi(-537))[0], least);
+    assert_eq!(squares(2.0_f64.powf(-537.5).next_up())[0], least);
+    assert_eq!(squares(2.0_f64.powi(-538)), [0.0, 0.0]);
+    assert_eq!(squares(3.0 * 2.0_f64.powi(-537))[1], 3.0 * least);
+}
+
+#[test]
+fn single_precision_keeps_promises_in_its_own_units() {
+    for quarter in 0..200 {
+        let x = 2.0_f32.powf(-0.5 * quarter as f32);
+        let [versine, excess, _] = escalate_f32::<Cancelling, 1, 3>([x], 2.0);
+        let exact = exact::<Cancelling, 1, 3>([f64::from(x)]);
+        let distance = |value: f32, exact: Wide<16>| {
+            let scale = exact.to_f64().abs().max(f64::from(f32::MIN_POSITIVE));
+            (f64::from(value) - exact.to_f64()).abs() / scale * 2.0_f64.powi(24)
+        };
+        assert!(distance(versine, exact[0]) <= 2.0, "{x:e}: {versine:e}");
+        assert!(distance(excess, exact[1]) <= 2.0, "{x:e}: {excess:e}");
+    }
 }
