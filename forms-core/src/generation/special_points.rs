@@ -1,8 +1,8 @@
 //! Special points: where formulas and forms of them part, if anywhere.
 //!
-//! Arguments are 0, ±1, ±1/2, ±2, … and, where they occur in angles, multiples of π/2, in every mixture; and each is put
-//! where an expression that matters vanishes, solved for it. So points on strata of lower dimension are met, which points
-//! in general position never are. The sequence is the same for the same kernel.
+//! Arguments are 0, ±1, ±1/2, ±2, … and, where they occur in angles, multiples of π/2, in every mixture; and each is
+//! put where an expression that matters vanishes, solved for it. So points on strata of lower dimension are met,
+//! which points in general position never are. The sequence is the same for the same kernel.
 
 use super::boundary::sheets;
 use super::exact_point::Point;
