@@ -294,7 +294,7 @@ fn breach(pool: &mut Pool, kernel: &Kernel, form: &[Expr], zeros: &[Expr], count
     })?;
     // a simpler point says more
     for &argument in &kernel.arguments {
-        for simpler in points.simpler(argument, point[&argument]) {
+        for simpler in points.simpler(pool, argument, point[&argument]) {
             let mut other = point.clone();
             other.insert(argument, simpler);
             if let Some(found) = breach_at(pool, kernel, form, &other) {
