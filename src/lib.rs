@@ -26,7 +26,7 @@
 //! |---|---|---|
 //! | [`forms!`] | a whole file of the language | its kernels as functions; a false claim is a compile error |
 //! | [`include_forms!`] | the path of a `.forms` file | the same |
-//! | [`proof_tests!`] | the path of a `.forms` file | one `#[test]` for each statement, and for each kernel that claims something |
+//! | [`proof_tests!`] | the path of a `.forms` file | one `#[test]` for each statement and each claim of a kernel |
 //! | [`prove!`] | declarations and an equation | nothing; a compile error if it is not proved |
 //! | [`kernel!`] | declarations and one kernel | its function |
 //! | [`form!`] | declarations and an expression | a [`Form`]: degree and simplified coefficients |

@@ -1,5 +1,5 @@
-//! Decisions: the statements of files and what their kernels claim, decided on all processors and handed over in the order of
-//! the files.
+//! Decisions: the statements of files and what their kernels claim, decided on all processors and handed over in the
+//! order of the files.
 //!
 //! ```text
 //! names ─ a task each: read ─▶ TheoryFile ─ a task for some statements each: decide ─▶ DecidedFile ─ in order ─▶ visit

@@ -4,9 +4,9 @@
 //! text ─ read ─▶ Theory ─┬─ statements ─ decide ─────────────────────────────▶ verdicts ──┐
 //!                        └─ kernels ─ chosen form │ rules ─ generate ─▶ CompiledKernel ───┴─▶ Compiled
 //! ```
-//! A kernel is computed by its stable form: the one behind `by`, the one chosen in a file of forms, or the one that rules
-//! give. Choosing it is a stage of this pipeline, so that no front end can leave it out, and what is chosen is proved to have
-//! the value of the formula wherever the formula has one.
+//! A kernel is computed by its stable form: the one behind `by`, the one chosen in a file of forms, or the one that
+//! rules give. Choosing it is a stage of this pipeline, so that no front end can leave it out, and what is chosen is
+//! proved to have the value of the formula wherever the formula has one.
 
 use crate::check::{decide_all, objection, read_theory};
 use crate::decide::Verdict;
@@ -30,8 +30,8 @@ pub struct Options<'a> {
 /// A compiled text.
 #[derive(Clone, Debug, Default)]
 pub struct Compiled {
-    /// Everything its author has to be told: mistakes, statements that are not as claimed, claims of kernels that were not
-    /// shown.
+    /// Everything its author has to be told: mistakes, statements that are not as claimed, claims of kernels that
+    /// were not shown.
     pub diagnostics: Vec<Diagnostic>,
     /// The statements in order, each with its verdict; none where they were not to be decided.
     pub statements: Vec<(Statement, Verdict)>,
@@ -93,9 +93,9 @@ pub fn compile_theory(
 /// Compiles one kernel, whose expressions belong to this pool.
 ///
 /// # Errors
-/// If it is no kernel, if two of its pieces are not shown to agree where they meet, if the form behind `by` is not proved to
-/// have the value of the formula wherever the formula has one, or if the optimised program does not compute that form, which
-/// is a fault of this crate and not of the kernel.
+/// If it is no kernel, if two of its pieces are not shown to agree where they meet, if the form behind `by` is not
+/// proved to have the value of the formula wherever the formula has one, or if the optimised program does not compute
+/// that form, which is a fault of this crate and not of the kernel.
 pub fn compile_kernel(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagnostic>> {
     let rewritten = by_rules(pool, kernel);
     generation::generate(pool, kernel, &rewritten)

@@ -1,8 +1,8 @@
 //! Forms that lose points: of random pairs of a formula and a form of it, those that are accepted have the value of the
 //! formula at every point that the formula has one at; and so has what rules make of random formulas.
 //!
-//! The judge shares nothing with the proof: both sides are enclosed at each point of a grid of exact numbers on which the
-//! strata of the pairs lie (a = 0, a = b, |a| = 1, a b = 0). `FORMS_KERNELS` says how many pairs there are.
+//! The judge shares nothing with the proof: both sides are enclosed at each point of a grid of exact numbers on which
+//! the strata of the pairs lie (a = 0, a = b, |a| = 1, a b = 0). `FORMS_KERNELS` says how many pairs there are.
 
 use forms_core::accuracy::{Format, Truth, Value};
 use forms_core::check::read_theory;

@@ -118,8 +118,8 @@ pub(crate) fn of_form(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Define
     Definedness::Undecided { reason }
 }
 
-/// The same form, with the formula in its place wherever the form is not shown to be defined: `if c { form } else { formula }`,
-/// in the branch where it is needed. Nothing where that takes too many conditions.
+/// The same form, with the formula in its place wherever the form is not shown to be defined: `if c { form } else {
+/// formula }`, in the branch where it is needed. Nothing where that takes too many conditions.
 pub(crate) fn guarded(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Option<Vec<Expr>> {
     let mut found = Vec::new();
     for (&form, &formula) in form.iter().zip(&kernel.outputs) {
@@ -248,8 +248,8 @@ fn open_obligations(
     Ok(open)
 }
 
-/// Whether the formula asks for the same, in other words: the sides of one of its conditions and those of the obligation
-/// have equal differences.
+/// Whether the formula asks for the same, in other words: the sides of one of its conditions and those of the
+/// obligation have equal differences.
 fn is_of_the_formula(pool: &mut Pool, domain: &[Condition], formula: Expr, obligation: &Obligation) -> bool {
     let [wanted] = obligation.ways[0][..] else { return false };
     let Some(stated) = obligations(pool, &[formula]) else { return false };
@@ -294,7 +294,7 @@ fn breach(pool: &mut Pool, kernel: &Kernel, form: &[Expr], zeros: &[Expr], count
     })?;
     // a simpler point says more
     for &argument in &kernel.arguments {
-        for simpler in points.simpler(argument, point[&argument]) {
+        for simpler in points.simpler(pool, argument, point[&argument]) {
             let mut other = point.clone();
             other.insert(argument, simpler);
             if let Some(found) = breach_at(pool, kernel, form, &other) {

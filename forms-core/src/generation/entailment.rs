@@ -1,5 +1,5 @@
-//! Entailment: whether conditions hold wherever others do, by signs that are seen from how an expression is written, else by
-//! a contradiction of the opposite.
+//! Entailment: whether conditions hold wherever others do, by signs that are seen from how an expression is written,
+//! else by a contradiction of the opposite.
 //!
 //! ```text
 //! e > 0 ─┬─ by the signs of its parts: sums of non-negative terms, products, powers, monotone functions

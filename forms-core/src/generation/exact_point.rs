@@ -1,7 +1,7 @@
 //! Exact points: what expressions are at points whose coordinates are exact numbers, π among them.
 //!
 //! ```text
-//! expression ─ coordinates put in, operands before results ─▶ a number without variables, or the operation that has no value
+//! expression ─ coordinates put in, operands before results ─▶ a number, or the operation that has no value
 //! ```
 //! The sign of a number is certain where an enclosure shows it or the number is proved to be zero, so that points on
 //! strata are told from those beside them: 1 + cos π is 0 here. Of a choice only the branch that is taken is looked at.
@@ -15,8 +15,8 @@ use num_traits::{Signed, Zero};
 use rustc_hash::FxHashMap;
 use std::cmp::Ordering;
 
-/// Places of the enclosures that are tried in turn; a number that is not told from zero by the first is proved to be zero
-/// or left to the others.
+/// Places of the enclosures that are tried in turn; a number that is not told from zero by the first is proved to be
+/// zero or left to the others.
 const PRECISIONS: [Precision; 3] = [Precision(80), Precision(256), Precision(1024)];
 
 /// What a proof that a number is zero may cost.

@@ -15,6 +15,7 @@ mod effects;
 mod entailment;
 mod exact_point;
 mod fault;
+mod form_claim;
 mod limit;
 mod obligation;
 mod opaque;
@@ -75,8 +76,8 @@ impl Generated {
     }
 }
 
-/// Generates a kernel whose expressions belong to this pool. What rules made of its outputs, each step proved, is what it is
-/// computed by where it has no form of its own; it may be empty.
+/// Generates a kernel whose expressions belong to this pool. What rules made of its outputs, each step proved, is
+/// what it is computed by where it has no form of its own; it may be empty.
 ///
 /// # Errors
 /// If it is no kernel, if two of its pieces are not shown to agree where they meet, if the form behind `by` is not proved
@@ -121,8 +122,9 @@ pub(crate) fn generate(
     }
 }
 
-/// What a kernel claims of itself and was not shown: that its pieces agree where they meet, that the form behind `by` has the
-/// value of the formula wherever the formula has one, and that it has a value where each of its effects vanishes.
+/// What a kernel claims of itself and was not shown: that its pieces agree where they meet, that the form behind `by`
+/// has the value of the formula wherever the formula has one, and that it has a value where each of its effects
+/// vanishes.
 pub fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
     let mut faults = own_faults(pool, kernel);
     if faults.is_empty()
@@ -135,8 +137,8 @@ pub fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
     faults
 }
 
-/// Whether a kernel claims anything of itself: that a form behind `by` is its formula, that pieces agree where they meet, or
-/// that it has a value where an effect vanishes.
+/// Whether a kernel claims anything of itself: that a form behind `by` is its formula, that pieces agree where they
+/// meet, or that it has a value where an effect vanishes.
 pub fn makes_claims(pool: &Pool, kernel: &Kernel) -> bool {
     let expressions: Vec<Expr> = kernel.outputs.iter().chain(&kernel.computed).copied().collect();
     let is_claim = |part: &Expr| matches!(pool.node(*part), Node::Select { seam: Seam::Agrees, .. });
@@ -151,11 +153,11 @@ fn own_faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
     if faults.is_empty() { form_faults(pool, kernel) } else { faults }
 }
 
-/// What is to be said of the form that a kernel is computed by. Where it has the value of the formula wherever there is one,
-/// its pieces agree where those of the formula do. Nothing where there is no form.
+/// What is to be said of the form that a kernel is computed by. Where it has the value of the formula wherever there
+/// is one, its pieces agree where those of the formula do. Nothing where there is no form.
 pub(crate) fn form_faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
     let Some(form) = with_form(kernel, &kernel.computed) else { return Vec::new() };
-    match translation::of_form(pool, kernel) {
+    match form_claim::fault(pool, kernel) {
         Some(fault) => vec![fault],
         None => seam::faults(pool, &form),
     }

@@ -1,8 +1,8 @@
 //! Special points: where formulas and forms of them part, if anywhere.
 //!
-//! Arguments are 0, ±1, ±1/2, ±2, … and, where they occur in angles, multiples of π/2, in every mixture; and each is put
-//! where an expression that matters vanishes, solved for it. So points on strata of lower dimension are met, which points
-//! in general position never are. The sequence is the same for the same kernel.
+//! Arguments are 0, ±1, ±1/2, ±2, … and, where they occur in angles, multiples of π/2, in every mixture; and each is
+//! put where an expression that matters vanishes, solved for it. So points on strata of lower dimension are met,
+//! which points in general position never are. The sequence is the same for the same kernel.
 
 use super::boundary::sheets;
 use super::exact_point::Point;
@@ -64,11 +64,12 @@ impl SpecialPoints {
         SpecialPoints { arguments: arguments.to_vec(), values, solutions, random: SplitMix(0x5eed), round: 0 }
     }
 
-    /// The values of an argument that are simpler than one of them, the simplest first.
-    pub(super) fn simpler(&self, argument: Symbol, value: Expr) -> Vec<Expr> {
+    /// The values of an argument that are simpler than one of them, the simplest first: numbers before multiples of π.
+    pub(super) fn simpler(&self, pool: &Pool, argument: Symbol, value: Expr) -> Vec<Expr> {
         let place = self.arguments.iter().position(|&known| known == argument);
-        let values = place.map_or(&[][..], |place| &self.values[place]);
-        values.iter().copied().take_while(|&known| known != value).collect()
+        let mut values = place.map_or_else(Vec::new, |place| self.values[place].clone());
+        values.sort_by_key(|&value| pool.as_number(value).is_none());
+        values.into_iter().take_while(|&known| known != value).collect()
     }
 
     /// The next point.

@@ -5,8 +5,6 @@
 
 use super::boundary::{replaced, sheets};
 use super::cuts::Cuts;
-use super::definedness::{self, Breach, Definedness};
-use super::fault::{Claim, Fault};
 use super::opaque::{Depth, opaque};
 use super::pieces::{MOST_PIECES, pieces};
 use super::ratios::equal_by_ratios;
@@ -22,7 +20,7 @@ use std::fmt;
 pub(super) const EFFORT: Effort = Effort { work: 2_000_000, candidates: 100, points: 12 };
 
 /// A form behind `by` is a claim of its author like a statement.
-const FORM: Effort = Effort { work: 20_000_000, candidates: 300, points: 20 };
+pub(super) const FORM: Effort = Effort { work: 20_000_000, candidates: 300, points: 20 };
 
 /// What is known of the agreement of a program with its formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -97,74 +95,6 @@ pub(super) fn validate(pool: &mut Pool, kernel: &Kernel, program: &Program) -> T
         raised.outputs.iter().copied().zip(kernel.outputs.iter().copied()).collect();
     equality(pool, &domain, &[], EFFORT).and(equality(pool, &outputs, &kernel.domain, EFFORT))
 }
-
-/// What is to be said where the form behind `by` is not proved to have the value of the formula, wherever the formula has one
-/// on the kernel's domain. Special points first: a form that differs on a stratum alone is refuted there.
-pub(super) fn of_form(pool: &mut Pool, kernel: &Kernel) -> Option<Fault> {
-    if let Some(breach) = definedness::first_breach(pool, kernel, &kernel.computed) {
-        return Some(broken(kernel, &breach));
-    }
-    for (&form, &formula) in kernel.computed.iter().zip(&kernel.outputs) {
-        // output by output: where another has no value, this one may have one
-        match equality(pool, &[(form, formula)], &kernel.domain, FORM) {
-            Translation::Proved => {}
-            Translation::Refuted(witness) => return Some(different(kernel, witness)),
-            Translation::Unknown { reason, .. } => {
-                let breach = definedness::any_breach(pool, kernel, &kernel.computed);
-                return Some(
-                    breach.map_or_else(|| undecided(kernel, reason), |breach| broken(kernel, &breach)),
-                );
-            }
-        }
-    }
-    match definedness::of_form(pool, kernel, &kernel.computed) {
-        Definedness::Kept => None,
-        Definedness::Broken(breach) => Some(broken(kernel, &breach)),
-        Definedness::Undecided { reason } => Some(undefined(kernel, reason)),
-    }
-}
-
-fn broken(kernel: &Kernel, breach: &Breach) -> Fault {
-    let name = &kernel.name;
-    let what = if breach.form.is_ok() { "differs from its formula" } else { "loses a point of its formula" };
-    let message = format!("the form that `{name}` is computed by {what}\n{}", breach.text());
-    let help = if breach.form.is_ok() {
-        EQUAL
-    } else {
-        "give such points a piece of their own: `if d != 0 { … } else { … }`, or exclude them behind `where`"
-    };
-    let diagnostic = Diagnostic::new(kernel.span, message).with_help(help);
-    Fault::refuted(name, Claim::By, breach.witness(), diagnostic)
-}
-
-fn different(kernel: &Kernel, witness: Witness) -> Fault {
-    let message =
-        format!("the form that `{}` is computed by differs from its formula\n{witness}", kernel.name);
-    let diagnostic = Diagnostic::new(kernel.span, message).with_help(EQUAL);
-    Fault::refuted(&kernel.name, Claim::By, witness, diagnostic)
-}
-
-fn undecided(kernel: &Kernel, reason: String) -> Fault {
-    let message = format!(
-        "whether the form that `{}` is computed by equals its formula is undecided: {reason}",
-        kernel.name
-    );
-    let diagnostic = Diagnostic::new(kernel.span, message).with_help(EQUAL);
-    Fault::unknown(&kernel.name, Claim::By, reason, diagnostic)
-}
-
-fn undefined(kernel: &Kernel, reason: String) -> Fault {
-    let message = format!(
-        "whether the form that `{}` is computed by has a value wherever its formula has one is undecided: {reason}",
-        kernel.name
-    );
-    let diagnostic = Diagnostic::new(kernel.span, message)
-        .with_help("say so behind `where`, or compute the points in question by a piece of their own");
-    Fault::unknown(&kernel.name, Claim::By, reason, diagnostic)
-}
-
-const EQUAL: &str =
-    "what stands behind `by` has to have the value of the formula wherever the formula has one";
 
 /// Whether the sides of each pair are equal under the conditions: without a look inside choices or at least inside functions,
 /// which is enough for most programs and costs little, or else with one.

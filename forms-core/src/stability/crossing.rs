@@ -4,9 +4,9 @@
 //! points of every scale ─ along the argument, bounds that rounding keeps ─▶ last place where one form's is less, first
 //!                         where the other's is ─▶ one interval for all points, or none ─▶ a short number in it
 //! ```
-//! The bounds are those of arithmetic that carries the error of each operation along (`Guarded` of forms-math): they hold for
-//! every rounding, and do not depend on what samples happen to lose. A crossing that moves with the other arguments, as
-//! where a is larger than b, is none of this argument: a number would be right at one scale alone.
+//! The bounds are those of arithmetic that carries the error of each operation along (`Guarded` of forms-math): they
+//! hold for every rounding, and do not depend on what samples happen to lose. A crossing that moves with the other
+//! arguments, as where a is larger than b, is none of this argument: a number would be right at one scale alone.
 
 use crate::accuracy::Width;
 use crate::kernel::Program;
@@ -49,7 +49,8 @@ pub(super) struct Pair<'a> {
 }
 
 impl Pair<'_> {
-    /// Where the bounds cross, the same at all of these points; nothing where one of the forms is nowhere clearly better.
+    /// Where the bounds cross, the same at all of these points; nothing where one of the forms is nowhere clearly
+    /// better.
     pub(super) fn crossing(&self, points: &[&[f64]]) -> Option<Crossing> {
         let mut common = Crossing { lower: self.range.0, upper: self.range.1 };
         let mut needed = [false, false];
@@ -61,8 +62,8 @@ impl Pair<'_> {
         (needed == [true, true] && common.lower < common.upper).then_some(common)
     }
 
-    /// The crossing with the other arguments as they are, the whole range where neither form is clearly better; and whether
-    /// the form below is somewhere, and that above.
+    /// The crossing with the other arguments as they are, the whole range where neither form is clearly better; and
+    /// whether the form below is somewhere, and that above.
     fn along(&self, point: &[f64]) -> Option<(Crossing, [bool; 2])> {
         let ends = [self.range.0, self.range.1].map(|end| Width::Double.ordinal(end));
         let place = |number: usize| {

@@ -6,11 +6,12 @@
 //!              └─────────────────────────────── again ───────────────────────────────────┤
 //!                                            regimes, proof ─▶ forms by error and cost ◀─┘
 //! ```
-//! The rules propose, exact algebra proves: a form is kept only if it is proved to have the value of the formula wherever
-//! the formula has one, on the kernel's domain; where it is not shown to have one, the formula takes its place. Where no form
-//! is best everywhere, two are joined at a number where the bounds of their errors cross at every scale. What is kept is
-//! compared with the formula at points that the search has not seen, and goes if it loses more there. The search is
-//! bounded, and the same for the same kernel. A kernel that nobody chose a form for is computed by what rules alone give, without a search.
+//! The rules propose, exact algebra proves: a form is kept only if it is proved to have the value of the formula
+//! wherever the formula has one, on the kernel's domain; where it is not shown to have one, the formula takes its
+//! place. Where no form is best everywhere, two are joined at a number where the bounds of their errors cross at
+//! every scale. What is kept is compared with the formula at points that the search has not seen, and goes if it
+//! loses more there. The search is bounded, and the same for the same kernel. A kernel that nobody chose a form for
+//! is computed by what rules alone give, without a search.
 
 mod choice;
 mod crossing;

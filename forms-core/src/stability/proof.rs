@@ -1,12 +1,13 @@
-//! Proof: a form has the value of the formula wherever the formula has one and the kernel's conditions hold, and its pieces
-//! agree where they meet. It is the proof that generation asks for again.
+//! Proof: a form has the value of the formula wherever the formula has one and the kernel's conditions hold, and its
+//! pieces agree where they meet. It is the proof that generation asks for again.
 
 use crate::expression::{Expr, Node, Pool, Seam};
 use crate::generation::{form_faults, guarded};
 use crate::resolve::Kernel;
 use rustc_hash::FxHashMap;
 
-/// A form that is proved, or the same with the formula wherever it is not shown to have a value; nothing where neither is.
+/// A form that is proved, or the same with the formula wherever it is not shown to have a value; nothing where
+/// neither is.
 pub(super) fn provable(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Option<Vec<Expr>> {
     if proved(pool, kernel, form) {
         return Some(form.to_vec());

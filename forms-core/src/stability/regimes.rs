@@ -1,9 +1,9 @@
 //! Regimes: where no form is best everywhere, each is used where it is best, with the seams at exact numbers.
 //!
-//! The samples are put in the order of one argument. The cheapest way to cut them into at most so many runs, each with
-//! the form that loses least on it, is found by dynamic programming; a cut has to save enough to be made. That says which
-//! forms meet in which order. Where they meet is not told by samples: it is a number at which the bounds of their errors
-//! cross, whatever the other arguments are; where there is none, no cut is made.
+//! The samples are put in the order of one argument. The cheapest way to cut them into at most so many runs, each
+//! with the form that loses least on it, is found by dynamic programming; a cut has to save enough to be made. That
+//! says which forms meet in which order. Where they meet is not told by samples: it is a number at which the bounds
+//! of their errors cross, whatever the other arguments are; where there is none, no cut is made.
 
 use super::crossing::{Crossing, Pair};
 use crate::expression::{Expr, Pool, Rational, Seam, Symbol};
@@ -27,8 +27,8 @@ pub(super) struct Cut {
     pub(super) loss: f64,
 }
 
-/// The best way to use these forms on the runs of each argument, the best argument first: `losses` has for each form the loss
-/// at each sample.
+/// The best way to use these forms on the runs of each argument, the best argument first: `losses` has for each form
+/// the loss at each sample.
 pub(super) fn cuts(points: &[&[f64]], weights: &[f64], losses: &[&[f64]]) -> Vec<Cut> {
     let arguments = points.first().map_or(0, |point| point.len());
     let single = losses.iter().map(|loss| mean(loss, weights)).fold(f64::INFINITY, f64::min);
@@ -45,8 +45,8 @@ pub(super) fn cuts(points: &[&[f64]], weights: &[f64], losses: &[&[f64]]) -> Vec
 const MOST_POINTS: usize = 24;
 
 impl Cut {
-    /// The same with each number where the bounds of the errors of the forms on both sides cross, at points of every scale;
-    /// nothing where they cross nowhere or elsewhere at another point.
+    /// The same with each number where the bounds of the errors of the forms on both sides cross, at points of every
+    /// scale; nothing where they cross nowhere or elsewhere at another point.
     pub(super) fn at_crossings(
         mut self,
         points: &[&[f64]],

@@ -280,8 +280,8 @@ impl<'a> Search<'a> {
         chosen
     }
 
-    /// The proved forms joined where each is best, at numbers where the bounds of their errors cross, if that is better than
-    /// the best of them.
+    /// The proved forms joined where each is best, at numbers where the bounds of their errors cross, if that is
+    /// better than the best of them.
     fn joined(&mut self, proved: &[usize]) -> Option<Vec<Expr>> {
         let points: Vec<&[f64]> = self.points.iter().map(|sample| &sample.arguments[..]).collect();
         let losses: Vec<&[f64]> = proved.iter().map(|&place| &self.candidates[place].losses[..]).collect();

@@ -1,8 +1,8 @@
 //! Validation: a form is compared with the formula at points that the search has not seen.
 //!
-//! Other samples of every regime, and a grid of simple numbers in every mixture, on which strata lie: a form goes that has no
-//! value, or an infinite one, where the formula as it is written has a number, or that loses more bits on the mean of a
-//! regime or of the grid.
+//! Other samples of every regime, and a grid of simple numbers in every mixture, on which strata lie: a form goes
+//! that has no value, or an infinite one, where the formula as it is written has a number, or that loses more bits on
+//! the mean of a regime or of the grid.
 
 use crate::accuracy::{Regime, Sample, Samples, Width, bits_lost, sample, sample_at};
 use crate::expression::Pool;
@@ -18,7 +18,7 @@ const SEED: u64 = 0x7a11;
 const GRID: usize = 160;
 
 /// A few roundings more on the mean are no loss, in bits.
-const ROUNDINGS: f64 = 0.5;
+const ROUNDINGS: f64 = 1.5;
 
 /// The numbers of the grid; each is taken with both signs.
 const NUMBERS: &[f64] =

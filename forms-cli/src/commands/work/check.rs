@@ -1,4 +1,5 @@
-//! Errors, statements and kernels of a text, then the verdict on each statement and what kernels claim that was not shown.
+//! Errors, statements and kernels of a text, then the verdict on each statement and what kernels claim that was not
+//! shown.
 
 use super::record::{Place, mathml, read, tell};
 use crate::decisions::timed;

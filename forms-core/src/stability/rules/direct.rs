@@ -1,8 +1,8 @@
 //! Direct: the form that rules alone give, without a sample, for kernels that nobody chose a form for.
 //!
-//! Of all rules these are the ones whose result is not less accurate than what it stands for at any argument. Each step is
-//! proved by itself: what comes out has a value wherever what went in has one, and both sides are equal wherever both have
-//! one.
+//! Of all rules these are the ones whose result is not less accurate than what it stands for at any argument. Each
+//! step is proved by itself: what comes out has a value wherever what went in has one, and both sides are equal
+//! wherever both have one.
 
 use super::{Rewriting, exponential, factors, fractions, is_short, radical, sums, trigonometric};
 use crate::decide::{Effort, Equations, Finding};

@@ -1,0 +1,83 @@
+//! The claim of a form: that it has the value of the formula wherever the formula has one, on the kernel's domain.
+//!
+//! ```text
+//! form ─┬─ special points ──▶ a point at which it has no value, or another one
+//!       ├─ equation ────────▶ equal wherever both have a value, output by output
+//!       └─ definedness ─────▶ it has one wherever the formula has
+//! ```
+
+use super::definedness::{self, Breach, Definedness};
+use super::fault::{Claim, Fault};
+use super::translation::{FORM, Translation, equality};
+use crate::decide::Witness;
+use crate::diagnostic::Diagnostic;
+use crate::expression::Pool;
+use crate::resolve::Kernel;
+
+/// What is to be said where the form behind `by` is not proved to have the value of the formula, wherever the formula
+/// has one on the kernel's domain. Special points first: a form that differs on a stratum alone is refuted there.
+pub(super) fn fault(pool: &mut Pool, kernel: &Kernel) -> Option<Fault> {
+    if let Some(breach) = definedness::first_breach(pool, kernel, &kernel.computed) {
+        return Some(broken(kernel, &breach));
+    }
+    for (&form, &formula) in kernel.computed.iter().zip(&kernel.outputs) {
+        // output by output: where another has no value, this one may have one
+        match equality(pool, &[(form, formula)], &kernel.domain, FORM) {
+            Translation::Proved => {}
+            Translation::Refuted(witness) => return Some(different(kernel, witness)),
+            Translation::Unknown { reason, .. } => {
+                let breach = definedness::any_breach(pool, kernel, &kernel.computed);
+                return Some(
+                    breach.map_or_else(|| undecided(kernel, reason), |breach| broken(kernel, &breach)),
+                );
+            }
+        }
+    }
+    match definedness::of_form(pool, kernel, &kernel.computed) {
+        Definedness::Kept => None,
+        Definedness::Broken(breach) => Some(broken(kernel, &breach)),
+        Definedness::Undecided { reason } => Some(undefined(kernel, reason)),
+    }
+}
+
+fn broken(kernel: &Kernel, breach: &Breach) -> Fault {
+    let name = &kernel.name;
+    let what = if breach.form.is_ok() { "differs from its formula" } else { "loses a point of its formula" };
+    let message = format!("the form that `{name}` is computed by {what}\n{}", breach.text());
+    let help = if breach.form.is_ok() {
+        EQUAL
+    } else {
+        "give such points a piece of their own: `if d != 0 { … } else { … }`, or exclude them behind `where`"
+    };
+    let diagnostic = Diagnostic::new(kernel.span, message).with_help(help);
+    Fault::refuted(name, Claim::By, breach.witness(), diagnostic)
+}
+
+fn different(kernel: &Kernel, witness: Witness) -> Fault {
+    let message =
+        format!("the form that `{}` is computed by differs from its formula\n{witness}", kernel.name);
+    let diagnostic = Diagnostic::new(kernel.span, message).with_help(EQUAL);
+    Fault::refuted(&kernel.name, Claim::By, witness, diagnostic)
+}
+
+fn undecided(kernel: &Kernel, reason: String) -> Fault {
+    let message = format!(
+        "whether the form that `{}` is computed by equals its formula is undecided: {reason}",
+        kernel.name
+    );
+    let diagnostic = Diagnostic::new(kernel.span, message).with_help(EQUAL);
+    Fault::unknown(&kernel.name, Claim::By, reason, diagnostic)
+}
+
+fn undefined(kernel: &Kernel, reason: String) -> Fault {
+    let message = format!(
+        "whether the form that `{}` is computed by has a value wherever its formula has one is undecided: {reason}",
+        kernel.name
+    );
+    let diagnostic = Diagnostic::new(kernel.span, message)
+        .with_help("say so behind `where`, or compute the points in question by a piece of their own");
+    Fault::unknown(&kernel.name, Claim::By, reason, diagnostic)
+}
+
+const EQUAL: &str =
+    "what stands behind `by` has to have the value of the formula wherever the formula has one";
