@@ -317,6 +317,28 @@ fn a_name_means_one_thing() {
 }
 
 #[test]
+fn an_exponent_that_is_a_number_asks_no_more_than_a_number() {
+    let source = |exponent: &str| {
+        let text = format!("chart L(x, y); prove p: abs(x)*x**{exponent} == x*x**{exponent};");
+        &*Box::leak(text.into_boxed_str())
+    };
+    let forged =
+        ["2**2", "(y - y + 2)", "(2*cos(0))", "sqrt(4)", "(2*y/y)", "(2*sin(pi/2))", "abs(2)", "(3 - 1**2)"];
+    let lines = ["proved p\nbase x\npositive x\nzero\n", "proved p\nbase x\npositive x\nexponent y\nzero\n"];
+    for exponent in forged {
+        assert_none_is_taken(&lines.map(|lines| (source(exponent), lines)));
+    }
+}
+
+#[test]
+fn a_condition_that_is_zero_ends_the_search_for_factors() {
+    assert_none_is_taken(&[(
+        "chart L(x, y); prove p: abs(x)*exp(y) == x*exp(y) where x - x >= 0;",
+        "proved p\nexponent y\nbase x\nsplit 1\ncase +\nexponent y\nbase x\npositive x\nzero\nend\n",
+    )]);
+}
+
+#[test]
 fn depth_and_length_are_refused_and_no_panic() {
     let nested = |open: &str, close: &str, n: usize| format!("{}x{}", open.repeat(n), close.repeat(n));
     for text in [
