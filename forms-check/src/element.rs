@@ -172,6 +172,9 @@ impl Field {
 
     /// An element over the bases, which has to leave nothing but a number.
     pub(crate) fn factored(&mut self, q: &Fraction) -> Result<Factored, Stop> {
+        if q.numerator.is_zero() {
+            return rejected("zero has no factors");
+        }
         let mut found =
             Factored { constant: rational(1, 1), powers: BTreeMap::new(), exponentials: BTreeMap::new() };
         let below = q.factors.iter().map(|(factor, n)| (self.factor(*factor).clone(), -*n));

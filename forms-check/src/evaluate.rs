@@ -3,6 +3,7 @@
 use crate::calculus::{Kind, Value, order};
 use crate::expression::Operation::{Divide, Function, Jet, Multiply, Pi, Power, Variable};
 use crate::expression::{Expr, rational};
+use crate::field::Field;
 use crate::theory::{Condition, DERIVED, FUNCTIONS, Named, Relation, Scope, Theory};
 use crate::tokens::{Reader, Token};
 use crate::{Stop, malformed, uncovered};
@@ -143,6 +144,10 @@ impl Theory {
     /// qʳ for a number r, exp(e log q) otherwise
     fn raised(&mut self, base: Expr, exponent: Expr) -> Result<Expr, Stop> {
         let Some(value) = self.pool.as_number(exponent).cloned() else {
+            // a number in disguise is a number to whoever sees through it, and asks less of q
+            if self.is_constant(exponent)? {
+                return uncovered("an exponent that is a number and is not written as one");
+            }
             self.require(base, Relation::Positive);
             let logarithm = self.pool.make(Function("log"), vec![base]);
             let product = self.pool.make(Multiply, vec![exponent, logarithm]);
@@ -159,6 +164,16 @@ impl Theory {
             (false, false) => self.require(base, Relation::NotNegative),
         }
         Ok(self.pool.make(Power(p, q), vec![base]))
+    }
+
+    /// Whether an expression is the same number everywhere, as far as that is seen.
+    fn is_constant(&self, q: Expr) -> Result<bool, Stop> {
+        let depends = |part: Expr| matches!(self.pool.node(part).0, Variable(_) | Jet(..));
+        if !self.pool.parts(&[q]).into_iter().any(depends) {
+            return Ok(true);
+        }
+        let element = Field::default().element(&self.pool, q)?;
+        Ok(element.numerator.as_constant().is_some() && element.factors.is_empty())
     }
 
     fn atom(&mut self, reader: &mut Reader) -> Result<Value, Stop> {
@@ -312,6 +327,18 @@ impl Theory {
         let values = self.values(reader)?;
         let along: Vec<usize> = (0..self.variables.len()).filter(|v| self.variables[*v].1).collect();
         let pool = &mut self.pool;
+        let is_field = |value: &Value| value.kind == Kind::Field || value.terms.is_empty();
+        let is_form = |value: &Value| value.kind == Kind::Form;
+        let is_meant = match (name, values.as_slice()) {
+            ("d", [w]) => is_form(w),
+            ("interior", [x, w]) => is_field(x) && is_form(w),
+            ("lie" | "bracket", [x, w]) => is_field(x) && w.kind != Kind::Quadratic,
+            ("pair", [w, fields @ ..]) => is_form(w) && fields.iter().all(is_field),
+            _ => false,
+        };
+        if !is_meant {
+            return Err(malformed(format!("`{name}` of other arguments")));
+        }
         match (name, values.as_slice()) {
             ("d", [w]) => Ok(w.exterior(pool, &along)),
             ("interior", [x, w]) => Ok(w.interior(pool, x)),
@@ -336,6 +363,9 @@ impl Theory {
         let read = self.apart(|theory| theory.sum(reader));
         self.given = given;
         let (value, inner) = read?;
+        if value.kind != Kind::Form {
+            return Err(malformed("a form is pulled back"));
+        }
         self.scope.integrates |= inner.integrates;
         if inner.is_narrowed {
             return uncovered("the pullback of an antiderivative that is not defined for every parameter");

@@ -1,6 +1,6 @@
 //! Scalar expressions, each part once: operands come before what is made of them.
 
-use crate::polynomial::is_long;
+use crate::polynomial::{MOST_BITS, is_long};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::collections::{BTreeSet, HashMap};
@@ -44,6 +44,13 @@ pub(crate) fn rational(p: i64, q: i64) -> BigRational {
     BigRational::new(BigInt::from(p), BigInt::from(q))
 }
 
+/// cⁿ, if it is a number and not too long to be computed with
+fn small_power(c: &BigRational, n: i64) -> Option<BigRational> {
+    let bits = c.numer().bits().max(c.denom().bits()).saturating_mul(n.unsigned_abs());
+    let exponent = i32::try_from(n).ok().filter(|_| bits <= MOST_BITS)?;
+    (n > 0 || *c != rational(0, 1)).then(|| c.pow(exponent))
+}
+
 impl Pool {
     pub(crate) fn node(&self, expr: Expr) -> (&Operation, &[Expr]) {
         (&self.nodes[expr].0, &self.nodes[expr].1)
@@ -75,6 +82,11 @@ impl Pool {
             Power(1, 1) => return operands[0],
             Power(0, _) => return self.number(rational(1, 1)),
             _ => {}
+        }
+        if let Power(p, 1) = operation
+            && let Some(value) = self.as_number(operands[0]).and_then(|value| small_power(value, p))
+        {
+            return self.number(value);
         }
         if let [Some(a), Some(b)] = [0, 1].map(|k| operands.get(k).and_then(|e| self.as_number(*e))) {
             let value = match operation {

@@ -14,7 +14,7 @@ use crate::expression::Operation::{Add, Divide, Function, Multiply, Power};
 use crate::expression::{Expr, Pool, rational};
 use crate::theory::{Named, Relation, Theory};
 use crate::tokens::Reader;
-use crate::{Stop, malformed};
+use crate::{Stop, malformed, uncovered};
 use std::collections::{BTreeMap, HashMap};
 
 /// gᵢⱼ for i ≤ j, and the determinant. The coordinates of its chart are in ascending order; that of the chart is an
@@ -26,6 +26,9 @@ pub(crate) struct Metric {
     entries: BTreeMap<(usize, usize), Expr>,
     determinant: Expr,
 }
+
+/// A star has as many terms as there are sets of coordinates.
+const MOST_COORDINATES: usize = 10;
 
 /// Which star: ⋆, s⋆, or that without √|det g|.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -124,6 +127,9 @@ impl Metric {
             Star::Bare => pool.make(Divide, vec![one, self.determinant]),
         };
         let (mut result, mut known) = (Value::default(), HashMap::new());
+        if self.coordinates.len() > MOST_COORDINATES {
+            return uncovered("a metric of so many coordinates");
+        }
         for (blade, c) in &w.terms {
             let rest = top & !blade;
             let sign = order(*blade, rest).filter(|_| blade & !top == 0 && w.kind == Kind::Form);

@@ -7,5 +7,6 @@ mod integrals;
 mod metrics;
 mod mutations;
 mod population;
+mod reading;
 mod support;
 mod written_by_hand;
