@@ -47,6 +47,7 @@ use crate::certificate::Observer;
 use crate::expression::{Condition, Expr, Pool};
 use crate::normal::{Tower, Trigonometry};
 use crate::resolve::{Integration, Statement, Theory};
+use crate::steps;
 use problem::Problem;
 
 /// The products of terms that one normal form of a retraced proof may cost.
@@ -64,11 +65,21 @@ const RETRACED_WORK: u64 = 2_000_000;
 /// assert_eq!(decide(&mut theory, &statement).name(), "proved");
 /// ```
 pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
+    decide_with_effort(theory, statement, 1)
+}
+
+/// Decides one statement with so many times the usual steps, which are about two seconds of work.
+pub fn decide_with_effort(theory: &mut Theory, statement: &Statement, effort: u32) -> Verdict {
+    let granted = steps::STATEMENT.saturating_mul(effort.max(1).into());
+    steps::limited(granted, || decide_within(theory, statement, effort.max(1)))
+}
+
+fn decide_within(theory: &mut Theory, statement: &Statement, effort: u32) -> Verdict {
     if let Some(reason) = statement.obstacle.clone() {
         return Verdict::Unknown { reason };
     }
     let problem = Problem::new(theory, statement);
-    match finding::find(&mut theory.pool, &problem, Effort::STATEMENT) {
+    match finding::find(&mut theory.pool, &problem, Effort::STATEMENT.times(effort)) {
         Finding::Equal { points: 0 } => Verdict::Unknown {
             reason: "no point was found at which both sides are defined and every condition holds".into(),
         },
