@@ -4,6 +4,7 @@ mod counts;
 mod device;
 mod emitted;
 mod formula;
+mod names;
 mod targets;
 mod translation;
 mod values;

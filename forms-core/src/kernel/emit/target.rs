@@ -34,6 +34,16 @@ impl Target {
         }
     }
 
+    /// Its name in prose.
+    pub(super) fn title(self) -> &'static str {
+        match self {
+            Target::Rust => "Rust",
+            Target::C => "C",
+            Target::Wgsl => "WGSL",
+            Target::Cuda => "CUDA",
+        }
+    }
+
     /// The precision it is written in where none is asked for.
     pub fn usual_precision(self) -> Precision {
         if self == Target::Wgsl { Precision::F32 } else { Precision::F64 }
@@ -96,13 +106,6 @@ pub enum EmitError {
         /// The precision.
         precision: Precision,
     },
-    /// The name of the kernel means something else in the target.
-    Name {
-        /// The kernel.
-        kernel: String,
-        /// The target.
-        target: Target,
-    },
 }
 
 impl fmt::Display for EmitError {
@@ -120,11 +123,6 @@ impl fmt::Display for EmitError {
                 f,
                 "the kernel `{kernel}` contains the number {number}, which `{}` does not hold",
                 precision.name()
-            ),
-            EmitError::Name { kernel, target } => write!(
-                f,
-                "the kernel `{kernel}` cannot have this name in the target `{}`, where it means something else",
-                target.name()
             ),
         }
     }
@@ -144,10 +142,10 @@ pub struct Source {
 }
 
 impl Source {
-    /// The documented function.
-    fn function(&self, target: Target, precision: Precision) -> String {
-        let program = &self.program;
-        let mut docs = self.docs.clone();
+    /// The documented function, under this name.
+    fn function(&self, name: &str, target: Target, precision: Precision) -> String {
+        let (program, mut docs) = names::renamed(&self.program, &self.docs, target, name);
+        let program = &program;
         if precision != Precision::F64 {
             docs.rounding.clear();
         }
@@ -195,7 +193,10 @@ pub fn emit(kernels: &[Source], target: Target, precision: Precision) -> Result<
         Target::Cuda => C::new(Flavour::Cuda, precision).head(&programs),
         Target::Wgsl => wgsl::head(&programs),
     };
-    let functions: Vec<String> = kernels.iter().map(|kernel| kernel.function(target, precision)).collect();
+    let names: Vec<String> = programs.iter().map(|program| program.name.clone()).collect();
+    let names = names::of_kernels(target, &names);
+    let functions = kernels.iter().zip(&names).map(|(kernel, name)| kernel.function(name, target, precision));
+    let functions: Vec<String> = functions.collect();
     let functions = functions.join("\n");
     // in Rust what is needed comes last, so that the kernels can be read first
     let parts = if target == Target::Rust { [functions, head] } else { [head, functions] };
@@ -206,9 +207,6 @@ pub fn emit(kernels: &[Source], target: Target, precision: Precision) -> Result<
 /// Whether the target can say what the program does.
 fn check(program: &Program, target: Target, precision: Precision) -> Result<(), EmitError> {
     let kernel = || program.name.clone();
-    if names::is_taken(target, &program.name) {
-        return Err(EmitError::Name { kernel: kernel(), target });
-    }
     for instruction in &program.instructions {
         match instruction {
             Instruction::Call(operation, _) => {
