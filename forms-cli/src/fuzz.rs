@@ -24,7 +24,7 @@ use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 /// Cases of each command where nobody asks for more: valid ones, and as many damaged ones.
-const CASES: u64 = 100;
+const CASES: u64 = 10;
 
 /// The memory that the whole run may take, in bytes: its threads have large stacks, most of which is not used.
 #[cfg(unix)]
