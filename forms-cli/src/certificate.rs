@@ -1,10 +1,12 @@
 //! Certificates on disk: each file they speak of is named as it is found from the certificate's folder.
 
+use crate::files::{reason, replace};
 use forms::core::certificate::{HEADER, antiderivatives, entry, file_lines};
 use forms::core::decide::Verdict;
 use forms::core::resolve::{Statement, Theory};
 use forms::core::syntax::Source;
 use forms_check::Outcome;
+use std::io::Write;
 use std::path::{Component, Path, PathBuf};
 
 /// A certificate that is being written.
@@ -57,7 +59,8 @@ impl Certificate {
 
     /// Writes it to its place.
     pub(crate) fn write(self) -> Result<(), String> {
-        std::fs::write(&self.path, self.lines).map_err(|error| format!("cannot write {}: {error}", self.path))
+        replace(Path::new(&self.path), |output| output.write_all(self.lines.as_bytes()))
+            .map_err(|error| format!("cannot write {}: {}", self.path, reason(&error)))
     }
 }
 

@@ -10,7 +10,7 @@
 use crate::STACK_BYTES;
 use crate::theory_file::{self, FileError, TheoryFile};
 use crate::verdict_line::Decided;
-use forms::core::decide::decide;
+use forms::core::decide::decide_with_effort;
 use forms::core::expression::Pool;
 use forms::core::generation::{Fault, faults, makes_claims};
 use forms::core::resolve::{Kernel, Statement, Theory};
@@ -46,9 +46,10 @@ pub(crate) struct DecidedFault {
 /// What became of a file: its errors if there are any.
 pub(crate) type Outcome = Result<DecidedFile, Vec<FileError>>;
 
-/// Reads files and decides their statements. Each outcome is visited as soon as those before it have been.
+/// Reads files and decides their statements with so many times the usual work. Each outcome is visited as soon as those before it have been.
 pub(crate) fn for_each_file(
     names: &[String],
+    effort: u32,
     mut visit: impl FnMut(Outcome) -> io::Result<()>,
 ) -> io::Result<()> {
     // A file with no more statements than one task holds is not worth a thread.
@@ -57,10 +58,10 @@ pub(crate) fn for_each_file(
         if file.as_ref().map_or(0, |file| file.theory.statements.len()) <= TASK
             && file.as_ref().map_or(0, |file| file.theory.kernels.len()) <= KERNELS_OF_A_TASK
         {
-            return visit(file.map(decided_file));
+            return visit(file.map(|file| decided_file(file, effort)));
         }
         let pool = workers()?;
-        return visit(file.map(|file| pool.install(|| decided_file(file))));
+        return visit(file.map(|file| pool.install(|| decided_file(file, effort))));
     }
     let pool = workers()?;
     pool.in_place_scope(|scope| {
@@ -69,7 +70,7 @@ pub(crate) fn for_each_file(
             let sender = sender.clone();
             scope.spawn(move |_| {
                 // Nobody listens any more once a reader of the output has gone away.
-                let _ = sender.send((place, theory_file::read(name).map(decided_file)));
+                let _ = sender.send((place, theory_file::read(name).map(|file| decided_file(file, effort))));
             });
         }
         drop(sender);
@@ -91,9 +92,9 @@ pub(crate) fn workers() -> io::Result<ThreadPool> {
     ThreadPoolBuilder::new().stack_size(STACK_BYTES).build().map_err(io::Error::other)
 }
 
-fn decided_file(file: TheoryFile) -> DecidedFile {
+fn decided_file(file: TheoryFile, effort: u32) -> DecidedFile {
     let TheoryFile { source, mut theory, .. } = file;
-    let statements = decide_all(&mut theory);
+    let statements = decide_all(&mut theory, effort);
     let faults = faults_of_kernels(&mut theory);
     DecidedFile { source, theory, statements, faults }
 }
@@ -121,22 +122,22 @@ fn faults_of(pool: &mut Pool, kernel: &Kernel) -> Vec<DecidedFault> {
 }
 
 /// The statements of one theory, decided in order.
-fn decide_all(theory: &mut Theory) -> Vec<Decided> {
+fn decide_all(theory: &mut Theory, effort: u32) -> Vec<Decided> {
     let statements = theory.statements.clone();
     if statements.len() <= TASK {
-        return statements.into_iter().map(|statement| timed(theory, statement)).collect();
+        return statements.into_iter().map(|statement| timed(theory, statement, effort)).collect();
     }
     let theory = &*theory;
     let tasks = statements.par_chunks(TASK).flat_map_iter(|task| {
         let mut theory = theory.clone();
-        task.iter().map(move |statement| timed(&mut theory, statement.clone()))
+        task.iter().map(move |statement| timed(&mut theory, statement.clone(), effort))
     });
     tasks.collect()
 }
 
-/// Decides one statement and takes the time.
-pub(crate) fn timed(theory: &mut Theory, statement: Statement) -> Decided {
+/// Decides one statement with so many times the usual work, and takes the time.
+pub(crate) fn timed(theory: &mut Theory, statement: Statement, effort: u32) -> Decided {
     let start = Instant::now();
-    let verdict = decide(theory, &statement);
+    let verdict = decide_with_effort(theory, &statement, effort);
     Decided { statement, verdict, time: start.elapsed() }
 }

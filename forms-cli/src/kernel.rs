@@ -1,5 +1,6 @@
 //! Kernels of a file or of the library, found by name and generated.
 
+use crate::streams::tell;
 use crate::theory_file::{self, FileError, TheoryFile};
 use forms::core::compile::compile_kernel;
 use forms::core::generation::Generated;
@@ -11,7 +12,7 @@ pub(crate) const LIBRARY: &str = "-";
 /// The files that FILE names: one on disk, or those of the library.
 pub(crate) fn files(file: &str) -> Result<Vec<TheoryFile>, Vec<FileError>> {
     let files = if file == LIBRARY { library() } else { theory_file::read(file).map(|file| vec![file]) }?;
-    files.iter().filter_map(|file| file.warning.as_ref()).for_each(|warning| eprintln!("{warning}"));
+    files.iter().filter_map(|file| file.warning.as_ref()).for_each(|warning| tell!("{warning}"));
     Ok(files)
 }
 

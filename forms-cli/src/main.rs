@@ -25,18 +25,23 @@ mod commands;
 mod decimal;
 mod decisions;
 mod drawing;
+mod files;
+#[cfg(test)]
+mod fuzz;
 mod json;
 mod kernel;
 mod layout;
 mod palette;
 mod status;
+mod streams;
 mod theory_file;
 mod verdict_line;
 
 use clap::Parser;
 use status::Status;
-use std::io::{BufWriter, ErrorKind, Write};
+use std::io::Write;
 use std::process::ExitCode;
+use streams::{Output, tell};
 
 /// Stack of every thread that does work: trees as deep as the parser admits are walked by recursion.
 const STACK_BYTES: usize = 256 << 20;
@@ -48,21 +53,20 @@ fn main() -> ExitCode {
         Ok(Ok(status)) => status.into(),
         Ok(Err(_)) => Status::Error.into(),
         Err(error) => {
-            eprintln!("error: no thread to work in: {error}");
+            tell!("error: no thread to work in: {error}");
             Status::Error.into()
         }
     }
 }
 
-/// Runs the command; a reader that has gone away ends it without complaint.
+/// Runs the command. Its status is that of the work, whether or not somebody reads what it writes.
 fn run(arguments: &arguments::Arguments) -> Status {
-    let mut output = BufWriter::new(std::io::stdout().lock());
+    let mut output = Output::new();
     let result = commands::run(arguments, &mut output).and_then(|status| output.flush().map(|()| status));
     match result {
         Ok(status) => status,
-        Err(error) if error.kind() == ErrorKind::BrokenPipe => Status::AsStated,
         Err(error) => {
-            eprintln!("error: cannot write the output: {error}");
+            tell!("error: cannot write the output: {}", files::reason(&error));
             Status::Error
         }
     }

@@ -1,5 +1,6 @@
 //! Files: the text of a file becomes a theory, or everything that is wrong with it.
 
+use crate::streams::tell;
 use forms::core::check::read_theory;
 use forms::core::diagnostic::{Diagnostic, Span};
 use forms::core::resolve::Theory;
@@ -140,6 +141,6 @@ pub(crate) fn from_text(name: &str, text: impl Into<String>) -> Result<TheoryFil
 /// Shows errors to a person, on standard error.
 pub(crate) fn complain(errors: &[FileError]) {
     for error in errors {
-        eprintln!("{}", error.shown);
+        tell!("{}", error.shown);
     }
 }

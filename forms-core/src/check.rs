@@ -7,12 +7,12 @@
 //! A false claim is an error of the source like a missing bracket, so it is a [`Diagnostic`] too.
 
 use crate::decide::{Verdict, Witness, decide};
-use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::diagnostic::{Diagnostic, Kind, Span, limited};
 use crate::generation::faults;
 use crate::resolve::{Statement, Theory, resolve, resolve_traced};
-use crate::syntax::ast::{Claim, File};
+use crate::syntax::ast::{Claim, File, Item, ItemKind};
 use crate::syntax::token::{Token, TokenKind};
-use crate::syntax::{Source, end_of, lex, parse};
+use crate::syntax::{Source, end_of, lex, parse_text};
 use crate::units;
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -32,7 +32,34 @@ pub fn resolve_parsed(tokens: &[Token], file: &File) -> (Theory, Vec<Diagnostic>
         };
         diagnostics.retain(|diagnostic| !is_consequence(diagnostic));
     }
+    if diagnostics.is_empty() && unread.is_empty() {
+        diagnostics.extend(lost_item(file, &theory));
+    }
     (theory, diagnostics)
+}
+
+/// The first item that claims something and has no part in the theory. There is none, unless resolution has a fault: a
+/// claim that is not decided must not pass for one that holds.
+fn lost_item(file: &File, theory: &Theory) -> Option<Diagnostic> {
+    let statements: FxHashSet<&str> =
+        theory.statements.iter().map(|statement| statement.name.as_str()).collect();
+    let kernels: FxHashSet<&str> = theory.kernels.iter().map(|kernel| kernel.name.as_str()).collect();
+    let is_kept = |item: &Item| match &item.kind {
+        ItemKind::Statement { name, .. } => statements.contains(name.text.as_str()),
+        ItemKind::Kernel { name, .. } | ItemKind::Gradient { name, .. } => {
+            kernels.contains(name.text.as_str())
+        }
+        ItemKind::Warp(warp) => {
+            warp.claims(item, false).iter().all(|claim| match &claim.kind {
+                ItemKind::Statement { name, .. } => statements.contains(name.text.as_str()),
+                _ => true,
+            }) && theory.warps.iter().any(|known| known.name == warp.name.text)
+        }
+        _ => true,
+    };
+    let lost = file.items.iter().find(|item| !is_kept(item))?;
+    let message = "this item was read and not resolved, which is an error of Forms";
+    Some(Diagnostic::new(lost.span, message).with_help("please report the file"))
 }
 
 /// Resolves, and where units are stated checks them.
@@ -69,13 +96,30 @@ fn unread_names<'a>(tokens: &'a [Token], file: &File) -> FxHashSet<&'a str> {
 /// is of the parser, is told.
 pub fn read_file(text: &str) -> (File, Theory, Vec<Diagnostic>) {
     let (tokens, mut diagnostics) = lex(text);
-    let (file, found) = parse(&tokens, end_of(text));
+    let (file, found) = parse_text(&tokens, end_of(text));
     diagnostics.extend(found);
     let (theory, found) = resolve_parsed(&tokens, &file);
     diagnostics.extend(found);
     diagnostics.sort_by_key(|diagnostic| diagnostic.span);
     diagnostics.dedup_by_key(|diagnostic| diagnostic.span);
-    (file, theory, diagnostics)
+    if diagnostics.is_empty() {
+        diagnostics.extend(unread_claim(&tokens, &file));
+    }
+    (file, theory, limited(diagnostics))
+}
+
+/// The first `prove` or `refute` that is in no item. There is none, unless the parser has a fault.
+fn unread_claim(tokens: &[Token], file: &File) -> Option<Diagnostic> {
+    let is_claim = |token: &&Token| matches!(name(token), Some("prove" | "refute"));
+    let is_read = |token: &Token| {
+        let place = file.items.partition_point(|item| item.span.end <= token.span.start);
+        file.items.get(place).is_some_and(|item| {
+            item.span.start <= token.span.start && matches!(item.kind, ItemKind::Statement { .. })
+        })
+    };
+    let lost = tokens.iter().filter(is_claim).find(|token| !is_read(token))?;
+    let message = "this statement was not read, which is an error of Forms";
+    Some(Diagnostic::new(lost.span, message).with_help("please report the file"))
 }
 
 /// Parses and resolves a text.

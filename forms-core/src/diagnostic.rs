@@ -32,6 +32,10 @@ pub enum Kind {
     Mistake,
     /// Nobody declared a name. Where an item could not be read, it may be what declares it.
     UnknownName,
+    /// It says how many others are not shown.
+    Rest,
+    /// It follows from another error, which is the one to read.
+    Consequence,
     /// The text may be right, and only its value was not found: a statement about it is undecided.
     Open,
 }
@@ -77,6 +81,21 @@ impl Diagnostic {
         self.related = Some((place, name.into()));
         self
     }
+}
+
+/// The most diagnostics that are shown of one source.
+pub const MOST_DIAGNOSTICS: usize = 128;
+
+/// The first diagnostics, and one that says how many more there are.
+pub fn limited(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    if let Some(first) = diagnostics.get(MOST_DIAGNOSTICS) {
+        let rest = diagnostics.len() - MOST_DIAGNOSTICS;
+        let message = counted(rest, "more error");
+        let summary = Diagnostic::new(first.span, message).of(Kind::Rest);
+        diagnostics.truncate(MOST_DIAGNOSTICS);
+        diagnostics.push(summary);
+    }
+    diagnostics
 }
 
 /// So many things, in words: `1 range`, `2 ranges`.

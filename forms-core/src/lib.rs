@@ -31,6 +31,7 @@ mod random;
 pub mod resolve;
 pub mod rounding;
 pub mod stability;
+mod steps;
 pub mod syntax;
 pub mod topology;
 pub mod units;

@@ -4,6 +4,7 @@
 mod bands;
 mod element;
 mod error;
+mod file;
 mod light;
 mod material;
 mod medium;
@@ -23,6 +24,7 @@ mod working_units;
 
 pub(crate) use bands::middle;
 pub use error::SceneError;
+pub use file::read_file;
 pub use model::{
     Ambient, Band, Effect, Force, ForcedEffect, LengthUnit, Light, LightKind, Material, MaterialKind, Medium,
     Receiver, ReceiverKind, Scene, Shape, Solve, Surface, TimeBins,

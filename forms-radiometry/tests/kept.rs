@@ -140,7 +140,7 @@ fn shares_that_were_stopped_come_to_the_bits_of_one_run() {
 
 fn assert_shares_are_one_run(scene: &Scene) {
     let plan = plan(scene).expect("a plan");
-    for (count, samples) in [(3, None), (7, None), (3, Some(500)), (7, Some(500))] {
+    for (count, samples) in [(3, None), (7, None), (3, Some(512)), (7, Some(512))] {
         let budget = samples.map(|samples| Budget::new(samples).expect("a number of samples"));
         let job = Job { budget, ..Job::default() };
         let whole = simulate_job(scene, &plan, job, &Unwatched).expect("there is no state");
@@ -184,7 +184,7 @@ fn every_changed_byte_of_a_file_is_found() {
     let scene = hall("");
     let planned = plan(&scene).expect("a plan");
     let memory = Memory::default();
-    let budget = Budget::new(1).ok();
+    let budget = Budget::new(32).ok();
     let job = Job { budget, keeper: Some(&memory), ..Job::default() };
     simulate_job(&scene, &planned, job, &Unwatched).expect("there is no state");
     let bytes = memory.0.into_inner().expect("nobody panicked");

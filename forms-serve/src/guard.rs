@@ -28,6 +28,9 @@ const HEADERS: [(&str, &str); 6] = [
 /// Refuses the requests of other sites and adds the headers to every reply.
 pub(crate) async fn guard(request: Request, next: Next) -> Response {
     let mut response = match objection(request.headers()) {
+        _ if is_said_twice(request.headers()) => {
+            refusal(StatusCode::BAD_REQUEST, "a request names its host and its origin once")
+        }
         Some(reason) => refusal(StatusCode::FORBIDDEN, reason),
         None => next.run(request).await,
     };
@@ -36,6 +39,11 @@ pub(crate) async fn guard(request: Request, next: Next) -> Response {
         response.headers_mut().entry(name).or_insert(HeaderValue::from_static(value));
     }
     response
+}
+
+/// Whether a request names several hosts or origins, of which one program may see the first and another the last.
+fn is_said_twice(headers: &HeaderMap) -> bool {
+    [header::HOST, header::ORIGIN].iter().any(|name| headers.get_all(name).iter().count() > 1)
 }
 
 /// Why a request is refused.
@@ -61,6 +69,15 @@ fn is_of_this_machine(host: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_host_is_named_once() {
+        let mut headers = HeaderMap::new();
+        headers.append(header::HOST, HeaderValue::from_static("localhost"));
+        assert!(!is_said_twice(&headers));
+        headers.append(header::HOST, HeaderValue::from_static("localhost"));
+        assert!(is_said_twice(&headers));
+    }
 
     #[test]
     fn this_machine_is_localhost_or_an_address() {

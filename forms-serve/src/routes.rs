@@ -43,6 +43,15 @@ pub(crate) fn routes(workers: Arc<Workers>, opened: Option<Opened>, words: Words
         .with_state(workers)
 }
 
+/// Whether a request says, once, that it is JSON.
+fn is_json(headers: &HeaderMap) -> bool {
+    let mut kinds = headers.get_all(header::CONTENT_TYPE).iter();
+    let (Some(kind), None) = (kinds.next(), kinds.next()) else { return false };
+    let kind = kind.to_str().unwrap_or_default();
+    let essence = kind.split(';').next().unwrap_or_default().trim();
+    essence.eq_ignore_ascii_case("application/json")
+}
+
 /// Has a request answered by a process.
 async fn work(
     State(workers): State<Arc<Workers>>,
@@ -51,8 +60,7 @@ async fn work(
     body: Body,
 ) -> Response {
     let Some(task) = TASKS.into_iter().find(|known| *known == task) else { return nothing() };
-    let kind = headers.get(header::CONTENT_TYPE).and_then(|kind| kind.to_str().ok()).unwrap_or_default();
-    if !kind.starts_with("application/json") {
+    if !is_json(&headers) {
         return refusal(
             StatusCode::UNSUPPORTED_MEDIA_TYPE,
             "a request is a JSON object, of type application/json",
@@ -66,8 +74,15 @@ async fn work(
         }
         Err(_) => return refusal(StatusCode::REQUEST_TIMEOUT, "the request took too long to arrive"),
     };
+    if let Err(error) = serde_json::from_slice::<serde_json::Map<String, serde_json::Value>>(&request) {
+        return refusal(StatusCode::BAD_REQUEST, &format!("the request is no JSON object: {error}"));
+    }
     match workers.answer(task, &request).await {
-        Ok(answer) => json(&answer),
+        // what the task refuses is another request than it expects
+        Ok(answer) => match answer.get("refusal").and_then(serde_json::Value::as_str) {
+            Some(reason) => refusal(StatusCode::BAD_REQUEST, reason),
+            None => json(&answer),
+        },
         Err(NoAnswer::Busy) => {
             let reason = "there is more work than this machine can do; try again in some seconds";
             refusal(StatusCode::SERVICE_UNAVAILABLE, reason)
@@ -75,5 +90,29 @@ async fn work(
         Err(NoAnswer::Broken(error)) => {
             refusal(StatusCode::INTERNAL_SERVER_ERROR, &format!("no process to work: {error}"))
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use axum::http::HeaderValue;
+
+    #[test]
+    fn json_is_said_once_and_in_full() {
+        let said = |kinds: &[&'static str]| {
+            let mut headers = HeaderMap::new();
+            for kind in kinds {
+                headers.append(header::CONTENT_TYPE, HeaderValue::from_static(kind));
+            }
+            is_json(&headers)
+        };
+        for kind in ["application/json", "application/json; charset=utf-8", "Application/JSON ;x=y"] {
+            assert!(said(&[kind]), "{kind}");
+        }
+        for kind in ["application/jsonfoo", "application/json-seq", "text/json", "", "application/ json"] {
+            assert!(!said(&[kind]), "{kind}");
+        }
+        assert!(!said(&[]) && !said(&["application/json", "application/json"]));
     }
 }

@@ -4,18 +4,24 @@ use crate::routes::routes;
 use crate::work::Workers;
 use crate::{ServeError, Settings};
 use axum::Router;
+use axum::extract::{Request, State};
+use axum::middleware::{Next, from_fn_with_state};
+use axum::response::Response;
 use hyper::server::conn::http1;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
+use std::collections::VecDeque;
 use std::io;
 use std::net::SocketAddr;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::Semaphore;
+use tokio::task::JoinHandle;
 use tokio::time::timeout;
 
-/// Connections at once; more wait to be accepted.
+/// Connections at once.
 const CONNECTIONS: usize = 256;
 /// The time that the head of a request may take to arrive.
 const HEAD: Duration = Duration::from_secs(10);
@@ -48,21 +54,58 @@ pub(crate) async fn run(
     Ok(())
 }
 
-/// Accepts connections for ever.
+/// Accepts connections for ever. Where all places are taken, the connection that has waited longest for a request gives up
+/// its own; so clients that connect and say nothing keep nobody else waiting.
 async fn accept(listener: TcpListener, routes: Router, lifetime: Duration) {
     let free = Arc::new(Semaphore::new(CONNECTIONS));
+    let mut open: VecDeque<Open> = VecDeque::new();
     loop {
-        let Ok(place) = free.clone().acquire_owned().await else { return };
         let Ok((stream, _)) = listener.accept().await else {
             tokio::time::sleep(PAUSE).await;
             continue;
         };
-        let routes = routes.clone();
-        tokio::spawn(async move {
+        open.retain(|connection| !connection.task.is_finished());
+        if free.available_permits() == 0
+            && let Some(idle) = open.iter().position(Open::is_idle)
+            && let Some(idle) = open.remove(idle)
+        {
+            idle.task.abort();
+        }
+        let Ok(place) = free.clone().acquire_owned().await else { return };
+        let requests = Arc::new(AtomicUsize::new(0));
+        let routes = routes.clone().layer(from_fn_with_state(Arc::clone(&requests), counted));
+        let task = tokio::spawn(async move {
             let _ = timeout(lifetime, connection(stream, routes)).await;
             drop(place);
         });
+        open.push_back(Open { task, requests });
     }
+}
+
+/// A connection that was accepted.
+struct Open {
+    task: JoinHandle<()>,
+    /// The requests that are being answered.
+    requests: Arc<AtomicUsize>,
+}
+
+impl Open {
+    fn is_idle(&self) -> bool {
+        self.requests.load(Ordering::Relaxed) == 0
+    }
+}
+
+/// Counts a request while it is answered.
+async fn counted(State(requests): State<Arc<AtomicUsize>>, request: Request, next: Next) -> Response {
+    struct Answered(Arc<AtomicUsize>);
+    impl Drop for Answered {
+        fn drop(&mut self) {
+            self.0.fetch_sub(1, Ordering::Relaxed);
+        }
+    }
+    requests.fetch_add(1, Ordering::Relaxed);
+    let _answered = Answered(requests);
+    next.run(request).await
 }
 
 /// Serves one connection; what its client does wrong ends it and nothing else.

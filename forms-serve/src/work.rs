@@ -1,23 +1,31 @@
 //! Work in other processes: a request goes in, JSON comes out, and neither lasts long.
 //!
 //! ```text
-//! request ─ queue (bounded) ─ turn (one for each processor) ─ process ─ lines, until it ends or is killed ─▶ one object
+//! request ─ queue (bounded) ─ process ─┬─ ends within a second ────────────────────────────────────┬─▶ one object
+//!                                     └─ is halted ─ turn (one for each processor) ─ ends, or is killed ┘
 //! ```
+//! Every process has its first second soon, whatever the others take; those that need more wait for each other.
+//!
 //! A process that computes for ever is killed when its time is over; what it has written by then is the answer, with the reason
 //! why it is not all. If the client goes away, the process is killed too.
 
 use crate::Worker;
 use serde_json::{Map, Value, json};
 use std::io;
+use std::pin::pin;
 use std::process::Stdio;
 use std::time::Duration;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::process::{Child, Command};
-use tokio::sync::Semaphore;
+use tokio::sync::{Semaphore, SemaphorePermit};
 use tokio::time::timeout;
 
 /// Requests that wait for a turn or have one.
 const QUEUE: usize = 64;
+/// Processes in their first second, which share the processors.
+const BEGINNERS: usize = 16;
+/// That second.
+const BEGINNING: Duration = Duration::from_secs(1);
 /// A longer answer is cut off.
 const LONGEST_ANSWER: u64 = 16 << 20;
 
@@ -26,6 +34,7 @@ pub(crate) struct Workers {
     worker: Worker,
     time_limit: Duration,
     places: Semaphore,
+    beginners: Semaphore,
     turns: Semaphore,
 }
 
@@ -50,32 +59,63 @@ enum End {
 impl Workers {
     pub(crate) fn new(worker: Worker, time_limit: Duration) -> Self {
         let processors = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-        Workers { worker, time_limit, places: Semaphore::new(QUEUE), turns: Semaphore::new(processors) }
+        let [places, beginners, turns] = [QUEUE, BEGINNERS, processors].map(Semaphore::new);
+        Workers { worker, time_limit, places, beginners, turns }
     }
 
     /// The answer to a request.
     pub(crate) async fn answer(&self, task: &str, request: &[u8]) -> Result<Value, NoAnswer> {
         let _place = self.places.try_acquire().map_err(|_| NoAnswer::Busy)?;
         // who would wait for long does not wait at all
-        let Ok(Ok(_turn)) = timeout(self.time_limit.saturating_mul(2), self.turns.acquire()).await else {
+        let Ok(Ok(beginner)) = timeout(self.time_limit.saturating_mul(2), self.beginners.acquire()).await
+        else {
             return Err(NoAnswer::Busy);
         };
         let mut process = self.start(task).map_err(NoAnswer::Broken)?;
         let mut written = Vec::new();
-        let end = match timeout(self.time_limit, converse(&mut process, request, &mut written)).await {
-            Err(_) => End::OutOfTime,
-            Ok(Ok(())) if written.len() as u64 > LONGEST_ANSWER => End::TooLong,
-            Ok(Ok(())) => match timeout(self.time_limit, process.wait()).await {
+        let conversed = self.conversed(&mut process, request, beginner, &mut written).await;
+        let end = match conversed {
+            None => End::OutOfTime,
+            Some(Ok(())) if written.len() as u64 > LONGEST_ANSWER => End::TooLong,
+            Some(Ok(())) => match timeout(self.time_limit, process.wait()).await {
                 Ok(Ok(status)) if status.success() => End::Done,
                 // a process that ended by itself has a code
                 Ok(Ok(status)) if status.code().is_some() => End::Failed,
                 _ => End::Killed,
             },
-            Ok(Err(_)) => End::Killed,
+            Some(Err(_)) => End::Killed,
         };
         // one that has ended by itself is not harmed by this
         let _ = process.kill().await;
         Ok(merged(&written, self.reason(&end)))
+    }
+
+    /// Talks to a process: in its first second at once, and for the rest of its time when it has a turn. Nothing if its time
+    /// is over before it has said all.
+    async fn conversed(
+        &self,
+        process: &mut Child,
+        request: &[u8],
+        beginner: SemaphorePermit<'_>,
+        written: &mut Vec<u8>,
+    ) -> Option<io::Result<()>> {
+        let id = process.id();
+        let mut talk = pin!(converse(process, request, written));
+        let beginning = BEGINNING.min(self.time_limit);
+        if let Ok(end) = timeout(beginning, &mut talk).await {
+            return Some(end);
+        }
+        let rest = self.time_limit.saturating_sub(beginning);
+        if rest.is_zero() {
+            return None;
+        }
+        if self.turns.available_permits() == 0 {
+            signal(id, Signal::Halt);
+        }
+        drop(beginner);
+        let _turn = timeout(self.time_limit.saturating_mul(2), self.turns.acquire()).await.ok()?;
+        signal(id, Signal::GoOn);
+        timeout(rest, talk).await.ok()
     }
 
     fn start(&self, task: &str) -> io::Result<Child> {
@@ -100,6 +140,30 @@ impl Workers {
         }
     }
 }
+
+/// What a process is told.
+#[derive(Clone, Copy)]
+enum Signal {
+    Halt,
+    GoOn,
+}
+
+/// Halts a process that has not ended, or lets it go on.
+#[cfg(unix)]
+fn signal(id: Option<u32>, signal: Signal) {
+    use rustix::process::{Pid, Signal as Number, kill_process};
+    let number = match signal {
+        Signal::Halt => Number::STOP,
+        Signal::GoOn => Number::CONT,
+    };
+    let process = id.and_then(|id| i32::try_from(id).ok()).and_then(Pid::from_raw);
+    // one that has ended meanwhile needs no signal; its number is kept until it is waited for
+    let _ = process.map(|process| kill_process(process, number));
+}
+
+/// Processes share the processors here.
+#[cfg(not(unix))]
+fn signal(_: Option<u32>, _: Signal) {}
 
 /// Sends the request and reads what is written, up to one byte more than the longest answer.
 async fn converse(process: &mut Child, request: &[u8], written: &mut Vec<u8>) -> io::Result<()> {

@@ -5,11 +5,11 @@ use crate::random::Term;
 use astro_float::{Consts, Radix, RoundingMode};
 use forms::core::accuracy::{Format, Rounded, Truth, Value};
 use forms::core::check::read_theory;
+use forms::core::compile::compile_kernel;
 use forms::core::expression::{Rational, Symbol};
-use forms::core::generation::{Generated, generate};
+use forms::core::generation::Generated;
 use forms::core::kernel::Instruction;
 use forms::core::resolve::{Kernel, Theory};
-use forms::core::stability::by_rules;
 use forms::math::Tier;
 use std::fmt;
 
@@ -86,9 +86,8 @@ impl Judge {
         promised.filter_map(|kernel| Judge::of(theory.clone(), kernel.clone(), text)).collect()
     }
 
-    fn of(mut theory: Theory, mut kernel: Kernel, text: &str) -> Option<Judge> {
-        kernel.rewritten = by_rules(&mut theory.pool, &kernel);
-        let generated = generate(&mut theory.pool, &kernel).ok()?;
+    fn of(mut theory: Theory, kernel: Kernel, text: &str) -> Option<Judge> {
+        let generated = compile_kernel(&mut theory.pool, &kernel).ok()?;
         let within = generated.within?;
         let text = if text.len() < 400 { text } else { &kernel.name }.to_string();
         Some(Judge { theory, kernel, generated, within, text })

@@ -3,6 +3,7 @@
 use crate::commands::refuse;
 use crate::decisions::workers;
 use crate::status::Status;
+use crate::streams::tell;
 use forms::core::diagnostic::counted;
 use forms_book::Problem;
 use rayon::prelude::*;
@@ -18,7 +19,7 @@ pub(crate) fn book(out: &str, output: &mut dyn Write) -> io::Result<Status> {
     let problems: Vec<&Problem> =
         made.iter().filter_map(|(_, page)| page.as_ref()?.err()).flatten().collect();
     if !problems.is_empty() {
-        problems.iter().for_each(|problem| eprintln!("error: {problem}"));
+        problems.iter().for_each(|problem| tell!("error: {problem}"));
         return Ok(Status::Error);
     }
     let pages =

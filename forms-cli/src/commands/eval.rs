@@ -6,9 +6,18 @@ use crate::commands::refuse;
 use crate::commands::rounded::Rounded;
 use crate::kernel::{files, find, generated};
 use crate::status::Status;
+use crate::streams::Output;
 use crate::theory_file::complain;
 use forms::math::DoubleDouble;
+use std::cell::Cell;
 use std::io::{self, Write};
+use std::rc::Rc;
+
+/// The longest row, in bytes; what is read ahead comes on top.
+const LONGEST_ROW: usize = 1 << 20;
+
+/// The rows that are still checked after the reader of the output has gone away.
+const MOST_UNREAD_ROWS: u64 = 1 << 20;
 
 /// What may stand behind `--precision`.
 const PRECISIONS: [&str; 4] = ["f32", "f64", "dd", "exact"];
@@ -16,12 +25,12 @@ const PRECISIONS: [&str; 4] = ["f32", "f64", "dd", "exact"];
 /// The file name that rows from standard input are reported under.
 const INPUT: &str = "<stdin>";
 
-/// Evaluates a kernel on the rows of standard input.
+/// Evaluates a kernel on the rows of an input.
 pub(crate) fn eval(
-    file: &str,
-    kernel: &str,
+    (file, kernel): (&str, &str),
     precision: &str,
     tier: Tier,
+    input: impl io::Read,
     output: &mut dyn Write,
 ) -> io::Result<Status> {
     if !PRECISIONS.contains(&precision) {
@@ -40,7 +49,7 @@ pub(crate) fn eval(
         Err(message) => return Ok(refuse(&format!("{message} (in {file})"))),
     };
     if precision == "exact" {
-        return table(&Exact::new(file, kernel), io::stdin().lock(), output);
+        return table(&Exact::new(file, kernel), input, output);
     }
     let (program, within) = match generated(file, kernel) {
         Ok(generated) if tier == Tier::Stable => (generated.optimised, generated.within),
@@ -50,7 +59,6 @@ pub(crate) fn eval(
             return Ok(Status::Error);
         }
     };
-    let input = io::stdin().lock();
     match (precision, within) {
         ("f32", _) => table(&Rounded::<f32>::new(&program), input, output),
         ("dd", None) => table(&Rounded::<DoubleDouble>::new(&program), input, output),
@@ -78,6 +86,38 @@ pub(super) trait Evaluation {
     fn written(&self, argument: &Self::Number) -> String;
 }
 
+/// An input that fails in a row without end.
+struct Bounded<R> {
+    input: R,
+    /// The bytes that were read since the row began.
+    read: Rc<Cell<usize>>,
+}
+
+impl<R: io::Read> Bounded<R> {
+    fn new(input: R) -> Self {
+        Bounded { input, read: Rc::default() }
+    }
+
+    /// Counts the bytes of a row; set to zero, a new one begins.
+    fn counter(&self) -> Rc<Cell<usize>> {
+        Rc::clone(&self.read)
+    }
+}
+
+impl<R: io::Read> io::Read for Bounded<R> {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        if self.read.get() > LONGEST_ROW {
+            return Err(io::Error::other(format!(
+                "a row is longer than the limit of {} MiB",
+                LONGEST_ROW >> 20
+            )));
+        }
+        let count = self.input.read(bytes)?;
+        self.read.set(self.read.get() + count);
+        Ok(count)
+    }
+}
+
 /// Reads rows and writes them with their values; a kernel without arguments has one row, and needs no input for it.
 fn table(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write) -> io::Result<Status> {
     if kernel.arguments().is_empty() {
@@ -92,7 +132,9 @@ fn table(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write)
 
 /// Reads rows and writes them with their values until one of them is malformed.
 fn rows(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write) -> io::Result<Status> {
-    let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(input);
+    let rows = Bounded::new(input);
+    let begin_row = rows.counter();
+    let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(rows);
     let columns = match reader.headers().map_err(|error| unreadable(&error)).and_then(|h| columns(kernel, h))
     {
         Ok(columns) => columns,
@@ -101,13 +143,20 @@ fn rows(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write) 
     let mut writer = csv::Writer::from_writer(output);
     writer.write_record(header(kernel))?;
     let mut record = csv::StringRecord::new();
+    let mut unread = 0;
     loop {
+        begin_row.set(0);
+        unread += u64::from(Output::is_gone());
+        if unread > MOST_UNREAD_ROWS {
+            return Ok(refuse("nobody reads the output, and the rows do not end"));
+        }
         let row = match reader.read_record(&mut record) {
             Ok(false) => break,
             Ok(true) => arguments(kernel, &columns, &record),
             Err(error) => Err(unreadable(&error)),
         };
         match row {
+            Ok(_) if Output::is_gone() => {}
             Ok(arguments) => {
                 let values = kernel.values(&arguments);
                 let written = arguments.iter().map(|argument| kernel.written(argument));
@@ -127,6 +176,7 @@ fn rows(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write) 
 fn unreadable(error: &csv::Error) -> String {
     match error.kind() {
         csv::ErrorKind::Utf8 { .. } => "the input is not UTF-8 text".to_string(),
+        csv::ErrorKind::Io(error) => format!("cannot read the input: {error}"),
         _ => format!("cannot read the input: {error}"),
     }
 }

@@ -21,21 +21,31 @@ mod work;
 
 use crate::arguments::{Arguments, Command};
 use crate::status::Status;
-use std::io::{self, Write};
+use crate::streams::tell;
+use std::io::{self, Read, Write};
 
 /// Runs what the command line asks for.
 pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<Status> {
+    run_with_input(arguments, io::stdin(), output)
+}
+
+/// The same, with rows to evaluate that come from elsewhere than standard input.
+pub(crate) fn run_with_input(
+    arguments: &Arguments,
+    input: impl Read,
+    output: &mut dyn Write,
+) -> io::Result<Status> {
     match &arguments.command {
         None => tour::tour(output),
-        Some(Command::Prove { files, json, certificate }) => {
-            prove::prove(files, *json, certificate.as_deref(), output)
+        Some(Command::Prove { files, json, certificate, effort }) => {
+            prove::prove(files, *json, (certificate.as_deref(), *effort), output)
         }
         Some(Command::Check { file, allow_uncovered }) => check::check(file, *allow_uncovered, output),
         Some(Command::Show { file, name, topology: true, .. }) => topology::topology(file, name, output),
         Some(Command::Show { file, name, notation, .. }) => show::show(file, name, *notation, output),
         Some(Command::Derive { file, name, notation }) => derive::derive(file, name, *notation, output),
         Some(Command::Eval { file, kernel, precision, tier }) => {
-            eval::eval(file, kernel, precision, *tier, output)
+            eval::eval((file, kernel), precision, *tier, input, output)
         }
         Some(Command::Emit { file, kernel, target, precision }) => {
             emit::emit(file, kernel.as_deref(), (target, precision.as_deref()), output)
@@ -82,6 +92,6 @@ pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<S
 
 /// Says on standard error why a call cannot be carried out.
 fn refuse(message: &str) -> Status {
-    eprintln!("error: {message}");
+    tell!("error: {message}");
     Status::Error
 }

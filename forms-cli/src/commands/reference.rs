@@ -2,6 +2,7 @@
 
 use crate::arguments::Arguments;
 use crate::commands::refuse;
+use crate::files::reason;
 use crate::status::Status;
 use clap::{Command, CommandFactory};
 use clap_complete::{Shell, generate};
@@ -15,7 +16,7 @@ pub(crate) fn man(command: Option<&str>, out: Option<&str>, output: &mut dyn Wri
         let written = std::fs::create_dir_all(folder).and_then(|()| generate_to(program, folder));
         return Ok(match written {
             Ok(()) => Status::AsStated,
-            Err(error) => refuse(&format!("cannot write the manual to {folder}: {error}")),
+            Err(error) => refuse(&format!("cannot write the manual to {folder}: {}", reason(&error))),
         });
     }
     program.build();

@@ -20,6 +20,7 @@ use crate::json::write_record;
 use crate::layout::duration;
 use crate::palette::Palette;
 use crate::status::Status;
+use crate::streams::tell;
 use forms::math::Instructions;
 use forms_radiometry::scene::{Scene, SceneError, Sources};
 use forms_radiometry::simulation::{
@@ -81,7 +82,7 @@ pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Res
     let planned = match planned(request) {
         Ok(planned) => planned,
         Err(messages) => {
-            messages.iter().for_each(|message| eprintln!("error: {message}"));
+            messages.iter().for_each(|message| tell!("error: {message}"));
             return Ok(Status::Error);
         }
     };
@@ -98,7 +99,7 @@ pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Res
     };
     let Ready { folder, kept, is_by_paths, .. } = ready;
     let failure = kept.checkpoint.as_ref().and_then(Checkpoint::failure);
-    failure.iter().for_each(|message| eprintln!("error: {message}"));
+    failure.iter().for_each(|message| tell!("error: {message}"));
     let status = match &kept.part {
         Some(part) => shared(request, part, is_by_paths, &work, output)?,
         None => finish(&Asked { scene, folder, json: request.json }, &work, output)?,
@@ -155,7 +156,7 @@ fn ready(request: &Request<'_>, planned: &Planned) -> Result<Ready, String> {
     if let Some(file) = request.checkpoint {
         let (checkpoint, found) = Checkpoint::open(file, identity(), request.every)?;
         if found.is_some() {
-            eprintln!("note: the work goes on from `{file}`");
+            tell!("note: the work goes on from `{file}`");
         }
         (kept.checkpoint, state) = (Some(checkpoint), found);
     }
@@ -179,10 +180,10 @@ fn solved_as_a_whole(request: &Request<'_>) -> Result<(), String> {
         return Err(format!("{why}, and has no samples that --samples could count: leave it out"));
     }
     if let Some(share) = request.share.filter(|share| !share.is_whole()) {
-        eprintln!("note: {why}: all of it belongs to share {}, and nothing to the others", share.first());
+        tell!("note: {why}: all of it belongs to share {}, and nothing to the others", share.first());
     }
     if request.checkpoint.is_some() {
-        eprintln!("note: {why}: the checkpoint is written at the end; work that is killed begins anew");
+        tell!("note: {why}: the checkpoint is written at the end; work that is killed begins anew");
     }
     Ok(())
 }
@@ -218,7 +219,7 @@ fn shared(
             } else {
                 "nothing is kept of it"
             };
-            eprintln!("stopped: share {share} is not done, and `{file}` is not written; {rest}");
+            tell!("stopped: share {share} is not done, and `{file}` is not written; {rest}");
             return Ok(Status::Stopped);
         }
     };
@@ -243,7 +244,7 @@ fn shared(
     if is_by_paths && own == 0 {
         let more =
             if request.budget.is_some() { "" } else { "; with --samples each is divided into 32 replicates" };
-        eprintln!("note: there are fewer {units} than shares, and none is left for this one{more}");
+        tell!("note: there are fewer {units} than shares, and none is left for this one{more}");
     }
     Ok(Status::AsStated)
 }
@@ -263,9 +264,9 @@ fn finish(asked: &Asked<'_>, Work { found, time }: &Work, output: &mut dyn Write
     let (written, refused) =
         folder.as_ref().map(|folder| files::write(scene, found, folder)).unwrap_or_default();
     let mut status = if refused.is_empty() { Status::AsStated } else { Status::Error };
-    refused.iter().for_each(|message| eprintln!("error: {message}"));
+    refused.iter().for_each(|message| tell!("error: {message}"));
     if found.stopped {
-        eprintln!("stopped: answers may be missing, or be less exact than was asked for");
+        tell!("stopped: answers may be missing, or be less exact than was asked for");
         status = Status::Stopped;
     }
     if *json {

@@ -2,6 +2,7 @@
 
 use crate::json::write_record;
 use crate::status::Status;
+use crate::streams::tell;
 use forms_radiometry::scene;
 use forms_radiometry::{ViewFactors, view_factors as factors};
 use std::io::{self, Write};
@@ -13,17 +14,14 @@ pub(crate) fn view_factors(file: &str, json: bool, output: &mut dyn Write) -> io
     let found = match found {
         Ok(found) => found,
         Err(errors) => {
-            errors.iter().for_each(|error| eprintln!("error: {error}"));
+            errors.iter().for_each(|error| tell!("error: {error}"));
             return Ok(Status::Error);
         }
     };
     if json { lines(&found, output) } else { matrix(&found, output) }?;
-    eprintln!(
-        "largest |A1 F12 - A2 F21|, relative to the smaller area: {:.1e}",
-        found.reciprocity_residual()
-    );
+    tell!("largest |A1 F12 - A2 F21|, relative to the smaller area: {:.1e}", found.reciprocity_residual());
     let open = (0..found.names.len()).map(|surface| (1.0 - found.sum(surface)).abs()).fold(0.0, f64::max);
-    eprintln!("largest |1 - sum of a row|: {open:.1e}");
+    tell!("largest |1 - sum of a row|: {open:.1e}");
     Ok(Status::AsStated)
 }
 

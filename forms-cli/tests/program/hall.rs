@@ -8,7 +8,7 @@ pub(crate) fn hall(tolerance: f64) -> String {
 /// What of `--out` tells every bit of the answers.
 pub(crate) const FILES: [&str; 3] = ["results.csv", "map.exr", "eye.exr"];
 
-const HALL: &str = r#"
+pub(crate) const HALL: &str = r#"
 [[material]]
 name = "grey"
 kind = "diffuse"

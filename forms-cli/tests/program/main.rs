@@ -6,6 +6,7 @@ mod hall;
 mod kernels;
 mod process;
 mod readme;
+mod robust;
 mod shares;
 mod simulate;
 

@@ -112,7 +112,7 @@ pub(crate) fn killed(folder: &Folder, arguments: &[&str], threads: &str, wait: D
     is_working
 }
 
-fn command(folder: &Folder, arguments: &[&str]) -> Command {
+pub(crate) fn command(folder: &Folder, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_forms"));
     command.current_dir(&folder.0).args(arguments);
     command

@@ -29,7 +29,7 @@ fn shares_come_to_the_bits_of_one_run_however_many_there_are() {
     let folder = Folder::with(&[("hall.toml", &hall(0.1))]);
     for (count, threads) in [(1, ["1", "2"]), (3, ["2", "1"]), (7, ["1", "2"])] {
         assert_shares_are_the_whole(&folder, count, threads, &[]);
-        assert_shares_are_the_whole(&folder, count, threads, &["--samples", "1000"]);
+        assert_shares_are_the_whole(&folder, count, threads, &["--samples", "1024"]);
     }
     assert_shares_are_the_whole(&folder, 2, ["1", "2"], &["--exposure", "2.5", "--isa", "baseline"]);
 }

@@ -211,3 +211,59 @@ fn a_file_that_cannot_be_read_is_an_error_that_names_it() {
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(errors.contains("no/such.forms") && errors.contains("cannot read the file"), "{errors}");
 }
+
+#[test]
+fn connections_that_say_nothing_keep_nobody_waiting() {
+    let server = Server::start(&[]);
+    let silent: Vec<TcpStream> =
+        (0..300).map(|_| TcpStream::connect(server.address).expect("a connection")).collect();
+    let answer = server.check(SIMPLE);
+    assert_eq!(answer["verdicts"][0]["verdict"], "proved", "{answer}");
+    // it did not wait for their time to be over: the youngest of them are still there
+    let mut youngest = silent.last().expect("a connection");
+    youngest.set_nonblocking(true).expect("a setting");
+    let read = youngest.read(&mut [0; 64]);
+    assert_eq!(read.map_err(|error| error.kind()), Err(std::io::ErrorKind::WouldBlock));
+}
+
+#[test]
+fn hard_work_keeps_a_simple_question_waiting_for_a_moment_only() {
+    let server = Server::start(&["--time-limit", "8"]);
+    let hard = endless();
+    std::thread::scope(|scope| {
+        let all: Vec<_> = (0..10).map(|_| scope.spawn(|| server.check(&hard))).collect();
+        std::thread::sleep(Duration::from_millis(1500));
+        let answer = server.check(SIMPLE);
+        assert_eq!(answer["verdicts"][0]["verdict"], "proved", "{answer}");
+        assert!(all.iter().all(|hard| !hard.is_finished()), "none of the others was waited for");
+    });
+}
+
+#[test]
+fn what_is_no_request_is_refused() {
+    let server = Server::start(&[]);
+    let host = server.address;
+    let ask = |headers: &str, body: &str| {
+        let length = body.len();
+        let head = format!(
+            "POST /api/check HTTP/1.1\r\n{headers}Content-Length: {length}\r\nConnection: close\r\n\r\n"
+        );
+        let mut stream = TcpStream::connect(host).expect("a connection");
+        stream.write_all((head + body).as_bytes()).expect("it reads");
+        let mut reply = String::new();
+        stream.read_to_string(&mut reply).expect("a reply");
+        reply.split(' ').nth(1).and_then(|status| status.parse::<u16>().ok()).expect("a status")
+    };
+    let json = "Content-Type: application/json\r\n";
+    let one = format!("Host: {host}\r\n");
+    let right = "{\"text\":\"prove p: 1 == 1;\"}";
+    assert_eq!(ask(&format!("{one}{json}"), right), 200);
+    assert_eq!(ask(&format!("{one}{one}{json}"), right), 400);
+    assert_eq!(ask(&format!("{one}Host: localhost\r\n{json}"), right), 400);
+    assert_eq!(ask(&format!("{one}Content-Type: application/jsonfoo\r\n"), right), 415);
+    for malformed in
+        ["", "{", "[]", "1", "{\"text\":}", "{\"text\":\"a\"", "{\"texts\":\"a\"}", "{\"text\":1}", "\u{1}"]
+    {
+        assert_eq!(ask(&format!("{one}{json}"), malformed), 400, "{malformed}");
+    }
+}

@@ -155,6 +155,9 @@ impl Arguments<'_> {
         let mut point = self.typical();
         let (part, argument) = (self.below(self.edges.parts()), self.below(point.len()));
         let grid = self.grid(argument);
+        if grid.is_empty() {
+            return None;
+        }
         let zero =
             self.edges.zero(part, argument, &point, &grid).unwrap_or_else(|| grid[self.below(grid.len())]);
         let size = if zero == 0.0 { 1.0 } else { zero.abs() };

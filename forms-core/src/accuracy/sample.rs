@@ -53,6 +53,10 @@ pub fn sample(
     seed: u64,
 ) -> Vec<Samples> {
     let edges = Edges::of(&mut pool.clone(), kernel);
+    // a domain whose bounds cross has no arguments
+    if edges.ranges.iter().any(|range| matches!(*range, (Some(lower), Some(upper)) if lower > upper)) {
+        return Vec::new();
+    }
     let truth = Truth::new(pool, &kernel.outputs, &kernel.domain).up_to(MOST_PLACES);
     let drawn = regimes.iter().map(|&regime| {
         let seed = seed ^ (regime as u64 + 1).wrapping_mul(0xd6e8_feb8_6659_fd93);
@@ -188,6 +192,16 @@ mod tests {
             let [a, b, c] = sample.arguments[..] else { panic!("three arguments") };
             assert!(0.0 < b && b < a && c <= 1000.0 && a + b <= c, "{sample:?}");
             assert!(sample.arguments.iter().all(|&x| Width::Single.round(x) == x), "{sample:?}");
+        }
+    }
+
+    #[test]
+    fn a_domain_without_points_has_no_samples() {
+        for domain in ["1 >= w, 2 < w", "w > 1, w < 1", "w > 3, w <= 1e-400", "w > 1e400", "w**2 < -1"] {
+            let source = format!("kernel k(w) = 1/(w - 1) where {domain};");
+            for width in [Width::Single, Width::Double] {
+                assert_eq!(samples(&source, width), [], "{domain}");
+            }
         }
     }
 

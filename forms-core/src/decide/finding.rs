@@ -34,6 +34,11 @@ impl Effort {
     /// For what its author wants to know.
     pub(crate) const STATEMENT: Effort =
         Effort { work: crate::normal::WORK_LIMIT, candidates: 600, points: 40 };
+
+    /// So many times the work.
+    pub(crate) fn times(self, factor: u32) -> Effort {
+        Effort { work: self.work.saturating_mul(factor.into()), ..self }
+    }
 }
 
 /// What was found.

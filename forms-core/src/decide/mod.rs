@@ -46,11 +46,12 @@ pub(crate) use sample::simple_bounds;
 pub use separation::{Separated, separated};
 pub use verdict::{Theorem, Verdict, Witness};
 
-use crate::assume::is_open;
+use crate::assume::{is_open, vanishes};
 use crate::certificate::Observer;
 use crate::expression::{Condition, Expr, Pool};
 use crate::normal::{Tower, Trigonometry};
 use crate::resolve::{Integration, Statement, Theory};
+use crate::steps;
 use crate::syntax::ast::Relation;
 use problem::Problem;
 
@@ -69,6 +70,16 @@ const RETRACED_WORK: u64 = 2_000_000;
 /// assert_eq!(decide(&mut theory, &statement).name(), "proved");
 /// ```
 pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
+    decide_with_effort(theory, statement, 1)
+}
+
+/// Decides one statement with so many times the usual steps, which are about two seconds of work.
+pub fn decide_with_effort(theory: &mut Theory, statement: &Statement, effort: u32) -> Verdict {
+    let granted = steps::STATEMENT.saturating_mul(effort.max(1).into());
+    steps::limited(granted, || decide_within(theory, statement, effort.max(1)))
+}
+
+fn decide_within(theory: &mut Theory, statement: &Statement, effort: u32) -> Verdict {
     if let Some(reason) = statement.obstacle.clone() {
         return Verdict::Unknown { reason };
     }
@@ -76,7 +87,7 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
     if let Some(reason) = narrowed(theory, &problem) {
         return Verdict::Unknown { reason };
     }
-    match finding::find(&mut theory.pool, &problem, Effort::STATEMENT) {
+    match finding::find(&mut theory.pool, &problem, Effort::STATEMENT.times(effort)) {
         Finding::Equal { points: 0 } => Verdict::Unknown {
             reason: "no point was found at which both sides are defined and every condition holds".into(),
         },
@@ -97,7 +108,9 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
 /// cos(k x) the k ≠ 0, if the points that meet the rest form an open set: those left are dense in it, and both sides are
 /// continuous.
 fn narrowed(theory: &mut Theory, problem: &Problem) -> Option<String> {
-    let is_narrowing = |condition: &&Condition| theory.narrowing.contains(condition);
+    let stated = &problem.assumptions[..problem.stated];
+    let is_narrowing =
+        |condition: &&Condition| theory.narrowing.contains(condition) && !stated.contains(condition);
     let (narrowing, others): (Vec<&Condition>, Vec<&Condition>) =
         problem.assumptions.iter().partition(is_narrowing);
     let narrowing: Vec<Condition> = narrowing.into_iter().copied().collect();
@@ -107,14 +120,29 @@ fn narrowed(theory: &mut Theory, problem: &Problem) -> Option<String> {
     if narrowing.is_empty() || is_open(pool, &others, &sides) {
         return None;
     }
-    let open = narrowing.into_iter().find(|condition| {
-        let Condition { left, right, .. } = *condition;
-        let fails =
-            [Relation::LessEqual, Relation::GreaterEqual].map(|relation| Condition { left, relation, right });
-        let both: Vec<Condition> = others.iter().copied().chain(fails).collect();
-        finding::contradiction(pool, &both).is_none()
-    })?;
+    let open = narrowing.into_iter().find(|condition| !is_implied(pool, condition, &others))?;
     Some(format!("an integral in it is known where `{}` only", open.text(pool)))
+}
+
+/// Whether a ≠ b follows from other conditions: from one of them with the same difference up to its sign, or since a = b
+/// contradicts them.
+fn is_implied(pool: &mut Pool, condition: &Condition, others: &[Condition]) -> bool {
+    let Condition { left, right, .. } = *condition;
+    let difference = pool.subtract(left, right);
+    let is_same = |pool: &mut Pool, other: &Condition| {
+        let known = pool.subtract(other.left, other.right);
+        let (minus, plus) = (pool.subtract(known, difference), pool.add(known, difference));
+        vanishes(pool, minus) || vanishes(pool, plus)
+    };
+    let is_strict =
+        |other: &&Condition| !matches!(other.relation, Relation::LessEqual | Relation::GreaterEqual);
+    if others.iter().filter(is_strict).any(|other| is_same(pool, other)) {
+        return true;
+    }
+    let equal =
+        [Relation::LessEqual, Relation::GreaterEqual].map(|relation| Condition { left, relation, right });
+    let both: Vec<Condition> = others.iter().copied().chain(equal).collect();
+    finding::contradiction(pool, &both).is_some()
 }
 
 /// Proves a statement again, telling an observer how; whether it is proved.

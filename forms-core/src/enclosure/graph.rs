@@ -3,6 +3,7 @@
 use super::bounds::{Enclosure, Precision, Undecided};
 use super::quadrature::quadrature;
 use crate::expression::{Expr, FunctionId, Node, Operation, Pool, Symbol};
+use crate::steps;
 use num_rational::Ratio;
 use rustc_hash::FxHashMap;
 
@@ -55,7 +56,12 @@ pub fn enclose(
 ) -> Vec<Result<Enclosure, Undecided>> {
     let mut known: FxHashMap<Expr, Decided> = FxHashMap::default();
     for expression in pool.reachable(expressions) {
+        let cost = match pool.node(expression) {
+            Node::Apply(..) | Node::Power(..) => steps::of_function(precision.0),
+            _ => steps::of_arithmetic(precision.0),
+        };
         let value = match pool.node(expression) {
+            _ if !steps::spend(cost) => Err(Undecided::TooLarge),
             Node::Symbol(symbol) => values(*symbol).ok_or(Undecided::Unknown),
             Node::Jet { function, orders, arguments } => all(arguments, &known).and_then(|arguments| {
                 quadrature(pool, *function, &arguments, precision)

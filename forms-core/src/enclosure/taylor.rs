@@ -8,6 +8,7 @@
 
 use super::bounds::{Enclosure, Precision, Undecided};
 use crate::expression::{Expr, Node, Operation, Pool, Rational, Symbol};
+use crate::steps;
 use num_rational::Ratio;
 use num_traits::Signed;
 use rustc_hash::FxHashMap;
@@ -30,10 +31,23 @@ impl Taylor<'_> {
     pub(super) fn of(&self, expression: Expr) -> Expanded {
         let mut known: FxHashMap<Expr, Series> = FxHashMap::default();
         for part in self.pool.reachable(&[expression]) {
+            if !steps::spend(self.cost(self.pool.node(part))) {
+                return Err(Undecided::TooLarge);
+            }
             let series = self.of_node(self.pool.node(part), &known)?;
             known.insert(part, series);
         }
         known.remove(&expression).ok_or(Undecided::Unknown)
+    }
+
+    /// The steps of a node: products of series are sums of products of numbers.
+    fn cost(&self, node: &Node) -> u64 {
+        let terms = self.order as u64 + 1;
+        let one = steps::of_arithmetic(self.precision.0);
+        match node {
+            Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Add(..) | Node::Negate(_) => terms * one,
+            _ => terms * terms * one,
+        }
     }
 
     fn of_node(&self, node: &Node, known: &FxHashMap<Expr, Series>) -> Expanded {

@@ -8,6 +8,7 @@ use super::refinement::Product;
 use super::root::{Base, Sign, SignConstraint};
 use crate::expression::Expr;
 use crate::polynomial::Polynomial;
+use crate::steps;
 use num_traits::Signed;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeSet;
@@ -394,6 +395,9 @@ impl Tower {
         self.work = self.work.saturating_add(work);
         if self.work > self.work_limit {
             return Err(self.work_is_spent());
+        }
+        if !steps::spend(work) {
+            return Err(Obstacle::TooLarge("it takes more steps than one statement is granted".into()));
         }
         Ok(())
     }

@@ -52,9 +52,11 @@ impl Writer<'_> {
                 format!("{}({})", self.name(name), arguments.join(", "))
             }
             Named::Differential(coordinate) => self.differential(coordinate),
-            Named::Coordinate(_) | Named::Parameter(_) | Named::Metric(_) | Named::Poisoned => {
-                self.name(name)
-            }
+            Named::Coordinate(_)
+            | Named::Parameter(_)
+            | Named::Metric(_)
+            | Named::Pending
+            | Named::Poisoned => self.name(name),
         })
     }
 

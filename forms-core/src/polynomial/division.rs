@@ -11,9 +11,13 @@ use super::coefficient::{Coefficient, Coefficients, Rung, on_rung};
 use super::image::{coordinate, divides};
 use super::monomial::{Layout, compare};
 use super::product::Rest;
+use crate::steps;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
+
+/// Steps of a division for each term of what is divided.
+const STEPS_OF_TERM: u64 = 8;
 
 /// How a division on one rung ended.
 pub(super) enum Outcome {
@@ -50,6 +54,7 @@ impl Polynomial {
         if !self.may_be_divisible_by(divisor) {
             return None;
         }
+        steps::spend(STEPS_OF_TERM * self.term_count() as u64);
         let mut rung = self.coefficients.rung().max(divisor.coefficients.rung());
         loop {
             match on_rung!(rung, C => self.divide_on_rung::<C>(divisor)) {

@@ -7,6 +7,7 @@
 use super::gcd::content_in;
 use super::image::{self, Image, coordinate};
 use super::{Polynomial, modular};
+use crate::steps;
 use num_bigint::BigInt;
 
 /// The most points of a grid.
@@ -78,6 +79,9 @@ impl Grid {
         let mut point = vec![0; last as usize + 1];
         let mut values = Vec::with_capacity(self.points * self.height);
         for number in 0..self.points {
+            if steps::are_spent() {
+                return None;
+            }
             let mut rest = number;
             for &(variable, count) in self.axes.iter().rev() {
                 point[variable as usize] = Self::value(variable, rest % count);

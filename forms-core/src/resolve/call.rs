@@ -2,7 +2,7 @@
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::metric::METRIC_OPERATIONS;
-use super::names::describe;
+use super::names::{describe, unusable};
 use super::scope::Scope;
 use super::theory::{Map, Named};
 use super::value::Value;
@@ -91,7 +91,7 @@ impl Evaluator<'_> {
     pub(super) fn chart(&self, name: &Name) -> Evaluated<usize> {
         match self.theory.named(&name.text) {
             Some(Named::Chart(number)) => Ok(*number),
-            Some(Named::Poisoned) => Err(Diagnostic::new(name.span, super::evaluation::POISONED)),
+            Some(named @ (Named::Pending | Named::Poisoned)) => Err(unusable(named, &name.text, name.span)),
             Some(other) => Err(Diagnostic::new(
                 name.span,
                 format!("expected a chart, but `{}` is {}", name.text, describe(other)),
@@ -245,7 +245,7 @@ impl Evaluator<'_> {
         self.scope.mention(text);
         match self.theory.named(text) {
             Some(Named::Map(number)) => Ok(self.theory.maps[*number].clone()),
-            Some(Named::Poisoned) => Err(Diagnostic::new(argument.span, super::evaluation::POISONED)),
+            Some(named @ (Named::Pending | Named::Poisoned)) => Err(unusable(named, text, argument.span)),
             Some(other) => Err(Diagnostic::new(
                 argument.span,
                 format!("expected a map, but `{text}` is {}", describe(other)),
@@ -303,8 +303,8 @@ impl Evaluator<'_> {
     fn composed(&mut self, function: &Name, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
         let number = match self.theory.named(&function.text) {
             Some(Named::Function(number)) => *number,
-            Some(Named::Poisoned) => {
-                return Err(Diagnostic::new(function.span, super::evaluation::POISONED));
+            Some(named @ (Named::Pending | Named::Poisoned)) => {
+                return Err(unusable(named, &function.text, function.span));
             }
             Some(other) => {
                 return Err(Diagnostic::new(

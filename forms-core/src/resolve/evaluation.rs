@@ -1,6 +1,6 @@
 //! Evaluating expressions: names, numbers, operators along their left spine, coefficients.
 
-use super::names::{VALUES, describe, not_declared};
+use super::names::{VALUES, describe, not_declared, unusable};
 use super::scope::Scope;
 use super::theory::{Named, Theory};
 use super::value::Value;
@@ -141,7 +141,7 @@ impl<'a> Evaluator<'a> {
                 object.used.iter().for_each(|symbol| self.scope.touch(*symbol));
                 Ok(object.value)
             }
-            Named::Poisoned => Err(poisoned(span)),
+            named @ (Named::Pending | Named::Poisoned) => Err(unusable(&named, text, span)),
             other => {
                 Err(Diagnostic::new(span, format!("`{text}` is {} and has no value here", describe(&other))))
             }
@@ -203,7 +203,7 @@ impl<'a> Evaluator<'a> {
     pub(super) fn coordinate(&self, name: &Name) -> Evaluated<Coordinate> {
         match self.theory.names.get(&name.text) {
             Some(Named::Coordinate(coordinate)) => Ok(*coordinate),
-            Some(Named::Poisoned) => Err(poisoned(name.span)),
+            Some(named @ (Named::Pending | Named::Poisoned)) => Err(unusable(named, &name.text, name.span)),
             Some(other) => Err(Diagnostic::new(
                 name.span,
                 format!("expected a coordinate, but `{}` is {}", name.text, describe(other)),
@@ -272,6 +272,7 @@ impl<'a> Evaluator<'a> {
         match &*index.kind {
             ExprKind::Name(text) => match self.theory.names.get(text) {
                 Some(Named::Differential(coordinate)) => Ok(Some((Blade::of(*coordinate), 1))),
+                Some(named @ (Named::Pending | Named::Poisoned)) => Err(unusable(named, text, index.span)),
                 Some(other) => Err(Diagnostic::new(
                     index.span,
                     format!("expected a differential such as `dx`, but `{text}` is {}", describe(other)),
@@ -318,11 +319,3 @@ impl<'a> Evaluator<'a> {
         Ok(single)
     }
 }
-
-/// The error for a name whose declaration failed: that error is the one to read.
-fn poisoned(span: Span) -> Diagnostic {
-    Diagnostic::new(span, POISONED)
-}
-
-/// Marks errors that only follow from another; they are not shown beside it.
-pub(super) const POISONED: &str = "this depends on a declaration with an error in it";

@@ -1,13 +1,14 @@
 //! The items of a file in order: each declares a name or makes a claim.
 
-use super::evaluation::{Evaluated, Evaluator, POISONED, Trace};
+use super::evaluation::{Evaluated, Evaluator, Trace};
 use super::theory::{Chart, Named, Object, Theory};
 use super::value::Value;
 use crate::calculus::{Coordinate, MAXIMUM_COORDINATES};
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Kind, MOST_DIAGNOSTICS, Span};
 use crate::expression::{Condition, FunctionId, Symbol, SymbolKind};
+use crate::steps;
 use crate::syntax::ast::{self, Declared, Item, ItemKind, Name};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The conditions that params and unknown functions were declared with.
 #[derive(Clone, Debug, Default)]
@@ -45,6 +46,8 @@ pub(super) struct Resolver {
     pub(super) theory: Theory,
     pub(super) declared: Declarations,
     pub(super) errors: Vec<Diagnostic>,
+    /// The names of the statements so far.
+    pub(super) statement_names: FxHashSet<String>,
     /// The values of all expressions so far, where they are wanted.
     trace: Option<Trace>,
 }
@@ -52,10 +55,18 @@ pub(super) struct Resolver {
 impl Resolver {
     fn file(&mut self, file: &ast::File) {
         for item in &file.items {
-            self.item(item);
+            steps::limited(steps::STATEMENT, || self.item(item));
         }
         self.attribute_statements();
-        self.errors.retain(|error| error.message != POISONED);
+        self.drop_consequences();
+    }
+
+    /// Drops what only follows from another error, unless there is no other: an item that has no meaning is never
+    /// dropped in silence.
+    fn drop_consequences(&mut self) {
+        if self.errors.iter().any(|error| error.kind != Kind::Consequence) {
+            self.errors.retain(|error| error.kind != Kind::Consequence);
+        }
     }
 
     fn item(&mut self, item: &Item) {
@@ -83,6 +94,11 @@ impl Resolver {
         if let Err(error) = result {
             self.errors.push(error);
         }
+        if self.errors.len() >= MOST_DIAGNOSTICS {
+            // what follows is not shown
+            self.theory.names.be_terse();
+        }
+        self.theory.names.end_item();
     }
 
     /// Runs an evaluation with a scope of its own.
@@ -118,7 +134,7 @@ impl Resolver {
         coordinates: &[Declared],
         conditions: &[ast::Condition],
     ) -> Evaluated<()> {
-        self.theory.names.declare(name, Named::Poisoned)?;
+        self.theory.names.declare(name, Named::Pending)?;
         let mut numbers = Vec::new();
         for declared in coordinates {
             let number = self.coordinate(&declared.name)?;
@@ -173,7 +189,7 @@ impl Resolver {
         factors: &[Name],
         conditions: &[ast::Condition],
     ) -> Evaluated<()> {
-        self.theory.names.declare(name, Named::Poisoned)?;
+        self.theory.names.declare(name, Named::Pending)?;
         let (mut coordinates, mut all): (Vec<Coordinate>, Vec<Condition>) = (Vec::new(), Vec::new());
         for factor in factors {
             let (number, _, _) = self.evaluate(|evaluator| evaluator.chart(factor))?;
@@ -229,7 +245,7 @@ impl Resolver {
     }
 
     fn function(&mut self, name: &Name, arguments: &[Name], conditions: &[ast::Condition]) -> Evaluated<()> {
-        self.theory.names.declare(name, Named::Poisoned)?;
+        self.theory.names.declare(name, Named::Pending)?;
         let mut symbols = Vec::new();
         for argument in arguments {
             let (symbol, _, _) = self.evaluate(|evaluator| {
@@ -255,7 +271,7 @@ impl Resolver {
         value: &ast::Expr,
         check: impl FnOnce(&mut Evaluator, &mut Value) -> Evaluated<()>,
     ) -> Evaluated<()> {
-        self.theory.names.declare(name, Named::Poisoned)?;
+        self.theory.names.declare(name, Named::Pending)?;
         let (value, domain, used) = self.evaluate(|evaluator| {
             let mut evaluated = evaluator.value(value)?;
             check(evaluator, &mut evaluated)?;

@@ -2,7 +2,7 @@
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::items::Resolver;
-use super::names::describe;
+use super::names::{describe, unusable};
 use super::theory::{Effect, Kernel, KernelUnits, Named};
 use super::value::Value;
 use crate::diagnostic::{Diagnostic, Span};
@@ -17,7 +17,7 @@ impl Resolver {
         else {
             return Ok(());
         };
-        self.theory.names.declare(name, Named::Poisoned)?;
+        self.theory.names.declare(name, Named::Pending)?;
         let mut locals = Vec::new();
         let result = self.kernel_arguments(arguments, &mut locals).and_then(|symbols| {
             let ((values, mentioned), _, _) = self.evaluate(|evaluator| {
@@ -58,10 +58,12 @@ impl Resolver {
     /// is differentiated too, unless it has pieces.
     pub(super) fn gradient(&mut self, item: &Item) -> Evaluated<()> {
         let ItemKind::Gradient { name, of, by } = &item.kind else { return Ok(()) };
-        self.theory.names.declare(name, Named::Poisoned)?;
+        self.theory.names.declare(name, Named::Pending)?;
         let kernel = match self.theory.named(&of.text) {
             Some(Named::Kernel(number)) => self.theory.kernels[*number].clone(),
-            Some(Named::Poisoned) => return Err(Diagnostic::new(of.span, super::evaluation::POISONED)),
+            Some(named @ (Named::Pending | Named::Poisoned)) => {
+                return Err(unusable(named, &of.text, of.span));
+            }
             Some(other) => {
                 let message = format!("expected a kernel, but `{}` is {}", of.text, describe(other));
                 return Err(Diagnostic::new(of.span, message));
@@ -127,6 +129,9 @@ impl Resolver {
             let symbol = match self.theory.named(&name.text) {
                 Some(Named::Coordinate(coordinate)) => self.theory.coordinates[coordinate.0 as usize],
                 Some(Named::Parameter(symbol)) => *symbol,
+                Some(named @ (Named::Pending | Named::Poisoned)) => {
+                    return Err(unusable(named, &name.text, name.span));
+                }
                 Some(other) => {
                     let message = format!("`{}` is {} and no argument", name.text, describe(other));
                     return Err(Diagnostic::new(name.span, message)

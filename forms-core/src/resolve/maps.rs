@@ -16,7 +16,7 @@ impl Resolver {
         target: &Name,
         components: &[ast::Expr],
     ) -> Evaluated<()> {
-        self.theory.names.declare(name, Named::Poisoned)?;
+        self.theory.names.declare(name, Named::Pending)?;
         let (mut map, domain, used) = self.evaluate(|evaluator| {
             let (source, target) = (evaluator.chart(source)?, evaluator.chart(target)?);
             let values: Vec<Expr> =

@@ -3,7 +3,7 @@
 use super::call::exactly;
 use super::evaluation::{Evaluated, Evaluator};
 use super::items::Resolver;
-use super::names::describe;
+use super::names::{describe, unusable};
 use super::quadratic::Entries;
 use super::theory::{Named, NamedMetric};
 use super::value::Value;
@@ -31,7 +31,7 @@ impl Resolver {
         chart: Option<&Name>,
         expression: &ast::Expr,
     ) -> Evaluated<()> {
-        self.theory.names.declare(name, Named::Poisoned)?;
+        self.theory.names.declare(name, Named::Pending)?;
         let ((chart, metric, regular), mut domain, used) = self.evaluate(|evaluator| {
             let entries = evaluator.quadratic_form(expression)?;
             let chart = evaluator.chart_of_metric(name, chart, &entries, expression.span)?;
@@ -111,7 +111,7 @@ impl Evaluator<'_> {
                 named.used.iter().for_each(|symbol| self.scope.touch(*symbol));
                 Ok(named)
             }
-            Some(Named::Poisoned) => Err(Diagnostic::new(span, super::evaluation::POISONED)),
+            Some(named @ (Named::Pending | Named::Poisoned)) => Err(unusable(named, text, span)),
             Some(other) => {
                 Err(Diagnostic::new(span, format!("expected a metric, but `{text}` is {}", describe(other))))
             }

@@ -6,10 +6,17 @@ use crate::syntax::ast::Name;
 use crate::syntax::words::FUNCTIONS;
 use rustc_hash::FxHashMap;
 
+/// Longer names are not compared with others: the work is the product of the lengths.
+const LONGEST_COMPARED: usize = 64;
+
 /// What each name stands for and where it was declared.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Names {
     table: FxHashMap<String, (Named, Span)>,
+    /// The names that the item being read declares.
+    pending: Vec<String>,
+    /// Whether unknown names are no longer compared with all others, which takes time.
+    is_terse: bool,
 }
 
 impl Names {
@@ -35,8 +42,25 @@ impl Names {
             };
             return Err(Diagnostic::new(span, format!("`{text}` is declared twice")).with_help(help));
         }
+        if matches!(meaning, Named::Pending) {
+            self.pending.push(text.to_string());
+        }
         self.table.insert(text.to_string(), (meaning, span));
         Ok(())
+    }
+
+    /// Makes no suggestions from here on.
+    pub(super) fn be_terse(&mut self) {
+        self.is_terse = true;
+    }
+
+    /// Ends an item: what it should have declared and did not has an error in it.
+    pub(super) fn end_item(&mut self) {
+        for name in self.pending.drain(..) {
+            if let Some((named @ Named::Pending, _)) = self.table.get_mut(&name) {
+                *named = Named::Poisoned;
+            }
+        }
     }
 
     /// Replaces the meaning of a declared name.
@@ -55,7 +79,8 @@ impl Names {
                 .with_help(format!("write what it is of in brackets behind it: `{text}(…)`"));
         }
         let diagnostic = not_declared(text, span);
-        match self.nearest(text) {
+        let near = if self.is_terse { None } else { self.nearest(text) };
+        match near {
             Some(near) => diagnostic.with_help(format!("did you mean `{near}`?")),
             None => diagnostic.with_help(format!("declare it with {items} above this line")),
         }
@@ -65,6 +90,9 @@ impl Names {
     /// nothing else is left to go by.
     fn nearest(&self, text: &str) -> Option<String> {
         let length = text.chars().count();
+        if length > LONGEST_COMPARED {
+            return None;
+        }
         let is_near = |distance: usize, known: &str| {
             (distance <= length.div_ceil(3) && distance < length) || known.eq_ignore_ascii_case(text)
         };
@@ -72,11 +100,22 @@ impl Names {
             .keys()
             .map(String::as_str)
             .chain(FUNCTIONS.iter().copied())
+            .filter(|known| known.len() <= LONGEST_COMPARED)
             .map(|known| (edit_distance(text, known), known))
             .filter(|&(distance, known)| is_near(distance, known))
             .min()
             .map(|(_, known)| known.to_string())
     }
+}
+
+/// The error of using a name that has no value: that of the declaration it is used in, or one whose declaration failed.
+/// The latter only follows from another error, and is not shown beside it.
+pub(super) fn unusable(named: &Named, text: &str, span: Span) -> Diagnostic {
+    if matches!(named, Named::Pending) {
+        return Diagnostic::new(span, format!("the declaration of `{text}` uses its own name"))
+            .with_help("a name can be used behind its declaration; choose another name for one of the two");
+    }
+    Diagnostic::new(span, "this depends on a declaration with an error in it").of(Kind::Consequence)
 }
 
 /// The items that declare what has a value.
@@ -99,7 +138,7 @@ pub(super) fn describe(named: &Named) -> &'static str {
         Named::Map(_) => "a map",
         Named::Metric(_) => "a metric",
         Named::Kernel(_) => "a kernel",
-        Named::Poisoned => "something with an error in it",
+        Named::Pending | Named::Poisoned => "something with an error in it",
     }
 }
 

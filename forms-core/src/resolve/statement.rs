@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 impl Resolver {
     pub(super) fn statement(&mut self, item: &Item) -> Evaluated<()> {
         let ItemKind::Statement { claim, name, left, right, conditions } = &item.kind else { return Ok(()) };
-        if self.theory.statements.iter().any(|statement| statement.name == name.text) {
+        if self.statement_names.contains(&name.text) {
             return Err(Diagnostic::new(
                 name.span,
                 format!("a statement named `{}` exists already", name.text),
@@ -37,6 +37,7 @@ impl Resolver {
         };
         let (((left, right), mut own, mentioned), domain, used) = evaluated;
         own.extend(self.chart_conditions(&used));
+        self.statement_names.insert(name.text.clone());
         self.theory.statements.push(Statement {
             name: name.text.clone(),
             docs: item.docs.clone(),

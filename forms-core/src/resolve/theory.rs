@@ -201,6 +201,8 @@ pub enum Named {
     Metric(usize),
     /// A kernel, by its number.
     Kernel(usize),
+    /// Something whose declaration is being read: it cannot use its own name.
+    Pending,
     /// Something whose declaration failed.
     Poisoned,
 }

@@ -49,7 +49,7 @@ impl Resolver {
     }
 
     fn warp_with_locals(&mut self, item: &Item, warp: &ast::Warp, locals: &mut Vec<String>) -> Evaluated<()> {
-        self.theory.names.declare(&warp.name, Named::Poisoned)?;
+        self.theory.names.declare(&warp.name, Named::Pending)?;
         let (target, _, _) = self.evaluate(|evaluator| evaluator.chart(&warp.target))?;
         let parameters = self.kernel_arguments(&warp.parameters, locals)?;
         let uniforms = self.uniforms(&warp.uniforms, locals)?;

@@ -17,15 +17,17 @@ pub mod token;
 pub mod words;
 
 pub use lexer::lex;
-pub use parser::{MAXIMUM_DEPTH, MAXIMUM_NESTING, MAXIMUM_TOKENS, parse, parse_equation, parse_expression};
-pub use source::Source;
+pub use parser::{
+    MAXIMUM_DEPTH, MAXIMUM_NESTING, MAXIMUM_TOKENS, parse, parse_equation, parse_expression, parse_text,
+};
+pub use source::{Excerpt, Source};
 
 use crate::diagnostic::{Diagnostic, Span};
 
 /// Reads a whole text: its items, and everything that is wrong with it in the order of the text.
 pub fn read(text: &str) -> (ast::File, Vec<Diagnostic>) {
     let (tokens, mut diagnostics) = lex(text);
-    let (file, found) = parse(&tokens, end_of(text));
+    let (file, found) = parse_text(&tokens, end_of(text));
     diagnostics.extend(found);
     diagnostics.sort_by_key(|diagnostic| diagnostic.span);
     (file, diagnostics)

@@ -1,6 +1,6 @@
 //! A named text: where its places are, and how a diagnostic about it reads.
 
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Kind, Span};
 use std::fmt::Write;
 
 /// The most columns of a line that are quoted.
@@ -49,6 +49,9 @@ impl Source {
     ///    = help: …
     /// ```
     pub fn render(&self, diagnostic: &Diagnostic) -> String {
+        if diagnostic.kind == Kind::Rest {
+            return format!("error: {}\n", diagnostic.message);
+        }
         let Position { line, column } = self.position(diagnostic.span.start);
         let number = line.to_string();
         let margin = " ".repeat(number.len() + 2);
@@ -75,20 +78,9 @@ impl Source {
         let line = self.text[line_start..line_end].trim_end_matches('\r');
         let end = self.boundary(span.end).clamp(start, line_end);
         let column = self.text[line_start..start].chars().count();
-        let width = self.text[start..end].trim_end_matches('\r').chars().count().max(1);
-        let length = line.chars().count();
-        let window = window(length, column, width);
-        let (cut_before, cut_after) = (window.start > 0, window.end < length);
-        let marked = width.min(window.end.saturating_sub(column)).max(1);
-        let indent = column - window.start + usize::from(cut_before);
-        let mut quote: String = line.chars().skip(window.start).take(window.len()).map(printable).collect();
-        if cut_before {
-            quote.insert(0, '…');
-        }
-        if cut_after {
-            quote.push('…');
-        }
-        (quote, format!("{}{}", " ".repeat(indent), "^".repeat(marked)))
+        let width = self.text[start..end].trim_end_matches('\r').chars().count();
+        let Excerpt { text, indent, marked } = Excerpt::of(line, column, width);
+        (text, format!("{}{}", " ".repeat(indent), "^".repeat(marked)))
     }
 
     /// The nearest character boundary at or before an offset.
@@ -99,6 +91,37 @@ impl Source {
 
     fn line_start(&self, offset: usize) -> usize {
         self.text[..offset].rfind('\n').map_or(0, |newline| newline + 1)
+    }
+}
+
+/// The part of a line that is quoted, however long the line is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Excerpt {
+    /// What is shown; where the line is cut stands `…`.
+    pub text: String,
+    /// The characters of it before the mark.
+    pub indent: usize,
+    /// The characters under which the mark stands, one at least.
+    pub marked: usize,
+}
+
+impl Excerpt {
+    /// The characters of a line about some of them: `width` from the one numbered `column` on.
+    pub fn of(line: &str, column: usize, width: usize) -> Self {
+        let width = width.max(1);
+        let length = line.chars().count();
+        let window = window(length, column, width);
+        let (cut_before, cut_after) = (window.start > 0, window.end < length);
+        let marked = width.min(window.end.saturating_sub(column)).max(1);
+        let indent = column.saturating_sub(window.start) + usize::from(cut_before);
+        let mut text: String = line.chars().skip(window.start).take(window.len()).map(printable).collect();
+        if cut_before {
+            text.insert(0, '…');
+        }
+        if cut_after {
+            text.push('…');
+        }
+        Excerpt { text, indent, marked }
     }
 }
 

@@ -82,6 +82,11 @@ const RUST: &[&str] = &[
     "typeof", "unsized", "virtual", "yield", "_",
 ];
 
+/// Whether Rust reserves a word.
+pub(crate) fn is_rust_keyword(text: &str) -> bool {
+    RUST.contains(&text)
+}
+
 /// Why `text` cannot be a name; `None` if it can. Words of both languages count as words of this one.
 pub fn reserved(text: &str) -> Option<Word> {
     static WORDS: OnceLock<FxHashMap<&str, Word>> = OnceLock::new();

@@ -4,6 +4,7 @@ mod counts;
 mod device;
 mod emitted;
 mod formula;
+mod names;
 mod promises;
 mod targets;
 mod translation;

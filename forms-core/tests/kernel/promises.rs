@@ -1,7 +1,7 @@
 //! What becomes of `within` where a kernel is emitted: kept by precision or by a bound, or said to be lost.
 
 use forms_core::check::read_theory;
-use forms_core::generation::generate;
+use forms_core::compile::compile_kernel;
 use forms_core::kernel::{KernelDocs, Precision, Source, Target, broken_promises, emit};
 
 /// A form that rounding alone keeps near the formula, and one that it does not.
@@ -12,7 +12,7 @@ fn source(text: &str) -> Source {
     let (mut theory, errors) = read_theory(text);
     assert!(errors.is_empty(), "{errors:?}");
     let kernel = theory.kernels[0].clone();
-    let program = generate(&mut theory.pool, &kernel).expect("a kernel").optimised;
+    let program = compile_kernel(&mut theory.pool, &kernel).expect("a kernel").optimised.clone();
     Source { program, docs: KernelDocs::default(), within: kernel.within }
 }
 

@@ -5,7 +5,7 @@
 use forms_core::check::read_file;
 use forms_core::diagnostic::Diagnostic;
 use forms_core::resolve::resolve;
-use forms_core::syntax::{Source, read, words};
+use forms_core::syntax::{Source, end_of, lex, parse, read, words};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -118,13 +118,26 @@ fn a_mark_at_the_start_of_a_file_is_no_character() {
 }
 
 #[test]
-fn no_word_of_either_language_is_a_name() {
-    let keywords = ["gen", "type", "Self", "async", "try", "_", "where", "jump", "effects", "warp"];
-    for word in words::ITEMS.iter().chain(words::FUNCTIONS).chain(&keywords) {
+fn no_word_of_the_language_is_a_name() {
+    let inside = ["where", "jump", "effects", "if", "else", "on", "pub"];
+    for word in words::ITEMS.iter().chain(words::FUNCTIONS).chain(&inside) {
         let said = said_about(&format!("let {word} = 1;"));
         let reason = format!("1:5 `{word}` is ");
         assert!(said.starts_with(&reason) && said.contains(" and cannot be a name\n"), "{said}");
         assert_eq!(said.lines().count(), 2, "{said}");
+    }
+}
+
+#[test]
+fn keywords_of_rust_are_names_in_files_and_not_in_macros() {
+    for word in ["gen", "type", "Self", "self", "async", "try", "_", "match", "in", "crate", "true"] {
+        let text = format!(
+            "chart C({word}, y); let a = {word} + y; prove {word}: d({word}*y) == y*d{word} + {word}*dy;"
+        );
+        assert_eq!(said_about(&text), "", "{text}");
+        let tokens = lex(&text).0;
+        let (_, diagnostics) = parse(&tokens, end_of(&text));
+        assert_eq!(diagnostics[0].message, format!("`{word}` is a Rust keyword and cannot be a name"));
     }
 }
 

@@ -1,5 +1,6 @@
 //! The front end, through its public door: what parses, what does not and what is said about it.
 
+mod accounted;
 mod diagnostics;
 mod files;
 mod limits;

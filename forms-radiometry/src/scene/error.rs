@@ -1,6 +1,8 @@
 //! Errors in scene files: a place in a text becomes a message that quotes the line.
 
 use super::place::{Place, Source};
+use forms::core::diagnostic::{MOST_DIAGNOSTICS, counted};
+use forms::core::syntax::Excerpt;
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -18,9 +20,14 @@ pub struct SceneError {
     pub message: String,
     /// What was expected there; may be empty.
     pub expected: String,
-    quoted: String,
-    marked: usize,
+    quoted: Excerpt,
 }
+
+/// The most errors of one scene that are shown, its meshes included.
+const MOST_ERRORS: usize = MOST_DIAGNOSTICS;
+
+/// The longest message, in characters: what it quotes may be as long as the file.
+const LONGEST_MESSAGE: usize = 300;
 
 impl SceneError {
     /// An error at a place.
@@ -30,10 +37,9 @@ impl SceneError {
             file: located.file.to_owned(),
             line: located.line,
             column: located.column,
-            message: message.into(),
-            expected: expected.into(),
-            quoted: located.quoted.to_owned(),
-            marked: located.marked,
+            message: cut(message.into()),
+            expected: cut(expected.into()),
+            quoted: located.quoted,
         }
     }
 
@@ -45,19 +51,18 @@ impl SceneError {
 
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { file, line, column, message, expected, quoted, marked } = self;
+        let Self { file, line, column, message, expected, quoted } = self;
         let number = line.to_string();
         let margin = " ".repeat(number.len());
         if *line == 0 {
             let separator = if file.is_empty() { "" } else { ": " };
             write!(f, "{file}{separator}{message}")?;
         } else {
-            let before = quoted.chars().take(column - 1);
-            let indent: String = before.map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
+            let Excerpt { text, indent, marked } = quoted;
             writeln!(f, "{file}:{line}:{column}: {message}")?;
             writeln!(f, "{margin} |")?;
-            writeln!(f, "{}", format!("{number} | {quoted}").trim_end())?;
-            write!(f, "{margin} | {indent}{}", "^".repeat(*marked))?;
+            writeln!(f, "{}", format!("{number} | {text}").trim_end())?;
+            write!(f, "{margin} | {}{}", " ".repeat(*indent), "^".repeat(*marked))?;
         }
         if !expected.is_empty() {
             write!(f, "\n{margin} = expected {expected}")?;
@@ -68,16 +73,26 @@ impl fmt::Display for SceneError {
 
 impl std::error::Error for SceneError {}
 
+/// A text that is not too long to be read.
+fn cut(text: String) -> String {
+    match text.char_indices().nth(LONGEST_MESSAGE) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text,
+    }
+}
+
 /// The errors found so far in one text, and in the files that it names.
 pub(super) struct Report {
     source: Arc<Source>,
     /// Each with the byte of the text that brought it up.
     errors: Vec<(usize, SceneError)>,
+    /// How many more there are, of which nothing is kept.
+    more: usize,
 }
 
 impl Report {
     pub(super) fn new(source: &Arc<Source>) -> Self {
-        Self { source: Arc::clone(source), errors: Vec::new() }
+        Self { source: Arc::clone(source), errors: Vec::new(), more: 0 }
     }
 
     /// A range of bytes of the text.
@@ -92,8 +107,8 @@ impl Report {
         message: impl Into<String>,
         expected: impl Into<String>,
     ) {
-        let error = SceneError::new(&self.place(range.clone()), message, expected);
-        self.errors.push((range.start, error));
+        let place = self.place(range);
+        self.error_at(&place, message, expected);
     }
 
     /// Records an error at a place of the text.
@@ -103,12 +118,18 @@ impl Report {
         message: impl Into<String>,
         expected: impl Into<String>,
     ) {
-        self.errors.push((place.start(), SceneError::new(place, message, expected)));
+        if self.errors.len() < MOST_ERRORS {
+            self.errors.push((place.start(), SceneError::new(place, message, expected)));
+        } else {
+            self.more += 1;
+        }
     }
 
     /// Records the errors of a file that the text names at this byte.
     pub(super) fn include(&mut self, byte: usize, errors: Vec<SceneError>) {
-        self.errors.extend(errors.into_iter().map(|error| (byte, error)));
+        let room = MOST_ERRORS - self.errors.len();
+        self.more += errors.len().saturating_sub(room);
+        self.errors.extend(errors.into_iter().take(room).map(|error| (byte, error)));
     }
 
     /// The line of a byte of the text, counted from one.
@@ -123,6 +144,11 @@ impl Report {
     /// All errors, in the order of the text.
     pub(super) fn into_errors(mut self) -> Vec<SceneError> {
         self.errors.sort_by_key(|(start, _)| *start);
-        self.errors.into_iter().map(|(_, error)| error).collect()
+        let mut errors: Vec<SceneError> = self.errors.into_iter().map(|(_, error)| error).collect();
+        if self.more > 0 {
+            let rest = counted(self.more, "more error");
+            errors.push(SceneError::of_file(&self.source.file, rest));
+        }
+        errors
     }
 }

@@ -4,7 +4,7 @@ use super::element::{Element, Names};
 use super::error::Report;
 use super::model::Medium;
 use super::read::Known;
-use super::value::{MEAN_COSINE, NOT_NEGATIVE, POSITIVE};
+use super::value::{COEFFICIENT, MEAN_COSINE, POSITIVE};
 
 const KEYS: &[&str] = &["name", "sigma_a", "sigma_s", "g", "n"];
 
@@ -17,8 +17,8 @@ pub(super) fn read(
 ) -> Option<Medium> {
     element.check_keys(report, KEYS);
     let name = known.media.name(report, element, names, index);
-    let absorption = element.spectrum_or(report, "sigma_a", 0.0, &NOT_NEGATIVE, known.bands);
-    let scattering = element.spectrum_or(report, "sigma_s", 0.0, &NOT_NEGATIVE, known.bands);
+    let absorption = element.spectrum_or(report, "sigma_a", 0.0, &COEFFICIENT, known.bands);
+    let scattering = element.spectrum_or(report, "sigma_s", 0.0, &COEFFICIENT, known.bands);
     let asymmetry = element.spectrum_or(report, "g", 0.0, &MEAN_COSINE, known.bands);
     let refraction = element.spectrum_or(report, "n", 1.0, &POSITIVE, known.bands);
     let place = report.place(element.optional("name").map_or(element.place.clone(), |value| value.span()));

@@ -11,6 +11,7 @@ use super::SceneError;
 use super::error::Report;
 use super::place::{Place, Source};
 use crate::geometry::{FaceError, Mesh, MeshError, PolygonError, Vector};
+use forms::core::diagnostic::counted;
 use std::collections::HashMap;
 use std::io;
 use std::ops::Range;
@@ -20,12 +21,20 @@ use std::sync::Arc;
 /// How many errors of one file are told.
 const TOLD: usize = 20;
 
+/// What was read of a mesh file.
+#[derive(Clone)]
+pub(super) struct MeshFile {
+    pub(super) mesh: Arc<Mesh>,
+    /// Whether the file gives its vertices normals, which are not kept.
+    pub(super) has_normals: bool,
+}
+
 /// The mesh files of a scene. Each is read once, however many surfaces name it.
 pub(super) struct MeshFiles<'f> {
     /// The folder of the scene, for messages.
     folder: PathBuf,
     open: &'f dyn Fn(&str) -> io::Result<Vec<u8>>,
-    read: HashMap<String, Option<Arc<Mesh>>>,
+    read: HashMap<String, Option<MeshFile>>,
 }
 
 impl<'f> MeshFiles<'f> {
@@ -36,17 +45,22 @@ impl<'f> MeshFiles<'f> {
 
     /// The mesh in a file that the scene names at this place.
     pub(super) fn mesh(&mut self, report: &mut Report, place: Range<usize>, name: &str) -> Option<Arc<Mesh>> {
+        self.file(report, place, name).map(|file| file.mesh)
+    }
+
+    /// The mesh, and what else the file says of it.
+    pub(super) fn file(&mut self, report: &mut Report, place: Range<usize>, name: &str) -> Option<MeshFile> {
         if let Some(known) = self.read.get(name) {
             return known.clone();
         }
-        let mesh = self.first(report, place, name).map(Arc::new);
-        self.read.insert(name.to_owned(), mesh.clone());
-        mesh
+        let file = self.first(report, place, name);
+        self.read.insert(name.to_owned(), file.clone());
+        file
     }
 
-    fn first(&self, report: &mut Report, place: Range<usize>, name: &str) -> Option<Mesh> {
+    fn first(&self, report: &mut Report, place: Range<usize>, name: &str) -> Option<MeshFile> {
         let ending = Path::new(name).extension().map(|ending| ending.to_string_lossy().to_lowercase());
-        let read: fn(&str, &[u8]) -> Result<Mesh, Vec<SceneError>> = match ending.as_deref() {
+        let read: fn(&str, &[u8]) -> Result<MeshFile, Vec<SceneError>> = match ending.as_deref() {
             Some("obj") => obj::read,
             Some("ply") => ply::read,
             _ => {
@@ -95,33 +109,42 @@ struct Parts {
     faces: Vec<Vec<u32>>,
     /// Where each face is told.
     face_places: Vec<Range<usize>>,
+    has_normals: bool,
     faults: Vec<Fault>,
+    /// Faults that are counted and not kept.
+    more: usize,
 }
 
 impl Parts {
     /// The mesh, if nothing was wrong so far and its faces are polygons.
-    fn mesh(mut self, source: &Arc<Source>) -> Result<Mesh, Vec<SceneError>> {
+    fn mesh(mut self, source: &Arc<Source>) -> Result<MeshFile, Vec<SceneError>> {
         if self.faults.is_empty() && self.faces.is_empty() {
-            self.faults.push(Fault::new(
-                0..0,
-                "the mesh has no faces",
-                "faces, each of three vertices or more",
-            ));
+            let expected = "faces, each of three vertices or more";
+            self.fault(Fault::new(0..0, "the mesh has no faces", expected));
         }
         if self.faults.is_empty() {
             let vertices = self.vertices.len();
-            match Mesh::new(self.vertices, &self.faces) {
-                Ok(mesh) => return Ok(mesh),
+            match Mesh::new(std::mem::take(&mut self.vertices), &self.faces) {
+                Ok(mesh) => return Ok(MeshFile { mesh: Arc::new(mesh), has_normals: self.has_normals }),
                 Err(errors) => {
-                    let fault = |error: MeshError| {
-                        let place = self.face_places[error.face].clone();
-                        Fault::new(place, error.to_string(), expected(&error.reason, vertices))
-                    };
-                    self.faults.extend(errors.into_iter().map(fault));
+                    for MeshError { face, reason } in errors {
+                        let place = self.face_places[face].clone();
+                        let expected = expected(&reason, vertices);
+                        self.fault(Fault::new(place, MeshError { face, reason }.to_string(), expected));
+                    }
                 }
             }
         }
-        Err(told(source, self.faults))
+        Err(told(source, self.faults, self.more))
+    }
+
+    /// Notes what is wrong: the first of it, and of the rest how much there is.
+    fn fault(&mut self, fault: Fault) {
+        if self.faults.len() < TOLD {
+            self.faults.push(fault);
+        } else {
+            self.more += 1;
+        }
     }
 }
 
@@ -136,14 +159,14 @@ fn expected(reason: &FaceError, vertices: usize) -> String {
     }
 }
 
-/// Faults as errors, the first of them if there are many.
-fn told(source: &Arc<Source>, faults: Vec<Fault>) -> Vec<SceneError> {
-    let rest = faults.len().saturating_sub(TOLD);
+/// Faults as errors, and how many more there are.
+fn told(source: &Arc<Source>, faults: Vec<Fault>, more: usize) -> Vec<SceneError> {
     let error =
         |fault: Fault| SceneError::new(&Place::new(source, fault.range), fault.message, fault.expected);
-    let mut errors: Vec<SceneError> = faults.into_iter().take(TOLD).map(error).collect();
-    if rest > 0 {
-        errors.push(SceneError::of_file(&source.file, format!("{rest} more errors")));
+    let mut errors: Vec<SceneError> = faults.into_iter().map(error).collect();
+    if more > 0 {
+        let rest = counted(more, "more error");
+        errors.push(SceneError::of_file(&source.file, rest));
     }
     errors
 }

@@ -1,5 +1,6 @@
 //! Places: a range of a text and the file it comes from, from which an error is told later.
 
+use forms::core::syntax::Excerpt;
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -32,9 +33,8 @@ pub(super) struct Located<'p> {
     /// Counted from one, in characters; zero where a whole file is meant.
     pub(super) line: usize,
     pub(super) column: usize,
-    /// The line itself, and how many characters of it are meant.
-    pub(super) quoted: &'p str,
-    pub(super) marked: usize,
+    /// What is shown of the line, with the mark under what is meant.
+    pub(super) quoted: Excerpt,
 }
 
 impl Place {
@@ -56,19 +56,21 @@ impl Place {
 
     pub(super) fn located(&self) -> Located<'_> {
         let Some(source) = &self.source else {
-            return Located { file: "", line: 0, column: 0, quoted: "", marked: 0 };
+            let quoted = Excerpt { text: String::new(), indent: 0, marked: 0 };
+            return Located { file: "", line: 0, column: 0, quoted };
         };
         let text = &source.text;
         let start = boundary(text, self.start);
         let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
         let line_end = text[start..].find('\n').map_or(text.len(), |newline| start + newline);
         let end = boundary(text, self.end).clamp(start, line_end);
+        let column = text[line_start..start].chars().count();
+        let width = text[start..end].trim_end().chars().count();
         Located {
             file: &source.file,
             line: text[..start].matches('\n').count() + 1,
-            column: text[line_start..start].chars().count() + 1,
-            quoted: text[line_start..line_end].trim_end(),
-            marked: text[start..end].trim_end().chars().count().max(1),
+            column: column + 1,
+            quoted: Excerpt::of(text[line_start..line_end].trim_end(), column, width),
         }
     }
 }

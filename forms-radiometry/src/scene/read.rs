@@ -2,6 +2,7 @@
 
 use super::element::{Element, Indices, Names};
 use super::error::Report;
+use super::file::{LARGEST_MESH, LARGEST_SCENE, read_file};
 use super::mesh_file::MeshFiles;
 use super::model::{Ambient, Band, LengthUnit, Scene};
 use super::place::Source;
@@ -22,14 +23,15 @@ const WAVELENGTH: Domain = Domain { expected: "a wavelength in nm, above 0", con
 pub fn open(path: &Path) -> Result<Scene, Vec<SceneError>> {
     let text = text_of(path)?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    read_with_files(&text, &path.to_string_lossy(), &|file| std::fs::read(folder.join(file)))
+    read_with_files(&text, &path.to_string_lossy(), &|file| read_file(&folder.join(file), LARGEST_MESH))
 }
 
 /// The text in a file.
 pub(super) fn text_of(path: &Path) -> Result<String, Vec<SceneError>> {
     let name = path.to_string_lossy();
     let whole = |message: String| vec![SceneError::of_file(&name, message)];
-    let bytes = std::fs::read(path).map_err(|error| whole(format!("the file cannot be read: {error}")))?;
+    let bytes =
+        read_file(path, LARGEST_SCENE).map_err(|error| whole(format!("the file cannot be read: {error}")))?;
     String::from_utf8(bytes).map_err(|error| {
         let line =
             error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|&&b| b == b'\n').count();

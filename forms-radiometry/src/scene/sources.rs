@@ -1,6 +1,7 @@
 //! Sources: what a scene was read from, so that it can be told from others, and be read again elsewhere.
 
 use super::SceneError;
+use super::file::{LARGEST_MESH, read_file};
 use super::model::Scene;
 use super::read::{read_with_files, text_of};
 use serde::{Deserialize, Serialize};
@@ -24,7 +25,7 @@ impl Sources {
         let folder = path.parent().unwrap_or(Path::new(""));
         let files = RefCell::new(Vec::new());
         let scene = read_with_files(&text, &name, &|file| {
-            let bytes = std::fs::read(folder.join(file))?;
+            let bytes = read_file(&folder.join(file), LARGEST_MESH)?;
             files.borrow_mut().push((file.to_owned(), bytes.clone()));
             Ok(bytes)
         })?;

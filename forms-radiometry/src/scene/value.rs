@@ -29,6 +29,11 @@ pub(super) const LENGTH: Domain = Domain {
 pub(super) const FRACTION: Domain =
     Domain { expected: "a number from 0 to 1", contains: |x| (0.0..=1.0).contains(&x) };
 pub(super) const NOT_NEGATIVE: Domain = Domain { expected: "a number of at least 0", contains: |x| x >= 0.0 };
+/// Coefficients of media: their products with lengths are numbers that are not lost.
+pub(super) const COEFFICIENT: Domain = Domain {
+    expected: "0, or a number from 1e-160 to 1e160",
+    contains: |x| x == 0.0 || (1e-160..=1e160).contains(&x),
+};
 pub(super) const POSITIVE: Domain = Domain { expected: "a number above 0", contains: |x| x > 0.0 };
 pub(super) const ANY: Domain = Domain { expected: "a number", contains: |_| true };
 /// Mean cosines of phase functions.

@@ -16,13 +16,22 @@ pub struct Exposure {
     seconds: f64,
 }
 
+/// The shortest and the longest time in seconds: far beyond what anybody waits for, and not so far that a rate times it is
+/// beyond all numbers.
+const TIMES: [f64; 2] = [1e-30, 1e30];
+
 /// A number that is no time of exposure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoTime(pub f64);
 
 impl fmt::Display for NoTime {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} is no time of exposure: expected a number of seconds above 0", self.0)
+        let [least, most] = TIMES;
+        write!(
+            f,
+            "{} is no time of exposure: expected a number of seconds from {least:e} to {most:e}",
+            self.0
+        )
     }
 }
 
@@ -31,7 +40,7 @@ impl std::error::Error for NoTime {}
 impl Exposure {
     /// The exposure over so many seconds.
     pub fn new(seconds: f64) -> Result<Self, NoTime> {
-        if seconds.is_finite() && seconds > 0.0 { Ok(Self { seconds }) } else { Err(NoTime(seconds)) }
+        if (TIMES[0]..=TIMES[1]).contains(&seconds) { Ok(Self { seconds }) } else { Err(NoTime(seconds)) }
     }
 
     /// How many seconds it lasts.

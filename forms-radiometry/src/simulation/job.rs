@@ -101,17 +101,22 @@ pub struct NoBudget(pub u64);
 
 impl fmt::Display for NoBudget {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} samples cannot be had: expected a number from 1 to {}", self.0, Budget::most())
+        let most = Budget::most();
+        write!(
+            f,
+            "{} samples cannot be had: expected a multiple of {REPLICATES} from {REPLICATES} to {most}",
+            self.0
+        )
     }
 }
 
 impl std::error::Error for NoBudget {}
 
 impl Budget {
-    /// So many samples, and as many more as make them a multiple of the replicates.
+    /// So many samples, a multiple of the replicates.
     pub fn new(samples: u64) -> Result<Self, NoBudget> {
-        if (1..=Self::most()).contains(&samples) {
-            Ok(Self { of_replicate: samples.div_ceil(REPLICATES as u64) as u32 })
+        if (1..=Self::most()).contains(&samples) && samples.is_multiple_of(REPLICATES as u64) {
+            Ok(Self { of_replicate: (samples / REPLICATES as u64) as u32 })
         } else {
             Err(NoBudget(samples))
         }

@@ -1,6 +1,7 @@
 //! The choice of forms: looked for, proved, and written beside the file.
 
 use crate::commands::refuse;
+use crate::files::replace;
 use crate::kernel::LIBRARY;
 use crate::palette::Palette;
 use crate::status::Status;
@@ -46,7 +47,7 @@ pub(super) fn choose(path: &str, output: &mut dyn Write) -> io::Result<Status> {
     let beside = choices_beside(path);
     let told = match written(&file.theory.pool, &pairs) {
         Some(text) => {
-            std::fs::write(&beside, text)?;
+            replace(&beside, |output| output.write_all(text.as_bytes()))?;
             format!("written to {}", beside.display())
         }
         None => "no form is better than the formula as it is written; nothing was written".to_string(),

@@ -1,6 +1,7 @@
 //! The files of `--out`: a folder, and what was found, written into it.
 
 use super::figure;
+use crate::files::{reason, replace};
 use forms_radiometry::output::{csv, exr, file_names, photograph, png};
 use forms_radiometry::scene::Scene;
 use forms_radiometry::simulation::Simulation;
@@ -15,7 +16,7 @@ const FIGURE: &str = "error.svg";
 pub(super) fn folder(path: &str) -> Result<PathBuf, String> {
     match std::fs::create_dir_all(path) {
         Ok(()) => Ok(PathBuf::from(path)),
-        Err(error) => Err(format!("the folder `{path}` cannot be made: {error}")),
+        Err(error) => Err(format!("the folder `{path}` cannot be made: {}", reason(&error))),
     }
 }
 
@@ -44,14 +45,11 @@ struct Files<'f> {
 impl Files<'_> {
     fn write(&mut self, name: &str, content: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>) {
         let path = self.folder.join(name);
-        let written = File::create(&path).and_then(|file| {
-            let mut output = BufWriter::new(file);
-            content(&mut output)?;
-            output.flush()
-        });
-        match written {
+        match replace(&path, content) {
             Ok(()) => self.written.push(name.to_owned()),
-            Err(error) => self.refused.push(format!("`{}` cannot be written: {error}", path.display())),
+            Err(error) => {
+                self.refused.push(format!("`{}` cannot be written: {}", path.display(), reason(&error)))
+            }
         }
     }
 }

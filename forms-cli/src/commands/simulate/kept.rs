@@ -5,18 +5,20 @@
 //!           └─ at the end        ─▶ PART.new ─▶ PART
 //! ```
 
-use forms_radiometry::scene::Sources;
+use crate::files::{Lock, check_writable, reason, replace};
+use forms_radiometry::scene::{Sources, read_file};
 use forms_radiometry::simulation::{Exposure, Identity, Keeper, Snapshot, State, StateFile};
 use serde::{Deserialize, Serialize};
-use std::ffi::OsString;
-use std::fs::{self, File};
-use std::io::{self, BufWriter, ErrorKind, Write};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 /// Keeping takes no more than one in so many seconds of the work.
 const RARELY: u32 = 20;
+
+/// The largest state that is read, in bytes.
+pub(super) const LARGEST_STATE: u64 = 4 << 30;
 
 /// What a part belongs to, and what it takes to go on with it elsewhere.
 #[derive(Debug, Serialize, Deserialize)]
@@ -48,11 +50,12 @@ pub(super) struct Checkpoint {
     identity: Identity,
     every: Duration,
     last: Mutex<Last>,
+    _lock: Lock,
 }
 
-/// When the state was kept, when it is to be kept again, and what went wrong.
+/// When the state is to be kept again, if that is ever, and what went wrong.
 struct Last {
-    next: Instant,
+    next: Option<Instant>,
     failed: Option<String>,
 }
 
@@ -86,9 +89,15 @@ impl Checkpoint {
         every: Duration,
     ) -> Result<(Self, Option<State>), String> {
         let remedy = "remove it to start from the beginning, or name another file";
-        let state = match fs::read(path) {
+        let lock = Lock::of(Path::new(path))
+            .map_err(|error| format!("the checkpoint `{path}` cannot be written: {}", reason(&error)))?;
+        let Some(lock) = lock else {
+            let remedy = "wait for its end, or name another file";
+            return Err(format!("the checkpoint `{path}` is in use by another run: {remedy}"));
+        };
+        let state = match read_file(Path::new(path), LARGEST_STATE) {
             Err(error) if error.kind() == ErrorKind::NotFound => None,
-            Err(error) => return Err(format!("the checkpoint `{path}` cannot be read: {error}")),
+            Err(error) => return Err(format!("the checkpoint `{path}` cannot be read: {}", reason(&error))),
             Ok(bytes) => {
                 let read = StateFile::Checkpoint.read::<Identity>(&bytes);
                 let (found, state) =
@@ -102,14 +111,15 @@ impl Checkpoint {
             }
         };
         let path = PathBuf::from(path);
-        writable(&path)
-            .map_err(|error| format!("the checkpoint `{}` cannot be written: {error}", path.display()))?;
-        let last = Mutex::new(Last { next: Instant::now() + every, failed: None });
-        Ok((Self { path, identity, every, last }, state))
+        check_writable(&path).map_err(|error| {
+            format!("the checkpoint `{}` cannot be written: {}", path.display(), reason(&error))
+        })?;
+        let last = Mutex::new(Last { next: Instant::now().checked_add(every), failed: None });
+        Ok((Self { path, identity, every, last, _lock: lock }, state))
     }
 
     fn is_due(&self) -> bool {
-        self.last.lock().is_ok_and(|last| Instant::now() >= last.next)
+        self.last.lock().is_ok_and(|last| last.next.is_some_and(|next| Instant::now() >= next))
     }
 
     fn keep(&self, snapshot: &Snapshot<'_>) {
@@ -118,7 +128,8 @@ impl Checkpoint {
             replace(&self.path, |output| StateFile::Checkpoint.write(&self.identity, snapshot, output));
         let Ok(mut last) = self.last.lock() else { return };
         let wait = self.every.max(RARELY * begin.elapsed());
-        *last = Last { next: Instant::now() + wait, failed: written.err().map(|error| error.to_string()) };
+        let failed = written.err().map(|error| reason(&error));
+        *last = Last { next: Instant::now().checked_add(wait), failed };
     }
 
     /// Why the state was not kept when it last should have been, if it was not.
@@ -131,16 +142,18 @@ impl Checkpoint {
 impl Part {
     pub(super) fn new(path: &str, belongs_to: PartOf) -> Result<Self, String> {
         let path = PathBuf::from(path);
-        writable(&path)
-            .map_err(|error| format!("the part `{}` cannot be written: {error}", path.display()))?;
+        check_writable(&path).map_err(|error| {
+            format!("the part `{}` cannot be written: {}", path.display(), reason(&error))
+        })?;
         Ok(Self { path, belongs_to, written: Mutex::new(None) })
     }
 
     fn keep(&self, snapshot: &Snapshot<'_>) {
         let written = replace(&self.path, |output| StateFile::Part.write(&self.belongs_to, snapshot, output));
         let result = written.map(|()| snapshot.units());
-        let result =
-            result.map_err(|error| format!("the part `{}` cannot be written: {error}", self.path.display()));
+        let result = result.map_err(|error| {
+            format!("the part `{}` cannot be written: {}", self.path.display(), reason(&error))
+        });
         if let Ok(mut written) = self.written.lock() {
             *written = Some(result);
         }
@@ -150,30 +163,4 @@ impl Part {
     pub(super) fn written(&self) -> Option<Result<[usize; 2], String>> {
         self.written.lock().ok()?.take()
     }
-}
-
-/// The name of what a file is written as before it takes its place.
-fn beside(path: &Path) -> PathBuf {
-    let mut name: OsString = path.as_os_str().to_owned();
-    name.push(".new");
-    PathBuf::from(name)
-}
-
-/// Whether there can be a file here, which is told before hours of work.
-fn writable(path: &Path) -> io::Result<()> {
-    if path.is_dir() {
-        return Err(io::Error::other("it is a folder"));
-    }
-    File::create(beside(path))?;
-    fs::remove_file(beside(path))
-}
-
-/// Writes a file so that at any moment there is the old one or the new one, whole.
-fn replace(path: &Path, content: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>) -> io::Result<()> {
-    let new = beside(path);
-    let mut output = BufWriter::new(File::create(&new)?);
-    content(&mut output)?;
-    output.flush()?;
-    output.get_ref().sync_all()?;
-    fs::rename(&new, path)
 }

@@ -4,14 +4,17 @@
 //! PART… ─▶ read ─▶ of one work? ─▶ each share once? ─▶ states of all shares ─▶ answers, as of one run
 //! ```
 
-use super::kept::PartOf;
+use super::kept::{LARGEST_STATE, PartOf};
 use super::{Asked, Work, finish, plan};
 use crate::commands::refuse;
+use crate::files::reason;
 use crate::status::Status;
-use forms_radiometry::scene::SceneError;
+use crate::streams::tell;
+use forms_radiometry::scene::{SceneError, read_file};
 use forms_radiometry::simulation::{self, Exposure, Share, State, StateFile};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
+use std::path::Path;
 use std::time::Duration;
 
 /// A part that was read.
@@ -30,18 +33,18 @@ pub(crate) fn merge(
 ) -> io::Result<Status> {
     let (parts, mut messages) = read(files);
     let Some(first) = parts.first() else {
-        messages.iter().for_each(|message| eprintln!("error: {message}"));
+        messages.iter().for_each(|message| tell!("error: {message}"));
         return Ok(Status::Error);
     };
     messages.extend(strangers(&parts));
     if messages.is_empty() {
         let (repeated, notes) = repetitions(&parts);
-        notes.iter().for_each(|note| eprintln!("note: {note}"));
+        notes.iter().for_each(|note| tell!("note: {note}"));
         messages = repeated;
     }
     messages.extend(missing(first, &parts));
     if !messages.is_empty() {
-        messages.iter().for_each(|message| eprintln!("error: {message}"));
+        messages.iter().for_each(|message| tell!("error: {message}"));
         return Ok(Status::Error);
     }
     let folder = match out.map(super::files::folder).transpose() {
@@ -55,7 +58,7 @@ pub(crate) fn merge(
             finish(&Asked { scene: &scene, folder, json }, &work, output)
         }
         Err(messages) => {
-            messages.iter().for_each(|message| eprintln!("error: {message}"));
+            messages.iter().for_each(|message| tell!("error: {message}"));
             Ok(Status::Error)
         }
     }
@@ -65,10 +68,10 @@ pub(crate) fn merge(
 fn read(files: &[String]) -> (Vec<Part<'_>>, Vec<String>) {
     let (mut parts, mut messages) = (Vec::new(), Vec::new());
     for file in files {
-        let bytes = match std::fs::read(file) {
+        let bytes = match read_file(Path::new(file), LARGEST_STATE) {
             Ok(bytes) => bytes,
             Err(error) => {
-                messages.push(format!("the part `{file}` cannot be read: {error}"));
+                messages.push(format!("the part `{file}` cannot be read: {}", reason(&error)));
                 continue;
             }
         };

@@ -5,6 +5,7 @@ use crate::commands::refuse;
 use crate::layout::{duration, wrap};
 use crate::palette::Palette;
 use crate::status::Status;
+use crate::streams::tell;
 use forms_radiometry::scene::{self, ReceiverKind, SceneError};
 use forms_radiometry::{CORNELL_BOX, Picture, ReceiverResult, picture, simulate_direct};
 use std::io::{self, Write};
@@ -29,7 +30,7 @@ pub(super) fn light(palette: Palette, output: &mut dyn Write) -> io::Result<Stat
     let Lit { points: results, picture } = match lit() {
         Ok(lit) => lit,
         Err(errors) => {
-            errors.iter().for_each(|error| eprintln!("error: {error}"));
+            errors.iter().for_each(|error| tell!("error: {error}"));
             return Ok(Status::Error);
         }
     };

@@ -39,7 +39,7 @@ pub(super) fn prove(palette: Palette, output: &mut dyn Write) -> io::Result<Stat
     let mut totals = Totals::default();
     let mut wrong = Vec::new();
     for statement in std::mem::take(&mut theory.statements) {
-        let decided = timed(&mut theory, statement);
+        let decided = timed(&mut theory, statement, 1);
         totals.count(&decided);
         writeln!(output, "{}", decided.line(palette))?;
         output.flush()?;

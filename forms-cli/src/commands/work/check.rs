@@ -93,7 +93,7 @@ pub(super) fn check(request: &Request, output: &mut dyn Write) -> io::Result<()>
     declared(&file, &theory_file, output)?;
     output.flush()?;
     for statement in theory_file.theory.statements.clone() {
-        let decided = timed(&mut theory_file.theory, statement);
+        let decided = timed(&mut theory_file.theory, statement, 1);
         verdict(&theory_file, &decided, output)?;
         output.flush()?;
     }

@@ -6,7 +6,7 @@
 use super::dialect::{Branches, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
 use super::number::literal;
-use super::target::{Precision, Target};
+use super::target::Precision;
 use super::written::{Binding, Written, function, negated};
 use super::{body, names};
 use crate::expression::Operation;
@@ -78,10 +78,6 @@ impl C {
         C { flavour, precision }
     }
 
-    fn target(&self) -> Target {
-        if self.flavour == Flavour::C { Target::C } else { Target::Cuda }
-    }
-
     fn number_type(&self) -> &'static str {
         if self.precision == Precision::F32 { "float" } else { "double" }
     }
@@ -123,14 +119,14 @@ impl C {
 
     /// The documented function of a kernel.
     pub(super) fn function(&self, program: &Program, docs: &KernelDocs) -> String {
-        let arguments = names::arguments(self.target(), &program.arguments);
-        let mut source = documentation(program, docs, "//") + &self.signature(program, &arguments) + " {\n";
+        let arguments = &program.arguments;
+        let mut source = documentation(program, docs, "//") + &self.signature(program, arguments) + " {\n";
         for (place, name) in arguments.iter().enumerate() {
-            if !program.instructions.contains(&Instruction::Argument(place as u32)) {
+            if !names::uses(program, place) {
                 source += &format!("    (void){name};\n");
             }
         }
-        source + &body::write(self, program, &arguments) + "}\n"
+        source + &body::write(self, program, arguments) + "}\n"
     }
 
     fn signature(&self, program: &Program, arguments: &[String]) -> String {

@@ -55,11 +55,28 @@ pub(super) fn documentation(program: &Program, docs: &KernelDocs, comment: &str)
     lines.push(format!("Its value is NaN{outside} where an argument it depends on is NaN."));
     lines.push(format!("Takes {}.", program.operations()));
     lines.iter().fold(String::new(), |text, line| {
-        let line = line.trim();
-        // a backslash at the end of a line would continue the comment in C
-        let line = line.trim_end_matches('\\');
-        text + comment + if line.is_empty() { "" } else { " " } + line + "\n"
+        let line = in_a_comment(line);
+        text + comment + if line.is_empty() { "" } else { " " } + &line + "\n"
     })
+}
+
+/// A line that ends where the comment does, and is read as it is seen: no backslash at its end, which would continue the
+/// comment in C, no `??/`, which is one there, no character that ends a line in WGSL, and none that turns the direction
+/// of text, which Rust refuses.
+fn in_a_comment(line: &str) -> String {
+    let ends_or_turns = |c: char| {
+        c.is_control()
+            || matches!(c, '\u{2028}' | '\u{2029}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+    };
+    let visible: String = line.chars().map(|c| if ends_or_turns(c) { ' ' } else { c }).collect();
+    let mut line = visible.trim();
+    loop {
+        let shorter = line.trim_end_matches('\\').trim_end_matches("??/").trim_end();
+        if shorter.len() == line.len() {
+            return line.to_string();
+        }
+        line = shorter;
+    }
 }
 
 fn separate(lines: &mut Vec<String>) {

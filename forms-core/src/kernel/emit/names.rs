@@ -1,55 +1,199 @@
-//! Names that mean something else in a language.
+//! Names of kernels and arguments in the languages that source is emitted in.
+//!
+//! A name of a file enters, and one leaves that the target's compiler takes for a new name: the same wherever that is
+//! possible, else the same with underscores behind it (`printf_`), with a beginning that nothing of the target has
+//! (`k_forms_power`), or as Rust writes keywords (`r#match`). Different names stay different.
 
+use super::docs::KernelDocs;
 use super::target::Target;
+use crate::kernel::program::{Instruction, Program};
+use crate::syntax::words;
+use rustc_hash::FxHashSet;
+use std::sync::OnceLock;
 
-/// Keywords of C and of C++, and what `math.h` and `stdlib.h` declare that could be the name of a quantity.
-const C: &str = "alignas alignof and and_eq asm auto bitand bitor bool break case catch char class compl complex const \
-    constexpr const_cast continue decltype default delete do double dynamic_cast else enum explicit export extern false \
-    float for friend goto if imaginary inline int long main mutable namespace new noexcept not not_eq nullptr operator or \
-    or_eq outputs private protected public register reinterpret_cast restrict return short signed sizeof static \
-    static_assert static_cast struct switch template this thread_local throw true try typedef typeid typename union \
-    unsigned using virtual void volatile wchar_t while xor xor_eq abs acos acosh asin asinh atan atan2 atanh cbrt ceil \
-    copysign cos cosh erf erfc exp exp2 expm1 fabs fdim floor fma fmax fmin fmod frexp gamma hypot ilogb j0 j1 jn ldexp \
-    lgamma log log10 log1p log2 logb lrint lround modf nan nearbyint nextafter nexttoward pow remainder remquo rint round \
-    scalb scalbln scalbn signgam sin sinh sqrt tan tanh tgamma trunc y0 y1 yn NAN INFINITY";
+const C: &str = include_str!("names/c.txt");
+const C_LIBRARY: &str = include_str!("names/c_library.txt");
+const CUDA: &str = include_str!("names/cuda.txt");
+const RUST: &str = include_str!("names/rust.txt");
+const WGSL: &str = include_str!("names/wgsl.txt");
 
-/// Keywords and reserved words of WGSL, and its predeclared types and functions.
-const WGSL: &str = "abs acos acosh alias all any array asin asinh atan atan2 atanh atomic attribute auto await become \
-    bitcast bool break case cast catch ceil clamp class common concept const const_assert continue continuing coord cos \
-    cosh countOneBits cross default degrees delegate delete demote determinant diagnostic discard distance do dot else enable \
-    enum exp exp2 export extends extern external f16 f32 faceForward false final floor fma fn for fract frexp friend from \
-    fwidth get goto groupshared highp i32 if impl implements import inline instanceof interface inverseSqrt layout ldexp \
-    length let log log2 loop lowp mat2x2 mat3x3 mat4x4 max mediump meta min mix mod module modf move mut mutable namespace \
-    new nil noexcept noinline nointerpolation normalize null nullptr of operator override package packoffset partition pass \
-    patch pixelfragment pow precise precision premerge priv private protected ptr pub public quantize radians readonly ref \
-    reflect refract regardless register reinterpret requires resource restrict return round sampler saturate select self set \
-    shared sign sin sinh smooth smoothstep snorm sqrt static std step struct subroutine super switch tan tanh target template \
-    texture this throw trait transpose true trunc try type typedef typename u32 union unless unorm unsafe use using var vec2 \
-    vec3 vec4 virtual volatile wgsl where while with writeonly yield";
+/// Names that functions of generated code give their own variables, in C and in Rust.
+const VARIABLES_OF_C: &str = "outputs";
+const VARIABLES_OF_RUST: &str = "from to inside";
 
-fn taken(target: Target) -> &'static str {
-    match target {
-        Target::Rust => "",
-        Target::C | Target::Cuda => C,
-        Target::Wgsl => WGSL,
+/// What stands before a name whose own beginning is reserved.
+const BEGINNING: &str = "k_";
+
+/// What a name is given to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Role {
+    /// A function, which the rest of the program sees.
+    Kernel,
+    /// A variable of a function.
+    Argument,
+}
+
+/// Words that are no new names for something in a target.
+struct Reserved {
+    words: FxHashSet<&'static str>,
+    beginnings: &'static [&'static str],
+}
+
+impl Reserved {
+    fn new(lists: &[&'static str], beginnings: &'static [&'static str]) -> Self {
+        let lines = lists.iter().flat_map(|list| list.lines()).filter(|line| !line.starts_with('#'));
+        Reserved { words: lines.flat_map(str::split_whitespace).collect(), beginnings }
     }
-}
 
-/// Whether a name means something else in the target.
-pub(super) fn is_taken(target: Target, name: &str) -> bool {
-    let is_helper = target != Target::Rust && name.starts_with("forms_");
-    is_helper || taken(target).split_whitespace().any(|word| word == name)
-}
+    fn of(target: Target, role: Role) -> &'static Reserved {
+        static TABLE: OnceLock<[Reserved; 7]> = OnceLock::new();
+        // what begins with an underscore, or has two, is left to the implementations of C and C++
+        const OF_C: &[&str] = &["_", "forms_", "M_", "FP_", "MATH_", "HUGE_VAL"];
+        const OF_CUDA: &[&str] =
+            &["_", "forms_", "M_", "FP_", "MATH_", "HUGE_VAL", "cuda", "CUDA", "CU_", "cu_"];
+        const OF_WGSL: &[&str] = &["__", "forms_"];
+        let table = TABLE.get_or_init(|| {
+            [
+                Reserved::new(&[RUST], &[]),
+                Reserved::new(&[C, C_LIBRARY], OF_C),
+                Reserved::new(&[C, VARIABLES_OF_C], OF_C),
+                Reserved::new(&[C, C_LIBRARY, CUDA], OF_CUDA),
+                Reserved::new(&[C, CUDA, VARIABLES_OF_C], OF_CUDA),
+                Reserved::new(&[WGSL], OF_WGSL),
+                Reserved::new(&[RUST, VARIABLES_OF_RUST], &[]),
+            ]
+        });
+        match (target, role) {
+            (Target::Rust, Role::Kernel) => &table[0],
+            (Target::Rust, Role::Argument) => &table[6],
+            (Target::C, Role::Kernel) => &table[1],
+            (Target::C, Role::Argument) => &table[2],
+            (Target::Cuda, Role::Kernel) => &table[3],
+            (Target::Cuda, Role::Argument) => &table[4],
+            (Target::Wgsl, _) => &table[5],
+        }
+    }
 
-/// Names of arguments in the target: those that are taken get underscores behind them, and none occurs twice.
-pub(super) fn arguments(target: Target, names: &[String]) -> Vec<String> {
-    let mut chosen: Vec<String> = Vec::with_capacity(names.len());
-    for name in names {
-        let mut free = name.clone();
-        while is_taken(target, &free) || (free != *name && names.contains(&free)) || chosen.contains(&free) {
+    /// The name, or one near it that is not reserved.
+    fn nearest(&self, name: &str) -> String {
+        let begins = name == "_" || self.beginnings.iter().any(|beginning| name.starts_with(beginning));
+        let mut free = if begins { format!("{BEGINNING}{name}") } else { name.to_string() };
+        while self.words.contains(free.as_str()) {
             free.push('_');
         }
-        chosen.push(free);
+        free
     }
-    chosen
+}
+
+/// The names in the target, none of which occurs twice or among `others`. A name that can stay does.
+fn chosen(target: Target, role: Role, names: &[String]) -> Vec<String> {
+    let reserved = Reserved::of(target, role);
+    let nearest: Vec<String> = names.iter().map(|name| reserved.nearest(name)).collect();
+    let mut taken: FxHashSet<String> = names
+        .iter()
+        .zip(&nearest)
+        .filter(|(name, near)| name == near)
+        .map(|(name, _)| name.clone())
+        .collect();
+    let distinct = names.iter().zip(nearest).map(|(name, near)| {
+        if *name == near {
+            return near;
+        }
+        let mut free = near;
+        while reserved.words.contains(free.as_str()) || !taken.insert(free.clone()) {
+            free.push('_');
+        }
+        free
+    });
+    distinct.map(|name| written(target, name)).collect()
+}
+
+/// A keyword of Rust is written so that it is a name.
+fn written(target: Target, name: String) -> String {
+    let is_keyword = target == Target::Rust && words::is_rust_keyword(&name);
+    if is_keyword { format!("r#{name}") } else { name }
+}
+
+/// What an unused argument of a function in Rust is called: its name behind an underscore, which no other has.
+pub(super) fn unused(name: &str, others: &[String]) -> String {
+    let mut free = format!("_{}", name.trim_start_matches("r#"));
+    while others.contains(&free) {
+        free.push('_');
+    }
+    free
+}
+
+/// The names of kernels that stand in one file.
+pub(super) fn of_kernels(target: Target, names: &[String]) -> Vec<String> {
+    chosen(target, Role::Kernel, names)
+}
+
+/// The same program with names of the target: its own is given, those of its arguments are chosen. What has another name
+/// than in its source is listed above the function.
+pub(super) fn renamed(
+    program: &Program,
+    docs: &KernelDocs,
+    target: Target,
+    name: &str,
+) -> (Program, KernelDocs) {
+    let arguments = chosen(target, Role::Argument, &program.arguments);
+    let mut docs = docs.clone();
+    let all = std::iter::once((program.name.as_str(), name));
+    let all =
+        all.chain(program.arguments.iter().zip(&arguments).map(|(old, new)| (old.as_str(), new.as_str())));
+    let mut notes: Vec<String> = Vec::new();
+    for (old, new) in all.filter(|(old, new)| old != new) {
+        let note = format!("`{old}` is `{new}` here");
+        // an argument may have the name of its kernel
+        if !notes.contains(&note) {
+            notes.push(note);
+        }
+    }
+    if !notes.is_empty() {
+        let reason = if notes.len() == 1 { "the name is" } else { "the names are" };
+        docs.docs.push(format!("{}, as {reason} taken in {}.", notes.join(", "), target.title()));
+    }
+    (Program { name: name.to_string(), arguments, ..program.clone() }, docs)
+}
+
+/// Whether a function uses an argument.
+pub(super) fn uses(program: &Program, argument: usize) -> bool {
+    program.instructions.contains(&Instruction::Argument(argument as u32))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn kernels(target: Target, names: &str) -> String {
+        let names: Vec<String> = names.split(' ').map(str::to_string).collect();
+        of_kernels(target, &names).join(" ")
+    }
+
+    #[test]
+    fn what_can_stay_stays_and_nothing_is_named_twice() {
+        assert_eq!(kernels(Target::C, "printf f printf_ double"), "printf__ f printf_ double_");
+        assert_eq!(
+            kernels(Target::C, "forms_power k_forms_power _x _"),
+            "k_forms_power_ k_forms_power k__x k__"
+        );
+        assert_eq!(
+            kernels(Target::Rust, "match self self_ f64 Some _"),
+            "r#match self__ self_ f64 Some_ k__"
+        );
+        assert_eq!(kernels(Target::Wgsl, "fn __a _ sin length"), "fn_ k___a k__ sin_ length_");
+        assert_eq!(kernels(Target::Cuda, "threadIdx cudaMalloc float4"), "threadIdx_ k_cudaMalloc float4_");
+    }
+
+    #[test]
+    fn lists_hold_names_and_nothing_else() {
+        for list in [C, C_LIBRARY, CUDA, RUST, WGSL] {
+            let reserved = Reserved::new(&[list], &[]);
+            assert!(reserved.words.len() >= 10);
+            for word in reserved.words {
+                let is_name = word.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
+                assert!(is_name && !word.as_bytes()[0].is_ascii_digit(), "{word}");
+            }
+        }
+    }
 }

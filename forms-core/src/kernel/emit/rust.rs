@@ -1,6 +1,5 @@
 //! Rust source: one function of `f64`s a kernel, its documentation above it, with nothing but the standard library.
 
-use super::body;
 use super::dialect::{Branches, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
 use super::generic::{MATH, closure, nested_formula};
@@ -8,6 +7,7 @@ use super::number::{number, receiver};
 use super::promise::Promise;
 use super::target::{Precision, Target};
 use super::written::{Binding, Written, function};
+use super::{body, names};
 use crate::expression::{Operation, Rational};
 use crate::kernel::constant::{Constant, nearest_f64};
 use crate::kernel::program::{Instruction, Program};
@@ -24,7 +24,8 @@ pub const MANY_ARGUMENTS: usize = 7;
 /// A documented function. It needs nothing but the standard library, and where that does not do (see
 /// [`Program::needs_math`]) what `forms_math` exports, found by the path `math`.
 pub fn emit_rust(program: &Program, docs: &KernelDocs, math: &str) -> String {
-    written(program, docs, math, Precision::F64)
+    let (program, docs) = names::renamed(program, docs, Target::Rust, &program.name);
+    written(&program, &docs, math, Precision::F64)
 }
 
 /// The same, its values within so many units of 2⁻⁵³ of the exact ones, relative to them: computed by `escalate` of
@@ -36,8 +37,14 @@ pub fn emit_rust_within(
     formula: &str,
     within: &Rational,
 ) -> String {
-    let escalated = escalated(program, math, formula, within, Precision::F64);
-    Rust { math, precision: Precision::F64 }.function(program, &promised(docs, within), |_| true, &escalated)
+    let (program, docs) = names::renamed(program, docs, Target::Rust, &program.name);
+    let escalated = escalated(&program, math, formula, within, Precision::F64);
+    Rust { math, precision: Precision::F64 }.function(
+        &program,
+        &promised(&docs, within),
+        |_| true,
+        &escalated,
+    )
 }
 
 /// The same with the formula inside.
@@ -87,7 +94,7 @@ fn below(number: &Rational) -> f64 {
 /// The function of `f32`s or of `f64`s.
 pub(super) fn written(program: &Program, docs: &KernelDocs, math: &str, precision: Precision) -> String {
     let dialect = Rust { math, precision };
-    let used = |place: usize| program.instructions.contains(&Instruction::Argument(place as u32));
+    let used = |place: usize| names::uses(program, place);
     dialect.function(program, docs, used, &body::write(&dialect, program, &program.arguments))
 }
 
@@ -131,12 +138,11 @@ impl Rust<'_> {
 
     fn signature(&self, program: &Program, used: impl Fn(usize) -> bool) -> String {
         let number = self.number_type();
-        let arguments: Vec<String> = program
-            .arguments
-            .iter()
-            .enumerate()
-            .map(|(place, name)| format!("{}{name}: {number}", if used(place) { "" } else { "_" }))
-            .collect();
+        let mut names = program.arguments.clone();
+        for place in (0..names.len()).filter(|&place| !used(place)) {
+            names[place] = names::unused(&names[place], &names);
+        }
+        let arguments: Vec<String> = names.iter().map(|name| format!("{name}: {number}")).collect();
         let public = if program.public { "pub " } else { "" };
         let result = match program.outputs.len() {
             1 => number.to_string(),
@@ -261,8 +267,10 @@ pub(super) fn attributes(program: &Program) -> String {
 ",
         );
     }
-    let names = std::iter::once(&program.name).chain(&program.arguments);
-    if names.flat_map(|name| name.chars()).any(char::is_uppercase) {
+    let mut names = std::iter::once(&program.name).chain(&program.arguments);
+    let is_snake_case =
+        |name: &String| !name.chars().any(char::is_uppercase) && !name.trim_matches('_').contains("__");
+    if !names.all(is_snake_case) {
         text.push_str("#[allow(non_snake_case, reason = \"the names of the formula\")]\n");
     }
     text

@@ -35,6 +35,16 @@ impl Target {
         }
     }
 
+    /// Its name in prose.
+    pub(super) fn title(self) -> &'static str {
+        match self {
+            Target::Rust => "Rust",
+            Target::C => "C",
+            Target::Wgsl => "WGSL",
+            Target::Cuda => "CUDA",
+        }
+    }
+
     /// The precision it is written in where none is asked for.
     pub fn usual_precision(self) -> Precision {
         if self == Target::Wgsl { Precision::F32 } else { Precision::F64 }
@@ -97,13 +107,6 @@ pub enum EmitError {
         /// The precision.
         precision: Precision,
     },
-    /// The name of the kernel means something else in the target.
-    Name {
-        /// The kernel.
-        kernel: String,
-        /// The target.
-        target: Target,
-    },
 }
 
 impl fmt::Display for EmitError {
@@ -121,11 +124,6 @@ impl fmt::Display for EmitError {
                 f,
                 "the kernel `{kernel}` contains the number {number}, which `{}` does not hold",
                 precision.name()
-            ),
-            EmitError::Name { kernel, target } => write!(
-                f,
-                "the kernel `{kernel}` cannot have this name in the target `{}`, where it means something else",
-                target.name()
             ),
         }
     }
@@ -146,10 +144,11 @@ pub struct Source {
 }
 
 impl Source {
-    /// The documented function.
-    fn function(&self, target: Target, precision: Precision) -> String {
-        let (program, promise) = (&self.program, self.promise(target, precision));
-        let mut docs = self.docs.clone();
+    /// The documented function, under this name.
+    fn function(&self, name: &str, target: Target, precision: Precision) -> String {
+        let promise = self.promise(target, precision);
+        let (program, mut docs) = names::renamed(&self.program, &self.docs, target, name);
+        let program = &program;
         match (&promise, &self.within) {
             (Some(promise), Some(within)) => docs.rounding = promise.sentence(within, target, precision),
             _ if precision != Precision::F64 => docs.rounding.clear(),
@@ -205,7 +204,10 @@ pub fn emit(kernels: &[Source], target: Target, precision: Precision) -> Result<
         Target::Cuda => C::new(Flavour::Cuda, precision).head(&programs),
         Target::Wgsl => wgsl::head(&programs),
     };
-    let functions: Vec<String> = kernels.iter().map(|kernel| kernel.function(target, precision)).collect();
+    let names: Vec<String> = programs.iter().map(|program| program.name.clone()).collect();
+    let names = names::of_kernels(target, &names);
+    let functions = kernels.iter().zip(&names).map(|(kernel, name)| kernel.function(name, target, precision));
+    let functions: Vec<String> = functions.collect();
     let functions = functions.join("\n");
     // in Rust what is needed comes last, so that the kernels can be read first
     let parts = if target == Target::Rust { [functions, head] } else { [head, functions] };
@@ -216,9 +218,6 @@ pub fn emit(kernels: &[Source], target: Target, precision: Precision) -> Result<
 /// Whether the target can say what the program does.
 fn check(program: &Program, target: Target, precision: Precision) -> Result<(), EmitError> {
     let kernel = || program.name.clone();
-    if names::is_taken(target, &program.name) {
-        return Err(EmitError::Name { kernel: kernel(), target });
-    }
     for instruction in &program.instructions {
         match instruction {
             Instruction::Call(operation, _) => {

@@ -3,13 +3,13 @@
 //! The language has no way to write NaN, and compilers may assume that there is none: outside the domain of a
 //! kernel its value is NaN where the device has it.
 
+use super::body;
 use super::c::unequal_as_less_or_greater;
 use super::dialect::{Branches, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
 use super::number::literal;
-use super::target::{Precision, Target};
+use super::target::Precision;
 use super::written::{Written, function, infix, negated};
-use super::{body, names};
 use crate::expression::Operation;
 use crate::kernel::constant::Constant;
 use crate::kernel::program::{Instruction, ProductSum, Program};
@@ -58,9 +58,8 @@ pub(super) fn head(programs: &[&Program]) -> String {
 
 /// The documented function of a kernel.
 pub(super) fn function_of(program: &Program, docs: &KernelDocs) -> String {
-    let arguments = names::arguments(Target::Wgsl, &program.arguments);
-    let body = body::write(&Wgsl { outputs: program.outputs.len() }, program, &arguments);
-    format!("{}{} {{\n{body}}}\n", documentation(program, docs, "//"), signature(program, &arguments))
+    let body = body::write(&Wgsl { outputs: program.outputs.len() }, program, &program.arguments);
+    format!("{}{} {{\n{body}}}\n", documentation(program, docs, "//"), signature(program, &program.arguments))
 }
 
 fn signature(program: &Program, arguments: &[String]) -> String {

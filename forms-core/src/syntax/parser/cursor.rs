@@ -4,7 +4,7 @@ use super::MAXIMUM_TOKENS;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::syntax::ast::Name;
 use crate::syntax::token::{Symbol, Token, TokenKind};
-use crate::syntax::words::{Word, reserved};
+use crate::syntax::words::{self, Word};
 
 /// A token stream being read, and everything found wrong with it.
 pub(super) struct Parser<'a> {
@@ -15,6 +15,8 @@ pub(super) struct Parser<'a> {
     /// How many levels of nesting surround the next token.
     pub(super) nesting: usize,
     pub(super) diagnostics: Vec<Diagnostic>,
+    /// Whether words that Rust reserves and the language does not can be names.
+    keywords_are_names: bool,
 }
 
 /// A mistake that has been reported; its holder only has to stop.
@@ -26,12 +28,29 @@ pub(super) type Parsed<T> = Result<T, Reported>;
 impl<'a> Parser<'a> {
     pub(super) fn new(tokens: &'a [Token], end: Span) -> Result<Self, Diagnostic> {
         match tokens.get(MAXIMUM_TOKENS) {
-            None => Ok(Parser { tokens, position: 0, end, nesting: 0, diagnostics: Vec::new() }),
+            None => Ok(Parser {
+                tokens,
+                position: 0,
+                end,
+                nesting: 0,
+                diagnostics: Vec::new(),
+                keywords_are_names: false,
+            }),
             Some(surplus) => {
                 let message = format!("a source has at most {MAXIMUM_TOKENS} names, numbers and symbols");
                 Err(Diagnostic::new(surplus.span, message).with_help("split it into several files"))
             }
         }
+    }
+
+    /// The same parser, for which the words that only Rust reserves are names.
+    pub(super) fn with_keywords_as_names(self) -> Self {
+        Parser { keywords_are_names: true, ..self }
+    }
+
+    /// Why `text` cannot be a name here; `None` if it can.
+    pub(super) fn reserved(&self, text: &str) -> Option<Word> {
+        words::reserved(text).filter(|word| !(self.keywords_are_names && *word == Word::Rust))
     }
 
     pub(super) fn peek(&self) -> Option<&'a TokenKind> {
@@ -118,7 +137,7 @@ impl<'a> Parser<'a> {
     /// Takes a free name; `role` is what it would name.
     pub(super) fn name(&mut self, role: &str) -> Parsed<Name> {
         let name = self.label(role)?;
-        match reserved(&name.text) {
+        match self.reserved(&name.text) {
             None => Ok(name),
             Some(word) => Err(self.report(taken(&name, word))),
         }
@@ -139,7 +158,7 @@ impl<'a> Parser<'a> {
             return Err(self.unexpected(role, None));
         };
         let name = Name { text: text.clone(), span: self.span() };
-        match reserved(text) {
+        match self.reserved(text) {
             // The word begins the next item: a name is missing, not badly chosen.
             Some(Word::Item) if self.starts_item(self.position) => return Err(self.unexpected(role, None)),
             Some(word @ (Word::Item | Word::Rust)) => {
@@ -189,7 +208,7 @@ impl<'a> Parser<'a> {
     /// Whether the next token could be a factor of a product, which people write without `*`.
     pub(super) fn looks_like_factor(&self) -> bool {
         match self.peek() {
-            Some(TokenKind::Name(text)) => !matches!(reserved(text), Some(Word::Item | Word::Rust)),
+            Some(TokenKind::Name(text)) => !matches!(self.reserved(text), Some(Word::Item | Word::Rust)),
             Some(TokenKind::Number(_)) => true,
             Some(TokenKind::Symbol(symbol)) => matches!(symbol, Symbol::OpenParen | Symbol::At),
             _ => false,
@@ -204,6 +223,9 @@ fn taken(name: &Name, word: Word) -> Diagnostic {
         Word::Item => "a word of the language",
         Word::Function => "a function of the language",
     };
-    Diagnostic::new(name.span, format!("`{}` is {reason} and cannot be a name", name.text))
-        .with_help("names may not be Rust keywords or words of the language")
+    let help = match word {
+        Word::Rust => "names in macros may not be Rust keywords or words of the language",
+        Word::Item | Word::Function => "names may not be words of the language",
+    };
+    Diagnostic::new(name.span, format!("`{}` is {reason} and cannot be a name", name.text)).with_help(help)
 }

@@ -14,7 +14,7 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::syntax::ast::{Binary, Expr, ExprKind, Name};
 use crate::syntax::number;
 use crate::syntax::token::{Symbol, TokenKind};
-use crate::syntax::words::{Word, reserved};
+use crate::syntax::words::Word;
 
 /// An expression and the height of its tree, 1 for a leaf.
 pub(super) struct Tree {
@@ -141,7 +141,7 @@ impl Parser<'_> {
     /// Takes a name that stands for a value or a function.
     pub(super) fn reference(&mut self, text: &str) -> Parsed<Name> {
         let span = self.span();
-        match reserved(text) {
+        match self.reserved(text) {
             Some(Word::Item) => Err(self.unexpected("an expression", None)),
             Some(Word::Rust) => {
                 let help = format!("`{text}` is a Rust keyword and cannot be a name");

@@ -33,9 +33,18 @@ pub const MAXIMUM_NESTING: usize = 256;
 /// The most tokens one source may have.
 pub const MAXIMUM_TOKENS: usize = 1_000_000;
 
-/// Parses a whole file or macro body. `end` is the place just behind the last token, for what is missing there.
+/// Parses a whole file. `end` is the place just behind the last token, for what is missing there.
+pub fn parse_text(tokens: &[Token], end: Span) -> (ast::File, Vec<Diagnostic>) {
+    items(Parser::new(tokens, end).map(Parser::with_keywords_as_names))
+}
+
+/// Parses a whole macro body, in which Rust keywords are no names: what is generated carries the names as they stand.
 pub fn parse(tokens: &[Token], end: Span) -> (ast::File, Vec<Diagnostic>) {
-    match Parser::new(tokens, end) {
+    items(Parser::new(tokens, end))
+}
+
+fn items(parser: Result<Parser<'_>, Diagnostic>) -> (ast::File, Vec<Diagnostic>) {
+    match parser {
         Ok(mut parser) => {
             let file = parser.file();
             (file, parser.diagnostics)

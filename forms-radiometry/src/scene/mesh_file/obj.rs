@@ -2,17 +2,16 @@
 //! are read over, since a surface of a scene is flat between its edges and has one material.
 
 use super::words::{Word, extent, lines, words};
-use super::{Fault, Parts};
-use crate::geometry::{Mesh, Vector};
+use super::{Fault, MeshFile, Parts};
+use crate::geometry::Vector;
 use crate::scene::SceneError;
 use crate::scene::place::Source;
 use crate::scene::value::values;
 
-/// Statements that say nothing about the shape: texture coordinates, normals, names, and how the shape is shown.
-const WITHOUT_SHAPE: &[&str] =
-    &["vt", "vn", "o", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "lod"];
+/// Statements that say nothing about the shape: texture coordinates, names, and how the shape is shown.
+const WITHOUT_SHAPE: &[&str] = &["vt", "o", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "lod"];
 
-pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Mesh, Vec<SceneError>> {
+pub(super) fn read(file: &str, bytes: &[u8]) -> Result<MeshFile, Vec<SceneError>> {
     let text = String::from_utf8_lossy(bytes);
     let source = Source::new(file, text.strip_prefix('\u{feff}').unwrap_or(&text));
     let mut parts = Parts::default();
@@ -42,19 +41,26 @@ impl Parts {
                 self.faces.push(face);
                 self.face_places.push(extent(statement));
             }),
+            "vn" => {
+                self.has_normals = true;
+                Ok(())
+            }
             word if WITHOUT_SHAPE.contains(&word) => Ok(()),
             word => {
                 let message = format!("`{word}` is not a vertex or a face of a mesh");
                 Err(Fault::new(keyword.range.clone(), message, "a mesh of `v` and `f`"))
             }
         };
-        self.faults.extend(added.err());
+        if let Err(fault) = added {
+            self.fault(fault);
+        }
     }
 }
 
 /// `v x y z`, with a weight of one or a colour behind it.
 fn vertex(keyword: &Word, arguments: &[Word]) -> Result<Vector, Fault> {
-    let numbers: Vec<f64> = arguments.iter().map(Word::coordinate).collect::<Result<_, _>>()?;
+    let number = |(place, word): (usize, &Word)| if place < 3 { word.coordinate() } else { word.float() };
+    let numbers: Vec<f64> = arguments.iter().enumerate().map(number).collect::<Result<_, _>>()?;
     match numbers[..] {
         [x, y, z] | [x, y, z, 1.0] | [x, y, z, _, _, _] => Ok(Vector::new(x, y, z)),
         [_, _, _, _] => Err(Fault::new(arguments[3].range.clone(), "the vertex has a weight", "x y z")),

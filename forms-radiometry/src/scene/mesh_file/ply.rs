@@ -4,21 +4,21 @@
 use super::ply_header::{Element, Format, Header, Property};
 use super::ply_rows::{ByteRows, Rows, Stop, TextRows};
 use super::words::{coordinate, lines};
-use super::{Fault, Parts, told};
-use crate::geometry::{Mesh, Vector};
+use super::{Fault, MeshFile, Parts, told};
+use crate::geometry::Vector;
 use crate::scene::SceneError;
 use crate::scene::place::Source;
 
 const HEADER_END: &[u8] = b"\nend_header";
 
-pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Mesh, Vec<SceneError>> {
+pub(super) fn read(file: &str, bytes: &[u8]) -> Result<MeshFile, Vec<SceneError>> {
     let body = bytes.windows(HEADER_END.len()).position(|window| window == HEADER_END);
     let body = body.map_or(bytes.len(), |position| {
         let rest = &bytes[position + 1..];
         position + 1 + rest.iter().position(|&byte| byte == b'\n').map_or(rest.len(), |newline| newline + 1)
     });
     let head = Source::new(file, &String::from_utf8_lossy(&bytes[..body]));
-    let header = Header::read(&head.text).and_then(shape_of).map_err(|fault| told(&head, vec![fault]))?;
+    let header = Header::read(&head.text).and_then(shape_of).map_err(|fault| told(&head, vec![fault], 0))?;
     let mut parts = Parts::default();
     if header.format == Format::Ascii {
         let source = Source::new(file, &String::from_utf8_lossy(bytes));
@@ -60,10 +60,13 @@ fn is_corners(property: &Property) -> bool {
 
 impl Parts {
     fn read(&mut self, header: &Header, rows: &mut impl Rows) {
+        let is_normal = |property: &Property| matches!(&*property.name, "nx" | "ny" | "nz");
+        let mut vertices = header.elements.iter().filter(|element| element.name == "vertex");
+        self.has_normals = vertices.any(|element| element.properties.iter().any(is_normal));
         for element in &header.elements {
             for row in 0..element.rows {
                 if let Err(stop) = self.row(element, row, rows) {
-                    self.faults.push(stop.fault);
+                    self.fault(stop.fault);
                     if stop.for_good {
                         return;
                     }

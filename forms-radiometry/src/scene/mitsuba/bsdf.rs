@@ -150,7 +150,7 @@ fn one_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
             Law::Null
         }
         _ => {
-            reader.unknown(&object, &KINDS);
+            reader.unknown(&mut object, &KINDS);
             Law::Wrong
         }
     }

@@ -35,7 +35,7 @@ impl<'a> Reader<'a, '_, '_> {
                 None
             }
             _ => {
-                self.unknown(&object, &["point", "directional", "constant"]);
+                self.unknown(&mut object, &["point", "directional", "constant"]);
                 return;
             }
         };

@@ -25,7 +25,7 @@ impl<'a> Reader<'a, '_, '_> {
     pub(super) fn integrator(&mut self, node: Node<'a>) {
         let mut object = self.object(node);
         if !KINDS.contains(&&*object.kind) {
-            self.unknown(&object, &KINDS);
+            self.unknown(&mut object, &KINDS);
             return;
         }
         if self.integrator.is_some() {

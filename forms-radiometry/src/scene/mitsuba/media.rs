@@ -3,7 +3,7 @@
 use super::object::unique;
 use super::{Node, Reader};
 use crate::scene::model::Medium;
-use crate::scene::value::{FRACTION, MEAN_COSINE, NOT_NEGATIVE};
+use crate::scene::value::{COEFFICIENT, FRACTION, MEAN_COSINE, NOT_NEGATIVE};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -56,7 +56,7 @@ impl<'a> Reader<'a, '_, '_> {
         let name = self.name(&object, "medium", count);
         let nothing = vec![0.0; self.bands];
         if object.kind != "homogeneous" {
-            self.unknown(&object, &["homogeneous"]);
+            self.unknown(&mut object, &["homogeneous"]);
             return Coefficients {
                 name,
                 absorption: nothing.clone(),
@@ -73,6 +73,13 @@ impl<'a> Reader<'a, '_, '_> {
         let asymmetry = object.take_tag("phase").map_or(0.0, |phase| self.phase(phase));
         object.ignore(&["sample_emitters"]);
         self.finish(object, &["albedo", "sigma_t", "scale", "phase"]);
+        let is_in_range = |&value: &f64| {
+            (COEFFICIENT.contains)(value * scale)
+                && albedo.iter().all(|albedo| (COEFFICIENT.contains)(albedo * value * scale))
+        };
+        if !extinction.iter().all(is_in_range) {
+            self.error(node, "the coefficients of this medium are out of range", COEFFICIENT.expected);
+        }
         let product = |share: fn(f64) -> f64| {
             albedo.iter().zip(&extinction).map(|(&albedo, sigma)| share(albedo) * sigma * scale).collect()
         };
@@ -98,7 +105,7 @@ impl<'a> Reader<'a, '_, '_> {
                 g
             }
             _ => {
-                self.unknown(&object, &["isotropic", "hg"]);
+                self.unknown(&mut object, &["isotropic", "hg"]);
                 0.0
             }
         }

@@ -14,12 +14,15 @@ pub(super) struct Object<'a> {
     /// Its type.
     pub(super) kind: String,
     left: Vec<Node<'a>>,
+    /// The names of the properties that were looked for.
+    asked: Vec<String>,
 }
 
 impl<'a> Object<'a> {
     /// Takes the property of this name.
     pub(super) fn take(&mut self, name: &str) -> Option<Node<'a>> {
         let is_it = |node: &Node<'a>| node.attribute("name") == Some(name);
+        self.asked.push(name.to_owned());
         self.left.iter().position(is_it).map(|place| self.left.remove(place))
     }
 
@@ -56,32 +59,44 @@ impl<'a> Reader<'a, '_, '_> {
             self.error(node, format!("this {} has no `type`", node.tag_name().name()), "type=\"…\"");
         }
         let left = self.elements(node);
-        Object { node, kind, left }
+        Object { node, kind, left, asked: Vec::new() }
     }
 
-    /// Reports what is left of an object. `known` is all that could have been there.
+    /// Reports what is left of an object. `known` is all that could have been there; what was not looked for, since the
+    /// object is in error, says nothing new.
     pub(super) fn finish(&mut self, object: Object<'a>, known: &[&str]) {
-        let whole = described(object.node, &object.kind);
-        for node in object.left {
+        let Object { node, kind, left, asked } = object;
+        let whole = described(node, &kind);
+        let is_asked = |name: &str| asked.iter().any(|asked| asked == name);
+        let is_in_error = !self.report.is_empty();
+        for node in left {
             let Some(node) = self.resolved(node) else { continue };
             let tag = node.tag_name().name();
             if let Some(name) = node.attribute("name").filter(|name| known.contains(name)) {
-                self.error(node, format!("`{name}` is said twice of {whole}"), "one of them");
-                continue;
+                if is_asked(name) {
+                    self.error(node, format!("`{name}` is said twice of {whole}"), "one of them");
+                    continue;
+                }
+                if is_in_error {
+                    continue;
+                }
             }
             let found = match (node.attribute("name"), node.attribute("type")) {
                 (Some(name), _) => format!("`{tag}` named `{name}`"),
                 (None, Some(kind)) => format!("`{tag}` of type `{kind}`"),
                 (None, None) => format!("`{tag}`"),
             };
-            self.error(node, format!("{found} cannot be said of {whole}"), one_of(known.iter().copied()));
+            let own_name = node.attribute("name").unwrap_or_default();
+            let others = known.iter().copied().filter(|known| *known != own_name);
+            self.error(node, format!("{found} cannot be said of {whole}"), one_of(others));
         }
     }
 
-    /// Reports a type that is not known.
-    pub(super) fn unknown(&mut self, object: &Object<'a>, known: &[&str]) {
+    /// Reports a type that is not known. Nothing can be said of what is in such an object.
+    pub(super) fn unknown(&mut self, object: &mut Object<'a>, known: &[&str]) {
+        object.left.clear();
         let place = object.node.attribute_node("type").map_or(object.node.range(), |kind| kind.range_value());
-        let message = format!("{} cannot be said", described(object.node, &object.kind));
+        let message = format!("{} is not supported", described(object.node, &object.kind));
         self.report.error(place, message, one_of(known.iter().copied()));
     }
 

@@ -15,7 +15,7 @@ impl<'a> Reader<'a, '_, '_> {
     pub(super) fn sensor(&mut self, node: Node<'a>) {
         let mut object = self.object(node);
         if object.kind != "perspective" {
-            self.unknown(&object, &["perspective"]);
+            self.unknown(&mut object, &["perspective"]);
             return;
         }
         let count = self.receivers.len();
@@ -77,7 +77,7 @@ impl<'a> Reader<'a, '_, '_> {
         let Some(node) = object.take_tag("film") else { return Some([768, 576]) };
         let mut film = self.object(node);
         if film.kind != "hdrfilm" {
-            self.unknown(&film, &["hdrfilm"]);
+            self.unknown(&mut film, &["hdrfilm"]);
             return None;
         }
         let width = self.float(&mut film, "width", 768.0, &PIXELS);
@@ -92,7 +92,7 @@ impl<'a> Reader<'a, '_, '_> {
     pub(super) fn irradiance_meter(&mut self, node: Node<'a>, surface: usize, shape: &str) {
         let mut object = self.object(node);
         if object.kind != "irradiancemeter" {
-            self.unknown(&object, &["irradiancemeter"]);
+            self.unknown(&mut object, &["irradiancemeter"]);
             return;
         }
         let name = self.name(&object, &format!("irradiance of {shape}"), 0);

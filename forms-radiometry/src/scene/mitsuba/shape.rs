@@ -6,11 +6,15 @@ use super::object::Object;
 use super::transform::Transform;
 use super::{Node, Reader};
 use crate::geometry::{Disk, Mesh, MeshError, Polygon, Sphere, Vector};
+use crate::scene::mesh_file::MeshFile;
 use crate::scene::model::{MaterialKind, Shape, Surface};
 use crate::scene::value::{LENGTH, NOT_NEGATIVE};
 use std::sync::Arc;
 
 const KINDS: [&str; 6] = ["rectangle", "cube", "sphere", "disk", "obj", "ply"];
+/// Normals that are off by no more than rounding differ by a sine of no more than this.
+const SAME_NORMAL: f64 = 1e-6;
+
 const PARTS: [&str; 8] =
     ["to_world", "flip_normals", "bsdf", "emitter", "sensor", "medium", "filename", "face_normals"];
 
@@ -157,10 +161,6 @@ impl<'a> Reader<'a, '_, '_> {
             self.error(node, format!("this shape of type `{}` has no `filename`", object.kind), "a string");
             return None;
         };
-        if !has_flat_faces {
-            let message = format!("`{name}` would be shaded with normals that vary over its faces");
-            self.error(node, message, "<boolean name=\"face_normals\" value=\"true\"/>");
-        }
         if !name.to_lowercase().ends_with(&format!(".{}", object.kind)) {
             self.report.error(
                 place,
@@ -169,7 +169,11 @@ impl<'a> Reader<'a, '_, '_> {
             );
             return None;
         }
-        let mesh = self.files.mesh(self.report, place, &name)?;
+        let MeshFile { mesh, has_normals } = self.files.file(self.report, place, &name)?;
+        if !has_flat_faces && (has_normals || !is_flat_at_vertices(&mesh)) {
+            let message = format!("`{name}` would be shaded with normals that vary over its faces");
+            self.error(node, message, "<boolean name=\"face_normals\" value=\"true\"/>");
+        }
         if *to_world == Transform::IDENTITY && !flipped {
             return Some(Shape::Mesh(mesh));
         }
@@ -207,13 +211,25 @@ impl<'a> Reader<'a, '_, '_> {
     fn area_emitter(&mut self, node: Node<'a>) -> Vec<f64> {
         let mut object = self.object(node);
         if object.kind != "area" {
-            self.unknown(&object, &["area"]);
+            self.unknown(&mut object, &["area"]);
             return vec![0.0; self.bands];
         }
         let radiance = self.required_colour(&mut object, "radiance", &NOT_NEGATIVE);
         self.finish(object, &["radiance"]);
         radiance
     }
+}
+
+/// Whether the faces about each vertex have one normal, which is then that of the vertex too.
+fn is_flat_at_vertices(mesh: &Mesh) -> bool {
+    let mut normals: Vec<Option<Vector>> = vec![None; mesh.vertices().len()];
+    mesh.faces().zip(mesh.polygons()).all(|(face, polygon)| {
+        let normal = polygon.normal();
+        face.iter().all(|&vertex| {
+            let known = *normals[vertex as usize].get_or_insert(normal);
+            known.dot(normal) > 0.0 && known.cross(normal).length() <= SAME_NORMAL
+        })
+    })
 }
 
 /// The cube [−1, 1]³, seen from outside.

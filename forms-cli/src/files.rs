@@ -1,0 +1,155 @@
+//! Files that are written: whole or not at all, and by one run at a time.
+//!
+//! ```text
+//! content ─▶ FILE.new ─▶ FILE        what cannot be written whole leaves the old file, and no new one
+//! FILE.lock                          held while a run works with FILE
+//! ```
+
+use std::ffi::OsString;
+use std::fs::{self, File, TryLockError};
+use std::io::{self, BufWriter, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+/// Writes a file so that at any moment there is the old one or the new one, whole. A device or a pipe is written to as it
+/// is.
+pub(crate) fn replace(
+    path: &Path,
+    content: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+) -> io::Result<()> {
+    // a link stays one
+    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    if fs::metadata(&path).is_ok_and(|known| !known.is_file() && !known.is_dir()) {
+        return written(File::options().write(true).open(&path)?, content);
+    }
+    let new = beside(&path, ".new");
+    let result = File::create(&new)
+        .and_then(|file| {
+            written(file.try_clone()?, content)?;
+            file.sync_all()
+        })
+        .and_then(|()| fs::rename(&new, &path));
+    if result.is_err() {
+        let _ = fs::remove_file(&new);
+    }
+    result
+}
+
+fn written(file: File, content: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>) -> io::Result<()> {
+    let mut output = BufWriter::new(file);
+    content(&mut output)?;
+    output.flush()
+}
+
+/// Whether there can be a file here, which is found out before hours of work.
+pub(crate) fn check_writable(path: &Path) -> io::Result<()> {
+    if path.is_dir() {
+        return Err(io::Error::other("it is a folder"));
+    }
+    let new = beside(path, ".new");
+    File::create(&new)?;
+    fs::remove_file(new)
+}
+
+/// Why a file cannot be read or written, in words.
+pub(crate) fn reason(error: &io::Error) -> String {
+    match error.kind() {
+        ErrorKind::StorageFull => "the disk is full".to_owned(),
+        ErrorKind::QuotaExceeded => "the quota of disk space is used up".to_owned(),
+        _ => error.to_string(),
+    }
+}
+
+fn beside(path: &Path, ending: &str) -> PathBuf {
+    let mut name: OsString = path.as_os_str().to_owned();
+    name.push(ending);
+    PathBuf::from(name)
+}
+
+/// What keeps other runs from a file while this one works with it. It ends with the process, however that ends.
+pub(crate) struct Lock {
+    /// The file that is locked; none where the file system has no locks.
+    file: Option<File>,
+    path: PathBuf,
+}
+
+impl Lock {
+    /// Takes the lock of a file; nothing if another run has it.
+    pub(crate) fn of(path: &Path) -> io::Result<Option<Lock>> {
+        let lock = beside(&fs::canonicalize(path).unwrap_or_else(|_| path.to_owned()), ".lock");
+        loop {
+            let file = File::options().create(true).append(true).open(&lock)?;
+            match file.try_lock() {
+                // the run that had it may have removed the file in between
+                Ok(()) if is_at(&file, &lock) => return Ok(Some(Lock { file: Some(file), path: lock })),
+                Ok(()) => {}
+                Err(TryLockError::WouldBlock) => return Ok(None),
+                Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => {
+                    return Ok(Some(Lock { file: None, path: lock }));
+                }
+                Err(TryLockError::Error(error)) => return Err(error),
+            }
+        }
+    }
+}
+
+impl Drop for Lock {
+    fn drop(&mut self) {
+        // removed before it is given back, so that nobody else has it by then
+        let _ = fs::remove_file(&self.path);
+        drop(self.file.take());
+    }
+}
+
+/// Whether an open file is still the one of this name.
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let identity = |known: fs::Metadata| (known.dev(), known.ino());
+    match (file.metadata(), fs::metadata(path)) {
+        (Ok(open), Ok(named)) => identity(open) == identity(named),
+        _ => false,
+    }
+}
+
+/// Open files cannot be removed here.
+#[cfg(not(unix))]
+fn is_at(_: &File, _: &Path) -> bool {
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_that_cannot_be_written_whole_stays_as_it_was() {
+        let folder = std::env::temp_dir().join(format!("forms-files-{}", std::process::id()));
+        fs::create_dir_all(&folder).expect("a folder");
+        let path = folder.join("a.txt");
+        replace(&path, |output| output.write_all(b"old")).expect("written");
+        let full = replace(&path, |output| {
+            output.write_all(b"half of the new")?;
+            Err(ErrorKind::StorageFull.into())
+        });
+        assert_eq!(reason(&full.expect_err("refused")), "the disk is full");
+        assert_eq!(fs::read(&path).expect("it is there"), b"old");
+        assert_eq!(fs::read_dir(&folder).expect("the folder").count(), 1);
+        fs::remove_dir_all(folder).expect("removed");
+    }
+
+    #[test]
+    fn a_lock_is_had_once_and_leaves_nothing() {
+        let folder = std::env::temp_dir().join(format!("forms-locks-{}", std::process::id()));
+        fs::create_dir_all(&folder).expect("a folder");
+        let path = folder.join("state");
+        let lock = Lock::of(&path).expect("a lock").expect("it is free");
+        assert!(Lock::of(&path).expect("a lock").is_none());
+        drop(lock);
+        assert!(Lock::of(&path).expect("a lock").is_some());
+        assert_eq!(fs::read_dir(&folder).expect("the folder").count(), 0);
+        // what a run that was killed left behind keeps nobody out
+        fs::write(folder.join("state.lock"), "").expect("a file");
+        assert!(Lock::of(&path).expect("a lock").is_some());
+        fs::remove_dir_all(folder).expect("removed");
+    }
+}

@@ -1,0 +1,165 @@
+//! Every name that the language takes is a kernel and an argument on every target: the reserved words and standard names
+//! of all targets, names of generated code, and random ones are emitted together, and compilers are the judges.
+
+use crate::formula::Formulas;
+use crate::targets::{accepted, compiles, folder, validated};
+use forms_core::expression::Expr;
+use forms_core::kernel::{KernelDocs, Precision, Program, Source, Target, emit};
+use forms_core::syntax::ast::Relation;
+use forms_core::syntax::words::{Word, reserved};
+use std::collections::BTreeSet;
+
+/// The lists that emission goes by, and more that it does not have.
+const LISTS: [&str; 6] = [
+    include_str!("../../src/kernel/emit/names/c.txt"),
+    include_str!("../../src/kernel/emit/names/c_library.txt"),
+    include_str!("../../src/kernel/emit/names/cuda.txt"),
+    include_str!("../../src/kernel/emit/names/rust.txt"),
+    include_str!("../../src/kernel/emit/names/wgsl.txt"),
+    "as break const continue crate dyn else enum extern false for impl in loop match mod move mut ref return static struct trait \
+     true type unsafe use while async await abstract become box do final gen macro override priv try typeof unsized virtual \
+     yield union auto raw safe macro_rules self Self super _ __ ___ _x __x x_ x__ x__y _X _Bool _Complex __FILE__ __LINE__ \
+     __cplusplus __linux__ __host__ __device__ __global__ __restrict__ __int128 forms_multiply_add forms_power forms_nan \
+     forms_difference_of_products forms_ forms k_ k_forms_power k__x t t0 t1 t2 tt0 x0 x1 k0 k1 s value values result inside \
+     from to outputs outputs_ Formula T MATH PI E I J NaN nan inf Inf INFINITY f f32 f64 f128 i32 u8 usize str String Vec Box \
+     Option Some None Ok Err Result std core alloc forms_math math main Main printf isnan fmaf fma double float int half \
+     float4 threadIdx NULL M_PI M_PI_2 M_SQRT2 fn_ let_ type_ printf_ double_ Some_ self_ match_ r r_match raw_match",
+];
+
+/// SplitMix64.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, bound: usize) -> usize {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) % bound.max(1) as u64) as usize
+    }
+}
+
+/// Every name, once, in an order of its own.
+fn names() -> Vec<String> {
+    let lines = LISTS.iter().flat_map(|list| list.lines()).filter(|line| !line.starts_with('#'));
+    let mut names: BTreeSet<String> = lines.flat_map(str::split_whitespace).map(str::to_string).collect();
+    let mut random = Random(1);
+    let known: Vec<String> = names.iter().cloned().collect();
+    for _ in 0..500 {
+        let mut name = known[random.below(known.len())].clone();
+        match random.below(4) {
+            0 => name.push('_'),
+            1 => name.insert(0, '_'),
+            2 => name = name.to_uppercase(),
+            _ => name.push((b'0' + random.below(10) as u8) as char),
+        }
+        names.insert(name);
+    }
+    let is_free = |name: &String| matches!(reserved(name), None | Some(Word::Rust));
+    let mut names: Vec<String> = names.into_iter().filter(is_free).collect();
+    for place in (1..names.len()).rev() {
+        names.swap(place, random.below(place + 1));
+    }
+    names
+}
+
+/// Kernels with these names, whose arguments have them too: functions, powers, branches, domains, one result or several.
+fn programs(names: &[String]) -> Vec<Program> {
+    let at = |place: usize| names[place % names.len()].as_str();
+    let program = |place: usize| {
+        let mut formulas =
+            Formulas::over(&[at(place), at(place + 1), at(place + 2), at(place + 3)].join(" "));
+        for (number, part) in ["q0", "q1", "q2"].into_iter().enumerate() {
+            let symbol = formulas.arguments[number];
+            let value = formulas.pool.symbol(symbol);
+            formulas.name(part, value);
+        }
+        let mut parse = |text: &str| formulas.parse(text);
+        let first = parse("if q0 < q1 { sin(q0)*q2 + q1 } else { exp(q1)*cos(q2) + q0**(1/3) }");
+        let second = parse("q0*q1 - q2*(q1 + 3) + sqrt(q1)/(q0 + atan2(q1, q2)**2)");
+        let (zero, q1): (Expr, Expr) = (parse("0"), parse("q1"));
+        let outputs = if place % 3 == 0 { vec![first, second] } else { vec![first] };
+        let domain = if place % 2 == 0 { vec![(q1, Relation::Greater, zero)] } else { Vec::new() };
+        let written = formulas.named(at(place)).program_where(&outputs, &domain);
+        if place % 5 == 0 { written.optimise().compensate() } else { written.optimise() }
+    };
+    (0..names.len()).map(program).collect()
+}
+
+fn source(programs: &[Program], target: Target, precision: Precision) -> String {
+    let source =
+        |program: &Program| Source { program: program.clone(), docs: KernelDocs::default(), within: None };
+    let sources: Vec<Source> = programs.iter().map(source).collect();
+    emit(&sources, target, precision).expect("every kernel can be said")
+}
+
+/// The names of a part of the whole, so that each compilation is short; all of them with `FORMS_FUZZ`.
+fn some_names(divisor: usize) -> Vec<String> {
+    let names = names();
+    assert!(names.len() > 3_000, "{} names", names.len());
+    let is_long = std::env::var_os("FORMS_FUZZ").is_some();
+    // what people would call a quantity, and what is known to have gone wrong, is always among them
+    let fixed = LISTS[0].lines().chain(LISTS[2].lines()).chain(LISTS[3].lines()).chain(LISTS[5].lines());
+    let fixed: BTreeSet<&str> = fixed.flat_map(str::split_whitespace).collect();
+    let kept =
+        |(place, name): &(usize, &String)| is_long || place % divisor == 0 || fixed.contains(name.as_str());
+    names.iter().enumerate().filter(kept).map(|(_, name)| name.clone()).collect()
+}
+
+#[test]
+fn every_name_compiles_in_c() {
+    if !compiles("gcc", "kernel::names::every_name_compiles_in_c") {
+        return;
+    }
+    let programs = programs(&some_names(3));
+    for precision in [Precision::F64, Precision::F32] {
+        let file = folder().join(format!("names_{}.c", precision.name()));
+        std::fs::write(&file, source(&programs, Target::C, precision)).expect("a file in the build's folder");
+        accepted("gcc", &["-std=c11", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"], &file);
+        accepted("gcc", &["-std=gnu17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"], &file);
+    }
+}
+
+#[test]
+fn every_name_compiles_in_cuda_as_cpp() {
+    if !compiles("g++", "kernel::names::every_name_compiles_in_cuda_as_cpp") {
+        return;
+    }
+    let programs = programs(&some_names(6));
+    let text = source(&programs, Target::Cuda, Precision::F64);
+    let file = folder().join("names.cu");
+    let device = "struct dim3 { unsigned x, y, z; };\nextern dim3 threadIdx, blockIdx, blockDim, gridDim;\n\
+                  struct float4 { float x, y, z, w; };\nstruct half { unsigned short bits; };\n";
+    let text = format!("#include <cstdio>\n#define __host__\n#define __device__\n{device}{text}");
+    std::fs::write(&file, text).expect("a file in the build's folder");
+    accepted("g++", &["-x", "c++", "-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"], &file);
+}
+
+#[test]
+fn every_name_is_valid_in_wgsl() {
+    for part in programs(&some_names(3)).chunks(400) {
+        validated(&source(part, Target::Wgsl, Precision::F32));
+    }
+}
+
+#[test]
+fn every_name_compiles_in_rust() {
+    let programs = programs(&some_names(6));
+    let text = source(&programs, Target::Rust, Precision::F64);
+    let file = folder().join("names.rs");
+    std::fs::write(&file, text).expect("a file in the build's folder");
+    let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_string());
+    let metadata = folder().join("names.rmeta").to_string_lossy().into_owned();
+    let strict = ["--edition", "2024", "--crate-type", "lib", "-D", "warnings", "--emit", "metadata", "-o"];
+    accepted(&rustc, &[&strict[..], &[&metadata]].concat(), &file);
+}
+
+#[test]
+fn what_is_renamed_is_said_and_the_rest_keeps_its_name() {
+    let names = ["printf", "forms_multiply_add", "length", "radius"].map(str::to_string);
+    let programs = programs(&names);
+    let text = source(&programs[..1], Target::C, Precision::F64);
+    let said = "// `printf` is `printf_` here, `forms_multiply_add` is `k_forms_multiply_add` here, as the names are taken in C.";
+    assert!(text.contains(said), "{text}");
+    assert!(text.contains("double radius"), "{text}");
+}
