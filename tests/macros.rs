@@ -251,3 +251,14 @@ fn what_an_effect_takes_is_not_in_the_code_of_a_kernel_without_it() {
     assert_eq!(effects::normal_reflectance::Effects::NONE.operations(), 0);
     assert_eq!(effects::normal_reflectance::with(effects::normal_reflectance::Effects::NONE)(1.5, 1.5), 0.0);
 }
+
+#[test]
+fn a_promise_is_kept_at_every_size_or_an_error() {
+    for x in [1e-320, 1e-300, 1e-155, 1e-150, 1e-8, 0.5] {
+        let value = radiometry::versine_ratio(x);
+        let expected = 0.5 - x * x / 24.0 + x.powi(4) / 720.0 - x.powi(6) / 40320.0;
+        assert!((value - expected).abs() < 1e-8, "{x:e}: {value:e}");
+        assert_eq!(radiometry::versine_ratio::checked(x), Ok(value));
+    }
+    assert!(radiometry::versine_ratio::checked(-1.0).expect("no error outside the domain").is_nan());
+}

@@ -167,7 +167,7 @@ struct Shares;
 impl Formula<1, 1> for Shares {
     fn value<T: Real>([x]: [T; 1]) -> [T; 1] {
         let pi = Number::new([std::f64::consts::FRAC_1_PI, -1.967_867_667_518_248_6e-17], &[1], &[1], -1);
-        let third = Number::new([1.0 / 3.0, 1.850_371_707_708_594_2e-17], &[1], &[3], 0);
+        let third = Number::new([1.0 / 3.0, 1.850_371_707_708_594e-17], &[1], &[3], 0);
         let one = T::from_f64(1.0);
         // the difference of what is left of 1 + x/π and 1 + x/3, x far below the digits of 1
         let left = |number: Number<'_>| (one + x * T::number(number)) - one;
