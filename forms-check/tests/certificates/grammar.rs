@@ -304,7 +304,7 @@ impl Forger<'_> {
     /// A point with values at the edge of the domain, and two values of the sides.
     fn point(&mut self) -> Vec<String> {
         let mut lines = Vec::new();
-        for part in self.parts.to_vec() {
+        for part in self.parts {
             if part.len() == 1 && self.random.below(8) > 0 {
                 let value = self.number();
                 lines.push(format!("at {part} = {value}"));
