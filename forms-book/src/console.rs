@@ -178,7 +178,12 @@ fn without_times(line: &str) -> String {
             }
         }
     }
-    kept + rest
+    kept += rest;
+    // a column of times is as wide as its longest
+    if let Some(heads) = kept.strip_suffix(" time") {
+        kept = format!("{} time", heads.trim_end_matches(' '));
+    }
+    kept
 }
 
 #[cfg(test)]
