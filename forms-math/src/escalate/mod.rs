@@ -63,8 +63,8 @@ impl std::error::Error for NotWithin {}
 /// 2⁻¹⁰²², and infinite beyond the largest `f64`.
 ///
 /// Rounding to `f64` takes up to 2⁻⁵³ of that: with `within` below 1 there are values that no `f64` is near enough to. On the
-/// boundary of two roundings, where no precision tells which is nearer, the error may be 2⁻²⁸ of a unit more. NaN where a formula is not
-/// defined, and where no precision bounds the error well enough: [`escalate_checked`] tells these apart.
+/// boundary of two roundings, where no precision tells which is nearer, the error may be 2⁻²⁸ of a unit more. NaN where
+/// a formula is not defined, and where no precision bounds the error well enough: [`escalate_checked`] tells these apart.
 ///
 /// ```
 /// use forms_math::{Formula, Real, escalate};
