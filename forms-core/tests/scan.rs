@@ -1,5 +1,5 @@
 //! The scan: at points from simple numbers and powers of ten, where strata lie, no kernel is without a value that its
-//! formula has, neither as it is written nor by its stable form.
+//! formula has, as it is computed: by its stable form, chosen beforehand where a file of forms lies next to it.
 //!
 //! The judge is exact: enclosures of the formula at the arguments as they are. It is asked only where a program gives
 //! NaN. `FORMS_SCAN` says how many points each kernel is looked at.
@@ -9,6 +9,7 @@ use forms_core::check::read_theory;
 use forms_core::compile::compile_kernel;
 use forms_core::expression::{Expr, Node, Pool, Rational, Symbol};
 use forms_core::resolve::Kernel;
+use forms_core::stability::{Choices, EXTENSION};
 use std::path::{Path, PathBuf};
 
 /// Points of each kernel.
@@ -72,6 +73,9 @@ impl Scan {
             return;
         }
         let (mut theory, _) = read_theory(&text);
+        if let Ok(chosen) = std::fs::read_to_string(path.with_extension(EXTENSION)) {
+            Choices::read(&chosen).expect("a file of chosen forms").apply(&mut theory);
+        }
         for kernel in theory.kernels.clone() {
             // an integral in hundreds of bits takes seconds
             let is_integral = |part: &Expr| matches!(theory.pool.node(*part), Node::Jet { .. });
@@ -89,28 +93,23 @@ impl Scan {
             for _ in 0..count {
                 let point: Vec<f64> = kernel.arguments.iter().map(|_| random.number()).collect();
                 self.points += 1;
-                let tiers =
-                    [("plain", generated.written.interpret(&point)), ("stable", generated.values(&point))];
-                self.look(&theory.pool, &kernel, &point, &tiers, path);
+                self.look(&theory.pool, &kernel, &point, &generated.values(&point), path);
             }
         }
     }
 
-    fn look(&mut self, pool: &Pool, kernel: &Kernel, point: &[f64], tiers: &[(&str, Vec<f64>)], path: &Path) {
-        let is_nan = tiers.iter().any(|(_, values)| values.iter().any(|value| value.is_nan()));
-        self.numbers += usize::from(!is_nan);
-        if !is_nan {
+    fn look(&mut self, pool: &Pool, kernel: &Kernel, point: &[f64], values: &[f64], path: &Path) {
+        if !values.iter().any(|value| value.is_nan()) {
+            self.numbers += 1;
             return;
         }
         let exact = truth(pool, kernel, point, Format::Double);
         let mut lost = false;
-        for (tier, values) in tiers {
-            for (place, (value, exact)) in values.iter().zip(&exact).enumerate() {
-                if value.is_nan() && matches!(exact, Value::Known(_)) {
-                    lost = true;
-                    let file = path.file_name().unwrap_or_default().to_string_lossy();
-                    self.lost.push(format!("{file} {}[{place}] {tier} {point:?}: {exact:?}", kernel.name));
-                }
+        for (place, (value, exact)) in values.iter().zip(&exact).enumerate() {
+            if value.is_nan() && matches!(exact, Value::Known(_)) {
+                lost = true;
+                let file = path.file_name().unwrap_or_default().to_string_lossy();
+                self.lost.push(format!("{file} {}[{place}] {point:?}: {exact:?}", kernel.name));
             }
         }
         self.undefined += usize::from(!lost);

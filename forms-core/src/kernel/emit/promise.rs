@@ -101,11 +101,12 @@ fn assumption(precision: Precision) -> &'static str {
 /// The promises that these kernels do not keep in a target, each in a line.
 ///
 /// ```
-/// use forms_core::{check::read_theory, generation::generate, kernel::{KernelDocs, Precision, Source, Target}};
+/// use forms_core::{check::read_theory, compile::compile_kernel, kernel::{KernelDocs, Precision, Source, Target}};
 /// use forms_core::kernel::broken_promises;
 /// let (mut theory, _) = read_theory("kernel k(x) = (1 - cos(x))/x**2 within 2;");
-/// let program = generate(&mut theory.pool, &theory.kernels[0]).unwrap().optimised;
-/// let within = theory.kernels[0].within.clone();
+/// let kernel = theory.kernels[0].clone();
+/// let program = compile_kernel(&mut theory.pool, &kernel).unwrap().optimised;
+/// let within = kernel.within;
 /// let source = Source { program, docs: KernelDocs::default(), within };
 /// let lines = broken_promises(&[source], Target::C, Precision::F64);
 /// assert!(lines[0].starts_with("`k`: `within 2` is not kept here"));
