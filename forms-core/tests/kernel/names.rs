@@ -78,10 +78,10 @@ fn programs(names: &[String]) -> Vec<Program> {
         let first = parse("if q0 < q1 { sin(q0)*q2 + q1 } else { exp(q1)*cos(q2) + q0**(1/3) }");
         let second = parse("q0*q1 - q2*(q1 + 3) + sqrt(q1)/(q0 + atan2(q1, q2)**2)");
         let (zero, q1): (Expr, Expr) = (parse("0"), parse("q1"));
-        let outputs = if place % 3 == 0 { vec![first, second] } else { vec![first] };
-        let domain = if place % 2 == 0 { vec![(q1, Relation::Greater, zero)] } else { Vec::new() };
+        let outputs = if place.is_multiple_of(3) { vec![first, second] } else { vec![first] };
+        let domain = if place.is_multiple_of(2) { vec![(q1, Relation::Greater, zero)] } else { Vec::new() };
         let written = formulas.named(at(place)).program_where(&outputs, &domain);
-        if place % 5 == 0 { written.optimise().compensate() } else { written.optimise() }
+        if place.is_multiple_of(5) { written.optimise().compensate() } else { written.optimise() }
     };
     (0..names.len()).map(program).collect()
 }

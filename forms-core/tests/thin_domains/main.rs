@@ -73,7 +73,7 @@ fn judge(case: u64, statement: &Statement, seen: &[bool], tally: &mut Tally) {
     let written = theory.statements[0].clone();
     match decide(&mut theory, &written) {
         Verdict::Proved(_) if is_false => {
-            tally.wrong.push(format!("case {case}: proved and false: {statement}"))
+            tally.wrong.push(format!("case {case}: proved and false: {statement}"));
         }
         Verdict::Empty { reason } if !seen.is_empty() => {
             tally.wrong.push(format!("case {case}: it has points, in spite of \"{reason}\": {statement}"));

@@ -48,7 +48,7 @@ impl Files<'_> {
         match replace(&path, content) {
             Ok(()) => self.written.push(name.to_owned()),
             Err(error) => {
-                self.refused.push(format!("`{}` cannot be written: {}", path.display(), reason(&error)))
+                self.refused.push(format!("`{}` cannot be written: {}", path.display(), reason(&error)));
             }
         }
     }

@@ -28,8 +28,10 @@ pub(super) fn promise(source: &Source, within: &Rational, target: Target, precis
     let promise = match bounds {
         Ok(bounds) => {
             let arithmetic = arithmetic(target, precision);
-            let units = bounds.iter().map(|bound| bound.relative.map(|relative| relative / arithmetic.unit));
-            let worst = units.fold(Some(0.0), |worst: Option<f64>, units| Some(worst?.max(units?)));
+            let mut units =
+                bounds.iter().map(|bound| bound.relative.map(|relative| relative / arithmetic.unit));
+            let worst = units
+                .try_fold(0.0, |worst: f64, units| Some(worst.max(units.filter(|units| !units.is_nan())?)));
             match worst {
                 Some(units) if units <= nearest_f64(within).next_down() => Promise::ByBound(units),
                 Some(units) => Promise::NotKept(format!(
