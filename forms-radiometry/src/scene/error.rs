@@ -20,7 +20,7 @@ pub struct SceneError {
     pub message: String,
     /// What was expected there; may be empty.
     pub expected: String,
-    quoted: Excerpt,
+    quoted: Box<Excerpt>,
 }
 
 /// The most errors of one scene that are shown, its meshes included.
@@ -39,7 +39,7 @@ impl SceneError {
             column: located.column,
             message: cut(message.into()),
             expected: cut(expected.into()),
-            quoted: located.quoted,
+            quoted: Box::new(located.quoted),
         }
     }
 
@@ -58,7 +58,7 @@ impl fmt::Display for SceneError {
             let separator = if file.is_empty() { "" } else { ": " };
             write!(f, "{file}{separator}{message}")?;
         } else {
-            let Excerpt { text, indent, marked } = quoted;
+            let Excerpt { text, indent, marked } = quoted.as_ref();
             writeln!(f, "{file}:{line}:{column}: {message}")?;
             writeln!(f, "{margin} |")?;
             writeln!(f, "{}", format!("{number} | {text}").trim_end())?;
