@@ -135,10 +135,10 @@ impl Field {
             self.work = self.work.saturating_add(cost);
             let degree = usize::from(value.degree(None)) * times + usize::from(polynomial.degree(None));
             if self.work > MOST_WORK || degree > 255 {
-                return uncovered("so much work");
+                return uncovered("polynomials with more terms than the checker multiplies");
             }
             let Some(reduced) = polynomial.reduce(*generator, *order, value) else {
-                return uncovered("so much work");
+                return uncovered("polynomials with more terms than the checker multiplies");
             };
             polynomial = reduced;
         }
@@ -148,9 +148,11 @@ impl Field {
     pub(crate) fn product(&mut self, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, Stop> {
         self.work = self.work.saturating_add(a.0.len().saturating_mul(b.0.len()));
         if self.work > MOST_WORK || a.degree(None).saturating_add(b.degree(None)) > LARGEST_EXPONENT {
-            return uncovered("so much work");
+            return uncovered("polynomials with more terms than the checker multiplies");
         }
-        let Some(product) = a.multiply(b) else { return uncovered("so much work") };
+        let Some(product) = a.multiply(b) else {
+            return uncovered("polynomials with more terms than the checker multiplies");
+        };
         self.reduce(product)
     }
 
