@@ -308,7 +308,8 @@ fn instructions(text: &str) -> Result<Instructions, String> {
 
 /// A time of exposure.
 fn exposure(text: &str) -> Result<Exposure, String> {
-    let seconds: f64 = text.parse().map_err(|_| "expected a number of seconds above 0".to_owned())?;
+    let seconds: f64 =
+        text.parse().map_err(|_| "expected a number of seconds from 1e-30 to 1e30".to_owned())?;
     Exposure::new(seconds).map_err(|error| error.to_string())
 }
 

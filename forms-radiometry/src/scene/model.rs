@@ -208,6 +208,15 @@ pub struct Light {
     pub place: Place,
 }
 
+impl Light {
+    /// Whether it emits in some band.
+    pub fn emits(&self) -> bool {
+        let (LightKind::Point { intensity: emitted, .. } | LightKind::Distant { irradiance: emitted, .. }) =
+            &self.kind;
+        emitted.iter().any(|&value| value > 0.0)
+    }
+}
+
 /// Kinds of lights without extent.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LightKind {

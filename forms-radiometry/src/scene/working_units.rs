@@ -43,15 +43,18 @@ struct Lengths {
 }
 
 impl Scene {
-    /// The scene with lengths and lights about 1.
+    /// The scene with lengths and lights about 1, and without lights that emit nothing.
     pub(crate) fn in_working_units(&self) -> WorkingScene<'_> {
         let factor = Lengths::of(self).factor();
         let metres = self.unit.metres() / factor;
         let square_metres = metres * metres;
         let brightest = self.brightest(square_metres);
         let darker = scale::factor([brightest; 2]);
-        let has_points = self.lights.iter().any(|light| matches!(light.kind, LightKind::Point { .. }));
         let mut scene = Cow::Borrowed(self);
+        if !self.lights.iter().all(Light::emits) {
+            scene.to_mut().lights.retain(Light::emits);
+        }
+        let has_points = scene.lights.iter().any(|light| matches!(light.kind, LightKind::Point { .. }));
         if factor != 1.0 || (has_points && square_metres != 1.0) {
             scene.to_mut().scale(factor);
         }
