@@ -32,7 +32,7 @@ pub(crate) enum Command {
         /// Write what is needed to check each verdict
         #[arg(long, value_name = "FILE")]
         certificate: Option<String>,
-        /// So many times the work for each statement, of which about two seconds are usual
+        /// So many times the work for each statement, of which about a second is usual
         #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
         effort: u32,
     },

@@ -8,8 +8,8 @@
 
 use std::cell::Cell;
 
-/// The steps of a statement, or of an item that is resolved: about two seconds.
-pub(crate) const STATEMENT: u64 = 400_000_000;
+/// The steps of a statement, or of an item that is resolved: about a second.
+pub(crate) const STATEMENT: u64 = 100_000_000;
 
 /// No limit.
 const UNLIMITED: u64 = u64::MAX;
@@ -40,6 +40,11 @@ pub(crate) fn spend(steps: u64) -> bool {
     }
     LEFT.set(left.saturating_sub(steps));
     left > steps
+}
+
+/// Whether so many steps are left.
+pub(crate) fn are_left(steps: u64) -> bool {
+    LEFT.get() > steps
 }
 
 /// Whether all steps are spent.

@@ -73,7 +73,7 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
     decide_with_effort(theory, statement, 1)
 }
 
-/// Decides one statement with so many times the usual steps, which are about two seconds of work.
+/// Decides one statement with so many times the usual steps, which are about a second of work.
 pub fn decide_with_effort(theory: &mut Theory, statement: &Statement, effort: u32) -> Verdict {
     let granted = steps::STATEMENT.saturating_mul(effort.max(1).into());
     steps::limited(granted, || decide_within(theory, statement, effort.max(1)))

@@ -9,6 +9,7 @@ use crate::polynomial::Polynomial;
 use num_bigint::BigInt;
 use num_rational::Ratio;
 use num_traits::{One, Signed};
+use rustc_hash::FxHashMap;
 
 /// A numerator of more terms is not searched for factors.
 const LARGEST_FACTORED: usize = 60;
@@ -16,24 +17,12 @@ const LARGEST_FACTORED: usize = 60;
 impl Tower {
     /// The fraction as an expression: a number, factors of the numerator, factors of the denominator.
     pub fn raise(&self, pool: &mut Pool, fraction: &Fraction) -> Expr {
-        if fraction.is_zero() {
-            return pool.integer(0);
-        }
-        let (content, parts) = self.numerator_factors(&fraction.numerator);
-        let p = Rational::new(content, fraction.divisor.clone());
-        let negative = p.is_negative();
-        let p = p.abs();
-        let mut above: Vec<Expr> = parts.iter().map(|(part, n)| self.raise_power(pool, part, *n)).collect();
-        let mut below: Vec<Expr> = Vec::new();
-        for power in &fraction.factors {
-            let polynomial = self.factor_polynomial(power.factor);
-            let raised = self.raise_power(pool, polynomial, power.exponent.unsigned_abs());
-            if power.exponent < 0 { above.push(raised) } else { below.push(raised) }
-        }
-        let numerator = product(pool, p.numer(), &above);
-        let denominator = product(pool, p.denom(), &below);
-        let quotient = pool.divide(numerator, denominator);
-        if negative { pool.negate(quotient) } else { quotient }
+        Raising { tower: self, pool, generators: FxHashMap::default() }.fraction(fraction)
+    }
+
+    /// The angle or exponent that a generator is a function of.
+    pub fn raise_unit(&self, pool: &mut Pool, unit: &Unit) -> Expr {
+        self.raise(pool, &self.angle_of(unit))
     }
 
     fn numerator_factors(&self, numerator: &Polynomial) -> (BigInt, Vec<(Polynomial, u32)>) {
@@ -55,79 +44,128 @@ impl Tower {
         }
         numerator.square_free()
     }
+}
 
-    fn raise_power(&self, pool: &mut Pool, polynomial: &Polynomial, exponent: u32) -> Expr {
+/// The expressions of one tower. A generator is raised once: it may be part of many that stand on it.
+struct Raising<'a> {
+    tower: &'a Tower,
+    pool: &'a mut Pool,
+    /// What is known of each generator: of a root its radicand, of any other itself.
+    generators: FxHashMap<u32, Expr>,
+}
+
+impl Raising<'_> {
+    fn fraction(&mut self, fraction: &Fraction) -> Expr {
+        if fraction.is_zero() {
+            return self.pool.integer(0);
+        }
+        let (content, parts) = self.tower.numerator_factors(&fraction.numerator);
+        let p = Rational::new(content, fraction.divisor.clone());
+        let negative = p.is_negative();
+        let p = p.abs();
+        let mut above: Vec<Expr> = parts.iter().map(|(part, n)| self.power(part, *n)).collect();
+        let mut below: Vec<Expr> = Vec::new();
+        for power in &fraction.factors {
+            let polynomial = self.tower.factor_polynomial(power.factor);
+            let raised = self.power(polynomial, power.exponent.unsigned_abs());
+            if power.exponent < 0 { above.push(raised) } else { below.push(raised) }
+        }
+        let numerator = product(self.pool, p.numer(), &above);
+        let denominator = product(self.pool, p.denom(), &below);
+        let quotient = self.pool.divide(numerator, denominator);
+        if negative { self.pool.negate(quotient) } else { quotient }
+    }
+
+    fn power(&mut self, polynomial: &Polynomial, exponent: u32) -> Expr {
         if let [(variable, 1)] = polynomial.monomial_content().as_slice()
             && polynomial.term_count() == 1
             && polynomial.leading_coefficient().is_one()
         {
-            return self.raise_generator(pool, *variable, exponent);
+            return self.generator_power(*variable, exponent);
         }
-        let base = self.raise_polynomial(pool, polynomial);
-        pool.power(base, Ratio::from_integer(i64::from(exponent)))
+        let base = self.polynomial(polynomial);
+        self.pool.power(base, Ratio::from_integer(i64::from(exponent)))
     }
 
-    fn raise_polynomial(&self, pool: &mut Pool, polynomial: &Polynomial) -> Expr {
-        let mut sum = pool.integer(0);
+    fn polynomial(&mut self, polynomial: &Polynomial) -> Expr {
+        let mut sum = self.pool.integer(0);
         let mut terms: Vec<(Vec<(u32, u32)>, BigInt)> = polynomial.terms().collect();
         terms.sort_by_key(|(_, coefficient)| coefficient.is_negative());
         for (monomial, coefficient) in terms {
             let factors: Vec<Expr> =
-                monomial.iter().map(|&(variable, n)| self.raise_generator(pool, variable, n)).collect();
-            let magnitude = product(pool, &coefficient.abs(), &factors);
-            let term = if coefficient.is_negative() { pool.negate(magnitude) } else { magnitude };
-            sum = pool.add(sum, term);
+                monomial.iter().map(|&(variable, n)| self.generator_power(variable, n)).collect();
+            let magnitude = product(self.pool, &coefficient.abs(), &factors);
+            let term = if coefficient.is_negative() { self.pool.negate(magnitude) } else { magnitude };
+            sum = self.pool.add(sum, term);
         }
         sum
     }
 
-    fn raise_generator(&self, pool: &mut Pool, variable: u32, exponent: u32) -> Expr {
+    fn generator_power(&mut self, variable: u32, exponent: u32) -> Expr {
+        let tower = self.tower;
         let n = Ratio::from_integer(i64::from(exponent));
-        let base = match self.generator(variable).clone() {
-            Generator::Variable(symbol) => self.raise_real_variable(pool, symbol),
-            Generator::Pi => pool.pi(),
+        let order = match tower.generator(variable) {
+            Generator::Root { order, .. } => *order,
+            _ => 1,
+        };
+        let base = match self.generators.get(&variable) {
+            Some(&known) => known,
+            None => {
+                let base = self.generator_base(tower.generator(variable));
+                self.generators.insert(variable, base);
+                base
+            }
+        };
+        self.pool.power(base, n / Ratio::from_integer(i64::from(order)))
+    }
+
+    /// A generator, or the radicand of a root.
+    fn generator_base(&mut self, generator: &Generator) -> Expr {
+        match generator {
+            Generator::Variable(symbol) => self.real_variable(*symbol),
+            Generator::Pi => self.pool.pi(),
             Generator::Chord { sides, sine } => {
-                let (part, pi, two) = (pool.ratio(2, i64::from(sides)), pool.pi(), pool.integer(2));
+                let pool = &mut *self.pool;
+                let (part, pi, two) = (pool.ratio(2, i64::from(*sides)), pool.pi(), pool.integer(2));
                 let angle = pool.multiply(part, pi);
-                let half = pool.apply(if sine { Operation::Sin } else { Operation::Cos }, &[angle]);
+                let half = pool.apply(if *sine { Operation::Sin } else { Operation::Cos }, &[angle]);
                 pool.multiply(two, half)
             }
             Generator::Jet { function, orders, arguments } => {
-                let arguments: Vec<Expr> = arguments.iter().map(|a| self.raise(pool, a)).collect();
-                pool.jet(function, &orders, &arguments)
+                let arguments: Vec<Expr> = arguments.iter().map(|a| self.fraction(a)).collect();
+                self.pool.jet(*function, orders, &arguments)
             }
-            Generator::Cosine(unit) => self.raise_function(pool, Operation::Cos, &unit, 1),
-            Generator::Sine(unit) => self.raise_function(pool, Operation::Sin, &unit, 1),
-            Generator::HalfTangent(unit) => self.raise_function(pool, Operation::Tan, &unit, 2),
-            Generator::Exponential(unit) => self.raise_function(pool, Operation::Exp, &unit, 1),
-            Generator::Root { base, order, negated } => {
-                let polynomial = &self.bases[base].polynomial;
-                let radicand = if negated { polynomial.neg() } else { polynomial.clone() };
-                let radicand = self.raise_polynomial(pool, &radicand);
-                return pool.power(radicand, n / Ratio::from_integer(i64::from(order)));
+            Generator::Cosine(unit) => self.function(Operation::Cos, unit, 1),
+            Generator::Sine(unit) => self.function(Operation::Sin, unit, 1),
+            Generator::HalfTangent(unit) => self.function(Operation::Tan, unit, 2),
+            Generator::Exponential(unit) => self.function(Operation::Exp, unit, 1),
+            Generator::Root { base, negated, .. } => {
+                let polynomial = &self.tower.bases[*base].polynomial;
+                if *negated { self.polynomial(&polynomial.neg()) } else { self.polynomial(polynomial) }
             }
             Generator::Logarithm { base } => {
-                let Base { polynomial, sign, .. } = &self.bases[base];
+                let Base { polynomial, sign, .. } = &self.tower.bases[*base];
                 let argument = match sign {
-                    Some(Sign::Negative) => self.raise_polynomial(pool, &polynomial.neg()),
-                    _ => self.raise_polynomial(pool, polynomial),
+                    Some(Sign::Negative) => self.polynomial(&polynomial.neg()),
+                    _ => self.polynomial(polynomial),
                 };
                 let is_positive = sign.is_some() || polynomial.as_constant().is_some();
-                let magnitude = if is_positive { argument } else { pool.apply(Operation::Abs, &[argument]) };
-                pool.apply(Operation::Log, &[magnitude])
+                let magnitude =
+                    if is_positive { argument } else { self.pool.apply(Operation::Abs, &[argument]) };
+                self.pool.apply(Operation::Log, &[magnitude])
             }
             Generator::Opaque { operation, arguments } => {
-                let arguments: Vec<Expr> = arguments.iter().map(|a| self.raise(pool, a)).collect();
-                pool.apply(operation, &arguments)
+                let arguments: Vec<Expr> = arguments.iter().map(|a| self.fraction(a)).collect();
+                self.pool.apply(*operation, &arguments)
             }
-        };
-        pool.power(base, n)
+        }
     }
 
     /// s′ = s − Σ v f
-    fn raise_real_variable(&self, pool: &mut Pool, symbol: Symbol) -> Expr {
+    fn real_variable(&mut self, symbol: Symbol) -> Expr {
+        let pool = &mut *self.pool;
         let mut difference = pool.symbol(symbol);
-        for drift in self.drifts_of(symbol) {
+        for drift in self.tower.drifts_of(symbol) {
             let with = pool.symbol(drift.with);
             let speed = pool.integer(drift.speed);
             let part = pool.multiply(speed, with);
@@ -136,15 +174,10 @@ impl Tower {
         difference
     }
 
-    fn raise_function(&self, pool: &mut Pool, operation: Operation, unit: &Unit, halves: u32) -> Expr {
+    fn function(&mut self, operation: Operation, unit: &Unit, halves: u32) -> Expr {
         let unit = Unit { divisor: unit.divisor * halves, ..unit.clone() };
-        let argument = self.raise_unit(pool, &unit);
-        pool.apply(operation, &[argument])
-    }
-
-    /// The angle or exponent that a generator is a function of.
-    pub fn raise_unit(&self, pool: &mut Pool, unit: &Unit) -> Expr {
-        self.raise(pool, &self.angle_of(unit))
+        let argument = self.fraction(&self.tower.angle_of(&unit));
+        self.pool.apply(operation, &[argument])
     }
 }
 

@@ -377,7 +377,9 @@ impl Tower {
         Self::check_exponent(a.exponent_bound().saturating_add(b.exponent_bound()))?;
         let terms = (a.term_count() as u64).saturating_mul(b.term_count() as u64);
         let words = a.coefficient_words().saturating_mul(b.coefficient_words());
-        self.spend(terms.saturating_mul(words))
+        self.count(terms.saturating_mul(words))?;
+        // the product spends them itself
+        if steps::are_left(a.steps_of_product(b)) { Ok(()) } else { Err(steps_are_spent()) }
     }
 
     /// Counts the work of trying to divide by the factors below the line, before it is done.
@@ -388,21 +390,21 @@ impl Tower {
     ) -> Result<(), Obstacle> {
         let tried = factors.iter().filter(|power| power.exponent > 0).count();
         let terms = (numerator.term_count() as u64).saturating_sub(SMALL_NUMERATOR);
-        self.spend(terms.saturating_mul(tried as u64).saturating_mul(DIVISION_COST))
+        let work = terms.saturating_mul(tried as u64).saturating_mul(DIVISION_COST);
+        self.count(work)?;
+        if steps::spend(work) { Ok(()) } else { Err(steps_are_spent()) }
     }
 
-    fn spend(&mut self, work: u64) -> Result<(), Obstacle> {
+    fn count(&mut self, work: u64) -> Result<(), Obstacle> {
         self.work = self.work.saturating_add(work);
-        if self.work > self.work_limit {
-            return Err(self.work_is_spent());
-        }
-        if !steps::spend(work) {
-            return Err(Obstacle::TooLarge("it takes more steps than one statement is granted".into()));
-        }
-        Ok(())
+        if self.work > self.work_limit { Err(self.work_is_spent()) } else { Ok(()) }
     }
 
     fn work_is_spent(&self) -> Obstacle {
         Obstacle::TooLarge(format!("it takes more than {} products of terms", self.work_limit))
     }
+}
+
+fn steps_are_spent() -> Obstacle {
+    Obstacle::TooLarge("it takes more steps than one statement is granted".into())
 }

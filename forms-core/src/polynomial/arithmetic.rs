@@ -3,9 +3,13 @@
 use super::Polynomial;
 use super::coefficient::{Coefficient, Coefficients, Rung, on_rung};
 use super::monomial::{Layout, compare};
+use crate::steps;
 use num_bigint::BigInt;
 use num_traits::{One, ToPrimitive, Zero};
 use std::cmp::Ordering;
+
+/// The steps of one term of a sum, its memory included.
+const STEPS_OF_TERM: u64 = 4;
 
 impl Polynomial {
     /// f + g
@@ -88,6 +92,7 @@ fn merge<C: Coefficient>(
 ) -> Polynomial {
     let words = layout.words;
     let ((f, a), (g, b)) = (left, right);
+    steps::spend(STEPS_OF_TERM * (a.len() + b.len()) as u64);
     let mut monomials = Vec::with_capacity(f.len() + g.len());
     let mut coefficients: Vec<C> = Vec::with_capacity(a.len() + b.len());
     let signed = |number: &C| if subtract { number.negated() } else { number.clone() };

@@ -259,6 +259,14 @@ impl Coefficients {
         }
     }
 
+    /// The number of 64-bit words, at least one for each coefficient.
+    pub(super) fn word_count(&self) -> u64 {
+        match self {
+            Coefficients::Big(numbers) => numbers.iter().map(|number| number.bits() / 64 + 1).sum(),
+            _ => self.len() as u64,
+        }
+    }
+
     pub(super) fn rung(&self) -> Rung {
         match self {
             Coefficients::Small(_) => Rung::Small,

@@ -16,8 +16,8 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
 
-/// Steps of a division for each term of what is divided.
-const STEPS_OF_TERM: u64 = 8;
+/// Steps of a division for each term, or each word of the coefficients, of what is divided.
+const STEPS_OF_WORD: u64 = 8;
 
 /// How a division on one rung ended.
 pub(super) enum Outcome {
@@ -54,7 +54,7 @@ impl Polynomial {
         if !self.may_be_divisible_by(divisor) {
             return None;
         }
-        steps::spend(STEPS_OF_TERM * self.term_count() as u64);
+        steps::spend(STEPS_OF_WORD * self.word_count());
         let mut rung = self.coefficients.rung().max(divisor.coefficients.rung());
         loop {
             match on_rung!(rung, C => self.divide_on_rung::<C>(divisor)) {

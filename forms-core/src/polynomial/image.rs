@@ -4,8 +4,8 @@
 use super::{Polynomial, modular};
 use crate::steps;
 
-/// Steps of taking one term to its image.
-const STEPS_OF_TERM: u64 = 16;
+/// Steps of taking a term, or one word of a long coefficient, to its image.
+const STEPS_OF_WORD: u64 = 16;
 
 /// A polynomial in one variable modulo p, from the constant term, without leading zeros.
 pub(super) type Image = Vec<u64>;
@@ -21,7 +21,7 @@ pub(super) fn coordinate(variable: u64) -> u64 {
 impl Polynomial {
     /// The image in one variable where every other variable v has the value `value(v)`.
     pub(super) fn image(&self, variable: u32, value: impl Fn(u32) -> u64) -> Image {
-        steps::spend(STEPS_OF_TERM * self.term_count() as u64);
+        steps::spend(STEPS_OF_WORD * self.word_count());
         let mut image = Vec::new();
         for term in 0..self.term_count() {
             let monomial = self.monomial(term);

@@ -126,6 +126,11 @@ impl Polynomial {
         self.coefficients.len()
     }
 
+    /// The number of 64-bit words of its coefficients, at least one for each term.
+    pub(crate) fn word_count(&self) -> u64 {
+        self.coefficients.word_count()
+    }
+
     /// The coefficient of the leading term; 0 for 0.
     pub fn leading_coefficient(&self) -> BigInt {
         if self.is_zero() { BigInt::zero() } else { self.coefficients.get(0) }

@@ -2,10 +2,15 @@
 
 use super::Polynomial;
 use super::coefficient::{Coefficient, Coefficients, Rung, on_rung};
+use crate::steps;
 use num_bigint::BigInt;
 use num_integer::Integer;
+use num_traits::{One, Signed};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
+
+/// The steps of a common divisor for each pair of words of the two numbers.
+const STEPS_OF_GCD: u64 = 16;
 
 impl Polynomial {
     /// ∂f/∂x
@@ -50,7 +55,20 @@ impl Polynomial {
         }
         let mut content = BigInt::ZERO;
         for coefficient in BigInt::view(&self.coefficients).iter() {
-            content = content.gcd(coefficient);
+            steps::spend(
+                STEPS_OF_GCD
+                    .saturating_mul(content.bits() / 64 + 1)
+                    .saturating_mul(coefficient.bits() / 64 + 1),
+            );
+            // the remainder first: a gcd of numbers of unequal lengths takes as many steps as the longer has bits
+            content = if content == BigInt::ZERO {
+                coefficient.abs()
+            } else {
+                content.gcd(&(coefficient % &content))
+            };
+            if content.is_one() {
+                break;
+            }
         }
         content
     }

@@ -285,19 +285,15 @@ impl<C: Coefficient> Images<C> {
     /// Adds the products whose high parts sum to `high`; answers whether there are any.
     fn add_block(&self, block: &mut [C], high: usize) -> bool {
         let mut touched = false;
-        let groups = &self.right.groups;
-        let mut partner = groups.len();
-        for a in &self.left.groups {
-            while partner > 0 && groups[partner - 1].high + a.high > high {
-                partner -= 1;
-            }
-            if partner == 0 {
-                break;
-            }
-            let b = &groups[partner - 1];
-            if a.high + b.high == high {
-                touched = true;
+        let (left, right) = (&self.left.groups, &self.right.groups);
+        // The partners of the fewer groups are looked up: a factor of two terms has two groups, and the other one thousands.
+        let from_left = left.len() <= right.len();
+        let (few, many) = if from_left { (left, right) } else { (right, left) };
+        for group in few.iter().take_while(|group| group.high <= high) {
+            if let Ok(partner) = many.binary_search_by_key(&(high - group.high), |group| group.high) {
+                let (a, b) = if from_left { (group, &many[partner]) } else { (&many[partner], group) };
                 self.add_groups(block, a, b);
+                touched = true;
             }
         }
         touched

@@ -22,10 +22,16 @@ pub(super) use rest::Rest;
 use super::Polynomial;
 use super::coefficient::{Coefficient, Norms, Rung, on_rung};
 use super::monomial::{Layout, compare};
+use crate::steps;
 use keyed::Fields;
 use reach::Reach;
 use std::borrow::Cow;
 use std::cmp::Ordering;
+
+/// Two numbers of so many words together have a product that needs no allocation.
+const MOST_WORDS_IN_PLACE: u64 = 2;
+/// The steps of a product that needs one, with its place in the sum.
+const STEPS_OF_ALLOCATION: u64 = 12;
 
 /// One sₖ aₖ bₖ as callers give it.
 type Term<'a> = (i64, &'a Polynomial, &'a Polynomial);
@@ -105,11 +111,23 @@ impl Polynomial {
         pairs.min(size)
     }
 
+    /// The steps of f·g: one for each pair of terms, and where numbers have to be allocated one for each pair of their
+    /// words besides.
+    pub(crate) fn steps_of_product(&self, other: &Self) -> u64 {
+        let pairs = (self.term_count() as u64).saturating_mul(other.term_count() as u64);
+        let (words, other_words) = (self.coefficient_words(), other.coefficient_words());
+        if words + other_words <= MOST_WORDS_IN_PLACE {
+            return pairs;
+        }
+        pairs.saturating_mul(words.saturating_mul(other_words).saturating_add(STEPS_OF_ALLOCATION))
+    }
+
     /// Σ sₖ aₖ bₖ, collected in one accumulator.
     ///
     /// # Panics
     /// If an exponent of a product is beyond 2³¹ − 1.
     pub fn sum_of_products(terms: &[(i64, &Polynomial, &Polynomial)]) -> Self {
+        spend_on(terms);
         let reach = Reach::of(terms);
         on_rung!(product_rung(terms), C => accumulate::<C>(&reach, terms))
     }
@@ -120,6 +138,7 @@ impl Polynomial {
     /// # Panics
     /// If an exponent of a product is beyond 2³¹ − 1.
     pub fn sum_of_products_is_zero(terms: &[(i64, &Polynomial, &Polynomial)]) -> bool {
+        spend_on(terms);
         let reach = Reach::of(terms);
         let layout = reach.layout;
         on_rung!(product_rung(terms), C => {
@@ -132,6 +151,11 @@ impl Polynomial {
                 }
         })
     }
+}
+
+/// Spends the steps of a sum of products.
+fn spend_on(terms: &[Term]) {
+    steps::spend(terms.iter().map(|(_, a, b)| a.steps_of_product(b)).fold(0, u64::saturating_add));
 }
 
 fn pairs<'a, C: Coefficient>(terms: &[Term<'a>], layout: Layout) -> Vec<Pair<'a, C>> {
