@@ -40,6 +40,7 @@ mod strata;
 mod terms;
 mod tower;
 mod univariate;
+mod work;
 
 pub(crate) use arc::is_arc;
 pub(crate) use chord::chord_bounds;
@@ -52,6 +53,6 @@ pub use normalise::{Normalised, normalise};
 pub(crate) use root::prime_powers;
 pub use root::{Base, Sign, SignConstraint};
 pub use terms::{Term, Terms};
-pub(crate) use tower::WORK_LIMIT;
 pub use tower::{Obstacle, Tower, Trigonometry};
 pub(crate) use univariate::{RationalFunction, Univariate};
+pub(crate) use work::WORK_LIMIT;
