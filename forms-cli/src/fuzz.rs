@@ -7,7 +7,8 @@
 //!       └─ rows
 //! ```
 //! `FORMS_FUZZ=1000000` runs that many of each command, valid and damaged. Memory is bounded by the system, and a case that
-//! takes longer than [`LONGEST`] is reported and ends the run; what a case may take is counted in steps elsewhere.
+//! takes longer than [`LONGEST`] is reported and ends the run; what a case may take is counted in steps elsewhere. The slowest
+//! case of each command is named at its end.
 
 mod damage;
 mod scene;
@@ -195,7 +196,8 @@ fn watch(threads: Vec<Watched>, is_done: Arc<AtomicU64>) {
     }
 }
 
-fn run_case(case: &Case, watched: &Watched) {
+/// Runs a case; the time it took.
+fn run_case(case: &Case, watched: &Watched) -> Duration {
     for (path, bytes) in &case.files {
         std::fs::write(path, bytes).expect("a file");
     }
@@ -212,7 +214,8 @@ fn run_case(case: &Case, watched: &Watched) {
     let arguments =
         Arguments::try_parse_from(std::iter::once("forms".to_string()).chain(case.arguments.clone()));
     let arguments = arguments.expect("the command line is right");
-    *watched.lock().expect("a case") = Some((Instant::now(), shown()));
+    let start = Instant::now();
+    *watched.lock().expect("a case") = Some((start, shown()));
     let mut output = Vec::new();
     let run = || run_with_input(&arguments, &case.input[..], &mut output);
     let result = catch_unwind(AssertUnwindSafe(run));
@@ -222,6 +225,7 @@ fn run_case(case: &Case, watched: &Watched) {
         Ok(Err(error)) => panic!("{error}: {}", shown()),
         Err(_) => panic!("the command panics:\n{}", shown()),
     }
+    start.elapsed()
 }
 
 /// Runs a command on valid and damaged cases, on all processors.
@@ -241,20 +245,25 @@ fn survives(make: Maker) {
         .map(|thread| {
             let watched = Arc::clone(&watched[thread as usize]);
             let work = move || {
+                let mut slowest = (Duration::ZERO, 0);
                 for case in (first + thread..first + wanted).step_by(threads as usize) {
                     for is_damaged in [false, true] {
                         let mut random = Random(2 * case + u64::from(is_damaged));
-                        run_case(&make(&mut random, is_damaged), &watched);
+                        slowest = slowest.max((run_case(&make(&mut random, is_damaged), &watched), case));
                     }
                 }
+                slowest
             };
             std::thread::Builder::new().stack_size(crate::STACK_BYTES).spawn(work).expect("a thread")
         })
         .collect();
-    let results: Vec<_> = works.into_iter().map(std::thread::JoinHandle::join).collect();
+    let results: Result<Vec<_>, _> = works.into_iter().map(std::thread::JoinHandle::join).collect();
     is_done.store(1, Ordering::Relaxed);
     watcher.join().expect("the watcher ends");
-    assert!(results.iter().all(Result::is_ok), "a case ended the command");
+    let slowest = results.expect("no case ends the command").into_iter().max();
+    if let Some((time, case)) = slowest {
+        println!("the slowest of {wanted} cases took {time:.1?}: FORMS_FUZZ_FROM={case} FORMS_FUZZ=1");
+    }
 }
 
 macro_rules! each {

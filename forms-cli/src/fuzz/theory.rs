@@ -175,7 +175,8 @@ impl Theory {
     }
 
     fn statement(&mut self, number: usize, random: &mut Random) {
-        let depth = 1 + random.below(3);
+        // now and then deep, where functions of functions cost most
+        let depth = if random.one_in(8) { 4 + random.below(3) } else { 1 + random.below(3) };
         let equation = match random.below(7) {
             0 => format!("{} == {}", self.scalar(depth, random), self.scalar(depth, random)),
             1 => {

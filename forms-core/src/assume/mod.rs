@@ -10,6 +10,7 @@
 
 mod arc;
 mod contradiction;
+mod dense;
 mod facts;
 mod half_turn;
 mod linear;
@@ -21,6 +22,7 @@ mod sign;
 mod strata;
 
 pub(crate) use contradiction::Contradiction;
+pub(crate) use dense::is_not_zero_densely;
 pub(crate) use facts::Facts;
 pub(crate) use open::is_open;
 pub(crate) use range::Range;

@@ -46,7 +46,7 @@ pub(crate) use sample::simple_bounds;
 pub use separation::{Separated, separated};
 pub use verdict::{Theorem, Verdict, Witness};
 
-use crate::assume::{is_open, vanishes};
+use crate::assume::{is_not_zero_densely, is_open, vanishes};
 use crate::certificate::Observer;
 use crate::expression::{Condition, Expr, Pool};
 use crate::normal::{Tower, Trigonometry};
@@ -84,10 +84,14 @@ fn decide_within(theory: &mut Theory, statement: &Statement, effort: u32) -> Ver
         return Verdict::Unknown { reason };
     }
     let problem = Problem::new(theory, statement);
-    if let Some(reason) = narrowed(theory, &problem) {
+    let found = finding::find(&mut theory.pool, &problem, Effort::STATEMENT.times(effort));
+    // At a point of a refutation the value that is known holds.
+    if !matches!(found, Finding::Different(_) | Finding::Unknown { .. })
+        && let Some(reason) = narrowed(theory, &problem)
+    {
         return Verdict::Unknown { reason };
     }
-    match finding::find(&mut theory.pool, &problem, Effort::STATEMENT.times(effort)) {
+    match found {
         Finding::Equal { points: 0 } => Verdict::Unknown {
             reason: "no point was found at which both sides are defined and every condition holds".into(),
         },
@@ -105,8 +109,8 @@ fn decide_within(theory: &mut Theory, statement: &Statement, effort: u32) -> Ver
 /// points that are limits of no others.
 ///
 /// A condition that follows from the others takes no point away. Any other is one of a theorem, as for an integral of
-/// cos(k x) the k ≠ 0, if the points that meet the rest form an open set: those left are dense in it, and both sides are
-/// continuous.
+/// cos(k x) the k ≠ 0, if the points that meet the rest form an open set, in which k is zero nowhere dense: those left are
+/// dense in it, and both sides are continuous.
 fn narrowed(theory: &mut Theory, problem: &Problem) -> Option<String> {
     let stated = &problem.assumptions[..problem.stated];
     let is_narrowing =
@@ -117,11 +121,24 @@ fn narrowed(theory: &mut Theory, problem: &Problem) -> Option<String> {
     let others: Vec<Condition> = others.into_iter().copied().collect();
     let pool = &mut theory.pool;
     let sides: Vec<Expr> = problem.components.iter().flat_map(|c| [c.left, c.right]).collect();
-    if narrowing.is_empty() || is_open(pool, &others, &sides) {
+    if narrowing.is_empty() {
         return None;
     }
-    let open = narrowing.into_iter().find(|condition| !is_implied(pool, condition, &others))?;
+    let has_limits = is_open(pool, &others, &sides);
+    // A condition that is not defined everywhere may contain the integral itself, with what it divides by.
+    let plain: Vec<Condition> =
+        stated.iter().copied().filter(|c| is_defined_without_divisors(pool, c)).collect();
+    let open = narrowing.into_iter().find(|condition| {
+        let difference = pool.subtract(condition.left, condition.right);
+        !(has_limits && is_not_zero_densely(pool, difference)) && !is_implied(pool, condition, &plain)
+    })?;
     Some(format!("an integral in it is known where `{}` only", open.text(pool)))
+}
+
+/// Whether a condition is defined whatever divisors are.
+fn is_defined_without_divisors(pool: &mut Pool, condition: &Condition) -> bool {
+    let domain = pool.domain(&[condition.left, condition.right]);
+    domain.iter().all(|needed| needed.relation != Relation::NotEqual)
 }
 
 /// Whether a ≠ b follows from other conditions: from one of them with the same difference up to its sign, or since a = b

@@ -213,9 +213,13 @@ pub(super) fn mapped(pool: &mut Pool, problem: &Problem, image: impl Fn(&mut Poo
     Problem { components, identical, assumptions, stated: problem.stated }
 }
 
-/// s and v where e = 0 says s = v: e is linear in s, with a slope that is a number and not zero.
+/// s and v where e = 0 says s = v: e is linear in s as it is written, with a slope that is a number and not zero. A
+/// derivative alone says too little: that of atan(tan s) is 1, and it is zero at all multiples of π.
 pub(super) fn solved(pool: &mut Pool, equation: Expr) -> Option<(Symbol, Expr)> {
     for symbol in pool.symbols_in(&[equation]) {
+        if !is_linear(pool, equation, symbol) {
+            continue;
+        }
         let slope = pool.derivative(equation, symbol);
         let slope = simplified(pool, slope);
         if !enclose_number(pool, slope, PRECISION)
@@ -230,4 +234,23 @@ pub(super) fn solved(pool: &mut Pool, equation: Expr) -> Option<(Symbol, Expr)> 
         return Some((symbol, simplified(pool, value)));
     }
     None
+}
+
+/// Whether an expression is a sum of multiples of a symbol by others and of what does without it.
+fn is_linear(pool: &Pool, expression: Expr, symbol: Symbol) -> bool {
+    if !pool.symbols_in(&[expression]).contains(&symbol) {
+        return true;
+    }
+    match *pool.node(expression) {
+        Node::Symbol(_) => true,
+        Node::Negate(a) => is_linear(pool, a, symbol),
+        Node::Add(a, b) => is_linear(pool, a, symbol) && is_linear(pool, b, symbol),
+        Node::Multiply(a, b) => {
+            let (in_a, in_b) =
+                (pool.symbols_in(&[a]).contains(&symbol), pool.symbols_in(&[b]).contains(&symbol));
+            !(in_a && in_b) && is_linear(pool, a, symbol) && is_linear(pool, b, symbol)
+        }
+        Node::Divide(a, b) => !pool.symbols_in(&[b]).contains(&symbol) && is_linear(pool, a, symbol),
+        _ => false,
+    }
 }

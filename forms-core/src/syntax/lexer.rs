@@ -194,14 +194,15 @@ impl<'a> Lexer<'a> {
         let rest = self.rest();
         let first = rest.chars().next().expect("the lexer stops at the end of the text");
         let is_unknown = |(at, c): &(usize, char)| !begins_something(*c, &rest[*at..]);
-        let run = rest.char_indices().take_while(is_unknown).map(|(_, c)| c.len_utf8()).sum();
-        let length = quotation(rest, first).unwrap_or(run);
+        // The run is looked at where it is taken only: many quoted texts in a row are one run from each of them.
+        let run = || rest.char_indices().take_while(is_unknown).map(|(_, c)| c.len_utf8()).sum();
+        let length = quotation(rest, first).unwrap_or_else(run);
         let shown = if first.is_control() || first.is_whitespace() || is_invisible(first) {
             format!("U+{:04X}", u32::from(first))
         } else {
             format!("`{first}`")
         };
-        self.reject(length, format!("unexpected character {shown}"), replacement(&rest[..run], first));
+        self.reject(length, format!("unexpected character {shown}"), replacement(&rest[..length], first));
     }
 }
 

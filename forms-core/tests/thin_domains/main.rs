@@ -89,6 +89,15 @@ const FALSE: &[&str] = &[
     "abs(y) + integral(cos(k*x), x = 0..1) == integral(cos(k*x), x = 0..1) - y where k**2*y <= 0",
     "integral(cos(k*x), x = 0..1) == 2 where k**2 <= 0",
     "integral(exp(k*x), x = 0..1) + abs(y) == integral(exp(k*x), x = 0..1) - y where abs(k)*y <= 0",
+    // what is divided by is zero in half of the space
+    "integral(cos((abs(k) - k)*x), x = 0..1)*(k + abs(k)) == 0",
+    "abs(k) + integral(exp((abs(k) - k)*x), x = 0..1) == integral(exp((abs(k) - k)*x), x = 0..1) - k",
+    "integral(x**(abs(k) - k - 1), x = 1..2)*(k + abs(k)) == 0",
+    "integral(cos((sqrt(k**2) - k)*x), x = 0..1)*(k + abs(k)) == 0",
+    "integral(x*sin((abs(k) + k)*x) + 1, x = 0..1)*(k - abs(k)) == 0",
+    "abs(k) == -k where integral(cos((abs(k) - k)*x), x = 0..1) <= 5",
+    "k == 1 where integral(cos(k*x), x = 0..1)**2 >= 1, k**2 <= 1, integral(sin(k*x), x = 0..1) >= k/2",
+    "integral(exp((asin(sin(k)) - k)*x), x = 0..1)*(abs(cos(k)) + cos(k)) == 0 where 0 < k, k < pi",
 ];
 
 #[test]

@@ -1,7 +1,7 @@
 //! Random statements under conditions that vanish on strata.
 
-use crate::tree::{Angle, Point, Tree};
-use Tree::{Cos, Number, Plain, Sin};
+use crate::tree::{Angle, Fold, Point, Tree};
+use Tree::{Cos, Excess, Folded, Mean, Number, Plain, Sin, Turns};
 use num_rational::Ratio;
 
 /// left ≤ right
@@ -54,7 +54,9 @@ impl Dice {
     fn distance(&mut self) -> Tree {
         let angle = self.angle();
         let wave = if self.below(2) == 0 { Cos(angle) } else { Sin(angle) };
-        match self.below(12) {
+        match self.below(14) {
+            12 => self.folded().squared(),
+            13 => self.folded().abs(),
             0..3 => Number(1).plus(wave),
             3..5 => Number(1).minus(wave),
             5 => Number(1).minus(wave.squared()),
@@ -66,6 +68,26 @@ impl Dice {
             _ => {
                 let linear = self.linear();
                 linear.clone().exp().plus(linear.negated().exp()).minus(Number(2))
+            }
+        }
+    }
+
+    /// An angle without its turns, or the turns.
+    fn folded(&mut self) -> Tree {
+        let fold = self.among(&[Fold::Acos, Fold::Asin, Fold::Atan, Fold::Atan2]);
+        let angle = self.angle();
+        if self.below(3) == 0 { Excess(fold, angle) } else { Folded(fold, angle) }
+    }
+
+    /// What is zero on a stratum, or on half of the space.
+    fn parameter(&mut self) -> Tree {
+        match self.below(4) {
+            0 => self.distance(),
+            1 => self.folded(),
+            2 => self.linear(),
+            _ => {
+                let e = self.signed();
+                e.clone().abs().minus(e)
             }
         }
     }
@@ -85,10 +107,11 @@ impl Dice {
     /// An expression with a sign that matters.
     fn signed(&mut self) -> Tree {
         let angle = self.angle();
-        match self.below(6) {
+        match self.below(7) {
             0..3 => self.linear(),
             3 => Cos(angle),
             4 => Sin(angle),
+            5 => Turns(angle),
             _ => self.linear().times(Cos(angle)),
         }
     }
@@ -101,8 +124,15 @@ impl Dice {
     fn sides(&mut self, e: &Tree) -> (Tree, Tree) {
         let p = self.positive();
         let signed = if self.below(3) == 0 { e.clone() } else { e.clone().negated() };
-        match self.below(6) {
+        match self.below(7) {
             0 => (self.magnitude(e), signed),
+            6 => {
+                let mean = Mean(Box::new(self.parameter()));
+                match self.below(2) {
+                    0 => (mean.clone().times(self.magnitude(e)), mean.times(signed)),
+                    _ => (mean.clone().plus(self.magnitude(e)), mean.plus(signed)),
+                }
+            }
             1 | 2 => (self.magnitude(e).times(p.clone()), signed.times(p.abs())),
             3 => {
                 let distance = self.distance();
@@ -174,7 +204,7 @@ impl Dice {
 
 impl Statement {
     pub(crate) fn source(&self) -> String {
-        format!("chart C(x, z, y, w); prove it: {self};")
+        format!("chart C(x, z, y, w); chart S(s); prove it: {self};")
     }
 
     /// Whether the sides differ at a point; nothing where that, or whether the statement speaks of it, is not certain.

@@ -2,6 +2,7 @@
 
 use crate::value::Value;
 use num_rational::Ratio;
+use num_traits::Signed;
 
 /// A point: x/π, z/π, y and w.
 pub(crate) type Point = [Ratio<i64>; 4];
@@ -14,6 +15,34 @@ pub(crate) struct Angle {
     pub(crate) over: i64,
 }
 
+/// An inverse function of a function of an angle, which is the angle without its turns.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Fold {
+    Acos,
+    Asin,
+    Atan,
+    Atan2,
+}
+
+impl Fold {
+    /// What is left of so many half turns; nothing where the tangent is not defined.
+    fn of(self, turns: Ratio<i64>) -> Option<Ratio<i64>> {
+        let two = Ratio::from_integer(2);
+        let within = turns - ((turns + 1) / two).ceil() * two + two;
+        let quarter = Ratio::new(1, 2);
+        let to_quarter = |turns: Ratio<i64>| turns - (turns + quarter).floor();
+        Some(match self {
+            Fold::Atan2 => within,
+            Fold::Acos => within.abs(),
+            Fold::Asin if within > quarter => Ratio::from_integer(1) - within,
+            Fold::Asin if within < -quarter => -Ratio::from_integer(1) - within,
+            Fold::Asin => within,
+            Fold::Atan if to_quarter(turns) == -quarter => return None,
+            Fold::Atan => to_quarter(turns),
+        })
+    }
+}
+
 #[derive(Clone, Debug)]
 pub(crate) enum Tree {
     Number(i64),
@@ -21,6 +50,13 @@ pub(crate) enum Tree {
     Plain(usize),
     Cos(Angle),
     Sin(Angle),
+    /// The angle itself.
+    Turns(Angle),
+    Folded(Fold, Angle),
+    /// What folding takes away.
+    Excess(Fold, Angle),
+    /// ∫₀¹ cos(n s) ds
+    Mean(Box<Tree>),
     Add(Box<Tree>, Box<Tree>),
     Multiply(Box<Tree>, Box<Tree>),
     Negate(Box<Tree>),
@@ -29,7 +65,7 @@ pub(crate) enum Tree {
     Exp(Box<Tree>),
 }
 
-use Tree::{Abs, Add, Cos, Exp, Multiply, Negate, Number, Plain, Sin, Sqrt};
+use Tree::{Abs, Add, Cos, Excess, Exp, Folded, Mean, Multiply, Negate, Number, Plain, Sin, Sqrt, Turns};
 
 impl Tree {
     pub(crate) fn plus(self, other: Tree) -> Tree {
@@ -71,6 +107,10 @@ impl Tree {
             Plain(place) => Value::fraction(*point[2 + place].numer(), *point[2 + place].denom()),
             Cos(angle) => Value::cosine_of_turns(angle.turns(point)),
             Sin(angle) => Value::sine_of_turns(angle.turns(point)),
+            Turns(angle) => Value::turns(angle.turns(point)),
+            Folded(fold, angle) => Value::turns(fold.of(angle.turns(point))?),
+            Excess(fold, angle) => Value::turns(fold.of(angle.turns(point))? - angle.turns(point)),
+            Mean(n) => n.at(point)?.mean_of_wave()?,
             Add(a, b) => a.at(point)?.add(b.at(point)?),
             Multiply(a, b) => a.at(point)?.multiply(b.at(point)?),
             Negate(a) => a.at(point)?.negate(),
@@ -88,6 +128,17 @@ impl Angle {
     }
 }
 
+impl Fold {
+    fn write(self, f: &mut std::fmt::Formatter<'_>, angle: &Angle) -> std::fmt::Result {
+        match self {
+            Fold::Acos => write!(f, "acos(cos({angle}))"),
+            Fold::Asin => write!(f, "asin(sin({angle}))"),
+            Fold::Atan => write!(f, "atan(tan({angle}))"),
+            Fold::Atan2 => write!(f, "atan2(sin({angle}), cos({angle}))"),
+        }
+    }
+}
+
 impl std::fmt::Display for Angle {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "({}*x + {}*z)/{}", self.of_x, self.of_z, self.over)
@@ -102,6 +153,14 @@ impl std::fmt::Display for Tree {
             Plain(place) => write!(f, "{}", ["y", "w"][*place]),
             Cos(angle) => write!(f, "cos({angle})"),
             Sin(angle) => write!(f, "sin({angle})"),
+            Turns(angle) => write!(f, "({angle})"),
+            Folded(fold, angle) => fold.write(f, angle),
+            Excess(fold, angle) => {
+                write!(f, "(")?;
+                fold.write(f, angle)?;
+                write!(f, " - ({angle}))")
+            }
+            Mean(n) => write!(f, "integral(cos({n}*s), s = 0..1)"),
             Add(a, b) => write!(f, "({a} + {b})"),
             Multiply(a, b) => write!(f, "{a}*{b}"),
             Negate(a) => write!(f, "(-{a})"),

@@ -91,6 +91,22 @@ impl Value {
         found.map_or(Value::near(near), |&(_, (p, q))| Value::fraction(p, q))
     }
 
+    /// A multiple of π, exact for 0.
+    pub(crate) fn turns(turns: Fraction) -> Self {
+        if turns.is_zero() {
+            return Value::fraction(0, 1);
+        }
+        Value::near(*turns.numer() as f64 / *turns.denom() as f64 * std::f64::consts::PI)
+    }
+
+    /// sin(n)/n, and 1 for n = 0; nothing where n may be 0.
+    pub(crate) fn mean_of_wave(self) -> Option<Self> {
+        if self.is_exactly_zero() {
+            return Some(Value::fraction(1, 1));
+        }
+        (self.near.abs() > CERTAIN).then(|| Value::near(self.near.sin() / self.near))
+    }
+
     /// The sine of a multiple of π.
     pub(crate) fn sine_of_turns(turns: Fraction) -> Self {
         Value::cosine_of_turns(turns - Fraction::new(1, 2))
