@@ -33,6 +33,9 @@ pub(crate) struct Reader {
     pub(crate) depth: usize,
 }
 
+/// Characters that end a line, and with it a comment, somewhere.
+const LINE_ENDS: [char; 7] = ['\n', '\r', '\u{b}', '\u{c}', '\u{85}', '\u{2028}', '\u{2029}'];
+
 impl Reader {
     pub(crate) fn new(text: &str) -> Result<Self, Stop> {
         let mut tokens = Vec::new();
@@ -40,7 +43,7 @@ impl Reader {
         while let Some(first) = rest.chars().next() {
             let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
             let length = match first {
-                '/' if rest.starts_with("//") => rest.find('\n').unwrap_or(rest.len()),
+                '/' if rest.starts_with("//") => rest.find(LINE_ENDS).unwrap_or(rest.len()),
                 '0'..='9' => number_length(rest.as_bytes()),
                 _ => rest.find(|c| !is_word(c)).unwrap_or(rest.len()),
             };

@@ -5,8 +5,8 @@ use super::items::Resolver;
 use super::theory::{Named, Statement};
 use super::value::Value;
 use crate::diagnostic::{Diagnostic, Kind};
-use crate::expression::{Condition, Symbol, SymbolKind};
-use crate::syntax::ast::{Claim, Item, ItemKind};
+use crate::expression::{Condition, Expr, Nature, Node, Operation, Symbol, SymbolKind};
+use crate::syntax::ast::{Claim, Item, ItemKind, Relation};
 use std::collections::BTreeSet;
 
 impl Resolver {
@@ -35,7 +35,8 @@ impl Resolver {
             }
             evaluated => (evaluated?, None),
         };
-        let (((left, right), mut own, mentioned), domain, used) = evaluated;
+        let (((left, right), mut own, mentioned), mut domain, used) = evaluated;
+        self.require_divisors(&mut domain, [&left, &right], &own);
         own.extend(self.chart_conditions(&used));
         self.statement_names.insert(name.text.clone());
         self.theory.statements.push(Statement {
@@ -52,6 +53,23 @@ impl Resolver {
             mentioned,
         });
         Ok(())
+    }
+
+    /// Adds that magnitudes and roots by which the sides and conditions divide are not zero: a derivative divides by them where
+    /// its function did not.
+    fn require_divisors(&mut self, domain: &mut Vec<Condition>, sides: [&Value; 2], own: &[Condition]) {
+        let mut scalars: Vec<Expr> = sides.into_iter().flat_map(Value::scalars).collect();
+        scalars.extend(own.iter().flat_map(|condition| [condition.left, condition.right]));
+        for condition in self.theory.pool.domain(&scalars) {
+            let is_divisor = match (self.theory.pool.node(condition.left), condition.relation) {
+                (Node::Apply(Operation::Abs, _) | Node::Power(..), Relation::NotEqual) => true,
+                (_, Relation::Greater) => self.theory.pool.nature(condition.left) == Nature::NotNegative,
+                _ => false,
+            };
+            if is_divisor && !domain.contains(&condition) {
+                domain.push(condition);
+            }
+        }
     }
 
     /// The domains of charts, as far as every coordinate they mention is used.

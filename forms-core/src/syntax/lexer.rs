@@ -174,9 +174,10 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// `// …` is dropped and `/// …` kept; four slashes and more are a ruled line, as in Rust.
+    /// `// …` is dropped and `/// …` kept; four slashes and more are a ruled line, as in Rust. It ends where any editor ends
+    /// a line, so that no statement that is seen on a line of its own is part of it.
     fn line_comment(&mut self) {
-        let line = self.rest().lines().next().unwrap_or("");
+        let line = self.rest().split(LINE_ENDS).next().unwrap_or("");
         match line.strip_prefix("///").filter(|text| !text.starts_with('/')) {
             Some(text) => self.push(line.len(), TokenKind::Doc(text.to_owned())),
             None => self.position += line.len(),
@@ -205,6 +206,9 @@ impl<'a> Lexer<'a> {
         self.reject(length, format!("unexpected character {shown}"), replacement(&rest[..length], first));
     }
 }
+
+/// Characters that end a line somewhere.
+const LINE_ENDS: [char; 7] = ['\n', '\r', '\u{b}', '\u{c}', '\u{85}', '\u{2028}', '\u{2029}'];
 
 /// How many characters are searched for a closing quotation mark.
 const LONGEST_QUOTATION: usize = 100;
