@@ -121,7 +121,7 @@ pub(crate) enum Command {
         #[arg(long, value_name = "FOLDER")]
         pages: Option<String>,
         /// Arguments in each regime
-        #[arg(long, default_value_t = 128, value_name = "COUNT")]
+        #[arg(long, default_value_t = 128, value_name = "COUNT", value_parser = sample_count)]
         samples: usize,
         /// Do not measure times
         #[arg(long)]
@@ -288,6 +288,17 @@ pub(crate) enum Tier {
 fn interval(text: &str) -> Result<Duration, String> {
     let seconds = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
     seconds.ok_or_else(|| "expected a number of seconds of at least 0".to_owned())
+}
+
+/// The most arguments in each regime that accuracy is measured at.
+const MOST_ARGUMENTS: usize = 1_000_000;
+
+/// A number of arguments in each regime.
+fn sample_count(text: &str) -> Result<usize, String> {
+    text.parse()
+        .ok()
+        .filter(|count| (1..=MOST_ARGUMENTS).contains(count))
+        .ok_or_else(|| format!("expected a whole number from 1 to {MOST_ARGUMENTS}"))
 }
 
 /// A number of samples.

@@ -130,7 +130,9 @@ fn narrowed(theory: &mut Theory, problem: &Problem) -> Option<String> {
         stated.iter().copied().filter(|c| is_defined_without_divisors(pool, c)).collect();
     let open = narrowing.into_iter().find(|condition| {
         let difference = pool.subtract(condition.left, condition.right);
-        !(has_limits && is_not_zero_densely(pool, difference)) && !is_implied(pool, condition, &plain)
+        let is_harmless =
+            has_limits && is_not_zero_densely(pool, difference) || is_implied(pool, condition, &plain);
+        !is_harmless
     })?;
     Some(format!("an integral in it is known where `{}` only", open.text(pool)))
 }
@@ -143,7 +145,7 @@ fn is_defined_without_divisors(pool: &mut Pool, condition: &Condition) -> bool {
 
 /// Whether a ≠ b follows from other conditions: from one of them with the same difference up to its sign, or since a = b
 /// contradicts them.
-fn is_implied(pool: &mut Pool, condition: &Condition, others: &[Condition]) -> bool {
+pub(crate) fn is_implied(pool: &mut Pool, condition: &Condition, others: &[Condition]) -> bool {
     let Condition { left, right, .. } = *condition;
     let difference = pool.subtract(left, right);
     let is_same = |pool: &mut Pool, other: &Condition| {

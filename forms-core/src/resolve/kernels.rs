@@ -5,6 +5,7 @@ use super::items::Resolver;
 use super::names::{describe, unusable};
 use super::theory::{Effect, Kernel, KernelUnits, Named};
 use super::value::Value;
+use crate::decide::is_implied;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Condition, Expr, Node, Rational, Symbol, SymbolKind};
 use crate::syntax::ast::{self, Declared, Item, ItemKind, Name};
@@ -20,13 +21,18 @@ impl Resolver {
         self.theory.names.declare(name, Named::Pending)?;
         let mut locals = Vec::new();
         let result = self.kernel_arguments(arguments, &mut locals).and_then(|symbols| {
-            let ((values, mentioned), _, _) = self.evaluate(|evaluator| {
+            let integrations = self.theory.integrations.len();
+            let ((values, mentioned), needed, _) = self.evaluate(|evaluator| {
                 let values = evaluator.kernel_outputs(outputs, &symbols)?;
                 Ok((values, evaluator.scope.mentioned().clone()))
             })?;
-            let (computed, _, _) = self.evaluate(|evaluator| evaluator.kernel_outputs(computed, &symbols))?;
+            let (computed, of_form, _) =
+                self.evaluate(|evaluator| evaluator.kernel_outputs(computed, &symbols))?;
             check_count(&values, &computed, name, item.span)?;
             let domain = self.kernel_domain(conditions, &symbols)?;
+            if self.theory.integrations.len() > integrations {
+                self.check_integrals(name, needed.into_iter().chain(of_form), &domain)?;
+            }
             let within = within.as_ref().map(|within| self.positive_number(within)).transpose()?;
             let effects = self.kernel_effects(effects, &symbols)?;
             Ok((symbols, (values, computed), (mentioned, domain), (within, effects)))
@@ -51,6 +57,26 @@ impl Resolver {
             mentioned,
         });
         self.theory.names.set(name, Named::Kernel(self.theory.kernels.len() - 1));
+        Ok(())
+    }
+
+    /// Refuses an integral whose value is known under a condition that the kernel's domain does not have: where it fails the
+    /// integral has a value and what is computed has none.
+    fn check_integrals(
+        &mut self,
+        name: &Name,
+        needed: impl Iterator<Item = Condition>,
+        domain: &[Condition],
+    ) -> Evaluated<()> {
+        for condition in needed {
+            if self.theory.narrowing.contains(&condition)
+                && !is_implied(&mut self.theory.pool, &condition, domain)
+            {
+                let text = condition.text(&self.theory.pool);
+                let message = format!("an integral in `{}` is known where `{text}` only", name.text);
+                return Err(Diagnostic::new(name.span, message).with_help(format!("add `where {text}`")));
+            }
+        }
         Ok(())
     }
 

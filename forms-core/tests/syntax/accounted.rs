@@ -183,3 +183,11 @@ impl File {
         let _ = writeln!(self.text, "{word} s{number}: {equation};");
     }
 }
+
+#[test]
+fn a_comment_ends_where_an_editor_ends_the_line() {
+    for end in ["\n", "\r\n", "\r", "\u{2028}", "\u{2029}", "\u{85}"] {
+        let (theory, errors) = read_theory(&format!("chart L(x); // a comment{end}prove p: x == x;"));
+        assert!(theory.statements.len() == 1 || !errors.is_empty(), "{end:?}");
+    }
+}

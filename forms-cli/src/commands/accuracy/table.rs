@@ -53,7 +53,7 @@ pub(super) fn legend(timed: bool, output: &mut dyn Write) -> io::Result<()> {
     lines.push(if timed {
         "* no other variant is as fast and as accurate, over all regimes alike."
     } else {
-        "Times were not measured: that takes rustc."
+        "Times were not measured: by --no-times, or for want of rustc."
     });
     lines.iter().try_for_each(|line| writeln!(output, "{}", palette.quiet(line)))
 }
