@@ -112,14 +112,17 @@ impl Polynomial {
     }
 
     /// The steps of f·g: one for each pair of terms, and where numbers have to be allocated one for each pair of their
-    /// words besides.
+    /// words besides; one for each word of the monomials, which are read before.
     pub(crate) fn steps_of_product(&self, other: &Self) -> u64 {
-        let pairs = (self.term_count() as u64).saturating_mul(other.term_count() as u64);
+        let (terms, other_terms) = (self.term_count() as u64, other.term_count() as u64);
+        let read = (terms + other_terms).saturating_mul(self.layout.words.max(other.layout.words) as u64);
+        let pairs = terms.saturating_mul(other_terms);
         let (words, other_words) = (self.coefficient_words(), other.coefficient_words());
         if words + other_words <= MOST_WORDS_IN_PLACE {
-            return pairs;
+            return pairs.saturating_add(read);
         }
-        pairs.saturating_mul(words.saturating_mul(other_words).saturating_add(STEPS_OF_ALLOCATION))
+        let each = words.saturating_mul(other_words).saturating_add(STEPS_OF_ALLOCATION);
+        pairs.saturating_mul(each).saturating_add(read)
     }
 
     /// Σ sₖ aₖ bₖ, collected in one accumulator.
