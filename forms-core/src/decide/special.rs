@@ -12,6 +12,7 @@ use super::witness::{Difference, Found, Search};
 use crate::enclosure::{Precision, enclose_number};
 use crate::expression::{Condition, Expr, Nature, Node, Operation, Pool, Rational, Substitution, Symbol};
 use crate::syntax::ast::Relation;
+use rustc_hash::FxHashMap;
 
 /// Strata beyond these are not looked at.
 const MOST_STRATA: usize = 48;
@@ -236,21 +237,25 @@ pub(super) fn solved(pool: &mut Pool, equation: Expr) -> Option<(Symbol, Expr)> 
     None
 }
 
-/// Whether an expression is a sum of multiples of a symbol by others and of what does without it.
+/// Whether an expression is a sum of multiples of a symbol by others and of what does without it: its degree in the symbol,
+/// each shared part looked at once, is at most 1. Whatever is no sum or product of it has degree 2.
 fn is_linear(pool: &Pool, expression: Expr, symbol: Symbol) -> bool {
-    if !pool.symbols_in(&[expression]).contains(&symbol) {
-        return true;
+    let mut degrees: FxHashMap<Expr, u32> = FxHashMap::default();
+    for part in pool.reachable(&[expression]) {
+        let of = |operand: &Expr| degrees[operand];
+        let degree = match pool.node(part) {
+            Node::Symbol(own) => u32::from(*own == symbol),
+            Node::Negate(a) => of(a),
+            Node::Add(a, b) => of(a).max(of(b)),
+            Node::Multiply(a, b) => of(a) + of(b),
+            Node::Divide(a, b) if of(b) == 0 => of(a),
+            node => {
+                let mut is_free = true;
+                node.for_each_operand(|operand| is_free &= degrees[&operand] == 0);
+                if is_free { 0 } else { 2 }
+            }
+        };
+        degrees.insert(part, degree.min(2));
     }
-    match *pool.node(expression) {
-        Node::Symbol(_) => true,
-        Node::Negate(a) => is_linear(pool, a, symbol),
-        Node::Add(a, b) => is_linear(pool, a, symbol) && is_linear(pool, b, symbol),
-        Node::Multiply(a, b) => {
-            let (in_a, in_b) =
-                (pool.symbols_in(&[a]).contains(&symbol), pool.symbols_in(&[b]).contains(&symbol));
-            !(in_a && in_b) && is_linear(pool, a, symbol) && is_linear(pool, b, symbol)
-        }
-        Node::Divide(a, b) => !pool.symbols_in(&[b]).contains(&symbol) && is_linear(pool, a, symbol),
-        _ => false,
-    }
+    degrees[&expression] <= 1
 }
