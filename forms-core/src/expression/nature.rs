@@ -3,7 +3,7 @@
 use super::node::{Expr, Node, Pool};
 use super::operation::Operation;
 use num_traits::{Signed, Zero};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// What is seen of a sign wherever the expression is defined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -52,15 +52,41 @@ impl Pool {
     /// The factors of a product as it is written, without powers, quotients and signs: it is zero where one is.
     pub(crate) fn factors_that_may_vanish(&self, expression: Expr) -> Vec<Expr> {
         let (mut found, mut rest) = (Vec::new(), vec![expression]);
+        let mut seen = FxHashSet::default();
         while let Some(part) = rest.pop() {
+            // a square of a square of … has few parts and many factors
+            if !seen.insert(part) {
+                continue;
+            }
             match self.node(part) {
                 Node::Multiply(a, b) => rest.extend([*b, *a]),
                 Node::Divide(a, _) | Node::Negate(a) | Node::Power(a, _) => rest.push(*a),
                 Node::Number(value) if !value.is_zero() => {}
-                _ if self.nature(part) == Nature::Positive || found.contains(&part) => {}
+                _ if self.nature(part) == Nature::Positive => {}
                 _ => found.push(part),
             }
         }
         found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expression::SymbolKind;
+
+    #[test]
+    fn a_product_of_shared_parts_is_taken_apart_once() {
+        let mut pool = Pool::new();
+        let [x, y] = ["x", "y"].map(|name| {
+            let symbol = pool.declare_symbol(name, SymbolKind::Local);
+            pool.symbol(symbol)
+        });
+        let sum = pool.add(x, y);
+        let mut product = pool.multiply(sum, x);
+        for _ in 0..60 {
+            product = pool.multiply(product, product);
+        }
+        assert_eq!(pool.factors_that_may_vanish(product), [sum, x]);
     }
 }
