@@ -12,6 +12,9 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 /// Products of terms that one node of a proof may cost.
 const MOST_WORK: usize = 5_000_000;
 
+/// What a proof is not covered for that would cost more.
+const TOO_MANY_TERMS: &str = "polynomials with more terms than the checker multiplies";
+
 /// A factor of more terms is not looked for in numerators.
 const MOST_TERMS: usize = 40;
 
@@ -135,10 +138,10 @@ impl Field {
             self.work = self.work.saturating_add(cost);
             let degree = usize::from(value.degree(None)) * times + usize::from(polynomial.degree(None));
             if self.work > MOST_WORK || degree > 255 {
-                return uncovered("polynomials with more terms than the checker multiplies");
+                return uncovered(TOO_MANY_TERMS);
             }
             let Some(reduced) = polynomial.reduce(*generator, *order, value) else {
-                return uncovered("polynomials with more terms than the checker multiplies");
+                return uncovered(TOO_MANY_TERMS);
             };
             polynomial = reduced;
         }
@@ -148,10 +151,10 @@ impl Field {
     pub(crate) fn product(&mut self, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, Stop> {
         self.work = self.work.saturating_add(a.0.len().saturating_mul(b.0.len()));
         if self.work > MOST_WORK || a.degree(None).saturating_add(b.degree(None)) > LARGEST_EXPONENT {
-            return uncovered("polynomials with more terms than the checker multiplies");
+            return uncovered(TOO_MANY_TERMS);
         }
         let Some(product) = a.multiply(b) else {
-            return uncovered("polynomials with more terms than the checker multiplies");
+            return uncovered(TOO_MANY_TERMS);
         };
         self.reduce(product)
     }
