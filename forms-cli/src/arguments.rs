@@ -33,7 +33,7 @@ pub(crate) enum Command {
         #[arg(long, value_name = "FILE")]
         certificate: Option<String>,
         /// So many times the work for each statement, of which about a second is usual
-        #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+        #[arg(long, default_value_t = 1, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
         effort: u32,
     },
     /// Check a certificate of `prove` without the prover
@@ -287,7 +287,7 @@ pub(crate) enum Tier {
 /// The time between two states that are kept.
 fn interval(text: &str) -> Result<Duration, String> {
     let seconds = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
-    seconds.ok_or_else(|| "expected a number of seconds of at least 0".to_owned())
+    seconds.ok_or_else(|| "expected a number of seconds from 0 to 1e19".to_owned())
 }
 
 /// The most arguments in each regime that accuracy is measured at.

@@ -100,7 +100,7 @@ fn decided_file(file: TheoryFile, effort: u32) -> DecidedFile {
 }
 
 /// What the kernels of one theory claim of themselves and was not shown, in order.
-fn faults_of_kernels(theory: &mut Theory) -> Vec<DecidedFault> {
+pub(crate) fn faults_of_kernels(theory: &mut Theory) -> Vec<DecidedFault> {
     let kernels: Vec<Kernel> =
         theory.kernels.iter().filter(|kernel| makes_claims(&theory.pool, kernel)).cloned().collect();
     if kernels.len() <= KERNELS_OF_A_TASK {

@@ -287,3 +287,43 @@ fn seams_are_limited() {
     is_accepted(&kernel(60));
     is_refused(&kernel(257), "`k` has more than 256 seams");
 }
+
+#[test]
+fn an_integral_that_is_known_on_a_part_of_the_domain_asks_for_that_part() {
+    let chart = "chart S(s);\nparam p;";
+    for (text, condition) in [
+        ("kernel k(u) = integral(cos(u*s), s = 0..1);", "u != 0"),
+        ("kernel k(u) = integral(cos(u*s), s = 0..1) by sin(u)/u;", "u != 0"),
+        ("kernel k(u) = u by u + 0*integral(cos(u*s), s = 0..1);", "u != 0"),
+        ("let f = integral(cos(p*s), s = 0..1);\nkernel k(p) = f;", "p != 0"),
+        ("let f = integral(cos(p*s), s = 0..1);\nlet g = 2*f + 1;\nkernel k(p) = g;", "p != 0"),
+        (
+            "chart T(t);\nchart X(x);\nmap F: T -> X = (integral(cos(t*s), s = 0..1));\nkernel k(t) = pullback(F, x);",
+            "t != 0",
+        ),
+    ] {
+        let (_, errors) = read_theory(&format!("{chart}\n{text}"));
+        let messages: Vec<&str> = errors.iter().map(|error| error.message.as_str()).collect();
+        assert_eq!(messages, [format!("an integral in `k` is known where `{condition}` only")], "{text}");
+        let with_condition = format!("{chart}\n{} where {condition};", text.trim_end_matches(';'));
+        is_accepted(&with_condition);
+    }
+    // its own division is the kernel's: the formula has no value there either
+    for text in [
+        "let f = integral(cos(p*s), s = 0..1);\nkernel k(p) = sin(p)/p;",
+        "kernel k(u) = integral(u*s, s = 0..1);",
+    ] {
+        is_accepted(&format!("{chart}\n{text}"));
+    }
+}
+
+#[test]
+fn a_form_has_the_value_of_atan2_on_its_cut() {
+    is_refused(
+        "kernel k(u, v) = atan2(u, v) by 2*atan(u/(sqrt(u*u + v*v) + v));",
+        "the form that `k` is computed by loses a point of its formula\nat u = 0, v = -1: the formula is \
+         3.141592653589793238…, the form has no value: `u/(sqrt(u*u + v*v) + v)` is not defined",
+    );
+    is_accepted("kernel k(u, v) = atan2(u, v) by 2*atan(u/(sqrt(u*u + v*v) + v)) where v > 0;");
+    is_accepted("kernel k(u, v) = atan2(u, v)/2 by atan2(2*u, 2*v)/2;");
+}

@@ -285,6 +285,38 @@ fn answers_are_in_proportion_to_lights_of_any_strength() {
 }
 
 #[test]
+fn reflected_light_is_in_proportion_to_lights_of_any_strength() {
+    let scene = room();
+    let expected = answers(&scene);
+    for strength in POWERS.map(|power| f64::from(2 * power).exp2()) {
+        for (found, expected) in answers(&brightened(&scene, strength)).iter().zip(&expected) {
+            let off = [found.value - strength * expected.value, found.error - strength * expected.error];
+            let allowed = [1e-11 * strength * expected.value.abs(), 1e-2 * strength * expected.error];
+            assert!(
+                off[0].abs() <= allowed[0] && off[1].abs() <= allowed[1],
+                "{strength:e}: {found:?} and {expected:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_point_that_sees_no_surface_has_no_error_by_surfaces() {
+    let light = "[[light]]\nkind = \"point\"\nposition = [0.5, 0.5, 1]\nintensity = 1\n";
+    for (receiver, expected) in [([0.5, 0.5, 0.0], 1.0), ([0.5, 0.5, 0.2], 1.0 / 0.64)] {
+        let text = [
+            material("white", 0.5),
+            surface("floor", "white", "polygon = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]"),
+            light.to_string(),
+            point_receiver("here", receiver, [0.0, 0.0, 1.0]),
+        ];
+        let found = answers(&of_text(&text.concat()));
+        let [answer] = &found[..] else { panic!("{found:?}") };
+        assert!((answer.value - expected).abs() <= answer.error && answer.error <= 1e-12, "{answer:?}");
+    }
+}
+
+#[test]
 fn a_point_light_that_is_too_bright_for_a_number_makes_answers_that_say_so() {
     let scene = without_reflection(room());
     let mut small = resized(&scene, 1e-150);

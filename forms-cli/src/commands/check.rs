@@ -1,9 +1,12 @@
 //! `forms check`: a certificate, checked without the prover.
 //!
-//! Files with errors are refused as `forms prove` refuses them; the verdicts on the others rest on the checker alone.
+//! Files with errors are refused as `forms prove` refuses them; the verdicts on statements rest on the checker alone. Of
+//! what kernels claim of themselves certificates do not speak: the prover decides it again, and it is said that it did.
 
+use super::prove::write_fault_lines;
 use super::refuse;
 use crate::certificate::place_of;
+use crate::decisions::{DecidedFault, faults_of_kernels};
 use crate::layout::{duration, wrap};
 use crate::palette::Palette;
 use crate::status::Status;
@@ -34,20 +37,25 @@ pub(crate) fn check(file: &str, allow_uncovered: bool, output: &mut dyn Write) -
         Ok(checked) => checked,
         Err(message) => return Ok(refuse(&format!("{file}: {message}"))),
     };
+    let mut faults = Vec::new();
     for (place, source) in sources {
-        if let Err(errors) = from_text(&place, source) {
-            complain(&errors);
-            return Ok(Status::Error);
+        match from_text(&place, source) {
+            Ok(mut file) => faults.extend(faults_of_kernels(&mut file.theory)),
+            Err(errors) => {
+                complain(&errors);
+                return Ok(Status::Error);
+            }
         }
     }
-    report(&checked, output)?;
+    report(&checked, &faults, output)?;
     writeln!(output, "{}", Palette::of_output().quiet(&duration(start.elapsed())))?;
     let is_harmless = |one: &Checked| match one.outcome {
         Outcome::Accepted => one.is_as_stated(),
         Outcome::NotCovered(_) => allow_uncovered,
         Outcome::Rejected(_) => false,
     };
-    Ok(if checked.iter().all(is_harmless) { Status::AsStated } else { Status::NotAsStated })
+    let is_as_stated = checked.iter().all(is_harmless) && faults.is_empty();
+    Ok(if is_as_stated { Status::AsStated } else { Status::NotAsStated })
 }
 
 /// What an accepted entry shows, and whether the file says so.
@@ -61,7 +69,7 @@ fn shown(one: &Checked) -> String {
     format!("accepted: {verdict}, {agreement}")
 }
 
-fn report(checked: &[Checked], output: &mut dyn Write) -> io::Result<()> {
+fn report(checked: &[Checked], faults: &[DecidedFault], output: &mut dyn Write) -> io::Result<()> {
     let palette = Palette::of_output();
     let mut file = "";
     for one in checked {
@@ -80,6 +88,12 @@ fn report(checked: &[Checked], output: &mut dyn Write) -> io::Result<()> {
             writeln!(output, "{}", palette.quiet(&line))?;
         }
     }
+    if !faults.is_empty() {
+        writeln!(output, "{}", palette.heading("claims of kernels, by the prover"))?;
+    }
+    for decided in faults {
+        write_fault_lines(output, decided, palette)?;
+    }
     let count = |is: fn(&Checked) -> bool| checked.iter().filter(|one| is(one)).count();
     let rejected = count(|one| matches!(one.outcome, Outcome::Rejected(_)));
     let open = count(|one| matches!(one.outcome, Outcome::NotCovered(_)));
@@ -89,6 +103,9 @@ fn report(checked: &[Checked], output: &mut dyn Write) -> io::Result<()> {
     write!(output, "\n{all}: {accepted} accepted, {rejected} rejected, {open} not covered")?;
     if others > 0 {
         write!(output, "; {others} of the accepted not as stated")?;
+    }
+    if !faults.is_empty() {
+        write!(output, "; {} of kernels not shown", counted(faults.len(), "claim"))?;
     }
     writeln!(output)
 }

@@ -6,7 +6,8 @@ use crate::commands::refuse;
 use crate::commands::rounded::Rounded;
 use crate::kernel::{files, find, generated};
 use crate::status::Status;
-use crate::streams::Output;
+use crate::streams;
+use crate::tell;
 use crate::theory_file::complain;
 use forms::math::DoubleDouble;
 use std::cell::Cell;
@@ -79,11 +80,73 @@ pub(super) trait Evaluation {
     /// How many values it has.
     fn outputs(&self) -> usize;
     /// The number that a text stands for.
-    fn read(&self, text: &str) -> Option<Self::Number>;
-    /// The kernel's values, as they are written.
-    fn values(&self, arguments: &[Self::Number]) -> Vec<String>;
+    fn read(&self, text: &str) -> Result<Self::Number, Unread>;
+    /// The kernel's values.
+    fn values(&self, arguments: &[Self::Number]) -> Vec<Output>;
     /// An argument as it is written.
     fn written(&self, argument: &Self::Number) -> String;
+}
+
+/// One value of a kernel.
+pub(super) struct Output {
+    /// As it is written.
+    pub(super) text: String,
+    /// Whether the kernel promises digits that no precision that is tried gives.
+    pub(super) is_undecided: bool,
+}
+
+/// Why a text is no argument.
+pub(super) enum Unread {
+    /// It is no number.
+    NoNumber,
+    /// It is beyond the largest of these numbers.
+    TooLarge(&'static str),
+}
+
+impl Unread {
+    fn message(&self, name: &str, text: &str) -> String {
+        let found: String = text.chars().take(40).collect();
+        match self {
+            Unread::NoNumber => {
+                format!("expected a number such as 0.5, 1e-3 or 1/3 for `{name}`, found `{found}`")
+            }
+            Unread::TooLarge(numbers) => format!(
+                "`{found}` for `{name}` is beyond the largest {numbers} number; `--precision exact` takes it"
+            ),
+        }
+    }
+}
+
+/// The rows whose values no precision was enough for.
+#[derive(Default)]
+struct Undecided {
+    rows: u64,
+    /// The line of the first.
+    first: u64,
+}
+
+impl Undecided {
+    /// The texts of a row's values.
+    fn note(&mut self, values: Vec<Output>, line: u64) -> Vec<String> {
+        if values.iter().any(|value| value.is_undecided) {
+            self.rows += 1;
+            self.first = if self.rows == 1 { line } else { self.first };
+        }
+        values.into_iter().map(|value| value.text).collect()
+    }
+
+    /// Says what the table cannot say: why there is no number.
+    fn report(&self, kernel: &str) {
+        if self.rows > 0 {
+            let rows =
+                forms::core::diagnostic::counted(usize::try_from(self.rows).unwrap_or(usize::MAX), "row");
+            tell!(
+                "warning: {rows} without a value of `{kernel}`: no precision that was tried gives the digits that are \
+                 promised\n --> {INPUT}:{}",
+                self.first
+            );
+        }
+    }
 }
 
 /// An input that fails in a row without end.
@@ -123,8 +186,10 @@ fn table(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write)
     if kernel.arguments().is_empty() {
         let mut writer = csv::Writer::from_writer(output);
         writer.write_record(header(kernel))?;
-        writer.write_record(kernel.values(&[]))?;
+        let mut undecided = Undecided::default();
+        writer.write_record(undecided.note(kernel.values(&[]), 1))?;
         writer.flush()?;
+        undecided.report(kernel.name());
         return Ok(Status::AsStated);
     }
     rows(kernel, input, output)
@@ -143,10 +208,10 @@ fn rows(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write) 
     let mut writer = csv::Writer::from_writer(output);
     writer.write_record(header(kernel))?;
     let mut record = csv::StringRecord::new();
-    let mut unread = 0;
+    let (mut unread, mut undecided) = (0, Undecided::default());
     loop {
         begin_row.set(0);
-        unread += u64::from(Output::is_gone());
+        unread += u64::from(streams::Output::is_gone());
         if unread > MOST_UNREAD_ROWS {
             return Ok(refuse("nobody reads the output, and the rows do not end"));
         }
@@ -156,9 +221,10 @@ fn rows(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write) 
             Err(error) => Err(unreadable(&error)),
         };
         match row {
-            Ok(_) if Output::is_gone() => {}
+            Ok(_) if streams::Output::is_gone() => {}
             Ok(arguments) => {
-                let values = kernel.values(&arguments);
+                let line = record.position().map_or(0, csv::Position::line);
+                let values = undecided.note(kernel.values(&arguments), line);
                 let written = arguments.iter().map(|argument| kernel.written(argument));
                 writer.write_record(written.chain(values))?;
             }
@@ -170,6 +236,7 @@ fn rows(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write) 
         }
     }
     writer.flush()?;
+    undecided.report(kernel.name());
     Ok(Status::AsStated)
 }
 
@@ -218,10 +285,7 @@ fn arguments<K: Evaluation>(
     named
         .map(|(name, &column)| {
             let text = &row[column];
-            kernel.read(text).ok_or_else(|| {
-                let found: String = text.chars().take(40).collect();
-                format!("expected a number such as 0.5, 1e-3 or 1/3 for `{name}`, found `{found}`")
-            })
+            kernel.read(text).map_err(|unread| unread.message(name, text))
         })
         .collect()
 }

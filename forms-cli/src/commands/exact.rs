@@ -1,6 +1,6 @@
 //! The values of a kernel to fifty digits, at exact arguments.
 
-use super::eval::Evaluation;
+use super::eval::{Evaluation, Output, Unread};
 use crate::decimal;
 use crate::theory_file::TheoryFile;
 use forms::core::accuracy::{Format, Rounded, Truth, Value};
@@ -44,15 +44,19 @@ impl Evaluation for Exact<'_> {
         self.kernel.outputs.len()
     }
 
-    fn read(&self, text: &str) -> Option<Rational> {
-        decimal::exact(text)
+    fn read(&self, text: &str) -> Result<Rational, Unread> {
+        decimal::exact(text).ok_or(Unread::NoNumber)
     }
 
-    fn values(&self, arguments: &[Rational]) -> Vec<String> {
+    fn values(&self, arguments: &[Rational]) -> Vec<Output> {
         let point: Vec<(Symbol, Rational)> =
             self.kernel.arguments.iter().copied().zip(arguments.iter().cloned()).collect();
         let values = self.truth.at(&point, Format::Digits(DIGITS));
-        values.into_iter().map(text).collect()
+        let output = |value: Value| {
+            let is_undecided = matches!(value, Value::TooLarge | Value::Undecided);
+            Output { text: text(value), is_undecided }
+        };
+        values.into_iter().map(output).collect()
     }
 
     fn written(&self, argument: &Rational) -> String {

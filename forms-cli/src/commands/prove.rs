@@ -169,15 +169,10 @@ impl Report<'_> {
     /// A claim of a kernel that is not shown, like a statement that is not as stated.
     fn fault(&mut self, file: &str, decided: &DecidedFault) -> io::Result<()> {
         self.totals.count_fault(decided);
-        let fault = &decided.fault;
         if self.json {
             return write_fault(self.output, file, decided);
         }
-        writeln!(self.output, "{}", fault_line(decided, self.palette))?;
-        for line in wrap(&fault.diagnostic.message, INDENT) {
-            writeln!(self.output, "{}", self.palette.quiet(&line))?;
-        }
-        Ok(())
+        write_fault_lines(self.output, decided, self.palette)
     }
 
     fn errors(&mut self, errors: &[FileError]) -> io::Result<Status> {
@@ -210,6 +205,19 @@ impl Report<'_> {
         let times = format!("{} of deciding in {}", duration(totals.time), duration(all));
         writeln!(self.output, "{}", self.palette.quiet(&times))
     }
+}
+
+/// A claim that is not shown, in one line, and why it is not.
+pub(super) fn write_fault_lines(
+    output: &mut dyn Write,
+    decided: &DecidedFault,
+    palette: Palette,
+) -> io::Result<()> {
+    writeln!(output, "{}", fault_line(decided, palette))?;
+    for line in wrap(&decided.fault.diagnostic.message, INDENT) {
+        writeln!(output, "{}", palette.quiet(&line))?;
+    }
+    Ok(())
 }
 
 /// Mark, kernel and claim, verdict and time in one line.

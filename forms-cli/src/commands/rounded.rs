@@ -1,10 +1,10 @@
 //! The values of a kernel in one of the precisions it is generated in, or in as much as its promise of accuracy takes.
 
-use super::eval::Evaluation;
+use super::eval::{Evaluation, Output, Unread};
 use crate::decimal;
 use forms::core::accuracy::{Format, Rounded as Text};
 use forms::core::kernel::{Constant, Program};
-use forms::math::{DoubleDouble, Real};
+use forms::math::{DoubleDouble, Real, Tier};
 use num_rational::BigRational;
 
 /// Significant digits of a double-double: more than its 106 bits, so that digits tell any two of them apart.
@@ -12,6 +12,8 @@ const DOUBLE_DOUBLE_DIGITS: u32 = 36;
 
 /// A number that rows are read, computed and written in.
 pub(super) trait Number: Real {
+    /// What a person calls these numbers.
+    const NAME: &'static str;
     /// The nearest to what a text stands for.
     fn read(text: &str) -> Option<Self>;
     /// Enough significant digits to tell any two numbers apart, at least seventeen.
@@ -19,6 +21,8 @@ pub(super) trait Number: Real {
 }
 
 impl Number for f32 {
+    const NAME: &'static str = "f32";
+
     fn read(text: &str) -> Option<Self> {
         if text.contains('/') {
             return Some(Constant::rational(decimal::exact(text)?).to_f32());
@@ -33,6 +37,8 @@ impl Number for f32 {
 }
 
 impl Number for f64 {
+    const NAME: &'static str = "f64";
+
     fn read(text: &str) -> Option<Self> {
         decimal::nearest(text)
     }
@@ -43,6 +49,8 @@ impl Number for f64 {
 }
 
 impl Number for DoubleDouble {
+    const NAME: &'static str = "double-double";
+
     fn read(text: &str) -> Option<Self> {
         let nearest = decimal::nearest(text)?;
         // beyond the powers of ten that are kept exact there is nothing but zero and infinity
@@ -63,8 +71,8 @@ impl Number for DoubleDouble {
     }
 }
 
-/// How outputs are computed from arguments.
-type Compute<'a, T> = Box<dyn Fn(&[T]) -> Vec<T> + 'a>;
+/// How outputs are computed from arguments, each with whether no precision was enough for it.
+type Compute<'a, T> = Box<dyn Fn(&[T]) -> Vec<(T, bool)> + 'a>;
 
 /// A program with its numbers read and written in one precision, and computed in that or in more.
 pub(super) struct Rounded<'a, T> {
@@ -76,22 +84,34 @@ impl<'a, T: Number + 'a> Rounded<'a, T> {
     /// Computed in that precision.
     pub(super) fn new(program: &'a Program) -> Self {
         let interpreter = program.interpreter();
-        Rounded { program, compute: Box::new(move |arguments| interpreter.values(arguments)) }
+        let compute = move |arguments: &[T]| {
+            interpreter.values(arguments).into_iter().map(|value| (value, false)).collect()
+        };
+        Rounded { program, compute: Box::new(compute) }
     }
 }
 
 impl<'a> Rounded<'a, f64> {
     /// With values as near to the exact ones as a kernel promises, in units of 2⁻⁵³.
     pub(super) fn within(program: &'a Program, within: f64) -> Self {
-        Rounded { program, compute: Box::new(move |arguments| program.interpret_within(arguments, within)) }
+        let compute = move |arguments: &[f64]| decided(program.interpret_with_tier(arguments, within));
+        Rounded { program, compute: Box::new(compute) }
     }
 }
 
 impl<'a> Rounded<'a, DoubleDouble> {
     /// With values of 29 digits at least.
     pub(super) fn to_29_digits(program: &'a Program) -> Self {
-        Rounded { program, compute: Box::new(|arguments| program.interpret_double_double(arguments)) }
+        Rounded {
+            program,
+            compute: Box::new(|arguments| decided(program.interpret_double_double(arguments))),
+        }
     }
+}
+
+/// Outputs with whether no precision was enough.
+fn decided<T>(outputs: Vec<(T, Tier)>) -> Vec<(T, bool)> {
+    outputs.into_iter().map(|(value, tier)| (value, tier == Tier::Undecided)).collect()
 }
 
 impl<T: Number> Evaluation for Rounded<'_, T> {
@@ -109,12 +129,14 @@ impl<T: Number> Evaluation for Rounded<'_, T> {
         self.program.outputs().len()
     }
 
-    fn read(&self, text: &str) -> Option<T> {
-        T::read(text)
+    fn read(&self, text: &str) -> Result<T, Unread> {
+        let number = T::read(text).ok_or(Unread::NoNumber)?;
+        if number.to_f64().is_finite() { Ok(number) } else { Err(Unread::TooLarge(T::NAME)) }
     }
 
-    fn values(&self, arguments: &[T]) -> Vec<String> {
-        (self.compute)(arguments).into_iter().map(T::digits).collect()
+    fn values(&self, arguments: &[T]) -> Vec<Output> {
+        let outputs = (self.compute)(arguments).into_iter();
+        outputs.map(|(value, is_undecided)| Output { text: value.digits(), is_undecided }).collect()
     }
 
     fn written(&self, argument: &T) -> String {

@@ -52,6 +52,43 @@ fn a_mistake_in_the_rows_is_named_and_ends_the_output() {
 }
 
 #[test]
+fn rows_that_no_precision_is_enough_for_are_told_of() {
+    let folder = Folder::with(&[("sum.forms", "kernel k(x) = log(1 + exp(x)) within 2 where x < 1e300;")]);
+    let rows = "x\n1\n1e200\n2\n1e201\n";
+    for precision in ["f64", "dd"] {
+        let run = forms_on(&folder, &["eval", "sum.forms", "k", "--precision", precision], rows);
+        assert_eq!(run.output.lines().filter(|line| line.ends_with(",NaN")).count(), 2, "{}", run.output);
+        assert!(
+            run.errors.contains("2 rows without a value of `k`") && run.errors.contains("<stdin>:3"),
+            "{}",
+            run.errors
+        );
+    }
+    let run = forms_on(&folder, &["eval", "sum.forms", "k"], "x\n1\n1e300\n");
+    assert!(run.output.contains(",NaN") && run.errors.is_empty(), "outside the domain: {}", run.errors);
+}
+
+#[test]
+fn an_argument_beyond_the_largest_number_is_refused() {
+    let folder = Folder::with(&[("plain.forms", "kernel k(x) = x;")]);
+    for (precision, argument) in [("f64", "1e400"), ("f64", "1/1e-400"), ("f32", "1e39"), ("dd", "-1e309")] {
+        let run = forms_on(
+            &folder,
+            &["eval", "plain.forms", "k", "--precision", precision],
+            &format!("x\n{argument}\n"),
+        );
+        assert_eq!(run.status, 2, "{}", run.output);
+        assert!(
+            run.errors.contains(&format!("`{argument}` for `x` is beyond the largest")),
+            "{}",
+            run.errors
+        );
+    }
+    let run = forms_on(&folder, &["eval", "plain.forms", "k", "--precision", "exact"], "x\n1e400\n");
+    assert_eq!(run.status, 0, "{}", run.errors);
+}
+
+#[test]
 fn exact_evaluation_gives_fifty_digits_of_exact_arguments() {
     let source = "kernel versine(x) = (1 - cos(x))/x**2;\nkernel root(x) = sqrt(x)*sqrt(x) where x < 4;";
     let folder = Folder::with(&[("exact.forms", source)]);

@@ -271,6 +271,18 @@ fn the_output_does_not_depend_on_the_number_of_threads() {
 }
 
 #[test]
+fn what_a_kernel_claims_is_decided_when_a_certificate_is_checked() {
+    let source = "chart L(x);\nkernel k(u) = u by u + 1;\nprove ok: x == x;";
+    let folder = Folder::with(&[("claims.forms", source)]);
+    assert_eq!(forms(&folder, &["prove", "--certificate", "claims.certificate", "claims.forms"]).status, 1);
+    let run = forms(&folder, &["check", "claims.certificate"]);
+    assert_eq!((run.status, run.errors.as_str()), (1, ""), "{}", run.output);
+    for line in ["accepted: proved, as stated", "✗ k: by", "1 claim of kernels not shown"] {
+        assert!(run.output.contains(line), "{line}: {}", run.output);
+    }
+}
+
+#[test]
 fn a_certificate_is_checked_without_the_prover() {
     let folder = Folder::with(&[("good.forms", THEORY)]);
     let run = forms(&folder, &["prove", "--certificate", "good.certificate", "good.forms"]);

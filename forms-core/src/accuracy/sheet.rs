@@ -146,8 +146,11 @@ fn double_double_scores(program: &Program, promised: bool, samples: &[Samples]) 
     let wide = program.interpreter::<DoubleDouble>();
     let computed = |arguments: &[f64]| {
         let arguments: Vec<DoubleDouble> = arguments.iter().map(|&x| DoubleDouble::from_f64(x)).collect();
-        let values =
-            if promised { program.interpret_double_double(&arguments) } else { wide.values(&arguments) };
+        let values = if promised {
+            program.interpret_double_double(&arguments).into_iter().map(|(value, _)| value).collect()
+        } else {
+            wide.values(&arguments)
+        };
         values.into_iter().map(|value| (value.high(), value.low())).collect()
     };
     samples.iter().map(|regime| Score::of_double_double(regime, computed)).collect()

@@ -6,7 +6,7 @@
 
 use super::format::{Format, Rounded};
 use crate::decide::{Effort, Equations, Finding};
-use crate::enclosure::{Enclosure, Precision, Undecided, enclose};
+use crate::enclosure::{Enclosure, Precision, Undecided, enclose_of_kernel};
 use crate::expression::{Condition, Expr, Node, Pool, Rational, Substitution, Symbol};
 use num_bigint::BigInt;
 use num_traits::Zero;
@@ -123,7 +123,7 @@ impl<'a> Truth<'a> {
             let known = point.iter().find(|(known, _)| *known == symbol)?;
             Some(Enclosure::exact(&known.1, precision))
         };
-        enclose(self.pool, &self.expressions, &value, &mut |_, _, _| None, precision)
+        enclose_of_kernel(self.pool, &self.expressions, &value, precision)
     }
 
     /// Whether every condition holds; a side that is nowhere defined fails it.

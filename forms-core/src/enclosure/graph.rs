@@ -54,6 +54,29 @@ pub fn enclose(
     jets: &mut impl FnMut(FunctionId, &[u32], &[Enclosure]) -> Option<Enclosure>,
     precision: Precision,
 ) -> Vec<Result<Enclosure, Undecided>> {
+    enclose_with((pool, expressions), values, jets, precision, |_| None)
+}
+
+/// The values that a kernel has of expressions: on the cut of `atan2` too, which statements leave out.
+pub(crate) fn enclose_of_kernel(
+    pool: &Pool,
+    expressions: &[Expr],
+    values: &impl Fn(Symbol) -> Option<Enclosure>,
+    precision: Precision,
+) -> Vec<Result<Enclosure, Undecided>> {
+    let on_the_cut =
+        |[y, x]: [&Enclosure; 2]| (y.is_zero() && x.is_negative()).then(|| Enclosure::pi(precision));
+    enclose_with((pool, expressions), values, &mut |_, _, _| None, precision, on_the_cut)
+}
+
+/// The same, with values of `atan2` where it has none otherwise.
+fn enclose_with(
+    (pool, expressions): (&Pool, &[Expr]),
+    values: &impl Fn(Symbol) -> Option<Enclosure>,
+    jets: &mut impl FnMut(FunctionId, &[u32], &[Enclosure]) -> Option<Enclosure>,
+    precision: Precision,
+    angle: impl Fn([&Enclosure; 2]) -> Option<Enclosure>,
+) -> Vec<Result<Enclosure, Undecided>> {
     let mut known: FxHashMap<Expr, Decided> = FxHashMap::default();
     for expression in pool.reachable(expressions) {
         let cost = match pool.node(expression) {
@@ -67,6 +90,8 @@ pub fn enclose(
                 quadrature(pool, *function, &arguments, precision)
                     .unwrap_or_else(|| jets(*function, orders, &arguments).ok_or(Undecided::Unknown))
             }),
+            Node::Apply(Operation::Atan2, q) => all(q, &known)
+                .and_then(|q| angle([&q[0], &q[1]]).map_or_else(|| Enclosure::atan2(&q[0], &q[1]), Ok)),
             node => evaluate(node, &known, precision),
         };
         known.insert(expression, value.and_then(bounded));

@@ -32,5 +32,5 @@ mod word;
 
 pub use bounds::{Enclosure, Precision, Undecided};
 pub use graph::enclose;
-pub(crate) use graph::enclose_number;
+pub(crate) use graph::{enclose_number, enclose_of_kernel};
 pub(crate) use word::{WordRange, word_ranges};

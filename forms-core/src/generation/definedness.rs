@@ -10,7 +10,7 @@
 
 use super::entailment::Known;
 use super::exact_point::{ExactPoint, NoValue, Point, digits, sign_of};
-use super::obligation::{Obligation, obligations};
+use super::obligation::{self, Obligation, obligations};
 use super::pieces::{MOST_PIECES, negated, pieces};
 use super::special_points::SpecialPoints;
 use super::translation::{EFFORT, equality};
@@ -234,8 +234,8 @@ fn open_obligations(
             let mut known: Vec<Condition> = known.to_vec();
             known.extend(&piece.path);
             let sides: Vec<Expr> = known.iter().flat_map(|c| [c.left, c.right]).collect();
-            known.extend(pool.domain(&[piece.expressions[0]]));
-            known.extend(pool.domain(&sides));
+            known.extend(obligation::domain(pool, &[piece.expressions[0]]));
+            known.extend(obligation::domain(pool, &sides));
             let mut wanted = wanted.iter().copied();
             let ways: Vec<Vec<Condition>> =
                 obligation.ways.iter().map(|way| wanted.by_ref().take(way.len()).collect()).collect();

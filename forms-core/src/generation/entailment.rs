@@ -9,9 +9,9 @@
 
 use super::limit::holds;
 use crate::assume::vanishes;
-use crate::expression::{Condition, Expr, Nature, Node, Operation, Pool};
+use crate::expression::{Condition, Expr, Nature, Node, Operation, Pool, Rational};
 use crate::syntax::ast::Relation;
-use num_traits::{Signed, Zero};
+use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
 
 /// Signs of parts within parts that are looked at.
@@ -78,11 +78,26 @@ fn factors_not_zero(pool: &Pool, conditions: &[Condition]) -> Vec<Expr> {
             Node::Negate(a) | Node::Power(a, _) => open.push(*a),
             Node::Apply(operation, q) if increases_through_zero(*operation) => open.push(q[0]),
             Node::Apply(Operation::Abs, q) => open.push(q[0]),
+            Node::Add(..) => open.extend(exponent_of_less_one(pool, part)),
             _ => {}
         }
         found.push(part);
     }
     found
+}
+
+/// q of exp q − 1 or 1 − exp q, which vanish where q does.
+fn exponent_of_less_one(pool: &Pool, sum: Expr) -> Option<Expr> {
+    let [first, second] = pool.summands(sum)[..] else { return None };
+    [(first, second), (second, first)].into_iter().find_map(|((power, is_minus), (number, is_less))| {
+        let value = pool.as_number(number)?;
+        let value = if is_less { -value.clone() } else { value.clone() };
+        let wanted = if is_minus { Rational::one() } else { -Rational::one() };
+        match pool.node(power) {
+            Node::Apply(Operation::Exp, q) if value == wanted => Some(q[0]),
+            _ => None,
+        }
+    })
 }
 
 /// What is known, and what was found to follow from it.
@@ -351,6 +366,8 @@ mod tests {
             ("x > 0", "x >= 0, x != 0"),
             ("cos(x/2) != 0", "sin(x) != 0, y > 0"),
             ("expm1(x*y) != 0", "exp(x*y) - 1 != 0, y > 0"),
+            ("expm1(-x) != 0", "exp(x) - 1 != 0, y > 0"),
+            ("x*y != 0", "1 - exp(x) != 0, y > 0"),
             ("x != 0", "x**2*y != 0, y > 0"),
             ("x/y > 0", "x*y**2 > 0, x >= 0, y >= 0"),
             ("cos(x) != 0", "1 + cos(2*x) != 0, y > 0"),
@@ -375,6 +392,9 @@ mod tests {
             ("x**(-1) > 0", "x != 0, y > 0"),
             ("cos(x) != 0", "sin(x) != 0, y > 0"),
             ("cos(x) != 0", "1 - cos(2*x) != 0, y > 0"),
+            ("x != 0", "exp(x) + 1 != 0, y > 0"),
+            ("x != 0", "exp(x) - 2 != 0, y > 0"),
+            ("x != 0", "-exp(x) - 1 != 0, y > 0"),
         ] {
             assert!(!shown(claim, conditions), "{claim} where {conditions}");
         }

@@ -7,8 +7,9 @@
 //! 1 + q ≥ 0.
 
 use super::pieces::negated;
-use crate::expression::{Condition, Expr, Node, Operation, Pool};
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational};
 use crate::syntax::ast::Relation;
+use num_traits::{One, Signed};
 use rustc_hash::FxHashSet;
 
 /// Expressions with more paths of choices than this are not gone through.
@@ -98,12 +99,51 @@ fn ways(pool: &mut Pool, part: Expr) -> Vec<Vec<Condition>> {
             let (below, above) = (pool.subtract(one, q[0]), pool.add(one, q[0]));
             vec![[below, above].map(|margin| against_zero(margin, Relation::GreaterEqual)).to_vec()]
         }
-        Operation::Atan2 => {
-            vec![vec![against_zero(q[1], Relation::Greater)], vec![against_zero(q[0], Relation::NotEqual)]]
-        }
+        Operation::Atan2 => vec![
+            vec![against_zero(q[1], Relation::Greater)],
+            vec![against_zero(q[0], Relation::NotEqual)],
+            vec![off_the_origin(pool, &q)],
+        ],
         _ => Vec::new(),
     };
     std::iter::once(vec![stated]).chain(others).collect()
+}
+
+/// x² + y² ≠ 0, where a kernel has a value of atan2(y, x): on its cut too, which statements leave out.
+fn off_the_origin(pool: &mut Pool, q: &[Expr]) -> Condition {
+    let [(of_y, y), (of_x, x)] = [q[0], q[1]].map(|part| without_number(pool, part));
+    // a number before both, and signs, are left out
+    let [y, x] = if of_y == of_x { [y, x] } else { [q[0], q[1]] };
+    let [y2, x2] = [y, x].map(|part| pool.power(part, 2.into()));
+    let (left, right) = (pool.add(x2, y2), pool.integer(0));
+    Condition { left, relation: Relation::NotEqual, right }
+}
+
+/// |c| and q of c q with a number c.
+fn without_number(pool: &Pool, product: Expr) -> (Rational, Expr) {
+    match *pool.node(product) {
+        Node::Negate(a) => without_number(pool, a),
+        Node::Multiply(a, b) => match (pool.as_number(a), pool.as_number(b)) {
+            (Some(c), _) => (c.abs(), b),
+            (_, Some(c)) => (c.abs(), a),
+            _ => (Rational::one(), product),
+        },
+        _ => (Rational::one(), product),
+    }
+}
+
+/// Where a kernel has a value of some expressions.
+pub(super) fn domain(pool: &mut Pool, expressions: &[Expr]) -> Vec<Condition> {
+    let mut conditions = pool.domain(expressions);
+    for part in pool.reachable(expressions) {
+        if let Node::Apply(Operation::Atan2, q) = pool.node(part).clone()
+            && let Some(off_the_cut) = pool.operation_domain(Operation::Atan2, &q)
+        {
+            let wider = off_the_origin(pool, &q);
+            conditions.iter_mut().filter(|known| **known == off_the_cut).for_each(|known| *known = wider);
+        }
+    }
+    conditions
 }
 
 #[cfg(test)]

@@ -268,6 +268,10 @@ fn compare(pool: &mut Pool, left: Expr, right: Expr, conditions: &[Condition]) -
 /// The point, and the value of each branch there.
 fn values(witness: &Witness) -> String {
     let point: Vec<String> = witness.point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    if witness.left == witness.right {
+        // they differ beyond the digits that are shown
+        return format!("at {}, where both sides are {} to that many digits", point.join(", "), witness.left);
+    }
     format!(
         "at {}: {} from the side where it holds, {} from the other",
         point.join(", "),

@@ -71,8 +71,9 @@ impl Program {
         row_within(&InAnyPrecision(self), arguments, self.outputs.len(), within)
     }
 
-    /// The outputs in double-double to 29 digits at least, in as much precision as that takes.
-    pub fn interpret_double_double(&self, arguments: &[DoubleDouble]) -> Vec<DoubleDouble> {
+    /// The outputs in double-double to 29 digits at least, in as much precision as that takes, with the precision that each
+    /// was taken from; NaN where no precision that is tried does.
+    pub fn interpret_double_double(&self, arguments: &[DoubleDouble]) -> Vec<(DoubleDouble, Tier)> {
         escalate_double_double_computation(&InAnyPrecision(self), arguments, self.outputs.len())
     }
 

@@ -221,16 +221,17 @@ impl Evaluator<'_> {
         images: &Substitution,
     ) {
         inner.mentioned().iter().for_each(|name| self.scope.mention(name));
+        let narrowing = inner.narrowing().clone();
         let (conditions, used) = inner.into_parts();
         for condition in map.domain.iter().copied() {
-            self.scope.require(condition);
+            self.scope.adopt(condition, map.narrowing.contains(&condition));
         }
         for condition in conditions.iter().chain(target) {
             let composed = condition.substitute(&mut self.theory.pool, images);
             if self.theory.narrowing.contains(condition) {
                 self.theory.narrowing.insert(composed);
             }
-            self.scope.require(composed);
+            self.scope.adopt(composed, narrowing.contains(condition));
         }
         for symbol in used.into_iter().filter(|symbol| !images.contains_key(symbol)) {
             self.scope.touch(symbol);

@@ -137,7 +137,9 @@ impl<'a> Evaluator<'a> {
             Named::Object(number) => {
                 self.scope.mention(text);
                 let object = self.theory.objects[number].clone();
-                object.domain.iter().for_each(|condition| self.scope.require(*condition));
+                for condition in &object.domain {
+                    self.scope.adopt(*condition, object.narrowing.contains(condition));
+                }
                 object.used.iter().for_each(|symbol| self.scope.touch(*symbol));
                 Ok(object.value)
             }

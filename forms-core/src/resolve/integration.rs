@@ -187,10 +187,11 @@ impl Evaluator<'_> {
     /// than that, which is noted; an inequality is where the integral converges.
     pub(super) fn narrow(&mut self, conditions: Vec<Condition>) {
         for condition in conditions {
-            if condition.relation == Relation::NotEqual {
+            let is_narrowing = condition.relation == Relation::NotEqual;
+            if is_narrowing {
                 self.theory.narrowing.insert(condition);
             }
-            self.scope.require(condition);
+            self.scope.adopt(condition, is_narrowing);
         }
     }
 
@@ -200,7 +201,7 @@ impl Evaluator<'_> {
         for condition in inner.conditions().iter().copied() {
             let symbols = self.theory.pool.symbols_in(&[condition.left, condition.right]);
             if !ranges.iter().any(|range| symbols.contains(&range.symbol)) {
-                self.scope.require(condition);
+                self.scope.adopt(condition, inner.narrowing().contains(&condition));
             }
         }
         for symbol in inner.used() {

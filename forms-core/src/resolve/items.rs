@@ -272,12 +272,12 @@ impl Resolver {
         check: impl FnOnce(&mut Evaluator, &mut Value) -> Evaluated<()>,
     ) -> Evaluated<()> {
         self.theory.names.declare(name, Named::Pending)?;
-        let (value, domain, used) = self.evaluate(|evaluator| {
+        let ((value, narrowing), domain, used) = self.evaluate(|evaluator| {
             let mut evaluated = evaluator.value(value)?;
             check(evaluator, &mut evaluated)?;
-            Ok(evaluated)
+            Ok((evaluated, evaluator.scope.narrowing().clone()))
         })?;
-        self.theory.objects.push(Object { value, domain, used, unit: None });
+        self.theory.objects.push(Object { value, domain, narrowing, used, unit: None });
         self.theory.names.set(name, Named::Object(self.theory.objects.len() - 1));
         Ok(())
     }

@@ -21,18 +21,18 @@ impl Resolver {
         self.theory.names.declare(name, Named::Pending)?;
         let mut locals = Vec::new();
         let result = self.kernel_arguments(arguments, &mut locals).and_then(|symbols| {
-            let integrations = self.theory.integrations.len();
-            let ((values, mentioned), needed, _) = self.evaluate(|evaluator| {
+            let ((values, mentioned, narrowing), ..) = self.evaluate(|evaluator| {
                 let values = evaluator.kernel_outputs(outputs, &symbols)?;
-                Ok((values, evaluator.scope.mentioned().clone()))
+                let scope = &evaluator.scope;
+                Ok((values, scope.mentioned().clone(), scope.narrowing().clone()))
             })?;
-            let (computed, of_form, _) =
-                self.evaluate(|evaluator| evaluator.kernel_outputs(computed, &symbols))?;
+            let ((computed, of_form), ..) = self.evaluate(|evaluator| {
+                let values = evaluator.kernel_outputs(computed, &symbols)?;
+                Ok((values, evaluator.scope.narrowing().clone()))
+            })?;
             check_count(&values, &computed, name, item.span)?;
             let domain = self.kernel_domain(conditions, &symbols)?;
-            if self.theory.integrations.len() > integrations {
-                self.check_integrals(name, needed.into_iter().chain(of_form), &domain)?;
-            }
+            self.check_integrals(name, narrowing.into_iter().chain(of_form), &domain)?;
             let within = within.as_ref().map(|within| self.positive_number(within)).transpose()?;
             let effects = self.kernel_effects(effects, &symbols)?;
             Ok((symbols, (values, computed), (mentioned, domain), (within, effects)))
@@ -65,13 +65,11 @@ impl Resolver {
     fn check_integrals(
         &mut self,
         name: &Name,
-        needed: impl Iterator<Item = Condition>,
+        narrowing: impl Iterator<Item = Condition>,
         domain: &[Condition],
     ) -> Evaluated<()> {
-        for condition in needed {
-            if self.theory.narrowing.contains(&condition)
-                && !is_implied(&mut self.theory.pool, &condition, domain)
-            {
+        for condition in narrowing {
+            if !is_implied(&mut self.theory.pool, &condition, domain) {
                 let text = condition.text(&self.theory.pool);
                 let message = format!("an integral in `{}` is known where `{text}` only", name.text);
                 return Err(Diagnostic::new(name.span, message).with_help(format!("add `where {text}`")));

@@ -22,7 +22,8 @@ impl Resolver {
             let values: Vec<Expr> =
                 components.iter().map(|component| evaluator.scalar(component)).collect::<Evaluated<_>>()?;
             let name = name.text.clone();
-            Ok(Map { name, source, target, components: values, domain: vec![], used: vec![] })
+            let narrowing = evaluator.scope.narrowing().clone();
+            Ok(Map { name, source, target, components: values, domain: vec![], narrowing, used: vec![] })
         })?;
         self.check_map(&map, name, components, &[])?;
         (map.domain, map.used) = (domain, used);

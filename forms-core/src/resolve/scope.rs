@@ -9,6 +9,8 @@ use std::collections::BTreeSet;
 pub(super) struct Scope {
     conditions: Vec<Condition>,
     known: FxHashSet<Condition>,
+    /// Those under which the value of an integral is known.
+    narrowing: FxHashSet<Condition>,
     used: FxHashSet<Symbol>,
     named: BTreeSet<String>,
 }
@@ -18,6 +20,21 @@ impl Scope {
         if self.known.insert(condition) {
             self.conditions.push(condition);
         }
+    }
+
+    /// Requires a condition under which the value of an integral is known.
+    pub(super) fn narrow(&mut self, condition: Condition) {
+        self.narrowing.insert(condition);
+        self.require(condition);
+    }
+
+    /// Requires a condition of another scope.
+    pub(super) fn adopt(&mut self, condition: Condition, is_narrowing: bool) {
+        if is_narrowing { self.narrow(condition) } else { self.require(condition) }
+    }
+
+    pub(super) fn narrowing(&self) -> &FxHashSet<Condition> {
+        &self.narrowing
     }
 
     pub(super) fn touch(&mut self, symbol: Symbol) {

@@ -32,6 +32,8 @@ pub struct Map {
     pub components: Vec<Expr>,
     /// Where the components are defined.
     pub domain: Vec<Condition>,
+    /// Those of these conditions under which the value of an integral in it is known.
+    pub(crate) narrowing: FxHashSet<Condition>,
     /// The variables the components are written with.
     pub used: Vec<Symbol>,
 }
@@ -56,6 +58,8 @@ pub struct Object {
     pub value: Value,
     /// Where it is defined.
     pub domain: Vec<Condition>,
+    /// Those of these conditions under which the value of an integral in it is known.
+    pub(crate) narrowing: FxHashSet<Condition>,
     /// The variables it is written with.
     pub used: Vec<Symbol>,
     /// Its unit in the language's notation, that of a form as a whole; none where nothing states it.

@@ -22,7 +22,7 @@ use crate::enclosure::{Enclosure, Precision, Undecided, enclose};
 use crate::expression::{Condition, Expr, Pool, Rational, Seam, Symbol};
 use crate::random::SplitMix;
 use crate::syntax::ast::{self, Declared, Item, Name, Relation};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeSet;
 
 /// Points tried for the orientation of a map.
@@ -109,7 +109,7 @@ impl Resolver {
         })?;
         domain.extend(self.conditions(&warp.all_conditions())?);
         let name = warp.name.text.clone();
-        let map = Map { name, source, target, components, domain, used };
+        let map = Map { name, source, target, components, domain, narrowing: FxHashSet::default(), used };
         self.check_map(&map, &warp.name, &warp.components, &variables.parameters)?;
         self.theory.maps.push(map);
         self.theory.names.set(&warp.name, Named::Map(self.theory.maps.len() - 1));

@@ -25,13 +25,15 @@ pub(crate) enum Fold {
 }
 
 impl Fold {
-    /// What is left of so many half turns; nothing where the tangent is not defined.
+    /// What is left of so many half turns; nothing where the tangent is not defined, and on the cut of `atan2`, which
+    /// statements leave out.
     fn of(self, turns: Ratio<i64>) -> Option<Ratio<i64>> {
         let two = Ratio::from_integer(2);
         let within = turns - ((turns + 1) / two).ceil() * two + two;
         let quarter = Ratio::new(1, 2);
         let to_quarter = |turns: Ratio<i64>| turns - (turns + quarter).floor();
         Some(match self {
+            Fold::Atan2 if within == Ratio::from_integer(1) => return None,
             Fold::Atan2 => within,
             Fold::Acos => within.abs(),
             Fold::Asin if within > quarter => Ratio::from_integer(1) - within,

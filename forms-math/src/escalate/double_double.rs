@@ -2,7 +2,7 @@
 //! exponents in which double-double holds its digits, the formula is computed in more words and rounded to two.
 
 use super::rounding::ToTwoWords;
-use super::{Computation, Of, Slot, from_two_words};
+use super::{Computation, Of, Slot, Tier, from_two_words};
 use crate::{DoubleDouble, Formula};
 
 /// The outputs within 2⁻⁹⁸ of their exact values, relative to them, as far as the exponents of `f64` go: from 2⁻⁹⁰⁰ to the
@@ -25,16 +25,16 @@ pub fn escalate_double_double<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: [DoubleDouble; A],
 ) -> [DoubleDouble; O] {
     let values = escalate_double_double_computation(&Of::<F, A, O>::new(), &arguments, O);
-    std::array::from_fn(|output| values[output])
+    std::array::from_fn(|output| values[output].0)
 }
 
-/// [`escalate_double_double`] of a computation with so many outputs.
+/// [`escalate_double_double`] of a computation with so many outputs, with the precision that each was taken from.
 pub fn escalate_double_double_computation(
     computation: &impl Computation,
     arguments: &[DoubleDouble],
     outputs: usize,
-) -> Vec<DoubleDouble> {
+) -> Vec<(DoubleDouble, Tier)> {
     let mut slots = vec![Slot::open(DoubleDouble::NAN); outputs];
     from_two_words(computation, arguments, ToTwoWords, &mut slots);
-    slots.into_iter().map(|slot| slot.number).collect()
+    slots.into_iter().map(|slot| (slot.number, slot.tier)).collect()
 }

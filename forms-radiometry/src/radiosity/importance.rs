@@ -68,6 +68,12 @@ impl Radiosity<'_> {
         self.first.windows(2).map(|nodes| sum[nodes[0]..nodes[1]].iter().sum()).collect()
     }
 
+    /// Whether a goal has light of any element, where nothing hides one.
+    pub(crate) fn reaches(&self, what: GoalKind) -> bool {
+        let goals = [Goal { what, weight: 1.0 }];
+        self.transport.occlusion || self.importance(&goals).iter().any(|&importance| importance > 0.0)
+    }
+
     /// Adds what each node gives to a goal straight.
     fn add_straight(&self, goal: &Goal, strongest: &[f64], scratch: &mut Scratch, straight: &mut [f64]) {
         match goal.what {

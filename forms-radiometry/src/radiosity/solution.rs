@@ -199,6 +199,11 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
+/// The length, whose square may be beyond the range of numbers.
 fn norm(a: &[f64]) -> f64 {
-    dot(a, a).sqrt()
+    let largest = a.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+    if largest == 0.0 || !largest.is_finite() {
+        return largest;
+    }
+    largest * a.iter().map(|value| (value / largest).powi(2)).sum::<f64>().sqrt()
 }

@@ -55,6 +55,11 @@ impl Estimate {
         Self { value, changed: 0.0, change: 0.0, left: 0.0, floor }
     }
 
+    /// Finer elements do not change it.
+    pub(super) fn settle(&mut self) {
+        *self = Self::exact(self.value, self.floor);
+    }
+
     /// Whether finer elements do not change it.
     pub(super) fn is_exact(&self) -> bool {
         self.left == 0.0

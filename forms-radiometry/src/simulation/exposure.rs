@@ -29,7 +29,7 @@ impl fmt::Display for NoTime {
         let [least, most] = TIMES;
         write!(
             f,
-            "{} is no time of exposure: expected a number of seconds from {least:e} to {most:e}",
+            "{:?} is no time of exposure: expected a number of seconds from {least:e} to {most:e}",
             self.0
         )
     }

@@ -31,8 +31,9 @@ impl fmt::Display for NoShare {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "`{}` is no share: expected i/n with i from 1 to n, or from 0 to n - 1, for example 2/7",
-            self.0
+            "`{}` is no share: expected i/n with i from 1 to n, or from 0 to n - 1, for example 2/7; n is at most {}",
+            self.0,
+            u32::MAX
         )
     }
 }

@@ -230,6 +230,7 @@ impl<'s> Work<'s> {
             }
             let Some(Refined { mut left, spared }) = radiosity.refine(&self.asking(&radiosity, &found))
             else {
+                self.settle(&radiosity, &mut found);
                 return (radiosity, found);
             };
             if transport.occlusion {
@@ -241,6 +242,16 @@ impl<'s> Work<'s> {
                 return (radiosity, found);
             }
             found = finer;
+        }
+    }
+
+    /// Readings that no element reaches have no error by elements.
+    fn settle(&self, radiosity: &Radiosity, found: &mut [Found]) {
+        for (reading, found) in self.readings.iter().zip(found) {
+            let goal = reading.goal(self.scene, radiosity.transport());
+            if goal.is_some_and(|goal| !radiosity.reaches(goal)) {
+                found.bands.iter_mut().for_each(Estimate::settle);
+            }
         }
     }
 

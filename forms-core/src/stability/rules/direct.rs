@@ -4,12 +4,12 @@
 //! step is proved by itself: what comes out has a value wherever what went in has one, and both sides are equal
 //! wherever both have one.
 
-use super::{Rewriting, exponential, factors, fractions, is_short, radical, sums, trigonometric};
+use super::{Rewriting, exponential, fractions, is_short, radical, sums, trigonometric};
 use crate::decide::{Effort, Equations, Finding};
 use crate::expression::{Condition, Expr, Node, Operation, Pool};
 use crate::generation::is_kept;
 use crate::resolve::Kernel;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Both sides of a step are small, and a step that takes more to prove is not made.
 const EFFORT: Effort = Effort { work: 200_000, candidates: 24, points: 4 };
@@ -27,6 +27,7 @@ type Direct =
 const DIRECT: &[Direct] = &[
     (exponential::less_one, |_, _, _| true),
     (exponential::hyperbolic, |_, _, _| true),
+    (exponential::over_less_one, |_, _, _| true),
     (exponential::near_one, is_logarithm_beside_one),
     (exponential::logarithms, has_a_number_above),
     (trigonometric::versine, |_, _, _| true),
@@ -38,69 +39,120 @@ const DIRECT: &[Direct] = &[
     (fractions::over_one_denominator, has_a_number_above),
 ];
 
+/// Rules whose result has the formula in one of its pieces: they are gone through once, when the others are done, operands
+/// before results.
+const LAST: &[Direct] = &[(radical::beside_its_root, |_, _, _| true)];
+
 /// The form that rules alone give each output of a kernel; empty if that is the formula, or if the kernel says itself how it
 /// is computed.
 pub(crate) fn by_rules(pool: &mut Pool, kernel: &Kernel) -> Vec<Expr> {
     if kernel.has_form() {
         return Vec::new();
     }
+    let mut direct = Steps { rules: DIRECT, settled: FxHashSet::default() };
     let mut form = kernel.outputs.clone();
     for _ in 0..ROUNDS {
-        let next = round(pool, &kernel.domain, &form);
+        let next = direct.round(pool, &kernel.domain, &form);
         if next == form {
             break;
         }
         form = next;
     }
+    form = Steps { rules: LAST, settled: FxHashSet::default() }.upwards(pool, &kernel.domain, &form);
     if form == kernel.outputs { Vec::new() } else { form }
 }
 
-/// One step at every operation that there is one for; where an operation has one, its operands wait for the next round,
-/// as a step of theirs could hide it.
-fn round(pool: &mut Pool, conditions: &[Condition], form: &[Expr]) -> Vec<Expr> {
-    let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
-    for expression in pool.reachable(form) {
-        let image = step(pool, conditions, expression).unwrap_or_else(|| {
-            let node = pool.node(expression).clone();
-            pool.image(expression, node, &images)
-        });
-        images.insert(expression, image);
-    }
-    form.iter().map(|output| images[output]).collect()
+/// Steps by some rules.
+struct Steps {
+    rules: &'static [Direct],
+    /// Expressions that are a piece of what they became, and stay what they are there.
+    settled: FxHashSet<Expr>,
 }
 
-/// The first result of a direct rule that is proved.
-fn step(pool: &mut Pool, conditions: &[Condition], before: Expr) -> Option<Expr> {
-    if !is_short(pool, before, LONGEST) {
-        return None;
+impl Steps {
+    /// One step at every operation that there is one for; where an operation has one, its operands wait for the next
+    /// round, as a step of theirs could hide it.
+    fn round(&mut self, pool: &mut Pool, conditions: &[Condition], form: &[Expr]) -> Vec<Expr> {
+        let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
+        for expression in pool.reachable(form) {
+            let image = self.step(pool, conditions, expression).unwrap_or_else(|| {
+                let node = pool.node(expression).clone();
+                pool.image(expression, node, &images)
+            });
+            images.insert(expression, image);
+        }
+        form.iter().map(|output| images[output]).collect()
     }
-    let mut rewriting = Rewriting::new(pool, conditions);
-    let found = DIRECT.iter().find_map(|(rule, is_never_worse)| {
-        let proposed = rule(&mut rewriting, before);
-        proposed.into_iter().find(|&after| after != before && is_never_worse(&mut rewriting, before, after))
-    })?;
-    let finding = Equations { sides: &[(before, found)], conditions }.decide(pool, EFFORT);
-    let is_equal = matches!(finding, Finding::Equal { .. });
-    (is_equal && is_kept(pool, conditions, before, found)).then_some(found)
+
+    /// One step at every operation that there is one for, whose operands have been gone through before.
+    fn upwards(&mut self, pool: &mut Pool, conditions: &[Condition], form: &[Expr]) -> Vec<Expr> {
+        let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
+        for expression in pool.reachable(form) {
+            let node = pool.node(expression).clone();
+            let image = pool.image(expression, node, &images);
+            images.insert(expression, self.step(pool, conditions, image).unwrap_or(image));
+        }
+        form.iter().map(|output| images[output]).collect()
+    }
+
+    /// The first result of a rule that is proved.
+    fn step(&mut self, pool: &mut Pool, conditions: &[Condition], before: Expr) -> Option<Expr> {
+        if self.settled.contains(&before) || !is_short(pool, before, LONGEST) {
+            return None;
+        }
+        let mut rewriting = Rewriting::new(pool, conditions);
+        let found = self.rules.iter().find_map(|(rule, is_never_worse)| {
+            let proposed = rule(&mut rewriting, before);
+            proposed
+                .into_iter()
+                .find(|&after| after != before && is_never_worse(&mut rewriting, before, after))
+        })?;
+        let other = other_than(pool, before, found);
+        let finding = Equations { sides: &[(before, other)], conditions }.decide(pool, EFFORT);
+        let is_proved = matches!(finding, Finding::Equal { .. }) && is_kept(pool, conditions, before, found);
+        if is_proved && other != found {
+            self.settled.insert(before);
+        }
+        is_proved.then_some(found)
+    }
+}
+
+/// The piece of a form that is not the formula, where the formula is one of two.
+fn other_than(pool: &Pool, formula: Expr, form: Expr) -> Expr {
+    match *pool.node(form) {
+        Node::Select { then, otherwise, .. } if otherwise == formula => then,
+        Node::Select { then, otherwise, .. } if then == formula => otherwise,
+        _ => form,
+    }
 }
 
 /// log(1 + u) = log1p u, with the u that is there
 fn is_logarithm_beside_one(rewriting: &mut Rewriting<'_>, before: Expr, after: Expr) -> bool {
     let Some(sum) = rewriting.argument_of(Operation::Log, before) else { return false };
-    let one = rewriting.pool.integer(1);
-    rewriting.terms(sum).contains(&one) && rewriting.argument_of(Operation::Log1p, after).is_some()
+    let beside = exponential::beside_one(rewriting, sum);
+    beside.is_some() && rewriting.argument_of(Operation::Log1p, after) == beside
 }
 
 /// What cancelled is now a number: the numerator of a quotient, or of an argument of log1p, atan or atan2.
-fn has_a_number_above(rewriting: &mut Rewriting<'_>, _: Expr, after: Expr) -> bool {
+fn has_a_number_above(rewriting: &mut Rewriting<'_>, before: Expr, after: Expr) -> bool {
+    let after = other_than(rewriting.pool, before, after);
     let (_, core) = rewriting.scaled(after);
     let ratio = match rewriting.pool.node(core) {
         Node::Apply(Operation::Log1p | Operation::Atan | Operation::Atan2, arguments) => arguments[0],
         _ => after,
     };
-    let (above, ..) = factors::factors(rewriting.pool, ratio);
-    let zero = rewriting.pool.integer(0);
-    above.iter().all(|&factor| factor != zero && !rewriting.varies(factor))
+    is_a_number_over_something(rewriting, ratio)
+}
+
+/// c or c n/q with numbers c and n that are not zero: a quotient above another could overflow.
+fn is_a_number_over_something(rewriting: &Rewriting<'_>, ratio: Expr) -> bool {
+    match *rewriting.pool.node(ratio) {
+        Node::Negate(a) => is_a_number_over_something(rewriting, a),
+        Node::Multiply(a, b) if !rewriting.varies(a) => is_a_number_over_something(rewriting, b),
+        Node::Multiply(a, b) if !rewriting.varies(b) => is_a_number_over_something(rewriting, a),
+        Node::Divide(a, _) => !rewriting.varies(a) && !rewriting.pool.is_zero(a),
+        _ => !rewriting.varies(ratio) && !rewriting.pool.is_zero(ratio),
+    }
 }
 
 /// √p − √q with p − q a number: of a sum of roots the other factor would cancel.
@@ -126,13 +178,17 @@ fn is_by_an_exact_half(rewriting: &mut Rewriting<'_>, before: Expr, _: Expr) -> 
         && matches!(rewriting.pool.node(b[0]), Node::Symbol(_))
 }
 
-/// a² − b² = (a − b)(a + b)
-fn is_of_squares(rewriting: &mut Rewriting<'_>, before: Expr, _: Expr) -> bool {
+/// a² − b² = (a − b)(a + b), with a and b as they stand, and no sums: in a simplified difference parts cancel, or powers
+/// of factors overflow, that were together in a or in b.
+fn is_of_squares(rewriting: &mut Rewriting<'_>, before: Expr, after: Expr) -> bool {
     let Some((a, b)) = rewriting.two_terms(before) else { return false };
     let Node::Negate(b) = *rewriting.pool.node(b) else { return false };
-    let one = rewriting.pool.integer(1);
-    let is_square = |part: Expr| part == one || rewriting.squared(part).is_some();
-    is_square(a) && is_square(b)
+    let (Some(a), Some(b)) = (sums::root_of(rewriting, a), sums::root_of(rewriting, b)) else { return false };
+    if [a, b].iter().any(|&root| matches!(rewriting.pool.node(root), Node::Add(..))) {
+        return false;
+    }
+    let (difference, sum) = (rewriting.pool.subtract(a, b), rewriting.pool.add(a, b));
+    after == rewriting.pool.multiply(difference, sum)
 }
 
 #[cfg(test)]
@@ -157,14 +213,20 @@ mod tests {
             ("exp(x) - exp(-x)", "2*sinh(x)"),
             ("log(1 + x)", "log1p(x)"),
             ("log(1 + x**2*a)", "log1p(x**2*a)"),
-            ("log(a + 1) - log(a)", "log1p(1/a)"),
+            ("log(a + 1) - log(a)", "(if a < 1e-300 { log1p(a) - log(a) } else { log1p(1/a) })"),
+            ("log(a + 2) - log(a + 1)", "log1p(1/(a + 1))"),
             ("1 - cos(x)", "2*(sin(x/2)*sin(x/2))"),
             ("(1 - cos(x))/sin(x)", "tan(x/2)"),
-            ("sin(x + a) - sin(x)", "2*(sin(a/2)*cos((2*x + a)/2))"),
+            ("sin(x + a) - sin(x)", "2*(sin(a/2)*cos(x + a/2))"),
             ("atan(x + 1) - atan(x)", "atan2(1, 1 + (x + 1)*x)"),
             ("a**2 - b**2", "(a - b)*(a + b)"),
             ("1 - x**2", "(1 - x)*(1 + x)"),
             ("sqrt(a + 1) - sqrt(a)", "1/(sqrt(a + 1) + sqrt(a))"),
+            (
+                "x + sqrt(a**2 + x**2)",
+                "(if jump abs(x + sqrt(a**2 + x**2)) < abs(sqrt(a**2 + x**2) - x)/4 { a**2/(sqrt(a**2 + x**2) - x) } else { x + sqrt(a**2 + x**2) })",
+            ),
+            ("exp(x)/(exp(x) - 1)", "-1/expm1(-x)"),
             ("1/(a + 1) - 1/a", "-1/((a + 1)*a)"),
             ("sqrt(1 - cos(x)**2) + b", "sqrt(sin(x)*sin(x)) + b"),
         ] {

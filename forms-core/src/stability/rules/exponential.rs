@@ -2,7 +2,10 @@
 
 use super::Rewriting;
 use super::factors::factors;
-use crate::expression::{Expr, Node, Operation};
+use crate::decide::contradiction;
+use crate::expression::{Condition, Expr, Node, Operation, Rational, Seam};
+use crate::syntax::ast::Relation;
+use num_traits::Signed;
 
 /// eᵃ − 1 = expm1 a, among the terms of a sum too, with a factor before both
 pub(super) fn less_one(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
@@ -120,6 +123,9 @@ pub(super) fn near_one(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<E
     let one = rewriting.pool.integer(1);
     let mut found = Vec::new();
     if let Some(a) = rewriting.argument_of(Operation::Log, expression) {
+        if let Some(excess) = beside_one(rewriting, a) {
+            found.push(rewriting.pool.apply(Operation::Log1p, &[excess]));
+        }
         let excess = rewriting.difference(a, one);
         found.push(rewriting.pool.apply(Operation::Log1p, &[excess]));
         let (above, below, negative) = factors(rewriting.pool, a);
@@ -150,6 +156,15 @@ pub(super) fn near_one(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<E
     found
 }
 
+/// u of a sum 1 + u, as it stands.
+pub(super) fn beside_one(rewriting: &mut Rewriting<'_>, sum: Expr) -> Option<Expr> {
+    let one = rewriting.pool.integer(1);
+    let mut terms = rewriting.terms(sum);
+    let place = terms.iter().position(|&term| term == one)?;
+    terms.remove(place);
+    Some(rewriting.total(&terms))
+}
+
 /// log a − log b = log1p((a − b)/b) = −log1p((b − a)/a)
 pub(super) fn logarithms(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Some((first, second)) = rewriting.two_terms(expression) else { return Vec::new() };
@@ -168,7 +183,48 @@ pub(super) fn logarithms(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec
         let difference = rewriting.difference(a, b);
         let ratio = rewriting.pool.divide(difference, b);
         let logarithm = rewriting.pool.apply(Operation::Log1p, &[ratio]);
-        found.push(rewriting.pool.multiply(c, logarithm));
+        let form = rewriting.pool.multiply(c, logarithm);
+        found.push(unless_divisor_is_tiny(rewriting, expression, form, (difference, b)));
     }
     found
+}
+
+/// eᵃ p/expm1 a = −p/expm1(−a), in which nothing overflows for large a
+pub(super) fn over_less_one(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    if !matches!(rewriting.pool.node(expression), Node::Divide(..) | Node::Multiply(..)) {
+        return Vec::new();
+    }
+    let (mut above, mut below, negative) = factors(rewriting.pool, expression);
+    let power = above.iter().enumerate().find_map(|(place, &factor)| {
+        let a = rewriting.argument_of(Operation::Exp, factor)?;
+        let is_its = |&factor: &Expr| rewriting.argument_of(Operation::Expm1, factor) == Some(a);
+        Some((place, below.iter().position(is_its)?, a))
+    });
+    let Some((place, place_below, a)) = power else { return Vec::new() };
+    let opposite = rewriting.pool.negate(a);
+    above.remove(place);
+    below[place_below] = rewriting.pool.apply(Operation::Expm1, &[opposite]);
+    let form = super::factors::quotient(rewriting.pool, &above, &below);
+    vec![if negative { form } else { rewriting.pool.negate(form) }]
+}
+
+/// Divisors below this, relative to a number that they divide, are not divided by: the quotient is beyond the range.
+const TINY: i32 = -300;
+
+/// A form with a number n divided by b > 0 in it, or where b may be so small that n/b overflows the formula for such b.
+fn unless_divisor_is_tiny(
+    rewriting: &mut Rewriting<'_>,
+    formula: Expr,
+    form: Expr,
+    (n, b): (Expr, Expr),
+) -> Expr {
+    let Node::Number(n) = rewriting.pool.node(n) else { return form };
+    let least = n.abs() * Rational::from_integer(10.into()).pow(TINY);
+    let least = rewriting.pool.number(least);
+    let is_tiny = Condition { left: b, relation: Relation::Less, right: least };
+    let and_tiny: Vec<Condition> = rewriting.conditions.iter().copied().chain([is_tiny]).collect();
+    if contradiction(rewriting.pool, &and_tiny).is_some() {
+        return form;
+    }
+    rewriting.pool.select((b, Relation::Less, least), formula, form, Seam::Agrees)
 }

@@ -15,12 +15,13 @@ mod trigonometric;
 pub(crate) use direct::by_rules;
 
 use crate::decide::simplified_where;
-use crate::expression::{Condition, Expr, Node, Operation, Pool};
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational};
 use num_rational::Ratio;
+use num_traits::Signed;
 use rustc_hash::FxHashMap;
 
 /// Counted up when a rule or the search changes, so that choices made before are made anew.
-pub(super) const VERSION: u32 = 2;
+pub(super) const VERSION: u32 = 3;
 
 /// Texts longer than this are not simplified: nobody would read what comes out, and a kernel should not compute it.
 const LONGEST: usize = 600;
@@ -42,6 +43,7 @@ const RULES: &[Rule] = &[
     sums::regrouped,
     sums::shared_function,
     radical::conjugate,
+    radical::beside_its_root,
     radical::rationalised,
     radical::of_quotients_and_products,
     fractions::over_one_denominator,
@@ -51,6 +53,7 @@ const RULES: &[Rule] = &[
     exponential::less_one,
     exponential::difference,
     exponential::hyperbolic,
+    exponential::over_less_one,
     exponential::reciprocal,
     exponential::near_one,
     exponential::logarithms,
@@ -128,11 +131,20 @@ impl<'a> Rewriting<'a> {
         self.simplified(size)
     }
 
-    /// a/2
+    /// a/2, with a as it stands but for its number: over one denominator it could overflow
     pub(super) fn half(&mut self, a: Expr) -> Expr {
         let two = self.pool.integer(2);
-        let half = self.pool.divide(a, two);
-        self.simplified(half)
+        let (number, rest) = self.scaled(a);
+        let number = self.pool.divide(number, two);
+        let number = self.simplified(number);
+        let Some(value) = self.pool.as_number(number).cloned() else {
+            return self.pool.multiply(number, rest);
+        };
+        let [above, below] = [value.numer().abs(), value.denom().clone()].map(Rational::from_integer);
+        let (above, below) = (self.pool.number(above), self.pool.number(below));
+        let half = self.pool.multiply(above, rest);
+        let half = self.pool.divide(half, below);
+        if value.is_negative() { self.pool.negate(half) } else { half }
     }
 
     /// c a

@@ -2,8 +2,11 @@
 
 use super::Rewriting;
 use super::factors::{factors, product, quotient};
-use crate::expression::{Expr, Node};
+use crate::decide::contradiction;
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Seam};
+use crate::syntax::ast::Relation;
 use num_rational::Ratio;
+use num_traits::Signed;
 
 /// a + b = (a² − b²)/(a − b) where one has a square root, and a − b = (a³ − b³)/(a² + ab + b²) for cube roots, with the
 /// numerator simplified
@@ -30,6 +33,85 @@ pub(super) fn conjugate(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<
         found.push(rewriting.pool.divide(numerator, denominator));
     }
     found
+}
+
+/// c√(a² + p) + k a = (c² p + (c² − k²) a²)/(c√(a² + p) − k a) where the sum cancels, that is, where it is smaller than a
+/// quarter of the difference; p as it stands: one term, or squares and roots, of which no part cancels.
+pub(super) fn beside_its_root(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    let Some((first, second)) = rewriting.two_terms(expression) else { return Vec::new() };
+    let mut found = Vec::new();
+    for (root, other) in [(first, second), (second, first)] {
+        let Some(norm) = norm(rewriting, root, other) else { continue };
+        let difference = rewriting.pool.subtract(root, other);
+        let form = rewriting.pool.divide(norm, difference);
+        let four = rewriting.pool.integer(4);
+        let [sum_size, size] =
+            [expression, difference].map(|part| rewriting.pool.apply(Operation::Abs, &[part]));
+        let quarter = rewriting.pool.divide(size, four);
+        let cancels = Condition { left: sum_size, relation: Relation::Less, right: quarter };
+        let and_cancels: Vec<Condition> = rewriting.conditions.iter().copied().chain([cancels]).collect();
+        if contradiction(rewriting.pool, &and_cancels).is_none() {
+            let relation = (sum_size, Relation::Less, quarter);
+            found.push(rewriting.pool.select(relation, form, expression, Seam::Jumps));
+        }
+    }
+    found
+}
+
+/// (c√(a² + p))² − (k a)², in which a² is not subtracted from itself: nothing where the terms are no such ones.
+fn norm(rewriting: &mut Rewriting<'_>, root: Expr, other: Expr) -> Option<Expr> {
+    let (c, radicand) = without(rewriting, root, |rewriting, factor| rewriting.radicand(factor))?;
+    let terms = rewriting.terms(radicand);
+    let (place, a, k) = terms.iter().enumerate().find_map(|(place, &term)| {
+        let a = rewriting.squared(term)?;
+        let (k, _) = without(rewriting, other, |_, factor| (factor == a).then_some(a))?;
+        Some((place, a, k))
+    })?;
+    let rest: Vec<Expr> = (0..terms.len()).filter(|&at| at != place).map(|at| terms[at]).collect();
+    if rest.is_empty() || rest.len() > 1 && !rest.iter().all(|&term| is_of_squares(rewriting.pool, term)) {
+        return None;
+    }
+    let [c2, k2, a2] = [c, k, a].map(|part| rewriting.square(part));
+    let zero = rewriting.pool.integer(0);
+    let excess = rewriting.difference(c2, k2);
+    // numbers that differ leave no cancellation, and coefficients of the same variables can have one of their own
+    let own = rewriting.pool.symbols_in(&[radicand]);
+    let others = rewriting.pool.symbols_in(&[excess]);
+    if excess != zero && (others.is_empty() || others.iter().any(|symbol| own.contains(symbol))) {
+        return None;
+    }
+    let rest = rewriting.total(&rest);
+    let (rest, excess) = (rewriting.pool.multiply(c2, rest), rewriting.pool.multiply(excess, a2));
+    Some(rewriting.pool.add(rest, excess))
+}
+
+/// A product without the first factor that something is found in, and what is found.
+fn without<T>(
+    rewriting: &mut Rewriting<'_>,
+    product: Expr,
+    find: impl Fn(&Rewriting<'_>, Expr) -> Option<T>,
+) -> Option<(Expr, T)> {
+    let (mut above, below, negative) = factors(rewriting.pool, product);
+    let (place, found) =
+        above.iter().enumerate().find_map(|(place, &factor)| Some((place, find(rewriting, factor)?)))?;
+    above.remove(place);
+    let rest = quotient(rewriting.pool, &above, &below);
+    Some((if negative { rewriting.pool.negate(rest) } else { rest }, found))
+}
+
+/// Whether it is written so that it is not negative: as a square, a root, a size, a number or a product, a quotient or a
+/// sum of those.
+fn is_of_squares(pool: &Pool, expression: Expr) -> bool {
+    match pool.node(expression) {
+        Node::Number(value) => !value.is_negative(),
+        Node::Power(_, exponent) => exponent.numer() % 2 == 0 || exponent.denom() % 2 == 0,
+        Node::Apply(Operation::Abs | Operation::Exp, _) => true,
+        Node::Multiply(a, b) if a == b => true,
+        Node::Multiply(a, b) | Node::Divide(a, b) | Node::Add(a, b) => {
+            is_of_squares(pool, *a) && is_of_squares(pool, *b)
+        }
+        _ => false,
+    }
 }
 
 /// Whether a factor is a root of this degree.

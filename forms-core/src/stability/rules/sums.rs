@@ -17,6 +17,8 @@ pub(super) fn factored(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<E
     {
         let (difference, sum) = (rewriting.difference(a, b), rewriting.sum(a, b));
         found.push(rewriting.pool.multiply(difference, sum));
+        let (difference, sum) = (rewriting.pool.subtract(a, b), rewriting.pool.add(a, b));
+        found.push(rewriting.pool.multiply(difference, sum));
     }
     if terms.len() < 2 {
         return found;
@@ -42,7 +44,7 @@ pub(super) fn factored(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<E
 }
 
 /// a of a², also 1 of 1
-fn root_of(rewriting: &mut Rewriting<'_>, expression: Expr) -> Option<Expr> {
+pub(super) fn root_of(rewriting: &mut Rewriting<'_>, expression: Expr) -> Option<Expr> {
     let one = rewriting.pool.integer(1);
     if expression == one { Some(one) } else { rewriting.squared(expression) }
 }

@@ -84,10 +84,11 @@ pub(super) fn differences(rewriting: &mut Rewriting<'_>, expression: Expr) -> Ve
     found
 }
 
-/// (a + b)/2, also as b + (a − b)/2, which rounds less where a and b are close
+/// (a + b)/2 as b + (a − b)/2, which rounds less where a and b are close, and in which twice a number does not overflow;
+/// also as it stands
 fn midpoint(rewriting: &mut Rewriting<'_>, a: Expr, b: Expr, half: Expr) -> [Expr; 2] {
     let sum = rewriting.sum(a, b);
-    [rewriting.half(sum), rewriting.pool.add(b, half)]
+    [rewriting.pool.add(b, half), rewriting.half(sum)]
 }
 
 /// sin(a + b) = sin a cos b + cos a sin b, cos(a + b) = cos a cos b − sin a sin b: the rounding of a + b is not felt

@@ -1,0 +1,221 @@
+//! The ends of the range of `f64`: where a formula as it is written gives a value to ten digits, its stable form gives that
+//! value too, also where reciprocals and products of its parts would overflow or vanish.
+//!
+//! Forms of the repository's kernels, of random formulas by rules alone, and of random formulas by a search. The judge is
+//! exact: enclosures of the formula at the arguments as they are, asked only where the two programs disagree.
+//! `FORMS_SCAN` says how many points each kernel is looked at, `FORMS_KERNELS` how many formulas there are.
+
+use forms_core::accuracy::{Format, Rounded, Truth, Value};
+use forms_core::check::read_theory;
+use forms_core::compile::compile_kernel;
+use forms_core::expression::{Expr, Rational};
+use forms_core::generation::Generated;
+use forms_core::kernel::Program;
+use forms_core::resolve::{Kernel, Theory};
+use forms_core::stability::{Choices, EXTENSION, Effort, search, written};
+use std::path::Path;
+
+fn number_of(variable: &str, usual: usize) -> usize {
+    std::env::var(variable).ok().and_then(|text| text.parse().ok()).unwrap_or(usual)
+}
+
+const SIMPLE: &[f64] = &[0.0, 0.25, 0.5, 1.0, 2.0, 0.1, 3.0, 1e-3, 1e3, 1e-9, 1e9];
+
+const EDGES: &[f64] = &[5e-324, 3e-320, 1e-310, 1e-307, 1e-300, 1e-160, 1e160, 1e300, 1e307, 1.5e308];
+
+/// A form that is further off than this, relative to the value, where the formula is within [`AGREES`] of it, has lost it.
+const LOST: f64 = 1e-3;
+const AGREES: f64 = 1e-10;
+
+/// Values from here on round to infinity, and below here to few digits, where one more rounding meets them.
+const LARGE: f64 = f64::MAX / 16.0;
+const SMALL: f64 = f64::MIN_POSITIVE * 16.0;
+
+/// splitmix64 (G. L. Steele, D. Lea, C. H. Flood).
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, bound: usize) -> usize {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut mixed = self.0;
+        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((mixed ^ (mixed >> 31)) >> 11) as usize % bound
+    }
+
+    fn of<T: Copy>(&mut self, list: &[T]) -> T {
+        list[self.below(list.len())]
+    }
+
+    fn argument(&mut self) -> f64 {
+        let number = if self.below(2) == 0 { self.of(EDGES) } else { self.of(SIMPLE) };
+        if self.below(2) == 0 { number } else { -number }
+    }
+
+    /// A formula in which digits cancel, beside factors and divisors that can be large or small.
+    fn formula(&mut self, depth: usize) -> String {
+        if depth == 0 {
+            return self.of(&["x", "y", "x", "y", "1", "2", "(x + y)", "(x - y)", "x*y"]).to_string();
+        }
+        let part = |random: &mut Self| random.formula(depth - 1);
+        match self.below(14) {
+            0 | 1 => format!("({})*({})", part(self), part(self)),
+            2 | 3 => format!("({})/({})", part(self), part(self)),
+            4 => format!("(({}) - ({}))", part(self), part(self)),
+            5 => format!("(1 - cos({}))", part(self)),
+            6 => format!("(exp({}) - 1)", part(self)),
+            7 => format!("(sqrt(1 + ({0})**2) - 1)", part(self)),
+            8 => format!("log(1 + abs({}))", part(self)),
+            9 => format!("(sqrt(abs({})) - sqrt(abs({})))", part(self), part(self)),
+            10 => format!("(1/({}) - 1/({}))", part(self), part(self)),
+            11 => format!("(({})**2 - ({})**2)", part(self), part(self)),
+            12 => format!("sqrt(({})**2 + ({})**2)", part(self), part(self)),
+            _ => format!("(sin({}) - sin({}))", part(self), part(self)),
+        }
+    }
+
+    fn kernel(&mut self) -> String {
+        let depth = 1 + self.below(2);
+        let domain =
+            self.of(&["", "", " where y > 0", " where x >= 0", " where x > 0, y > 0", " where -1 <= x <= 1"]);
+        format!("kernel k(x, y) = {} + 0*x*y{domain};", self.formula(depth))
+    }
+}
+
+/// The value of one output, where the formula has one and the arguments are in the domain.
+fn truth(theory: &Theory, kernel: &Kernel, output: Expr, arguments: &[f64]) -> Option<f64> {
+    let numbers = arguments.iter().map(|&value| Rational::from_float(value).expect("finite"));
+    let point: Vec<_> = kernel.arguments.iter().copied().zip(numbers).collect();
+    if Truth::new(&theory.pool, &[], &kernel.domain).admits(&point) != Some(true) {
+        return None;
+    }
+    match Truth::new(&theory.pool, &[output], &[]).up_to(4000).at(&point, Format::Double)[0] {
+        Value::Known(Rounded::Double(value)) => Some(value),
+        _ => None,
+    }
+}
+
+/// Whether the value is right by chance: a neighbouring argument gives quite another one, as the sine of a large number.
+fn is_chance(formula: &Program, place: usize, arguments: &[f64]) -> bool {
+    let value = formula.interpret(arguments)[place];
+    (0..arguments.len()).any(|at| {
+        let mut beside = arguments.to_vec();
+        beside[at] = beside[at].next_up();
+        let is_near = (formula.interpret(&beside)[place] - value).abs() <= LOST / 2.0 * value.abs();
+        !is_near
+    })
+}
+
+/// The points at which a form has lost a value, of so many.
+fn lost(
+    theory: &Theory,
+    kernel: &Kernel,
+    generated: &Generated,
+    points: usize,
+    random: &mut Random,
+) -> Vec<String> {
+    let mut lost = Vec::new();
+    for _ in 0..points {
+        let arguments: Vec<f64> = kernel.arguments.iter().map(|_| random.argument()).collect();
+        let by_formula = generated.written.interpret(&arguments);
+        let by_form = generated.values(&arguments);
+        for (place, (&formula, &form)) in by_formula.iter().zip(&by_form).enumerate() {
+            let is_usual = formula == 0.0 || (SMALL..LARGE).contains(&formula.abs());
+            if !is_usual || (form - formula).abs() <= LOST / 2.0 * formula.abs() {
+                continue;
+            }
+            if is_chance(&generated.written, place, &arguments) {
+                continue;
+            }
+            let Some(exact) = truth(theory, kernel, kernel.outputs[place], &arguments) else { continue };
+            // a zero that is right can be chance: of its form only a number is asked
+            let allowed = |limit: f64| if exact == 0.0 { f64::MAX } else { limit * exact.abs() };
+            let is_near = |value: f64, limit: f64| (value - exact).abs() <= allowed(limit);
+            if is_near(formula, AGREES) && !is_near(form, LOST) {
+                lost.push(format!("{arguments:?}: {exact:e}, as written {formula:e}, by the form {form:e}"));
+            }
+        }
+    }
+    lost
+}
+
+/// What is lost by a file of kernels with their chosen forms.
+fn lost_by_file(path: &Path, points: usize) -> (usize, Vec<String>) {
+    let text = std::fs::read_to_string(path).expect("a text");
+    let (mut theory, _) = read_theory(&text);
+    if let Ok(chosen) = std::fs::read_to_string(path.with_extension(EXTENSION)) {
+        Choices::read(&chosen).expect("a file of chosen forms").apply(&mut theory);
+    }
+    let mut random = Random(7);
+    let (mut kernels, mut found) = (0, Vec::new());
+    for kernel in theory.kernels.clone() {
+        let Ok(generated) = compile_kernel(&mut theory.pool, &kernel) else { continue };
+        if generated.rewritten.is_empty() && !kernel.has_form() {
+            continue;
+        }
+        kernels += 1;
+        let lost = lost(&theory, &kernel, &generated, points, &mut random);
+        found.extend(lost.into_iter().map(|text| format!("{}: {text}", kernel.name)));
+    }
+    (kernels, found)
+}
+
+#[test]
+fn kernels_of_the_repository_keep_values_at_the_ends_of_the_range() {
+    let (mut kernels, mut found) = (0, Vec::new());
+    for folder in ["../forms-radiometry/kernels", "../tests/stability", "../forms-serve/page/examples"] {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+        for entry in std::fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.extension().is_some_and(|extension| extension == "forms") {
+                let (count, lost) = lost_by_file(&path, number_of("FORMS_SCAN", 24));
+                kernels += count;
+                found.extend(lost);
+            }
+        }
+    }
+    assert!(kernels > 40, "{kernels}");
+    assert!(found.is_empty(), "{} values lost:\n{}", found.len(), found.join("\n"));
+}
+
+#[test]
+fn rules_alone_lose_no_value_at_the_ends_of_the_range() {
+    let mut random = Random(37);
+    let mut rewritten = 0;
+    for _ in 0..number_of("FORMS_KERNELS", 150) {
+        let text = random.kernel();
+        let (mut theory, errors) = read_theory(&text);
+        let Some(kernel) = theory.kernels.first().filter(|_| errors.is_empty()).cloned() else { continue };
+        let Ok(generated) = compile_kernel(&mut theory.pool, &kernel) else { continue };
+        if !generated.rewritten.is_empty() {
+            rewritten += 1;
+            let found = lost(&theory, &kernel, &generated, 24, &mut random);
+            assert!(found.is_empty(), "{text}\n{}", found.join("\n"));
+        }
+    }
+    println!("{rewritten} formulas rewritten");
+    assert!(rewritten > number_of("FORMS_KERNELS", 150) / 10, "{rewritten} rewritten");
+}
+
+#[test]
+fn forms_that_a_search_chooses_lose_no_value_at_the_ends_of_the_range() {
+    let effort = Effort { samples: 16, expansions: 12, places: 6, proofs: 8 };
+    let mut random = Random(41);
+    let count = number_of("FORMS_KERNELS", 300).div_ceil(100);
+    let mut chosen = 0;
+    for _ in 0..count {
+        let text = random.kernel();
+        let (mut theory, errors) = read_theory(&text);
+        let Some(kernel) = theory.kernels.first().filter(|_| errors.is_empty()).cloned() else { continue };
+        let Some(found) = search(&mut theory.pool, &kernel, effort) else { continue };
+        let Some(choice) = written(&theory.pool, &[(&kernel, &found)]) else { continue };
+        Choices::read(&choice).expect("a file of chosen forms").apply(&mut theory);
+        let kernel = theory.kernels[0].clone();
+        let Ok(generated) = compile_kernel(&mut theory.pool, &kernel) else { panic!("{text}\n{choice}") };
+        chosen += 1;
+        let found = lost(&theory, &kernel, &generated, 48, &mut random);
+        assert!(found.is_empty(), "{text}\n{choice}\n{}", found.join("\n"));
+    }
+    println!("{chosen} forms chosen");
+    assert!(chosen > count / 8, "{chosen} chosen");
+}
