@@ -4,6 +4,8 @@
 //! The judge is exact: enclosures of the formula at the arguments as they are. It is asked only where a program gives
 //! NaN. `FORMS_SCAN` says how many points each kernel is looked at.
 
+mod extremes;
+
 use forms_core::accuracy::{Format, Truth, Value};
 use forms_core::check::read_theory;
 use forms_core::compile::compile_kernel;
@@ -51,7 +53,7 @@ struct Scan {
     /// Values of `f64` programs that are numbers, and that are none where the formula has none.
     numbers: usize,
     undefined: usize,
-    /// NaN where the formula has a value.
+    /// NaN where the formula has a value, and values that are lost at the ends of the range.
     lost: Vec<String>,
 }
 
@@ -89,6 +91,10 @@ impl Scan {
             };
             let Ok(generated) = compile_kernel(&mut theory.pool, &kernel) else { continue };
             self.kernels += 1;
+            if kernel.has_form() || !generated.rewritten.is_empty() {
+                let lost = extremes::lost(&theory, &kernel, &generated, count, &mut extremes::Random(7));
+                self.lost.extend(lost.into_iter().map(|text| format!("{}: {text}", kernel.name)));
+            }
             let mut random = Random(0x9e37_79b9_7f4a_7c15 ^ (kernel.name.len() as u64) << 7);
             for _ in 0..count {
                 let point: Vec<f64> = kernel.arguments.iter().map(|_| random.number()).collect();
