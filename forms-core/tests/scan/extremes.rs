@@ -127,6 +127,9 @@ pub(super) fn lost(
                 continue;
             }
             let Some(exact) = truth(theory, kernel, kernel.outputs[place], &arguments) else { continue };
+            if !exact.is_finite() {
+                continue;
+            }
             // a zero that is right can be chance: of its form only a number is asked
             let allowed = |limit: f64| if exact == 0.0 { f64::MAX } else { limit * exact.abs() };
             let is_near = |value: f64, limit: f64| (value - exact).abs() <= allowed(limit);

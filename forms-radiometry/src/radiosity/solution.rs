@@ -201,6 +201,10 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 
 /// The length, whose square may be beyond the range of numbers.
 fn norm(a: &[f64]) -> f64 {
+    let length = dot(a, a).sqrt();
+    if length.is_normal() {
+        return length;
+    }
     let largest = a.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
     if largest == 0.0 || !largest.is_finite() {
         return largest;

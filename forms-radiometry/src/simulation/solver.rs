@@ -249,7 +249,9 @@ impl<'s> Work<'s> {
     fn settle(&self, radiosity: &Radiosity, found: &mut [Found]) {
         for (reading, found) in self.readings.iter().zip(found) {
             let goal = reading.goal(self.scene, radiosity.transport());
-            if goal.is_some_and(|goal| !radiosity.reaches(goal)) {
+            let is_reached = goal.is_none_or(|goal| radiosity.reaches(goal));
+            // what reaches it is not known where the work was stopped
+            if !is_reached && !self.watch.is_stopped() {
                 found.bands.iter_mut().for_each(Estimate::settle);
             }
         }
