@@ -9,6 +9,7 @@ use forms_core::check::read_theory;
 use forms_core::compile::compile_kernel;
 use forms_core::expression::{Expr, Pool, Rational, Symbol};
 use forms_core::resolve::Kernel;
+use forms_testing::SplitMix;
 
 /// Pairs that are looked at.
 fn count() -> usize {
@@ -80,33 +81,21 @@ const CONDITIONS: &[&str] = &[
     "(a**2 + b**2 - 1)*b <= 0",
 ];
 
-/// splitmix64 (G. L. Steele, D. Lea, C. H. Flood).
-struct Random(u64);
+/// Random kernels.
+struct Random(SplitMix);
 
 impl Random {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut mixed = self.0;
-        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((mixed ^ (mixed >> 31)) >> 11) as usize % bound
-    }
-
-    fn of<'a>(&mut self, list: &[&'a str]) -> &'a str {
-        list[self.below(list.len())]
-    }
-
     /// A kernel with a form, or without one.
     fn kernel(&mut self, with_form: bool) -> String {
-        let (formula, form) = PAIRS[self.below(PAIRS.len())];
-        let terms = [self.of(TERMS), self.of(TERMS)];
+        let (formula, form) = PAIRS[self.0.below(PAIRS.len())];
+        let terms = [self.0.of(TERMS), self.0.of(TERMS)];
         let put = |text: &str| {
             text.replace('A', &format!("({})", terms[0])).replace('B', &format!("({})", terms[1]))
         };
-        let conditions: Vec<&str> = (0..self.below(4)).map(|_| self.of(CONDITIONS)).collect();
+        let conditions: Vec<&str> = (0..self.0.below(4)).map(|_| self.0.of(CONDITIONS)).collect();
         let domain =
             if conditions.is_empty() { String::new() } else { format!(" where {}", conditions.join(", ")) };
-        match (with_form, self.below(2)) {
+        match (with_form, self.0.below(2)) {
             (true, _) => format!("kernel k(a, b) = {} by {}{domain};", put(formula), put(form)),
             (false, 0) => format!("kernel k(a, b) = {}{domain};", put(formula)),
             (false, _) => format!("kernel k(a, b) = {} + 0*b{domain};", put(form).replace("jump ", "")),
@@ -129,7 +118,7 @@ fn value(pool: &Pool, expression: Expr, point: &[(Symbol, Rational)]) -> Value {
 
 #[test]
 fn an_accepted_form_has_the_formulas_value_wherever_the_formula_has_one() {
-    let mut random = Random(29);
+    let mut random = Random(SplitMix(29));
     let (mut accepted, mut refused, mut losing, mut named) = (0, 0, 0, 0);
     for _ in 0..count() {
         let text = random.kernel(true);
@@ -165,7 +154,7 @@ fn an_accepted_form_has_the_formulas_value_wherever_the_formula_has_one() {
 
 #[test]
 fn what_rules_make_of_a_formula_has_its_value_wherever_it_has_one() {
-    let mut random = Random(31);
+    let mut random = Random(SplitMix(31));
     let (mut rewritten, mut compared) = (0, 0);
     for _ in 0..count() {
         let text = random.kernel(false);

@@ -1,4 +1,5 @@
-//! Optional tools of the tests: whether a program is installed, and the report of a check that is skipped for want of it.
+//! What tests share: random numbers, and optional tools: whether a program is installed, and the report of a check that is
+//! skipped for want of it.
 //!
 //! ```text
 //! test ─ is_installed(tool) ─┬─ yes ─▶ the check
@@ -6,6 +7,10 @@
 //! ```
 //! A test that skips a check passes, and the test runner shows nothing of a test that passes. So the line is written to
 //! standard error itself, which the runner does not capture.
+
+mod random;
+
+pub use random::SplitMix;
 
 use std::io::Write;
 use std::path::Path;

@@ -13,6 +13,7 @@ use forms_core::generation::Generated;
 use forms_core::kernel::Program;
 use forms_core::resolve::{Kernel, Theory};
 use forms_core::stability::{Choices, Effort, search, written};
+use forms_testing::SplitMix;
 
 fn number_of(variable: &str, usual: usize) -> usize {
     std::env::var(variable).ok().and_then(|text| text.parse().ok()).unwrap_or(usual)
@@ -30,34 +31,26 @@ const AGREES: f64 = 1e-10;
 const LARGE: f64 = f64::MAX / 16.0;
 const SMALL: f64 = f64::MIN_POSITIVE * 16.0;
 
-/// splitmix64 (G. L. Steele, D. Lea, C. H. Flood).
-pub(super) struct Random(pub(super) u64);
+/// Random arguments and formulas.
+pub(super) struct Random(SplitMix);
 
 impl Random {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut mixed = self.0;
-        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((mixed ^ (mixed >> 31)) >> 11) as usize % bound
-    }
-
-    fn of<T: Copy>(&mut self, list: &[T]) -> T {
-        list[self.below(list.len())]
+    pub(super) fn new(seed: u64) -> Self {
+        Random(SplitMix(seed))
     }
 
     fn argument(&mut self) -> f64 {
-        let number = if self.below(2) == 0 { self.of(EDGES) } else { self.of(SIMPLE) };
-        if self.below(2) == 0 { number } else { -number }
+        let number = if self.0.below(2) == 0 { self.0.of(EDGES) } else { self.0.of(SIMPLE) };
+        if self.0.below(2) == 0 { number } else { -number }
     }
 
     /// A formula in which digits cancel, beside factors and divisors that can be large or small.
     fn formula(&mut self, depth: usize) -> String {
         if depth == 0 {
-            return self.of(&["x", "y", "x", "y", "1", "2", "(x + y)", "(x - y)", "x*y"]).to_string();
+            return self.0.of(&["x", "y", "x", "y", "1", "2", "(x + y)", "(x - y)", "x*y"]).to_string();
         }
         let part = |random: &mut Self| random.formula(depth - 1);
-        match self.below(14) {
+        match self.0.below(14) {
             0 | 1 => format!("({})*({})", part(self), part(self)),
             2 | 3 => format!("({})/({})", part(self), part(self)),
             4 => format!("(({}) - ({}))", part(self), part(self)),
@@ -74,9 +67,15 @@ impl Random {
     }
 
     fn kernel(&mut self) -> String {
-        let depth = 1 + self.below(2);
-        let domain =
-            self.of(&["", "", " where y > 0", " where x >= 0", " where x > 0, y > 0", " where -1 <= x <= 1"]);
+        let depth = 1 + self.0.below(2);
+        let domain = self.0.of(&[
+            "",
+            "",
+            " where y > 0",
+            " where x >= 0",
+            " where x > 0, y > 0",
+            " where -1 <= x <= 1",
+        ]);
         format!("kernel k(x, y) = {} + 0*x*y{domain};", self.formula(depth))
     }
 }
@@ -158,7 +157,7 @@ pub(super) fn lost(
 
 #[test]
 fn rules_alone_lose_no_value_at_the_ends_of_the_range() {
-    let mut random = Random(37);
+    let mut random = Random::new(37);
     let mut rewritten = 0;
     for _ in 0..number_of("FORMS_KERNELS", 150) {
         let text = random.kernel();
@@ -178,7 +177,7 @@ fn rules_alone_lose_no_value_at_the_ends_of_the_range() {
 #[test]
 fn forms_that_a_search_chooses_lose_no_value_at_the_ends_of_the_range() {
     let effort = Effort { samples: 16, expansions: 12, places: 6, proofs: 8 };
-    let mut random = Random(41);
+    let mut random = Random::new(41);
     let count = number_of("FORMS_KERNELS", 300).div_ceil(100);
     let mut chosen = 0;
     for _ in 0..count {

@@ -92,7 +92,7 @@ impl Scan {
             let Ok(generated) = compile_kernel(&mut theory.pool, &kernel) else { continue };
             self.kernels += 1;
             if kernel.has_form() || !generated.rewritten.is_empty() {
-                let lost = extremes::lost(&theory, &kernel, &generated, count, &mut extremes::Random(7));
+                let lost = extremes::lost(&theory, &kernel, &generated, count, &mut extremes::Random::new(7));
                 // products that vanish in another order are no fault of a form
                 let lost = lost.into_iter().filter(|lost| lost.exact != 0.0);
                 self.lost.extend(lost.map(|lost| format!("{}: {}", kernel.name, lost.text)));
