@@ -6,7 +6,7 @@ use crate::commands::refuse;
 use crate::commands::rounded::Rounded;
 use crate::kernel::{files, find, generated};
 use crate::status::Status;
-use crate::streams;
+use crate::streams::Output;
 use crate::tell;
 use crate::theory_file::complain;
 use forms::math::DoubleDouble;
@@ -82,13 +82,13 @@ pub(super) trait Evaluation {
     /// The number that a text stands for.
     fn read(&self, text: &str) -> Result<Self::Number, Unread>;
     /// The kernel's values.
-    fn values(&self, arguments: &[Self::Number]) -> Vec<Output>;
+    fn values(&self, arguments: &[Self::Number]) -> Vec<Computed>;
     /// An argument as it is written.
     fn written(&self, argument: &Self::Number) -> String;
 }
 
 /// One value of a kernel.
-pub(super) struct Output {
+pub(super) struct Computed {
     /// As it is written.
     pub(super) text: String,
     /// Whether the kernel promises digits that no precision that is tried gives.
@@ -127,7 +127,7 @@ struct Undecided {
 
 impl Undecided {
     /// The texts of a row's values.
-    fn note(&mut self, values: Vec<Output>, line: u64) -> Vec<String> {
+    fn note(&mut self, values: Vec<Computed>, line: u64) -> Vec<String> {
         if values.iter().any(|value| value.is_undecided) {
             self.rows += 1;
             self.first = if self.rows == 1 { line } else { self.first };
@@ -211,7 +211,7 @@ fn rows(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write) 
     let (mut unread, mut undecided) = (0, Undecided::default());
     loop {
         begin_row.set(0);
-        unread += u64::from(streams::Output::is_gone());
+        unread += u64::from(Output::is_gone());
         if unread > MOST_UNREAD_ROWS {
             return Ok(refuse("nobody reads the output, and the rows do not end"));
         }
@@ -221,7 +221,7 @@ fn rows(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write) 
             Err(error) => Err(unreadable(&error)),
         };
         match row {
-            Ok(_) if streams::Output::is_gone() => {}
+            Ok(_) if Output::is_gone() => {}
             Ok(arguments) => {
                 let line = record.position().map_or(0, csv::Position::line);
                 let values = undecided.note(kernel.values(&arguments), line);

@@ -1,6 +1,6 @@
 //! The values of a kernel to fifty digits, at exact arguments.
 
-use super::eval::{Evaluation, Output, Unread};
+use super::eval::{Computed, Evaluation, Unread};
 use crate::decimal;
 use crate::theory_file::TheoryFile;
 use forms::core::accuracy::{Format, Rounded, Truth, Value};
@@ -48,13 +48,13 @@ impl Evaluation for Exact<'_> {
         decimal::exact(text).ok_or(Unread::NoNumber)
     }
 
-    fn values(&self, arguments: &[Rational]) -> Vec<Output> {
+    fn values(&self, arguments: &[Rational]) -> Vec<Computed> {
         let point: Vec<(Symbol, Rational)> =
             self.kernel.arguments.iter().copied().zip(arguments.iter().cloned()).collect();
         let values = self.truth.at(&point, Format::Digits(DIGITS));
         let output = |value: Value| {
             let is_undecided = matches!(value, Value::TooLarge | Value::Undecided);
-            Output { text: text(value), is_undecided }
+            Computed { text: text(value), is_undecided }
         };
         values.into_iter().map(output).collect()
     }

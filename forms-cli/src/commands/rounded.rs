@@ -1,6 +1,6 @@
 //! The values of a kernel in one of the precisions it is generated in, or in as much as its promise of accuracy takes.
 
-use super::eval::{Evaluation, Output, Unread};
+use super::eval::{Computed, Evaluation, Unread};
 use crate::decimal;
 use forms::core::accuracy::{Format, Rounded as Text};
 use forms::core::kernel::{Constant, Program};
@@ -134,9 +134,9 @@ impl<T: Number> Evaluation for Rounded<'_, T> {
         if number.to_f64().is_finite() { Ok(number) } else { Err(Unread::TooLarge(T::NAME)) }
     }
 
-    fn values(&self, arguments: &[T]) -> Vec<Output> {
+    fn values(&self, arguments: &[T]) -> Vec<Computed> {
         let outputs = (self.compute)(arguments).into_iter();
-        outputs.map(|(value, is_undecided)| Output { text: value.digits(), is_undecided }).collect()
+        outputs.map(|(value, is_undecided)| Computed { text: value.digits(), is_undecided }).collect()
     }
 
     fn written(&self, argument: &T) -> String {

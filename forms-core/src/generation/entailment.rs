@@ -90,11 +90,9 @@ fn factors_not_zero(pool: &Pool, conditions: &[Condition]) -> Vec<Expr> {
 fn exponent_of_less_one(pool: &Pool, sum: Expr) -> Option<Expr> {
     let [first, second] = pool.summands(sum)[..] else { return None };
     [(first, second), (second, first)].into_iter().find_map(|((power, is_minus), (number, is_less))| {
-        let value = pool.as_number(number)?;
-        let value = if is_less { -value.clone() } else { value.clone() };
-        let wanted = if is_minus { Rational::one() } else { -Rational::one() };
+        let opposite = if is_minus == is_less { -Rational::one() } else { Rational::one() };
         match pool.node(power) {
-            Node::Apply(Operation::Exp, q) if value == wanted => Some(q[0]),
+            Node::Apply(Operation::Exp, q) if pool.as_number(number) == Some(&opposite) => Some(q[0]),
             _ => None,
         }
     })

@@ -2,7 +2,6 @@
 
 use super::Rewriting;
 use super::factors::factors;
-use crate::decide::contradiction;
 use crate::expression::{Condition, Expr, Node, Operation, Rational, Seam};
 use crate::syntax::ast::Relation;
 use num_traits::Signed;
@@ -221,9 +220,7 @@ fn unless_divisor_is_tiny(
     let Node::Number(n) = rewriting.pool.node(n) else { return form };
     let least = n.abs() * Rational::from_integer(10.into()).pow(TINY);
     let least = rewriting.pool.number(least);
-    let is_tiny = Condition { left: b, relation: Relation::Less, right: least };
-    let and_tiny: Vec<Condition> = rewriting.conditions.iter().copied().chain([is_tiny]).collect();
-    if contradiction(rewriting.pool, &and_tiny).is_some() {
+    if rewriting.excludes(Condition { left: b, relation: Relation::Less, right: least }) {
         return form;
     }
     rewriting.pool.select((b, Relation::Less, least), formula, form, Seam::Agrees)

@@ -14,7 +14,7 @@ mod trigonometric;
 
 pub(crate) use direct::by_rules;
 
-use crate::decide::simplified_where;
+use crate::decide::{contradiction, simplified_where};
 use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational};
 use num_rational::Ratio;
 use num_traits::Signed;
@@ -203,6 +203,12 @@ impl<'a> Rewriting<'a> {
             sum = self.pool.add(sum, term);
         }
         sum
+    }
+
+    /// Whether a condition is shown to hold nowhere in the domain.
+    pub(super) fn excludes(&mut self, condition: Condition) -> bool {
+        let all: Vec<Condition> = self.conditions.iter().copied().chain([condition]).collect();
+        contradiction(self.pool, &all).is_some()
     }
 
     /// Whether a variable occurs in it.

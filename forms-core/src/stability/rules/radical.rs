@@ -2,7 +2,6 @@
 
 use super::Rewriting;
 use super::factors::{factors, product, quotient};
-use crate::decide::contradiction;
 use crate::expression::{Condition, Expr, Node, Operation, Pool, Seam};
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
@@ -48,9 +47,7 @@ pub(super) fn beside_its_root(rewriting: &mut Rewriting<'_>, expression: Expr) -
         let [sum_size, size] =
             [expression, difference].map(|part| rewriting.pool.apply(Operation::Abs, &[part]));
         let quarter = rewriting.pool.divide(size, four);
-        let cancels = Condition { left: sum_size, relation: Relation::Less, right: quarter };
-        let and_cancels: Vec<Condition> = rewriting.conditions.iter().copied().chain([cancels]).collect();
-        if contradiction(rewriting.pool, &and_cancels).is_none() {
+        if !rewriting.excludes(Condition { left: sum_size, relation: Relation::Less, right: quarter }) {
             let relation = (sum_size, Relation::Less, quarter);
             found.push(rewriting.pool.select(relation, form, expression, Seam::Jumps));
         }
