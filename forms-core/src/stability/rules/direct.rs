@@ -4,9 +4,9 @@
 //! step is proved by itself: what comes out has a value wherever what went in has one, and both sides are equal
 //! wherever both have one.
 
-use super::{Rewriting, exponential, fractions, is_short, radical, sums, trigonometric};
+use super::{Rewriting, exponential, fractions, radical, sums, trigonometric};
 use crate::decide::{Effort, Equations, Finding};
-use crate::expression::{Condition, Expr, Node, Operation, Pool};
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Substitution, SymbolKind};
 use crate::generation::is_kept;
 use crate::resolve::Kernel;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -95,11 +95,24 @@ impl Steps {
         form.iter().map(|output| images[output]).collect()
     }
 
-    /// The first result of a rule that is proved.
-    fn step(&mut self, pool: &mut Pool, conditions: &[Condition], before: Expr) -> Option<Expr> {
-        if self.settled.contains(&before) || !is_short(pool, before, LONGEST) {
+    /// The first result of a rule that is proved. A choice in it is a variable of its own there: what holds for every
+    /// value holds for that of the choice, and a prover knows more of a variable.
+    fn step(&mut self, pool: &mut Pool, conditions: &[Condition], expression: Expr) -> Option<Expr> {
+        if self.settled.contains(&expression) {
             return None;
         }
+        let (before, choices) = without_choices(pool, expression)?;
+        let after = self.proved(pool, conditions, before)?;
+        let is_piece = other_than(pool, before, after) != after;
+        let after = pool.substitute(after, &choices);
+        if is_piece {
+            self.settled.insert(expression);
+        }
+        Some(after)
+    }
+
+    /// The first result of a rule for an expression without choices, if it is proved.
+    fn proved(&self, pool: &mut Pool, conditions: &[Condition], before: Expr) -> Option<Expr> {
         let mut rewriting = Rewriting::new(pool, conditions);
         let found = self.rules.iter().find_map(|(rule, is_never_worse)| {
             let proposed = rule(&mut rewriting, before);
@@ -110,18 +123,39 @@ impl Steps {
         let other = other_than(pool, before, found);
         let finding = Equations { sides: &[(before, other)], conditions }.decide(pool, EFFORT);
         let is_proved = matches!(finding, Finding::Equal { .. }) && is_kept(pool, conditions, before, found);
-        if is_proved && other != found {
-            self.settled.insert(before);
-        }
         is_proved.then_some(found)
     }
 }
 
-/// The piece of a form that is not the formula, where the formula is one of two.
+/// The expression with a variable in the place of each choice, and the choices that the variables stand for; nothing if
+/// what stands outside of choices is long.
+fn without_choices(pool: &mut Pool, expression: Expr) -> Option<(Expr, Substitution)> {
+    let (mut open, mut count) = (vec![expression], 0);
+    let (mut parts, mut choices) = (FxHashMap::default(), Substitution::default());
+    while let Some(part) = open.pop() {
+        count += 1;
+        if count > LONGEST {
+            return None;
+        }
+        match pool.node(part) {
+            Node::Select { .. } if parts.contains_key(&part) => {}
+            Node::Select { .. } => {
+                let symbol = pool.declare_symbol("choice", SymbolKind::Local);
+                parts.insert(part, pool.symbol(symbol));
+                choices.insert(symbol, part);
+            }
+            node => node.for_each_operand(|operand| open.push(operand)),
+        }
+    }
+    let outside = if parts.is_empty() { expression } else { pool.replace(expression, &parts) };
+    Some((outside, choices))
+}
+
+/// The piece of a form that is not the formula, where the others are.
 fn other_than(pool: &Pool, formula: Expr, form: Expr) -> Expr {
     match *pool.node(form) {
-        Node::Select { then, otherwise, .. } if otherwise == formula => then,
-        Node::Select { then, otherwise, .. } if then == formula => otherwise,
+        Node::Select { then, otherwise, .. } if otherwise == formula => other_than(pool, formula, then),
+        Node::Select { then, otherwise, .. } if then == formula => other_than(pool, formula, otherwise),
         _ => form,
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Rewriting;
 use super::factors::{factors, product, quotient};
-use crate::expression::{Condition, Expr, Node, Operation, Pool, Seam};
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational, Seam};
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 use num_traits::Signed;
@@ -42,7 +42,8 @@ pub(super) fn beside_its_root(rewriting: &mut Rewriting<'_>, expression: Expr) -
     for (root, other) in [(first, second), (second, first)] {
         let Some(norm) = norm(rewriting, root, other) else { continue };
         let difference = rewriting.pool.subtract(root, other);
-        let form = rewriting.pool.divide(norm, difference);
+        let form = norm.over(rewriting, difference);
+        let form = unless_coefficient_is_huge(rewriting, expression, form, norm.c);
         let four = rewriting.pool.integer(4);
         let [sum_size, size] =
             [expression, difference].map(|part| rewriting.pool.apply(Operation::Abs, &[part]));
@@ -55,8 +56,53 @@ pub(super) fn beside_its_root(rewriting: &mut Rewriting<'_>, expression: Expr) -
     found
 }
 
-/// (c√(a² + p))² − (k a)², in which a² is not subtracted from itself: nothing where the terms are no such ones.
-fn norm(rewriting: &mut Rewriting<'_>, root: Expr, other: Expr) -> Option<Expr> {
+/// Coefficients above this are not doubled.
+const HUGE: i32 = 300;
+
+/// A form with the double of c √(a² + p) in it, or where c may be so large that this overflows the formula for such c.
+fn unless_coefficient_is_huge(rewriting: &mut Rewriting<'_>, formula: Expr, form: Expr, c: Expr) -> Expr {
+    if !rewriting.varies(c) {
+        return form;
+    }
+    let size = rewriting.pool.apply(Operation::Abs, &[c]);
+    let most = rewriting.pool.number(Rational::from_integer(10.into()).pow(HUGE));
+    if rewriting.excludes(Condition { left: most, relation: Relation::Less, right: size }) {
+        return form;
+    }
+    rewriting.pool.select((most, Relation::Less, size), formula, form, Seam::Agrees)
+}
+
+/// c² p + e a² = (c√(a² + p))² − (k a)² with e = c² − k², in which a² is not subtracted from itself.
+struct Norm {
+    c: Expr,
+    p: Expr,
+    e: Expr,
+    a: Expr,
+}
+
+impl Norm {
+    /// (c² p + e a²)/d, where d has the size of c√(a² + p). A c that varies can be so large, or so small, that its square
+    /// has no number: then c (c/d p) + e/d a a, in which no step is larger than the result or than a² + p.
+    fn over(&self, rewriting: &mut Rewriting<'_>, d: Expr) -> Expr {
+        let Norm { c, p, e, a } = *self;
+        if rewriting.varies(c) {
+            let first = rewriting.pool.divide(c, d);
+            let first = rewriting.pool.multiply(first, p);
+            let first = rewriting.pool.multiply(c, first);
+            let second = rewriting.pool.divide(e, d);
+            let second = rewriting.pool.multiply(second, a);
+            let second = rewriting.pool.multiply(second, a);
+            return rewriting.pool.add(first, second);
+        }
+        let [c2, a2] = [c, a].map(|part| rewriting.square(part));
+        let (first, second) = (rewriting.pool.multiply(c2, p), rewriting.pool.multiply(e, a2));
+        let norm = rewriting.pool.add(first, second);
+        rewriting.pool.divide(norm, d)
+    }
+}
+
+/// The parts of the norm of c√(a² + p) + k a: nothing where the terms are no such ones.
+fn norm(rewriting: &mut Rewriting<'_>, root: Expr, other: Expr) -> Option<Norm> {
     let (c, radicand) = without(rewriting, root, |rewriting, factor| rewriting.radicand(factor))?;
     let terms = rewriting.terms(radicand);
     let (place, a, k) = terms.iter().enumerate().find_map(|(place, &term)| {
@@ -68,18 +114,16 @@ fn norm(rewriting: &mut Rewriting<'_>, root: Expr, other: Expr) -> Option<Expr> 
     if rest.is_empty() || rest.len() > 1 && !rest.iter().all(|&term| is_of_squares(rewriting.pool, term)) {
         return None;
     }
-    let [c2, k2, a2] = [c, k, a].map(|part| rewriting.square(part));
+    let [c2, k2] = [c, k].map(|part| rewriting.square(part));
     let zero = rewriting.pool.integer(0);
-    let excess = rewriting.difference(c2, k2);
+    let e = rewriting.difference(c2, k2);
     // numbers that differ leave no cancellation, and coefficients of the same variables can have one of their own
     let own = rewriting.pool.symbols_in(&[radicand]);
-    let others = rewriting.pool.symbols_in(&[excess]);
-    if excess != zero && (others.is_empty() || others.iter().any(|symbol| own.contains(symbol))) {
+    let others = rewriting.pool.symbols_in(&[e]);
+    if e != zero && (others.is_empty() || others.iter().any(|symbol| own.contains(symbol))) {
         return None;
     }
-    let rest = rewriting.total(&rest);
-    let (rest, excess) = (rewriting.pool.multiply(c2, rest), rewriting.pool.multiply(excess, a2));
-    Some(rewriting.pool.add(rest, excess))
+    Some(Norm { c, p: rewriting.total(&rest), e, a })
 }
 
 /// A product without the first factor that something is found in, and what is found.
