@@ -259,3 +259,51 @@ fn is_linear(pool: &Pool, expression: Expr, symbol: Symbol) -> bool {
     }
     degrees[&expression] <= 1
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::resolve::{Value, resolve};
+    use crate::syntax::read;
+
+    /// The value that e = 0 gives a variable.
+    fn solution_of(equation: &str) -> Option<String> {
+        let (file, errors) = read(&format!("chart L(x, y, z); let e = {equation};"));
+        assert!(errors.is_empty(), "{equation}");
+        let (mut theory, errors) = resolve(&file);
+        assert!(errors.is_empty(), "{equation}");
+        let Value::Scalar(expression) = theory.objects[0].value else { panic!("{equation} is a scalar") };
+        solved(&mut theory.pool, expression).map(|(symbol, value)| {
+            format!("{} = {}", theory.pool.symbol_name(symbol), theory.pool.text(value))
+        })
+    }
+
+    #[test]
+    fn an_equation_that_is_linear_as_written_has_one_solution() {
+        for (equation, solution) in [
+            ("2*x - 3", "x = 3/2"),
+            ("x/2 + y*z", "x = -2*y*z"),
+            ("y*z*x + 3*y - 4*z + x**2 - y", "none"),
+            ("x**2 + sin(x) - y", "y = x**2 + sin(x)"),
+            ("pi*x - 1", "x = 1/pi"),
+        ] {
+            assert_eq!(solution_of(equation).unwrap_or_else(|| "none".into()), solution, "{equation}");
+        }
+    }
+
+    #[test]
+    fn an_equation_with_a_constant_derivative_may_have_more_than_one_solution() {
+        for equation in [
+            "atan(tan(x))",
+            "2*atan(tan(x/2)) - 1",
+            "atan2(sin(x), cos(x))",
+            "asin(sin(x))*2 + atan(tan(x))",
+            "acos(cos(x))",
+            "atan(x) + atan(1/x) + x",
+            "abs(x) - 1",
+            "log(exp(x)) - 1",
+        ] {
+            assert_eq!(solution_of(equation), None, "{equation}");
+        }
+    }
+}
