@@ -33,6 +33,6 @@ pub(crate) use round::Round;
 pub use round::{Disk, Sphere};
 pub use vector::Vector;
 pub(crate) use visibility::{
-    Between, Borders, Face, Looking, Met, Screens, Start, Wall, Walls, Workspace, closeness,
+    Beam, Between, Borders, Face, Lit, Looking, Met, Screens, Start, Wall, Walls, Workspace, closeness,
 };
 pub(crate) use weld::Welded;

@@ -30,6 +30,7 @@ mod probe;
 mod reference;
 mod refinement;
 mod round;
+mod shadows;
 mod sight;
 mod solution;
 mod subdivision;

@@ -133,6 +133,15 @@ fn twice_area(outline: &[Vector]) -> Precise {
     twice.fold(precise(Vector::default()), |sum, one| std::array::from_fn(|axis| sum[axis] + one[axis]))
 }
 
+/// The area of a convex outline across this direction, which is a unit vector up to rounding; positive where it goes against the side from
+/// which the outline is counter-clockwise.
+pub(crate) fn area_across(outline: &[Vector], direction: Vector) -> Rounded {
+    let (direction, turned) = unit(direction);
+    let twice = twice_area(outline);
+    let value = DoubleDouble::from_f64(-0.5) * dot(twice, direction);
+    Rounded { value, error: turned * 0.5 * length(twice).to_f64() }
+}
+
 /// The area of a convex outline.
 pub(crate) fn area(outline: &[Vector]) -> DoubleDouble {
     DoubleDouble::from_f64(0.5) * length(twice_area(outline))

@@ -15,6 +15,7 @@
 
 mod arrangement;
 mod aspect;
+mod beam;
 mod between;
 mod body;
 mod border;
@@ -28,6 +29,7 @@ mod tree;
 mod visible;
 mod walls;
 
+pub(crate) use beam::{Beam, Lit};
 pub(crate) use between::Between;
 pub(crate) use border::{Borders, Looking};
 pub(crate) use horizon::Workspace;
@@ -141,6 +143,11 @@ impl Screens {
     /// The distance below which a point counts as lying in a plane.
     pub(crate) fn resolution(&self) -> f64 {
         self.resolution
+    }
+
+    /// What rounding leaves of a distance in the scene.
+    pub(crate) fn rounding(&self) -> f64 {
+        self.rounding
     }
 
     /// How many there are.

@@ -1,4 +1,4 @@
-//! Contacts: where faces touch or pass through a face, irradiance on it jumps; there it is cut, so that no element has the jump
+//! Contacts: where faces touch or pass through a face, and where the shadow of a light without extent ends, irradiance on it jumps; there it is cut, so that no element has the jump
 //! inside, and the sides of its pieces are known from which other faces rise.
 //!
 //! A cut goes through a whole piece. Where the contact takes only a small part of it, the piece is halved first: so what touches a large
@@ -13,11 +13,11 @@ const LEAST_SHARE: f64 = 0.35;
 /// How often pieces are halved at most to come near to a contact.
 const MOST_HALVINGS: usize = 16;
 
-/// What another face has in common with the plane of a face.
+/// What another face has in common with the plane of a face, or where a shadow ends on it.
 #[derive(Clone, Copy, Debug)]
-struct Contact {
+pub(super) struct Contact {
     ends: [Vector; 2],
-    /// The normal of the other face.
+    /// The normal of the other face, or one to the end of the shadow.
     normal: Vector,
     /// Whether the other face rises above the plane, so that light passes between them right up to the contact.
     rises: bool,
@@ -47,19 +47,21 @@ impl ConvexPiece {
     }
 }
 
-/// The convex pieces that the others leave uncut of each face of which they are wanted.
+/// The convex pieces that the others and the ends of shadows leave uncut of each face of which they are wanted.
 pub(super) fn pieces(
     faces: &[Face],
     closeness: f64,
     is_wanted: impl Fn(&Face) -> bool,
+    shadows: impl Fn(usize, &Face) -> Vec<Contact>,
 ) -> Vec<Vec<ConvexPiece>> {
-    let cut = |face: &Face| {
+    let cut = |(index, face): (usize, &Face)| {
         if !is_wanted(face) {
             return Vec::new();
         }
         let mut pieces = Vec::new();
         let others = faces.iter().filter(|other| faces.len() <= MANY && !other.is_back);
-        let contacts: Vec<Contact> = others.filter_map(|other| contact(face, other, closeness)).collect();
+        let mut contacts: Vec<Contact> = others.filter_map(|other| contact(face, other, closeness)).collect();
+        contacts.extend(shadows(index, face));
         divide(
             face.vertices.clone(),
             &contacts,
@@ -68,7 +70,7 @@ pub(super) fn pieces(
         );
         pieces.into_iter().map(|outline| ConvexPiece::of(outline, &contacts, closeness)).collect()
     };
-    faces.iter().map(cut).collect()
+    faces.iter().enumerate().map(cut).collect()
 }
 
 /// Appends the pieces that contacts cut a piece into. Pieces of less than the least area are not halved.
@@ -123,6 +125,12 @@ fn contact(face: &Face, other: &Face, closeness: f64) -> Option<Contact> {
 }
 
 impl Contact {
+    /// Where a shadow ends on a face with this normal.
+    pub(super) fn of_shadow(ends: [Vector; 2], normal: Vector) -> Option<Self> {
+        let across = normal.cross(ends[1] - ends[0]).unit()?;
+        Some(Self { ends, normal: across, rises: false })
+    }
+
     /// Whether it takes most of a side.
     fn takes(&self, [from, to]: [Vector; 2], closeness: f64) -> bool {
         let Some(along) = (self.ends[1] - self.ends[0]).unit() else { return false };
@@ -213,7 +221,7 @@ mod tests {
             ("a wall at its border", wall(2.0, 0.0), 1),
             ("a wall beside it", wall(3.0, 0.0), 1),
         ] {
-            let pieces = pieces(&[floor.clone(), other], 1e-9, |_| true);
+            let pieces = pieces(&[floor.clone(), other], 1e-9, |_| true, |_, _| Vec::new());
             assert_eq!(pieces[0].len(), expected, "{name}");
         }
     }
@@ -241,7 +249,7 @@ mod tests {
             ("a wall along a small part", wall([1.5, 2.0], 1.0), false),
             ("a face that goes down from a side", wall([0.0, 2.0], -1.0), false),
         ] {
-            let creases = &pieces(&[floor.clone(), other], 1e-9, |_| true)[0][0].creases;
+            let creases = &pieces(&[floor.clone(), other], 1e-9, |_| true, |_, _| Vec::new())[0][0].creases;
             assert_eq!(creases[..], [false, expected, false, false], "{name}");
         }
     }
@@ -251,7 +259,11 @@ mod tests {
         let corner = |x, y| Vector::new(x, y, 0.0);
         let floor = face(vec![corner(0.0, 0.0), corner(4.0, 0.0), corner(4.0, 4.0), corner(0.0, 4.0)]);
         let faces: Vec<Face> = std::iter::once(floor).chain(others.iter().cloned()).collect();
-        pieces(&faces, 1e-9, |_| true).swap_remove(0).into_iter().map(|piece| piece.outline).collect()
+        pieces(&faces, 1e-9, |_| true, |_, _| Vec::new())
+            .swap_remove(0)
+            .into_iter()
+            .map(|piece| piece.outline)
+            .collect()
     }
 
     fn side([a, b]: [[f64; 2]; 2]) -> Face {

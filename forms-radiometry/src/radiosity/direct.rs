@@ -13,6 +13,7 @@ use super::arriving::{Arriving, Kinds};
 use super::closed_form::emitted;
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
+use super::shadows::Shadows;
 use crate::faces::emits;
 use crate::geometry::precise::Rounded;
 use crate::geometry::{Exchange, Face, Vector, exchange_of, exchange_precisely, exchange_with};
@@ -42,6 +43,25 @@ pub(crate) struct Lights<'s> {
 pub(super) fn sources(scene: &Scene, faces: &[Face], kinds: Effects) -> Vec<usize> {
     let counts = |&index: &usize| kinds.surroundings || emits(scene, &faces[index]);
     (0..faces.len()).filter(counts).collect()
+}
+
+/// What comes straight to a surface in closed forms and integrals over it.
+#[derive(Clone, Debug)]
+pub(super) struct Integral {
+    /// For each band the flux.
+    pub(super) flux: Vec<Rounded>,
+    /// The kinds of light that it is of; those of other kinds are summed over nodes.
+    pub(super) kinds: Effects,
+}
+
+impl Integral {
+    fn of_nothing(bands: usize) -> Self {
+        Self { flux: vec![Rounded::exactly(0.0); bands], kinds: Effects::NONE }
+    }
+
+    fn add(&mut self, flux: &[Rounded]) {
+        self.flux.iter_mut().zip(flux).for_each(|(sum, &flux)| *sum = *sum + flux);
+    }
 }
 
 impl<'s> Lights<'s> {
@@ -152,17 +172,40 @@ impl<'s> Lights<'s> {
         arriving.outside.chunks_exact_mut(bands).for_each(|of_point| of_point.copy_from_slice(outside));
     }
 
-    /// For each band, the flux that comes straight to the fronts of a surface; `is_all` if nothing is reflected. Nothing where light is not that of
-    /// faces alone, or the work is stopped. It is an integral over both, and not a sum over points that may miss what is near an edge.
-    pub(crate) fn flux(
+    /// The flux that comes straight to the fronts of a surface, as integrals over it, and not as a sum over points that may miss what is near
+    /// an edge or in a shadow; `is_all` if nothing is reflected. Of no kind of light where the work is stopped.
+    pub(super) fn flux(
+        &self,
+        (surface, is_all): (usize, bool),
+        transport: &Transport,
+        shadows: &Shadows,
+        watch: &dyn Watch,
+    ) -> Integral {
+        let mut integral = Integral::of_nothing(self.scene.band_count());
+        if !self.kinds().surroundings
+            && let Some(flux) = self.flux_of_faces((surface, is_all), transport, watch)
+        {
+            integral.add(&flux);
+            integral.kinds.luminaires = self.kinds().luminaires;
+        }
+        let of_face = |index: usize| shadows.flux(index, self.scene, transport);
+        let fronts = (0..transport.faces.len()).filter(|&index| transport.faces[index].is_front_of(surface));
+        if self.kinds().beams
+            && let Some(of_faces) = fronts.map(of_face).collect::<Option<Vec<_>>>()
+        {
+            of_faces.iter().for_each(|flux| integral.add(flux));
+            integral.kinds.beams = true;
+        }
+        integral
+    }
+
+    /// For each band the flux of faces that emit; nothing where the work is stopped.
+    fn flux_of_faces(
         &self,
         (surface, is_all): (usize, bool),
         transport: &Transport,
         watch: &dyn Watch,
     ) -> Option<Vec<Rounded>> {
-        if self.kinds().surroundings || self.kinds().beams {
-            return None;
-        }
         let mut flux = vec![Rounded::exactly(0.0); self.scene.band_count()];
         let received: usize = transport.fronts(surface).map(|face| face.vertices.len()).sum();
         let pairs = received * self.edges(transport);
@@ -184,6 +227,16 @@ impl<'s> Lights<'s> {
             }
         }
         Some(flux)
+    }
+
+    /// What each point of a group gets straight from lights without extent, for each band.
+    pub(super) fn reaching_by_beams(&self, group: Group, transport: &Transport) -> Vec<Vec<f64>> {
+        let of_point = |&point: &Vector| {
+            let mut sum = vec![0.0; self.scene.band_count()];
+            self.add_lights(point, group.measure, transport, &mut sum);
+            sum
+        };
+        if self.kinds().beams { group.points.iter().map(of_point).collect() } else { Vec::new() }
     }
 
     /// Adds what comes from lights without extent.

@@ -68,10 +68,12 @@ impl Radiosity<'_> {
         self.first.windows(2).map(|nodes| sum[nodes[0]..nodes[1]].iter().sum()).collect()
     }
 
-    /// Whether a goal has light of any element, where nothing hides one.
+    /// Whether a goal has light of any element. What a point sees is exact; on a surface nodes tell, between which others may see more where
+    /// something is in between.
     pub(crate) fn reaches(&self, what: GoalKind) -> bool {
         let goals = [Goal { what, weight: 1.0 }];
-        self.transport.occlusion || self.importance(&goals).iter().any(|&importance| importance > 0.0)
+        let is_hidden = self.transport.occlusion && matches!(what, GoalKind::Mean { .. });
+        is_hidden || self.importance(&goals).iter().any(|&importance| importance > 0.0)
     }
 
     /// Adds what each node gives to a goal straight.

@@ -62,6 +62,17 @@ pub(crate) struct Paths<'t> {
     pub(super) contraction: f64,
 }
 
+/// What random numbers are for: those of different parts are independent.
+#[derive(Clone, Copy)]
+pub(super) enum Numbers {
+    /// Points that are asked how much of their sky shines.
+    Asked,
+    /// Rows of the rough solution.
+    Rows,
+    /// Probes.
+    Probes,
+}
+
 /// A point where light is reflected.
 #[derive(Clone, Copy)]
 pub(super) struct Place {
@@ -113,8 +124,8 @@ impl<'t> Paths<'t> {
         let asked = elements.iter().step_by((elements.len() / ASKED).max(1));
         let (mut met, mut screens, mut all) = (0.0, 0.0, 0.0_f64);
         for (index, element) in asked.enumerate() {
-            let ends =
-                self.transport.faces_above(element.centre(), element.normal, RAYS, key(1, index as u64));
+            let key = self.key(Numbers::Asked, index as u64);
+            let ends = self.transport.faces_above(element.centre(), element.normal, RAYS, key);
             let lit = ends.filter(|&face| self.emitted(face).iter().any(|&radiance| radiance > 0.0));
             met += lit.count() as f64 / f64::from(RAYS);
             screens += self.screens_before_lights(element);
@@ -191,7 +202,7 @@ impl<'t> Paths<'t> {
         if self.question.orders == Some(0) && !self.by_rays {
             return (row, light);
         }
-        let net = Net::new(key(2, element as u64));
+        let net = Net::new(self.key(Numbers::Rows, element as u64));
         let mut ends = Vec::with_capacity(RAYS as usize);
         for ray in 0..RAYS {
             let end = self.trace(place.position, above(normal, net.point(ray)));
@@ -210,6 +221,11 @@ impl<'t> Paths<'t> {
             row.weights.push(end.len() as f64 / f64::from(RAYS));
         }
         (row, light)
+    }
+
+    /// The key of the random numbers of an item of a part, for the seed of the scene.
+    pub(super) fn key(&self, part: Numbers, item: u64) -> u64 {
+        key(key(self.scene.solve.seed, part as u64), item)
     }
 
     /// The geometry that light passes through.

@@ -14,7 +14,7 @@ use super::directions::towards;
 use super::gather::Scratch;
 use super::importance::GoalKind;
 use super::measure::Measure;
-use super::paths::{Paths, Place};
+use super::paths::{Numbers, Paths, Place};
 use super::walk::Begin;
 use crate::geometry::Vector;
 use crate::sampling::{Net, Random, key};
@@ -128,7 +128,8 @@ impl Paths<'_> {
         let most: Vec<f64> = self.brightest.iter().map(|brightest| weight * brightest).collect();
         let mean = |is_sampled| if is_sampled { Mean::new(most.clone()) } else { Mean::nothing(bands) };
         let (rough, lack) = (mean(gathers), mean(lacks));
-        let mut probe = Probe { what, key: key(3, number), exact, rough, lack, cut: 0.0 };
+        let key = self.key(Numbers::Probes, number);
+        let mut probe = Probe { what, key, exact, rough, lack, cut: 0.0 };
         if gathers {
             self.add_rays(&mut probe, FIRST[0]);
         }

@@ -4,11 +4,12 @@
 use super::arriving::Kinds;
 use super::change::Change;
 use super::contact;
-use super::direct::Lights;
+use super::direct::{Integral, Lights};
 use super::element::{Element, HIGHEST_ORDER};
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use super::operator::{Operator, Row};
+use super::shadows::Shadows;
 use super::solution::of_bands;
 use crate::faces::is_bright;
 use crate::geometry::precise::{Rounded, area};
@@ -58,6 +59,15 @@ impl Question {
     }
 }
 
+/// What the nodes of an element receive.
+#[derive(Default)]
+struct Received {
+    rows: Vec<Row>,
+    /// Of each node, in each band, what comes straight from lights, and from those without extent alone.
+    direct: Vec<Vec<f64>>,
+    beams: Vec<Vec<f64>>,
+}
+
 /// A solution on elements.
 pub(crate) struct Radiosity<'t> {
     pub(super) scene: &'t Scene,
@@ -80,8 +90,10 @@ pub(crate) struct Radiosity<'t> {
     pub(super) brightest: Vec<f64>,
     /// For each band the irradiance of each node straight from lights.
     pub(super) direct: Vec<Vec<f64>>,
-    /// Of each surface that receives, for each band, the flux straight from lights, where it is an integral.
-    pub(super) straight: Vec<Option<Vec<Rounded>>>,
+    /// The same of lights without extent alone.
+    pub(super) beams: Vec<Vec<f64>>,
+    /// Of each surface that receives, what comes straight from lights as an integral.
+    straight: Vec<Option<Integral>>,
     /// For each band what of the irradiance of each node is reflected once more: all but its highest order.
     pub(super) reflected: Vec<Vec<f64>>,
     /// For each band the largest error that the solution of the equations leaves.
@@ -97,13 +109,23 @@ impl<'t> Radiosity<'t> {
         question: Question,
         watch: &'t dyn Watch,
     ) -> Self {
+        let is_all = question.orders == Some(0);
+        let has_shadows = |face: &Face| {
+            let is_source = !is_all && is_reflecting(scene, face);
+            is_source || question.receives[face.surface] && !face.is_back
+        };
+        let shadows = Shadows::of(scene, transport, has_shadows, watch);
         let flux = |_: &mut (), surface: usize| {
-            let is_all = question.orders == Some(0);
-            if question.receives[surface] { lights.flux((surface, is_all), transport, watch) } else { None }
+            let receives = question.receives[surface];
+            receives.then(|| lights.flux((surface, is_all), transport, &shadows, watch))
         };
         let sharing = if transport.occlusion { Sharing::Shared } else { Sharing::Alone };
         let straight = sharing.map(0..question.receives.len(), flux);
-        let elements = coarsest(scene, transport, &question, &straight);
+        let is_whole = |integral: &Option<Integral>| {
+            integral.as_ref().is_some_and(|integral| integral.kinds == lights.kinds())
+        };
+        let is_whole: Vec<bool> = straight.iter().map(is_whole).collect();
+        let elements = coarsest(scene, transport, &question, &is_whole, &shadows);
         let mut radiosity = Self {
             scene,
             transport,
@@ -118,6 +140,7 @@ impl<'t> Radiosity<'t> {
             irradiance: Vec::new(),
             brightest: Vec::new(),
             direct: Vec::new(),
+            beams: Vec::new(),
             straight,
             reflected: Vec::new(),
             tail: Vec::new(),
@@ -139,13 +162,17 @@ impl<'t> Radiosity<'t> {
         if self.watch.is_stopped() {
             return false;
         }
-        let (mut rows, mut direct) = (Vec::new(), vec![Vec::new(); self.scene.band_count()]);
-        for (of_element, light) in of_elements {
+        let mut rows = Vec::new();
+        let [mut direct, mut beams] = [(); 2].map(|()| vec![Vec::new(); self.scene.band_count()]);
+        for Received { rows: of_element, direct: light, beams: of_beams } in of_elements {
             rows.extend(of_element);
-            for of_point in light {
-                direct.iter_mut().zip(of_point).for_each(|(band, value)| band.push(value));
+            for (all, points) in [(&mut direct, light), (&mut beams, of_beams)] {
+                for of_point in points {
+                    all.iter_mut().zip(of_point).for_each(|(band, value)| band.push(value));
+                }
             }
         }
+        self.beams = beams;
         if self.question.orders == Some(0) {
             self.tail = vec![0.0; direct.len()];
             self.take(direct.clone());
@@ -167,7 +194,7 @@ impl<'t> Radiosity<'t> {
     }
 
     /// The rows of the nodes of each element, and the light that comes straight to them.
-    fn all_rows(&self) -> Vec<(Vec<Row>, Vec<Vec<f64>>)> {
+    fn all_rows(&self) -> Vec<Received> {
         let done = AtomicUsize::new(0);
         let of_element = |scratch: &mut Scratch, index| {
             let rows = self.rows(index, scratch);
@@ -188,7 +215,7 @@ impl<'t> Radiosity<'t> {
     }
 
     /// The rows of the nodes of an element, and the light that comes straight to them; only some of it if the work is stopped.
-    fn rows(&self, index: usize, scratch: &mut Scratch) -> (Vec<Row>, Vec<Vec<f64>>) {
+    fn rows(&self, index: usize, scratch: &mut Scratch) -> Received {
         let element = &self.elements[index];
         let points: Vec<Vector> = element.nodes().collect();
         let measure = Measure::Plane(element.normal);
@@ -202,9 +229,10 @@ impl<'t> Radiosity<'t> {
             });
         }
         if self.watch.is_stopped() {
-            return (rows, Vec::new());
+            return Received { rows, ..Received::default() };
         }
-        (rows, self.lights.reaching(group, self.transport, scratch))
+        let beams = self.lights.reaching_by_beams(group, self.transport);
+        Received { rows, direct: self.lights.reaching(group, self.transport, scratch), beams }
     }
 
     /// Whether it is asked for what is reflected to an element. Light that is reflected once leaves from where it came straight: then only
@@ -315,38 +343,50 @@ impl<'t> Radiosity<'t> {
         });
     }
 
-    /// The mean irradiance of the front of a surface, for each band, and its area. What comes straight from faces is an integral
-    /// over them; the rest is summed over nodes.
+    /// The mean irradiance of the front of a surface, for each band, and its area. What comes straight as an integral is that; the rest is summed
+    /// over nodes.
     pub(crate) fn mean(&self, surface: usize) -> (Vec<f64>, f64) {
-        let straight = self.straight[surface].as_ref();
-        let by_nodes = self.question.direct && straight.is_none();
+        let integral = self.straight[surface].as_ref().filter(|_| self.question.direct);
+        let left_out = match integral.map(|integral| integral.kinds) {
+            // what comes straight is not asked for
+            None if !self.question.direct => Some(&self.direct),
+            Some(kinds) if kinds == self.lights.kinds() => Some(&self.direct),
+            Some(Effects { beams: true, .. }) => Some(&self.beams),
+            _ => None,
+        };
         let mut sums = vec![0.0; self.scene.band_count()];
         for (index, element) in self.elements.iter().enumerate() {
             if !self.transport.faces[element.face].is_front_of(surface) {
                 continue;
             }
             for (area, node) in element.areas().zip(self.first[index]..) {
-                for ((sum, all), direct) in sums.iter_mut().zip(&self.irradiance).zip(&self.direct) {
-                    *sum += area * if by_nodes { all[node] } else { all[node] - direct[node] };
+                for (band, sum) in sums.iter_mut().enumerate() {
+                    let left_out = left_out.map_or(0.0, |left_out| left_out[band][node]);
+                    *sum += area * (self.irradiance[band][node] - left_out);
                 }
             }
         }
-        if let Some(flux) = straight.filter(|_| self.question.direct) {
+        if let Some(Integral { flux, .. }) = integral.filter(|_| left_out.is_some()) {
             sums.iter_mut().zip(flux).for_each(|(sum, flux)| *sum += flux.value.to_f64());
         }
         let whole = self.transport.front_area(surface);
         (sums.into_iter().map(|sum| sum / whole).collect(), whole)
     }
 
+    /// What comes straight to a surface, where all of it is an integral.
+    fn integral(&self, surface: usize) -> Option<&Integral> {
+        self.straight[surface].as_ref().filter(|integral| integral.kinds == self.lights.kinds())
+    }
+
     /// The error of what comes straight to a surface in a band, as a flux; nothing where it is summed over nodes.
     pub(crate) fn straight_error(&self, surface: usize, band: usize) -> Option<f64> {
-        self.straight[surface].as_ref().map(|flux| flux[band].error)
+        self.integral(surface).map(|integral| integral.flux[band].error)
     }
 
     /// What comes straight to the front of a surface, for each band: its mean, and what of that is rounded as the nearest `f64`; or both as a flux. Nothing where
     /// it is summed over nodes.
     pub(crate) fn precise_mean(&self, surface: usize, is_flux: bool) -> Option<Vec<[f64; 2]>> {
-        let flux = self.straight[surface].as_ref()?;
+        let flux = &self.integral(surface)?.flux;
         let areas = self.transport.fronts(surface).map(|face| area(&face.vertices));
         let area = areas.fold(DoubleDouble::from_f64(0.0), |sum, area| sum + area);
         let nearest = |flux: &Rounded| {
@@ -362,17 +402,23 @@ fn coarsest(
     scene: &Scene,
     transport: &Transport,
     question: &Question,
-    straight: &[Option<Vec<Rounded>>],
+    is_integral: &[bool],
+    shadows: &Shadows,
 ) -> Vec<Element> {
     let reflected = question.orders != Some(0);
-    let is_summed = |surface: usize| question.receives[surface] && (reflected || straight[surface].is_none());
+    let is_summed = |surface: usize| question.receives[surface] && (reflected || !is_integral[surface]);
     let has_elements = |face: &Face| {
         let is_source = reflected && reflects(scene, face.surface);
         is_bright(scene, face) && (is_source || is_summed(face.surface))
     };
     let mut elements = Vec::new();
     let corners = transport.faces.iter().flat_map(|face| &face.vertices).copied();
-    let pieces = contact::pieces(&transport.faces, closeness(corners), has_elements);
+    let closeness = closeness(corners);
+    let borders = |index: usize, face: &Face| {
+        let is_cut = reflected && !scene.surfaces[face.surface].shape.is_round();
+        if is_cut { shadows.borders(index, face, closeness) } else { Vec::new() }
+    };
+    let pieces = contact::pieces(&transport.faces, closeness, has_elements, borders);
     for (index, (face, pieces)) in transport.faces.iter().zip(pieces).enumerate() {
         elements.extend(pieces.iter().flat_map(|piece| Element::of(index, face, piece)));
     }

@@ -1,0 +1,240 @@
+//! Shadows of lights without extent: random suns and lamps above plates and a ground, against what slabs of the ground tell.
+//!
+//! The ground is black or reflects; plates are black. Then the light at a point below all plates is that of the lit part of the ground, a
+//! closed form. `FORMS_SHADOWS` is the number of scenes of each kind.
+
+#[expect(dead_code, reason = "other tests need the rest")]
+mod scene_text;
+mod slabs;
+
+use forms_radiometry::geometry::{Polygon, Vector, form_factor};
+use forms_radiometry::kernels::solid_angle_triangle;
+use forms_radiometry::scene::{Scene, read};
+use forms_radiometry::simulation::{Answer, Quantity, Unwatched, plan, simulate};
+use forms_testing::SplitMix;
+use scene_text::{material, point_receiver, polygon, surface, surface_receiver, tolerance};
+use slabs::{Trapezoid, area, uncovered};
+
+/// The half of the ground's side.
+const HALF: f64 = 5.0;
+/// The height of the points; plates are above it.
+const HEIGHT: f64 = 0.4;
+
+/// Where light comes from.
+#[derive(Clone, Copy, Debug)]
+enum Source {
+    Sun(Vector),
+    Lamp(Vector),
+}
+
+/// A scene with what is right for it.
+struct Case {
+    source: Source,
+    plates: Vec<Vec<Vector>>,
+    reflectance: f64,
+    tolerance: f64,
+    points: Vec<(Vector, Vector)>,
+}
+
+fn between(random: &mut SplitMix, low: f64, high: f64) -> f64 {
+    low + (high - low) * (random.next() >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+fn array(Vector { x, y, z }: Vector) -> [f64; 3] {
+    [x, y, z]
+}
+
+/// A rectangle or triangle that is turned anyhow, above the points.
+fn plate(random: &mut SplitMix) -> Vec<Vector> {
+    let mut vector = |size: f64| {
+        let mut coordinate = || between(random, -size, size);
+        Vector::new(coordinate(), coordinate(), coordinate())
+    };
+    let (along, other) = (vector(1.0), vector(1.0));
+    let across = along.cross(other).cross(along);
+    let (along, across) = (along.unit().expect("a way"), across.unit().expect("another"));
+    let [length, width] = [(); 2].map(|()| between(random, 0.05, 1.5));
+    let middle =
+        Vector::new(between(random, -4.0, 4.0), between(random, -4.0, 4.0), between(random, 2.2, 3.0));
+    let corner = |u: f64, v: f64| middle + (u * length) * along + (v * width) * across;
+    let mut corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+    corners.truncate(3 + random.below(2));
+    corners
+}
+
+impl Case {
+    fn new(random: &mut SplitMix, is_lamp: bool, reflectance: f64) -> Self {
+        let mut slope = || between(random, -0.9, 0.9);
+        let source = if is_lamp {
+            Source::Lamp(Vector::new(3.0 * slope(), 3.0 * slope(), 6.0 + 2.0 * slope()))
+        } else {
+            Source::Sun(Vector::new(slope(), slope(), -1.0).unit().expect("a direction"))
+        };
+        let plates = (0..1 + random.below(4)).map(|_| plate(random)).collect();
+        let mut point = || {
+            let position = Vector::new(between(random, -3.0, 3.0), between(random, -3.0, 3.0), HEIGHT);
+            (position, Vector::new(between(random, -0.3, 0.3), between(random, -0.3, 0.3), -1.0))
+        };
+        let points = vec![point(), point()];
+        Self { source, plates, reflectance, tolerance: random.of(&[1e-2, 1e-3, 1e-4]), points }
+    }
+
+    fn text(&self) -> String {
+        let light = match self.source {
+            Source::Sun(direction) => {
+                format!("kind = \"distant\"\ndirection = {:?}\nirradiance = 1000\n", array(direction))
+            }
+            Source::Lamp(position) => {
+                format!("kind = \"point\"\nposition = {:?}\nintensity = 1000\n", array(position))
+            }
+        };
+        let corner = |x: f64, y: f64| [x * HALF, y * HALF, 0.0];
+        let ground = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+        let mut text =
+            format!("[[light]]\n{light}") + &material("black", 0) + &material("ground", self.reflectance);
+        text += &surface("ground", "ground", &polygon(&ground));
+        for (number, plate) in self.plates.iter().enumerate() {
+            let corners: Vec<[f64; 3]> = plate.iter().copied().map(array).collect();
+            let shape = polygon(&corners) + "\ntwo_sided = true";
+            text += &surface(&format!("plate {number}"), "black", &shape);
+        }
+        for (number, &(position, normal)) in self.points.iter().enumerate() {
+            text += &point_receiver(&format!("point {number}"), array(position), array(normal));
+        }
+        text + &surface_receiver("ground") + &tolerance(self.tolerance)
+    }
+
+    /// The lit part of the ground.
+    fn lit(&self) -> Vec<Trapezoid> {
+        let shadow = |plate: &Vec<Vector>| {
+            let of_corner = |&v: &Vector| {
+                let away = match self.source {
+                    Source::Sun(direction) => (v.z / -direction.z) * direction,
+                    Source::Lamp(lamp) => (v.z / (lamp.z - v.z)) * (v - lamp),
+                };
+                [(v + away).x, (v + away).y]
+            };
+            plate.iter().map(of_corner).collect()
+        };
+        let shadows: Vec<Vec<slabs::Point>> = self.plates.iter().map(shadow).collect();
+        uncovered([[-HALF; 2], [HALF; 2]], &shadows)
+    }
+
+    /// The mean of what comes straight to the ground, and what each point gets of what that reflects.
+    fn right(&self) -> (f64, Vec<f64>) {
+        let lit = self.lit();
+        let whole = 4.0 * HALF * HALF;
+        let mean = match self.source {
+            Source::Sun(direction) => 1000.0 * -direction.z * area(&lit) / whole,
+            Source::Lamp(lamp) => {
+                1000.0 * lit.iter().map(|part| solid_angle(lamp, part)).sum::<f64>() / whole
+            }
+        };
+        let of_point = |&(position, normal): &(Vector, Vector)| {
+            let Source::Sun(direction) = self.source else { return f64::NAN };
+            let factors: f64 = lit.iter().map(|part| factor(position, normal, part)).sum();
+            self.reflectance * 1000.0 * -direction.z * factors
+        };
+        (mean, self.points.iter().map(of_point).collect())
+    }
+
+    fn answers(&self) -> Vec<Answer> {
+        let scene: Scene =
+            read(&self.text(), "shadows.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
+        let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
+        simulate(&scene, &plan, &Unwatched).answers
+    }
+}
+
+fn corners(part: &Trapezoid) -> Vec<Vector> {
+    let mut corners: Vec<Vector> = part.iter().map(|&[x, y]| Vector::new(x, y, 0.0)).collect();
+    corners.dedup_by(|a, b| (*a - *b).length() < 1e-13);
+    if (corners[0] - corners[corners.len() - 1]).length() < 1e-13 {
+        corners.pop();
+    }
+    corners
+}
+
+fn solid_angle(lamp: Vector, part: &Trapezoid) -> f64 {
+    let v = corners(part);
+    let of_triangle = |a: Vector, b: Vector, c: Vector| {
+        solid_angle_triangle(lamp.x, lamp.y, lamp.z, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z).abs()
+    };
+    (1..v.len().saturating_sub(1)).map(|i| of_triangle(v[0], v[i], v[i + 1])).sum()
+}
+
+fn factor(position: Vector, normal: Vector, part: &Trapezoid) -> f64 {
+    let polygon = Polygon::new(corners(part));
+    // a part without area has no polygon
+    polygon.map_or(0.0, |polygon| form_factor(position, normal, &polygon))
+}
+
+fn count() -> usize {
+    std::env::var("FORMS_SHADOWS").map_or(30, |count| count.parse().expect("a number"))
+}
+
+/// The answers that are off by more than their error, of so many scenes.
+fn outside(seed: u64, is_lamp: bool, reflectance: f64) -> (Vec<String>, usize) {
+    let mut random = SplitMix(seed);
+    let (mut outside, mut all) = (Vec::new(), 0);
+    for number in 0..count() {
+        let case = Case::new(&mut random, is_lamp, reflectance);
+        let (mean, points) = case.right();
+        let answers = case.answers();
+        let mut compare = |what: &str, answer: &Answer, right: f64| {
+            all += 1;
+            let off = (answer.value - right).abs();
+            if off.is_nan() || off > answer.error + 1e-9 * right.abs() {
+                let (value, error) = (answer.value, answer.error);
+                outside.push(format!(
+                    "{number}, {what} to {:e}: {value} ± {error:e}, right is {right}",
+                    case.tolerance
+                ));
+            }
+        };
+        for answer in answers.iter().filter(|answer| answer.quantity == Quantity::Irradiance) {
+            let point = answer
+                .receiver
+                .strip_prefix("point ")
+                .map(|number| number.parse::<usize>().expect("a number"));
+            match point {
+                None => compare("mean", answer, mean),
+                Some(point) if points[point].is_finite() => compare("point", answer, points[point]),
+                Some(_) => {}
+            }
+        }
+    }
+    (outside, all)
+}
+
+#[test]
+fn the_mean_of_a_black_ground_is_that_of_its_lit_part() {
+    for (name, seed, is_lamp) in [("sun", 1, false), ("lamp", 2, true)] {
+        let (outside, all) = outside(seed, is_lamp, 0.0);
+        assert!(outside.is_empty(), "{name}: {} of {all}: {outside:#?}", outside.len());
+    }
+}
+
+#[test]
+fn points_below_plates_get_what_the_lit_part_of_the_ground_reflects() {
+    let (outside, all) = outside(3, false, 0.5);
+    assert!(outside.is_empty(), "{} of {all}: {outside:#?}", outside.len());
+}
+
+#[test]
+fn slabs_have_the_area_that_is_left() {
+    let square =
+        |[x, y]: [f64; 2], side: f64| vec![[x, y], [x + side, y], [x + side, y + side], [x, y + side]];
+    for (name, covers, expected) in [
+        ("nothing", vec![], 100.0),
+        ("a square", vec![square([0.0; 2], 2.0)], 96.0),
+        ("the same twice", vec![square([0.0; 2], 2.0); 2], 96.0),
+        ("two that overlap", vec![square([0.0; 2], 2.0), square([1.0; 2], 2.0)], 93.0),
+        ("one that leaves", vec![square([4.0; 2], 2.0)], 99.0),
+        ("a triangle", vec![vec![[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]]], 98.0),
+        ("all", vec![square([-6.0; 2], 12.0)], 0.0),
+    ] {
+        let found = area(&uncovered([[-5.0; 2], [5.0; 2]], &covers));
+        assert!((found - expected).abs() < 1e-12, "{name}: {found}");
+    }
+}
