@@ -25,6 +25,7 @@ mod importance;
 mod kernels;
 mod measure;
 mod operator;
+mod partial;
 mod paths;
 mod probe;
 mod reference;

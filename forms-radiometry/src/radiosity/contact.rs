@@ -21,6 +21,8 @@ pub(super) struct Contact {
     normal: Vector,
     /// Whether the other face rises above the plane, so that light passes between them right up to the contact.
     rises: bool,
+    /// Whether a shadow ends there: then no piece may have it inside, however small that is.
+    is_shadow: bool,
 }
 
 /// A convex piece of a face that no other face cuts.
@@ -87,9 +89,14 @@ fn divide(
         return;
     };
     let (mut front, mut behind) = (Vec::new(), Vec::new());
+    let is_small = area(&piece).length() <= least;
+    let (share, contact) = match inside.iter().find(|(_, contact)| is_small && contact.is_shadow) {
+        Some(&(_, shadow)) => (1.0, shadow),
+        None => (share, contact),
+    };
     if share >= LEAST_SHARE {
         split(&piece, |v| contact.normal.dot(v - contact.ends[0]), &mut front, &mut behind);
-    } else if area(&piece).length() > least {
+    } else if !is_small {
         let [middle, across] = half(&piece);
         split(&piece, |v| across.dot(v - middle), &mut front, &mut behind);
     } else {
@@ -121,14 +128,14 @@ fn contact(face: &Face, other: &Face, closeness: f64) -> Option<Contact> {
     }
     let (&first, &last) = (ends.first()?, ends.last()?);
     let is_line = is_off && (last - first).length() > closeness;
-    is_line.then_some(Contact { ends: [first, last], normal: other.normal, rises })
+    is_line.then_some(Contact { ends: [first, last], normal: other.normal, rises, is_shadow: false })
 }
 
 impl Contact {
     /// Where a shadow ends on a face with this normal.
     pub(super) fn of_shadow(ends: [Vector; 2], normal: Vector) -> Option<Self> {
         let across = normal.cross(ends[1] - ends[0]).unit()?;
-        Some(Self { ends, normal: across, rises: false })
+        Some(Self { ends, normal: across, rises: false, is_shadow: true })
     }
 
     /// Whether it takes most of a side.

@@ -13,7 +13,7 @@ use super::arriving::{Arriving, Kinds};
 use super::closed_form::emitted;
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
-use super::shadows::Shadows;
+use super::shadows::{Shadows, spectrum};
 use crate::faces::emits;
 use crate::geometry::precise::Rounded;
 use crate::geometry::{Exchange, Face, Vector, exchange_of, exchange_precisely, exchange_with};
@@ -229,16 +229,6 @@ impl<'s> Lights<'s> {
         Some(flux)
     }
 
-    /// What each point of a group gets straight from lights without extent, for each band.
-    pub(super) fn reaching_by_beams(&self, group: Group, transport: &Transport) -> Vec<Vec<f64>> {
-        let of_point = |&point: &Vector| {
-            let mut sum = vec![0.0; self.scene.band_count()];
-            self.add_lights(point, group.measure, transport, &mut sum);
-            sum
-        };
-        if self.kinds().beams { group.points.iter().map(of_point).collect() } else { Vec::new() }
-    }
-
     /// Adds what comes from lights without extent.
     pub(super) fn add_lights(&self, point: Vector, measure: Measure, transport: &Transport, sum: &mut [f64]) {
         lights_at(self.scene, point, measure, transport, |arriving, factor, _| {
@@ -257,19 +247,27 @@ pub(super) fn lights_at(
     mut each: impl FnMut(&[f64], f64, f64),
 ) {
     for light in &scene.lights {
-        let (towards, arriving, [squared, distance]) = match &light.kind {
-            LightKind::Point { position, intensity } => {
-                let way = *position - point;
-                (way, intensity, [way.dot(way), way.length()])
-            }
-            LightKind::Distant { direction, irradiance } => (-*direction, irradiance, [1.0, f64::INFINITY]),
-        };
-        let Some(unit) = towards.unit() else { continue };
-        let factor = measure.factor(unit) / squared;
+        let factor = reaching_factor(light, point, measure);
         if factor != 0.0 && !hides(light, point, transport) {
-            each(arriving, factor, distance);
+            let distance = match light.kind {
+                LightKind::Point { position, .. } => (position - point).length(),
+                LightKind::Distant { .. } => f64::INFINITY,
+            };
+            each(spectrum(light), factor, distance);
         }
     }
+}
+
+/// What is multiplied by the intensity, or the irradiance, of a light for what it makes at a point, were nothing in between.
+pub(super) fn reaching_factor(light: &Light, point: Vector, measure: Measure) -> f64 {
+    let (towards, squared) = match light.kind {
+        LightKind::Point { position, .. } => {
+            let way = position - point;
+            (way, way.dot(way))
+        }
+        LightKind::Distant { direction, .. } => (-direction, 1.0),
+    };
+    towards.unit().map_or(0.0, |unit| measure.factor(unit) / squared)
 }
 
 /// Whether a point does not see a light without extent.

@@ -37,7 +37,27 @@ impl Operator {
 
     /// G E for these reflectances of the elements.
     pub(super) fn apply(&self, reflectances: &[f64], irradiance: &[f64]) -> Vec<f64> {
-        self.rows.par_iter().with_min_len(16).map(|row| self.row(row, reflectances, irradiance)).collect()
+        self.sums(|element, weights| {
+            let nodes = &irradiance[self.first[element]..self.first[element + 1]];
+            let arriving: f64 = weights.iter().zip(nodes).map(|(weight, value)| weight * value).sum();
+            reflectances[element] * arriving
+        })
+    }
+
+    /// For each node the sum over the elements that it sees of what is made of each and the weights of its nodes.
+    pub(super) fn sums(&self, of: impl Fn(usize, &[f64]) -> f64 + Sync) -> Vec<f64> {
+        let of_row = |row: &Row| {
+            let mut weights = row.weights.as_slice();
+            let mut sum = 0.0;
+            for &element in &row.elements {
+                let element = element as usize;
+                let (own, rest) = weights.split_at(self.first[element + 1] - self.first[element]);
+                sum += of(element, own);
+                weights = rest;
+            }
+            sum
+        };
+        self.rows.par_iter().with_min_len(16).map(of_row).collect()
     }
 
     /// Gᵀ z for these reflectances.
@@ -55,20 +75,6 @@ impl Operator {
             }
         }
         sums
-    }
-
-    fn row(&self, row: &Row, reflectances: &[f64], irradiance: &[f64]) -> f64 {
-        let mut weights = row.weights.as_slice();
-        let mut sum = 0.0;
-        for &element in &row.elements {
-            let element = element as usize;
-            let nodes = &irradiance[self.first[element]..self.first[element + 1]];
-            let (own, rest) = weights.split_at(nodes.len());
-            let arriving: f64 = own.iter().zip(nodes).map(|(weight, value)| weight * value).sum();
-            sum += reflectances[element] * arriving;
-            weights = rest;
-        }
-        sum
     }
 
     /// An estimate of the norm of the operator by what several reflections leave of a uniform irradiance: ‖Gᵐ‖^(1/m), m = 4,

@@ -124,8 +124,15 @@ impl Radiosity<'_> {
 
     /// How much the changes that are expected of each element matter to the goals.
     fn matter(&self, goals: &[Goal]) -> Vec<[f64; 2]> {
-        let changes = self.changes.iter().zip(self.importance(goals));
-        changes.map(|(changes, z)| changes.map(|change| product(change.expected, z))).collect()
+        let changes = self.changes.iter().zip(self.importance(goals)).enumerate();
+        let of_element = |(index, (changes, z)): (usize, (&[Change; 2], f64))| {
+            let (jump, is_divisible) = (self.jump(index), self.elements[index].is_divisible());
+            [0, 1].map(|i| {
+                let jump = if is_divisible[i] { jump } else { 0.0 };
+                product(changes[i].expected.max(jump), z)
+            })
+        };
+        changes.map(of_element).collect()
     }
 
     /// The elements that are split next, in which coordinates, and the relative error by the others.

@@ -15,7 +15,7 @@ use crate::sharing::Sharing;
 use crate::simulation::Watch;
 
 /// A border of more segments cuts no face.
-const MOST_SEGMENTS: usize = 64;
+const MOST_SEGMENTS: usize = 256;
 
 /// The lit parts of faces.
 pub(super) struct Shadows {
@@ -47,11 +47,16 @@ impl Shadows {
             return None;
         }
         for (light, lit) in scene.lights.iter().zip(&self.lit[index]) {
-            let (measure, of_bands) = transport.measured_by(light, lit.as_ref()?, &transport.faces[index]);
-            let sums = flux.iter_mut().zip(of_bands);
+            let measure = transport.measured_by(light, lit.as_ref()?, &transport.faces[index]);
+            let sums = flux.iter_mut().zip(spectrum(light));
             sums.for_each(|(sum, &of_band)| *sum = *sum + measure.times_datum(of_band));
         }
         Some(flux)
+    }
+
+    /// The part of a face that is lit under a light, where that is known.
+    pub(super) fn lit(&self, face: usize, light: usize) -> Option<&Lit> {
+        self.lit[face].get(light)?.as_ref()
     }
 
     /// Where shadows end on a face: nowhere if they end in too many places.
@@ -76,17 +81,10 @@ impl Transport {
         }
     }
 
-    /// The measure of the lit part of a face in the light's own, and what is multiplied by it in each band.
-    fn measured_by<'l>(&self, light: &'l Light, lit: &Lit, face: &Face) -> (Rounded, &'l [f64]) {
-        let (of_bands, measure): (&[f64], &dyn Fn(&[Vector]) -> Rounded) = match &light.kind {
-            LightKind::Point { position, intensity } => (intensity, &|piece| solid_angle(*position, piece)),
-            LightKind::Distant { direction, irradiance } => {
-                (irradiance, &|piece| area_across(piece, *direction))
-            }
-        };
-        // a light on the other side has no pieces
-        let mut sum = Rounded::exactly(0.0);
-        lit.pieces.iter().for_each(|piece| sum = sum + measure(piece));
+    /// The measure of the lit part of a face in the light's own.
+    fn measured_by(&self, light: &Light, lit: &Lit, face: &Face) -> Rounded {
+        let pieces = lit.pieces.iter().map(|piece| measure(light, piece));
+        let mut sum = pieces.fold(Rounded::exactly(0.0), |sum, piece| sum + piece);
         if !lit.is_whole {
             let perimeter: f64 = lit.pieces.iter().map(|piece| perimeter(piece)).sum();
             let squared = match light.kind {
@@ -95,7 +93,23 @@ impl Transport {
             };
             sum.error += perimeter * self.screens.rounding() / squared;
         }
-        (sum, of_bands)
+        sum
+    }
+}
+
+/// What is multiplied by the intensity, or the irradiance, of a light for its flux to a convex outline that nothing hides.
+pub(super) fn measure(light: &Light, outline: &[Vector]) -> Rounded {
+    match light.kind {
+        LightKind::Point { position, .. } => solid_angle(position, outline),
+        LightKind::Distant { direction, .. } => area_across(outline, direction),
+    }
+}
+
+/// The intensity, or the irradiance, of a light in each band.
+pub(super) fn spectrum(light: &Light) -> &[f64] {
+    match &light.kind {
+        LightKind::Point { intensity, .. } => intensity,
+        LightKind::Distant { irradiance, .. } => irradiance,
     }
 }
 

@@ -9,6 +9,7 @@ use super::element::{Element, HIGHEST_ORDER};
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use super::operator::{Operator, Row};
+use super::partial::OnElement;
 use super::shadows::Shadows;
 use super::solution::of_bands;
 use crate::faces::is_bright;
@@ -66,6 +67,8 @@ struct Received {
     /// Of each node, in each band, what comes straight from lights, and from those without extent alone.
     direct: Vec<Vec<f64>>,
     beams: Vec<Vec<f64>>,
+    /// For each band how far irradiance is from that.
+    jump: Vec<f64>,
 }
 
 /// A solution on elements.
@@ -92,6 +95,12 @@ pub(crate) struct Radiosity<'t> {
     pub(super) direct: Vec<Vec<f64>>,
     /// The same of lights without extent alone.
     pub(super) beams: Vec<Vec<f64>>,
+    /// The lit parts of faces under these.
+    shadows: Shadows,
+    /// For each band how far the irradiance of each element is from that of its nodes where a shadow ends on it; and by how much the
+    /// irradiance of each node may be off for that, over all reflections: empty where no shadow does.
+    pub(super) jumps: Vec<Vec<f64>>,
+    pub(super) doubts: Vec<Vec<f64>>,
     /// Of each surface that receives, what comes straight from lights as an integral.
     straight: Vec<Option<Integral>>,
     /// For each band what of the irradiance of each node is reflected once more: all but its highest order.
@@ -141,6 +150,9 @@ impl<'t> Radiosity<'t> {
             brightest: Vec::new(),
             direct: Vec::new(),
             beams: Vec::new(),
+            shadows,
+            jumps: Vec::new(),
+            doubts: Vec::new(),
             straight,
             reflected: Vec::new(),
             tail: Vec::new(),
@@ -163,16 +175,17 @@ impl<'t> Radiosity<'t> {
             return false;
         }
         let mut rows = Vec::new();
-        let [mut direct, mut beams] = [(); 2].map(|()| vec![Vec::new(); self.scene.band_count()]);
-        for Received { rows: of_element, direct: light, beams: of_beams } in of_elements {
+        let [mut direct, mut beams, mut jumps] = [(); 3].map(|()| vec![Vec::new(); self.scene.band_count()]);
+        for Received { rows: of_element, direct: light, beams: of_beams, jump } in of_elements {
             rows.extend(of_element);
+            jumps.iter_mut().zip(jump).for_each(|(band, jump)| band.push(jump));
             for (all, points) in [(&mut direct, light), (&mut beams, of_beams)] {
                 for of_point in points {
                     all.iter_mut().zip(of_point).for_each(|(band, value)| band.push(value));
                 }
             }
         }
-        self.beams = beams;
+        (self.beams, self.jumps) = (beams, jumps);
         if self.question.orders == Some(0) {
             self.tail = vec![0.0; direct.len()];
             self.take(direct.clone());
@@ -187,6 +200,7 @@ impl<'t> Radiosity<'t> {
         if self.watch.is_stopped() {
             return false;
         }
+        self.doubts = self.found_doubts(&operator, &reflectances);
         (self.reflected, self.tail) = (solved.reflected, solved.tail);
         self.take(solved.irradiance);
         (self.direct, self.operator) = (direct, Some(operator));
@@ -231,8 +245,16 @@ impl<'t> Radiosity<'t> {
         if self.watch.is_stopped() {
             return Received { rows, ..Received::default() };
         }
-        let beams = self.lights.reaching_by_beams(group, self.transport);
-        Received { rows, direct: self.lights.reaching(group, self.transport, scratch), beams }
+        let mut direct = self.lights.reaching(group, self.transport, scratch);
+        if !self.lights.kinds().beams {
+            return Received { rows, direct, ..Received::default() };
+        }
+        let OnElement { nodes: beams, more, jump } =
+            self.shadows.on_element((element, &self.outlines[index]), self.scene, self.transport);
+        direct.iter_mut().zip(&more).for_each(|(sums, more)| {
+            sums.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
+        });
+        Received { rows, direct, beams, jump }
     }
 
     /// Whether it is asked for what is reflected to an element. Light that is reflected once leaves from where it came straight: then only

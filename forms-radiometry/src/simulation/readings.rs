@@ -187,6 +187,22 @@ impl Reading {
         }
     }
 
+    /// What it may be off by, for each band, because of where shadows of lights without extent end on elements.
+    pub(super) fn doubts(&self, scene: &Scene, radiosity: &Radiosity, scratch: &mut Scratch) -> Vec<f64> {
+        let transport = radiosity.transport();
+        let mut doubts = match self.goal(scene, transport) {
+            Some(goal) if radiosity.has_doubts() => radiosity.doubt(goal, scratch),
+            _ => return vec![0.0; scene.band_count()],
+        };
+        if self.is_mean() {
+            doubts.iter_mut().for_each(|doubt| *doubt *= self.of_goal(transport));
+        } else {
+            let made_of = self.made_of(scene, transport);
+            doubts.iter_mut().zip(made_of).for_each(|(doubt, [_, factor])| *doubt *= factor);
+        }
+        doubts
+    }
+
     /// Where the light arrives that it tells of.
     pub(super) fn places(&self, scene: &Scene, transport: &Transport) -> Vec<Place> {
         match self.what {

@@ -245,11 +245,11 @@ impl<'s> Work<'s> {
         }
     }
 
-    /// Readings that no element reaches have no error by elements.
+    /// Readings that no element reaches, or that ask for none, have no error by elements.
     fn settle(&self, radiosity: &Radiosity, found: &mut [Found]) {
         for (reading, found) in self.readings.iter().zip(found) {
             let goal = reading.goal(self.scene, radiosity.transport());
-            let is_reached = goal.is_none_or(|goal| radiosity.reaches(goal));
+            let is_reached = goal.is_some_and(|goal| radiosity.reaches(goal));
             // what reaches it is not known where the work was stopped
             if !is_reached && !self.watch.is_stopped() {
                 found.bands.iter_mut().for_each(Estimate::settle);
@@ -271,9 +271,10 @@ impl<'s> Work<'s> {
                 return Found { bands: Vec::new(), has_pieces: true, seconds };
             };
             let largest = reading.largest(radiosity.transport());
+            let doubts = reading.doubts(self.scene, radiosity, scratch);
             let of_band = |(band, value): (usize, f64)| {
                 let straight = reading.straight_error(radiosity, band);
-                let quadrature = straight.unwrap_or(0.0);
+                let quadrature = straight.unwrap_or(0.0) + doubts[band];
                 let rounding = rounding.get(band).copied().unwrap_or(0.0);
                 let integral = ErrorParts { quadrature, rounding, ..ErrorParts::default() };
                 if self.effects.orders == Some(0) && straight.is_some() {

@@ -1,0 +1,200 @@
+//! Elements that a shadow lies on in part: what their nodes get straight from lights without extent, and how much that may be wrong.
+//!
+//! ```text
+//! all of it lit or dark       D at the nodes
+//! the part f of it lit        D = Φ/A at all nodes,   jump = (1/A) ∫ |D(x) − Φ/A| dA ≤ 2 f (1 − f) D of the lit part + its spread
+//! ```
+//! So its flux Φ is right wherever the nodes are, and no shadow that falls between them is missed. Where it lies is not told by D: answers
+//! may be off by the jump times half of what the weight of irradiance differs by over the element, and by what that makes over all reflections.
+
+use super::direct::{hides, reaching_factor};
+use super::element::Element;
+use super::gather::{Group, Scratch, Transport};
+use super::importance::GoalKind;
+use super::measure::Measure;
+use super::operator::Operator;
+use super::shadows::{Shadows, measure, spectrum};
+use super::solution::of_bands;
+use super::system::Radiosity;
+use crate::geometry::{Lit, Vector, split};
+use crate::scene::{Light, Scene};
+use forms::math::Real;
+
+/// Parts of an element below this are no more than rounding.
+const NOTHING: f64 = 1e-9;
+
+/// What an element gets straight from lights without extent.
+pub(super) struct OnElement {
+    /// Of each node, in each band.
+    pub(super) nodes: Vec<Vec<f64>>,
+    /// How much that is more than what reaches the node.
+    pub(super) more: Vec<Vec<f64>>,
+    /// For each band how far irradiance is from that in the mean.
+    pub(super) jump: Vec<f64>,
+}
+
+/// The same of one light, over its intensity or irradiance.
+struct OfLight {
+    /// What reaches each node.
+    seen: Vec<f64>,
+    /// The mean, and how far irradiance is from it, where that stands for what reaches the nodes.
+    mean: Option<f64>,
+    jump: f64,
+}
+
+impl Shadows {
+    /// What an element with this outline gets straight from lights without extent.
+    pub(super) fn on_element(
+        &self,
+        (element, outline): (&Element, &[Vector]),
+        scene: &Scene,
+        transport: &Transport,
+    ) -> OnElement {
+        let bands = scene.band_count();
+        let nothing = vec![vec![0.0; bands]; element.count()];
+        let mut sums = OnElement { nodes: nothing.clone(), more: nothing, jump: vec![0.0; bands] };
+        for (number, light) in scene.lights.iter().enumerate() {
+            let OfLight { seen, mean, jump } =
+                of_light(light, self.lit(element.face, number), (element, outline), transport);
+            let of_bands = spectrum(light);
+            let add = |sums: &mut [f64], factor: f64| {
+                sums.iter_mut().zip(of_bands).for_each(|(sum, of_band)| *sum += factor * of_band);
+            };
+            for ((nodes, more), seen) in sums.nodes.iter_mut().zip(&mut sums.more).zip(seen) {
+                let taken = mean.unwrap_or(seen);
+                add(nodes, taken);
+                add(more, taken - seen);
+            }
+            add(&mut sums.jump, jump);
+        }
+        sums
+    }
+}
+
+fn of_light(
+    light: &Light,
+    lit: Option<&Lit>,
+    (element, outline): (&Element, &[Vector]),
+    transport: &Transport,
+) -> OfLight {
+    let points: Vec<Vector> = element.nodes().collect();
+    let plane = Measure::Plane(element.normal);
+    let open: Vec<f64> = points.iter().map(|&point| reaching_factor(light, point, plane)).collect();
+    let [least, largest] = [f64::min, f64::max].map(|f| open.iter().copied().reduce(f).unwrap_or(0.0));
+    let seen = || {
+        let at = |(&point, &open): (&Vector, &f64)| {
+            if open == 0.0 || hides(light, point, transport) { 0.0 } else { open }
+        };
+        points.iter().zip(&open).map(at).collect()
+    };
+    let mut found = OfLight { seen: seen(), mean: None, jump: 0.0 };
+    let Some(lit) = lit else { return OfLight { jump: largest, ..found } };
+    if lit.is_whole {
+        return found;
+    }
+    let pieces: Vec<Vec<Vector>> =
+        lit.pieces.iter().filter_map(|piece| common(piece, outline, element.normal)).collect();
+    let part = pieces.iter().map(|piece| area(piece, element.normal)).sum::<f64>() / element.area;
+    if !(NOTHING..=1.0 - NOTHING).contains(&part) {
+        return found;
+    }
+    let flux: f64 = pieces.iter().map(|piece| measure(light, piece).value.to_f64()).sum();
+    found.jump = 2.0 * (1.0 - part) * flux / element.area + (largest - least);
+    found.mean = Some(flux / element.area);
+    found
+}
+
+/// The common part of two convex polygons of one plane, if it has any area.
+fn common(piece: &[Vector], outline: &[Vector], normal: Vector) -> Option<Vec<Vector>> {
+    let (mut inside, mut outside) = (Vec::new(), Vec::new());
+    let mut left = piece.to_vec();
+    for (i, &corner) in outline.iter().enumerate() {
+        let inwards = normal.cross(outline[(i + 1) % outline.len()] - corner);
+        split(&left, |v| inwards.dot(v - corner), &mut inside, &mut outside);
+        std::mem::swap(&mut left, &mut inside);
+        if left.is_empty() {
+            return None;
+        }
+    }
+    Some(left)
+}
+
+fn area(outline: &[Vector], normal: Vector) -> f64 {
+    let about = outline[0];
+    0.5 * outline.windows(2).map(|pair| normal.dot((pair[0] - about).cross(pair[1] - about))).sum::<f64>()
+}
+
+/// Half of what the weight of irradiance differs by over an element, by that of its nodes, times its area; of a single node all of it. Twice
+/// that, as the nodes do not reach the ends.
+fn spread(weights: &[f64], element: &Element) -> f64 {
+    let of_parts = weights.iter().zip(&element.reference().weights).map(|(weight, part)| weight.abs() / part);
+    if weights.len() == 1 {
+        return weights[0].abs();
+    }
+    let (low, high) = of_parts.fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
+    high - low
+}
+
+impl Radiosity<'_> {
+    /// For each band what the irradiance of each node may be off by because of where shadows end on elements, over all reflections; nothing where
+    /// none does.
+    pub(super) fn found_doubts(&self, operator: &Operator, reflectances: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        if self.jumps.iter().flatten().all(|&jump| jump == 0.0) {
+            return Vec::new();
+        }
+        let once = |(reflectances, jumps): (&Vec<f64>, &Vec<f64>)| {
+            operator.sums(|element, weights| {
+                let jump = reflectances[element] * jumps[element];
+                if jump > 0.0 { jump * spread(weights, &self.elements[element]) } else { 0.0 }
+            })
+        };
+        let once: Vec<Vec<f64>> = reflectances.iter().zip(&self.jumps).map(once).collect();
+        of_bands(operator, reflectances, &once, self.question.orders, self.watch).irradiance
+    }
+
+    /// Whether shadows end on elements.
+    pub(crate) fn has_doubts(&self) -> bool {
+        !self.doubts.is_empty()
+    }
+
+    /// What an answer may be off by, for each band, because of where shadows end on elements.
+    pub(crate) fn doubt(&self, what: GoalKind, scratch: &mut Scratch) -> Vec<f64> {
+        let mut sums = vec![0.0; self.scene.band_count()];
+        match what {
+            GoalKind::At { position, measure } => {
+                let points = [position];
+                let group = Group { points: &points, outline: &points, measure };
+                self.weigh(group, None, scratch, |source, _, weights| {
+                    let element = &self.elements[source];
+                    let spread = spread(weights, element);
+                    for (band, sum) in sums.iter_mut().enumerate() {
+                        let doubts = self.doubts[band][self.first[source]..].iter();
+                        let arriving: f64 =
+                            weights.iter().zip(doubts).map(|(w, doubt)| w.abs() * doubt).sum();
+                        let own = self.jumps[band][source] * spread;
+                        *sum += self.reflectance(element, band) * (arriving + own);
+                    }
+                });
+            }
+            GoalKind::Mean { surface } => {
+                for index in self.elements_on(surface) {
+                    for (area, node) in self.elements[index].areas().zip(self.first[index]..) {
+                        sums.iter_mut()
+                            .zip(&self.doubts)
+                            .for_each(|(sum, doubts)| *sum += area * doubts[node]);
+                    }
+                }
+            }
+        }
+        sums
+    }
+
+    /// How much of an element's irradiance is in doubt itself, relative to the largest, in the band where that is most.
+    pub(super) fn jump(&self, element: usize) -> f64 {
+        let of_bands = self.jumps.iter().zip(&self.brightest);
+        of_bands
+            .filter(|(_, scale)| **scale > 0.0)
+            .map(|(jumps, scale)| jumps[element] / scale)
+            .fold(0.0, f64::max)
+    }
+}
