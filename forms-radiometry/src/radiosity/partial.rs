@@ -194,7 +194,7 @@ impl Radiosity<'_> {
         let of_bands = self.jumps.iter().zip(&self.brightest);
         of_bands
             .filter(|(_, scale)| **scale > 0.0)
-            .map(|(jumps, scale)| jumps[element] / scale)
+            .map(|(jumps, scale)| jumps.get(element).map_or(0.0, |jump| jump / scale))
             .fold(0.0, f64::max)
     }
 }
