@@ -129,8 +129,9 @@ pub(crate) enum Command {
     },
     /// Simulate a scene: print what is simulated and why, then what each receiver gets, with its error
     ///
-    /// Ctrl-C stops the work: what is there by then is printed and written. Exit status: 0 if the work was done, 2 if the
-    /// scene has errors or a file cannot be written, 130 if the work was stopped.
+    /// Ctrl-C stops the work: what is there by then is printed and written. Exit status: 0 if the work was done, 3 if it
+    /// was and a number is less exact than was asked for, 2 if the scene has errors or a file cannot be written, 130 if the work
+    /// was stopped.
     ///
     /// Work by paths that was killed goes on from its --checkpoint, to the same bits, and can be divided among machines: each
     /// does one --shard, and `forms merge` puts the parts together to what one run would have given, bit for bit.
@@ -165,7 +166,8 @@ pub(crate) enum Command {
     /// Put the parts of a simulation together that were written with --shard, to what one run gives
     ///
     /// The parts may be given in any order, and more than once. One that is missing, damaged or of other work is named, with
-    /// the call that makes it. Exit status: 0 if all is there, 2 if not.
+    /// the call that makes it. Exit status: 0 if all is there, 3 if it is and a number is less exact than was
+    /// asked for, 2 if not.
     Merge {
         /// The files that `forms simulate --shard` has written
         #[arg(required = true, value_name = "PART")]

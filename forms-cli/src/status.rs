@@ -9,6 +9,8 @@ pub(crate) enum Status {
     AsStated,
     /// Some statement is not as stated.
     NotAsStated,
+    /// A number is less exact than was asked for.
+    Missed,
     /// There is an error in a file, or the call cannot be carried out.
     Error,
     /// The user stopped the work with Ctrl-C.
@@ -22,6 +24,7 @@ impl Status {
             Status::AsStated => 0,
             Status::NotAsStated => 1,
             Status::Error => 2,
+            Status::Missed => 3,
             Status::Stopped => 130,
         }
     }

@@ -35,7 +35,7 @@ fn simulated(text: &str) -> Simulation {
 
 fn image(simulation: &Simulation) -> &Map {
     let map = &simulation.maps[0];
-    assert!(map.is_image && simulation.answers[0].kind == ErrorKind::Bound);
+    assert!(map.is_image && simulation.answers[0].kind == ErrorKind::Estimate);
     map
 }
 

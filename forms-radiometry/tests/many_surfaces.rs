@@ -1,7 +1,7 @@
 //! Scenes of thousands of surfaces: known answers and laws, within the errors that are printed.
 
 use forms_radiometry::scene::{Scene, read_with_files};
-use forms_radiometry::simulation::{Answer, Quantity, Unwatched, plan, simulate};
+use forms_radiometry::simulation::{Answer, ErrorKind, Quantity, Unwatched, plan, simulate};
 use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -135,6 +135,23 @@ fn opposed_squares_of_thousands_of_triangles_keep_their_radiosity_however_they_a
             let text = surface("a", 0.9, 0.0) + &surface("b", 0.9, 1.0) + &receiver("a");
             let irradiance = answer(&meshes.answers(&(text + &asked(tolerance))), "a", Quantity::Irradiance);
             assert_within("squares", irradiance.map(|value| 0.9 * value), EXPECTED, tolerance);
+        }
+    }
+}
+
+#[test]
+fn each_seed_has_answers_of_its_own_within_the_errors_of_the_others() {
+    let mut meshes = Meshes::default();
+    meshes.add("a", &triangles([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]], 12));
+    meshes.add("b", &triangles([[0.0, 0.0, 0.25], [0.0, 1.0, 0.25], [1.0, 1.0, 0.25], [1.0, 0.0, 0.25]], 12));
+    let text = surface("a", 0.9, 0.0) + &surface("b", 0.9, 1.0) + &receiver("a") + &asked(5e-2);
+    let of_seed = |seed: u32| meshes.answers(&format!("{text}seed = {seed}\n")).swap_remove(0);
+    let found = [1, 2, 3].map(of_seed);
+    for (index, one) in found.iter().enumerate() {
+        assert_eq!(one.kind, ErrorKind::Confidence);
+        for other in &found[..index] {
+            let off = (one.value - other.value).abs();
+            assert!(off > 0.0 && off <= one.error + other.error, "{one:?}, {other:?}");
         }
     }
 }

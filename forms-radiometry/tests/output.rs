@@ -21,6 +21,7 @@ fn map(bands: usize) -> Map {
         size: [3, 2],
         values: (0..bands).map(values).collect(),
         errors: vec![vec![1e-300, 2e-7, 0.0, 1e21, 0.5, f64::NAN]; bands],
+        kind: ErrorKind::Estimate,
         is_image: false,
     }
 }
@@ -78,7 +79,7 @@ fn lines(simulation: &Simulation) -> Vec<Vec<String>> {
     reader.records().map(|line| line.expect("a line").iter().map(str::to_owned).collect()).collect()
 }
 
-const HEADER: [&str; 8] = ["receiver", "quantity", "band", "bin", "i", "j", "value", "error"];
+const HEADER: [&str; 9] = ["receiver", "quantity", "band", "bin", "i", "j", "value", "error", "kind"];
 
 #[test]
 fn the_table_has_every_answer_and_every_cell_with_numbers_that_read_back_the_same() {
@@ -91,9 +92,11 @@ fn the_table_has_every_answer_and_every_cell_with_numbers_that_read_back_the_sam
             let band = answer.band.map_or(String::new(), |band| band.to_string());
             assert_eq!(line[..6], [NAME, answer.quantity.name(), &band, "", "", ""]);
             assert_eq!([number(&line[6]), number(&line[7])], [answer.value, answer.error]);
+            assert_eq!(&line[8], "bound");
         }
         let map = &simulation.maps[0];
         for line in &lines[2 * bands..] {
+            assert_eq!(&line[8], "estimate");
             let band = if bands == 1 { 0 } else { line[2].parse().expect("a band") };
             let cell =
                 line[5].parse::<usize>().expect("a row") * 3 + line[4].parse::<usize>().expect("a column");

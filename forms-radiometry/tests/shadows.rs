@@ -277,6 +277,25 @@ fn points_below_plates_get_what_the_lit_part_of_the_ground_reflects() {
     }
 }
 
+#[test]
+fn answers_to_all_tolerances_agree_within_their_errors() {
+    let mut random = SplitMix(6);
+    for number in 0..count() {
+        let mut case = Case::new(&mut random, number % 2 == 0, 0.5);
+        let of_tolerance = |tolerance: f64| {
+            case.tolerance = tolerance;
+            case.answers()
+        };
+        let found = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6].map(of_tolerance);
+        for (index, finer) in found.iter().enumerate() {
+            for (one, other) in found[..index].iter().flatten().zip(finer.iter().cycle()) {
+                let off = (one.value - other.value).abs();
+                assert!(off <= one.error + other.error, "{number}: {one:?}, {other:?}");
+            }
+        }
+    }
+}
+
 /// A black room of 4 × 3 × 3, with a window in the wall y = 0, lit by the sun; what is right for the mean of its floor.
 fn room(random: &mut SplitMix) -> (String, f64) {
     let [width, depth, height] = [4.0, 3.0, 3.0];

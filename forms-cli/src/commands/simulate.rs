@@ -24,7 +24,7 @@ use crate::streams::tell;
 use forms::math::Instructions;
 use forms_radiometry::scene::{Scene, SceneError, Sources};
 use forms_radiometry::simulation::{
-    self, Budget, Exposure, Identity, Job, Plan, Share, Simulation, State, is_by_paths,
+    self, Answer, Budget, Exposure, Identity, Job, Plan, Share, Simulation, State, is_by_paths,
 };
 use kept::{Checkpoint, Kept, Part, PartOf};
 pub(crate) use merge::merge;
@@ -65,6 +65,8 @@ struct Asked<'a> {
     scene: &'a Scene,
     folder: Option<PathBuf>,
     json: bool,
+    /// Whether the work goes on until the tolerance is met, and not for a number of samples.
+    is_to_tolerance: bool,
 }
 
 /// A scene that was read, and what is simulated of it.
@@ -102,7 +104,10 @@ pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Res
     failure.iter().for_each(|message| tell!("error: {message}"));
     let status = match &kept.part {
         Some(part) => shared(request, part, is_by_paths, &work, output)?,
-        None => finish(&Asked { scene, folder, json: request.json }, &work, output)?,
+        None => {
+            let is_to_tolerance = request.budget.is_none();
+            finish(&Asked { scene, folder, json: request.json, is_to_tolerance }, &work, output)?
+        }
     };
     Ok(if failure.is_some() { status.max(Status::Error) } else { status })
 }
@@ -260,7 +265,7 @@ struct SharedRecord<'a> {
 
 /// Writes the files first: whoever reads the output may go away.
 fn finish(asked: &Asked<'_>, Work { found, time }: &Work, output: &mut dyn Write) -> io::Result<Status> {
-    let Asked { scene, folder, json } = asked;
+    let Asked { scene, folder, json, is_to_tolerance } = asked;
     let (written, refused) =
         folder.as_ref().map(|folder| files::write(scene, found, folder)).unwrap_or_default();
     let mut status = if refused.is_empty() { Status::AsStated } else { Status::Error };
@@ -269,8 +274,10 @@ fn finish(asked: &Asked<'_>, Work { found, time }: &Work, output: &mut dyn Write
         tell!("stopped: answers may be missing, or be less exact than was asked for");
         status = Status::Stopped;
     }
+    let missed: Vec<&Answer> =
+        if *is_to_tolerance { found.missed(scene.solve.tolerance).collect() } else { Vec::new() };
     if *json {
-        answers::lines(&found.answers, output)?;
+        answers::lines(found, &missed, output)?;
     } else {
         answers::table(found, *time, scene.solve.tolerance, output)?;
         if let Some(folder) = folder.as_ref().filter(|_| !written.is_empty()) {
@@ -278,5 +285,11 @@ fn finish(asked: &Asked<'_>, Work { found, time }: &Work, output: &mut dyn Write
             writeln!(output, "{}", Palette::of_output().quiet(&line))?;
         }
     }
-    Ok(status)
+    if missed.is_empty() || found.stopped {
+        return Ok(status);
+    }
+    let sentence = answers::sentence(&missed, scene.solve.tolerance);
+    output.flush()?;
+    tell!("missed: {sentence}");
+    Ok(status.max(Status::Missed))
 }

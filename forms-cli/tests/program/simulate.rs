@@ -59,7 +59,7 @@ fn json_is_the_plan_effect_by_effect_and_then_the_answers() {
     for (keys, line) in &answers {
         assert_eq!(*keys, ["receiver", "quantity", "unit", "band", "value", "error", "kind", "seconds"]);
         assert!(
-            line["band"].is_null() && ["bound", "sigma"].iter().any(|kind| line["kind"] == *kind),
+            line["band"].is_null() && ["bound", "estimate", "confidence", "sigma"].iter().any(|kind| line["kind"] == *kind),
             "{line}"
         );
         assert!(["value", "error", "seconds"].iter().all(|key| line[key].is_f64()), "{line}");
@@ -144,7 +144,7 @@ fn the_files_have_every_cell_and_agree_with_each_other() {
     let mut reader = csv::Reader::from_reader(table.as_slice());
     assert_eq!(
         reader.headers().expect("a header"),
-        vec!["receiver", "quantity", "band", "bin", "i", "j", "value", "error"]
+        vec!["receiver", "quantity", "band", "bin", "i", "j", "value", "error", "kind"]
     );
     let lines: Vec<csv::StringRecord> = reader.records().map(|line| line.expect("a line")).collect();
     let (scalars, cells): (Vec<_>, Vec<_>) = lines.iter().partition(|line| line[4].is_empty());

@@ -69,7 +69,7 @@ fn of_gallery() -> Result<Vec<Bounded>, Problem> {
 fn has_bound(known: &Known, answers: &[Answer]) -> bool {
     let summands = known.sum.iter().map(|(_, receiver, _)| receiver);
     let mut own = summands.flat_map(|name| answers.iter().filter(move |answer| answer.receiver == *name));
-    known.idealised == 0.0 && own.all(|answer| answer.kind == ErrorKind::Bound)
+    known.idealised == 0.0 && own.all(|answer| answer.kind != ErrorKind::Sigma)
 }
 
 /// The rows of the reference that are scenes.

@@ -1,10 +1,10 @@
 //! Every number of a simulation, one a line, as CSV.
 
-use crate::simulation::{Map, Simulation};
+use crate::simulation::{ErrorKind, Map, Simulation};
 use std::fmt::Display;
 use std::io::{self, Write};
 
-const HEADER: [&str; 8] = ["receiver", "quantity", "band", "bin", "i", "j", "value", "error"];
+const HEADER: [&str; 9] = ["receiver", "quantity", "band", "bin", "i", "j", "value", "error", "kind"];
 
 /// Writes the answers, then the cells of the maps, band by band and row by row: cell (i, j) is in column i and row j.
 ///
@@ -15,7 +15,7 @@ pub fn csv(simulation: &Simulation, output: impl Write) -> io::Result<()> {
     lines.writer.write_record(HEADER)?;
     for answer in &simulation.answers {
         lines.begin(&answer.receiver, answer.quantity.name(), [answer.band, answer.bin])?;
-        lines.end(None, answer.value, answer.error)?;
+        lines.end(None, [answer.value, answer.error], answer.kind)?;
     }
     simulation.maps.iter().try_for_each(|map| lines.map(map))?;
     lines.writer.flush()
@@ -34,7 +34,7 @@ impl<W: Write> Lines<W> {
             let band = (!is_single).then_some(band);
             for (cell, (&value, &error)) in values.iter().zip(errors).enumerate() {
                 self.begin(&map.receiver, map.quantity.name(), [band, None])?;
-                self.end(Some([cell % map.size[0], cell / map.size[0]]), value, error)?;
+                self.end(Some([cell % map.size[0], cell / map.size[0]]), [value, error], map.kind)?;
             }
         }
         Ok(())
@@ -48,12 +48,13 @@ impl<W: Write> Lines<W> {
         self.optional(bin)
     }
 
-    /// The cell, the value and the error.
-    fn end(&mut self, cell: Option<[usize; 2]>, value: f64, error: f64) -> io::Result<()> {
+    /// The cell, the value and the error, and what that means.
+    fn end(&mut self, cell: Option<[usize; 2]>, [value, error]: [f64; 2], kind: ErrorKind) -> io::Result<()> {
         self.optional(cell.map(|[i, _]| i))?;
         self.optional(cell.map(|[_, j]| j))?;
         self.field(format_args!("{value:?}"))?;
         self.field(format_args!("{error:?}"))?;
+        self.writer.write_field(kind.name())?;
         self.writer.write_record(None::<&[u8]>).map_err(io::Error::from)
     }
 

@@ -1,7 +1,7 @@
 //! What a cell of a notebook shows: a plan and its answers as tables, a map as a picture.
 
 use super::{measured, png, rough, total};
-use crate::simulation::{Answer, ErrorKind, Map, Plan, PlannedEffect, Simulation};
+use crate::simulation::{Answer, Map, Plan, PlannedEffect, Simulation};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use forms::core::notebook::{Table, print_content};
@@ -33,12 +33,9 @@ impl Simulation {
         let number = |number: Option<usize>| number.map_or_else(String::new, |number| number.to_string());
         let row = |answer: &Answer| {
             let [value, error] = measured(answer.value, answer.error);
-            let meaning = match answer.kind {
-                ErrorKind::Bound => "",
-                ErrorKind::Sigma => " (1 σ)",
-            };
+            let meaning = answer.kind.words();
             let (receiver, quantity) = (answer.receiver.clone(), answer.quantity.name().to_owned());
-            let error = format!("± {error}{meaning}");
+            let error = format!("± {error} ({meaning})");
             [
                 receiver,
                 quantity,

@@ -20,6 +20,7 @@ use crate::geometry::{Exchange, Face, Vector, exchange_of, exchange_precisely, e
 use crate::kernels::gathered_light::Effects;
 use crate::scene::{Light, LightKind, ReceiverKind, Scene};
 use crate::simulation::Watch;
+use std::f64::consts::PI;
 
 /// The relative errors to which faces with nothing in between exchange light where these have so many pairs of edges at most: to the last digit two
 /// quadrilaterals, of 16 pairs, take 1 to 20 ms, to the twelfth, where `f64` has it, some 5 µs, and hardly less to fewer. Beside a map of what comes straight, which takes less, the last
@@ -48,15 +49,16 @@ pub(super) fn sources(scene: &Scene, faces: &[Face], kinds: Effects) -> Vec<usiz
 /// What comes straight to a surface in closed forms and integrals over it.
 #[derive(Clone, Debug)]
 pub(super) struct Integral {
-    /// For each band the flux.
+    /// For each band the flux, and what rules of integration leave of it beside rounding.
     pub(super) flux: Vec<Rounded>,
+    pub(super) of_rules: Vec<f64>,
     /// The kinds of light that it is of; those of other kinds are summed over nodes.
     pub(super) kinds: Effects,
 }
 
 impl Integral {
     fn of_nothing(bands: usize) -> Self {
-        Self { flux: vec![Rounded::exactly(0.0); bands], kinds: Effects::NONE }
+        Self { flux: vec![Rounded::exactly(0.0); bands], of_rules: vec![0.0; bands], kinds: Effects::NONE }
     }
 
     fn add(&mut self, flux: &[Rounded]) {
@@ -185,7 +187,9 @@ impl<'s> Lights<'s> {
         if !self.kinds().surroundings
             && let Some(flux) = self.flux_of_faces((surface, is_all), transport, watch)
         {
+            let (flux, of_rules): (Vec<Rounded>, Vec<f64>) = flux.into_iter().unzip();
             integral.add(&flux);
+            integral.of_rules = of_rules;
             integral.kinds.luminaires = self.kinds().luminaires;
         }
         let of_face = |index: usize| shadows.flux(index, self.scene, transport);
@@ -199,14 +203,14 @@ impl<'s> Lights<'s> {
         integral
     }
 
-    /// For each band the flux of faces that emit; nothing where the work is stopped.
+    /// For each band the flux of faces that emit, and what rules of integration leave of it; nothing where the work is stopped.
     fn flux_of_faces(
         &self,
         (surface, is_all): (usize, bool),
         transport: &Transport,
         watch: &dyn Watch,
-    ) -> Option<Vec<Rounded>> {
-        let mut flux = vec![Rounded::exactly(0.0); self.scene.band_count()];
+    ) -> Option<Vec<(Rounded, f64)>> {
+        let mut flux = vec![(Rounded::exactly(0.0), 0.0); self.scene.band_count()];
         let received: usize = transport.fronts(surface).map(|face| face.vertices.len()).sum();
         let pairs = received * self.edges(transport);
         let has_map = self.scene.receivers.iter().any(|receiver| {
@@ -221,9 +225,13 @@ impl<'s> Lights<'s> {
                 if watch.is_stopped() {
                     return None;
                 }
-                let exchanged = exchanged((here, there), accuracy, transport, watch);
-                let emitted = emitted(exchanged, &self.scene.surfaces[there.surface]);
-                flux.iter_mut().zip(emitted).for_each(|(flux, emitted)| *flux = *flux + emitted.times_pi());
+                let (exchanged, of_rules) = exchanged((here, there), accuracy, transport, watch);
+                let surface = &self.scene.surfaces[there.surface];
+                let emitted = emitted(exchanged, surface).zip(&surface.radiance);
+                flux.iter_mut().zip(emitted).for_each(|((flux, rules), (emitted, radiance))| {
+                    *flux = *flux + emitted.times_pi();
+                    *rules += PI * radiance * of_rules;
+                });
             }
         }
         Some(flux)
@@ -289,13 +297,13 @@ pub(super) fn kinds(scene: &Scene, faces: &[Face]) -> Effects {
     }
 }
 
-/// The exchange area of two faces of a scene.
+/// The exchange area of two faces of a scene, and what rules of integration leave of it.
 fn exchanged(
     (here, there): (&Face, &Face),
     accuracy: f64,
     transport: &Transport,
     watch: &dyn Watch,
-) -> Rounded {
+) -> (Rounded, f64) {
     let screens = &transport.screens;
     let Exchange { area, error } = if transport.occlusion {
         let tolerances = [transport.accuracy, LEAST * here.area];
@@ -304,9 +312,9 @@ fn exchanged(
         Exchange::default()
     } else if let Some(precise) = (accuracy <= LAST_DIGIT).then(|| exchange_precisely(here, there)).flatten()
     {
-        return precise;
+        return (precise, 0.0);
     } else {
         exchange_of(here, there, [accuracy, transport.accuracy])
     };
-    Rounded { error, ..Rounded::exactly(area) }
+    (Rounded::exactly(area), error)
 }

@@ -400,9 +400,11 @@ impl<'t> Radiosity<'t> {
         self.straight[surface].as_ref().filter(|integral| integral.kinds == self.lights.kinds())
     }
 
-    /// The error of what comes straight to a surface in a band, as a flux; nothing where it is summed over nodes.
-    pub(crate) fn straight_error(&self, surface: usize, band: usize) -> Option<f64> {
-        self.integral(surface).map(|integral| integral.flux[band].error)
+    /// The errors of what comes straight to a surface in a band, as a flux, by rules of integration and by rounding; nothing where it is summed over
+    /// nodes.
+    pub(crate) fn straight_error(&self, surface: usize, band: usize) -> Option<[f64; 2]> {
+        let Integral { flux, of_rules, .. } = self.integral(surface)?;
+        Some([of_rules[band], flux[band].error])
     }
 
     /// What comes straight to the front of a surface, for each band: its mean, and what of that is rounded as the nearest `f64`; or both as a flux. Nothing where

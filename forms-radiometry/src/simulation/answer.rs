@@ -1,6 +1,7 @@
 //! What a simulation says: the plan, and values with their errors.
 
 use super::parts::ErrorParts;
+use super::solver::DARK;
 use crate::radiosity::UsedKernel;
 use crate::scene::Effect;
 use serde::{Deserialize, Serialize};
@@ -51,10 +52,14 @@ pub enum Quantity {
 }
 
 /// What an error means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum ErrorKind {
-    /// A deterministic estimate of the error, meant not to be exceeded.
+    /// A rigorous bound: closed forms leave only rounding.
     Bound,
+    /// Extrapolated from how values settle: hardly ever exceeded, and not by much.
+    Estimate,
+    /// The half width of Student's interval of samples that holds the value with the probability [`ErrorKind::LEVEL`].
+    Confidence,
     /// One standard error.
     Sigma,
 }
@@ -99,6 +104,8 @@ pub struct Map {
     pub values: Vec<Vec<f64>>,
     /// For each band the error of each cell, row by row.
     pub errors: Vec<Vec<f64>>,
+    /// What these errors mean.
+    pub kind: ErrorKind,
     /// Whether it is what a camera sees, so that the first row is the upper one.
     pub is_image: bool,
 }
@@ -166,6 +173,17 @@ impl Simulation {
         self.answers.iter().filter(is_beside).map(|other| other.value.abs()).fold(0.0, f64::max)
     }
 
+    /// The answers whose errors are larger than this tolerance of what they are relative to, but for those that are dark beside the brightest.
+    pub fn missed(&self, tolerance: f64) -> impl Iterator<Item = &Answer> {
+        let largest = self.answers.iter().map(|answer| answer.value.abs()).fold(0.0, f64::max);
+        // what rounding of the sum of parts makes of an error that is met exactly
+        let allowed = tolerance * (1.0 + 4.0 * f64::EPSILON);
+        self.answers.iter().filter(move |answer| {
+            let is_met = answer.error <= allowed * self.scale(answer).max(DARK * largest);
+            !is_met && answer.error > 0.0
+        })
+    }
+
     /// The answer whose error is the largest part of what it is relative to, the first of several; none where there is no light.
     pub fn worst(&self) -> Option<&Answer> {
         let relative = |answer: &Answer| answer.error / self.scale(answer);
@@ -191,7 +209,27 @@ impl ErrorKind {
     pub fn name(self) -> &'static str {
         match self {
             Self::Bound => "bound",
+            Self::Estimate => "estimate",
+            Self::Confidence => "confidence",
             Self::Sigma => "sigma",
         }
+    }
+
+    /// The probability that the value lies within an error of the kind [`ErrorKind::Confidence`].
+    pub const LEVEL: f64 = 0.9999;
+
+    /// What it means, beside an error.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Bound => "bound",
+            Self::Estimate => "estimate",
+            Self::Confidence => "99.99 %",
+            Self::Sigma => "1 σ",
+        }
+    }
+
+    /// The kind of an error of this kind and one that is an estimate together.
+    pub(super) fn with_estimate(self) -> Self {
+        if self == Self::Bound { Self::Estimate } else { self }
     }
 }

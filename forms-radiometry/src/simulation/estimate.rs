@@ -60,6 +60,18 @@ impl Estimate {
         *self = Self::exact(self.value, self.floor);
     }
 
+    /// What its error means: rules of integration, elements and flat pieces in the place of round shapes leave no more than estimates.
+    pub(super) fn kind(&self, has_pieces: bool) -> ErrorKind {
+        let parts = self.parts();
+        if parts.sampling > 0.0 {
+            ErrorKind::Confidence
+        } else if self.is_exact() && !has_pieces && parts.quadrature == 0.0 && parts.orders == 0.0 {
+            ErrorKind::Bound
+        } else {
+            ErrorKind::Estimate
+        }
+    }
+
     /// Whether finer elements do not change it.
     pub(super) fn is_exact(&self) -> bool {
         self.left == 0.0

@@ -166,7 +166,15 @@ impl Work<'_> {
         }
         let name = self.scene.receivers[receiver].name.clone();
         let quantity = Quantity::Radiance;
-        Map { receiver: name, quantity, size: camera.resolution, values, errors, is_image: true }
+        Map {
+            receiver: name,
+            quantity,
+            size: camera.resolution,
+            values,
+            errors,
+            kind: ErrorKind::Estimate,
+            is_image: true,
+        }
     }
 
     /// The mean of an image, for each band; none if it is not all there.
@@ -183,9 +191,9 @@ impl Work<'_> {
                 band: (bands > 1).then_some(band),
                 bin: None,
                 value: mean(&map.values[band]),
-                error: parts.error(ErrorKind::Bound),
+                error: parts.error(ErrorKind::Estimate),
                 parts,
-                kind: ErrorKind::Bound,
+                kind: ErrorKind::Estimate,
                 seconds,
             }
         };

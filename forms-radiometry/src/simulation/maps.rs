@@ -1,6 +1,6 @@
 //! Maps of a simulation: receivers with a grid become cells, some of which are watched while elements become finer, and these maps.
 
-use super::answer::{Map, Quantity};
+use super::answer::{ErrorKind, Map, Quantity};
 use super::estimate::{Estimate, Found};
 use super::map::Grid;
 use super::readings::OF_PRODUCT;
@@ -108,8 +108,16 @@ impl Work<'_> {
             values.iter().map(|value| if value.is_nan() { f64::NAN } else { error }).collect()
         };
         let errors = values.iter().enumerate().map(error).collect();
-        let (name, size) = (self.scene.receivers[receiver].name.clone(), grid.size());
-        Map { receiver: name, quantity: Quantity::Irradiance, size, values, errors, is_image: false }
+        let is_estimated = largest.iter().any(Option::is_some);
+        Map {
+            receiver: self.scene.receivers[receiver].name.clone(),
+            quantity: Quantity::Irradiance,
+            size: grid.size(),
+            values,
+            errors,
+            kind: if is_estimated { ErrorKind::Estimate } else { ErrorKind::Bound },
+            is_image: false,
+        }
     }
 
     /// For each band the largest error of the cells of a map that were watched, if any were.

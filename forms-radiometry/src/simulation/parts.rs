@@ -43,7 +43,7 @@ impl ErrorParts {
     pub fn error(&self, kind: ErrorKind) -> f64 {
         let certain = self.rounding + self.quadrature + self.orders + self.effects;
         match kind {
-            ErrorKind::Bound => certain + self.sampling,
+            ErrorKind::Bound | ErrorKind::Estimate | ErrorKind::Confidence => certain + self.sampling,
             ErrorKind::Sigma => self.sampling.hypot(certain),
         }
     }

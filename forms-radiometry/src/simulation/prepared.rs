@@ -63,9 +63,11 @@ fn add_dropped(simulation: &mut Simulation, dropped: f64) {
     let scales: Vec<f64> = simulation.answers.iter().map(|answer| simulation.scale(answer)).collect();
     for (answer, scale) in simulation.answers.iter_mut().zip(scales) {
         answer.add(ErrorParts { effects: dropped * scale, ..ErrorParts::default() });
+        answer.kind = answer.kind.with_estimate();
     }
     let Simulation { answers, maps, history, .. } = simulation;
     for map in maps {
+        map.kind = map.kind.with_estimate();
         let is_mean = |answer: &&Answer| answer.receiver == map.receiver && answer.quantity == map.quantity;
         for (errors, mean) in map.errors.iter_mut().zip(answers.iter().filter(is_mean)) {
             errors.iter_mut().for_each(|error| *error += mean.parts.effects);

@@ -77,12 +77,13 @@ impl Reading {
         Self { receiver, quantity: Quantity::Radiance, what: What::Ray { origin, direction } }
     }
 
-    /// The error of what comes straight from lights, which is a closed form at points, and over surfaces an integral; nothing where
-    /// it is summed over nodes.
-    pub(super) fn straight_error(&self, radiosity: &Radiosity, band: usize) -> Option<f64> {
-        let What::Mean { surface, is_flux } = self.what else { return Some(0.0) };
-        let error = radiosity.straight_error(surface, band)?;
-        Some(if is_flux { error } else { error / radiosity.transport().front_area(surface) })
+    /// The error of what comes straight from lights by rules of integration, and by rounding where that is a closed form; nothing where it is
+    /// summed over nodes.
+    pub(super) fn straight_error(&self, radiosity: &Radiosity, band: usize) -> Option<[f64; 2]> {
+        let What::Mean { surface, is_flux } = self.what else { return Some([0.0; 2]) };
+        let errors = radiosity.straight_error(surface, band)?;
+        let unit = if is_flux { 1.0 } else { radiosity.transport().front_area(surface) };
+        Some(errors.map(|error| error / unit))
     }
 
     /// Its value in each band.

@@ -1,7 +1,7 @@
 //! Answers by rays: readings become probes, and those that are not exact enough get more rays and paths, until all are or none may
 //! have more.
 
-use super::answer::{Map, Moment, Quantity};
+use super::answer::{ErrorKind, Map, Moment, Quantity};
 use super::estimate::{Estimate, Found};
 use super::map::Grid;
 use super::parts::ErrorParts;
@@ -176,6 +176,7 @@ impl Work<'_> {
             size: grid.size(),
             values: all(0),
             errors: all(1),
+            kind: ErrorKind::Confidence,
             is_image: false,
         }
     }

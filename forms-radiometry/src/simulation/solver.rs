@@ -7,7 +7,7 @@
 //! equations left, and rounding. Where shapes are curved, all is done with two polyhedra, one finer than the other, and what that
 //! changes is added.
 
-use super::answer::{Answer, ErrorKind, Map, Moment, Quantity, Simulation};
+use super::answer::{Answer, Map, Moment, Quantity, Simulation};
 use super::digits::{Digits, Value};
 use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
@@ -274,8 +274,9 @@ impl<'s> Work<'s> {
             let doubts = reading.doubts(self.scene, radiosity, scratch);
             let of_band = |(band, value): (usize, f64)| {
                 let straight = reading.straight_error(radiosity, band);
-                let quadrature = straight.unwrap_or(0.0) + doubts[band];
-                let rounding = rounding.get(band).copied().unwrap_or(0.0);
+                let [of_rules, of_rounding] = straight.unwrap_or_default();
+                let quadrature = of_rules + doubts[band];
+                let rounding = rounding.get(band).copied().unwrap_or(0.0) + of_rounding;
                 let integral = ErrorParts { quadrature, rounding, ..ErrorParts::default() };
                 if self.effects.orders == Some(0) && straight.is_some() {
                     return Estimate::exact(value, integral);
@@ -358,6 +359,7 @@ impl<'s> Work<'s> {
     /// The answers that are readings, each with the number of its receiver.
     fn answered(&self, found: &[Found]) -> Vec<(usize, Answer)> {
         let mut answers = Vec::new();
+        let is_round = is_round(self.scene);
         for (reading, found) in self.readings[..self.answers].iter().zip(found) {
             for (band, estimate) in found.bands.iter().enumerate() {
                 let answer = Answer {
@@ -368,7 +370,7 @@ impl<'s> Work<'s> {
                     value: estimate.value,
                     error: estimate.error(),
                     parts: estimate.parts(),
-                    kind: ErrorKind::Bound,
+                    kind: estimate.kind(found.has_pieces && is_round),
                     seconds: found.seconds,
                 };
                 answers.push((reading.receiver, answer));

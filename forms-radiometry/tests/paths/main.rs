@@ -30,7 +30,7 @@ fn wrong(claim: &Claim, compared: &Compared) -> Option<String> {
     let is_narrow = answer.error <= claim.tolerance * largest * (1.0 + 1e-9) || *largest == 0.0;
     // rays that are not spread anywhere need no samples
     let is_sampled = answer.quantity != Quantity::Radiance || answer.bin.is_some();
-    let is_kind = answer.kind == ErrorKind::Sigma || (!is_sampled && answer.kind == ErrorKind::Bound);
+    let is_kind = answer.kind == ErrorKind::Sigma || !is_sampled;
     (!(is_near && is_narrow && is_kind))
         .then(|| format!("{}: {truth} is claimed, and {answer:?} found", claim.name))
 }

@@ -84,7 +84,7 @@ impl Row {
         };
         let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}: {}", self.id, errors[0]));
         let found = simulate(&scene, &plan, &Unwatched).answers;
-        let is_meant = |answer: &&Answer| answer.quantity == *quantity && answer.kind == ErrorKind::Bound;
+        let is_meant = |answer: &&Answer| answer.quantity == *quantity && answer.kind != ErrorKind::Sigma;
         let answer = found.iter().find(is_meant)?;
         let value = factor * answer.value;
         let off = (BigRational::from_float(value).expect("a number") - &self.value).abs();

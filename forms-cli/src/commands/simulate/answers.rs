@@ -21,11 +21,16 @@ struct Record<'a> {
     value: f64,
     error: f64,
     kind: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    level: Option<f64>,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    missed: bool,
     seconds: f64,
 }
 
-pub(super) fn lines(answers: &[Answer], output: &mut dyn Write) -> io::Result<()> {
-    answers.iter().try_for_each(|answer| {
+/// An object for each number; those that miss what was asked for are marked.
+pub(super) fn lines(found: &Simulation, missed: &[&Answer], output: &mut dyn Write) -> io::Result<()> {
+    found.answers.iter().try_for_each(|answer| {
         let Answer { receiver, quantity, band, bin, value, error, kind, seconds, .. } = answer;
         let record = Record {
             receiver,
@@ -36,6 +41,8 @@ pub(super) fn lines(answers: &[Answer], output: &mut dyn Write) -> io::Result<()
             value: *value,
             error: *error,
             kind: kind.name(),
+            level: (*kind == ErrorKind::Confidence).then_some(ErrorKind::LEVEL),
+            missed: missed.iter().any(|other| std::ptr::eq(*other, answer)),
             seconds: *seconds,
         };
         write_record(output, &record)
@@ -79,6 +86,21 @@ pub(super) fn table(
     })
 }
 
+/// Which numbers miss the tolerance.
+pub(super) fn sentence(missed: &[&Answer], tolerance: f64) -> String {
+    const MOST: usize = 4;
+    let name = |answer: &&Answer| {
+        let place =
+            [answer.band.map(|band| format!("band {band}")), answer.bin.map(|bin| format!("bin {bin}"))];
+        let place: String = place.into_iter().flatten().map(|place| format!(", {place}")).collect();
+        format!("`{}` ({}{place})", answer.receiver, answer.quantity.name())
+    };
+    let mut names: Vec<String> = missed.iter().take(MOST).map(name).collect();
+    names.extend((missed.len() > MOST).then(|| format!("{} more", missed.len() - MOST)));
+    let misses = if missed.len() == 1 { "misses" } else { "miss" };
+    format!("{} {misses} the tolerance {tolerance:e}: {}", counted(missed.len(), "number"), names.join(", "))
+}
+
 /// The parts of an error that are some of it, the largest first: `93% quadrature`.
 fn parts(parts: &ErrorParts) -> Vec<String> {
     let all = parts.all();
@@ -105,17 +127,14 @@ fn point_below_point(rows: &mut [[String; 8]]) {
 
 fn row(answer: &Answer) -> [String; 8] {
     let [value, error] = measured(answer.value, answer.error);
-    let meaning = match answer.kind {
-        ErrorKind::Bound => "",
-        ErrorKind::Sigma => " (1 σ)",
-    };
+    let meaning = answer.kind.words();
     [
         answer.receiver.clone(),
         answer.quantity.name().to_owned(),
         answer.band.map_or(String::new(), |band| band.to_string()),
         answer.bin.map_or(String::new(), |bin| bin.to_string()),
         value,
-        format!("± {error}{meaning}"),
+        format!("± {error} ({meaning})"),
         answer.unit().to_owned(),
         time(answer.seconds),
     ]

@@ -51,11 +51,12 @@ pub(crate) fn merge(
         Ok(folder) => folder,
         Err(message) => return Ok(refuse(&message)),
     };
+    let is_to_tolerance = first.belongs_to.identity.budget().is_none();
     match merged(parts) {
         Ok((scene, planned, exposure, work)) => {
             if json { plan::lines(&planned, output) } else { plan::table(&planned, &scene, output) }?;
             let work = with_exposure(work, exposure);
-            finish(&Asked { scene: &scene, folder, json }, &work, output)
+            finish(&Asked { scene: &scene, folder, json, is_to_tolerance }, &work, output)
         }
         Err(messages) => {
             messages.iter().for_each(|message| tell!("error: {message}"));

@@ -186,7 +186,11 @@ impl Asked {
 
     /// What its errors mean.
     pub(super) fn kind(&self) -> ErrorKind {
-        if self.computed.is_some() { ErrorKind::Bound } else { ErrorKind::Sigma }
+        match &self.computed {
+            None => ErrorKind::Sigma,
+            Some(computed) if computed.iter().all(|one| one.parts.quadrature == 0.0) => ErrorKind::Bound,
+            Some(_) => ErrorKind::Estimate,
+        }
     }
 
     /// A value and its error.

@@ -101,13 +101,15 @@ impl Work<'_> {
             let bands = self.scene.band_count();
             let nothing = vec![vec![f64::NAN; size[0] * size[1]]; bands];
             let (mut values, mut errors) = (nothing.clone(), nothing);
+            let mut kind = ErrorKind::Bound;
             for asked in self.asked.iter().filter(|asked| asked.receiver == index) {
+                kind = kind.max(asked.kind());
                 let Some(cell) = asked.cell.filter(|_| asked.is_answered()) else { continue };
                 for band in 0..bands {
                     [values[band][cell], errors[band][cell]] = asked.found(band);
                 }
             }
-            Some(Map { receiver: receiver.name.clone(), quantity, size, values, errors, is_image })
+            Some(Map { receiver: receiver.name.clone(), quantity, size, values, errors, kind, is_image })
         };
         self.scene.receivers.iter().enumerate().filter_map(map).collect()
     }
