@@ -10,6 +10,7 @@
 //! What lies behind a dielectric is known, and what is outside of everything is the ambient medium. A medium is
 //! entered and never left if the two sides of a dielectric bound one region.
 
+mod boundary;
 mod edges;
 mod rays;
 mod sheets;

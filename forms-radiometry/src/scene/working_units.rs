@@ -168,7 +168,7 @@ impl LengthUnit {
 }
 
 impl Shape {
-    fn scaled(&self, factor: f64) -> Self {
+    pub(super) fn scaled(&self, factor: f64) -> Self {
         match self {
             Self::Polygon(polygon) => Self::Polygon(polygon.scaled(factor)),
             Self::Mesh(mesh) => Self::Mesh(mesh.scaled(factor).into()),

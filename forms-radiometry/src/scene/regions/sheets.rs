@@ -1,5 +1,6 @@
 //! Sheets: every surface becomes faces with two sides, whose vertices are shared where they coincide.
 
+use super::boundary::boundary;
 use crate::geometry::{Disk, Polygon, Sphere, Vector, Welded, closeness};
 use crate::scene::model::{Scene, Shape};
 
@@ -12,8 +13,8 @@ pub(crate) struct Sheet {
 
 /// The shape of a sheet.
 pub(crate) enum Piece {
-    /// A polygon, and the numbers of its vertices.
-    Face(Polygon, Vec<usize>),
+    /// A polygon, and its edges, around its holes too, as numbers of vertices. Its inside is on the left of each.
+    Face(Polygon, Vec<[usize; 2]>),
     Sphere(Sphere),
     Disk(Disk),
 }
@@ -52,8 +53,11 @@ pub(super) fn sheets(scene: &Scene) -> (Vec<Sheet>, Vec<Vector>) {
     });
     let mut welded = Welded::new(closeness(polygons.flat_map(Polygon::vertices).copied()));
     for (_, piece) in &mut pieces {
-        if let Piece::Face(polygon, numbers) = piece {
-            numbers.extend(polygon.vertices().iter().map(|&v| welded.number(v)));
+        if let Piece::Face(polygon, edges) = piece {
+            let mut numbers = |outline: &[Vector]| outline.iter().map(|&v| welded.number(v)).collect();
+            let outline: Vec<usize> = numbers(polygon.vertices());
+            let holes: Vec<Vec<usize>> = polygon.holes().iter().map(|hole| numbers(hole)).collect();
+            *edges = boundary(&outline, &holes, &welded.vertices);
         }
     }
     let sheets = pieces.into_iter().map(|(surface, shape)| Sheet { surface, shape }).collect();
