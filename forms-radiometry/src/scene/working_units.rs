@@ -158,7 +158,7 @@ impl Scene {
 
 impl LengthUnit {
     /// How many metres it is.
-    fn metres(self) -> f64 {
+    pub fn metres(self) -> f64 {
         match self {
             Self::Metre => 1.0,
             Self::Centimetre => 1e-2,
