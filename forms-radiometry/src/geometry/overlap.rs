@@ -100,34 +100,101 @@ pub(crate) fn overlap(a: &Flat, b: &Flat) -> Option<f64> {
         return None;
     }
     let resolution = resolution(a, b);
-    match (a, b) {
-        (Flat::Polygon(a), Flat::Polygon(b)) => of_polygons(a, b, resolution),
-        (Flat::Polygon(polygon), Flat::Disk(disk)) | (Flat::Disk(disk), Flat::Polygon(polygon)) => {
-            above_rounding(circle::area_in_polygon(disk, polygon), disk.radius, resolution)
-        }
-        (Flat::Disk(a), Flat::Disk(b)) => {
-            above_rounding(circle::area_in_disk(a, b), a.radius.min(b.radius), resolution)
+    let Common { area, extent, is_straight } = Common::of(a, b);
+    // what is narrower than the resolution along all of it only touches
+    let rounding =
+        if is_straight { resolution * extent } else { cap(a.extent().min(b.extent()), resolution) };
+    (area > rounding).then_some(area)
+}
+
+/// The area that two shapes in one plane have in common.
+pub(crate) fn common_area(a: &Flat, b: &Flat) -> f64 {
+    Common::of(a, b).area
+}
+
+/// What two shapes in one plane have in common.
+#[derive(Default)]
+struct Common {
+    area: f64,
+    /// How far straight pieces of it reach.
+    extent: f64,
+    /// Whether no circles take part in it.
+    is_straight: bool,
+}
+
+/// A part of a shape whose area counts, or is taken off.
+#[derive(Clone, Copy)]
+enum Part<'s> {
+    Pieces(&'s [Vec<Vector>], Vector),
+    Disk(&'s Disk, f64),
+}
+
+impl Flat {
+    /// The parts whose indicator functions add up to that of the shape: a polygon is its straight pieces less its
+    /// round holes.
+    fn parts(&self) -> Vec<Part<'_>> {
+        match self {
+            Self::Disk(disk) => vec![Part::Disk(disk, 1.0)],
+            Self::Polygon(polygon) => {
+                let holes = polygon.round_holes().iter().map(|disk| Part::Disk(disk, -1.0));
+                [Part::Pieces(polygon.straight_pieces(), polygon.normal())].into_iter().chain(holes).collect()
+            }
         }
     }
 }
 
-/// Pieces that overlap by less than the resolution, along all of what they share, only touch.
-fn of_polygons(a: &Polygon, b: &Polygon, resolution: f64) -> Option<f64> {
-    let (mut sum, mut corners) = (0.0, Vec::new());
-    for own in a.convex_pieces() {
-        for other in b.convex_pieces() {
-            let common = intersection(own, other, b.normal());
-            sum += area(&common, a.normal());
-            corners.extend(common);
+impl Common {
+    /// The product of two indicator functions is the sum of the products of their parts.
+    fn of(a: &Flat, b: &Flat) -> Self {
+        let mut common = Self { is_straight: true, ..Self::default() };
+        for own in a.parts() {
+            for other in b.parts() {
+                common.add(own, other);
+            }
+        }
+        common
+    }
+
+    fn add(&mut self, a: Part, b: Part) {
+        match (a, b) {
+            (Part::Pieces(a, normal), Part::Pieces(b, other)) => self.add_pieces((a, normal), (b, other)),
+            (Part::Pieces(pieces, _), Part::Disk(disk, sign))
+            | (Part::Disk(disk, sign), Part::Pieces(pieces, _)) => {
+                self.add_round(sign * circle::area_in_pieces(disk, pieces));
+            }
+            (Part::Disk(a, sign), Part::Disk(b, other)) => {
+                self.add_round(sign * other * circle::area_in_disk(a, b));
+            }
         }
     }
-    let [_, extent] = if corners.is_empty() { [0.0; 2] } else { lengths(&corners) };
-    (sum > resolution * extent).then_some(sum)
+
+    fn add_round(&mut self, area: f64) {
+        self.area += area;
+        self.is_straight &= area == 0.0;
+    }
+
+    fn add_pieces(
+        &mut self,
+        (a, normal): (&[Vec<Vector>], Vector),
+        (b, other_normal): (&[Vec<Vector>], Vector),
+    ) {
+        let mut corners = Vec::new();
+        for own in a {
+            for other in b {
+                let common = intersection(own, other, other_normal);
+                self.area += area(&common, normal);
+                corners.extend(common);
+            }
+        }
+        if !corners.is_empty() {
+            self.extent = lengths(&corners)[1];
+        }
+    }
 }
 
-/// A circle and a line that it crosses by a depth d have the area 4/3 d √(2rd) in common.
-fn above_rounding(area: f64, radius: f64, resolution: f64) -> Option<f64> {
-    (area > 4.0 / 3.0 * resolution * (2.0 * radius * resolution).sqrt()).then_some(area)
+/// The area 4/3 d √(2rd) that a circle of this diameter 2r has beyond a line that it crosses by a depth d.
+fn cap(diameter: f64, depth: f64) -> f64 {
+    4.0 / 3.0 * depth * (diameter * depth).sqrt()
 }
 
 #[cfg(test)]

@@ -1,13 +1,14 @@
 //! Planar polygons: a list of vertices is checked and becomes a polygon with a normal and convex pieces. Other
-//! polygons in its plane can be cut out of it ([`difference`]); then the pieces cover what is left.
+//! polygons and disks in its plane can be cut out of it ([`difference`], [`round_holes`]); then the pieces cover what is left.
 
 mod difference;
+mod round_holes;
 
 pub(super) use difference::intersection;
 
-use super::Vector;
 use super::scale::{LARGEST_LENGTH, LEAST_LENGTH, lengths, power_of_two};
 use super::triangulation::{triangulate, turn};
+use super::{Disk, Vector};
 use std::fmt;
 
 /// How far a vertex may lie off the polygon's plane, as a fraction of the polygon's extent.
@@ -21,6 +22,9 @@ pub struct Polygon {
     pieces: Vec<Vec<Vector>>,
     /// The outlines of the holes, counter-clockwise too.
     holes: Vec<Vec<Vector>>,
+    round_holes: Vec<Disk>,
+    /// The pieces before round holes are cut, if there are any.
+    around: Vec<Vec<Vector>>,
 }
 
 /// Why a list of vertices is no polygon. Vertices are counted from one.
@@ -88,7 +92,7 @@ impl Polygon {
             let back = |triangle: Vec<Vector>| triangle.into_iter().map(|v| unit * v).collect();
             triangulate(&near, normal).into_iter().map(back).collect()
         };
-        Ok(Self { vertices, normal, pieces, holes: Vec::new() })
+        Ok(Self { vertices, normal, pieces, holes: Vec::new(), round_holes: Vec::new(), around: Vec::new() })
     }
 
     /// The polygon with all coordinates multiplied by a power of two, which rounds nothing.
@@ -99,6 +103,8 @@ impl Polygon {
             normal: self.normal,
             pieces: self.pieces.iter().map(scaled).collect(),
             holes: self.holes.iter().map(scaled).collect(),
+            round_holes: self.round_holes.iter().map(|disk| disk.scaled(factor)).collect(),
+            around: self.around.iter().map(scaled).collect(),
         }
     }
 
@@ -126,18 +132,20 @@ impl Polygon {
             normal: -self.normal,
             pieces: self.pieces.iter().map(turned).collect(),
             holes: self.holes.iter().map(turned).collect(),
+            round_holes: self.round_holes.iter().map(|disk| disk.reversed()).collect(),
+            around: self.around.iter().map(turned).collect(),
         }
     }
 
     /// The area of what the holes leave of it.
     pub fn area(&self) -> f64 {
-        if self.holes.is_empty() {
+        if self.holes.is_empty() && self.round_holes.is_empty() {
             return area(&self.vertices, self.normal);
         }
         self.pieces.iter().map(|piece| area(piece, self.normal)).sum()
     }
 
-    /// The outlines of its holes, counter-clockwise seen from the front.
+    /// The outlines of its holes with corners, counter-clockwise seen from the front.
     pub(crate) fn holes(&self) -> &[Vec<Vector>] {
         &self.holes
     }

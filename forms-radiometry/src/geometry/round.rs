@@ -45,6 +45,11 @@ impl Disk {
         Self { center: factor * self.center, radius: factor * self.radius, ..self }
     }
 
+    /// The same disk that looks to the other side.
+    pub(super) fn reversed(self) -> Self {
+        Self { normal: -self.normal, ..self }
+    }
+
     /// Opposite corners of the least box around it.
     pub(crate) fn corners(&self) -> [Vector; 2] {
         let reach =

@@ -165,9 +165,10 @@ impl Pair {
             format!("both lie in one plane, and `{}` is two-sided", two_sided.name)
         };
         let message = format!("`{}` overlaps `{}`{line}: {how}", own.name, other.name);
-        let can_lie_on = |shape: &Shape| matches!(shape, Shape::Polygon(_));
         let is_subsurface = has_on && self.is_inside && self.faces_same_way;
-        let expected = if is_subsurface && can_lie_on(&own.shape) && can_lie_on(&other.shape) {
+        let can_lie =
+            matches!((&own.shape, &other.shape), (Shape::Polygon(_) | Shape::Disk(_), Shape::Polygon(_)));
+        let expected = if is_subsurface && can_lie {
             format!("on = {:?}, with which `{}` replaces that part of `{}`", other.name, own.name, other.name)
         } else {
             "surfaces that do not overlap".to_owned()

@@ -9,14 +9,14 @@
 
 use super::element::Indices;
 use super::error::Report;
-use super::model::{Scene, Shape};
-use crate::geometry::{Flat, Mesh, Polygon, off_plane, resolution};
+use super::model::{Scene, Shape, Surface};
+use crate::geometry::{Disk, Flat, Mesh, Polygon, Vector, common_area, off_plane, resolution};
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 use std::sync::Arc;
 
 const BASES: &str = "the name of a surface that is a polygon or a planar mesh";
-const SUBSURFACES: &str = "a polygon or a planar mesh";
+const SUBSURFACES: &str = "a polygon, a disk or a planar mesh";
 
 /// The key `on` of a surface.
 pub(super) struct OnKey {
@@ -115,7 +115,7 @@ pub(super) fn cut(report: &mut Report, scene: &mut Scene, subsurfaces: &[Subsurf
 
 /// What a subsurface takes of its base.
 struct Opening {
-    polygons: Vec<Polygon>,
+    shapes: Vec<Flat>,
     /// The length that counts as rounding.
     resolution: f64,
     place: Range<usize>,
@@ -128,83 +128,118 @@ impl Opening {
     /// The opening for a subsurface, if it lies in the plane of its base, faces the same way and is inside.
     fn of(scene: &Scene, subsurface: &Subsurface, factor: f64) -> Result<Self, Wrong> {
         let [own, base] = [subsurface.surface, subsurface.base].map(|index| &scene.surfaces[index]);
-        let bases = polygons(&base.shape).map_err(|what| {
-            (format!("no surface can lie on `{}`, which is {what}", base.name), BASES.to_owned())
-        })?;
-        let polygons = polygons(&own.shape).map_err(|what| {
-            (format!("`{}` is {what}, and cannot lie on a surface", own.name), SUBSURFACES.to_owned())
-        })?;
-        let plane = Flat::Polygon(bases[0].clone());
-        let flats: Vec<Flat> = polygons.iter().cloned().map(Flat::Polygon).collect();
-        if let Some(height) = flats.iter().filter_map(|flat| off_plane(flat, &plane)).reduce(f64::max) {
-            let message =
-                format!("`{}` lies {:.1e} off the plane of `{}`", own.name, height / factor, base.name);
+        let [shapes, bases] = allowed_shapes(own, base)?;
+        let plane = &bases[0];
+        if let Some(height) = shapes.iter().filter_map(|shape| off_plane(shape, plane)).reduce(f64::max) {
+            let height = height / factor;
+            let message = format!("`{}` lies {height:.1e} off the plane of `{}`", own.name, base.name);
             return Err((message, format!("a surface in the plane of `{}`", base.name)));
         }
-        if flats.iter().any(|flat| flat.normal().dot(plane.normal()) < 0.0) {
+        if shapes.iter().any(|shape| shape.normal().dot(plane.normal()) < 0.0) {
             let message = format!("`{}` does not face the same way as `{}`", own.name, base.name);
-            return Err((message, "its vertices in the opposite order".to_owned()));
+            let expected = match own.shape {
+                Shape::Disk(_) => "a normal in the opposite direction",
+                _ => "vertices in the opposite order",
+            };
+            return Err((message, expected.to_owned()));
         }
-        let resolution = flats.iter().map(|flat| resolution(flat, &plane)).fold(0.0, f64::max);
-        for (polygon, flat) in polygons.iter().zip(&flats) {
-            let inside: f64 = bases.iter().map(|base| polygon.area_in(base)).sum();
-            let outside = polygon.area() - inside;
-            if outside > resolution * flat.extent() {
-                let part = 100.0 * outside / polygon.area();
-                let message =
-                    format!("`{}` reaches beyond `{}`, by {part:.2} % of its area", own.name, base.name);
-                return Err((message, format!("a surface inside of `{}`", base.name)));
-            }
+        let resolution = shapes.iter().map(|shape| resolution(shape, plane)).fold(0.0, f64::max);
+        let outside = |shape: &Flat| {
+            let inside: f64 = bases.iter().map(|base| common_area(shape, base)).sum();
+            let outside = shape.area() - inside;
+            (outside > resolution * shape.extent()).then(|| 100.0 * outside / shape.area())
+        };
+        if let Some(part) = shapes.iter().find_map(outside) {
+            let message =
+                format!("`{}` reaches beyond `{}`, by {part:.2} % of its area", own.name, base.name);
+            return Err((message, format!("a surface inside of `{}`", base.name)));
         }
-        Ok(Self { polygons, resolution, place: subsurface.place.clone() })
+        Ok(Self { shapes, resolution, place: subsurface.place.clone() })
     }
 }
 
-/// The polygons of a shape that lies in a plane, or what it is instead.
-fn polygons(shape: &Shape) -> Result<Vec<Polygon>, &'static str> {
+/// The flat shapes of a subsurface and of its base, if these are of kinds that can be.
+fn allowed_shapes(own: &Surface, base: &Surface) -> Result<[Vec<Flat>; 2], Wrong> {
+    let refused =
+        |what: &str| (format!("no surface can lie on `{}`, which is {what}", base.name), BASES.to_owned());
+    let shapes = flat_shapes(&own.shape).map_err(|what| {
+        (format!("`{}` is {what}, and cannot lie on a surface", own.name), SUBSURFACES.to_owned())
+    })?;
+    let bases = flat_shapes(&base.shape).map_err(refused)?;
+    match (&own.shape, &base.shape) {
+        (_, Shape::Disk(_)) => Err(refused("a disk")),
+        (Shape::Disk(_), Shape::Mesh(_)) => {
+            let message = format!("`{}` is a disk, which cannot lie on the mesh `{}`", own.name, base.name);
+            Err((message, "a polygon".to_owned()))
+        }
+        _ => Ok([shapes, bases]),
+    }
+}
+
+/// The pieces of a shape that lies in a plane, or what it is instead.
+fn flat_shapes(shape: &Shape) -> Result<Vec<Flat>, &'static str> {
     match shape {
-        Shape::Polygon(polygon) => Ok(vec![polygon.clone()]),
+        Shape::Polygon(polygon) => Ok(vec![Flat::Polygon(polygon.clone())]),
+        Shape::Disk(disk) => Ok(vec![Flat::Disk(*disk)]),
         Shape::Mesh(mesh) => {
-            let polygons: Vec<Polygon> = mesh.polygons().collect();
-            let flats: Vec<Flat> = polygons.iter().cloned().map(Flat::Polygon).collect();
-            let is_in_plane = |flat: &Flat| {
-                off_plane(flat, &flats[0]).is_none() && flat.normal().dot(flats[0].normal()) > 0.0
+            let faces: Vec<Flat> = mesh.polygons().map(Flat::Polygon).collect();
+            let is_in_plane = |face: &Flat| {
+                off_plane(face, &faces[0]).is_none() && face.normal().dot(faces[0].normal()) > 0.0
             };
-            let is_planar = !flats.is_empty() && flats.iter().all(is_in_plane);
-            if is_planar { Ok(polygons) } else { Err("a mesh that is not planar") }
+            let is_planar = !faces.is_empty() && faces.iter().all(is_in_plane);
+            if is_planar { Ok(faces) } else { Err("a mesh that is not planar") }
         }
         Shape::Sphere(_) => Err("a sphere"),
-        Shape::Disk(_) => Err("a disk"),
     }
 }
 
 /// What openings leave of a shape, or how to begin the message that they leave nothing.
 fn cut_shape(shape: &Shape, openings: &[Opening]) -> Result<Shape, &'static str> {
-    let cut = |polygon: Polygon| {
-        openings.iter().try_fold(polygon, |left, opening| left.without(&opening.polygons, opening.resolution))
-    };
+    let cut = |polygon: Polygon| openings.iter().try_fold(polygon, without);
     match shape {
-        Shape::Polygon(polygon) => cut(polygon.clone()).map(Shape::Polygon).ok_or("nothing is left"),
+        Shape::Polygon(polygon) => {
+            let left = cut(polygon.clone()).map(|left| left.without_disks(disks(openings)));
+            let left = left.filter(|left| !left.convex_pieces().is_empty());
+            left.map(Shape::Polygon).ok_or("nothing is left")
+        }
         Shape::Mesh(mesh) => {
             let left: Vec<Polygon> = mesh.polygons().filter_map(cut).collect();
-            mesh_of(left.iter().flat_map(Polygon::convex_pieces)).map(|mesh| Shape::Mesh(Arc::new(mesh)))
+            let outlines: Vec<&Vec<Vector>> = left.iter().flat_map(Polygon::convex_pieces).collect();
+            mesh_of(&outlines).map(|mesh| Shape::Mesh(Arc::new(mesh)))
         }
         Shape::Sphere(_) | Shape::Disk(_) => Ok(shape.clone()),
     }
 }
 
+/// What the polygons of an opening leave of one.
+fn without(left: Polygon, Opening { shapes, resolution, .. }: &Opening) -> Option<Polygon> {
+    let polygon = |shape: &Flat| match shape {
+        Flat::Polygon(polygon) => Some(polygon.clone()),
+        Flat::Disk(_) => None,
+    };
+    let holes: Vec<Polygon> = shapes.iter().filter_map(polygon).collect();
+    left.without(&holes, *resolution)
+}
+
+fn disks(openings: &[Opening]) -> Vec<Disk> {
+    let disk = |shape: &Flat| match shape {
+        Flat::Disk(disk) => Some(*disk),
+        Flat::Polygon(_) => None,
+    };
+    openings.iter().flat_map(|opening| &opening.shapes).filter_map(disk).collect()
+}
+
 /// The mesh with these outlines as faces.
-fn mesh_of<'p>(
-    outlines: impl Iterator<Item = &'p Vec<crate::geometry::Vector>>,
-) -> Result<Mesh, &'static str> {
-    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
-    for outline in outlines {
-        let first = vertices.len() as u32;
-        faces.push((first..first + outline.len() as u32).collect());
-        vertices.extend(outline);
-    }
-    if faces.is_empty() {
+fn mesh_of(outlines: &[&Vec<Vector>]) -> Result<Mesh, &'static str> {
+    if outlines.is_empty() {
         return Err("nothing is left");
     }
+    let ends = outlines.iter().scan(0, |end, outline| {
+        let start = *end;
+        *end += outline.len() as u32;
+        Some((start..*end).collect())
+    });
+    let faces: Vec<Vec<u32>> = ends.collect();
+    let vertices = outlines.iter().copied().flatten().copied().collect();
     Mesh::new(vertices, &faces).map_err(|_| "only slivers are left")
 }

@@ -1,11 +1,11 @@
-//! Areas that a circle has in common with polygons and circles, in closed form.
+//! Areas that a circle has in common with convex polygons and circles, in closed form.
 
 use crate::geometry::round::across;
-use crate::geometry::{Disk, Polygon, Vector};
+use crate::geometry::{Disk, Vector};
 use std::f64::consts::PI;
 
-/// The area of a polygon, of the plane of a disk, that lies in the disk.
-pub(super) fn area_in_polygon(disk: &Disk, polygon: &Polygon) -> f64 {
+/// The area of convex pieces, in the plane of a disk, that lies in the disk.
+pub(super) fn area_in_pieces(disk: &Disk, pieces: &[Vec<Vector>]) -> f64 {
     let [u, v] = across(disk.normal);
     let place = |&vertex: &Vector| {
         let way = vertex - disk.center;
@@ -16,7 +16,7 @@ pub(super) fn area_in_polygon(disk: &Disk, polygon: &Polygon) -> f64 {
         let edges = piece.iter().zip(next);
         edges.map(|(a, b)| along_edge(place(a), place(b), disk.radius)).sum::<f64>().abs()
     };
-    polygon.convex_pieces().iter().map(of_piece).sum()
+    pieces.iter().map(of_piece).sum()
 }
 
 /// The signed area between the centre of a circle and an edge, as far as it lies in the circle: a triangle under

@@ -5,9 +5,10 @@
 //!                                                  └─ the rest ─▶ the next edge …  ─▶ what is inside of all: dropped
 //! ```
 //! The lines of a convex hole cut a convex piece into convex pieces, no more than the hole has edges. The pieces do
-//! not overlap, and their areas and that of the hole add up to the area of the piece.
+//! not overlap, and their areas and that of the hole add up to the area of the piece. Round holes are cut last
+//! ([`round_holes`](super::round_holes)).
 
-use super::{Polygon, area};
+use super::Polygon;
 use crate::geometry::Vector;
 use crate::geometry::clip::split_beyond;
 
@@ -24,41 +25,50 @@ impl Polygon {
         let holes = self.holes.iter().cloned().chain(outlines).collect();
         (!pieces.is_empty()).then(|| Self { pieces, holes, ..self.clone() })
     }
-
-    /// The area of the part that another polygon in the plane covers.
-    pub(crate) fn area_in(&self, other: &Self) -> f64 {
-        let pairs = self.pieces.iter().flat_map(|own| other.pieces.iter().map(move |piece| (own, piece)));
-        pairs.map(|(own, piece)| area(&intersection(own, piece, other.normal), self.normal)).sum()
-    }
 }
 
 /// The part of a convex outline that lies in another one with this unit normal, seen along that; no vertices if it
 /// has no area.
 pub(in crate::geometry) fn intersection(outline: &[Vector], other: &[Vector], normal: Vector) -> Vec<Vector> {
-    let (mut rest, mut inside, mut outside) = (outline.to_vec(), Vec::new(), Vec::new());
-    for edge in edges(other) {
-        split_beyond(&rest, inward(edge, normal), 0.0, &mut inside, &mut outside);
-        std::mem::swap(&mut rest, &mut inside);
-    }
-    rest
+    parted(outline, other, normal, 0.0).1
 }
 
 /// The convex pieces of a convex one that a convex hole leaves.
-fn difference(piece: Vec<Vector>, hole: &[Vector], normal: Vector, resolution: f64) -> Vec<Vec<Vector>> {
-    let (mut rest, mut inside, mut outside) = (piece.clone(), Vec::new(), Vec::new());
+pub(super) fn difference(
+    piece: Vec<Vector>,
+    hole: &[Vector],
+    normal: Vector,
+    resolution: f64,
+) -> Vec<Vec<Vector>> {
+    let (mut outside, inside) = parted(&piece, hole, normal, resolution);
+    if inside.is_empty() {
+        return vec![piece];
+    }
+    outside.iter_mut().for_each(|piece| snap(piece, hole, resolution));
+    outside
+}
+
+/// The convex pieces of a convex outline outside of another one with this unit normal, and the one inside, which has
+/// no vertices if it has no area.
+pub(super) fn parted(
+    outline: &[Vector],
+    other: &[Vector],
+    normal: Vector,
+    resolution: f64,
+) -> (Vec<Vec<Vector>>, Vec<Vector>) {
+    let (mut rest, mut inside, mut outside) = (outline.to_vec(), Vec::new(), Vec::new());
     let mut pieces = Vec::new();
-    for edge in edges(hole) {
+    for edge in edges(other) {
         split_beyond(&rest, inward(edge, normal), resolution, &mut inside, &mut outside);
         if !outside.is_empty() {
             pieces.push(std::mem::take(&mut outside));
         }
         std::mem::swap(&mut rest, &mut inside);
+        if rest.is_empty() {
+            break;
+        }
     }
-    if rest.is_empty() {
-        return vec![piece];
-    }
-    pieces.iter_mut().for_each(|piece| snap(piece, hole, resolution));
-    pieces
+    (pieces, rest)
 }
 
 /// Moves vertices that the cuts made next to a vertex of the hole there, so that no gap is left between both.
@@ -88,6 +98,7 @@ fn inward([a, b]: [Vector; 2], normal: Vector) -> impl Fn(Vector) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::area;
     use super::*;
     use forms_testing::SplitMix;
 
@@ -100,6 +111,11 @@ mod tests {
 
     fn rectangle([left, low]: [f64; 2], [right, high]: [f64; 2]) -> Polygon {
         polygon(&[[left, low], [right, low], [right, high], [left, high]])
+    }
+
+    fn common_area(a: &Polygon, b: &Polygon) -> f64 {
+        let pairs = a.pieces.iter().flat_map(|own| b.pieces.iter().map(move |other| (own, other)));
+        pairs.map(|(own, other)| area(&intersection(own, other, b.normal), a.normal)).sum()
     }
 
     fn area_of(polygon: Option<Polygon>) -> f64 {
@@ -152,8 +168,8 @@ mod tests {
                 .map(|corners| Polygon::new(corners.iter().map(place).collect()).expect("a polygon"));
             let left = wall.without(std::slice::from_ref(&hole), RESOLUTION).expect("most of the wall");
             assert!((left.area() + hole.area() - wall.area()).abs() < 1e-13 * wall.area());
-            assert!((wall.area_in(&hole) - hole.area()).abs() < 1e-13 * wall.area());
-            assert!(left.area_in(&hole) < 1e-13, "{}", left.area_in(&hole));
+            let [of_wall, of_left] = [&wall, &left].map(|polygon| common_area(polygon, &hole));
+            assert!((of_wall - hole.area()).abs() < 1e-13 * wall.area() && of_left < 1e-13, "{of_left}");
             assert_eq!(left.vertices(), wall.vertices());
         }
     }

@@ -28,9 +28,14 @@ pub(super) enum Side {
 }
 
 impl Sheet {
-    /// Whether it ends at a curve that no other sheet can share.
-    pub(super) fn has_rim(&self) -> bool {
-        matches!(self.shape, Piece::Disk(_))
+    /// The disk that it is, whose rim no other sheet can share.
+    pub(super) fn disk(&self) -> Option<&Disk> {
+        if let Piece::Disk(disk) = &self.shape { Some(disk) } else { None }
+    }
+
+    /// Whether this disk was cut out of it.
+    pub(super) fn has_round_hole(&self, disk: &Disk) -> bool {
+        matches!(&self.shape, Piece::Face(polygon, _) if polygon.round_holes().contains(disk))
     }
 }
 
