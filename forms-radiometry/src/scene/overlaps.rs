@@ -86,11 +86,10 @@ fn pairs(scene: &Scene) -> Vec<Pair> {
     for (index, piece) in pieces.iter().enumerate() {
         let compare = |other: usize| {
             let surfaces = [piece.surface, pieces[other].surface];
-            if other > index && surfaces[0] != surfaces[1] && !known.contains(&surfaces) {
-                if let Some(pair) = pair(scene, piece, &pieces[other]) {
-                    known.insert(surfaces);
-                    found.push(pair);
-                }
+            let is_new = other > index && surfaces[0] != surfaces[1] && !known.contains(&surfaces);
+            if let Some(pair) = is_new.then(|| pair(scene, piece, &pieces[other])).flatten() {
+                known.insert(surfaces);
+                found.push(pair);
             }
             ControlFlow::Continue(())
         };

@@ -7,7 +7,7 @@
 //! A regular polygon has the area of its disk, and the faces of a surface that is a disk are the same ones: the hole and
 //! what lies in it fit at each fineness.
 
-use super::difference::{difference, intersection, parted};
+use super::difference::{difference, edges, intersection, parted};
 use super::{PLANARITY, Polygon};
 use crate::geometry::round::across;
 use crate::geometry::{Disk, Vector};
@@ -61,7 +61,7 @@ fn around(piece: Vec<Vector>, disk: &Disk, hole: &[Vector]) -> Vec<Vec<Vector>> 
     let [u, v] = across(disk.normal).map(|axis| SQUARE * disk.radius * axis);
     let square = [disk.center - u - v, disk.center + u - v, disk.center + u + v, disk.center - u + v];
     let resolution = PLANARITY * disk.radius;
-    let (mut pieces, inside) = parted(&piece, &square, disk.normal, resolution);
+    let (mut pieces, inside) = parted(&piece, edges(&square), disk.normal, resolution);
     pieces.extend(difference(inside, hole, disk.normal, resolution));
     pieces
 }
