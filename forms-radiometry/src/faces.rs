@@ -9,12 +9,15 @@ use crate::geometry::{Face, Round};
 use crate::scene::{Scene, Shape};
 
 /// The faces of all surfaces, each front followed by its back. A surface with one side has a back too: it is black, and stops light.
-/// Each step of fineness doubles the number of edges round a disk or a sphere.
+/// Each step of fineness doubles the number of edges round a disk, a sphere, or the hole for a disk that lies on a polygon.
 pub(crate) fn faces(scene: &Scene, fineness: usize) -> Vec<Face> {
     let mut faces = Vec::new();
     for (index, surface) in scene.surfaces.iter().enumerate() {
         match &surface.shape {
-            Shape::Polygon(polygon) => faces.extend(Face::of(index, polygon)),
+            Shape::Polygon(polygon) => {
+                let pieces = polygon.pieces_at(fineness).into_owned().into_iter();
+                faces.extend(pieces.flat_map(|piece| Face::sides(index, piece, polygon.normal())));
+            }
             Shape::Mesh(mesh) => mesh.polygons().for_each(|polygon| faces.extend(Face::of(index, &polygon))),
             Shape::Disk(disk) => faces.extend(Face::sides(index, disk.polygon(fineness), disk.normal)),
             Shape::Sphere(sphere) => {
@@ -48,6 +51,12 @@ pub(crate) fn emits_from(scene: &Scene, surface: usize, is_back: bool) -> bool {
 /// Whether the faces of a scene stand for round shapes, so that they depend on their fineness.
 pub(crate) fn is_round(scene: &Scene) -> bool {
     round_surfaces(scene).next().is_some()
+}
+
+/// Whether disks lie on a surface, so that its faces depend on their fineness.
+pub(crate) fn has_round_holes(scene: &Scene, surface: usize) -> bool {
+    let polygon = scene.surfaces[surface].shape.as_polygon();
+    polygon.is_some_and(|polygon| !polygon.round_holes().is_empty())
 }
 
 /// The round surfaces of a scene, each with its index.

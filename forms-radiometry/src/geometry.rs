@@ -9,6 +9,7 @@ mod edges;
 mod exchange;
 mod form_factor;
 mod mesh;
+mod overlap;
 mod polygon;
 pub(crate) mod precise;
 mod round;
@@ -28,11 +29,12 @@ pub(crate) use form_factor::edge_sum;
 pub use form_factor::form_factor;
 pub(crate) use form_factor::form_factor_of_pieces;
 pub use mesh::{FaceError, Mesh, MeshError};
+pub(crate) use overlap::{Flat, common_area, off_plane, overlap, resolution};
 pub use polygon::{Polygon, PolygonError};
 pub(crate) use round::Round;
 pub use round::{Disk, Sphere};
 pub use vector::Vector;
 pub(crate) use visibility::{
-    Beam, Between, Borders, Face, Lit, Looking, Met, Screens, Start, Wall, Walls, Workspace, closeness,
+    Beam, Between, Borders, Boxes, Face, Lit, Looking, Met, Screens, Start, Wall, Walls, Workspace, closeness,
 };
 pub(crate) use weld::Welded;

@@ -4,15 +4,20 @@
 //! scene ─▶ faces that send light ─ with what may come between ─▶ exchange areas of all pairs ─▶ F = AF/A by surfaces
 //! ```
 //! A surface sends from its front, and a two-sided one from both sides. Rows are computed independently of each other: how far
-//! A₁F₁₂ is from A₂F₂₁ is a check of both.
+//! A₁F₁₂ is from A₂F₂₁ is a check of both. No surface sends more than it has: a row whose sum is above 1 by more than its error is
+//! an error of the scene ([`ViewFactors::contradictions`]).
 
 use crate::faces::{faces, is_bright, is_round};
 use crate::geometry::{Exchange, Face, Screens, exchange_with};
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneError};
 use rayon::prelude::*;
 
 /// View factors below this are computed to the absolute error of one of this size.
 const LEAST: f64 = 1e-3;
+/// What rounding may add to a view factor of a row, relative to the sum of the row.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// The surfaces that an error names, those with the largest view factors.
+const NAMED: usize = 8;
 
 /// The view factors of a scene.
 #[derive(Clone, Debug)]
@@ -81,6 +86,45 @@ impl ViewFactors {
     /// What arrives anywhere of what a surface sends: 1 in a closed scene.
     pub fn sum(&self, surface: usize) -> f64 {
         self.rows[surface].iter().map(|factor| factor.value).sum()
+    }
+
+    /// The error of the sum of a row: those of its view factors, and rounding.
+    pub fn sum_error(&self, surface: usize) -> f64 {
+        let row = &self.rows[surface];
+        let errors: f64 = row.iter().map(|factor| factor.error).sum();
+        errors + ROUNDING * row.len() as f64 * self.sum(surface)
+    }
+
+    /// An error for each surface of the scene whose row has a sum above 1 by more than its error: surfaces that it sends to
+    /// lie where others are.
+    pub fn contradictions(&self, scene: &Scene) -> Vec<SceneError> {
+        let is_above_one = |&row: &usize| self.sum(row) > 1.0 + self.sum_error(row);
+        let error = |row: usize| {
+            let message = format!(
+                "the view factors of `{}` have the sum {:.6}, above 1 by more than their error of {:.1e}: {}",
+                self.names[row],
+                self.sum(row),
+                self.sum_error(row),
+                self.contributors(row),
+            );
+            let expected = "surfaces that do not overlap or pass through each other";
+            SceneError::new(&scene.surfaces[row].place, message, expected)
+        };
+        (0..self.names.len()).filter(is_above_one).map(error).collect()
+    }
+
+    /// "0.6 to `a`, 0.5 to `b`": what the row of a surface sums up.
+    fn contributors(&self, row: usize) -> String {
+        let factors = self.rows[row].iter().zip(&self.names).map(|(factor, name)| (factor.value, name));
+        let mut factors: Vec<(f64, &String)> = factors.filter(|(value, _)| *value > 0.0).collect();
+        factors.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let others = factors.len().saturating_sub(NAMED);
+        let named = factors.iter().take(NAMED).map(|(value, name)| format!("{value:.4} to `{name}`"));
+        let mut parts: Vec<String> = named.collect();
+        if others > 0 {
+            parts.push(format!("the rest to {others} others"));
+        }
+        parts.join(", ")
     }
 
     /// The largest |A₁F₁₂ − A₂F₂₁|, relative to the smaller area.

@@ -1,16 +1,21 @@
-//! `forms view-factors`: the matrix of a scene, as CSV with row sums or as JSON.
+//! `forms view-factors`: the matrix of a scene, as CSV with row sums and areas or as JSON.
 
 use crate::json::write_record;
 use crate::status::Status;
 use crate::streams::tell;
-use forms_radiometry::scene;
+use forms_radiometry::scene::{self, Scene};
 use forms_radiometry::{ViewFactors, view_factors as factors};
 use std::io::{self, Write};
 use std::path::Path;
 
 /// Prints the view factors of the scene in a file.
 pub(crate) fn view_factors(file: &str, json: bool, output: &mut dyn Write) -> io::Result<Status> {
-    let found = scene::open(Path::new(file)).map(|scene| factors(&scene));
+    let scene = scene::open(Path::new(file));
+    let found = scene.and_then(|scene| {
+        let found = factors(&scene);
+        let errors = found.contradictions(&scene);
+        if errors.is_empty() { Ok(Matrix::of(&scene, found)) } else { Err(errors) }
+    });
     let found = match found {
         Ok(found) => found,
         Err(errors) => {
@@ -18,24 +23,53 @@ pub(crate) fn view_factors(file: &str, json: bool, output: &mut dyn Write) -> io
             return Ok(Status::Error);
         }
     };
-    if json { lines(&found, output) } else { matrix(&found, output) }?;
-    tell!("largest |A1 F12 - A2 F21|, relative to the smaller area: {:.1e}", found.reciprocity_residual());
-    let open = (0..found.names.len()).map(|surface| (1.0 - found.sum(surface)).abs()).fold(0.0, f64::max);
+    if json { found.write_lines(output) } else { found.write_csv(output) }?;
+    let factors = &found.factors;
+    tell!("largest |A1 F12 - A2 F21|, relative to the smaller area: {:.1e}", factors.reciprocity_residual());
+    let open = (0..factors.names.len()).map(|surface| (1.0 - factors.sum(surface)).abs()).fold(0.0, f64::max);
     tell!("largest |1 - sum of a row|: {open:.1e}");
     Ok(Status::AsStated)
 }
 
-/// One line for each surface: its factors to all, and their sum.
-fn matrix(found: &ViewFactors, output: &mut dyn Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(output);
-    let head = std::iter::once("from").chain(found.names.iter().map(String::as_str)).chain(["sum"]);
-    writer.write_record(head)?;
-    for (surface, row) in found.rows.iter().enumerate() {
-        let values = row.iter().map(|factor| factor.value).chain([found.sum(surface)]);
-        let values = values.map(|value| format!("{value:?}"));
-        writer.write_record(std::iter::once(found.names[surface].clone()).chain(values))?;
+/// View factors with the areas that surfaces send from, in m².
+struct Matrix {
+    factors: ViewFactors,
+    areas: Vec<f64>,
+}
+
+impl Matrix {
+    fn of(scene: &Scene, factors: ViewFactors) -> Self {
+        let metres = scene.unit.metres();
+        let areas = factors.areas.iter().map(|area| area * metres * metres).collect();
+        Self { factors, areas }
     }
-    writer.flush()
+
+    /// One line for each surface: its factors to all, their sum, and its area.
+    fn write_csv(&self, output: &mut dyn Write) -> io::Result<()> {
+        let Self { factors, areas } = self;
+        let mut writer = csv::Writer::from_writer(output);
+        let names = factors.names.iter().map(String::as_str);
+        writer.write_record(std::iter::once("from").chain(names).chain(["sum", "area"]))?;
+        for (surface, row) in factors.rows.iter().enumerate() {
+            let closing = [factors.sum(surface), areas[surface]];
+            let values = row.iter().map(|factor| factor.value).chain(closing);
+            let values = values.map(|value| format!("{value:?}"));
+            writer.write_record(std::iter::once(factors.names[surface].clone()).chain(values))?;
+        }
+        writer.flush()
+    }
+
+    /// One object a line for each pair of surfaces.
+    fn write_lines(&self, output: &mut dyn Write) -> io::Result<()> {
+        let Self { factors, areas } = self;
+        for ((from, row), &area) in factors.names.iter().zip(&factors.rows).zip(areas) {
+            for (to, factor) in factors.names.iter().zip(row) {
+                let (value, error) = (factor.value, factor.error);
+                write_record(output, &Record { from, to, value, error, area })?;
+            }
+        }
+        Ok(())
+    }
 }
 
 /// A view factor as an object.
@@ -45,13 +79,6 @@ struct Record<'a> {
     to: &'a str,
     value: f64,
     error: f64,
-}
-
-fn lines(found: &ViewFactors, output: &mut dyn Write) -> io::Result<()> {
-    for (from, row) in found.names.iter().zip(&found.rows) {
-        for (to, factor) in found.names.iter().zip(row) {
-            write_record(output, &Record { from, to, value: factor.value, error: factor.error })?;
-        }
-    }
-    Ok(())
+    /// The area that `from` sends from.
+    area: f64,
 }

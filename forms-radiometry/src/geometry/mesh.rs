@@ -76,18 +76,28 @@ impl Mesh {
 
     /// The indices of the vertices of each face, counter-clockwise seen from its front.
     pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> {
-        (0..self.ends.len()).map(|face| {
-            let start = if face == 0 { 0 } else { self.ends[face - 1] };
-            &self.corners[start..self.ends[face]]
-        })
+        (0..self.ends.len()).map(|face| self.face(face))
+    }
+
+    fn face(&self, face: usize) -> &[u32] {
+        let start = if face == 0 { 0 } else { self.ends[face - 1] };
+        &self.corners[start..self.ends[face]]
+    }
+
+    /// The vertices of a face.
+    pub(crate) fn corners(&self, face: usize) -> impl Iterator<Item = Vector> {
+        self.face(face).iter().map(|&index| self.factor * self.vertices[index as usize])
     }
 
     /// The faces as polygons.
     pub fn polygons(&self) -> impl Iterator<Item = Polygon> {
-        self.faces().map(|face| {
-            let polygon = polygon(&self.vertices, face);
-            polygon.expect("every face was a polygon when the mesh was made").scaled(self.factor)
-        })
+        (0..self.ends.len()).map(|face| self.polygon(face))
+    }
+
+    /// A face as a polygon.
+    pub(crate) fn polygon(&self, face: usize) -> Polygon {
+        let polygon = polygon(&self.vertices, self.face(face));
+        polygon.expect("every face was a polygon when the mesh was made").scaled(self.factor)
     }
 
     /// The mesh with all coordinates multiplied by a power of two, which rounds nothing.

@@ -1,19 +1,30 @@
-//! Planar polygons: a list of vertices is checked and becomes a polygon with a normal and convex pieces.
+//! Planar polygons: a list of vertices is checked and becomes a polygon with a normal and convex pieces. Other
+//! polygons and disks in its plane can be cut out of it ([`difference`], [`round_holes`]); then the pieces cover what is left.
 
-use super::Vector;
+mod difference;
+mod round_holes;
+
+pub(super) use difference::intersection;
+
 use super::scale::{LARGEST_LENGTH, LEAST_LENGTH, lengths, power_of_two};
 use super::triangulation::{triangulate, turn};
+use super::{Disk, Vector};
 use std::fmt;
 
 /// How far a vertex may lie off the polygon's plane, as a fraction of the polygon's extent.
-const PLANARITY: f64 = 1e-6;
+pub(super) const PLANARITY: f64 = 1e-6;
 
-/// A simple planar polygon, counter-clockwise seen from its front.
+/// A simple planar polygon, counter-clockwise seen from its front, less the holes that were cut into it.
 #[derive(Clone, Debug)]
 pub struct Polygon {
     vertices: Vec<Vector>,
     normal: Vector,
     pieces: Vec<Vec<Vector>>,
+    /// The outlines of the holes, counter-clockwise too.
+    holes: Vec<Vec<Vector>>,
+    round_holes: Vec<Disk>,
+    /// The pieces before round holes are cut, if there are any.
+    around: Vec<Vec<Vector>>,
 }
 
 /// Why a list of vertices is no polygon. Vertices are counted from one.
@@ -81,7 +92,7 @@ impl Polygon {
             let back = |triangle: Vec<Vector>| triangle.into_iter().map(|v| unit * v).collect();
             triangulate(&near, normal).into_iter().map(back).collect()
         };
-        Ok(Self { vertices, normal, pieces })
+        Ok(Self { vertices, normal, pieces, holes: Vec::new(), round_holes: Vec::new(), around: Vec::new() })
     }
 
     /// The polygon with all coordinates multiplied by a power of two, which rounds nothing.
@@ -91,6 +102,9 @@ impl Polygon {
             vertices: scaled(&self.vertices),
             normal: self.normal,
             pieces: self.pieces.iter().map(scaled).collect(),
+            holes: self.holes.iter().map(scaled).collect(),
+            round_holes: self.round_holes.iter().map(|disk| disk.scaled(factor)).collect(),
+            around: self.around.iter().map(scaled).collect(),
         }
     }
 
@@ -99,7 +113,7 @@ impl Polygon {
         lengths(&self.vertices)
     }
 
-    /// The vertices, counter-clockwise seen from the front.
+    /// The vertices of its outline, counter-clockwise seen from the front. Holes do not change them.
     pub fn vertices(&self) -> &[Vector] {
         &self.vertices
     }
@@ -117,20 +131,37 @@ impl Polygon {
             vertices: turned(&self.vertices),
             normal: -self.normal,
             pieces: self.pieces.iter().map(turned).collect(),
+            holes: self.holes.iter().map(turned).collect(),
+            round_holes: self.round_holes.iter().map(|disk| disk.reversed()).collect(),
+            around: self.around.iter().map(turned).collect(),
         }
     }
 
-    /// The area: ½ n·Σ (vᵢ − v₀) × (vᵢ₊₁ − v₀).
+    /// The area of what the holes leave of it.
     pub fn area(&self) -> f64 {
-        let about = self.vertices[0];
-        let corner = |pair: &[Vector]| (pair[0] - about).cross(pair[1] - about);
-        0.5 * self.vertices.windows(2).map(corner).map(|twice| self.normal.dot(twice)).sum::<f64>()
+        if self.holes.is_empty() && self.round_holes.is_empty() {
+            return area(&self.vertices, self.normal);
+        }
+        self.pieces.iter().map(|piece| area(piece, self.normal)).sum()
     }
 
-    /// Convex polygons that cover this one without overlap: itself, or triangles. Each runs as this one does.
+    /// The outlines of its holes with corners, counter-clockwise seen from the front.
+    pub(crate) fn holes(&self) -> &[Vec<Vector>] {
+        &self.holes
+    }
+
+    /// Convex polygons that cover this one without overlap: itself, or triangles, or what is left around its
+    /// holes. Each runs as this one does.
     pub fn convex_pieces(&self) -> &[Vec<Vector>] {
         &self.pieces
     }
+}
+
+/// The area of an outline with this unit normal: ½ n·Σ (vᵢ − v₀) × (vᵢ₊₁ − v₀).
+pub(super) fn area(outline: &[Vector], normal: Vector) -> f64 {
+    let [about, ..] = outline else { return 0.0 };
+    let corner = |pair: &[Vector]| (pair[0] - *about).cross(pair[1] - *about);
+    0.5 * outline.windows(2).map(corner).map(|twice| normal.dot(twice)).sum::<f64>()
 }
 
 /// Newell's normal N = ½ Σ vᵢ × vᵢ₊₁, taken about the first vertex: its length is the area.
@@ -203,11 +234,6 @@ mod tests {
         points.iter().map(|&(x, y)| Vector::new(x, y, 0.0)).collect()
     }
 
-    fn area(piece: &[Vector]) -> f64 {
-        let about = piece[0];
-        piece.windows(2).map(|p| 0.5 * (p[0] - about).cross(p[1] - about).z).sum()
-    }
-
     #[test]
     fn what_is_no_polygon_is_refused_with_its_reason() {
         use PolygonError::{Crossing, NoArea, RepeatedVertex, TooFewVertices};
@@ -258,8 +284,10 @@ mod tests {
         for (name, points, count, expected) in cases {
             let polygon = Polygon::new(flat(&points)).unwrap_or_else(|error| panic!("{name}: {error}"));
             assert_eq!(polygon.convex_pieces().len(), count, "{name}");
-            assert!(polygon.convex_pieces().iter().all(|piece| area(piece) > 0.0), "{name}");
-            let sum: f64 = polygon.convex_pieces().iter().map(|piece| area(piece)).sum();
+            let areas: Vec<f64> =
+                polygon.convex_pieces().iter().map(|piece| area(piece, polygon.normal())).collect();
+            assert!(areas.iter().all(|&area| area > 0.0), "{name}");
+            let sum: f64 = areas.iter().sum();
             assert!((sum - expected).abs() < 1e-14, "{name}: {sum}");
         }
     }

@@ -45,6 +45,20 @@ impl Disk {
         Self { center: factor * self.center, radius: factor * self.radius, ..self }
     }
 
+    /// The same disk that looks to the other side.
+    pub(super) fn reversed(self) -> Self {
+        Self { normal: -self.normal, ..self }
+    }
+
+    /// Opposite corners of the least box around it.
+    pub(crate) fn corners(&self) -> [Vector; 2] {
+        let reach =
+            self.normal.coordinates().map(|across| self.radius * (1.0 - across * across).max(0.0).sqrt());
+        let [x, y, z] = reach;
+        let reach = Vector::new(x, y, z);
+        [self.center - reach, self.center + reach]
+    }
+
     /// A regular polygon of the disk's area, counter-clockwise seen from its front. Each step of fineness doubles its edges.
     ///
     /// A polygon of N edges with its corners at the distance ρ has the area N/2 ρ² sin(2π/N).

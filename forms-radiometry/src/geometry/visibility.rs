@@ -20,6 +20,7 @@ mod between;
 mod body;
 mod border;
 mod bounds;
+mod boxes;
 mod branches;
 mod crossing;
 mod horizon;
@@ -32,6 +33,7 @@ mod walls;
 pub(crate) use beam::{Beam, Lit};
 pub(crate) use between::Between;
 pub(crate) use border::{Borders, Looking};
+pub(crate) use boxes::Boxes;
 pub(crate) use horizon::Workspace;
 pub(crate) use walls::{Met, Start, Wall, Walls};
 
@@ -214,7 +216,7 @@ impl Screens {
 }
 
 /// How far vertices are off the plane through the first of them.
-fn flatness(vertices: &[Vector], normal: Vector) -> f64 {
+pub(super) fn flatness(vertices: &[Vector], normal: Vector) -> f64 {
     let plane = Plane { point: vertices[0], normal };
     vertices.iter().map(|&vertex| plane.distance(vertex).abs()).fold(0.0, f64::max)
 }

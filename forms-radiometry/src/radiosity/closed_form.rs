@@ -12,7 +12,7 @@ use super::direct::{Lights, kinds, sources};
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use super::round::{bulges, sees};
-use crate::faces::{emits, emits_from, is_round, round_surfaces};
+use crate::faces::{emits, emits_from, has_round_holes, is_round, round_surfaces};
 use crate::geometry::precise::{
     Precise, Rounded, dot, form_factor, length, rounding, rounding_beyond, solid_angle, unit, way,
 };
@@ -117,12 +117,13 @@ impl Lights<'_> {
                 whole.push(surface);
             }
         }
-        let mut is_open = true;
+        let (mut is_open, mut has_holes) = (true, false);
         let faces = self.faces().iter().map(|&index| &transport.faces[index]);
         for face in faces.filter(|face| !whole.contains(&face.surface)) {
             let seen = self.measured(at, face, transport, scratch);
             sums.take(seen.measure, &scene.surfaces[face.surface], emits(scene, face));
             is_open &= seen.is_open;
+            has_holes |= has_round_holes(scene, face.surface);
         }
         let mut bands = sums.with_outside(&scene.ambient.radiance);
         for light in &scene.lights {
@@ -130,7 +131,7 @@ impl Lights<'_> {
             add(&mut bands, factor, arriving);
         }
         is_open &= scene.lights.is_empty() || !transport.occlusion;
-        let has_pieces = whole.len() < self.round().len() || (is_round(scene) && !is_open);
+        let has_pieces = whole.len() < self.round().len() || has_holes || (is_round(scene) && !is_open);
         Straight { bands: bands.into_iter().map(Rounded::nearest).collect(), has_pieces }
     }
 

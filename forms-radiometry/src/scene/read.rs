@@ -6,8 +6,11 @@ use super::file::{LARGEST_MESH, LARGEST_SCENE, read_file};
 use super::mesh_file::MeshFiles;
 use super::model::{Ambient, Band, LengthUnit, Scene};
 use super::place::Source;
+use super::subsurfaces::{OnKey, Subsurface};
 use super::value::{Domain, NOT_NEGATIVE, Value, array, choice, number, text};
-use super::{SceneError, light, material, medium, mitsuba, receiver, regions, solve, surface};
+use super::{
+    SceneError, light, material, medium, mitsuba, overlaps, receiver, regions, solve, subsurfaces, surface,
+};
 use std::collections::HashSet;
 use std::io;
 use std::path::Path;
@@ -59,6 +62,10 @@ pub fn read_with_files(
     if is_xml {
         let read = mitsuba::read(&mut report, &source.text, &mut files);
         return finished(report, read, |report, (mut scene, surroundings)| {
+            overlaps::check(report, &scene, false);
+            if !report.is_empty() {
+                return scene;
+            }
             let fronts = regions::check(report, &scene);
             if report.is_empty() {
                 surroundings.settle(report, &mut scene, &fronts);
@@ -67,8 +74,14 @@ pub fn read_with_files(
         });
     }
     let read = read_toml(&mut report, &source.text, &mut files);
-    finished(report, read, |report, scene| {
-        regions::check(report, &scene);
+    finished(report, read, |report, (mut scene, subsurfaces)| {
+        subsurfaces::cut(report, &mut scene, &subsurfaces);
+        if report.is_empty() {
+            overlaps::check(report, &scene, true);
+        }
+        if report.is_empty() {
+            regions::check(report, &scene);
+        }
         scene
     })
 }
@@ -86,7 +99,10 @@ fn finished<T>(
     scene.filter(|_| report.is_empty()).ok_or_else(|| report.into_errors())
 }
 
-fn read_toml(report: &mut Report, text: &str, files: &mut MeshFiles) -> Option<Scene> {
+/// The scene of a text, and the surfaces of it that lie on others.
+type Read = (Scene, Vec<Subsurface>);
+
+fn read_toml(report: &mut Report, text: &str, files: &mut MeshFiles) -> Option<Read> {
     let (root, syntax_errors) = DeTable::parse_recoverable(text);
     for error in syntax_errors {
         report.error(error.span().unwrap_or(0..0), error.message(), "");
@@ -104,9 +120,11 @@ pub(super) struct Known {
     /// The materials that are dielectrics.
     pub(super) dielectrics: HashSet<usize>,
     pub(super) surfaces: Indices,
+    /// The surfaces that are said to lie on others.
+    pub(super) on: Vec<OnKey>,
 }
 
-fn read_root(report: &mut Report, root: &DeTable, files: &mut MeshFiles) -> Scene {
+fn read_root(report: &mut Report, root: &DeTable, files: &mut MeshFiles) -> Read {
     let element = Element { kind: "scene", table: root, place: 0..0 };
     element.check_keys(report, KEYS);
     let name = element.optional("name").and_then(|value| text(report, value, "`name`")).unwrap_or_default();
@@ -123,6 +141,7 @@ fn read_root(report: &mut Report, root: &DeTable, files: &mut MeshFiles) -> Scen
     let surfaces = each(report, root, "surface", |report, element, names, index| {
         surface::read(report, element, names, &mut known, index, files)
     });
+    let subsurfaces = subsurfaces::resolve(report, &known.on, &known.surfaces);
     let lights = each(report, root, "light", |report, element, names, _| {
         light::read(report, element, names, known.bands)
     });
@@ -131,18 +150,9 @@ fn read_root(report: &mut Report, root: &DeTable, files: &mut MeshFiles) -> Scen
     });
     let ambient = ambient(report, root, &known);
     let solve = solve::read(report, root);
-    Scene {
-        name: name.to_owned(),
-        unit,
-        bands,
-        media,
-        materials,
-        surfaces,
-        lights,
-        receivers,
-        ambient,
-        solve,
-    }
+    let name = name.to_owned();
+    let scene = Scene { name, unit, bands, media, materials, surfaces, lights, receivers, ambient, solve };
+    (scene, subsurfaces)
 }
 
 /// The elements of a `[[key]]` list, each read with the names before it and the index that it gets.

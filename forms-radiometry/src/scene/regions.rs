@@ -10,6 +10,7 @@
 //! What lies behind a dielectric is known, and what is outside of everything is the ambient medium. A medium is
 //! entered and never left if the two sides of a dielectric bound one region.
 
+mod boundary;
 mod edges;
 mod rays;
 mod sheets;
@@ -231,13 +232,21 @@ impl Regions {
         node
     }
 
-    /// Joins the sides that face each other at edges, and both sides of what ends at a rim.
+    /// Joins the sides that face each other at edges, and both sides of what ends at a rim, or the sides of a disk to
+    /// those of what it lies on.
     fn join_at(&mut self, sheets: &[Sheet], edges: &[Edge]) {
         for (a, b) in edges.iter().flat_map(Edge::facing) {
             self.join(a, b);
         }
-        for sheet in (0..sheets.len()).filter(|&sheet| sheets[sheet].has_rim()) {
-            self.join(Side::Front(sheet), Side::Back(sheet));
+        for (index, disk) in
+            sheets.iter().enumerate().filter_map(|(index, sheet)| Some((index, sheet.disk()?)))
+        {
+            if let Some(base) = sheets.iter().position(|sheet| sheet.has_round_hole(disk)) {
+                self.join(Side::Front(index), Side::Front(base));
+                self.join(Side::Back(index), Side::Back(base));
+            } else {
+                self.join(Side::Front(index), Side::Back(index));
+            }
         }
     }
 

@@ -5,13 +5,14 @@ use super::error::Report;
 use super::mesh_file::MeshFiles;
 use super::model::{Shape, Surface};
 use super::read::Known;
+use super::subsurfaces::OnKey;
 use super::value::{LENGTH, NOT_NEGATIVE, Value, boolean, one_of, spectrum, text, vector};
 use crate::geometry::{Disk, Polygon, Sphere, Vector};
 use std::f64::consts::PI;
 use std::ops::Range;
 
 const KEYS: &[&str] =
-    &["name", "material", "polygon", "mesh", "sphere", "disk", "radiance", "exitance", "two_sided"];
+    &["name", "material", "polygon", "mesh", "sphere", "disk", "on", "radiance", "exitance", "two_sided"];
 const SHAPES: [&str; 4] = ["polygon", "mesh", "sphere", "disk"];
 
 pub(super) fn read(
@@ -27,6 +28,7 @@ pub(super) fn read(
     let material =
         element.reference(report, "material", "the name of a material", "material", &known.materials);
     let shape = shape(report, element, files);
+    on(report, element, known, (index, name.clone()));
     let emission = emission(report, element, known.bands);
     let two_sided = two_sided(report, element, known, material);
     let (shape, place) = shape?;
@@ -64,6 +66,14 @@ fn shape(report: &mut Report, element: &Element, files: &mut MeshFiles) -> Optio
         _ => disk(report, value).map(Shape::Disk),
     };
     Some((shape?, value.span()))
+}
+
+/// Keeps the name of the surface that this one lies on, which may come later in the file.
+fn on(report: &mut Report, element: &Element, known: &mut Known, (surface, name): (usize, Option<String>)) {
+    let Some(value) = element.optional("on") else { return };
+    if let Some(base) = text(report, value, "`on`") {
+        known.on.push(OnKey { surface, name, base: base.to_owned(), place: value.span() });
+    }
 }
 
 fn two_sided(report: &mut Report, element: &Element, known: &Known, material: Option<usize>) -> Option<bool> {

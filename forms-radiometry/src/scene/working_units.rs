@@ -158,7 +158,7 @@ impl Scene {
 
 impl LengthUnit {
     /// How many metres it is.
-    fn metres(self) -> f64 {
+    pub fn metres(self) -> f64 {
         match self {
             Self::Metre => 1.0,
             Self::Centimetre => 1e-2,
@@ -168,7 +168,7 @@ impl LengthUnit {
 }
 
 impl Shape {
-    fn scaled(&self, factor: f64) -> Self {
+    pub(super) fn scaled(&self, factor: f64) -> Self {
         match self {
             Self::Polygon(polygon) => Self::Polygon(polygon.scaled(factor)),
             Self::Mesh(mesh) => Self::Mesh(mesh.scaled(factor).into()),

@@ -9,8 +9,9 @@
 
 use super::interpolation::interpolated;
 use super::watch::Watch;
-use crate::geometry::{Face, Vector};
+use crate::geometry::{Face, Polygon, Vector};
 use crate::radiosity::{Group, Measure, Radiosity, Scratch, Transport};
+use crate::scene::Shape;
 use crate::sharing::Sharing;
 use smallvec::{SmallVec, smallvec};
 
@@ -54,11 +55,18 @@ impl Grid {
         (center, corners.iter().map(|&corner| (corner - center).length()).fold(0.0, f64::max))
     }
 
-    /// The grid over the front of a planar surface: its first axis is the first edge of its first face.
-    pub(super) fn over(transport: &Transport, surface: usize, size: [usize; 2]) -> Option<Self> {
+    /// The grid over the front of a planar surface of this shape: its first axis is the first edge of its outline.
+    pub(super) fn over(
+        transport: &Transport,
+        (surface, shape): (usize, &Shape),
+        size: [usize; 2],
+    ) -> Option<Self> {
         let faces = || transport.fronts(surface);
-        let normal = faces().next()?.normal;
-        let middles = middles(transport, surface, size)?;
+        let first = faces().next()?;
+        let normal = first.normal;
+        // faces cover what other surfaces leave of a polygon
+        let outline = shape.as_polygon().map_or(&*first.vertices, Polygon::vertices);
+        let middles = middles(outline, normal, size)?;
         let [columns, rows] = size;
         let mut grid = Self {
             surface,
@@ -294,15 +302,13 @@ impl Cut {
     }
 }
 
-/// The middles of the columns of a grid over the front of a surface, in its lowest edge, and of the rows as ways up from there.
-fn middles(transport: &Transport, surface: usize, [columns, rows]: [usize; 2]) -> Option<[Vec<Vector>; 2]> {
-    let faces = || transport.fronts(surface);
-    let first = faces().next()?;
-    let corner = first.vertices[0];
-    let along = (first.vertices[1] - corner).unit()?;
-    let across = first.normal.cross(along);
+/// The middles of the columns of a grid over an outline with this unit normal, in its lowest edge, and of the rows as ways up from there.
+fn middles(outline: &[Vector], normal: Vector, [columns, rows]: [usize; 2]) -> Option<[Vec<Vector>; 2]> {
+    let corner = outline[0];
+    let along = (outline[1] - corner).unit()?;
+    let across = normal.cross(along);
     let places = |axis: Vector, count: usize| {
-        let places = faces().flat_map(|face| &face.vertices).map(|&v| axis.dot(v - corner));
+        let places = outline.iter().map(|&v| axis.dot(v - corner));
         let (low, high) = places
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| (low.min(place), high.max(place)));
         (0..count).map(move |index| low + (high - low) * (index as f64 + 0.5) / count as f64)

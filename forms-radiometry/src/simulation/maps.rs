@@ -22,7 +22,8 @@ impl Work<'_> {
         let receivers = self.scene.receivers.iter().enumerate();
         let grid = |(index, receiver): (usize, &crate::scene::Receiver)| match receiver.kind {
             ReceiverKind::Surface { surface, grid: Some(size) } => {
-                Grid::over(transport, surface, size).map(|grid| (index, grid))
+                let shape = &self.scene.surfaces[surface].shape;
+                Grid::over(transport, (surface, shape), size).map(|grid| (index, grid))
             }
             _ => None,
         };

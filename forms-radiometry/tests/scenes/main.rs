@@ -10,6 +10,7 @@ mod meshes;
 mod mitsuba;
 mod mitsuba_errors;
 mod mitsuba_media;
+mod overlaps;
 mod page;
 
 use forms_radiometry::scene::{Scene, SceneError, read_with_files};

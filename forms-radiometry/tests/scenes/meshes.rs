@@ -231,9 +231,12 @@ fn a_file_is_read_once_for_all_surfaces_that_name_it() {
     let (head, surface) = text.split_at(text.find("[[surface]]").unwrap());
     let text = format!("{head}{surface}{}", surface.replace("\"part\"", "\"other\""));
     let count = std::cell::Cell::new(0);
-    let scene = read_with_files(&text, "box.toml", &|_| {
+    let found = read_with_files(&text, "box.toml", &|_| {
         count.set(count.get() + 1);
         Ok(OBJ.into())
     });
-    assert_eq!((scene.unwrap().surfaces.len(), count.get()), (2, 1));
+    // both lie where the other one does, and that is all that is wrong
+    let found = found.expect_err("an overlap");
+    assert!(found.len() == 1 && found[0].message.starts_with("`other` overlaps `part`"), "{}", shown(&found));
+    assert_eq!(count.get(), 1);
 }

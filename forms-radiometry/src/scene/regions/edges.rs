@@ -60,16 +60,15 @@ impl Edge {
     }
 }
 
-/// Vertices by number, the smaller one first.
-type Ends = (usize, usize);
+/// Two vertices by number; of an edge without a direction the smaller one first.
+pub(super) type Ends = (usize, usize);
 
 /// The edges of all faces. An edge that one face alone has is split at the ends of other such edges on it.
 pub(super) fn edges(sheets: &[Sheet], vertices: &[Vector]) -> Vec<Edge> {
     let mut by_ends: HashMap<Ends, Vec<(usize, bool)>> = HashMap::new();
     for (index, sheet) in sheets.iter().enumerate() {
-        let Piece::Face(_, numbers) = &sheet.shape else { continue };
-        for (i, &a) in numbers.iter().enumerate() {
-            let b = numbers[(i + 1) % numbers.len()];
+        let Piece::Face(_, edges) = &sheet.shape else { continue };
+        for &[a, b] in edges {
             if a != b {
                 by_ends.entry((a.min(b), a.max(b))).or_default().push((index, a < b));
             }
@@ -106,8 +105,8 @@ fn split_free(by_ends: &mut HashMap<Ends, Vec<(usize, bool)>>, vertices: &[Vecto
     }
 }
 
-/// The candidates inside an edge, in their order along it.
-fn vertices_on((a, b): Ends, vertices: &[Vector], candidates: &[usize]) -> Vec<usize> {
+/// The candidates, which are in the order of their x, inside an edge, in their order along it.
+pub(super) fn vertices_on((a, b): Ends, vertices: &[Vector], candidates: &[usize]) -> Vec<usize> {
     let (from, along) = (vertices[a], vertices[b] - vertices[a]);
     let length = along.length();
     let tolerance = 1e-9 * length;

@@ -1,5 +1,6 @@
 //! Sheets: every surface becomes faces with two sides, whose vertices are shared where they coincide.
 
+use super::boundary::boundary;
 use crate::geometry::{Disk, Polygon, Sphere, Vector, Welded, closeness};
 use crate::scene::model::{Scene, Shape};
 
@@ -12,8 +13,8 @@ pub(crate) struct Sheet {
 
 /// The shape of a sheet.
 pub(crate) enum Piece {
-    /// A polygon, and the numbers of its vertices.
-    Face(Polygon, Vec<usize>),
+    /// A polygon, and its edges, around its holes too, as numbers of vertices. Its inside is on the left of each.
+    Face(Polygon, Vec<[usize; 2]>),
     Sphere(Sphere),
     Disk(Disk),
 }
@@ -27,9 +28,14 @@ pub(super) enum Side {
 }
 
 impl Sheet {
-    /// Whether it ends at a curve that no other sheet can share.
-    pub(super) fn has_rim(&self) -> bool {
-        matches!(self.shape, Piece::Disk(_))
+    /// The disk that it is, whose rim no other sheet can share.
+    pub(super) fn disk(&self) -> Option<&Disk> {
+        if let Piece::Disk(disk) = &self.shape { Some(disk) } else { None }
+    }
+
+    /// Whether this disk was cut out of it.
+    pub(super) fn has_round_hole(&self, disk: &Disk) -> bool {
+        matches!(&self.shape, Piece::Face(polygon, _) if polygon.round_holes().contains(disk))
     }
 }
 
@@ -52,8 +58,11 @@ pub(super) fn sheets(scene: &Scene) -> (Vec<Sheet>, Vec<Vector>) {
     });
     let mut welded = Welded::new(closeness(polygons.flat_map(Polygon::vertices).copied()));
     for (_, piece) in &mut pieces {
-        if let Piece::Face(polygon, numbers) = piece {
-            numbers.extend(polygon.vertices().iter().map(|&v| welded.number(v)));
+        if let Piece::Face(polygon, edges) = piece {
+            let mut numbers = |outline: &[Vector]| outline.iter().map(|&v| welded.number(v)).collect();
+            let outline: Vec<usize> = numbers(polygon.vertices());
+            let holes: Vec<Vec<usize>> = polygon.holes().iter().map(|hole| numbers(hole)).collect();
+            *edges = boundary(&outline, &holes, &welded.vertices);
         }
     }
     let sheets = pieces.into_iter().map(|(surface, shape)| Sheet { surface, shape }).collect();

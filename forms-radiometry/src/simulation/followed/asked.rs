@@ -257,5 +257,6 @@ fn bins(time: &TimeBins, metres: f64) -> Bins {
 fn grid(scene: &Scene, surface: usize, size: [usize; 2]) -> Option<Grid> {
     let faces = faces(scene, 2);
     let screens = Screens::none(&faces);
-    Grid::over(&Transport { faces, screens, occlusion: false, accuracy: 1.0 }, surface, size)
+    let transport = Transport { faces, screens, occlusion: false, accuracy: 1.0 };
+    Grid::over(&transport, (surface, &scene.surfaces[surface].shape), size)
 }

@@ -1,0 +1,93 @@
+//! Round holes: disks are cut out of a polygon as the regular polygons that stand for them.
+//!
+//! ```text
+//! pieces ─ square around the disk ─┬─ outside: pieces that are left
+//!                                  └─ inside ─ lines of the edges of the regular polygon ─▶ narrow pieces around it
+//! ```
+//! A regular polygon has the area of its disk, and the faces of a surface that is a disk are the same ones: the hole and
+//! what lies in it fit at each fineness.
+
+use super::difference::{difference, edges, intersection, parted};
+use super::{PLANARITY, Polygon};
+use crate::geometry::round::across;
+use crate::geometry::{Disk, Vector};
+use std::borrow::Cow;
+
+/// The fineness of the holes in the pieces that depend on none: 384 edges.
+const FINENESS: usize = 4;
+/// Half the side of the square around a disk, in radii: beyond the corners of the coarsest polygon.
+const SQUARE: f64 = 1.1;
+
+impl Polygon {
+    /// This polygon without disks that lie in its plane, face the same way and are inside, once all other holes are cut.
+    pub(crate) fn without_disks(self, disks: Vec<Disk>) -> Self {
+        if disks.is_empty() {
+            return self;
+        }
+        let around = self.pieces.clone();
+        let whole = Self { round_holes: disks, around, ..self };
+        Self { pieces: whole.pieces_at(FINENESS).into_owned(), ..whole }
+    }
+
+    /// The disks that were cut out.
+    pub(crate) fn round_holes(&self) -> &[Disk] {
+        &self.round_holes
+    }
+
+    /// Convex pieces of what its other holes leave.
+    pub(crate) fn straight_pieces(&self) -> &[Vec<Vector>] {
+        if self.round_holes.is_empty() { &self.pieces } else { &self.around }
+    }
+
+    /// Its convex pieces, where regular polygons of this fineness stand for disks that were cut out.
+    pub(crate) fn pieces_at(&self, fineness: usize) -> Cow<'_, [Vec<Vector>]> {
+        if self.round_holes.is_empty() {
+            return Cow::Borrowed(&self.pieces);
+        }
+        let mut pieces = self.around.clone();
+        for disk in &self.round_holes {
+            let hole = disk.polygon(fineness);
+            pieces = pieces.into_iter().flat_map(|piece| around(piece, disk, &hole)).collect();
+        }
+        Cow::Owned(pieces)
+    }
+}
+
+/// The convex pieces of a convex one around the regular polygon that stands for a disk.
+fn around(piece: Vec<Vector>, disk: &Disk, hole: &[Vector]) -> Vec<Vec<Vector>> {
+    if intersection(&piece, hole, disk.normal).is_empty() {
+        return vec![piece];
+    }
+    let [u, v] = across(disk.normal).map(|axis| SQUARE * disk.radius * axis);
+    let square = [disk.center - u - v, disk.center + u - v, disk.center + u + v, disk.center - u + v];
+    let resolution = PLANARITY * disk.radius;
+    let (mut pieces, inside) = parted(&piece, edges(&square), disk.normal, resolution);
+    pieces.extend(difference(inside, hole, disk.normal, resolution));
+    pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn a_wall_with_disks_cut_out_has_its_area_less_theirs_at_each_fineness() {
+        let corners = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
+        let wall = Polygon::new(corners.map(|[x, y]| Vector::new(x, y, 1.0)).to_vec()).expect("a rectangle");
+        let disk = |x: f64, radius: f64| Disk {
+            center: Vector::new(x, 1.5, 1.0),
+            normal: Vector::new(0.0, 0.0, 1.0),
+            radius,
+        };
+        let left = wall.without_disks(vec![disk(1.0, 0.5), disk(2.75, 1.0)]);
+        let expected = 12.0 - 1.25 * PI;
+        assert!((left.area() - expected).abs() < 1e-13);
+        for fineness in 0..4 {
+            let pieces = left.pieces_at(fineness);
+            let sum: f64 = pieces.iter().map(|piece| super::super::area(piece, left.normal())).sum();
+            assert!((sum - expected).abs() < 1e-13, "{fineness}: {sum}");
+            assert!(pieces.len() <= 2 * (24 << fineness) + 16, "{}", pieces.len());
+        }
+    }
+}

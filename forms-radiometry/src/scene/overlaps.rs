@@ -1,0 +1,177 @@
+//! Overlaps: surfaces that lie in one plane, have an area in common and get light from the same side are reported.
+//!
+//! ```text
+//! surfaces ─ flat pieces whose boxes meet ─ in one plane, of different surfaces ─ common area ─▶ an error that names both
+//! ```
+//! Light would arrive at both. Fronts that face the same way get it from the same side. So do surfaces that face
+//! opposite ways if one of them is two-sided or a dielectric, which acts on both of its sides. One-sided surfaces back
+//! to back, as the two faces of a thin wall, share no side. Faces of one mesh are not compared: they have one material
+//! and one radiance, and no other surface than theirs to lie on.
+
+use super::error::Report;
+use super::model::{MaterialKind, Scene, Shape, Surface};
+use crate::geometry::{Boxes, Flat, Vector, closeness, overlap};
+use std::cell::OnceCell;
+use std::collections::{BTreeMap, HashSet};
+use std::ops::ControlFlow;
+
+/// Reports surfaces that overlap. Those of a format without the key `on` are not advised to use it.
+pub(super) fn check(report: &mut Report, scene: &Scene, has_on: bool) {
+    if scene.surfaces.len() < 2 {
+        return;
+    }
+    let working = scene.in_working_units();
+    for pair in pairs(&working.scene) {
+        let (place, message, expected) = pair.described(scene, has_on);
+        report.error_at(&scene.surfaces[place].place, message, expected);
+    }
+}
+
+/// Two surfaces that overlap, the smaller of the pieces that do so first.
+struct Pair {
+    surfaces: [usize; 2],
+    faces_same_way: bool,
+    /// Whether the first piece lies in the second, which is larger.
+    is_inside: bool,
+}
+
+/// A flat piece of a surface: its only one, or a face of its mesh.
+struct Piece<'s> {
+    surface: usize,
+    shape: &'s Shape,
+    face: usize,
+    flat: OnceCell<Flat>,
+}
+
+impl<'s> Piece<'s> {
+    /// The pieces of all surfaces.
+    fn all(scene: &'s Scene) -> impl Iterator<Item = Self> {
+        scene.surfaces.iter().enumerate().flat_map(|(surface, Surface { shape, .. })| {
+            let count = match shape {
+                Shape::Polygon(_) | Shape::Disk(_) => 1,
+                Shape::Mesh(mesh) => mesh.faces().len(),
+                Shape::Sphere(_) => 0,
+            };
+            (0..count).map(move |face| Self { surface, shape, face, flat: OnceCell::new() })
+        })
+    }
+
+    /// Points whose bounding box holds it, and a margin within which others are near.
+    fn reach(&self) -> (Vec<Vector>, f64) {
+        let points = match self.shape {
+            Shape::Polygon(polygon) => polygon.vertices().to_vec(),
+            Shape::Mesh(mesh) => mesh.corners(self.face).collect(),
+            Shape::Disk(disk) => disk.corners().to_vec(),
+            Shape::Sphere(_) => Vec::new(),
+        };
+        let margin = 2.0 * closeness(points.iter().copied());
+        (points, margin)
+    }
+
+    fn flat(&self) -> &Flat {
+        self.flat.get_or_init(|| match self.shape {
+            Shape::Mesh(mesh) => Flat::Polygon(mesh.polygon(self.face)),
+            Shape::Polygon(polygon) => Flat::Polygon(polygon.clone()),
+            Shape::Disk(disk) => Flat::Disk(*disk),
+            Shape::Sphere(_) => unreachable!("a sphere has no flat pieces"),
+        })
+    }
+}
+
+/// The pairs of surfaces that overlap, each once.
+fn pairs(scene: &Scene) -> Vec<Pair> {
+    let pieces = near_others(scene);
+    let boxes = Boxes::around(pieces.iter().map(Piece::reach));
+    let (mut found, mut known) = (Vec::new(), HashSet::new());
+    for (index, piece) in pieces.iter().enumerate() {
+        let compare = |other: usize| {
+            let surfaces = [piece.surface, pieces[other].surface];
+            let is_new = other > index && surfaces[0] != surfaces[1] && !known.contains(&surfaces);
+            if let Some(pair) = is_new.then(|| pair(scene, piece, &pieces[other])).flatten() {
+                known.insert(surfaces);
+                found.push(pair);
+            }
+            ControlFlow::Continue(())
+        };
+        let (points, margin) = piece.reach();
+        let _ = boxes.meeting(points, margin, compare);
+    }
+    found
+}
+
+/// The pieces whose boxes meet that of another surface.
+fn near_others(scene: &Scene) -> Vec<Piece<'_>> {
+    let mut reaches: BTreeMap<usize, (Vec<Vector>, f64)> = BTreeMap::new();
+    for piece in Piece::all(scene) {
+        let (points, margin) = piece.reach();
+        let (all, widest) = reaches.entry(piece.surface).or_default();
+        all.extend(points);
+        *widest = widest.max(margin);
+    }
+    let surfaces: Vec<usize> = reaches.keys().copied().collect();
+    let boxes = Boxes::around(reaches.into_values());
+    let meets_other = |piece: &Piece| {
+        let (points, margin) = piece.reach();
+        let is_other = |place: usize| {
+            if surfaces[place] == piece.surface { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        };
+        boxes.meeting(points, margin, is_other).is_break()
+    };
+    Piece::all(scene).filter(meets_other).collect()
+}
+
+/// The pair of two pieces that overlap and get light from the same side.
+fn pair(scene: &Scene, a: &Piece, b: &Piece) -> Option<Pair> {
+    let faces_same_way = a.flat().normal().dot(b.flat().normal()) > 0.0;
+    let is_both = |piece: &Piece| has_two_sides(scene, piece.surface);
+    if !faces_same_way && !is_both(a) && !is_both(b) {
+        return None;
+    }
+    let common = overlap(a.flat(), b.flat())?;
+    let [(own, area), (other, larger)] = match [a, b].map(|piece| (piece.surface, piece.flat().area())) {
+        [a, b] if a.1 < b.1 => [a, b],
+        [a, b] => [b, a],
+    };
+    let is_inside = common >= (1.0 - 1e-6) * area && area < (1.0 - 1e-6) * larger;
+    Some(Pair { surfaces: [own, other], faces_same_way, is_inside })
+}
+
+/// Whether light from both sides is reflected or refracted.
+fn has_two_sides(scene: &Scene, surface: usize) -> bool {
+    scene.surfaces[surface].two_sided || is_dielectric(scene, surface)
+}
+
+fn is_dielectric(scene: &Scene, surface: usize) -> bool {
+    matches!(scene.materials[scene.surfaces[surface].material].kind, MaterialKind::Dielectric { .. })
+}
+
+impl Pair {
+    /// The surface at which it is reported, what is wrong there, and what was expected.
+    fn described(&self, scene: &Scene, has_on: bool) -> (usize, String, String) {
+        let [own, other] = self.surfaces.map(|index| &scene.surfaces[index]);
+        if self.surfaces.iter().any(|&surface| is_dielectric(scene, surface)) {
+            let [first, second] =
+                [self.surfaces[0].min(self.surfaces[1]), self.surfaces[0].max(self.surfaces[1])];
+            let [earlier, later] = [first, second].map(|index| &scene.surfaces[index].name);
+            let message = format!("`{later}` lies upon `{earlier}`");
+            return (second, message, "one surface between two media".to_owned());
+        }
+        let line = other.place.position().map_or(String::new(), |(_, line, _)| format!(" (line {line})"));
+        let how = if self.faces_same_way {
+            "both lie in one plane and face the same way".to_owned()
+        } else {
+            let two_sided = if own.two_sided { own } else { other };
+            format!("both lie in one plane, and `{}` is two-sided", two_sided.name)
+        };
+        let message = format!("`{}` overlaps `{}`{line}: {how}", own.name, other.name);
+        let is_subsurface = has_on && self.is_inside && self.faces_same_way;
+        let can_lie =
+            matches!((&own.shape, &other.shape), (Shape::Polygon(_) | Shape::Disk(_), Shape::Polygon(_)));
+        let expected = if is_subsurface && can_lie {
+            format!("on = {:?}, with which `{}` replaces that part of `{}`", other.name, own.name, other.name)
+        } else {
+            "surfaces that do not overlap".to_owned()
+        };
+        (self.surfaces[0], message, expected)
+    }
+}
