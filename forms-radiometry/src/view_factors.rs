@@ -14,7 +14,7 @@ use rayon::prelude::*;
 
 /// View factors below this are computed to the absolute error of one of this size.
 const LEAST: f64 = 1e-3;
-/// What rounding may add to a view factor of a row, relative to the sum of the row.
+/// Rounding of a view factor, relative to the sum of its row.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// The surfaces that an error names, those with the largest view factors.
 const NAMED: usize = 8;
@@ -113,7 +113,7 @@ impl ViewFactors {
         (0..self.names.len()).filter(is_above_one).map(error).collect()
     }
 
-    /// "0.6 to `a`, 0.5 to `b`": what the row of a surface sums up.
+    /// The terms of the sum of a row, the largest first: "0.6 to `a`, 0.5 to `b`".
     fn contributors(&self, row: usize) -> String {
         let factors = self.rows[row].iter().zip(&self.names).map(|(factor, name)| (factor.value, name));
         let mut factors: Vec<(f64, &String)> = factors.filter(|(value, _)| *value > 0.0).collect();

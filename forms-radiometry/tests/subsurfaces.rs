@@ -1,4 +1,4 @@
-//! Surfaces on others: a scene in which windows lie on walls is the scene in which the walls are drawn as what is left of them.
+//! Surfaces on others: a scene with windows on walls equals the scene in which the walls are drawn as pieces around the windows.
 
 use forms_radiometry::scene::{Scene, read};
 use forms_radiometry::simulation::{Answer, Quantity, Simulation, Unwatched, plan, simulate};
@@ -75,7 +75,7 @@ fn windows(numbers: &mut SplitMix) -> [Rectangle; 2] {
     pair
 }
 
-/// What windows side by side leave of the wall, as rectangles.
+/// The remainder of the wall around windows side by side, as rectangles.
 fn around([a, b]: [Rectangle; 2]) -> Vec<Rectangle> {
     let above_and_below = |[across, [low, high]]: Rectangle| [[across, [0.0, low]], [across, [high, 1.0]]];
     let strips =

@@ -79,7 +79,7 @@ impl Flat {
 }
 
 /// The length below which differences between two shapes count as rounding of their coordinates: a millionth of the
-/// extent of the smaller one, or what corners that are meant to meet may be apart.
+/// extent of the smaller one, or the distance within which corners count as one.
 pub(crate) fn resolution(a: &Flat, b: &Flat) -> f64 {
     closeness_of(a, b).max(PLANARITY * a.extent().min(b.extent()))
 }
@@ -100,23 +100,23 @@ pub(crate) fn overlap(a: &Flat, b: &Flat) -> Option<f64> {
         return None;
     }
     let resolution = resolution(a, b);
-    let Common { area, extent, is_straight } = Common::of(a, b);
-    // what is narrower than the resolution along all of it only touches
-    let rounding =
-        if is_straight { resolution * extent } else { cap(a.extent().min(b.extent()), resolution) };
+    let Intersection { area, extent, is_straight } = Intersection::of(a, b);
+    // shapes touch if their intersection is narrower than the resolution along its whole length
+    let of_circles = if is_straight { 0.0 } else { cap(a.extent().min(b.extent()), resolution) };
+    let rounding = of_circles.max(resolution * extent);
     (area > rounding).then_some(area)
 }
 
 /// The area that two shapes in one plane have in common.
 pub(crate) fn common_area(a: &Flat, b: &Flat) -> f64 {
-    Common::of(a, b).area
+    Intersection::of(a, b).area
 }
 
-/// What two shapes in one plane have in common.
+/// The intersection of two shapes in one plane.
 #[derive(Default)]
-struct Common {
+struct Intersection {
     area: f64,
-    /// How far straight pieces of it reach.
+    /// The extent of its straight pieces.
     extent: f64,
     /// Whether no circles take part in it.
     is_straight: bool,
@@ -143,16 +143,16 @@ impl Flat {
     }
 }
 
-impl Common {
+impl Intersection {
     /// The product of two indicator functions is the sum of the products of their parts.
     fn of(a: &Flat, b: &Flat) -> Self {
-        let mut common = Self { is_straight: true, ..Self::default() };
+        let mut sum = Self { is_straight: true, ..Self::default() };
         for own in a.parts() {
             for other in b.parts() {
-                common.add(own, other);
+                sum.add(own, other);
             }
         }
-        common
+        sum
     }
 
     fn add(&mut self, a: Part, b: Part) {

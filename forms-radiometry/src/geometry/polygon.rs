@@ -1,5 +1,5 @@
 //! Planar polygons: a list of vertices is checked and becomes a polygon with a normal and convex pieces. Other
-//! polygons and disks in its plane can be cut out of it ([`difference`], [`round_holes`]); then the pieces cover what is left.
+//! polygons and disks in its plane can be cut out of it ([`difference`], [`round_holes`]); then the pieces cover the remainder.
 
 mod difference;
 mod round_holes;
@@ -24,7 +24,7 @@ pub struct Polygon {
     holes: Vec<Vec<Vector>>,
     round_holes: Vec<Disk>,
     /// The pieces before round holes are cut, if there are any.
-    around: Vec<Vec<Vector>>,
+    straight: Vec<Vec<Vector>>,
 }
 
 /// Why a list of vertices is no polygon. Vertices are counted from one.
@@ -92,7 +92,14 @@ impl Polygon {
             let back = |triangle: Vec<Vector>| triangle.into_iter().map(|v| unit * v).collect();
             triangulate(&near, normal).into_iter().map(back).collect()
         };
-        Ok(Self { vertices, normal, pieces, holes: Vec::new(), round_holes: Vec::new(), around: Vec::new() })
+        Ok(Self {
+            vertices,
+            normal,
+            pieces,
+            holes: Vec::new(),
+            round_holes: Vec::new(),
+            straight: Vec::new(),
+        })
     }
 
     /// The polygon with all coordinates multiplied by a power of two, which rounds nothing.
@@ -104,7 +111,7 @@ impl Polygon {
             pieces: self.pieces.iter().map(scaled).collect(),
             holes: self.holes.iter().map(scaled).collect(),
             round_holes: self.round_holes.iter().map(|disk| disk.scaled(factor)).collect(),
-            around: self.around.iter().map(scaled).collect(),
+            straight: self.straight.iter().map(scaled).collect(),
         }
     }
 
@@ -133,11 +140,11 @@ impl Polygon {
             pieces: self.pieces.iter().map(turned).collect(),
             holes: self.holes.iter().map(turned).collect(),
             round_holes: self.round_holes.iter().map(|disk| disk.reversed()).collect(),
-            around: self.around.iter().map(turned).collect(),
+            straight: self.straight.iter().map(turned).collect(),
         }
     }
 
-    /// The area of what the holes leave of it.
+    /// The area without the holes.
     pub fn area(&self) -> f64 {
         if self.holes.is_empty() && self.round_holes.is_empty() {
             return area(&self.vertices, self.normal);
@@ -150,8 +157,8 @@ impl Polygon {
         &self.holes
     }
 
-    /// Convex polygons that cover this one without overlap: itself, or triangles, or what is left around its
-    /// holes. Each runs as this one does.
+    /// Convex polygons that cover this one without its holes, and without overlap: itself, triangles, or pieces around
+    /// the holes. Each runs as this one does.
     pub fn convex_pieces(&self) -> &[Vec<Vector>] {
         &self.pieces
     }

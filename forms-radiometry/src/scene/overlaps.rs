@@ -7,6 +7,9 @@
 //! opposite ways if one of them is two-sided or a dielectric, which acts on both of its sides. One-sided surfaces back
 //! to back, as the two faces of a thin wall, share no side. Faces of one mesh are not compared: they have one material
 //! and one radiance, and no other surface than theirs to lie on.
+//!
+//! In scenes of Mitsuba nearly every material is two-sided, and boxes on a floor would be errors although no light reaches the
+//! sides in contact: there two-sided surfaces can touch back to back.
 
 use super::error::Report;
 use super::model::{MaterialKind, Scene, Shape, Surface};
@@ -15,14 +18,21 @@ use std::cell::OnceCell;
 use std::collections::{BTreeMap, HashSet};
 use std::ops::ControlFlow;
 
-/// Reports surfaces that overlap. Those of a format without the key `on` are not advised to use it.
-pub(super) fn check(report: &mut Report, scene: &Scene, has_on: bool) {
+/// The format of a scene file.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Format {
+    Toml,
+    Mitsuba,
+}
+
+/// Reports surfaces that overlap.
+pub(super) fn check(report: &mut Report, scene: &Scene, format: Format) {
     if scene.surfaces.len() < 2 {
         return;
     }
     let working = scene.in_working_units();
-    for pair in pairs(&working.scene) {
-        let (place, message, expected) = pair.described(scene, has_on);
+    for pair in pairs(&working.scene, format) {
+        let (place, message, expected) = pair.described(scene, format);
         report.error_at(&scene.surfaces[place].place, message, expected);
     }
 }
@@ -79,7 +89,7 @@ impl<'s> Piece<'s> {
 }
 
 /// The pairs of surfaces that overlap, each once.
-fn pairs(scene: &Scene) -> Vec<Pair> {
+fn pairs(scene: &Scene, format: Format) -> Vec<Pair> {
     let pieces = near_others(scene);
     let boxes = Boxes::around(pieces.iter().map(Piece::reach));
     let (mut found, mut known) = (Vec::new(), HashSet::new());
@@ -87,7 +97,7 @@ fn pairs(scene: &Scene) -> Vec<Pair> {
         let compare = |other: usize| {
             let surfaces = [piece.surface, pieces[other].surface];
             let is_new = other > index && surfaces[0] != surfaces[1] && !known.contains(&surfaces);
-            if let Some(pair) = is_new.then(|| pair(scene, piece, &pieces[other])).flatten() {
+            if let Some(pair) = is_new.then(|| pair(scene, format, piece, &pieces[other])).flatten() {
                 known.insert(surfaces);
                 found.push(pair);
             }
@@ -121,10 +131,13 @@ fn near_others(scene: &Scene) -> Vec<Piece<'_>> {
 }
 
 /// The pair of two pieces that overlap and get light from the same side.
-fn pair(scene: &Scene, a: &Piece, b: &Piece) -> Option<Pair> {
+fn pair(scene: &Scene, format: Format, a: &Piece, b: &Piece) -> Option<Pair> {
     let faces_same_way = a.flat().normal().dot(b.flat().normal()) > 0.0;
-    let is_both = |piece: &Piece| has_two_sides(scene, piece.surface);
-    if !faces_same_way && !is_both(a) && !is_both(b) {
+    let acts_behind = |piece: &Piece| {
+        let is_two_sided = format == Format::Toml && scene.surfaces[piece.surface].two_sided;
+        is_two_sided || is_dielectric(scene, piece.surface)
+    };
+    if !faces_same_way && !acts_behind(a) && !acts_behind(b) {
         return None;
     }
     let common = overlap(a.flat(), b.flat())?;
@@ -136,18 +149,13 @@ fn pair(scene: &Scene, a: &Piece, b: &Piece) -> Option<Pair> {
     Some(Pair { surfaces: [own, other], faces_same_way, is_inside })
 }
 
-/// Whether light from both sides is reflected or refracted.
-fn has_two_sides(scene: &Scene, surface: usize) -> bool {
-    scene.surfaces[surface].two_sided || is_dielectric(scene, surface)
-}
-
 fn is_dielectric(scene: &Scene, surface: usize) -> bool {
     matches!(scene.materials[scene.surfaces[surface].material].kind, MaterialKind::Dielectric { .. })
 }
 
 impl Pair {
-    /// The surface at which it is reported, what is wrong there, and what was expected.
-    fn described(&self, scene: &Scene, has_on: bool) -> (usize, String, String) {
+    /// The surface at which it is reported, the message, and the expectation.
+    fn described(&self, scene: &Scene, format: Format) -> (usize, String, String) {
         let [own, other] = self.surfaces.map(|index| &scene.surfaces[index]);
         if self.surfaces.iter().any(|&surface| is_dielectric(scene, surface)) {
             let [first, second] =
@@ -164,7 +172,7 @@ impl Pair {
             format!("both lie in one plane, and `{}` is two-sided", two_sided.name)
         };
         let message = format!("`{}` overlaps `{}`{line}: {how}", own.name, other.name);
-        let is_subsurface = has_on && self.is_inside && self.faces_same_way;
+        let is_subsurface = format == Format::Toml && self.is_inside && self.faces_same_way;
         let can_lie =
             matches!((&own.shape, &other.shape), (Shape::Polygon(_) | Shape::Disk(_), Shape::Polygon(_)));
         let expected = if is_subsurface && can_lie {

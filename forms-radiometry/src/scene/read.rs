@@ -5,6 +5,7 @@ use super::error::Report;
 use super::file::{LARGEST_MESH, LARGEST_SCENE, read_file};
 use super::mesh_file::MeshFiles;
 use super::model::{Ambient, Band, LengthUnit, Scene};
+use super::overlaps::Format;
 use super::place::Source;
 use super::subsurfaces::{OnKey, Subsurface};
 use super::value::{Domain, NOT_NEGATIVE, Value, array, choice, number, text};
@@ -62,7 +63,7 @@ pub fn read_with_files(
     if is_xml {
         let read = mitsuba::read(&mut report, &source.text, &mut files);
         return finished(report, read, |report, (mut scene, surroundings)| {
-            overlaps::check(report, &scene, false);
+            overlaps::check(report, &scene, Format::Mitsuba);
             if !report.is_empty() {
                 return scene;
             }
@@ -77,7 +78,7 @@ pub fn read_with_files(
     finished(report, read, |report, (mut scene, subsurfaces)| {
         subsurfaces::cut(report, &mut scene, &subsurfaces);
         if report.is_empty() {
-            overlaps::check(report, &scene, true);
+            overlaps::check(report, &scene, Format::Toml);
         }
         if report.is_empty() {
             regions::check(report, &scene);
@@ -120,7 +121,7 @@ pub(super) struct Known {
     /// The materials that are dielectrics.
     pub(super) dielectrics: HashSet<usize>,
     pub(super) surfaces: Indices,
-    /// The surfaces that are said to lie on others.
+    /// The keys `on` of surfaces.
     pub(super) on: Vec<OnKey>,
 }
 

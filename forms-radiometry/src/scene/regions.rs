@@ -232,8 +232,8 @@ impl Regions {
         node
     }
 
-    /// Joins the sides that face each other at edges, and both sides of what ends at a rim, or the sides of a disk to
-    /// those of what it lies on.
+    /// Joins the sides that face each other at edges, and both sides of a disk, or the sides of a disk to
+    /// those of the surface that it lies on.
     fn join_at(&mut self, sheets: &[Sheet], edges: &[Edge]) {
         for (a, b) in edges.iter().flat_map(Edge::facing) {
             self.join(a, b);

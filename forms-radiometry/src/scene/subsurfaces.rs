@@ -4,8 +4,8 @@
 //! `on` keys ─ names ─▶ a base for each subsurface, no circles
 //!           ─ shapes ─▶ in the plane of the base, facing the same way, inside ─▶ cut out of the base
 //! ```
-//! From here on a base is what its subsurfaces leave of it, wherever its shape is used. A base may itself be a
-//! subsurface: each loses what lies on it, and is cut with its whole outline out of what it lies on.
+//! The model holds the remainder of a base, wherever its shape is used. A base can itself be a subsurface: it loses its own
+//! subsurfaces, and is cut with its whole outline out of its base.
 
 use super::element::Indices;
 use super::error::Report;
@@ -63,17 +63,10 @@ pub(super) fn resolve(report: &mut Report, keys: &[OnKey], surfaces: &Indices) -
 
 /// The surfaces from one on, each lying on the next, if the last lies on the first; else none.
 fn circle(first: usize, bases: &HashMap<usize, usize>) -> Vec<usize> {
-    let mut surfaces = vec![first];
-    while let Some(&base) = bases.get(&surfaces[surfaces.len() - 1]) {
-        if base == first {
-            return surfaces;
-        }
-        if surfaces.contains(&base) {
-            break;
-        }
-        surfaces.push(base);
-    }
-    Vec::new()
+    let next = |surface: &usize| bases.get(surface).copied().filter(|&base| base != first);
+    let surfaces: Vec<usize> = std::iter::successors(Some(first), next).take(bases.len()).collect();
+    let last = surfaces.last().and_then(|last| bases.get(last));
+    if last == Some(&first) { surfaces } else { Vec::new() }
 }
 
 /// "`a` lies on itself", "`a` lies on `b`, `b` on `a`".
@@ -113,7 +106,7 @@ pub(super) fn cut(report: &mut Report, scene: &mut Scene, subsurfaces: &[Subsurf
     }
 }
 
-/// What a subsurface takes of its base.
+/// The part of a base that a subsurface replaces.
 struct Opening {
     shapes: Vec<Flat>,
     /// The length that counts as rounding.
@@ -121,12 +114,12 @@ struct Opening {
     place: Range<usize>,
 }
 
-/// What is wrong, and what was expected.
-type Wrong = (String, String);
+/// A message and an expectation.
+type Problem = (String, String);
 
 impl Opening {
     /// The opening for a subsurface, if it lies in the plane of its base, faces the same way and is inside.
-    fn of(scene: &Scene, subsurface: &Subsurface, factor: f64) -> Result<Self, Wrong> {
+    fn of(scene: &Scene, subsurface: &Subsurface, factor: f64) -> Result<Self, Problem> {
         let [own, base] = [subsurface.surface, subsurface.base].map(|index| &scene.surfaces[index]);
         let [shapes, bases] = allowed_shapes(own, base)?;
         let plane = &bases[0];
@@ -159,7 +152,7 @@ impl Opening {
 }
 
 /// The flat shapes of a subsurface and of its base, if these are of kinds that can be.
-fn allowed_shapes(own: &Surface, base: &Surface) -> Result<[Vec<Flat>; 2], Wrong> {
+fn allowed_shapes(own: &Surface, base: &Surface) -> Result<[Vec<Flat>; 2], Problem> {
     let refused =
         |what: &str| (format!("no surface can lie on `{}`, which is {what}", base.name), BASES.to_owned());
     let shapes = flat_shapes(&own.shape).map_err(|what| {
@@ -176,7 +169,7 @@ fn allowed_shapes(own: &Surface, base: &Surface) -> Result<[Vec<Flat>; 2], Wrong
     }
 }
 
-/// The pieces of a shape that lies in a plane, or what it is instead.
+/// The pieces of a shape that lies in a plane, or the kind of a shape that does not.
 fn flat_shapes(shape: &Shape) -> Result<Vec<Flat>, &'static str> {
     match shape {
         Shape::Polygon(polygon) => Ok(vec![Flat::Polygon(polygon.clone())]),
@@ -193,7 +186,7 @@ fn flat_shapes(shape: &Shape) -> Result<Vec<Flat>, &'static str> {
     }
 }
 
-/// What openings leave of a shape, or how to begin the message that they leave nothing.
+/// The remainder of a shape around openings, or the begin of a message.
 fn cut_shape(shape: &Shape, openings: &[Opening]) -> Result<Shape, &'static str> {
     let cut = |polygon: Polygon| openings.iter().try_fold(polygon, without);
     match shape {
@@ -211,7 +204,7 @@ fn cut_shape(shape: &Shape, openings: &[Opening]) -> Result<Shape, &'static str>
     }
 }
 
-/// What the polygons of an opening leave of one.
+/// The remainder of a polygon around the polygons of an opening.
 fn without(left: Polygon, Opening { shapes, resolution, .. }: &Opening) -> Option<Polygon> {
     let polygon = |shape: &Flat| match shape {
         Flat::Polygon(polygon) => Some(polygon.clone()),

@@ -64,7 +64,7 @@ impl Grid {
         let faces = || transport.fronts(surface);
         let first = faces().next()?;
         let normal = first.normal;
-        // faces cover what other surfaces leave of a polygon
+        // the faces of a polygon do not cover its holes
         let outline = shape.as_polygon().map_or(&*first.vertices, Polygon::vertices);
         let middles = middles(outline, normal, size)?;
         let [columns, rows] = size;

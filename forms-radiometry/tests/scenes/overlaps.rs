@@ -1,4 +1,4 @@
-//! Surfaces in one plane that get light from the same side are told with both names, unless one lies `on` the other;
+//! Surfaces in one plane that get light from the same side are reported with both names, unless one lies `on` the other;
 //! and a surface lies `on` another one only where it can replace a part of it.
 
 use crate::{files, shown};
@@ -8,7 +8,10 @@ use forms_radiometry::scene::{Scene, SceneError, Shape, read_with_files};
 /// A surface of a scene: its name, its material, and the line of its shape with lines of more keys.
 type Surface = (&'static str, &'static str, String);
 
-/// The window of the room in a wall of 4 by 3.
+/// A message and an expectation.
+type Problem = (String, String);
+
+/// A window in a wall of 4 by 3.
 const WINDOW: &str = "polygon = [[1,0,1], [1,0,2.5], [3,0,2.5], [3,0,1]]";
 const WALL: &str = "polygon = [[0,0,0], [0,0,3], [4,0,3], [4,0,0]]";
 
@@ -49,12 +52,12 @@ fn scene(name: &str, surfaces: &[Surface]) -> Scene {
 /// Checks that the surfaces of a case are read, or that this message, with this expectation, is all that is wrong.
 fn check(name: &str, surfaces: &[Surface], expected: Option<(&str, &str)>) {
     let found = read(surfaces).map_or_else(|errors| errors, |_| Vec::new());
-    let said: Vec<(&str, &str)> = found.iter().map(|error| (&*error.message, &*error.expected)).collect();
-    assert_eq!(said, Vec::from_iter(expected), "{name}");
+    let problems: Vec<(&str, &str)> = found.iter().map(|error| (&*error.message, &*error.expected)).collect();
+    assert_eq!(problems, Vec::from_iter(expected), "{name}");
 }
 
 #[test]
-fn surfaces_that_overlap_and_face_the_same_way_are_told_with_both_names() {
+fn surfaces_that_overlap_and_face_the_same_way_are_reported_with_both_names() {
     const APART: &str = "surfaces that do not overlap";
     let (floor, back) = (square(0.0, 1.0), "polygon = [[0,0,0], [0,1,0], [1,1,0], [1,0,0]]");
     let two_sided = |shape: &str| format!("{shape}\ntwo_sided = true");
@@ -64,7 +67,7 @@ fn surfaces_that_overlap_and_face_the_same_way_are_told_with_both_names() {
     let same_way = "both lie in one plane and face the same way";
     let a_overlaps_b = |how: &str| format!("`a` overlaps `b` (line LINE): {how}");
     let b_overlaps_a = |how: &str| format!("`b` overlaps `a` (line 15): {how}");
-    let cases: Vec<(&str, String, String, Option<(String, String)>)> = vec![
+    let cases: Vec<(&str, String, String, Option<Problem>)> = vec![
         ("in part", square(0.0, 1.0), square(0.9, 2.0), Some((a_overlaps_b(same_way), APART.into()))),
         ("twice the same", floor.clone(), floor.clone(), Some((b_overlaps_a(same_way), APART.into()))),
         (
@@ -121,7 +124,7 @@ fn a_boundary_of_a_medium_lies_upon_nothing() {
 }
 
 #[test]
-fn two_surfaces_are_told_once_however_many_of_their_faces_overlap() {
+fn two_surfaces_are_reported_once_however_many_of_their_faces_overlap() {
     check(
         "a mesh on a mesh",
         &[grey("wall", "mesh = \"wall.obj\""), grey("pane", "mesh = \"pane.obj\"")],
@@ -133,7 +136,7 @@ fn two_surfaces_are_told_once_however_many_of_their_faces_overlap() {
 }
 
 #[test]
-fn an_overlap_in_a_scene_of_mitsuba_is_told_without_advice_to_use_on() {
+fn an_overlap_in_a_scene_of_mitsuba_is_reported_without_advice_to_use_on() {
     let text = "<scene version=\"3.0.0\">
         <shape type=\"rectangle\" id=\"floor\"/>
         <shape type=\"disk\" id=\"lamp\"><emitter type=\"area\"><rgb name=\"radiance\" value=\"1\"/></emitter></shape>
@@ -144,7 +147,25 @@ fn an_overlap_in_a_scene_of_mitsuba_is_told_without_advice_to_use_on() {
     assert!(found[0].message.starts_with("`lamp` overlaps `floor` (line 2)"), "{}", found[0].message);
 }
 
-/// The area of what is left of a surface.
+#[test]
+fn a_box_of_mitsuba_stands_on_a_floor_also_if_both_are_two_sided() {
+    let text = "<scene version=\"3.0.0\">
+        <bsdf type=\"twosided\" id=\"grey\"><bsdf type=\"diffuse\"/></bsdf>
+        <shape type=\"rectangle\" id=\"floor\"><ref id=\"grey\"/></shape>
+        <shape type=\"cube\" id=\"box\"><ref id=\"grey\"/><transform name=\"to_world\">
+            <scale value=\"0.25\"/><translate z=\"0.25\"/>
+        </transform></shape>
+    </scene>";
+    let scene =
+        read_with_files(text, "scene.xml", &mesh).unwrap_or_else(|errors| panic!("{}", shown(&errors)));
+    assert!(scene.surfaces.iter().all(|surface| surface.two_sided));
+    let turned =
+        text.replace("id=\"floor\">", "id=\"floor\"><boolean name=\"flip_normals\" value=\"true\"/>");
+    let found = read_with_files(&turned, "scene.xml", &mesh).expect_err("both look down");
+    assert!(found[0].message.starts_with("`box` overlaps `floor`"), "{}", shown(&found));
+}
+
+/// The area of a surface.
 fn area(scene: &Scene, name: &str) -> f64 {
     let surface = scene.surfaces.iter().find(|surface| surface.name == name).expect("a surface");
     match &surface.shape {
@@ -198,7 +219,7 @@ fn a_surface_on_another_one_replaces_that_part_of_it() {
 }
 
 #[test]
-fn what_cannot_lie_on_a_surface_is_told_with_the_reason() {
+fn a_surface_that_cannot_lie_on_another_one_is_reported_with_the_reason() {
     let on = |shape: &str, base: &str| format!("{shape}\non = \"{base}\"");
     let wall = || grey("wall", WALL);
     let disk = "disk = { center = [2,0,1.5], normal = [0,1,0], radius = 0.5 }";

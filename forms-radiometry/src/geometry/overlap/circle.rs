@@ -20,7 +20,7 @@ pub(super) fn area_in_pieces(disk: &Disk, pieces: &[Vec<Vector>]) -> f64 {
 }
 
 /// The signed area between the centre of a circle and an edge, as far as it lies in the circle: a triangle under
-/// the part of the edge inside, and sectors beside it.
+/// the part of the edge inside, and sectors on both sides of it.
 ///
 /// The edge a + t (b − a) enters and leaves where |a|² + 2t a·(b − a) + t² |b − a|² = r².
 fn along_edge(a: [f64; 2], b: [f64; 2], radius: f64) -> f64 {

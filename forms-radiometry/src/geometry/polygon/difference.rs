@@ -1,8 +1,8 @@
-//! Difference of polygons: a polygon and others in its plane become the convex pieces that the others leave of it.
+//! Difference of polygons: others in its plane are cut out of a polygon, and its remainder becomes convex pieces.
 //!
 //! ```text
-//! convex piece ─ line of an edge of a convex hole ─┬─ beyond it: a piece that is left
-//!                                                  └─ the rest ─▶ the next edge …  ─▶ what is inside of all: dropped
+//! convex piece ─ line of an edge of a convex hole ─┬─ beyond it: a piece of the remainder
+//!                                                  └─ the rest ─▶ the next edge …  ─▶ inside of all: dropped
 //! ```
 //! The lines of a convex hole cut a convex piece into convex pieces, no more than the hole has edges. The pieces do
 //! not overlap, and their areas and that of the hole add up to the area of the piece. Round holes are cut last
@@ -13,7 +13,7 @@ use crate::geometry::Vector;
 use crate::geometry::clip::split_beyond;
 
 impl Polygon {
-    /// This polygon without the parts that these cover, which lie in its plane and face the same way; nothing if
+    /// This polygon without the parts that these cover, which lie in its plane and face the same way; `None` if
     /// they cover it. Parts that are narrower than the resolution count as rounding and are not cut off.
     pub(crate) fn without(&self, holes: &[Self], resolution: f64) -> Option<Self> {
         let mut pieces = self.pieces.clone();
@@ -30,29 +30,29 @@ impl Polygon {
 /// The part of a convex outline that lies in another one with this unit normal, seen along that; no vertices if it
 /// has no area.
 pub(in crate::geometry) fn intersection(outline: &[Vector], other: &[Vector], normal: Vector) -> Vec<Vector> {
-    parted(outline, edges(other), normal, 0.0).1
+    split_along(outline, edges(other), normal, 0.0).1
 }
 
-/// The convex pieces of a convex one that a convex hole leaves.
+/// The convex pieces of a convex one without a convex hole.
 pub(super) fn difference(
     piece: Vec<Vector>,
     hole: &[Vector],
     normal: Vector,
     resolution: f64,
 ) -> Vec<Vec<Vector>> {
-    if parted(&piece, edges(hole), normal, resolution).1.is_empty() {
+    if split_along(&piece, edges(hole), normal, resolution).1.is_empty() {
         return vec![piece];
     }
     // a segment from a point outside of the hole to one inside crosses an edge in the piece
     let crossing = edges(hole).filter(|edge| length_inside(*edge, &piece, normal) > resolution);
-    let (mut outside, _) = parted(&piece, crossing, normal, resolution);
+    let (mut outside, _) = split_along(&piece, crossing, normal, resolution);
     outside.iter_mut().for_each(|piece| snap(piece, hole, resolution));
     outside
 }
 
-/// The convex pieces of a convex outline beyond the lines of some edges with this unit normal, and the one on the inner
-/// side of all, which has no vertices if it has no area.
-pub(super) fn parted(
+/// Splits a convex outline along the lines of edges with this unit normal: the convex pieces beyond each, and the one on the
+/// inner side of all, which has no vertices if it has no area.
+pub(super) fn split_along(
     outline: &[Vector],
     edges: impl Iterator<Item = [Vector; 2]>,
     normal: Vector,
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn what_holes_leave_has_the_area_of_the_wall_less_theirs() {
+    fn a_wall_without_holes_has_its_area_less_theirs() {
         let wall = || rectangle([0.0, 0.0], [4.0, 3.0]);
         let l = || polygon(&[[0.0, 0.0], [4.0, 0.0], [4.0, 1.0], [1.0, 1.0], [1.0, 3.0], [0.0, 3.0]]);
         let cases: [(&str, Polygon, Vec<Polygon>, f64, usize); 9] = [
@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_narrower_than_the_resolution_is_not_cut_off() {
+    fn a_strip_narrower_than_the_resolution_is_not_cut_off() {
         let wall = rectangle([0.0, 0.0], [4.0, 3.0]);
         let hole = |margin: f64| rectangle([margin, margin], [2.0, 3.0 - margin]);
         assert_eq!(

@@ -1,13 +1,13 @@
 //! Round holes: disks are cut out of a polygon as the regular polygons that stand for them.
 //!
 //! ```text
-//! pieces ─ square around the disk ─┬─ outside: pieces that are left
+//! pieces ─ square around the disk ─┬─ outside: pieces of the remainder
 //!                                  └─ inside ─ lines of the edges of the regular polygon ─▶ narrow pieces around it
 //! ```
-//! A regular polygon has the area of its disk, and the faces of a surface that is a disk are the same ones: the hole and
-//! what lies in it fit at each fineness.
+//! A regular polygon has the area of its disk, and stands for the disk itself in the faces of the scene: hole and disk fit at
+//! each fineness.
 
-use super::difference::{difference, edges, intersection, parted};
+use super::difference::{difference, edges, intersection, split_along};
 use super::{PLANARITY, Polygon};
 use crate::geometry::round::across;
 use crate::geometry::{Disk, Vector};
@@ -24,8 +24,8 @@ impl Polygon {
         if disks.is_empty() {
             return self;
         }
-        let around = self.pieces.clone();
-        let whole = Self { round_holes: disks, around, ..self };
+        let straight = self.pieces.clone();
+        let whole = Self { round_holes: disks, straight, ..self };
         Self { pieces: whole.pieces_at(FINENESS).into_owned(), ..whole }
     }
 
@@ -34,9 +34,9 @@ impl Polygon {
         &self.round_holes
     }
 
-    /// Convex pieces of what its other holes leave.
+    /// Convex pieces without its other holes.
     pub(crate) fn straight_pieces(&self) -> &[Vec<Vector>] {
-        if self.round_holes.is_empty() { &self.pieces } else { &self.around }
+        if self.round_holes.is_empty() { &self.pieces } else { &self.straight }
     }
 
     /// Its convex pieces, where regular polygons of this fineness stand for disks that were cut out.
@@ -44,24 +44,24 @@ impl Polygon {
         if self.round_holes.is_empty() {
             return Cow::Borrowed(&self.pieces);
         }
-        let mut pieces = self.around.clone();
+        let mut pieces = self.straight.clone();
         for disk in &self.round_holes {
             let hole = disk.polygon(fineness);
-            pieces = pieces.into_iter().flat_map(|piece| around(piece, disk, &hole)).collect();
+            pieces = pieces.into_iter().flat_map(|piece| without_disk(piece, disk, &hole)).collect();
         }
         Cow::Owned(pieces)
     }
 }
 
 /// The convex pieces of a convex one around the regular polygon that stands for a disk.
-fn around(piece: Vec<Vector>, disk: &Disk, hole: &[Vector]) -> Vec<Vec<Vector>> {
+fn without_disk(piece: Vec<Vector>, disk: &Disk, hole: &[Vector]) -> Vec<Vec<Vector>> {
     if intersection(&piece, hole, disk.normal).is_empty() {
         return vec![piece];
     }
     let [u, v] = across(disk.normal).map(|axis| SQUARE * disk.radius * axis);
     let square = [disk.center - u - v, disk.center + u - v, disk.center + u + v, disk.center - u + v];
     let resolution = PLANARITY * disk.radius;
-    let (mut pieces, inside) = parted(&piece, edges(&square), disk.normal, resolution);
+    let (mut pieces, inside) = split_along(&piece, edges(&square), disk.normal, resolution);
     pieces.extend(difference(inside, hole, disk.normal, resolution));
     pieces
 }

@@ -1,4 +1,4 @@
-//! Boundaries: the outline of a polygon and those of its holes become the edges at which what is left of it ends.
+//! Boundaries: the outline of a polygon and those of its holes become the edges at which the polygon ends.
 //!
 //! ```text
 //! outline, holes backwards ─ split at each other's vertices ─ stretches in opposite directions cancel ─▶ edges
