@@ -12,6 +12,7 @@ mod mitsuba_errors;
 mod mitsuba_media;
 mod overlaps;
 mod page;
+mod subsurfaces;
 
 use forms_radiometry::scene::{Scene, SceneError, read_with_files};
 use std::io;
