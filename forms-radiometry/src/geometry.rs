@@ -31,6 +31,7 @@ pub(crate) use form_factor::form_factor_of_pieces;
 pub use mesh::{FaceError, Mesh, MeshError};
 pub(crate) use overlap::{Flat, common_area, off_plane, overlap, resolution};
 pub use polygon::{Polygon, PolygonError};
+pub(crate) use polygon::{area, edges, intersection};
 pub(crate) use round::Round;
 pub use round::{Disk, Sphere};
 pub use vector::Vector;

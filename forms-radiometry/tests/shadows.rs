@@ -41,7 +41,7 @@ struct Case {
 }
 
 fn between(random: &mut SplitMix, low: f64, high: f64) -> f64 {
-    low + (high - low) * (random.next() >> 11) as f64 / (1_u64 << 53) as f64
+    low + (high - low) * random.unit()
 }
 
 fn array(Vector { x, y, z }: Vector) -> [f64; 3] {

@@ -22,11 +22,6 @@ fn results(text: &str) -> Simulation {
     simulate(&scene, &plan, &Unwatched)
 }
 
-/// A number from 0 to 1.
-fn number(numbers: &mut SplitMix) -> f64 {
-    (numbers.next() >> 11) as f64 / (1_u64 << 53) as f64
-}
-
 /// A frame of a room: its origin, and where its sides of length 1 point.
 struct Frame {
     origin: Point,
@@ -36,13 +31,13 @@ struct Frame {
 impl Frame {
     /// A turned one, from three random angles.
     fn random(numbers: &mut SplitMix) -> Self {
-        let [(s, c), (t, d), (u, e)] = [0; 3].map(|_| (6.0 * number(numbers)).sin_cos());
+        let [(s, c), (t, d), (u, e)] = [0; 3].map(|_| (6.0 * numbers.unit()).sin_cos());
         let axes = [
             [c * d, s * d, -t],
             [c * t * u - s * e, s * t * u + c * e, d * u],
             [c * t * e + s * u, s * t * e - c * u, d * e],
         ];
-        Self { origin: [0; 3].map(|_| 10.0 * number(numbers)), axes }
+        Self { origin: [0; 3].map(|_| 10.0 * numbers.unit()), axes }
     }
 
     fn place(&self, point: Point) -> Point {
@@ -60,9 +55,9 @@ fn on_front([[left, right], [low, high]]: Rectangle) -> [Point; 4] {
 
 /// Two windows side by side, apart from each other and from the edges, or along them.
 fn windows(numbers: &mut SplitMix) -> [Rectangle; 2] {
-    let middle = 0.35 + 0.3 * number(numbers);
+    let middle = 0.35 + 0.3 * numbers.unit();
     let mut range = |low: f64, high: f64| {
-        let [a, b] = [0.05 + 0.4 * number(numbers), 0.55 + 0.4 * number(numbers)];
+        let [a, b] = [0.05 + 0.4 * numbers.unit(), 0.55 + 0.4 * numbers.unit()];
         [low + a * (high - low), low + b * (high - low)]
     };
     let mut pair = [[range(0.0, middle), range(0.0, 1.0)], [range(middle, 1.0), range(0.0, 1.0)]];

@@ -15,6 +15,11 @@ impl SplitMix {
         mixed ^ (mixed >> 31)
     }
 
+    /// A number from 0 to 1, without 1.
+    pub fn unit(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
     /// A number below a bound that is not 0.
     pub fn below(&mut self, bound: usize) -> usize {
         (self.next() >> 11) as usize % bound

@@ -4,7 +4,7 @@
 mod difference;
 mod round_holes;
 
-pub(super) use difference::intersection;
+pub(crate) use difference::intersection;
 
 use super::scale::{LARGEST_LENGTH, LEAST_LENGTH, lengths, power_of_two};
 use super::triangulation::{triangulate, turn};
@@ -164,8 +164,14 @@ impl Polygon {
     }
 }
 
+/// The edges of an outline, each from a vertex to the next.
+pub(crate) fn edges<T: Copy>(outline: &[T]) -> impl Iterator<Item = [T; 2]> {
+    let next = outline.iter().skip(1).chain(outline.first());
+    outline.iter().zip(next).map(|(&a, &b)| [a, b])
+}
+
 /// The area of an outline with this unit normal: ½ n·Σ (vᵢ − v₀) × (vᵢ₊₁ − v₀).
-pub(super) fn area(outline: &[Vector], normal: Vector) -> f64 {
+pub(crate) fn area(outline: &[Vector], normal: Vector) -> f64 {
     let [about, ..] = outline else { return 0.0 };
     let corner = |pair: &[Vector]| (pair[0] - *about).cross(pair[1] - *about);
     0.5 * outline.windows(2).map(corner).map(|twice| normal.dot(twice)).sum::<f64>()

@@ -37,7 +37,7 @@ pub(crate) use boxes::Boxes;
 pub(crate) use horizon::Workspace;
 pub(crate) use walls::{Met, Start, Wall, Walls};
 
-use super::{Polygon, Vector};
+use super::{Polygon, Vector, edges};
 use body::{Body, bodies};
 use bounds::Bounds;
 use branches::Branches;
@@ -118,8 +118,7 @@ struct Screen {
 impl Screen {
     /// Its edges from each vertex to the next.
     fn edges(&self) -> impl Iterator<Item = [Vector; 2]> {
-        let next = self.vertices[1..].iter().chain(&self.vertices[..1]);
-        self.vertices.iter().zip(next).map(|(&a, &b)| [a, b])
+        edges(&self.vertices)
     }
 }
 

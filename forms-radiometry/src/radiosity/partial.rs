@@ -16,7 +16,7 @@ use super::operator::Operator;
 use super::shadows::{Shadows, measure, spectrum};
 use super::solution::of_bands;
 use super::system::Radiosity;
-use crate::geometry::{Lit, Vector, split};
+use crate::geometry::{Lit, Vector, area, intersection};
 use crate::scene::{Light, Scene};
 use forms::math::Real;
 
@@ -92,8 +92,8 @@ fn of_light(
     if lit.is_whole {
         return found;
     }
-    let pieces: Vec<Vec<Vector>> =
-        lit.pieces.iter().filter_map(|piece| common(piece, outline, element.normal)).collect();
+    let pieces = lit.pieces.iter().map(|piece| intersection(piece, outline, element.normal));
+    let pieces: Vec<Vec<Vector>> = pieces.filter(|piece| !piece.is_empty()).collect();
     let part = pieces.iter().map(|piece| area(piece, element.normal)).sum::<f64>() / element.area;
     if !(NOTHING..=1.0 - NOTHING).contains(&part) {
         return found;
@@ -102,26 +102,6 @@ fn of_light(
     found.jump = 2.0 * (1.0 - part) * flux / element.area + (largest - least);
     found.mean = Some(flux / element.area);
     found
-}
-
-/// The common part of two convex polygons of one plane, if it has any area.
-fn common(piece: &[Vector], outline: &[Vector], normal: Vector) -> Option<Vec<Vector>> {
-    let (mut inside, mut outside) = (Vec::new(), Vec::new());
-    let mut left = piece.to_vec();
-    for (i, &corner) in outline.iter().enumerate() {
-        let inwards = normal.cross(outline[(i + 1) % outline.len()] - corner);
-        split(&left, |v| inwards.dot(v - corner), &mut inside, &mut outside);
-        std::mem::swap(&mut left, &mut inside);
-        if left.is_empty() {
-            return None;
-        }
-    }
-    Some(left)
-}
-
-fn area(outline: &[Vector], normal: Vector) -> f64 {
-    let about = outline[0];
-    0.5 * outline.windows(2).map(|pair| normal.dot((pair[0] - about).cross(pair[1] - about))).sum::<f64>()
 }
 
 /// Half of what the weight of irradiance differs by over an element, by that of its nodes, times its area; of a single node all of it. Twice

@@ -9,7 +9,7 @@
 use super::contact::Contact;
 use super::gather::Transport;
 use crate::geometry::precise::{Rounded, area_across, solid_angle};
-use crate::geometry::{Beam, Face, Lit, Vector};
+use crate::geometry::{Beam, Face, Lit, Vector, edges};
 use crate::scene::{Light, LightKind, Scene};
 use crate::sharing::Sharing;
 use crate::simulation::Watch;
@@ -122,6 +122,5 @@ fn beam(light: &Light) -> Beam {
 }
 
 fn perimeter(piece: &[Vector]) -> f64 {
-    let next = piece.iter().cycle().skip(1);
-    piece.iter().zip(next).map(|(&a, &b)| (b - a).length()).sum()
+    edges(piece).map(|[a, b]| (b - a).length()).sum()
 }

@@ -1,7 +1,7 @@
 //! Areas that a circle has in common with convex polygons and circles, in closed form.
 
 use crate::geometry::round::across;
-use crate::geometry::{Disk, Vector};
+use crate::geometry::{Disk, Vector, edges};
 use std::f64::consts::PI;
 
 /// The area of convex pieces, in the plane of a disk, that lies in the disk.
@@ -12,9 +12,8 @@ pub(super) fn area_in_pieces(disk: &Disk, pieces: &[Vec<Vector>]) -> f64 {
         [u.dot(way), v.dot(way)]
     };
     let of_piece = |piece: &Vec<Vector>| {
-        let next = piece.iter().skip(1).chain(piece.first());
-        let edges = piece.iter().zip(next);
-        edges.map(|(a, b)| along_edge(place(a), place(b), disk.radius)).sum::<f64>().abs()
+        let of_edge = |[a, b]: [Vector; 2]| along_edge(place(&a), place(&b), disk.radius);
+        edges(piece).map(of_edge).sum::<f64>().abs()
     };
     pieces.iter().map(of_piece).sum()
 }

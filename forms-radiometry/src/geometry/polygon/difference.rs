@@ -8,7 +8,7 @@
 //! not overlap, and their areas and that of the hole add up to the area of the piece. Round holes are cut last
 //! ([`round_holes`](super::round_holes)).
 
-use super::Polygon;
+use super::{Polygon, edges};
 use crate::geometry::Vector;
 use crate::geometry::clip::split_beyond;
 
@@ -29,7 +29,7 @@ impl Polygon {
 
 /// The part of a convex outline that lies in another one with this unit normal, seen along that; no vertices if it
 /// has no area.
-pub(in crate::geometry) fn intersection(outline: &[Vector], other: &[Vector], normal: Vector) -> Vec<Vector> {
+pub(crate) fn intersection(outline: &[Vector], other: &[Vector], normal: Vector) -> Vec<Vector> {
     split_along(outline, edges(other), normal, 0.0).1
 }
 
@@ -102,12 +102,6 @@ fn snap(piece: &mut Vec<Vector>, hole: &[Vector], resolution: f64) {
     }
 }
 
-/// The edges of an outline, each from a vertex to the next.
-pub(super) fn edges(outline: &[Vector]) -> impl Iterator<Item = [Vector; 2]> {
-    let next = outline.iter().skip(1).chain(outline.first());
-    outline.iter().zip(next).map(|(&a, &b)| [a, b])
-}
-
 /// The distance of points from the line of an edge, above zero on the side of its polygon.
 fn inward([a, b]: [Vector; 2], normal: Vector) -> impl Fn(Vector) -> f64 {
     let across = normal.cross(b - a).unit().unwrap_or_default();
@@ -175,7 +169,7 @@ mod tests {
         let star =
             [[2.0, 0.5], [2.2, 1.2], [3.0, 1.5], [2.2, 1.7], [2.0, 2.5], [1.8, 1.7], [1.0, 1.5], [1.8, 1.2]];
         let mut numbers = SplitMix(7);
-        let mut number = || (numbers.next() >> 11) as f64 / (1_u64 << 53) as f64;
+        let mut number = || numbers.unit();
         for _ in 0..100 {
             let axis = |x: f64, y: f64, z: f64| Vector::new(x, y, z).unit().expect("a direction");
             let u = axis(number() - 0.5, number() - 0.5, number() - 0.5);

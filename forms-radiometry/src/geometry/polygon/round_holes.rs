@@ -7,8 +7,8 @@
 //! A regular polygon has the area of its disk, and stands for the disk itself in the faces of the scene: hole and disk fit at
 //! each fineness.
 
-use super::difference::{difference, edges, intersection, split_along};
-use super::{PLANARITY, Polygon};
+use super::difference::{difference, intersection, split_along};
+use super::{PLANARITY, Polygon, edges};
 use crate::geometry::round::across;
 use crate::geometry::{Disk, Vector};
 use std::borrow::Cow;

@@ -7,9 +7,9 @@
 //! last bit, so no light slips between them. A screen that the beam only grazes casts none.
 
 use super::{Plane, Screen, Screens};
-use crate::geometry::Vector;
 use crate::geometry::clip::{split, split_beyond};
 use crate::geometry::visibility::Between;
+use crate::geometry::{Vector, edges};
 
 /// What rounding leaves of a distance from a plane, in units of the largest distance in its face.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
@@ -124,10 +124,8 @@ impl Screens {
             let whole = std::mem::take(&mut outline);
             split(&whole, |v| height - face.distance(v), &mut outline, &mut rest);
         }
-        let next = outline.iter().cycle().skip(1);
-        let inwards =
-            |(&a, &b): (&Vector, &Vector)| beam.plane_through(if above > 0.0 { [b, a] } else { [a, b] });
-        outline.iter().zip(next).map(inwards).collect()
+        let inwards = |[a, b]: [Vector; 2]| beam.plane_through(if above > 0.0 { [b, a] } else { [a, b] });
+        edges(&outline).map(inwards).collect()
     }
 }
 
@@ -174,13 +172,9 @@ impl Lit {
         if self.is_whole {
             return Vec::new();
         }
-        let sides = |piece: &[Vector]| -> Vec<[Vector; 2]> {
-            (0..piece.len()).map(|i| [piece[i], piece[(i + 1) % piece.len()]]).collect()
-        };
-        let mut against: Vec<[Vector; 2]> = self.pieces.iter().flat_map(|piece| sides(piece)).collect();
-        against.extend(sides(outline).into_iter().map(|[a, b]| [b, a]));
-        let own = self.pieces.iter().flat_map(|piece| sides(piece));
-        own.flat_map(|side| uncovered(side, &against, closeness)).collect()
+        let own = || self.pieces.iter().flat_map(|piece| edges(piece));
+        let against: Vec<[Vector; 2]> = own().chain(edges(outline).map(|[a, b]| [b, a])).collect();
+        own().flat_map(|side| uncovered(side, &against, closeness)).collect()
     }
 }
 

@@ -6,7 +6,7 @@
 //! Where a hole reaches the outline, or two holes have an edge in common, the polygon does not end.
 
 use super::edges::vertices_on;
-use crate::geometry::Vector;
+use crate::geometry::{Vector, edges};
 use std::collections::HashMap;
 
 /// The edges, in their direction, of an outline with holes, all as numbers of vertices and counter-clockwise.
@@ -33,12 +33,6 @@ pub(super) fn boundary(outline: &[usize], holes: &[Vec<usize>], vertices: &[Vect
         *counts.entry([b, a]).or_default() -= 1;
     }
     stretches.into_iter().filter(|stretch| counts[stretch] > 0).collect()
-}
-
-/// The edges of a loop of vertices.
-fn edges(corners: &[usize]) -> impl Iterator<Item = [usize; 2]> + '_ {
-    let next = corners.iter().skip(1).chain(corners.first());
-    corners.iter().zip(next).map(|(&a, &b)| [a, b])
 }
 
 #[cfg(test)]
