@@ -12,6 +12,7 @@ mod mesh_file;
 mod mitsuba;
 mod model;
 mod overlaps;
+mod overrides;
 mod place;
 mod read;
 mod receiver;
@@ -31,6 +32,7 @@ pub use model::{
     Ambient, Band, Effect, Force, ForcedEffect, LengthUnit, Light, LightKind, Material, MaterialKind, Medium,
     Receiver, ReceiverKind, Scene, Shape, Solve, Surface, TimeBins,
 };
+pub use overrides::{EffectList, Overrides};
 pub use place::Place;
 pub use read::{open, read, read_with_files};
 pub(crate) use regions::{FilledSheet, Filling, Piece, filled};

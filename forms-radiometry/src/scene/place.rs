@@ -10,11 +10,18 @@ use std::sync::Arc;
 pub(super) struct Source {
     pub(super) file: String,
     pub(super) text: String,
+    /// Whether it is the value of an option of the command line, whose name stands for that of a file.
+    is_option: bool,
 }
 
 impl Source {
     pub(super) fn new(file: &str, text: &str) -> Arc<Self> {
-        Arc::new(Self { file: file.to_owned(), text: text.to_owned() })
+        Arc::new(Self { file: file.to_owned(), text: text.to_owned(), is_option: false })
+    }
+
+    /// The value of an option of the command line.
+    pub(super) fn of_option(name: &str, value: &str) -> Arc<Self> {
+        Arc::new(Self { file: name.to_owned(), text: value.to_owned(), is_option: true })
     }
 }
 
@@ -52,6 +59,11 @@ impl Place {
     pub fn position(&self) -> Option<(&str, usize, usize)> {
         let located = self.located();
         self.source.as_ref().map(|_| (located.file, located.line, located.column))
+    }
+
+    /// Whether it is in the value of an option of the command line.
+    pub fn is_option(&self) -> bool {
+        self.source.as_ref().is_some_and(|source| source.is_option)
     }
 
     pub(super) fn located(&self) -> Located<'_> {

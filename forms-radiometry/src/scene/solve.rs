@@ -6,9 +6,9 @@ use super::model::{Effect, Force, ForcedEffect, Solve};
 use super::value::{Domain, LARGEST_WHOLE, Value, number};
 use toml::de::{DeTable, DeValue};
 
-const TOLERANCE: Domain =
+pub(super) const TOLERANCE: Domain =
     Domain { expected: "a number above 0 and below 1", contains: |x| x > 0.0 && x < 1.0 };
-const SEED: Domain = Domain {
+pub(super) const SEED: Domain = Domain {
     expected: "a whole number from 0 to 2^53",
     contains: |x| x.fract() == 0.0 && (0.0..=LARGEST_WHOLE).contains(&x),
 };
@@ -44,6 +44,11 @@ fn effects(report: &mut Report, value: &Value) -> Vec<ForcedEffect> {
     let Some(element) = Element::single(report, value, "table of effects", "`effects`", EXPECTED) else {
         return Vec::new();
     };
+    forced(report, &element)
+}
+
+/// The effects that the keys of an element force, in the order of [`Effect::ALL`].
+pub(super) fn forced(report: &mut Report, element: &Element) -> Vec<ForcedEffect> {
     element.check_keys(report, &Effect::ALL.map(|(name, _)| name));
     let forced = |(name, effect): (&str, Effect)| {
         let value = element.optional(name)?;

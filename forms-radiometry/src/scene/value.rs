@@ -102,7 +102,8 @@ pub(super) fn within(
     Some(found)
 }
 
-fn plain_number(value: &DeValue) -> Option<f64> {
+/// The number that a value is, if it is one.
+pub(super) fn plain_number(value: &DeValue) -> Option<f64> {
     match value {
         DeValue::Float(float) => float.as_str().parse().ok(),
         DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
