@@ -1,8 +1,12 @@
 //! The command line.
 
+mod solve;
+
 use clap::{Parser, Subcommand, ValueEnum};
 use forms::math::Instructions;
+use forms_radiometry::scene::Overrides;
 use forms_radiometry::simulation::{Budget, Exposure, Share};
+pub(crate) use solve::{SolveArguments, ThreadArguments};
 use std::net::IpAddr;
 use std::time::Duration;
 
@@ -159,6 +163,10 @@ pub(crate) enum Command {
         /// Add the exposure behind each irradiance, and the fluence behind each fluence rate, over this time in J/m²
         #[arg(long, value_name = "SECONDS", value_parser = exposure, allow_negative_numbers = true)]
         exposure: Option<Exposure>,
+        #[command(flatten)]
+        solve: SolveArguments,
+        #[command(flatten)]
+        threads: ThreadArguments,
         /// One JSON object a line
         #[arg(long)]
         json: bool,
@@ -175,6 +183,8 @@ pub(crate) enum Command {
         /// Write results.csv, error.svg, and for each map an EXR and a PNG file into this folder
         #[arg(long, value_name = "DIR")]
         out: Option<String>,
+        #[command(flatten)]
+        threads: ThreadArguments,
         /// One JSON object a line
         #[arg(long)]
         json: bool,
@@ -187,6 +197,11 @@ pub(crate) enum Command {
     ViewFactors {
         /// A scene, in TOML or of Mitsuba 3 (.xml)
         scene: String,
+        /// Work to this error, relative to each factor, whatever the scene says
+        #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = Overrides::tolerance)]
+        tolerance: Option<f64>,
+        #[command(flatten)]
+        threads: ThreadArguments,
         /// One JSON object a line, with the error of each factor
         #[arg(long)]
         json: bool,

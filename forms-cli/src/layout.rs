@@ -37,6 +37,11 @@ pub(crate) fn duration(time: Duration) -> String {
     }
 }
 
+/// The same of a number of seconds.
+pub(crate) fn seconds(seconds: f64) -> String {
+    duration(Duration::try_from_secs_f64(seconds).unwrap_or_default())
+}
+
 /// Rows as lines whose columns are as wide as their widest entry, two spaces apart; those that are told stand at the right.
 pub(crate) fn columns<const N: usize>(rows: &[[String; N]], right: [bool; N]) -> Vec<String> {
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);

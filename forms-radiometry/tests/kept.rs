@@ -1,6 +1,6 @@
 //! States of simulations by paths: work that is stopped and goes on, or is done in shares, comes to the bits of work in one piece.
 
-use forms_radiometry::scene::{Scene, Sources};
+use forms_radiometry::scene::{Overrides, Scene, Sources};
 use forms_radiometry::simulation::{
     Budget, ErrorKind, Identity, Job, Keeper, Map, Misfit, Plan, Share, Simulation, Snapshot, State,
     StateFile, Unwatched, Watch, is_by_paths, merge, plan, simulate, simulate_job,
@@ -217,14 +217,35 @@ fn work_is_told_from_other_work() {
     let (scene, sources) = open("one", &text(0.5));
     let planned = plan(&scene).expect("a plan");
     let share: Share = "2/3".parse().expect("a share");
-    let one = Identity::new(&sources, &planned, None, share);
-    assert_eq!(one.difference(&Identity::new(&open("two", &text(0.5)).1, &planned, None, share)), None);
+    let identity = |sources: &Sources| Identity::new(sources, &scene, &planned, None, share);
+    let with = |overrides: Overrides| {
+        let mut scene = scene.clone();
+        overrides.apply(&mut scene);
+        let planned = plan(&scene).expect("a plan");
+        Identity::new(&sources, &scene, &planned, None, share)
+    };
+    let one = identity(&sources);
+    assert_eq!(one.difference(&identity(&open("two", &text(0.5)).1)), None);
+    // what the scene says anyway changes nothing
+    let same = Overrides { tolerance: Some(1e-3), seed: Some(1), effects: None };
+    assert_eq!(one.difference(&with(same)), None);
     let others = [
-        Identity::new(&open("three", &text(0.6)).1, &planned, None, share),
-        Identity::new(&sources, &planned, Budget::new(64).ok(), share),
-        Identity::new(&sources, &planned, None, Share::WHOLE),
+        identity(&open("three", &text(0.6)).1),
+        Identity::new(&sources, &scene, &planned, Budget::new(64).ok(), share),
+        Identity::new(&sources, &scene, &planned, None, Share::WHOLE),
+        with(Overrides { tolerance: Some(0.01), ..Overrides::default() }),
+        with(Overrides { seed: Some(7), ..Overrides::default() }),
+        with(Overrides { effects: "interreflection=2".parse().ok(), ..Overrides::default() }),
     ];
-    for (other, part) in others.iter().zip(["another scene", "64 samples", "share 1/1, not of 2/3"]) {
+    let told = [
+        "another scene",
+        "64 samples",
+        "share 1/1, not of 2/3",
+        "the tolerance 0.01, not of 0.001",
+        "the seed 7, not of 1",
+        "other effects",
+    ];
+    for (other, part) in others.iter().zip(told) {
         assert!(one.difference(other).is_some_and(|told| told.contains(part)), "{part}");
     }
 }

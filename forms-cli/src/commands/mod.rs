@@ -62,7 +62,19 @@ pub(crate) fn run_with_input(
             };
             accuracy::accuracy(&request, output)
         }
-        Some(Command::Simulate { scene, out, checkpoint, every, shard, samples, isa, exposure, json }) => {
+        Some(Command::Simulate {
+            scene,
+            out,
+            checkpoint,
+            every,
+            shard,
+            samples,
+            isa,
+            exposure,
+            solve,
+            threads,
+            json,
+        }) => {
             let request = simulate::Request {
                 scene,
                 out: out.as_deref(),
@@ -72,12 +84,20 @@ pub(crate) fn run_with_input(
                 budget: *samples,
                 instructions: *isa,
                 exposure: *exposure,
+                overrides: solve.overrides(),
+                threads: *threads,
                 json: *json,
             };
             simulate::simulate(&request, output)
         }
-        Some(Command::Merge { parts, out, json }) => simulate::merge(parts, out.as_deref(), *json, output),
-        Some(Command::ViewFactors { scene, json }) => view_factors::view_factors(scene, *json, output),
+        Some(Command::Merge { parts, out, threads, json }) => match threads.make() {
+            Ok(()) => simulate::merge(parts, out.as_deref(), *json, output),
+            Err(message) => Ok(refuse(&message)),
+        },
+        Some(Command::ViewFactors { scene, tolerance, threads, json }) => match threads.make() {
+            Ok(()) => view_factors::view_factors(scene, *tolerance, *json, output),
+            Err(message) => Ok(refuse(&message)),
+        },
         Some(Command::Kernels) => kernels::kernels(output),
         Some(Command::Book { preprocess: true, question, .. }) => book::preprocess(question, output),
         Some(Command::Book { out, .. }) => book::book(out, output),

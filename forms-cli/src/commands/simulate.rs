@@ -16,13 +16,14 @@ mod plan;
 mod progress;
 
 use super::refuse;
+use crate::arguments::ThreadArguments;
 use crate::json::write_record;
-use crate::layout::duration;
+use crate::layout::seconds;
 use crate::palette::Palette;
 use crate::status::Status;
 use crate::streams::tell;
 use forms::math::Instructions;
-use forms_radiometry::scene::{Scene, SceneError, Sources};
+use forms_radiometry::scene::{Overrides, Scene, SceneError, Sources};
 use forms_radiometry::simulation::{
     self, Answer, Budget, Exposure, Identity, Job, Plan, Share, Simulation, State, is_by_paths,
 };
@@ -31,7 +32,7 @@ pub(crate) use merge::merge;
 use progress::Progress;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// What is asked for.
 pub(crate) struct Request<'a> {
@@ -50,14 +51,12 @@ pub(crate) struct Request<'a> {
     pub(crate) instructions: Option<Instructions>,
     /// The time of which exposures are added, if any are.
     pub(crate) exposure: Option<Exposure>,
+    /// What replaces the settings of the scene.
+    pub(crate) overrides: Overrides,
+    /// How many threads compute.
+    pub(crate) threads: ThreadArguments,
     /// One JSON object a line.
     pub(crate) json: bool,
-}
-
-/// What was found, and how long it took.
-struct Work {
-    found: Simulation,
-    time: Duration,
 }
 
 /// What is shown of it, and where.
@@ -67,6 +66,8 @@ struct Asked<'a> {
     json: bool,
     /// Whether the work goes on until the tolerance is met, and not for a number of samples.
     is_to_tolerance: bool,
+    /// Whether light is followed along paths.
+    is_by_paths: bool,
 }
 
 /// A scene that was read, and what is simulated of it.
@@ -78,7 +79,9 @@ struct Planned {
 
 /// Simulates a scene and shows what was found.
 pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Result<Status> {
-    if let Err(message) = request.instructions.map_or(Ok(()), instructions::choose) {
+    let prepared =
+        request.instructions.map_or(Ok(()), instructions::choose).and_then(|()| request.threads.make());
+    if let Err(message) = prepared {
         return Ok(refuse(&message));
     }
     let planned = match planned(request) {
@@ -93,29 +96,29 @@ pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Res
         Err(message) => return Ok(refuse(&message)),
     };
     let Planned { scene, plan, .. } = &planned;
-    if request.json { plan::lines(plan, output) } else { plan::table(plan, scene, output) }?;
+    plan::show(plan, scene, request.json, output)?;
     output.flush()?;
-    let work = match work(request, &planned, &mut ready) {
-        Ok(work) => work,
+    let found = match found(request, &planned, &mut ready) {
+        Ok(found) => found,
         Err(message) => return Ok(refuse(&message)),
     };
     let Ready { folder, kept, is_by_paths, .. } = ready;
     let failure = kept.checkpoint.as_ref().and_then(Checkpoint::failure);
     failure.iter().for_each(|message| tell!("error: {message}"));
     let status = match &kept.part {
-        Some(part) => shared(request, part, is_by_paths, &work, output)?,
+        Some(part) => shared(request, part, is_by_paths, &found, output)?,
         None => {
             let is_to_tolerance = request.budget.is_none();
-            finish(&Asked { scene, folder, json: request.json, is_to_tolerance }, &work, output)?
+            let asked = Asked { scene, folder, json: request.json, is_to_tolerance, is_by_paths };
+            finish(&asked, &found, output)?
         }
     };
     Ok(if failure.is_some() { status.max(Status::Error) } else { status })
 }
 
 /// Does the work.
-fn work(request: &Request<'_>, planned: &Planned, ready: &mut Ready) -> Result<Work, String> {
+fn found(request: &Request<'_>, planned: &Planned, ready: &mut Ready) -> Result<Simulation, String> {
     let Planned { scene, plan, .. } = planned;
-    let start = Instant::now();
     let share = request.share.unwrap_or(Share::WHOLE);
     let job = Job { budget: request.budget, share, state: ready.state.take(), keeper: Some(&ready.kept) };
     let found = simulation::simulate_job(scene, plan, job, &ready.progress)
@@ -125,13 +128,14 @@ fn work(request: &Request<'_>, planned: &Planned, ready: &mut Ready) -> Result<W
     if let Some(exposure) = request.exposure {
         exposure.add_to(&mut found);
     }
-    Ok(Work { found, time: start.elapsed() })
+    Ok(found)
 }
 
 fn planned(request: &Request<'_>) -> Result<Planned, Vec<String>> {
     let file = request.scene;
     let messages = |errors: Vec<SceneError>| errors.iter().map(SceneError::to_string).collect::<Vec<_>>();
-    let (scene, sources) = Sources::open(Path::new(file)).map_err(messages)?;
+    let (mut scene, sources) = Sources::open(Path::new(file)).map_err(messages)?;
+    request.overrides.apply(&mut scene);
     if scene.receivers.is_empty() {
         return Err(vec![nothing_asked(file)]);
     }
@@ -157,7 +161,7 @@ fn ready(request: &Request<'_>, planned: &Planned) -> Result<Ready, String> {
         solved_as_a_whole(request)?;
     }
     let share = request.share.unwrap_or(Share::WHOLE);
-    let identity = || Identity::new(&planned.sources, &planned.plan, request.budget, share);
+    let identity = || Identity::new(&planned.sources, &planned.scene, &planned.plan, request.budget, share);
     if let Some(file) = request.checkpoint {
         let (checkpoint, found) = Checkpoint::open(file, identity(), request.every)?;
         if found.is_some() {
@@ -169,6 +173,7 @@ fn ready(request: &Request<'_>, planned: &Planned) -> Result<Ready, String> {
         let belongs_to = PartOf {
             identity: identity(),
             sources: planned.sources.clone(),
+            overrides: request.overrides.clone(),
             exposure: request.exposure.map(Exposure::seconds),
             instructions: request.instructions.map(|set| set.name().to_lowercase()),
         };
@@ -211,7 +216,7 @@ fn shared(
     request: &Request<'_>,
     part: &Part,
     is_by_paths: bool,
-    work: &Work,
+    found: &Simulation,
     output: &mut dyn Write,
 ) -> io::Result<Status> {
     let (share, file) = (request.share.unwrap_or(Share::WHOLE), request.out.unwrap_or_default());
@@ -243,7 +248,7 @@ fn shared(
         (false, 0) => "nothing".to_owned(),
         (false, _) => "all of the work".to_owned(),
     };
-    let taken = duration(work.time);
+    let taken = seconds(found.seconds);
     let line = format!("share {share}, {what}, in {taken}, written to {file}");
     writeln!(output, "{}", Palette::of_output().quiet(&line))?;
     if is_by_paths && own == 0 {
@@ -264,8 +269,8 @@ struct SharedRecord<'a> {
 }
 
 /// Writes the files first: whoever reads the output may go away.
-fn finish(asked: &Asked<'_>, Work { found, time }: &Work, output: &mut dyn Write) -> io::Result<Status> {
-    let Asked { scene, folder, json, is_to_tolerance } = asked;
+fn finish(asked: &Asked<'_>, found: &Simulation, output: &mut dyn Write) -> io::Result<Status> {
+    let Asked { scene, folder, json, is_to_tolerance, is_by_paths } = asked;
     let (written, refused) =
         folder.as_ref().map(|folder| files::write(scene, found, folder)).unwrap_or_default();
     let mut status = if refused.is_empty() { Status::AsStated } else { Status::Error };
@@ -277,9 +282,9 @@ fn finish(asked: &Asked<'_>, Work { found, time }: &Work, output: &mut dyn Write
     let missed: Vec<&Answer> =
         if *is_to_tolerance { found.missed(scene.solve.tolerance).collect() } else { Vec::new() };
     if *json {
-        answers::lines(found, &missed, output)?;
+        answers::lines(found, &missed, *is_by_paths, output)?;
     } else {
-        answers::table(found, *time, scene.solve.tolerance, output)?;
+        answers::table(found, scene.solve.tolerance, *is_by_paths, output)?;
         if let Some(folder) = folder.as_ref().filter(|_| !written.is_empty()) {
             let line = format!("written to {}: {}", folder.display(), written.join(", "));
             writeln!(output, "{}", Palette::of_output().quiet(&line))?;

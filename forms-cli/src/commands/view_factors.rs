@@ -3,15 +3,21 @@
 use crate::json::write_record;
 use crate::status::Status;
 use crate::streams::tell;
-use forms_radiometry::scene::{self, Scene};
+use forms_radiometry::scene::{self, Overrides, Scene};
 use forms_radiometry::{ViewFactors, view_factors as factors};
 use std::io::{self, Write};
 use std::path::Path;
 
 /// Prints the view factors of the scene in a file.
-pub(crate) fn view_factors(file: &str, json: bool, output: &mut dyn Write) -> io::Result<Status> {
+pub(crate) fn view_factors(
+    file: &str,
+    tolerance: Option<f64>,
+    json: bool,
+    output: &mut dyn Write,
+) -> io::Result<Status> {
     let scene = scene::open(Path::new(file));
-    let found = scene.and_then(|scene| {
+    let found = scene.and_then(|mut scene| {
+        Overrides { tolerance, ..Overrides::default() }.apply(&mut scene);
         let found = factors(&scene);
         let errors = found.contradictions(&scene);
         if errors.is_empty() { Ok(Matrix::of(&scene, found)) } else { Err(errors) }

@@ -5,6 +5,7 @@ mod checkpoints;
 mod dark;
 mod hall;
 mod kernels;
+mod overrides;
 mod process;
 mod readme;
 mod robust;

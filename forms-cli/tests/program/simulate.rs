@@ -35,8 +35,16 @@ fn json_is_the_plan_effect_by_effect_and_then_the_answers() {
     let folder = Folder::with(&[("room.toml", &room(&format!("{POINT}{MAP}")))]);
     let run = forms(&folder, &["simulate", "room.toml", "--json"]);
     assert_eq!((run.status, run.errors.as_str()), (0, ""));
-    let (plan, answers): (Vec<_>, Vec<_>) =
-        run.output.lines().map(object).partition(|(keys, _)| keys[0] == "effect");
+    let of = |first: &str| -> Vec<(Vec<String>, Value)> {
+        run.output.lines().map(object).filter(|(keys, _)| keys[0] == first).collect()
+    };
+    let [plan, methods, answers, shared] = ["effect", "method", "receiver", "shared"].map(of);
+    assert_eq!(run.output.lines().count(), plan.len() + 1 + answers.len() + 1);
+    assert_eq!(methods[0].0, ["method"]);
+    assert_eq!(methods[0].1["method"], serde_json::json!(["radiosity on adaptive elements"]));
+    assert_eq!(shared[0].0, ["shared", "seconds"]);
+    assert_eq!(shared[0].1["shared"], "solution");
+    assert!(shared[0].1["seconds"].as_f64().is_some_and(|seconds| seconds > 0.0), "{}", shared[0].1);
     let effects: Vec<&str> = plan.iter().filter_map(|(_, line)| line["effect"].as_str()).collect();
     let all = forms_radiometry::scene::Effect::ALL.map(|(name, _)| name);
     assert_eq!(effects, all);
@@ -92,6 +100,9 @@ fn the_text_is_the_plan_and_the_answers_as_tables() {
         "{answer}"
     );
     assert!(run.output.contains("largest error relative to its answer"), "{}", run.output);
+    assert!(run.output.contains("\n  method: radiosity on adaptive elements\n"), "{}", run.output);
+    let shared = lines.iter().find(|line| line.trim_start().starts_with("(shared) ")).expect("the rest");
+    assert!(shared.contains(" solution ") && shared.ends_with('s'), "{shared}");
 }
 
 #[test]

@@ -83,7 +83,8 @@ pub struct Answer {
     pub parts: ErrorParts,
     /// What the error means.
     pub kind: ErrorKind,
-    /// The time that the receiver took, in seconds; what all receivers share is not part of it.
+    /// The part of the time of the work that it took, in seconds: that of its receiver, divided evenly among the answers of this.
+    /// What all receivers share is not part of it ([`Simulation::shared_seconds`]).
     pub seconds: f64,
 }
 
@@ -128,6 +129,8 @@ pub struct Simulation {
     pub maps: Vec<Map>,
     /// How the error fell in time.
     pub history: Vec<Moment>,
+    /// The time of the work, in seconds, with that of earlier runs that it was continued from; of shares that were merged the sum.
+    pub seconds: f64,
     /// Whether the work was stopped before it was done: then receivers may be missing, or be less exact than was asked for.
     pub stopped: bool,
 }
@@ -160,6 +163,12 @@ impl Quantity {
 }
 
 impl Simulation {
+    /// The time of what all receivers share, in seconds: with the times of all answers it is that of the work.
+    pub fn shared_seconds(&self) -> f64 {
+        let of_answers: f64 = self.answers.iter().map(|answer| answer.seconds).sum();
+        (self.seconds - of_answers).max(0.0)
+    }
+
     /// What the error of an answer is relative to: its value; of a component of a vector and of a bin of time the largest of all of them.
     pub fn scale(&self, answer: &Answer) -> f64 {
         let is_of_vector =

@@ -9,6 +9,7 @@ use super::answer::{Plan, Simulation};
 use super::followed::{followed, merged};
 use super::job::{Budget, Job, Share};
 use super::prepared::Prepared;
+use super::progress::Progress;
 use super::solver::solved;
 use super::state::{Misfit, Of, Snapshot, State};
 use super::watch::{Unwatched, Watch};
@@ -36,12 +37,13 @@ pub fn simulate_job(
     job: Job<'_>,
     watch: &dyn Watch,
 ) -> Result<Simulation, Misfit> {
+    let progress = Progress::new(watch);
     let prepared = Prepared::of(scene, plan);
     let working = prepared.working();
     let found = if prepared.is_followed() {
-        followed(prepared.task(&working), job, watch)?
+        followed(prepared.task(&working), job, &progress)?
     } else {
-        in_one_piece(&prepared, &working, job, watch)?
+        in_one_piece(&prepared, &working, job, &progress)?
     };
     Ok(prepared.finished(found, &working))
 }
@@ -62,7 +64,7 @@ pub fn merge(
         let part = |(share, state): (Share, State)| Some((share, state.of_paths()?));
         let parts = parts.into_iter().map(part).collect::<Option<_>>().ok_or(Misfit)?;
         let job = Job { budget, ..Job::default() };
-        merged(prepared.task(&working), &job, parts, &Unwatched)?
+        merged(prepared.task(&working), &job, parts, &Progress::new(&Unwatched))?
     } else {
         let piece =
             parts.into_iter().map(|(share, state)| piece(share, state)).collect::<Result<Vec<_>, _>>()?;
@@ -79,11 +81,11 @@ fn in_one_piece(
     prepared: &Prepared,
     working: &WorkingScene<'_>,
     job: Job<'_>,
-    watch: &dyn Watch,
+    progress: &Progress<'_>,
 ) -> Result<Simulation, Misfit> {
     let found = match job.state {
         Some(state) => piece(job.share, state)?,
-        None => job.share.has(PIECE).then(|| solved(Gathering::of, prepared, working, watch)),
+        None => job.share.has(PIECE).then(|| solved(Gathering::of, prepared, working, progress)),
     };
     let is_done = found.as_ref().is_none_or(|found| !found.stopped);
     if let Some(keeper) = job.keeper.filter(|_| is_done) {

@@ -8,7 +8,7 @@ use crate::faces::{faces, is_round};
 use crate::geometry::{Face, Screens};
 use crate::monte_carlo::{self, Limits};
 use crate::radiosity::{Gathering, Hiding, Question, UsedKernel, is_precise, kernels};
-use crate::scene::{Effect, Force, Receiver, ReceiverKind, Scene};
+use crate::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene};
 
 /// What the solver does.
 #[derive(Clone, Copy, Debug)]
@@ -115,7 +115,12 @@ pub(super) fn asks_for_rays(scene: &Scene) -> bool {
     scene.receivers.iter().any(is_seen)
 }
 
-/// How the scene forces an effect, if it does.
+/// How an effect is forced, if it is.
 pub(super) fn forced(scene: &Scene, effect: Effect) -> Option<Force> {
-    scene.solve.forced.iter().find(|forced| forced.effect == effect).map(|forced| forced.force)
+    forcing(scene, effect).map(|forced| forced.force)
+}
+
+/// What forces an effect, if anything does.
+pub(super) fn forcing(scene: &Scene, effect: Effect) -> Option<&ForcedEffect> {
+    scene.solve.forced.iter().find(|forced| forced.effect == effect)
 }

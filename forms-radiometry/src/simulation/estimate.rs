@@ -100,13 +100,12 @@ fn known(value: f64, error: ErrorParts) -> (f64, ErrorParts) {
     }
 }
 
-/// A reading in all bands, in none if it was not reached, and how long it took.
+/// A reading in all bands, in none if it was not reached.
 #[derive(Clone, Debug)]
 pub(super) struct Found {
     pub(super) bands: Vec<Estimate>,
     /// Whether flat pieces may stand for a round shape in it.
     pub(super) has_pieces: bool,
-    pub(super) seconds: f64,
 }
 
 impl Found {

@@ -83,7 +83,8 @@ impl Exposure {
             Quantity::FluenceRate => Quantity::Fluence,
             _ => return None,
         };
-        let mut sum = Answer { quantity, ..rate.clone() };
+        // a product takes no time
+        let mut sum = Answer { quantity, seconds: 0.0, ..rate.clone() };
         sum.multiply(self.seconds);
         Some(sum)
     }

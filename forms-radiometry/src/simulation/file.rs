@@ -5,11 +5,11 @@
 //! ```
 //! What it belongs to and the state are written in the format of postcard, in which an `f64` keeps its bits.
 
-use super::answer::Plan;
+use super::answer::{Plan, PlannedEffect};
 use super::arithmetic::Arithmetic;
 use super::job::{Budget, Share};
 use super::state::{Snapshot, State};
-use crate::scene::Sources;
+use crate::scene::{Scene, Sources};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -34,6 +34,10 @@ pub enum StateFile {
 pub struct Identity {
     scene: [u8; 32],
     plan: [u8; 32],
+    /// The bits of the tolerance that is worked to, whoever asked for it.
+    tolerance: u64,
+    /// The seed that the work has, likewise.
+    seed: u64,
     arithmetic: Arithmetic,
     budget: Option<Budget>,
     share: Share,
@@ -63,12 +67,13 @@ impl fmt::Display for NoState {
 impl std::error::Error for NoState {}
 
 impl Identity {
-    /// That of work on this machine.
-    pub fn new(sources: &Sources, plan: &Plan, budget: Option<Budget>, share: Share) -> Self {
-        let plan = blake3::hash(format!("{:?}", plan.effects).as_bytes());
+    /// That of work on this machine. The scene is the one that is simulated, with the settings that replace those of its sources.
+    pub fn new(sources: &Sources, scene: &Scene, plan: &Plan, budget: Option<Budget>, share: Share) -> Self {
         Self {
             scene: sources.digest(),
-            plan: *plan.as_bytes(),
+            plan: digest(plan),
+            tolerance: scene.solve.tolerance.to_bits(),
+            seed: scene.solve.seed,
             arithmetic: Arithmetic::here(),
             budget,
             share,
@@ -97,8 +102,15 @@ impl Identity {
                 "it is of another scene, or the scene or a file that it names was changed".to_owned(),
             );
         }
+        if self.tolerance != other.tolerance {
+            let [found, wanted] = [other, self].map(|identity| f64::from_bits(identity.tolerance));
+            return Some(format!("it is of the tolerance {found:?}, not of {wanted:?}"));
+        }
+        if self.seed != other.seed {
+            return Some(format!("it is of the seed {}, not of {}", other.seed, self.seed));
+        }
         if self.plan != other.plan {
-            return Some("it is of the same scene with another plan".to_owned());
+            return Some("it is of the same scene with other effects".to_owned());
         }
         if self.budget != other.budget {
             return Some(format!("it is of {}, not of {}", samples(other.budget), samples(self.budget)));
@@ -115,6 +127,13 @@ impl Identity {
     pub fn with_share(&self, share: Share) -> Self {
         Self { share, ..self.clone() }
     }
+}
+
+/// A number that plans of other effects do not have; their reasons are no matter.
+fn digest(plan: &Plan) -> [u8; 32] {
+    let of_effect = |planned: &PlannedEffect| (planned.effect, planned.on, planned.orders, planned.bound);
+    let effects: Vec<_> = plan.effects.iter().map(of_effect).collect();
+    *blake3::hash(format!("{effects:?}").as_bytes()).as_bytes()
 }
 
 impl StateFile {

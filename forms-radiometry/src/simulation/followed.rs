@@ -12,19 +12,21 @@
 mod asked;
 mod computed;
 mod findings;
+mod foresight;
 mod scale;
 mod state;
 
 use super::answer::{Moment, Simulation};
 use super::effects::Effects;
 use super::job::{Job, Keeper, Share};
+use super::progress::Progress;
 use super::state::{Misfit, Of, Snapshot};
 use super::survey::MANY;
 use super::watch::Watch;
 use crate::faces::{faces, is_round};
 use crate::monte_carlo::{self, Follow, World, follower};
 use crate::scene::{MaterialKind, Medium, Receiver, ReceiverKind, Scene};
-use asked::{Asked, Division, asked};
+use asked::{Asked, Division, asked, divide_time};
 pub(super) use asked::{MOST, all_questions};
 pub(super) use computed::Computable;
 use computed::Computing;
@@ -43,14 +45,14 @@ pub(super) struct Task<'s> {
 }
 
 /// Answers the questions of a scene by paths, or does what a job says of that.
-pub(super) fn followed(task: Task<'_>, job: Job<'_>, watch: &dyn Watch) -> Result<Simulation, Misfit> {
+pub(super) fn followed(task: Task<'_>, job: Job<'_>, progress: &Progress<'_>) -> Result<Simulation, Misfit> {
     let world = World::new(task.scene);
     let limits = task.effects.limits();
     // what the file turns on is in the code, also where the scene has nothing of it
     let contained = monte_carlo::Effects::of(task.scene);
     let followers = follower(&world, contained | task.effects.of_paths, limits);
     let computing = Computing::of(task.scene, &limits, &followers);
-    let mut work = Work::new(task, &job, &computing, watch);
+    let mut work = Work::new(task, &job, &computing, progress);
     if let Some(state) = job.state {
         work.restore(state.of_paths().ok_or(Misfit)?)?;
     }
@@ -63,9 +65,9 @@ pub(super) fn merged(
     task: Task<'_>,
     job: &Job<'_>,
     parts: Vec<(Share, OfPaths)>,
-    watch: &dyn Watch,
+    progress: &Progress<'_>,
 ) -> Result<Simulation, Misfit> {
-    let mut work = Work::new(task, job, &Computing::nothing(), watch);
+    let mut work = Work::new(task, job, &Computing::nothing(), progress);
     parts.into_iter().try_for_each(|(share, state)| work.take(share, state))?;
     if !work.asked.iter().all(Asked::is_answered) {
         return Err(Misfit);
@@ -94,25 +96,20 @@ pub(super) struct Work<'w> {
     /// The scales of cells, once the pilot has found them.
     scales: Option<Scales>,
     keeper: Option<&'w dyn Keeper>,
-    watch: &'w dyn Watch,
-    start: Instant,
-    /// The seconds that the work took before it was interrupted.
-    before: f64,
+    progress: &'w Progress<'w>,
     history: Vec<Moment>,
     is_done: bool,
 }
 
 impl<'w> Work<'w> {
-    fn new(task: Task<'w>, job: &Job<'w>, computing: &Computing<'_>, watch: &'w dyn Watch) -> Self {
+    fn new(task: Task<'w>, job: &Job<'w>, computing: &Computing<'_>, progress: &'w Progress<'w>) -> Self {
         Self {
             scene: task.scene,
             division: Division { share: job.share, budget: job.budget },
             asked: asked(task.scene, task.metres, computing),
             scales: None,
             keeper: job.keeper,
-            watch,
-            start: Instant::now(),
-            before: 0.0,
+            progress,
             history: Vec::new(),
             is_done: false,
         }
@@ -138,19 +135,22 @@ impl<'w> Work<'w> {
 
     /// Samples of all questions up to their targets; whether they got there before the work was stopped.
     fn reach(&mut self, followers: &[Box<dyn Follow + '_>]) -> bool {
-        let (division, watch, keeper) = (self.division, self.watch, self.keeper);
+        let (division, progress, keeper) = (self.division, self.progress, self.keeper);
+        let samples = self.foreseen();
         while self.asked.iter().any(|asked| !asked.is_there()) {
             // whoever asks for pauses all the time still gets on
             let has_begun = AtomicBool::new(false);
-            let is_paused = || watch.is_stopped() || keeper.is_some_and(Keeper::is_due);
+            let is_paused = || progress.is_stopped() || keeper.is_some_and(Keeper::is_due);
+            let begin = Instant::now();
             let questions = self.asked.par_iter_mut().enumerate().filter(|(_, asked)| !asked.is_there());
             questions.for_each(|(question, asked)| {
                 if !(has_begun.swap(true, Ordering::Relaxed) && is_paused()) {
                     let is_meant = |replicate| division.has_replicate(question, replicate);
-                    asked.reach(followers, is_meant, is_paused);
+                    asked.reach(followers, is_meant, is_paused, |count| samples.add(count, progress));
                 }
             });
-            if watch.is_stopped() {
+            divide_time(&mut self.asked, begin);
+            if progress.is_stopped() {
                 return false;
             }
             self.keep_if(keeper.is_some_and(Keeper::is_due));
@@ -228,7 +228,7 @@ impl<'w> Work<'w> {
         }
     }
 
-    /// Tells how far the work is: how exact what belongs to the share is by now, or which part of the budget is spent.
+    /// Notes how exact what belongs to the share is by now.
     fn note(&mut self) {
         let Division { share, budget } = self.division;
         let own = || self.asked.iter().enumerate().filter(|(question, _)| self.division.has(*question));
@@ -240,13 +240,7 @@ impl<'w> Work<'w> {
             let scale = |asked: &Asked| &scales[asked.receiver][usize::from(asked.cell.is_some())];
             answered.par_iter().map(|asked| asked.error(scale(asked))).reduce(|| 0.0, f64::max)
         });
-        let sampled = || own().filter(|(_, asked)| asked.computed.is_none());
-        let spent: f64 = sampled().map(|(_, asked)| f64::from(asked.replicates.samples)).sum();
-        let spent = spent / sampled().count().max(1) as f64;
-        let exact = error.map_or(0.0, |error| (self.scene.solve.tolerance / error).powi(2));
-        let done = budget.map_or(exact, |budget| spent / f64::from(budget.of_replicate()));
-        self.watch.progress("paths", done.min(1.0));
-        let seconds = self.before + self.start.elapsed().as_secs_f64();
+        let seconds = self.progress.seconds();
         self.history.extend(error.map(|error| Moment { seconds, error }));
     }
 
@@ -268,6 +262,7 @@ impl<'w> Work<'w> {
             answers: self.answers(),
             maps: self.maps(),
             stopped: !self.is_done,
+            seconds: self.progress.seconds(),
             history: self.history,
         }
     }

@@ -1,7 +1,7 @@
 //! Goals: the readings that are not exact enough say which elements are made finer.
 
 use super::estimate::{Estimate, Found};
-use super::solver::Work;
+use super::solver::{DARK, Work};
 use crate::radiosity::{Asking, Goal, Radiosity};
 
 /// The part that elements may take which are not split though they are expected to change.
@@ -29,5 +29,34 @@ impl Work<'_> {
             }
         }
         asking
+    }
+
+    /// What the tolerance of each reading in each band is relative to: the largest value of its group.
+    pub(super) fn scales(&self, found: &[Found]) -> Vec<Vec<f64>> {
+        let mut largest = vec![vec![0.0_f64; self.scene.band_count()]; found.len()];
+        for (found, &group) in found.iter().zip(&self.groups) {
+            largest[group].iter_mut().zip(&found.bands).for_each(|(m, e)| *m = m.max(e.value.abs()));
+        }
+        self.groups.iter().map(|&group| largest[group].clone()).collect()
+    }
+
+    /// The errors of all readings in all bands, relative to what their tolerances are. Of an answer that is nothing beside the
+    /// largest of all, such as that of a receiver in the dark, only the error beside that one counts. Of what was not reached nothing is known.
+    pub(super) fn relative_errors(&self, found: &[Found]) -> impl Iterator<Item = f64> {
+        let scales = self.scales(found);
+        let largest = scales.iter().flatten().copied().fold(0.0, f64::max);
+        let relative = |(estimate, scale): (&Estimate, f64)| {
+            let error = estimate.error();
+            if error == 0.0 { 0.0 } else { error / scale.max(DARK * largest) }
+        };
+        let pairs = found.iter().zip(scales);
+        let mut errors: Vec<f64> =
+            pairs.flat_map(|(found, scales)| found.bands.iter().zip(scales).map(relative)).collect();
+        errors.extend(found.iter().any(Found::is_missing).then_some(f64::INFINITY));
+        errors.into_iter()
+    }
+
+    pub(super) fn is_enough(&self, found: &[Found]) -> bool {
+        self.relative_errors(found).all(|error| error <= self.scene.solve.tolerance)
     }
 }

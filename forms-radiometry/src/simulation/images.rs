@@ -101,7 +101,8 @@ impl Work<'_> {
             let begin = Instant::now();
             let watched = self.watched(index, found);
             let map = self.image((index, camera), radiosity, sight, &watched);
-            let means = self.means(&map, &watched.scales, begin.elapsed().as_secs_f64());
+            let means = self.means(&map, &watched.scales);
+            self.times.add_since(begin, index);
             Image { receiver: index, map, means }
         });
         images.collect()
@@ -178,7 +179,7 @@ impl Work<'_> {
     }
 
     /// The mean of an image, for each band; none if it is not all there.
-    fn means(&self, map: &Map, scales: &[f64], seconds: f64) -> Vec<Answer> {
+    fn means(&self, map: &Map, scales: &[f64]) -> Vec<Answer> {
         let bands = map.values.len();
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
         let answer = |band: usize| {
@@ -194,7 +195,7 @@ impl Work<'_> {
                 error: parts.error(ErrorKind::Estimate),
                 parts,
                 kind: ErrorKind::Estimate,
-                seconds,
+                seconds: 0.0,
             }
         };
         let is_whole = map.values.iter().flatten().all(|value| !value.is_nan());

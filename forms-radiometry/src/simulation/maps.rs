@@ -4,12 +4,14 @@ use super::answer::{ErrorKind, Map, Quantity};
 use super::estimate::{Estimate, Found};
 use super::map::Grid;
 use super::readings::OF_PRODUCT;
-use super::readings::Reading;
-use super::solver::{Work, groups};
+use super::readings::{Reading, groups};
+use super::solver::Work;
+use super::times::timed;
 use crate::radiosity::{Group, Lights, Radiosity, Scratch, Transport};
 use crate::scene::ReceiverKind;
 use crate::sharing::Sharing;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
 
 /// One in so many cells of a map is watched while elements become finer, and at least so many in all.
 const WATCHED: [usize; 2] = [36, 9];
@@ -52,20 +54,26 @@ impl Work<'_> {
     ) -> Vec<Vec<f64>> {
         let bands = self.scene.band_count();
         let is_asked = self.question().direct;
-        let each = |scratch: &mut Scratch, (group, values): (Group, &mut [f64])| {
+        let each = |scratch: &mut Scratch, (receiver, (group, values)): (usize, (Group, &mut [f64]))| {
+            let begin = Instant::now();
             if is_asked && !self.watch.is_stopped() && !group.points.is_empty() {
                 lights.gather(group, transport, scratch, values);
             }
             if self.watch.is_stopped() {
                 values.fill(f64::NAN);
             }
+            (receiver, begin.elapsed().as_secs_f64())
         };
         let mut gathered: Vec<Vec<f64>> =
             grids.iter().map(|(_, grid)| vec![0.0; bands * grid.count()]).collect();
-        let of_all = grids.iter().zip(&mut gathered);
-        let parts: Vec<_> = of_all.flat_map(|((_, grid), gathered)| grid.parts(bands, gathered)).collect();
+        let mut parts = Vec::new();
+        for ((receiver, grid), gathered) in grids.iter().zip(&mut gathered) {
+            parts.extend(grid.parts(bands, gathered).into_iter().map(|part| (*receiver, part)));
+        }
         let cells = grids.iter().map(|(_, grid)| grid.count()).sum();
-        Sharing::of(lights.operations(cells, transport)).map(parts, each);
+        let begin = Instant::now();
+        let seconds = Sharing::of(lights.operations(cells, transport)).map(parts, each);
+        self.times.add(begin, seconds.into_iter());
         grids.iter().zip(gathered).map(|((_, grid), gathered)| grid.all_cells(bands, &gathered)).collect()
     }
 
@@ -83,10 +91,13 @@ impl Work<'_> {
             self.watch.progress("maps", part);
         };
         let map = |_: &mut (), (&(receiver, ref grid), straight): (&(usize, Grid), Vec<f64>)| {
-            (receiver, self.map(radiosity, (receiver, grid, straight), found, &note))
+            timed(|| (receiver, self.map(radiosity, (receiver, grid, straight), found, &note)))
         };
         let sharing = if radiosity.is_reflected() { Sharing::Shared } else { Sharing::Alone };
-        sharing.map(grids.iter().zip(straight).collect::<Vec<_>>(), map)
+        let begin = Instant::now();
+        let maps = sharing.map(grids.iter().zip(straight).collect::<Vec<_>>(), map);
+        self.times.add(begin, maps.iter().map(|((receiver, _), seconds)| (*receiver, *seconds)));
+        maps.into_iter().map(|(map, _)| map).collect()
     }
 
     /// The map of a receiver, cell by cell, with the largest error of those of its cells that were watched.

@@ -9,7 +9,7 @@
 //! ‖L − L̃‖ ≤ ‖(T − T̃) L̃ + (Lₑ − L̃ₑ)‖/(1 − k): what is left out once is passed on by all reflections.
 
 use super::answer::{Plan, PlannedEffect};
-use super::effects::{Effects, forced};
+use super::effects::{Effects, forcing};
 use super::followed::{Computable, all_questions, is_followed};
 use super::left_out::{without, without_forced};
 use super::survey::Survey;
@@ -128,12 +128,15 @@ impl Planning<'_> {
         let Finding { present, why, bound } = finding;
         let absolute = bound.map(|[absolute, _]| absolute);
         let planned = |on, orders, why, bound| PlannedEffect { effect, on, orders, why, bound };
-        match forced(self.scene, effect) {
-            Some(Force::Off) => planned(false, None, format!("the file turns it off; {why}"), absolute),
-            Some(Force::On) => planned(true, None, format!("the file turns it on; {why}"), Some(0.0)),
+        let forced = forcing(self.scene, effect);
+        let who =
+            if forced.is_some_and(|forced| forced.place.is_option()) { "--effects" } else { "the file" };
+        match forced.map(|forced| forced.force) {
+            Some(Force::Off) => planned(false, None, format!("{who} turns it off; {why}"), absolute),
+            Some(Force::On) => planned(true, None, format!("{who} turns it on; {why}"), Some(0.0)),
             Some(Force::Orders(count)) => {
                 let rest = self.survey.after_orders(count);
-                planned(true, Some(count), format!("the file asks for {count}; {why}"), rest)
+                planned(true, Some(count), format!("{who} asks for {count}; {why}"), rest)
             }
             None if !present => planned(false, None, why, Some(0.0)),
             None => match bound {

@@ -53,6 +53,7 @@ impl Prepared {
         if let Some(bands) = self.merged {
             spread(&mut simulation, bands);
         }
+        divide_times(&mut simulation);
         simulation
     }
 }
@@ -74,6 +75,14 @@ fn add_dropped(simulation: &mut Simulation, dropped: f64) {
         }
     }
     history.iter_mut().for_each(|moment| moment.error += dropped);
+}
+
+/// Divides the time of each receiver among its answers, which each have all of it.
+fn divide_times(simulation: &mut Simulation) {
+    for answers in simulation.answers.chunk_by_mut(|a, b| a.receiver == b.receiver) {
+        let count = answers.len() as f64;
+        answers.iter_mut().for_each(|answer| answer.seconds /= count);
+    }
 }
 
 /// The answers of one band, for each band.

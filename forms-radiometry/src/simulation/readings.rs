@@ -6,6 +6,7 @@ use crate::faces::is_bright;
 use crate::geometry::{Face, Vector};
 use crate::radiosity::{GoalKind, Group, Measure, Radiosity, Scratch, Straight, Transport, reflectance};
 use crate::scene::{Receiver, ReceiverKind, Scene};
+use std::collections::HashMap;
 use std::f64::consts::PI;
 
 /// What a few products and quotients of numbers of the scene round a value by.
@@ -39,6 +40,17 @@ enum What {
     At { position: Vector, measure: Measure },
     Mean { surface: usize, is_flux: bool },
     Ray { origin: Vector, direction: Vector },
+}
+
+/// Readings in groups, each named by the first in it: the components of vector irradiance and the fluence rate of one receiver,
+/// and the watched cells of one map. Any other reading is alone.
+pub(super) fn groups(readings: &[Reading], answers: usize) -> Vec<usize> {
+    let mut first = HashMap::new();
+    let group = |(index, reading): (usize, &Reading)| {
+        let is_vector = matches!(reading.quantity, Quantity::VectorIrradiance(_) | Quantity::FluenceRate);
+        if is_vector || index >= answers { *first.entry(reading.receiver).or_insert(index) } else { index }
+    };
+    readings.iter().enumerate().map(group).collect()
 }
 
 impl Reading {

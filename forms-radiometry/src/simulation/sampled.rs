@@ -5,6 +5,7 @@ use super::answer::{ErrorKind, Map, Moment, Quantity};
 use super::estimate::{Estimate, Found};
 use super::map::Grid;
 use super::parts::ErrorParts;
+use super::progress::Outlook;
 use super::readings::Reading;
 use super::solver::{DARK, ROUNDING, Work};
 use crate::radiosity::{GoalKind, Measure, Paths, Probe};
@@ -25,6 +26,7 @@ struct Sampled {
     of: usize,
     /// For each band the offset and the factor that make the reading of the probe.
     made_of: Vec<[f64; 2]>,
+    /// The seconds that it took in the last loop.
     seconds: f64,
 }
 
@@ -57,17 +59,24 @@ impl Work<'_> {
                 seconds: begin.elapsed().as_secs_f64(),
             }
         };
+        // maps, or finer faces, may follow
+        let has_more = is_round || self.readings.len() > self.answers;
+        self.progress.begin(if has_more { Outlook::Stages(2) } else { Outlook::Doubtful });
+        let begin = Instant::now();
         let mut sampled: Vec<Sampled> = self.readings.par_iter().enumerate().map(first).collect();
+        self.took(begin, &mut sampled);
         loop {
             let found = self.found(&sampled);
             let error = self.relative_errors(&found).fold(0.0, f64::max);
-            history.push(Moment { seconds: self.start.elapsed().as_secs_f64(), error });
+            history.push(Moment { seconds: self.progress.seconds(), error });
             if self.watch.is_stopped() {
                 return found;
             }
-            self.watch.progress("receivers", (tolerance / error).powi(2).min(1.0));
+            let [spent, foreseen] = self.rays(&sampled, &found);
+            self.watch.progress("receivers", spent / foreseen);
             if error <= tolerance
-                || self.is_too_long(&sampled, &found, most)
+                || spent > most
+                || (spent > SEEN * most && foreseen > most)
                 || !self.improve(paths, &mut sampled, &found, tolerance)
             {
                 return found;
@@ -75,8 +84,8 @@ impl Work<'_> {
         }
     }
 
-    /// Whether rays take longer than so many would, or are seen to: errors fall like the root of their number.
-    fn is_too_long(&self, sampled: &[Sampled], found: &[Found], most: f64) -> bool {
+    /// How many rays there were, and how many it will have taken: errors fall like the root of their number.
+    fn rays(&self, sampled: &[Sampled], found: &[Found]) -> [f64; 2] {
         let spent = |sampled: &Sampled| sampled.probe.as_ref().map_or(0.0, Probe::spent);
         let all: f64 = sampled.iter().map(spent).sum();
         let needed = |((sampled, found), scales): ((&Sampled, &Found), Vec<f64>)| {
@@ -84,8 +93,14 @@ impl Work<'_> {
             let worst = relative.fold(0.0, f64::max) / self.scene.solve.tolerance;
             spent(sampled) * worst.powi(2).max(1.0)
         };
-        let foreseen: f64 = sampled.iter().zip(found).zip(self.scales(found)).map(needed).sum();
-        all > most || (all > SEEN * most && foreseen > most)
+        [all, sampled.iter().zip(found).zip(self.scales(found)).map(needed).sum()]
+    }
+
+    /// Adds what a loop over readings, which began at this time, took of their receivers.
+    fn took(&self, begin: Instant, sampled: &mut [Sampled]) {
+        let receivers = self.readings.iter().map(|reading| reading.receiver);
+        self.times.add(begin, receivers.zip(sampled.iter().map(|sampled| sampled.seconds)));
+        sampled.iter_mut().for_each(|sampled| sampled.seconds = 0.0);
     }
 
     /// More rays for the readings that are not exact enough; whether there are any that may have more.
@@ -100,14 +115,18 @@ impl Work<'_> {
             let of_probe: Vec<f64> =
                 scales.iter().zip(&sampled.made_of).map(|(scale, [_, factor])| scale / factor).collect();
             let improved = paths.improve(probe, &of_probe);
-            sampled.seconds += begin.elapsed().as_secs_f64();
+            sampled.seconds = begin.elapsed().as_secs_f64();
             improved
         };
-        sampled.par_iter_mut().zip(found).zip(scales).map(one).reduce(|| false, |a, b| a || b)
+        let begin = Instant::now();
+        let readings = sampled.par_iter_mut().zip(found).zip(scales);
+        let is_improved = readings.map(one).reduce(|| false, |a, b| a || b);
+        self.took(begin, sampled);
+        is_improved
     }
 
     fn found(&self, sampled: &[Sampled]) -> Vec<Found> {
-        let one = |Sampled { of, made_of, seconds, .. }: &Sampled| {
+        let one = |Sampled { of, made_of, .. }: &Sampled| {
             let probe = &sampled[*of].probe;
             let of_band = |(band, [offset, factor]): (usize, &[f64; 2])| {
                 let value = offset + factor * probe.as_ref().map_or(0.0, |probe| probe.value(band));
@@ -121,7 +140,7 @@ impl Work<'_> {
                 Estimate::exact(value, of_probe(probe.as_ref().map_or([0.0; 2], |probe| probe.errors(band))))
             };
             let bands = made_of.iter().enumerate().map(of_band).collect();
-            Found { bands, has_pieces: true, seconds: *seconds }
+            Found { bands, has_pieces: true }
         };
         sampled.iter().map(one).collect()
     }
@@ -139,7 +158,10 @@ impl Work<'_> {
                 (self.answers..found.len()).find(|&other| self.readings[other].receiver == receiver);
             let scales =
                 watched.map_or_else(|| vec![0.0; self.scene.band_count()], |other| scales[other].clone());
-            (receiver, self.sampled_map(paths, receiver, grid, &scales))
+            let begin = Instant::now();
+            let map = self.sampled_map(paths, receiver, grid, &scales);
+            self.times.add_since(begin, receiver);
+            (receiver, map)
         };
         grids.iter().map(map).collect()
     }

@@ -7,7 +7,7 @@
 //! equations left, and rounding. Where shapes are curved, all is done with two polyhedra, one finer than the other, and what that
 //! changes is added.
 
-use super::answer::{Answer, Map, Moment, Quantity, Simulation};
+use super::answer::{Answer, Map, Moment, Simulation};
 use super::digits::{Digits, Value};
 use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
@@ -15,15 +15,16 @@ use super::images::Image;
 use super::map::Grid;
 use super::parts::ErrorParts;
 use super::prepared::Prepared;
-use super::readings::Reading;
+use super::progress::{Outlook, Progress, foreseen};
+use super::readings::{Reading, groups};
 use super::shapes::Shapes;
+use super::times::{Times, timed};
 use super::watch::Watch;
 use crate::faces::{faces, is_round};
 use crate::geometry::Face;
 use crate::radiosity::{Gathering, Hiding, Lights, Paths, Question, Radiosity, Refined, Scratch, Transport};
 use crate::scene::{Scene, WorkingScene};
 use crate::sharing::Sharing;
-use std::collections::HashMap;
 use std::time::Instant;
 
 /// The part of the tolerance that rules of integration may take.
@@ -35,7 +36,7 @@ pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Answers below this part of the largest one are dark.
 pub(super) const DARK: f64 = 1e-9;
 /// The finest polyhedra.
-const FINEST: usize = 4;
+pub(super) const FINEST: usize = 4;
 /// What is to come at least after each change, relative to it, where surfaces may hide each other: shadows that fall between the
 /// nodes appear when they are closer, and their borders settle no faster than elements shrink.
 const BEHIND_SCREENS: [f64; 3] = [10.0, 2.0, 1.0];
@@ -45,9 +46,9 @@ pub(super) fn solved(
     choose: Choose,
     prepared: &Prepared,
     working: &WorkingScene<'_>,
-    watch: &dyn Watch,
+    progress: &Progress<'_>,
 ) -> Simulation {
-    Work::new(&working.scene, prepared.effects, choose, watch).run()
+    Work::new(&working.scene, prepared.effects, choose, progress).run()
 }
 
 /// How light is gathered in a scene with these faces, of which it is known what they hide.
@@ -59,7 +60,8 @@ pub(super) struct Work<'s> {
     effects: Effects,
     choose: Choose,
     pub(super) watch: &'s dyn Watch,
-    pub(super) start: Instant,
+    pub(super) progress: &'s Progress<'s>,
+    pub(super) times: Times,
     pub(super) readings: Vec<Reading>,
     /// How many readings are answers; those after them are watched cells of maps.
     pub(super) answers: usize,
@@ -73,23 +75,13 @@ enum Solution<'t> {
     Paths(Paths<'t>),
 }
 
-/// Readings in groups, each named by the first in it: the components of vector irradiance and the fluence rate of one receiver,
-/// and the watched cells of one map. Any other reading is alone.
-pub(super) fn groups(readings: &[Reading], answers: usize) -> Vec<usize> {
-    let mut first = HashMap::new();
-    let group = |(index, reading): (usize, &Reading)| {
-        let is_vector = matches!(reading.quantity, Quantity::VectorIrradiance(_) | Quantity::FluenceRate);
-        if is_vector || index >= answers { *first.entry(reading.receiver).or_insert(index) } else { index }
-    };
-    readings.iter().enumerate().map(group).collect()
-}
-
 impl<'s> Work<'s> {
-    fn new(scene: &'s Scene, effects: Effects, choose: Choose, watch: &'s dyn Watch) -> Self {
+    fn new(scene: &'s Scene, effects: Effects, choose: Choose, progress: &'s Progress<'s>) -> Self {
         let of = |(index, receiver)| Reading::of(index, receiver);
         let readings: Vec<Reading> = scene.receivers.iter().enumerate().flat_map(of).collect();
         let (answers, groups) = (readings.len(), groups(&readings, readings.len()));
-        Self { scene, effects, choose, watch, start: Instant::now(), readings, answers, groups }
+        let times = Times::new(scene.receivers.len());
+        Self { scene, effects, choose, watch: progress, progress, times, readings, answers, groups }
     }
 
     fn run(mut self) -> Simulation {
@@ -97,6 +89,7 @@ impl<'s> Work<'s> {
         let is_round_anywhere = shapes.are_round();
         let mut history = Vec::new();
         for fineness in 0.. {
+            self.progress.begin(Outlook::Unknown);
             let faces = faces(self.scene, fineness);
             let gathering = (self.choose)(self.scene, &faces, &self.question(), self.effects.hiding);
             let transport = self.transport(faces, gathering);
@@ -113,7 +106,8 @@ impl<'s> Work<'s> {
                 let straight = || self.straight(&grids, &lights, &transport);
                 // these are the last faces, and maps are not sampled: what comes straight to cells waits for no solution
                 let is_known_before = !is_round_anywhere && gathering == Gathering::Pieces;
-                let ((solution, mut found), known) = sharing.both(
+                let ((solution, mut found), known) = self.both(
+                    sharing,
                     || self.solved(gathering, &transport, &lights, &mut history),
                     || is_known_before.then(straight),
                 );
@@ -139,9 +133,16 @@ impl<'s> Work<'s> {
                 let maps = is_last.then(|| match &solution {
                     Solution::Elements(radiosity) => {
                         let grids = (&grids[..], known.unwrap_or_else(straight));
-                        (self.maps(radiosity, grids, &found), self.images(radiosity, sight, &found))
+                        let cameras = self.cameras().count();
+                        self.progress.begin(Outlook::Stages(1 + cameras));
+                        let maps = self.maps(radiosity, grids, &found);
+                        self.progress.begin(Outlook::Stages(cameras));
+                        (maps, self.images(radiosity, sight, &found))
                     }
-                    Solution::Paths(paths) => (self.sampled_maps(paths, &grids, &found), Vec::new()),
+                    Solution::Paths(paths) => {
+                        self.progress.begin(Outlook::Stages(grids.len()));
+                        (self.sampled_maps(paths, &grids, &found), Vec::new())
+                    }
                 });
                 (found, maps)
             });
@@ -151,6 +152,19 @@ impl<'s> Work<'s> {
             shapes.remember(found);
         }
         unreachable!("the finest polyhedra are the last")
+    }
+
+    /// What two works find that do not wait for each other. Where they run at the same time, receivers take their parts of it.
+    fn both<A: Send, B: Send>(
+        &self,
+        sharing: Sharing,
+        one: impl FnOnce() -> A + Send,
+        other: impl FnOnce() -> B + Send,
+    ) -> (A, B) {
+        let (begin, before) = (Instant::now(), self.times.all());
+        let ((one, first), (other, second)) = sharing.both(|| timed(one), || timed(other));
+        self.times.rejoin(begin, &before, [first, second]);
+        (one, other)
     }
 
     /// Whether all that points get comes straight from lights, in closed forms.
@@ -219,12 +233,15 @@ impl<'s> Work<'s> {
     where
         's: 't,
     {
+        let (begin, first) = (self.progress.seconds(), history.len());
         let mut radiosity = Radiosity::new(self.scene, transport, lights, self.question(), self.watch);
         let mut found = self.read(&radiosity, None);
         let mut splits = 0;
         loop {
-            let seconds = self.start.elapsed().as_secs_f64();
+            let seconds = self.progress.seconds();
             history.push(Moment { seconds, error: self.relative_errors(&found).fold(0.0, f64::max) });
+            let until = foreseen(&history[first..], begin, self.scene.solve.tolerance);
+            self.progress.begin(until.map_or(Outlook::Unknown, |until| Outlook::Rounds { until }));
             if self.watch.is_stopped() || self.is_enough(&found) {
                 return (radiosity, found);
             }
@@ -266,9 +283,8 @@ impl<'s> Work<'s> {
             let found = (!self.watch.is_stopped())
                 .then(|| digits.value((reading, index >= self.answers), self.scene, radiosity, scratch))
                 .filter(|_| !self.watch.is_stopped());
-            let seconds = begin.elapsed().as_secs_f64();
             let Some(Value { bands, rounding, has_pieces }) = found else {
-                return Found { bands: Vec::new(), has_pieces: true, seconds };
+                return (Found { bands: Vec::new(), has_pieces: true }, begin.elapsed().as_secs_f64());
             };
             let largest = reading.largest(radiosity.transport());
             let doubts = reading.doubts(self.scene, radiosity, scratch);
@@ -285,11 +301,14 @@ impl<'s> Work<'s> {
                 let orders = largest * radiosity.floor(band);
                 Estimate::new(value, before, ErrorParts { orders, ..integral })
             };
-            Found { bands: bands.into_iter().enumerate().map(of_band).collect(), has_pieces, seconds }
+            let bands = bands.into_iter().enumerate().map(of_band).collect();
+            (Found { bands, has_pieces }, begin.elapsed().as_secs_f64())
         };
         let sharing = Sharing::of(radiosity.operations(self.readings.len()));
         let readings: Vec<(usize, &Reading)> = self.readings.iter().enumerate().collect();
-        let mut found: Vec<Found> = sharing.map(readings, one);
+        let begin = Instant::now();
+        let (mut found, seconds): (Vec<Found>, Vec<f64>) = sharing.map(readings, one).into_iter().unzip();
+        self.times.add(begin, self.readings.iter().map(|reading| reading.receiver).zip(seconds));
         let scales = self.scales(&found);
         pool(&mut found, &scales, &self.groups);
         let spared = before.map_or(0.0, |(.., spared)| spared);
@@ -305,35 +324,6 @@ impl<'s> Work<'s> {
         found
     }
 
-    /// What the tolerance of each reading in each band is relative to: the largest value of its group.
-    pub(super) fn scales(&self, found: &[Found]) -> Vec<Vec<f64>> {
-        let mut largest = vec![vec![0.0_f64; self.scene.band_count()]; found.len()];
-        for (found, &group) in found.iter().zip(&self.groups) {
-            largest[group].iter_mut().zip(&found.bands).for_each(|(m, e)| *m = m.max(e.value.abs()));
-        }
-        self.groups.iter().map(|&group| largest[group].clone()).collect()
-    }
-
-    /// The errors of all readings in all bands, relative to what their tolerances are. Of an answer that is nothing beside the
-    /// largest of all, such as that of a receiver in the dark, only the error beside that one counts. Of what was not reached nothing is known.
-    pub(super) fn relative_errors(&self, found: &[Found]) -> impl Iterator<Item = f64> {
-        let scales = self.scales(found);
-        let largest = scales.iter().flatten().copied().fold(0.0, f64::max);
-        let relative = |(estimate, scale): (&Estimate, f64)| {
-            let error = estimate.error();
-            if error == 0.0 { 0.0 } else { error / scale.max(DARK * largest) }
-        };
-        let pairs = found.iter().zip(scales);
-        let mut errors: Vec<f64> =
-            pairs.flat_map(|(found, scales)| found.bands.iter().zip(scales).map(relative)).collect();
-        errors.extend(found.iter().any(Found::is_missing).then_some(f64::INFINITY));
-        errors.into_iter()
-    }
-
-    fn is_enough(&self, found: &[Found]) -> bool {
-        self.relative_errors(found).all(|error| error <= self.scene.solve.tolerance)
-    }
-
     /// What was found, in the order of the receivers.
     fn simulation(
         &self,
@@ -346,12 +336,14 @@ impl<'s> Work<'s> {
             answers.extend(means.into_iter().map(|mean| (receiver, mean)));
             maps.push((receiver, map));
         }
+        answers.iter_mut().for_each(|(receiver, answer)| answer.seconds = self.times.of(*receiver));
         answers.sort_by_key(|(receiver, _)| *receiver);
         maps.sort_by_key(|(receiver, _)| *receiver);
         Simulation {
             answers: answers.into_iter().map(|(_, answer)| answer).collect(),
             maps: maps.into_iter().map(|(_, map)| map).collect(),
             history,
+            seconds: self.progress.seconds(),
             stopped: self.watch.is_stopped(),
         }
     }
@@ -371,7 +363,7 @@ impl<'s> Work<'s> {
                     error: estimate.error(),
                     parts: estimate.parts(),
                     kind: estimate.kind(found.has_pieces && is_round),
-                    seconds: found.seconds,
+                    seconds: 0.0,
                 };
                 answers.push((reading.receiver, answer));
             }

@@ -123,6 +123,7 @@ impl State {
 fn timeless(found: &Option<Simulation>) -> Option<Vec<u8>> {
     let mut found = found.clone()?;
     found.history.clear();
+    found.seconds = 0.0;
     found.answers.iter_mut().for_each(|answer| answer.seconds = 0.0);
     postcard::to_stdvec(&found).ok()
 }

@@ -1,6 +1,7 @@
 //! Light that is gathered by rays and by exact pieces is the same light.
 
 use super::prepared::Prepared;
+use super::progress::Progress;
 use super::solver::solved;
 use super::{Answer, Unwatched, plan};
 use crate::faces::faces;
@@ -92,7 +93,7 @@ fn by(gathering: Choose, text: &str) -> Vec<Answer> {
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
     let prepared = Prepared::of(&scene, &plan);
     let working = prepared.working();
-    prepared.finished(solved(gathering, &prepared, &working, &Unwatched), &working).answers
+    prepared.finished(solved(gathering, &prepared, &working, &Progress::new(&Unwatched)), &working).answers
 }
 
 fn by_rays(text: &str) -> Vec<Answer> {

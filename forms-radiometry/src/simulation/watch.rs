@@ -2,8 +2,11 @@
 
 /// Is told how far the work is, and says whether to go on. Called from several threads.
 pub trait Watch: Sync {
-    /// What is being done, and which fraction of it is.
+    /// What is being done, and which fraction of the whole work is done, which is never less than before.
     fn progress(&self, stage: &str, fraction: f64);
+
+    /// The seconds that are left, where that can be foreseen; called before each [`progress`](Watch::progress).
+    fn time_left(&self, _seconds: Option<f64>) {}
 
     /// Whether to stop, with what there is by then. Once it says so it does not change its mind.
     fn is_stopped(&self) -> bool;

@@ -1,13 +1,12 @@
 //! The answers, after the work: a table, or a JSON object for each number.
 
 use crate::json::write_record;
-use crate::layout::{columns, duration};
+use crate::layout::{columns, seconds};
 use crate::palette::Palette;
 use forms::core::diagnostic::counted;
 use forms_radiometry::output::{measured, rough};
 use forms_radiometry::simulation::{Answer, ErrorKind, ErrorParts, Simulation};
 use std::io::{self, Write};
-use std::time::Duration;
 
 /// A number as an object.
 #[derive(serde::Serialize)]
@@ -28,8 +27,26 @@ struct Record<'a> {
     seconds: f64,
 }
 
-/// An object for each number; those that miss what was asked for are marked.
-pub(super) fn lines(found: &Simulation, missed: &[&Answer], output: &mut dyn Write) -> io::Result<()> {
+/// The time that no answer has alone, as an object.
+#[derive(serde::Serialize)]
+struct SharedRecord {
+    shared: &'static str,
+    seconds: f64,
+}
+
+/// What all receivers share.
+fn shared(is_by_paths: bool) -> &'static str {
+    if is_by_paths { "preparation" } else { "solution" }
+}
+
+/// An object for each number, of which those that miss what was asked for are marked, and one for
+/// the time that all of them share.
+pub(super) fn lines(
+    found: &Simulation,
+    missed: &[&Answer],
+    is_by_paths: bool,
+    output: &mut dyn Write,
+) -> io::Result<()> {
     found.answers.iter().try_for_each(|answer| {
         let Answer { receiver, quantity, band, bin, value, error, kind, seconds, .. } = answer;
         let record = Record {
@@ -46,20 +63,23 @@ pub(super) fn lines(found: &Simulation, missed: &[&Answer], output: &mut dyn Wri
             seconds: *seconds,
         };
         write_record(output, &record)
-    })
+    })?;
+    write_record(output, &SharedRecord { shared: shared(is_by_paths), seconds: found.shared_seconds() })
 }
 
-/// A line for each number, how long the work took and how exact the numbers are altogether, and what the error is made of, if that is
-/// more than one thing.
+/// A line for each number and one for the time that all of them share, how long the work took and
+/// how exact the numbers are altogether, and what the error is made of, if that is more than one
+/// thing.
 pub(super) fn table(
     found: &Simulation,
-    taken: Duration,
     tolerance: f64,
+    is_by_paths: bool,
     output: &mut dyn Write,
 ) -> io::Result<()> {
     let palette = Palette::of_output();
     let head = ["receiver", "quantity", "band", "bin", "value", "", "unit", "time"].map(str::to_owned);
     let mut rows: Vec<[String; 8]> = std::iter::once(head).chain(found.answers.iter().map(row)).collect();
+    rows.push(shared_row(found, is_by_paths));
     point_below_point(&mut rows);
     let right = [false, false, true, true, true, false, false, true];
     for (place, line) in columns(&rows, right).iter().enumerate() {
@@ -71,7 +91,7 @@ pub(super) fn table(
     let summary = format!(
         "{} in {}; largest error relative to its answer: {} (tolerance {tolerance:e})",
         counted(found.answers.len(), "number"),
-        duration(taken),
+        seconds(found.seconds),
         rough(end.error)
     );
     writeln!(
@@ -125,6 +145,15 @@ fn point_below_point(rows: &mut [[String; 8]]) {
     }
 }
 
+/// The line of what all receivers share.
+fn shared_row(found: &Simulation, is_by_paths: bool) -> [String; 8] {
+    let mut row: [String; 8] = Default::default();
+    row[0] = "(shared)".to_owned();
+    row[1] = shared(is_by_paths).to_owned();
+    row[7] = seconds(found.shared_seconds());
+    row
+}
+
 fn row(answer: &Answer) -> [String; 8] {
     let [value, error] = measured(answer.value, answer.error);
     let meaning = answer.kind.words();
@@ -136,10 +165,6 @@ fn row(answer: &Answer) -> [String; 8] {
         value,
         format!("± {error} ({meaning})"),
         answer.unit().to_owned(),
-        time(answer.seconds),
+        seconds(answer.seconds),
     ]
-}
-
-fn time(seconds: f64) -> String {
-    duration(Duration::try_from_secs_f64(seconds).unwrap_or_default())
 }

@@ -6,7 +6,7 @@
 //! ```
 
 use crate::files::{Lock, check_writable, reason, replace};
-use forms_radiometry::scene::{Sources, read_file};
+use forms_radiometry::scene::{Overrides, Sources, read_file};
 use forms_radiometry::simulation::{Exposure, Identity, Keeper, Snapshot, State, StateFile};
 use serde::{Deserialize, Serialize};
 use std::io::ErrorKind;
@@ -25,6 +25,8 @@ pub(super) const LARGEST_STATE: u64 = 4 << 30;
 pub(super) struct PartOf {
     pub(super) identity: Identity,
     pub(super) sources: Sources,
+    /// What replaced the settings of the scene.
+    pub(super) overrides: Overrides,
     /// The seconds of exposure.
     pub(super) exposure: Option<f64>,
     /// The vector instructions, if they were chosen.

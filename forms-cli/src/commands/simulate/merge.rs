@@ -5,17 +5,16 @@
 //! ```
 
 use super::kept::{LARGEST_STATE, PartOf};
-use super::{Asked, Work, finish, plan};
+use super::{Asked, finish, plan};
 use crate::commands::refuse;
 use crate::files::reason;
 use crate::status::Status;
 use crate::streams::tell;
-use forms_radiometry::scene::{SceneError, read_file};
-use forms_radiometry::simulation::{self, Exposure, Share, State, StateFile};
+use forms_radiometry::scene::{Scene, SceneError, read_file};
+use forms_radiometry::simulation::{self, Share, Simulation, State, StateFile, is_by_paths};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::Path;
-use std::time::Duration;
 
 /// A part that was read.
 struct Part<'a> {
@@ -53,10 +52,10 @@ pub(crate) fn merge(
     };
     let is_to_tolerance = first.belongs_to.identity.budget().is_none();
     match merged(parts) {
-        Ok((scene, planned, exposure, work)) => {
-            if json { plan::lines(&planned, output) } else { plan::table(&planned, &scene, output) }?;
-            let work = with_exposure(work, exposure);
-            finish(&Asked { scene: &scene, folder, json, is_to_tolerance }, &work, output)
+        Ok((scene, planned, found)) => {
+            plan::show(&planned, &scene, json, output)?;
+            let is_by_paths = is_by_paths(&scene, &planned);
+            finish(&Asked { scene: &scene, folder, json, is_to_tolerance, is_by_paths }, &found, output)
         }
         Err(messages) => {
             messages.iter().for_each(|message| tell!("error: {message}"));
@@ -126,10 +125,10 @@ fn repetitions(parts: &[Part<'_>]) -> (Vec<String>, Vec<String>) {
 
 /// Shares that are not there, with the calls that make them.
 fn missing(first: &Part<'_>, parts: &[Part<'_>]) -> Vec<String> {
-    let PartOf { identity, sources, exposure, instructions } = &first.belongs_to;
+    let PartOf { identity, sources, overrides, exposure, instructions } = &first.belongs_to;
     let has = |share: &Share| parts.iter().any(|part| part.belongs_to.identity.share() == *share);
     let message = |share: Share| {
-        let mut call = format!("forms simulate {} --shard {share}", sources.name());
+        let mut call = format!("forms simulate {} --shard {share}{}", sources.name(), overrides.options());
         if let Some(budget) = identity.budget() {
             call += &format!(" --samples {}", budget.samples());
         }
@@ -144,27 +143,22 @@ fn missing(first: &Part<'_>, parts: &[Part<'_>]) -> Vec<String> {
     identity.share().all().filter(|share| !has(share)).map(message).collect()
 }
 
-type Merged = (forms_radiometry::scene::Scene, simulation::Plan, Option<Exposure>, Work);
+type Merged = (Scene, simulation::Plan, Simulation);
 
 /// What all shares come to.
 fn merged(parts: Vec<Part<'_>>) -> Result<Merged, Vec<String>> {
     let messages = |errors: Vec<SceneError>| errors.iter().map(SceneError::to_string).collect::<Vec<_>>();
-    let PartOf { identity, sources, .. } = &parts[0].belongs_to;
+    let PartOf { identity, sources, overrides, .. } = &parts[0].belongs_to;
     let (budget, exposure) = (identity.budget(), parts[0].belongs_to.exposure());
-    let scene = sources.read().map_err(messages)?;
+    let mut scene = sources.read().map_err(messages)?;
+    overrides.apply(&mut scene);
     let plan = simulation::plan(&scene).map_err(messages)?;
     let states: BTreeMap<Share, State> =
         parts.into_iter().map(|part| (part.belongs_to.identity.share(), part.state)).collect();
-    let found = simulation::merge(&scene, &plan, budget, states.into_iter().collect())
+    let mut found = simulation::merge(&scene, &plan, budget, states.into_iter().collect())
         .map_err(|error| vec![format!("the parts cannot be put together: {error}")])?;
-    let seconds = found.history.last().map_or(0.0, |moment| moment.seconds);
-    let time = Duration::try_from_secs_f64(seconds).unwrap_or_default();
-    Ok((scene, plan, exposure, Work { found, time }))
-}
-
-fn with_exposure(mut work: Work, exposure: Option<Exposure>) -> Work {
     if let Some(exposure) = exposure {
-        exposure.add_to(&mut work.found);
+        exposure.add_to(&mut found);
     }
-    work
+    Ok((scene, plan, found))
 }

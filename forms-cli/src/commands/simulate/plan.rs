@@ -1,11 +1,11 @@
-//! The plan, before the work: a table, or a JSON object for each effect.
+//! The plan, before the work: a table, or a JSON object for each effect and one for the method.
 
 use crate::json::write_record;
 use crate::layout::{WIDTH, columns, filled, wrap};
 use crate::palette::Palette;
 use forms_radiometry::output::rough;
 use forms_radiometry::scene::{Receiver, ReceiverKind, Scene};
-use forms_radiometry::simulation::{Plan, PlannedEffect, Quantity, UsedKernel};
+use forms_radiometry::simulation::{Method, Plan, PlannedEffect, Quantity, UsedKernel, methods};
 use std::io::{self, Write};
 
 /// The reasons have this many columns at least, however long the names before them are.
@@ -25,7 +25,23 @@ struct Record<'a> {
     bound: Option<f64>,
 }
 
-pub(super) fn lines(plan: &Plan, output: &mut dyn Write) -> io::Result<()> {
+/// The methods as an object.
+#[derive(serde::Serialize)]
+struct MethodRecord {
+    method: Vec<&'static str>,
+}
+
+/// Shows the plan, as a table or as lines of JSON.
+pub(super) fn show(plan: &Plan, scene: &Scene, json: bool, output: &mut dyn Write) -> io::Result<()> {
+    let methods: Vec<&str> = methods(scene, plan).into_iter().map(Method::name).collect();
+    if json {
+        lines(plan, output)?;
+        return write_record(output, &MethodRecord { method: methods });
+    }
+    table(plan, scene, &methods, output)
+}
+
+fn lines(plan: &Plan, output: &mut dyn Write) -> io::Result<()> {
     plan.effects.iter().try_for_each(|planned| {
         let PlannedEffect { effect, on, orders, why, bound } = planned;
         write_record(output, &Record { effect: effect.name(), on: *on, orders: *orders, why, bound: *bound })
@@ -33,7 +49,7 @@ pub(super) fn lines(plan: &Plan, output: &mut dyn Write) -> io::Result<()> {
 }
 
 /// A line for each effect: whether it is simulated, what leaving it or its higher orders out can change, and why.
-pub(super) fn table(plan: &Plan, scene: &Scene, output: &mut dyn Write) -> io::Result<()> {
+fn table(plan: &Plan, scene: &Scene, methods: &[&str], output: &mut dyn Write) -> io::Result<()> {
     let palette = Palette::of_output();
     let title = if scene.name.is_empty() { "Plan".to_owned() } else { format!("Plan of {}", scene.name) };
     writeln!(output, "{}", palette.heading(&title))?;
@@ -53,6 +69,7 @@ pub(super) fn table(plan: &Plan, scene: &Scene, output: &mut dyn Write) -> io::R
     for line in wrap(MEANING, 2) {
         writeln!(output, "{}", palette.quiet(&line))?;
     }
+    writeln!(output, "  method: {}", methods.join(", or "))?;
     writeln!(output)?;
     kernels(&plan.kernels, palette, output)
 }

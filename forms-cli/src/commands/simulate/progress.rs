@@ -28,7 +28,12 @@ struct Bar {
     start: Instant,
     drawn: ProgressBar,
     stage: Mutex<String>,
+    end: End,
 }
+
+/// When the work is foreseen to end, if that can be foreseen.
+#[derive(Clone, Default)]
+struct End(Arc<Mutex<Option<Instant>>>);
 
 impl Progress {
     /// From now on the first Ctrl-C stops the work, and the second one ends the program.
@@ -60,6 +65,12 @@ impl Watch for Progress {
         }
     }
 
+    fn time_left(&self, seconds: Option<f64>) {
+        if let Some(bar) = &self.bar {
+            bar.end.set(seconds.filter(|_| !self.is_stopped()));
+        }
+    }
+
     fn is_stopped(&self) -> bool {
         self.stopped.load(Ordering::Relaxed)
     }
@@ -67,29 +78,43 @@ impl Watch for Progress {
 
 impl Bar {
     fn new() -> Self {
+        let end = End::default();
+        let shown = end.clone();
+        let left = move |_: &ProgressState, text: &mut dyn fmt::Write| {
+            let _ = write!(text, "{}", shown.left());
+        };
         let style = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %  {left:<12}");
         let style = style.expect("the template is right").with_key("left", left);
         let drawn = ProgressBar::with_draw_target(Some(PARTS), ProgressDrawTarget::stderr());
         drawn.set_style(style);
-        Self { start: Instant::now(), drawn, stage: Mutex::new(String::new()) }
+        Self { start: Instant::now(), drawn, stage: Mutex::default(), end }
     }
 
-    /// A stage has a time of its own.
+    /// What is being done, and which part of the whole work is done.
     fn show(&self, stage: &str, fraction: f64) {
         let Ok(mut current) = self.stage.lock() else { return };
         if *current != stage {
             stage.clone_into(&mut current);
             self.drawn.set_message(stage.to_owned());
-            self.drawn.reset();
         }
         self.drawn.set_position((fraction.clamp(0.0, 1.0) * PARTS as f64) as u64);
     }
 }
 
-/// The time that is left, once something is done from which it can be told.
-fn left(state: &ProgressState, text: &mut dyn fmt::Write) {
-    if state.pos() > 0 {
-        let _ = write!(text, "{:#} left", HumanDuration(state.eta()));
+impl End {
+    /// So many seconds from now.
+    fn set(&self, seconds: Option<f64>) {
+        let left = seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+        if let Ok(mut end) = self.0.lock() {
+            *end = left.and_then(|left| Instant::now().checked_add(left));
+        }
+    }
+
+    /// The time that is left, in words; none where it is not known.
+    fn left(&self) -> String {
+        let end = self.0.lock().map_or(None, |end| *end);
+        let left = end.map(|end| end.saturating_duration_since(Instant::now()));
+        left.map_or(String::new(), |left| format!("{:#} left", HumanDuration(left)))
     }
 }
 
@@ -100,7 +125,8 @@ mod tests {
     #[test]
     fn stages_follow_each_other_from_any_thread() {
         let drawn = ProgressBar::with_draw_target(Some(PARTS), ProgressDrawTarget::hidden());
-        let bar = Bar { start: Instant::now() - PATIENCE, drawn, stage: Mutex::default() };
+        let (stage, end) = (Mutex::default(), End::default());
+        let bar = Bar { start: Instant::now() - PATIENCE, drawn, stage, end };
         let progress = Progress { stopped: Arc::new(AtomicBool::new(false)), bar: Some(bar) };
         progress.progress("factors", 0.9);
         std::thread::scope(|scope| {
@@ -112,6 +138,11 @@ mod tests {
         progress.progress("bounces", 0.25);
         let bar = progress.bar.as_ref().expect("a bar");
         assert_eq!((bar.drawn.message(), bar.drawn.position()), ("bounces".to_owned(), 250));
+        assert_eq!(bar.end.left(), "");
+        progress.time_left(Some(42.4));
+        assert_eq!(bar.end.left(), "42s left");
+        progress.time_left(None);
+        assert_eq!(bar.end.left(), "");
         progress.end();
         assert!(bar.drawn.is_finished() && !progress.is_stopped());
     }

@@ -5,6 +5,7 @@ use super::super::job::{Budget, Share};
 use super::super::map::Grid;
 use super::super::parts::ErrorParts;
 use super::super::solver::ROUNDING;
+use super::super::times::scale;
 use super::computed::{Computed, Computing};
 use crate::faces::faces;
 use crate::geometry::Screens;
@@ -41,7 +42,10 @@ pub(super) struct Asked {
     brightest: f64,
     /// How many samples each replicate is to get before it is asked again whether that is enough.
     pub(super) target: u32,
+    /// The part of the time of the work that it took.
     pub(super) seconds: f64,
+    /// What it took in the present loop over questions, of which several run at once.
+    elapsed: f64,
 }
 
 /// What of the work belongs to a share: questions, or with a budget their replicates.
@@ -97,13 +101,24 @@ pub(super) fn asked(scene: &Scene, metres: f64, computing: &Computing<'_>) -> Ve
                 brightest,
                 target: 0,
                 seconds: 0.0,
+                elapsed: 0.0,
             });
         }
     }
+    let begin = Instant::now();
     // what comes in bins of time is sampled
     let instant = all.par_iter_mut().filter(|asked| scene.receivers[asked.receiver].time.is_none());
     instant.for_each(|asked| asked.compute(computing));
+    divide_time(&mut all, begin);
     all
+}
+
+/// Divides the time of a loop over questions, which began at this time and has just ended, among them.
+pub(super) fn divide_time(all: &mut [Asked], begin: Instant) {
+    let scale = scale(begin, all.iter().map(|asked| asked.elapsed).sum());
+    for asked in all {
+        asked.seconds += scale * std::mem::take(&mut asked.elapsed);
+    }
 }
 
 /// What is asked of a scene, by receiver.
@@ -147,7 +162,7 @@ impl Asked {
     fn compute(&mut self, computing: &Computing<'_>) {
         let begin = Instant::now();
         self.computed = computing.answer(&self.question);
-        self.seconds = begin.elapsed().as_secs_f64();
+        self.elapsed = begin.elapsed().as_secs_f64();
     }
 
     /// Whether there is an answer, however inexact.
@@ -160,22 +175,25 @@ impl Asked {
         self.replicates.samples >= self.target
     }
 
-    /// Samples up to the target, or until there is a pause: one step of them at least.
+    /// Samples up to the target, or until there is a pause: one step of them at least. Each step is noted with its samples.
     pub(super) fn reach(
         &mut self,
         followers: &[Box<dyn Follow + '_>],
         is_meant: impl Fn(usize) -> bool + Sync,
         is_paused: impl Fn() -> bool,
+        note: impl Fn(u32),
     ) {
         let begin = Instant::now();
         loop {
-            let next = self.target.min(self.replicates.samples.saturating_add(STEP));
+            let before = self.replicates.samples;
+            let next = self.target.min(before.saturating_add(STEP));
             self.replicates.extend(next, &self.question, followers, &is_meant);
+            note(next - before);
             if self.is_there() || is_paused() {
                 break;
             }
         }
-        self.seconds += begin.elapsed().as_secs_f64();
+        self.elapsed = begin.elapsed().as_secs_f64();
     }
 
     /// The next target: the first samples, or twice as many as there are, up to a most.
@@ -236,6 +254,14 @@ impl Asked {
             if error == 0.0 { 0.0 } else { error / if scale > 0.0 { scale } else { self.brightest } }
         };
         (0..self.replicates.len()).map(relative).fold(0.0, f64::max)
+    }
+
+    /// The samples of a replicate after which the error will be as small as this, with these scales: it falls like the root of their
+    /// number, which is doubled until then.
+    pub(super) fn foreseen(&self, scales: &[f64], tolerance: f64) -> f64 {
+        let (samples, most) = (f64::from(self.replicates.samples), f64::from(MOST));
+        let doublings = (2.0 * (self.error(scales) / tolerance).log2()).ceil().max(0.0);
+        (samples * doublings.exp2()).min(most).max(f64::from(self.target))
     }
 
     pub(super) fn may_go_on(&self) -> bool {

@@ -41,6 +41,7 @@ impl Work<'_> {
                 .collect(),
         };
         let bins = receiver.time.as_ref().map_or(1, |time| time.bins);
+        let seconds = self.seconds_of(asked.receiver);
         let mut answers = Vec::with_capacity(quantities.len() * bands * bins);
         for (quantity, number, factor) in quantities {
             for band in 0..bands {
@@ -56,12 +57,18 @@ impl Work<'_> {
                         error: parts.error(kind),
                         parts,
                         kind,
-                        seconds: asked.seconds,
+                        seconds,
                     });
                 }
             }
         }
         answers
+    }
+
+    /// The seconds of a receiver, with those of the cells of its map.
+    fn seconds_of(&self, receiver: usize) -> f64 {
+        let own = self.asked.iter().filter(|asked| asked.receiver == receiver);
+        own.map(|asked| asked.seconds).sum()
     }
 
     /// The mean radiance of an image, for each band.

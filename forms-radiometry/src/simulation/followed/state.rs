@@ -15,6 +15,7 @@ pub(in crate::simulation) struct OfPaths {
     is_done: bool,
     scales: Option<Scales>,
     history: Vec<[f64; 2]>,
+    seconds: f64,
     asked: Vec<KeptAsked>,
 }
 
@@ -33,6 +34,7 @@ pub(in crate::simulation) struct WrittenOfPaths<'w> {
     is_done: bool,
     scales: &'w Option<Scales>,
     history: Vec<[f64; 2]>,
+    seconds: f64,
     asked: Vec<WrittenAsked<'w>>,
 }
 
@@ -76,6 +78,7 @@ impl Work<'_> {
             is_done: self.is_done,
             scales: &self.scales,
             history: history.collect(),
+            seconds: self.progress.seconds(),
             asked: self.asked.iter().enumerate().map(asked).collect(),
         }
     }
@@ -117,7 +120,7 @@ impl Work<'_> {
         self.scales = state.scales;
         let moment = |[seconds, error]: [f64; 2]| Moment { seconds, error };
         self.history = state.history.into_iter().map(moment).collect();
-        self.before = self.history.last().map_or(0.0, |moment| moment.seconds);
+        self.progress.resume(state.seconds);
         Ok(())
     }
 
@@ -137,8 +140,7 @@ impl Work<'_> {
                 return Err(Misfit);
             }
         }
-        let seconds = state.history.last().map_or(0.0, |[seconds, _]| *seconds);
-        self.before = self.before.max(seconds);
+        self.progress.resume(state.seconds);
         Ok(())
     }
 }

@@ -1,0 +1,206 @@
+//! Progress: the stages of the work become the part of the whole that is done, which never
+//! decreases, and the time that is left, where that can be foreseen.
+//!
+//! ```text
+//! a stage began after b seconds; its part f is done after t  ─▶ it ends after b + (t − b)/f
+//! the whole ends after the later of that and what is foreseen ─▶ times what follows ─▶ done: t/end, left: end − t
+//! ```
+//! So the part that is done is a part of the time, as well as that is known: what a tolerance takes
+//! shows only on the way. Where the end turns out to be later, the part stays for a while as it is.
+//! How many rounds of refinement there are shows at their end: until then no time is told. The rest
+//! is told where [`Forecast`] trusts it.
+
+use super::answer::Moment;
+use super::forecast::Forecast;
+use super::watch::Watch;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Instant;
+
+/// The end of the whole, relative to that of its first stage, as long as nothing is known of the
+/// others.
+const UNKNOWN: f64 = 20.0;
+/// The end of the whole, relative to that of the present round: each takes about as long as all
+/// before, and one more may follow.
+const ONE_MORE: f64 = 2.0;
+/// The power of time by which errors fall, as long as no two of them are known, and the least and
+/// the largest that two show.
+const USUAL_POWER: f64 = 1.0;
+const POWERS: [f64; 2] = [0.25, 4.0];
+/// How many of the last errors show that power.
+const SEEN: usize = 3;
+
+/// Tells the caller how much of the whole is done.
+pub(super) struct Progress<'w> {
+    watch: &'w dyn Watch,
+    start: Instant,
+    state: Mutex<State>,
+}
+
+/// What is known of the work after a stage.
+#[derive(Clone, Copy)]
+pub(super) enum Outlook {
+    /// Nothing.
+    Unknown,
+    /// Rounds like this one follow, until so many seconds of the work at least.
+    Rounds { until: f64 },
+    /// There are this many stages with it, which take about as long.
+    Stages(usize),
+    /// It is the last one, but may take longer than it seems.
+    Doubtful,
+}
+
+struct State {
+    /// The seconds that the work took before this run of it.
+    before: f64,
+    /// The part that was told last.
+    told: f64,
+    begin: f64,
+    outlook: Outlook,
+    forecast: Forecast,
+}
+
+impl<'w> Progress<'w> {
+    /// The progress of work that begins now, of a single stage as long as no other one begins.
+    pub(super) fn new(watch: &'w dyn Watch) -> Self {
+        let (outlook, forecast) = (Outlook::Stages(1), Forecast::default());
+        let state = State { before: 0.0, told: 0.0, begin: 0.0, outlook, forecast };
+        Self { watch, start: Instant::now(), state: Mutex::new(state) }
+    }
+
+    /// The work took so many seconds more before this run of it.
+    pub(super) fn resume(&self, before: f64) {
+        self.state().before += before;
+    }
+
+    /// Begins a stage.
+    pub(super) fn begin(&self, outlook: Outlook) {
+        let mut state = self.state();
+        state.begin = self.seconds_with(state.before);
+        state.outlook = outlook;
+    }
+
+    /// What is known by now of the work after the present stage.
+    pub(super) fn look(&self, outlook: Outlook) {
+        self.state().outlook = outlook;
+    }
+
+    /// The seconds of the work so far, with those before this run.
+    pub(super) fn seconds(&self) -> f64 {
+        self.seconds_with(self.state().before)
+    }
+
+    fn seconds_with(&self, before: f64) -> f64 {
+        before + self.start.elapsed().as_secs_f64()
+    }
+
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Watch for Progress<'_> {
+    fn progress(&self, stage: &str, fraction: f64) {
+        let mut state = self.state();
+        let now = self.seconds_with(state.before);
+        let (done, left) = state.note(now, fraction);
+        // the lock is held, so that no other thread tells more before
+        self.watch.time_left(left);
+        self.watch.progress(stage, done);
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.watch.is_stopped()
+    }
+}
+
+impl State {
+    /// The part of the whole that is done at a time at which this part of the stage is, and the
+    /// seconds that are left, if that is known.
+    fn note(&mut self, now: f64, fraction: f64) -> (f64, Option<f64>) {
+        let of_stage = self.begin + (now - self.begin) / fraction.clamp(0.0, 1.0);
+        let end = match self.outlook {
+            Outlook::Unknown => UNKNOWN * of_stage,
+            Outlook::Rounds { until } => ONE_MORE * of_stage.max(until),
+            Outlook::Stages(count) => self.begin + count as f64 * (of_stage - self.begin),
+            Outlook::Doubtful => of_stage,
+        };
+        let done = now / end;
+        if done.is_finite() {
+            self.told = self.told.max(done.clamp(0.0, 1.0));
+        }
+        let left = match self.outlook {
+            Outlook::Stages(1) if end.is_finite() => self.forecast.note(now, end),
+            _ => {
+                self.forecast = Forecast::default();
+                None
+            }
+        };
+        (self.told, left)
+    }
+}
+
+/// When errors will have fallen to a tolerance, of which a history since this time is known: they
+/// fall by a power of time. None as long as no error is known.
+pub(super) fn foreseen(history: &[Moment], begin: f64, tolerance: f64) -> Option<f64> {
+    let known: Vec<&Moment> = history.iter().filter(|moment| moment.error.is_finite()).collect();
+    let last = known.last()?;
+    let first = known[known.len().saturating_sub(SEEN)];
+    let slower = ((last.seconds - begin) / (first.seconds - begin)).ln();
+    let power = (first.error / last.error).ln() / slower;
+    let power = if slower > 0.0 { power.clamp(POWERS[0], POWERS[1]) } else { USUAL_POWER };
+    let left = (last.error / tolerance).max(1.0);
+    Some(begin + (last.seconds - begin) * left.powf(1.0 / power))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn state(outlook: Outlook) -> State {
+        State { before: 0.0, told: 0.0, begin: 0.0, outlook, forecast: Forecast::default() }
+    }
+
+    #[test]
+    fn what_is_done_is_a_part_of_the_time_and_never_less_than_before() {
+        let mut state = state(Outlook::Unknown);
+        assert_eq!(state.note(1.0, 0.5).0, 1.0 / 40.0);
+        state.outlook = Outlook::Rounds { until: 10.0 };
+        assert_eq!(state.note(2.0, 0.5).0, 2.0 / 20.0);
+        // the round takes longer than was foreseen
+        assert_eq!(state.note(4.0, 0.1).0, 2.0 / 20.0);
+        (state.begin, state.outlook) = (10.0, Outlook::Stages(2));
+        assert_eq!(state.note(12.0, 0.5).0, 12.0 / 18.0);
+        for nothing in [0.0, -1.0, f64::NAN] {
+            assert_eq!(state.note(13.0, nothing).0, 12.0 / 18.0, "{nothing}");
+        }
+        (state.begin, state.outlook) = (14.0, Outlook::Stages(1));
+        assert_eq!(state.note(16.0, 1.0), (1.0, Some(0.0)));
+        assert_eq!(state.note(17.0, 0.2).0, 1.0);
+    }
+
+    #[test]
+    fn no_time_is_told_of_rounds_whose_number_is_not_known() {
+        let mut state = state(Outlook::Rounds { until: 0.0 });
+        let steady =
+            |state: &mut State| (1..100).map(|i| state.note(f64::from(i), f64::from(i) / 200.0).1).last();
+        assert_eq!(steady(&mut state), Some(None));
+        state.outlook = Outlook::Doubtful;
+        assert_eq!(steady(&mut state), Some(None));
+        state.outlook = Outlook::Stages(1);
+        assert_eq!(steady(&mut state), Some(Some(101.0)));
+    }
+
+    #[test]
+    fn errors_that_fall_by_a_power_of_time_reach_the_tolerance_when_it_says() {
+        let moment = |seconds: f64| Moment { seconds: seconds + 1.0, error: seconds.powi(-2) };
+        let first = Moment { seconds: 1.1, error: f64::INFINITY };
+        let history = [first, moment(1.0), moment(2.0), moment(4.0)];
+        let end = foreseen(&history, 1.0, 1e-2).expect("errors are known");
+        assert!((end - 11.0).abs() < 1e-9, "{end}");
+        assert_eq!(foreseen(&history[..1], 1.0, 1e-2), None);
+        // with a single error it falls as time passes
+        assert_eq!(foreseen(&history[..2], 1.0, 0.1), Some(11.0));
+        // it is reached
+        assert_eq!(foreseen(&history, 1.0, 0.1), Some(5.0));
+    }
+}

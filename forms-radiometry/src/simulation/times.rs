@@ -1,0 +1,98 @@
+//! Times: the time of the work is attributed to receivers; what is left is the time of the solution
+//! that all of them share.
+//!
+//! ```text
+//! time of a receiver += its time in a loop × time of the loop / Σ of all times in it
+//! shared              = time of the work − Σ times of receivers
+//! ```
+//! Threads that run receivers at the same time divide the time that passes meanwhile, with what
+//! they wait for each other, so that all times add up to that of the work.
+
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Instant;
+
+/// The seconds that each receiver took so far.
+pub(super) struct Times(Mutex<Vec<f64>>);
+
+impl Times {
+    pub(super) fn new(receivers: usize) -> Self {
+        Self(Mutex::new(vec![0.0; receivers]))
+    }
+
+    /// The seconds of a receiver.
+    pub(super) fn of(&self, receiver: usize) -> f64 {
+        self.lock()[receiver]
+    }
+
+    /// The seconds of each receiver.
+    pub(super) fn all(&self) -> Vec<f64> {
+        self.lock().clone()
+    }
+
+    /// Adds a loop that began at this time and has just ended: the receivers in it, each with its
+    /// seconds.
+    pub(super) fn add(&self, begin: Instant, parts: impl Iterator<Item = (usize, f64)> + Clone) {
+        let scale = scale(begin, parts.clone().map(|(_, seconds)| seconds).sum());
+        let mut times = self.lock();
+        parts.for_each(|(receiver, seconds)| times[receiver] += scale * seconds);
+    }
+
+    /// Adds what a receiver alone took since this time.
+    pub(super) fn add_since(&self, begin: Instant, receiver: usize) {
+        self.add(begin, std::iter::once((receiver, begin.elapsed().as_secs_f64())));
+    }
+
+    /// Two works that began at this time, when receivers had these times, have just ended, after so
+    /// many seconds each: if they ran at the same time, what they took of receivers is scaled to
+    /// the time that passed.
+    pub(super) fn rejoin(&self, begin: Instant, before: &[f64], seconds: [f64; 2]) {
+        let scale = scale(begin, seconds.iter().sum());
+        self.lock()
+            .iter_mut()
+            .zip(before)
+            .for_each(|(time, before)| *time = before + scale * (*time - before));
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Vec<f64>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// The factor by which parts of work that began at this time, and took so many seconds together,
+/// become parts of the time since.
+pub(super) fn scale(begin: Instant, seconds: f64) -> f64 {
+    let passed = begin.elapsed().as_secs_f64();
+    if seconds > 0.0 { passed / seconds } else { 0.0 }
+}
+
+/// What some work finds, and its seconds.
+pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
+    let begin = Instant::now();
+    let found = work();
+    (found, begin.elapsed().as_secs_f64())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::Duration;
+
+    #[test]
+    fn receivers_at_the_same_time_divide_it() {
+        let times = Times::new(3);
+        let begin = Instant::now().checked_sub(Duration::from_secs(4)).expect("a time");
+        // alone, on a thread that was waited for
+        times.add(begin, [(0, 1.0)].into_iter());
+        assert!((times.of(0) - 4.0).abs() < 0.1, "{}", times.of(0));
+        // two threads, all the time
+        times.add(begin, [(1, 2.0), (2, 4.0), (1, 2.0)].into_iter());
+        let [_, one, two] = times.all()[..] else { panic!("three receivers") };
+        assert!((one - two).abs() < 1e-9 && (one + two - 4.0).abs() < 0.1, "{one} {two}");
+        // a solution of 4 s next to a map of 4 s, in 4 s
+        let before = times.all();
+        times.add(begin, [(0, 4.0)].into_iter());
+        times.rejoin(begin, &before, [4.0, 4.0]);
+        assert!((times.of(0) - before[0] - 2.0).abs() < 0.1, "{}", times.of(0));
+        assert_eq!(times.of(1), before[1]);
+    }
+}
