@@ -12,6 +12,7 @@
 //! followed along rays instead ([`gathering`], [`paths`]).
 
 mod arriving;
+mod brightest;
 mod change;
 mod closed_form;
 mod clusters;
@@ -43,6 +44,7 @@ mod walk;
 mod weights;
 mod whole;
 
+pub(crate) use brightest::most_direct;
 pub(crate) use closed_form::{Straight, is_precise};
 pub(crate) use direct::Lights;
 pub(crate) use gather::{Group, Scratch, Transport};

@@ -33,7 +33,7 @@ mod walls;
 pub(crate) use beam::{Beam, Lit};
 pub(crate) use between::Between;
 pub(crate) use border::{Borders, Looking};
-pub(crate) use boxes::Boxes;
+pub(crate) use boxes::{Boxes, distance_of_boxes};
 pub(crate) use horizon::Workspace;
 pub(crate) use walls::{Met, Start, Wall, Walls};
 

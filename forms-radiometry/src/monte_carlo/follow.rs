@@ -46,6 +46,7 @@ impl<L: Lattice, const N: usize> Follow for Tracer<'_, L, N> {
             Some(Begin::Receiver { start, normal }) => self.receive(start, normal, draws, &mut add),
             None => {}
         }
+        sums.miss(self.optics.bands, question.largest(draws.hidden));
     }
 }
 
@@ -80,7 +81,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let mut path = self.begin(start, normal.unwrap_or(Vector::new(0.0, 0.0, 1.0)));
         let vertex = Vertex { start, law };
         if self.limits.direct {
-            self.straight(&path, &vertex, &mut draws.light, add);
+            self.straight(&path, &vertex, draws, add);
         }
         self.leaves(&mut path, &vertex, &mut draws.path);
         path.is_straight = true;

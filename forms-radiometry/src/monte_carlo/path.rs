@@ -110,7 +110,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             let medium = self.medium(path.filling);
             let scatters = L::SCATTERING && medium.scatters();
             if scatters && may_go_on(path.scatterings, self.limits.scatterings) {
-                self.lit_segment(&path, &medium, length, &mut draws.light, add);
+                self.lit_segment(&path, &medium, length, draws, add);
                 match self.flight(&path, &medium, met.as_ref(), &mut draws.path, add) {
                     Flight::Scattered(distance, factor) => {
                         path.throughput = times(&path.throughput, &factor);
@@ -190,7 +190,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             path.reflections += 1;
             let vertex =
                 Vertex { start: self.world.walls.start_on(met, met.is_front), law: Law::Plane(normal) };
-            self.straight(path, &vertex, &mut draws.light, &mut |_, value, way| add(value, way));
+            self.straight(path, &vertex, draws, &mut |_, value, way| add(value, way));
             self.leaves(path, &vertex, &mut draws.path);
             return true;
         }
@@ -295,9 +295,10 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         path: &Path<N>,
         medium: &MediumOptics<N>,
         length: f64,
-        samples: &mut Samples,
+        draws: &mut Draws,
         add: &mut impl FnMut(&[f64; N], f64),
     ) {
+        let samples = &mut draws.light;
         if L::MIRROR || L::REFRACTION {
             self.imaged_segment(path, medium, length, samples, add);
         }
@@ -306,7 +307,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let pivot = luminaire.point(samples.pair());
         let Some((lit, vertex)) = self.lit_point(path, medium, length, pivot, samples) else { return };
         if let Some(towards) = luminaire.towards(vertex.start.position, samples.pair()) {
-            self.lit(&lit, &vertex, &towards, &mut |_, value, way| add(value, way));
+            self.lit(&lit, &vertex, &towards, &mut draws.hidden, &mut |_, value, way| add(value, way));
         }
     }
 
@@ -315,9 +316,10 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         &self,
         path: &Path<N>,
         vertex: &Vertex<N>,
-        samples: &mut Samples,
+        draws: &mut Draws,
         add: &mut impl FnMut(Vector, &[f64; N], f64),
     ) {
+        let samples = &mut draws.light;
         if L::MIRROR || L::REFRACTION {
             // what a receiver, or the first thing that a ray meets, gets of them is the same for all its samples
             for image in self.images.choose(samples.one(), path.is_straight) {
@@ -327,15 +329,17 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let position = vertex.start.position;
         let Some(luminaire) = self.world.luminaires.sought(position, samples) else { return };
         if let Some(towards) = luminaire.towards(position, samples.pair()) {
-            self.lit(path, vertex, &towards, add);
+            self.lit(path, vertex, &towards, &mut draws.hidden, add);
         }
     }
 
+    /// Adds what a luminaire brings to a vertex, or notes what it would have brought.
     fn lit(
         &self,
         path: &Path<N>,
         vertex: &Vertex<N>,
         towards: &Towards,
+        hidden: &mut f64,
         add: &mut impl FnMut(Vector, &[f64; N], f64),
     ) {
         let densities = vertex.law.density(towards.direction);
@@ -347,9 +351,13 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             Source::Wall { surface, .. } => (&self.optics.radiances[surface], part(towards.density, own)),
             Source::Beam(light) => (&self.optics.beams[light], 1.0),
         };
-        let Some((left, way)) = self.reached(vertex.start, path.filling, path.way, towards) else { return };
-        let value = times(&times(&path.throughput, radiance), &times(&densities, &left));
-        add(towards.direction, &scaled(part / towards.density, &value), way);
+        let unhidden = times(&times(&path.throughput, radiance), &densities);
+        let unhidden = scaled(part / towards.density, &unhidden);
+        let Some((left, way)) = self.reached(vertex.start, path.filling, path.way, towards) else {
+            *hidden = hidden.max(largest(&unhidden));
+            return;
+        };
+        add(towards.direction, &times(&unhidden, &left), way);
     }
 
     /// What is left of light on the way to a luminaire, and the optical length to there; none where something stands in between.

@@ -35,7 +35,7 @@ impl Question {
         if matches!(self, Self::Sphere { .. }) { 4 } else { 1 }
     }
 
-    /// The largest number that light brings of which no radiance is above this.
+    /// The largest number that light brings of which no radiance, or value of a sample, is above this.
     pub(crate) fn largest(&self, radiance: f64) -> f64 {
         match self {
             Self::Plane { .. } | Self::Surface { .. } => PI * radiance,

@@ -47,6 +47,8 @@ pub(crate) struct Bins {
 #[derive(Clone, Debug)]
 pub(crate) struct Sums {
     pub(super) sums: Vec<Sum>,
+    /// For each band the largest value that a sample missed, since something hid a luminaire.
+    pub(super) missed: Vec<f64>,
     bands: usize,
     bins: Option<Bins>,
 }
@@ -54,7 +56,7 @@ pub(crate) struct Sums {
 impl Sums {
     fn new(numbers: usize, bands: usize, bins: Option<Bins>) -> Self {
         let count = bins.map_or(1, |bins| bins.count);
-        Self { sums: vec![Sum::default(); numbers * bands * count], bands, bins }
+        Self { sums: vec![Sum::default(); numbers * bands * count], missed: vec![0.0; bands], bands, bins }
     }
 
     /// The bin of light that took this optical length; none if it is in no bin.
@@ -62,6 +64,11 @@ impl Sums {
         let Some(Bins { start, width, count }) = self.bins else { return Some(0) };
         let place = ((way - start) / width).floor();
         (place >= 0.0 && place < count as f64).then_some(place as usize)
+    }
+
+    /// Notes what a sample missed in some bands: the first, and how many.
+    pub(super) fn miss(&mut self, [first, count]: [usize; 2], value: f64) {
+        self.missed[first..first + count].iter_mut().for_each(|missed| *missed = missed.max(value));
     }
 
     pub(super) fn add(&mut self, [number, band, bin]: [usize; 3], value: f64) {
@@ -118,7 +125,19 @@ impl Replicates {
         self.of[0].sums.len()
     }
 
-    /// A value, and its standard error.
+    /// The largest value that a sample missed in the band of a value.
+    pub(crate) fn missed(&self, place: usize) -> f64 {
+        let band = self.band(place);
+        self.of.iter().map(|sums| sums.missed[band]).fold(0.0, f64::max)
+    }
+
+    /// The band of a value.
+    pub(crate) fn band(&self, place: usize) -> usize {
+        let Sums { bands, bins, .. } = &self.of[0];
+        place / bins.map_or(1, |bins| bins.count) % bands
+    }
+
+    /// A value,, and its standard error by the spread of the replicates.
     pub(crate) fn found(&self, place: usize) -> [f64; 2] {
         let mean = |sums: &Sums| sums.sums[place].value() / f64::from(self.samples);
         let count = self.of.len() as f64;

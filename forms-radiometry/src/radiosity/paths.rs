@@ -11,6 +11,7 @@
 //!
 //! Source: M. Giles, Multilevel Monte Carlo path simulation (2008), for the sum of a cheap mean and a small difference.
 
+use super::brightest::most_of_beams;
 use super::direct::Lights;
 use super::directions::above;
 use super::element::Element;
@@ -20,7 +21,7 @@ use super::measure::Measure;
 use super::operator::{Operator, Row};
 use super::solution::of_bands;
 use super::subdivision::Subdivision;
-use super::system::{Question, reflectance};
+use super::system::{Question, is_reflecting, reflectance};
 use crate::faces::emits;
 use crate::geometry::Vector;
 use crate::kernels::irradiance;
@@ -56,7 +57,7 @@ pub(crate) struct Paths<'t> {
     pub(super) direct: Vec<Vec<f64>>,
     pub(super) irradiance: Vec<Vec<f64>>,
     pub(super) reflected: Vec<Vec<f64>>,
-    /// For each band the largest radiosity of lights that rays have to meet.
+    /// For each band the largest radiosity of what rays have to meet: lights, nodes, and where lights without extent may reach.
     pub(super) brightest: Vec<f64>,
     /// An estimate of how much of the light a reflection leaves.
     pub(super) contraction: f64,
@@ -114,6 +115,7 @@ impl<'t> Paths<'t> {
         paths.by_rays = paths.lights_are_met();
         paths.brightest = paths.brightest_light();
         paths.solve();
+        paths.note_reflected();
         paths
     }
 
@@ -288,6 +290,34 @@ impl<'t> Paths<'t> {
             if self.by_rays { irradiance(1.0, radiance) } else { 0.0 }
         };
         (0..self.scene.band_count()).map(largest).collect()
+    }
+
+    /// Notes the radiosity of nodes, and of places that lights without extent may reach while they reach no node.
+    fn note_reflected(&mut self) {
+        if self.question.orders == Some(0) {
+            return;
+        }
+        let reflectances = self.reflectances();
+        for ((brightest, rho), rough) in self.brightest.iter_mut().zip(reflectances).zip(&self.irradiance) {
+            *brightest = rho.iter().zip(rough).map(|(rho, rough)| rho * rough).fold(*brightest, f64::max);
+        }
+        for face in self.transport.faces.iter().filter(|face| is_reflecting(self.scene, face)) {
+            let beams = most_of_beams(face, self.scene, self.transport);
+            let rho = reflectance(self.scene, face.surface);
+            for (brightest, (beam, rho)) in self.brightest.iter_mut().zip(beams.iter().zip(rho)) {
+                *brightest = brightest.max(rho * beam);
+            }
+        }
+    }
+
+    /// For each band the most that lights without extent bring to a place of the front of a surface.
+    pub(super) fn most_of_beams_on(&self, surface: usize) -> Vec<f64> {
+        let mut most = vec![0.0_f64; self.scene.band_count()];
+        for face in self.transport.fronts(surface) {
+            let beams = most_of_beams(face, self.scene, self.transport);
+            most.iter_mut().zip(beams).for_each(|(most, beam)| *most = most.max(beam));
+        }
+        most
     }
 
     /// The rough value of what a receiver gets from a direction, over the measure of the direction: what is emitted there, if rays meet

@@ -125,7 +125,11 @@ impl Paths<'_> {
             GoalKind::At { measure: Measure::Plane(_), .. } | GoalKind::Mean { .. } => 1.0,
             GoalKind::At { .. } => Measure::Sphere.whole(),
         };
-        let most: Vec<f64> = self.brightest.iter().map(|brightest| weight * brightest).collect();
+        let mut most: Vec<f64> = self.brightest.iter().map(|brightest| weight * brightest).collect();
+        if let (GoalKind::Mean { surface }, true) = (what, self.question.direct) {
+            let beams = self.most_of_beams_on(surface);
+            most.iter_mut().zip(beams).for_each(|(most, beam)| *most = most.max(beam));
+        }
         let mean = |is_sampled| if is_sampled { Mean::new(most.clone()) } else { Mean::nothing(bands) };
         let (rough, lack) = (mean(gathers), mean(lacks));
         let key = self.key(Numbers::Probes, number);

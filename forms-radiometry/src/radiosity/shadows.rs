@@ -71,6 +71,11 @@ impl Shadows {
 }
 
 impl Transport {
+    /// Whether a light without extent may reach some of a face.
+    pub(crate) fn may_reach(&self, face: &Face, light: &Light) -> bool {
+        self.lit(face, light).is_none_or(|lit| !lit.pieces.is_empty())
+    }
+
     /// The part of a face that a light without extent reaches.
     fn lit(&self, face: &Face, light: &Light) -> Option<Lit> {
         let beam = beam(light);

@@ -9,12 +9,14 @@
 
 use super::sequence::{Random, Samples, key};
 
-/// The numbers of one path.
+/// The numbers of one path, and what they missed.
 #[derive(Clone, Debug)]
 pub(crate) struct Draws {
     pub(crate) path: Samples,
     pub(crate) light: Samples,
     pub(crate) chance: Random,
+    /// The largest value that a luminaire would have brought had nothing hidden it.
+    pub(crate) hidden: f64,
 }
 
 impl Draws {
@@ -24,6 +26,7 @@ impl Draws {
             path: Samples::joint(key(of, 0), index),
             light: Samples::new(key(of, 1), index),
             chance: Random::new(key(key(of, 2), u64::from(index))),
+            hidden: 0.0,
         }
     }
 }

@@ -1,15 +1,13 @@
-//! Surroundings: faces that reflect see each other and the lights, and what they see at some points tells how much of the light a
-//! reflection leaves.
+//! Surroundings: faces that reflect see each other, and what they see at some points tells how much of the light a reflection leaves.
 //!
 //! ```text
-//! faces that reflect ─ all pairs: what may come between ─▶ points of each: Σ F, Σ ρ F, direct light ─▶ the largest and the least
+//! faces that reflect ─ all pairs: what may come between ─▶ points of each: Σ F, Σ ρ F ─▶ the largest and the least
 //! large scenes       ─ rays from their middles ──────────▶ Σ F, Σ ρ F
-//! no reflections     ─ points of each ───────────────────▶ direct light
 //! ```
 //! What may come between two faces is the same for both.
 
 use crate::geometry::{Between, Face, Vector};
-use crate::radiosity::{Group, Lights, Measure, Scratch, Transport, is_reflecting, reflectance};
+use crate::radiosity::{Group, Measure, Scratch, Transport, is_reflecting, reflectance};
 use crate::scene::Scene;
 use crate::sharing::Sharing;
 
@@ -20,14 +18,14 @@ const RAYS: u32 = 256;
 /// How far out the points near the corners of a face are, from its middle.
 const NEAR_CORNERS: f64 = 0.9;
 
-/// The direct light and the reflecting surroundings at some points.
+/// The reflecting surroundings at some points.
 pub(super) struct Surroundings {
     /// The largest Σ ρ F.
     pub(super) contraction: f64,
     /// The least Σ F.
     pub(super) closure: f64,
-    /// The largest irradiance straight from lights.
-    pub(super) direct: f64,
+    /// Whether some faces may see each other, if only from other points.
+    pub(super) may_see: bool,
 }
 
 /// How much of a face may be hidden from another one, and by what.
@@ -43,27 +41,23 @@ struct Asked<'s> {
 }
 
 impl Surroundings {
-    const NOTHING: Self = Self { contraction: 0.0, closure: f64::INFINITY, direct: 0.0 };
+    const NOTHING: Self = Self { contraction: 0.0, closure: f64::INFINITY, may_see: false };
 
-    /// What some faces see and get straight from lights, from points near their corners and in their middles.
-    pub(super) fn of(scene: &Scene, transport: &Transport, lights: &Lights) -> Self {
+    /// The same where it is not asked what faces see: no reflection leaves more than this albedo, the largest.
+    pub(super) fn unseen(albedo: f64) -> Self {
+        Self { contraction: albedo, closure: 0.0, may_see: true }
+    }
+
+    /// What some faces see from points near their corners and in their middles.
+    pub(super) fn of(scene: &Scene, transport: &Transport) -> Self {
         let asked = Asked::of(scene, transport);
         let places = || asked.places().collect::<Vec<_>>();
         let sharing = Sharing::of(asked.operations());
         let hidden = sharing.map(places(), |_: &mut (), place| asked.hidden(place));
-        let of_place = |scratch: &mut Scratch, place| asked.at(place, &hidden, lights, scratch);
-        sharing.map(places(), of_place).into_iter().fold(Self::NOTHING, Self::beside)
-    }
-
-    /// The same where it is not asked what faces see: no reflection leaves more than this albedo, the largest, and no more comes to them
-    /// from faces and lights than where nothing hides these.
-    pub(super) fn unseen(scene: &Scene, transport: &Transport, lights: &Lights, albedo: f64) -> Self {
-        let asked = Asked::of(scene, transport);
-        let direct = |scratch: &mut Scratch, place| asked.direct(place, lights, scratch);
-        let places: Vec<usize> = asked.places().collect();
-        let sharing = Sharing::of(lights.operations(places.len(), transport));
-        let direct = sharing.map(places, direct).into_iter().fold(0.0, f64::max);
-        Self { contraction: albedo, closure: 0.0, direct }
+        let of_place = |scratch: &mut Scratch, place| asked.at(place, &hidden, scratch);
+        let found = sharing.map(places(), of_place).into_iter().fold(Self::NOTHING, Self::beside);
+        // of those that are not asked nothing is known
+        Self { may_see: found.may_see || asked.step > 1, ..found }
     }
 
     /// What some faces see from their middles, by the ends of rays; nothing of direct light.
@@ -81,7 +75,7 @@ impl Surroundings {
                 let reflectances = reflectance(scene, face.surface);
                 row.iter_mut().zip(reflectances).for_each(|(row, rho)| *row += rho / f64::from(RAYS));
             }
-            Self { contraction: row.into_iter().fold(0.0, f64::max), closure, direct: 0.0 }
+            Self { contraction: row.into_iter().fold(0.0, f64::max), closure, may_see: true }
         };
         asked.places().enumerate().map(of_face).fold(Self::NOTHING, Self::beside)
     }
@@ -91,7 +85,7 @@ impl Surroundings {
         Self {
             contraction: self.contraction.max(other.contraction),
             closure: self.closure.min(other.closure),
-            direct: self.direct.max(other.direct),
+            may_see: self.may_see || other.may_see,
         }
     }
 }
@@ -140,19 +134,14 @@ impl<'s> Asked<'s> {
         (0..self.reflecting.len()).map(between).collect()
     }
 
-    /// What one of the faces sees and gets.
-    fn at(
-        &self,
-        place: usize,
-        hidden: &[Vec<Hidden>],
-        lights: &Lights,
-        scratch: &mut Scratch,
-    ) -> Surroundings {
+    /// What one of the faces sees.
+    fn at(&self, place: usize, hidden: &[Vec<Hidden>], scratch: &mut Scratch) -> Surroundings {
         let Self { scene, transport, reflecting, step } = self;
         let points = points(self.face(place));
         let group = self.group(place, &points);
         let mut rows = vec![vec![0.0; scene.band_count()]; points.len()];
         let mut closure = vec![0.0; points.len()];
+        let mut may_see = false;
         for other in (0..reflecting.len()).filter(|&other| other != place) {
             let seen = self.face(other);
             let [row, column] = self.in_order(place, other);
@@ -161,6 +150,9 @@ impl<'s> Asked<'s> {
                 continue;
             }
             let luminaire = (seen.vertices.as_slice(), seen.normal);
+            let Face { vertices, normal, .. } = self.face(place);
+            may_see |=
+                transport.screens.face_each_other(vertices, Some(*normal), &seen.vertices, seen.normal);
             let factors = transport.measured_past(group, luminaire, screens, scratch).unwrap_or(&[]);
             for ((factor, closure), row) in factors.iter().zip(&mut closure).zip(&mut rows) {
                 *closure += factor;
@@ -171,15 +163,8 @@ impl<'s> Asked<'s> {
         Surroundings {
             contraction: rows.into_iter().flatten().fold(0.0, f64::max),
             closure: closure.into_iter().fold(f64::INFINITY, f64::min),
-            direct: self.direct(place, lights, scratch),
+            may_see,
         }
-    }
-
-    /// The most that points of one of the faces get straight from lights.
-    fn direct(&self, place: usize, lights: &Lights, scratch: &mut Scratch) -> f64 {
-        let points = points(self.face(place));
-        let direct = lights.reaching(self.group(place, &points), self.transport, scratch);
-        direct.into_iter().flatten().fold(0.0, f64::max)
     }
 
     /// The points of one of the faces, by which it is asked.
@@ -227,11 +212,10 @@ mod tests {
             let asked = Asked::of(&scene, &transport);
             assert_eq!((asked.reflecting.len(), asked.step), (6 * count, step));
             let hidden: Vec<_> = asked.places().map(|place| asked.hidden(place)).collect();
-            let lights = Lights::of(&scene, &transport);
             let mut scratch = Scratch::default();
             let mut seen = 0;
             for place in asked.places() {
-                let found = asked.at(place, &hidden, &lights, &mut scratch).contraction;
+                let found = asked.at(place, &hidden, &mut scratch).contraction;
                 let expected = alone(&asked, place, &mut scratch);
                 assert!(
                     (found - expected).abs() < 1e-12,

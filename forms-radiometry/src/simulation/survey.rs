@@ -7,7 +7,9 @@ use super::readings::Reading;
 use super::surroundings::Surroundings;
 use crate::faces::{emits, faces, round_surfaces};
 use crate::geometry::{Between, Face, Screens, Vector};
-use crate::radiosity::{Lights, Question, Radiosity, Scratch, Transport, bulges, is_reflecting, reflectance};
+use crate::radiosity::{
+    Lights, Question, Radiosity, Scratch, Transport, bulges, is_reflecting, most_direct, reflectance,
+};
 use crate::scene::{
     Effect, Force, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Surface, WorkingScene,
 };
@@ -51,18 +53,15 @@ impl Survey {
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
         // what the file turns off is not looked at any closer, nor what hides some of it; a trap of light is refused all the same
         let is_unseen = !is_large && reflects_nothing(scene) && largest_albedo < 1.0;
-        let mut transport = Transport { faces, screens, occlusion: true, accuracy: 1e-2 };
+        let transport = Transport { faces, screens, occlusion: true, accuracy: 1e-2 };
         let lights = Lights::of(scene, &transport);
-        // faces that hide each other would take the same part of the light from outside twice
-        transport.occlusion = !is_unseen || lights.kinds().surroundings;
         let sampled = match is_large {
             true => Surroundings::by_rays(scene, &transport),
-            false if is_unseen => Surroundings::unseen(scene, &transport, &lights, largest_albedo),
-            false => Surroundings::of(scene, &transport, &lights),
+            false if is_unseen => Surroundings::unseen(largest_albedo),
+            false => Surroundings::of(scene, &transport),
         };
-        transport.occlusion = true;
         let contraction = sampled.contraction + MARGIN * (largest_albedo - sampled.contraction).max(0.0);
-        let contraction = if sampled.contraction == 0.0 { 0.0 } else { contraction };
+        let contraction = if sampled.may_see { contraction } else { 0.0 };
         let bulges = if is_large { None } else { bulge_before(scene, &transport.faces) };
         let mut survey = Self {
             emits: !scene.lights.is_empty()
@@ -80,7 +79,7 @@ impl Survey {
                 && all_white(scene),
         };
         if !is_large {
-            survey.bound(working, &transport, &lights, (sampled.direct, bulges.is_some()));
+            survey.bound(working, &transport, &lights, bulges.is_some());
         } else {
             // bounds take exact direct light, of every surface that is a receiver
             survey.band_spread =
@@ -107,14 +106,9 @@ impl Survey {
     }
 
     /// The bounds by what straight light makes of every answer. Where round shapes take more than their pieces, that has none.
-    fn bound(
-        &mut self,
-        working: &WorkingScene,
-        transport: &Transport,
-        lights: &Lights,
-        (direct, bulges): (f64, bool),
-    ) {
+    fn bound(&mut self, working: &WorkingScene, transport: &Transport, lights: &Lights, bulges: bool) {
         let scene = working.scene.as_ref();
+        let direct = most_direct(scene, transport);
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
         // ‖E‖ ≤ ‖D‖/(1 − k), and what is reflected is ρ E/π from everywhere
         let everywhere = direct / (1.0 - self.contraction);

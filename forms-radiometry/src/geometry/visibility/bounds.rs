@@ -58,6 +58,13 @@ impl Bounds {
             && low.z <= self.high.z
     }
 
+    /// The distance of two boxes.
+    pub(super) fn distance(&self, other: &Self) -> f64 {
+        let nothing = Vector::default();
+        let [after, before] = [self.low - other.high, other.low - self.high];
+        zipped(zipped(after, before, f64::max), nothing, f64::max).length()
+    }
+
     /// Whether a point is in it.
     pub(super) fn holds(&self, point: Vector) -> bool {
         self.meets(&Self { low: point, high: point })

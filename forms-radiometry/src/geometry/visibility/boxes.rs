@@ -32,6 +32,12 @@ impl Boxes {
     }
 }
 
+/// The distance of the boxes around points: these are no closer.
+pub(crate) fn distance_of_boxes(points: &[Vector], others: &[Vector]) -> f64 {
+    let [own, other] = [points, others].map(|points| Bounds::of(points.iter().copied()));
+    own.distance(&other)
+}
+
 /// A search for boxes that meet one.
 struct Meeting<'b, V> {
     boxes: &'b [Bounds],

@@ -38,8 +38,10 @@ pub(super) struct Asked {
     pub(super) computed: Option<Vec<Computed>>,
     /// What images that are left out may make of a value, relative to it.
     left_out: f64,
-    /// The largest number that light of the brightest radiance brings.
+    /// The largest number that light of the brightest radiance brings, of surfaces and from outside.
     brightest: f64,
+    /// For each band the largest number that light from outside brings, which only chance finds.
+    outside: Vec<f64>,
     /// How many samples each replicate is to get before it is asked again whether that is enough.
     pub(super) target: u32,
     /// The part of the time of the work that it took.
@@ -91,6 +93,7 @@ pub(super) fn asked(scene: &Scene, metres: f64, computing: &Computing<'_>) -> Ve
             let key = cell.map_or(own_key, |cell| key(own_key, 1 + cell as u64));
             let replicates = Replicates::new(key, &question, scene.band_count(), bins);
             let brightest = question.largest(brightest);
+            let outside = scene.ambient.radiance.iter().map(|&radiance| question.largest(radiance)).collect();
             all.push(Asked {
                 receiver: index,
                 cell,
@@ -99,6 +102,7 @@ pub(super) fn asked(scene: &Scene, metres: f64, computing: &Computing<'_>) -> Ve
                 computed: None,
                 left_out,
                 brightest,
+                outside,
                 target: 0,
                 seconds: 0.0,
                 elapsed: 0.0,
@@ -223,22 +227,30 @@ impl Asked {
             Some(computed) => (computed[place].value, computed[place].parts),
             None => {
                 let [value, error] = self.replicates.found(place);
-                // where no sample found anything, one more could find the brightest light
-                let is_nothing = value == 0.0 && error == 0.0 && self.replicates.samples > 0;
-                let unseen = if is_nothing { self.brightest / self.replicates.count() } else { 0.0 };
-                (value, ErrorParts { sampling: error + unseen, ..ErrorParts::default() })
+                let sampling = error.hypot(self.unseen(place, value == 0.0 && error == 0.0));
+                (value, ErrorParts { sampling, ..ErrorParts::default() })
             }
         };
         let [rounding, images] = [ROUNDING, self.left_out].map(|part| part * value.abs());
         (value, own + ErrorParts { rounding, orders: images, ..ErrorParts::default() })
     }
 
+    /// What one sample more could add to a value: a luminaire that was hidden from all others, or light from outside; where no sample found
+    /// anything, the brightest light.
+    fn unseen(&self, place: usize, is_nothing: bool) -> f64 {
+        if self.replicates.samples == 0 {
+            return 0.0;
+        }
+        let brightest = if is_nothing { self.brightest } else { 0.0 };
+        let outside = self.outside.get(self.replicates.band(place)).copied().unwrap_or(0.0);
+        brightest.max(outside).max(self.replicates.missed(place)) / self.replicates.count()
+    }
+
     /// The largest value of each band.
     pub(super) fn largest(&self, bands: usize) -> Vec<f64> {
-        let bins = self.replicates.len() / (self.question.numbers() * bands);
         let mut largest = vec![0.0_f64; bands];
         for place in 0..self.replicates.len() {
-            let band = place / bins % bands;
+            let band = self.replicates.band(place);
             largest[band] = largest[band].max(self.found(place)[0].abs());
         }
         largest
@@ -246,11 +258,9 @@ impl Asked {
 
     /// The largest error relative to the scales of bands; where nothing was found, to the brightest light.
     pub(super) fn error(&self, scales: &[f64]) -> f64 {
-        let bands = scales.len();
-        let bins = self.replicates.len() / (self.question.numbers() * bands);
         let relative = |place: usize| {
             let [_, error] = self.found(place);
-            let scale = scales[place / bins % bands];
+            let scale = scales[self.replicates.band(place)];
             if error == 0.0 { 0.0 } else { error / if scale > 0.0 { scale } else { self.brightest } }
         };
         (0..self.replicates.len()).map(relative).fold(0.0, f64::max)

@@ -4,7 +4,7 @@ use super::Work;
 use super::asked::{Asked, Division};
 use super::computed::Computed;
 use super::scale::Scales;
-use crate::monte_carlo::{KeptSums, Sum};
+use crate::monte_carlo::{KeptSums, WrittenSums};
 use crate::simulation::state::Misfit;
 use crate::simulation::{Moment, Share};
 use serde::{Deserialize, Serialize};
@@ -44,7 +44,7 @@ struct WrittenAsked<'w> {
     samples: u32,
     seconds: f64,
     computed: Option<&'w [Computed]>,
-    sums: Vec<Option<&'w [Sum]>>,
+    sums: WrittenSums<'w>,
 }
 
 impl Work<'_> {

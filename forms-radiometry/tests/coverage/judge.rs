@@ -1,0 +1,197 @@
+//! Numbers of a simulation beside means of paths.
+
+use crate::sequence::Sampler;
+use crate::tracer::Tracer;
+use crate::world::{Kind, World};
+use forms_radiometry::scene::read_with_files;
+use forms_radiometry::simulation::{ErrorKind, Quantity, Unwatched, plan, simulate};
+use rayon::prelude::*;
+use std::fmt;
+
+/// How many times the sequence is shifted.
+const SHIFTS: u64 = 16;
+/// The fewest and the most paths of a shift.
+const FEWEST: usize = 1 << 9;
+const MOST: usize = if cfg!(debug_assertions) { 1 << 11 } else { 1 << 14 };
+/// The standard error of paths, beside the error that is judged, that is exact enough.
+const EXACT: f64 = 0.1;
+/// Standard errors of paths that are allowed for.
+const SURE: f64 = 4.0;
+
+/// A number that was compared.
+pub(crate) struct Judged {
+    pub(crate) kind: ErrorKind,
+    pub(crate) is_outside: bool,
+    /// By how many errors it is off, at least.
+    pub(crate) times: f64,
+    pub(crate) what: String,
+}
+
+/// A number of the simulation.
+pub(crate) struct Number {
+    pub(crate) receiver: usize,
+    pub(crate) quantity: Quantity,
+    pub(crate) cell: Option<[usize; 2]>,
+    pub(crate) bin: Option<usize>,
+    pub(crate) value: f64,
+    pub(crate) error: f64,
+    pub(crate) kind: ErrorKind,
+}
+
+/// Compares numbers with paths.
+pub(crate) fn judge(world: &World, numbers: &[Number], seed: u64) -> Vec<Judged> {
+    let tracer = Tracer::new(world);
+    numbers.iter().map(|number| compared(world, &tracer, number, seed)).collect()
+}
+
+/// The numbers that are asked for in a world.
+pub(crate) fn numbers(world: &World, tolerance: f64) -> Vec<Number> {
+    let (text, files) = world.text(tolerance);
+    let file = |name: &str| Ok(files[name].clone().into_bytes());
+    let scene =
+        read_with_files(&text, "scene.toml", &file).unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
+    let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
+    let found = simulate(&scene, &plan, &Unwatched);
+    let index = |name: &str| name.parse::<usize>().expect("the number of a receiver");
+    let of_answers =
+        found.answers.iter().filter(|answer| answer.quantity != Quantity::Flux).map(|answer| Number {
+            receiver: index(&answer.receiver),
+            quantity: answer.quantity,
+            cell: None,
+            bin: answer.bin,
+            value: answer.value,
+            error: answer.error,
+            kind: answer.kind,
+        });
+    let is_image = |receiver: &usize| matches!(world.receivers[*receiver].kind, Kind::Camera { .. });
+    let of_maps = found.maps.iter().flat_map(|map| {
+        (0..map.values[0].len()).map(move |cell| Number {
+            receiver: index(&map.receiver),
+            quantity: map.quantity,
+            cell: Some([cell % map.size[0], cell / map.size[0]]),
+            bin: None,
+            value: map.values[0][cell],
+            error: map.errors[0][cell],
+            kind: map.kind,
+        })
+    });
+    of_answers.filter(|number| !is_image(&number.receiver)).chain(of_maps).collect()
+}
+
+/// A number beside paths: as many as tell whether it is right.
+fn compared(world: &World, tracer: &Tracer, number: &Number, seed: u64) -> Judged {
+    let Number { value, error, kind, .. } = *number;
+    let mut samplers: Vec<Sampler> = (0..SHIFTS).map(|shift| Sampler::new(seed * SHIFTS + shift)).collect();
+    let mut sums = vec![0.0; samplers.len()];
+    let mut paths = 0;
+    let mut more = FEWEST;
+    loop {
+        samplers.par_iter_mut().zip(&mut sums).for_each(|(sampler, sum)| {
+            for _ in 0..more {
+                *sum += sample(world, tracer, number, sampler);
+                sampler.advance();
+            }
+        });
+        paths += more;
+        let means: Vec<f64> = sums.iter().map(|sum| sum / paths as f64).collect();
+        let mean = means.iter().sum::<f64>() / SHIFTS as f64;
+        let squares: f64 = means.iter().map(|one| (one - mean).powi(2)).sum();
+        let sigma = (squares / (SHIFTS * (SHIFTS - 1)) as f64).sqrt();
+        let off = (value - mean).abs();
+        // rounding of both sums
+        let noise = SURE * sigma + 1e-12 * mean.abs();
+        let is_clear = off + noise <= error || sigma <= EXACT * error;
+        if is_clear || paths >= MOST {
+            let (allowed, sure) = match kind {
+                ErrorKind::Sigma => ((error * error + sigma * sigma).sqrt(), 0.0),
+                _ => (error, noise),
+            };
+            let is_outside = value.is_nan() || error.is_nan() || off > allowed + sure;
+            let times = (off - sure).max(0.0) / allowed;
+            let what = format!(
+                "receiver {} {:?} {:?} {:?}: {value} ± {error:.3e} {kind:?}, paths say {mean} ± {sigma:.3e}: {times:.2} errors",
+                number.receiver, number.quantity, number.cell, number.bin
+            );
+            return Judged { kind, is_outside, times, what };
+        }
+        more = paths;
+    }
+}
+
+fn sample(world: &World, tracer: &Tracer, number: &Number, sampler: &mut Sampler) -> f64 {
+    const LIGHT: f64 = 299_792_458.0;
+    let receiver = &world.receivers[number.receiver];
+    let mut sum = 0.0;
+    tracer.sample(&receiver.kind, number.cell, sampler, &mut |way, length, value| {
+        let along = match number.quantity {
+            Quantity::VectorIrradiance(axis) => -[way.x, way.y, way.z][axis],
+            _ => 1.0,
+        };
+        let is_then = receiver.time.is_none_or(|bins| {
+            let bin = length / LIGHT / bins.width;
+            bin.is_finite() && Some(bin as usize) == number.bin
+        });
+        if is_then {
+            sum += along * value;
+        }
+    });
+    sum
+}
+
+/// What a kind of error promises: the part of numbers that may be off by more, and by how many errors at most.
+fn promise(kind: ErrorKind) -> (f64, f64) {
+    match kind {
+        ErrorKind::Bound => (0.0, 1.0),
+        ErrorKind::Estimate => (0.02, 3.0),
+        ErrorKind::Confidence => (1.0 - ErrorKind::LEVEL, f64::INFINITY),
+        // 68.27 % of a normal distribution lie within one standard error
+        ErrorKind::Sigma => (0.3173, 5.0),
+    }
+}
+
+/// How many numbers of a kind there are, how many of them lie outside, and by how many errors one of them is off at most.
+#[derive(Clone, Copy, Default)]
+struct Count {
+    all: usize,
+    outside: usize,
+    most: f64,
+}
+
+/// The numbers of each kind.
+#[derive(Default)]
+pub(crate) struct Tally(Vec<(ErrorKind, Count)>);
+
+impl Tally {
+    pub(crate) fn add(&mut self, judged: &Judged) {
+        if !self.0.iter().any(|(kind, _)| *kind == judged.kind) {
+            self.0.push((judged.kind, Count::default()));
+            self.0.sort_by_key(|(kind, _)| *kind);
+        }
+        let of_kind = self.0.iter_mut().filter(|(kind, _)| *kind == judged.kind);
+        for (_, count) in of_kind {
+            count.all += 1;
+            count.outside += usize::from(judged.is_outside);
+            count.most = count.most.max(judged.times);
+        }
+    }
+
+    /// The kinds that are off more often, or by more, than they promise: three deviations of a binomial distribution are chance.
+    pub(crate) fn broken(&self) -> Vec<ErrorKind> {
+        let is_broken = |&&(kind, Count { all, outside, most }): &&(ErrorKind, Count)| {
+            let (part, times) = promise(kind);
+            let expected = part * all as f64;
+            let allowed = expected + 3.0 * (expected * (1.0 - part)).sqrt();
+            outside as f64 > allowed || most > times
+        };
+        self.0.iter().filter(is_broken).map(|(kind, _)| *kind).collect()
+    }
+}
+
+impl fmt::Display for Tally {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (kind, Count { all, outside, most }) in &self.0 {
+            writeln!(f, "{}: {outside} of {all} outside, off by {most:.2} errors at most", kind.name())?;
+        }
+        Ok(())
+    }
+}

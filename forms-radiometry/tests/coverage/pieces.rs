@@ -1,0 +1,123 @@
+//! Pieces: shapes become parallelograms, triangles and spheres, with where rays meet them and where points of them are.
+
+use crate::world::Shape;
+use forms_radiometry::geometry::Vector;
+use std::f64::consts::{FRAC_1_PI, PI};
+
+/// Distances below this are none.
+pub(crate) const NEAR: f64 = 1e-7;
+
+/// What is met: a piece of a surface.
+pub(crate) struct Piece {
+    pub(crate) surface: usize,
+    shape: PieceShape,
+    pub(crate) area: f64,
+    /// A sphere around it.
+    pub(crate) middle: Vector,
+    pub(crate) reach: f64,
+}
+
+enum PieceShape {
+    /// A corner, two edges, the unit normal, and whether it is a triangle.
+    Flat {
+        corner: Vector,
+        edges: [Vector; 2],
+        normal: Vector,
+        is_triangle: bool,
+    },
+    Round {
+        center: Vector,
+        radius: f64,
+    },
+}
+
+impl Piece {
+    fn flat(surface: usize, corner: Vector, edges: [Vector; 2], is_triangle: bool) -> Self {
+        let across = edges[0].cross(edges[1]);
+        let normal = across.unit().expect("a normal");
+        let area = if is_triangle { 0.5 } else { 1.0 } * across.length();
+        let corners = [corner, corner + edges[0], corner + edges[1], corner + edges[0] + edges[1]];
+        let corners = if is_triangle { &corners[..3] } else { &corners };
+        let sum = corners.iter().fold(Vector::new(0.0, 0.0, 0.0), |sum, &corner| sum + corner);
+        let middle = (1.0 / corners.len() as f64) * sum;
+        let reach =
+            corners.iter().map(|&corner| (corner - middle).length()).fold(0.0, f64::max) * (1.0 + 1e-9);
+        let shape = PieceShape::Flat { corner, edges, normal, is_triangle };
+        Self { surface, shape, area, middle, reach }
+    }
+
+    /// The place of two numbers from 0 to 1, evenly by area, and its normal.
+    pub(crate) fn place(&self, u: f64, v: f64) -> (Vector, Vector) {
+        match self.shape {
+            PieceShape::Flat { corner, edges: [a, b], normal, is_triangle } => {
+                let (u, v) = if is_triangle && u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
+                (corner + u * a + v * b, normal)
+            }
+            PieceShape::Round { center, radius } => {
+                let normal = around(Vector::new(0.0, 0.0, 1.0), 2.0 * u - 1.0, v);
+                (center + radius * normal, normal)
+            }
+        }
+    }
+
+    pub(crate) fn normal(&self, place: Vector) -> Vector {
+        match self.shape {
+            PieceShape::Flat { normal, .. } => normal,
+            PieceShape::Round { center, radius } => (1.0 / radius) * (place - center),
+        }
+    }
+
+    pub(crate) fn distance(&self, origin: Vector, way: Vector) -> Option<f64> {
+        match self.shape {
+            PieceShape::Flat { corner, edges: [a, b], normal, is_triangle } => {
+                let slope = way.dot(normal);
+                let distance = (corner - origin).dot(normal) / slope;
+                let place = origin + distance * way - corner;
+                let whole = a.cross(b).dot(normal);
+                let (u, v) = (place.cross(b).dot(normal) / whole, a.cross(place).dot(normal) / whole);
+                let is_in =
+                    u >= 0.0 && v >= 0.0 && if is_triangle { u + v <= 1.0 } else { u <= 1.0 && v <= 1.0 };
+                (slope != 0.0 && distance > NEAR && is_in).then_some(distance)
+            }
+            PieceShape::Round { center, radius } => {
+                let to = center - origin;
+                let along = to.dot(way);
+                let beside = (to - along * way).length();
+                let half = (radius * radius - beside * beside).max(0.0).sqrt();
+                let near = [along - half, along + half].into_iter().find(|&distance| distance > NEAR);
+                near.filter(|_| beside < radius)
+            }
+        }
+    }
+}
+
+/// The pieces of a surface that has a shape.
+pub(crate) fn pieces(surface: usize, shape: &Shape) -> Vec<Piece> {
+    match shape {
+        Shape::Rectangle([corner, a, b]) => vec![Piece::flat(surface, *corner, [*a, *b], false)],
+        Shape::Mesh(triangles) => {
+            triangles.iter().map(|&[a, b, c]| Piece::flat(surface, a, [b - a, c - a], true)).collect()
+        }
+        &Shape::Sphere { center, radius } => {
+            let shape = PieceShape::Round { center, radius };
+            let area = 4.0 * PI * radius * radius;
+            vec![Piece { surface, shape, area, middle: center, reach: radius }]
+        }
+    }
+}
+
+/// The direction at this cosine from an axis, turned around it by a part of a turn.
+pub(crate) fn around(axis: Vector, cosine: f64, turn: f64) -> Vector {
+    let least = if axis.x.abs() < 0.6 { Vector::new(1.0, 0.0, 0.0) } else { Vector::new(0.0, 1.0, 0.0) };
+    let a = axis.cross(least).unit().expect("across");
+    let b = axis.cross(a);
+    let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
+    let (sin, cos) = (2.0 * PI * turn).sin_cos();
+    cosine * axis + (sine * cos) * a + (sine * sin) * b
+}
+
+/// A direction by its cosine, and its density.
+pub(crate) fn cosine_direction(normal: Vector, u: f64, v: f64) -> (Vector, f64) {
+    let cosine = (1.0 - u).sqrt();
+    (around(normal, cosine, v), cosine * FRAC_1_PI)
+}

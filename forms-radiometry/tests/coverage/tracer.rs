@@ -1,0 +1,297 @@
+//! Light by paths: a scene and a receiver become values with standard errors.
+//!
+//! ```text
+//! receiver ─▶ way of sight ─▶ hit ─┬─▶ emitted light, weighted against next-event estimation
+//!                                  ├─▶ next-event estimation: a point of an emitter, lights without extent
+//!                                  └─▶ diffuse or mirror reflection ─▶ next hit …   (Russian roulette)
+//! ```
+//! Nothing but vectors is shared with what it judges: every surface is met by going through all of them. Points of a sequence that fills the
+//! cube evenly, shifted at random sixteen times, take the place of random numbers; the shifts tell the standard error.
+
+use crate::pieces::{NEAR, Piece, around, cosine_direction, pieces};
+use crate::sequence::Sampler;
+use crate::world::{Kind, Light, World};
+use forms_radiometry::geometry::Vector;
+use std::f64::consts::{FRAC_1_PI, PI};
+
+/// Reflections before paths end at random.
+const SURE: usize = 4;
+
+struct Hit {
+    piece: usize,
+    distance: f64,
+    place: Vector,
+    /// Towards where the ray comes from.
+    normal: Vector,
+    is_front: bool,
+}
+
+/// A world that paths can be followed in.
+pub(crate) struct Tracer<'w> {
+    world: &'w World,
+    pieces: Vec<Piece>,
+    /// The pieces that emit, with the probability of each up to it.
+    emitters: Vec<(usize, f64)>,
+}
+
+/// Which directions light is taken from at the receiver.
+#[derive(Clone, Copy)]
+enum Sight {
+    /// Those before a normal, by their cosines.
+    Hemisphere(Vector),
+    /// All.
+    Sphere,
+}
+
+impl<'w> Tracer<'w> {
+    pub(crate) fn new(world: &'w World) -> Self {
+        let pieces: Vec<Piece> = world
+            .surfaces
+            .iter()
+            .enumerate()
+            .flat_map(|(surface, what)| pieces(surface, &what.shape))
+            .collect();
+        let power = |piece: &Piece| world.surfaces[piece.surface].radiance * piece.area;
+        let all: f64 = pieces.iter().map(power).sum();
+        let mut sum = 0.0;
+        let mut emitters = Vec::new();
+        for (index, piece) in pieces.iter().enumerate().filter(|(_, piece)| power(piece) > 0.0) {
+            sum += power(piece) / all;
+            emitters.push((index, sum));
+        }
+        Self { world, pieces, emitters }
+    }
+
+    /// One sample of what a receiver gets: each part with the direction it comes from and the length of its path.
+    pub(crate) fn sample(
+        &self,
+        kind: &Kind,
+        cell: Option<[usize; 2]>,
+        sampler: &mut Sampler,
+        sink: &mut dyn FnMut(Vector, f64, f64),
+    ) {
+        match *kind {
+            Kind::Point { position, normal } => {
+                let normal = normal.unit().expect("a normal");
+                self.arriving(position, Sight::Hemisphere(normal), sampler, sink);
+            }
+            Kind::Sphere { position } => self.arriving(position, Sight::Sphere, sampler, sink),
+            Kind::Ray { origin, direction } => {
+                self.along(origin, direction.unit().expect("a direction"), None, sampler, sink);
+            }
+            Kind::Surface { surface, grid } => {
+                let (place, normal) = self.place_on(surface, grid.zip(cell), sampler);
+                self.arriving(place, Sight::Hemisphere(normal), sampler, sink);
+            }
+            Kind::Camera { origin, target, fov, resolution: [width, height] } => {
+                let [column, row] = cell.expect("a pixel");
+                let forward = (target - origin).unit().expect("a direction");
+                let right = forward.cross(Vector::new(0.0, 0.0, 1.0)).unit().expect("a direction");
+                let up = right.cross(forward);
+                let half = (0.5 * fov.to_radians()).tan();
+                let x = 2.0 * (column as f64 + sampler.next()) / width as f64 - 1.0;
+                let y = 1.0 - 2.0 * (row as f64 + sampler.next()) / height as f64;
+                let half_width = half * width as f64 / height as f64;
+                let way = forward + (x * half_width) * right + (y * half) * up;
+                self.along(origin, way.unit().expect("a direction"), None, sampler, sink);
+            }
+        }
+    }
+
+    /// A place on a surface, or the middle of a cell of its map, with the normal there.
+    fn place_on(
+        &self,
+        surface: usize,
+        cell: Option<([usize; 2], [usize; 2])>,
+        sampler: &mut Sampler,
+    ) -> (Vector, Vector) {
+        let own = || self.pieces.iter().filter(move |piece| piece.surface == surface);
+        let all: f64 = own().map(|piece| piece.area).sum();
+        let mut left = sampler.next() * all;
+        let mut chosen = own().next().expect("a piece");
+        for piece in own() {
+            chosen = piece;
+            left -= piece.area;
+            if left < 0.0 {
+                break;
+            }
+        }
+        match cell {
+            None => chosen.place(sampler.next(), sampler.next()),
+            Some(([columns, rows], [column, row])) => {
+                chosen.place((column as f64 + 0.5) / columns as f64, (row as f64 + 0.5) / rows as f64)
+            }
+        }
+    }
+
+    /// What arrives at a place from the directions of sight.
+    fn arriving(
+        &self,
+        place: Vector,
+        sight: Sight,
+        sampler: &mut Sampler,
+        sink: &mut dyn FnMut(Vector, f64, f64),
+    ) {
+        self.next_event(place, sight, sampler, sink);
+        let [u, v] = [sampler.next(), sampler.next()];
+        match sight {
+            Sight::Hemisphere(normal) => {
+                let (way, density) = cosine_direction(normal, u, v);
+                self.along(place, way, Some(density), sampler, &mut |length_way, length, value| {
+                    sink(length_way, length, PI * value);
+                });
+            }
+            Sight::Sphere => {
+                let z = 2.0 * u - 1.0;
+                let way = around(Vector::new(0.0, 0.0, 1.0), z, v);
+                self.along(place, way, Some(0.25 * FRAC_1_PI), sampler, &mut |way, length, value| {
+                    sink(way, length, 4.0 * PI * value);
+                });
+            }
+        }
+    }
+
+    /// The radiance that arrives along a way, which was chosen with a density, or surely.
+    fn along(
+        &self,
+        from: Vector,
+        first: Vector,
+        density: Option<f64>,
+        sampler: &mut Sampler,
+        sink: &mut dyn FnMut(Vector, f64, f64),
+    ) {
+        let (mut origin, mut way, mut density) = (from, first, density);
+        let (mut throughput, mut length) = (1.0, 0.0);
+        for reflections in 0.. {
+            let Some(hit) = self.hit(origin, way, f64::INFINITY, false) else {
+                if self.world.absorption == 0.0 {
+                    sink(first, f64::INFINITY, throughput * self.world.sky);
+                }
+                return;
+            };
+            let piece = &self.pieces[hit.piece];
+            let surface = &self.world.surfaces[piece.surface];
+            throughput *= (-self.world.absorption * hit.distance).exp();
+            length += hit.distance;
+            if !(hit.is_front || surface.is_two_sided) {
+                return;
+            }
+            if surface.radiance > 0.0 {
+                let by_area = || self.density(hit.piece) * hit.distance.powi(2) / hit.normal.dot(way).abs();
+                let weight = density.map_or(1.0, |density| density / (density + by_area()));
+                sink(first, length, throughput * surface.radiance * weight);
+            }
+            if surface.reflectance == 0.0 {
+                return;
+            }
+            if reflections >= SURE && sampler.next() >= surface.reflectance {
+                return;
+            }
+            throughput *= if reflections >= SURE { 1.0 } else { surface.reflectance };
+            origin = hit.place;
+            if surface.is_mirror {
+                way = way - (2.0 * way.dot(hit.normal)) * hit.normal;
+                density = None;
+                continue;
+            }
+            self.next_event(origin, Sight::Hemisphere(hit.normal), sampler, &mut |_, more, value| {
+                sink(first, length + more, throughput * FRAC_1_PI * value);
+            });
+            let (next, of_next) = cosine_direction(hit.normal, sampler.next(), sampler.next());
+            (way, density) = (next, Some(of_next));
+        }
+    }
+
+    /// What arrives at a place straight from lights without extent and from a point of an emitter, weighted against directions.
+    fn next_event(
+        &self,
+        place: Vector,
+        sight: Sight,
+        sampler: &mut Sampler,
+        sink: &mut dyn FnMut(Vector, f64, f64),
+    ) {
+        let cosine = |way: Vector| match sight {
+            Sight::Hemisphere(normal) => normal.dot(way).max(0.0),
+            Sight::Sphere => 1.0,
+        };
+        for light in &self.world.lights {
+            let (way, distance, irradiance) = match *light {
+                Light::Sun { direction, irradiance } => {
+                    (-1.0 * direction.unit().expect("a direction"), f64::INFINITY, irradiance)
+                }
+                Light::Lamp { position, intensity } => {
+                    let to = position - place;
+                    let distance = to.length();
+                    let transmitted = (-self.world.absorption * distance).exp();
+                    ((1.0 / distance) * to, distance, transmitted * intensity / (distance * distance))
+                }
+            };
+            let value = cosine(way) * irradiance;
+            if value > 0.0 && self.hit(place, way, distance, true).is_none() {
+                sink(way, distance, value);
+            }
+        }
+        let [pick, u, v] = [sampler.next(), sampler.next(), sampler.next()];
+        let Some(&(index, _)) = self.emitters.iter().find(|(_, sum)| pick < *sum).or(self.emitters.last())
+        else {
+            return;
+        };
+        let piece = &self.pieces[index];
+        let surface = &self.world.surfaces[piece.surface];
+        let (point, normal) = piece.place(u, v);
+        let to = point - place;
+        let distance = to.length();
+        let way = (1.0 / distance) * to;
+        let leaving = -way.dot(normal);
+        let leaving = if surface.is_two_sided { leaving.abs() } else { leaving };
+        let arriving = cosine(way);
+        if !(leaving > 0.0 && arriving > 0.0) || self.hit(place, way, distance * (1.0 - NEAR), true).is_some()
+        {
+            return;
+        }
+        let by_area = self.density(index) * distance * distance / leaving;
+        let by_direction = match sight {
+            Sight::Hemisphere(_) => arriving * FRAC_1_PI,
+            Sight::Sphere => 0.25 * FRAC_1_PI,
+        };
+        let transmitted = (-self.world.absorption * distance).exp();
+        sink(way, distance, transmitted * surface.radiance * arriving / (by_area + by_direction));
+    }
+
+    /// The density, by area, with which next-event estimation chooses points of a piece.
+    fn density(&self, piece: usize) -> f64 {
+        let radiance = |piece: &Piece| self.world.surfaces[piece.surface].radiance;
+        let all: f64 = self
+            .emitters
+            .iter()
+            .map(|&(index, _)| radiance(&self.pieces[index]) * self.pieces[index].area)
+            .sum();
+        radiance(&self.pieces[piece]) / all
+    }
+
+    /// The first piece along a way before a distance, with holes or through them.
+    fn hit(&self, origin: Vector, way: Vector, before: f64, is_through: bool) -> Option<Hit> {
+        let mut nearest = None;
+        let mut limit = before;
+        for (index, piece) in self.pieces.iter().enumerate() {
+            if is_through && self.world.surfaces[piece.surface].is_hole {
+                continue;
+            }
+            let to = piece.middle - origin;
+            let along = to.dot(way);
+            if along + piece.reach < 0.0 || to.dot(to) - along * along > piece.reach * piece.reach {
+                continue;
+            }
+            if let Some(distance) = piece.distance(origin, way).filter(|&distance| distance < limit) {
+                limit = distance;
+                nearest = Some((index, distance));
+            }
+        }
+        nearest.map(|(piece, distance)| {
+            let place = origin + distance * way;
+            let normal = self.pieces[piece].normal(place);
+            let is_front = normal.dot(way) < 0.0;
+            Hit { piece, distance, place, normal: if is_front { normal } else { -1.0 * normal }, is_front }
+        })
+    }
+}
