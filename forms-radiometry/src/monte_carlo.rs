@@ -26,6 +26,7 @@ mod lattice;
 mod luminaires;
 mod mirror;
 mod near;
+mod next_event;
 mod optics;
 mod path;
 mod question;

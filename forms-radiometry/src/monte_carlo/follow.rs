@@ -38,12 +38,15 @@ impl<L: Lattice, const N: usize> Follow for Tracer<'_, L, N> {
                 (0..count).for_each(|band| sums.add([number, first + band, bin], factor * value[band]));
             });
         };
+        let is_same = question.is_of_one_place();
         match question.begin(self.world, &mut draws.path) {
             Some(Begin::Sight { start, direction }) => {
-                let path = self.begin(start, direction);
+                let path = Path { is_same, ..self.begin(start, direction) };
                 self.follow(path, draws, &mut |value, way| add(direction, value, way));
             }
-            Some(Begin::Receiver { start, normal }) => self.receive(start, normal, draws, &mut add),
+            Some(Begin::Receiver { start, normal }) => {
+                self.receive((start, normal, is_same), draws, &mut add);
+            }
             None => {}
         }
         sums.miss(self.optics.bands, question.largest(draws.hidden));
@@ -66,19 +69,19 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             scatterings: 0,
             turns: 0,
             is_straight: true,
+            is_same: false,
         }
     }
 
     /// What a receiver gets, straight and by a path.
     fn receive(
         &self,
-        start: Start,
-        normal: Option<Vector>,
+        (start, normal, is_same): (Start, Option<Vector>, bool),
         draws: &mut Draws,
         add: &mut impl FnMut(Vector, &[f64; N], f64),
     ) {
         let law = normal.map_or(Law::Sphere, Law::Plane);
-        let mut path = self.begin(start, normal.unwrap_or(Vector::new(0.0, 0.0, 1.0)));
+        let mut path = Path { is_same, ..self.begin(start, normal.unwrap_or(Vector::new(0.0, 0.0, 1.0))) };
         let vertex = Vertex { start, law };
         if self.limits.direct {
             self.straight(&path, &vertex, draws, add);

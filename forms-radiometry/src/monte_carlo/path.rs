@@ -13,9 +13,9 @@
 use super::boundary::Passage;
 use super::images::Images;
 use super::lattice::Lattice;
-use super::luminaires::{Source, Towards};
 use super::mirror::reflected;
-use super::optics::{MediumOptics, Optics, largest, mean, scaled, times};
+use super::next_event::part;
+use super::optics::{MediumOptics, Optics, largest, scaled, times};
 use super::refraction::refracted;
 use super::scattering::Flight;
 use super::time::longer;
@@ -31,8 +31,6 @@ const FAINT: f64 = 0.1;
 /// A path that has been reflected or bent so often without being spread is caught where light from luminaires cannot get either: else the
 /// scene would have been refused.
 const CAUGHT: u32 = 4096;
-/// A luminaire that is a point is reached where nothing is met before this part of the way.
-const REACHED: f64 = 1.0 - 1e-12;
 
 /// How often light is reflected by diffuse surfaces and scattered by media at most, and what counts.
 #[derive(Clone, Copy, Debug)]
@@ -72,15 +70,8 @@ pub(super) struct Path<const N: usize> {
     pub(super) turns: u32,
     /// Whether nothing has happened to the light yet.
     pub(super) is_straight: bool,
-}
-
-/// The part of two ways to find the same light that one of them has: the power heuristic.
-fn part(own: f64, other: f64) -> f64 {
-    if own.is_infinite() {
-        return 1.0;
-    }
-    let ratio = other / own;
-    1.0 / (1.0 + ratio * ratio)
+    /// Whether all samples of the question went the same way so far.
+    pub(super) is_same: bool,
 }
 
 pub(super) fn may_go_on(count: u32, most: Option<u32>) -> bool {
@@ -93,12 +84,12 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         if N == 1 { 1 } else { self.optics.bands[1] }
     }
 
-    fn medium(&self, filling: Filling) -> MediumOptics<N> {
+    pub(super) fn medium(&self, filling: Filling) -> MediumOptics<N> {
         self.optics.medium(filling)
     }
 
     /// The optical length of a way after a distance more; where nobody asks for the time it stays what it was.
-    fn longer(&self, way: f64, medium: &MediumOptics<N>, distance: f64) -> f64 {
+    pub(super) fn longer(&self, way: f64, medium: &MediumOptics<N>, distance: f64) -> f64 {
         if L::TIME { longer(way, medium, distance) } else { way }
     }
 
@@ -224,6 +215,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     ) -> bool {
         if L::REFRACTION && medium.index != other.index {
             let passage = refracted([medium, other], path.direction, normal, samples.one());
+            path.is_same = false;
             if let Passage::Refracted(..) = passage {
                 path.filling = beyond;
             }
@@ -253,7 +245,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         (path.start, path.direction, path.vertex) = (vertex.start, direction, vertex.start.position);
         path.sought = path.vertex;
         path.density = if self.world.luminaires.are_met() { density } else { f64::INFINITY };
-        path.is_straight = false;
+        (path.is_straight, path.is_same) = (false, false);
         path.turns = 0;
     }
 
@@ -286,117 +278,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let mut lit = *path;
         lit.throughput = times(&path.throughput, &factor);
         lit.way = self.longer(path.way, medium, distance);
+        lit.is_same = false;
         Some((lit, self.scattering(path, medium, distance)))
-    }
-
-    /// What a segment scatters to its start of the light that comes straight from luminaires.
-    fn lit_segment(
-        &self,
-        path: &Path<N>,
-        medium: &MediumOptics<N>,
-        length: f64,
-        draws: &mut Draws,
-        add: &mut impl FnMut(&[f64; N], f64),
-    ) {
-        let samples = &mut draws.light;
-        if L::MIRROR || L::REFRACTION {
-            self.imaged_segment(path, medium, length, samples, add);
-        }
-        let sought = self.world.luminaires.sought(path.start.position, samples);
-        let Some(luminaire) = sought else { return };
-        let pivot = luminaire.point(samples.pair());
-        let Some((lit, vertex)) = self.lit_point(path, medium, length, pivot, samples) else { return };
-        if let Some(towards) = luminaire.towards(vertex.start.position, samples.pair()) {
-            self.lit(&lit, &vertex, &towards, &mut draws.hidden, &mut |_, value, way| add(value, way));
-        }
-    }
-
-    /// What comes straight from a luminaire to a vertex, whose weight the path has by now; with the direction that it comes from.
-    pub(super) fn straight(
-        &self,
-        path: &Path<N>,
-        vertex: &Vertex<N>,
-        draws: &mut Draws,
-        add: &mut impl FnMut(Vector, &[f64; N], f64),
-    ) {
-        let samples = &mut draws.light;
-        if L::MIRROR || L::REFRACTION {
-            // what a receiver, or the first thing that a ray meets, gets of them is the same for all its samples
-            for image in self.images.choose(samples.one(), path.is_straight) {
-                self.imaged(path, vertex, image, add);
-            }
-        }
-        let position = vertex.start.position;
-        let Some(luminaire) = self.world.luminaires.sought(position, samples) else { return };
-        if let Some(towards) = luminaire.towards(position, samples.pair()) {
-            self.lit(path, vertex, &towards, &mut draws.hidden, add);
-        }
-    }
-
-    /// Adds what a luminaire brings to a vertex, or notes what it would have brought.
-    fn lit(
-        &self,
-        path: &Path<N>,
-        vertex: &Vertex<N>,
-        towards: &Towards,
-        hidden: &mut f64,
-        add: &mut impl FnMut(Vector, &[f64; N], f64),
-    ) {
-        let densities = vertex.law.density(towards.direction);
-        let own = mean(&densities, self.count());
-        if own == 0.0 {
-            return;
-        }
-        let (radiance, part) = match towards.source {
-            Source::Wall { surface, .. } => (&self.optics.radiances[surface], part(towards.density, own)),
-            Source::Beam(light) => (&self.optics.beams[light], 1.0),
-        };
-        let unhidden = times(&times(&path.throughput, radiance), &densities);
-        let unhidden = scaled(part / towards.density, &unhidden);
-        let Some((left, way)) = self.reached(vertex.start, path.filling, path.way, towards) else {
-            *hidden = hidden.max(largest(&unhidden));
-            return;
-        };
-        add(towards.direction, &times(&unhidden, &left), way);
-    }
-
-    /// What is left of light on the way to a luminaire, and the optical length to there; none where something stands in between.
-    fn reached(
-        &self,
-        mut start: Start,
-        mut filling: Filling,
-        mut way: f64,
-        towards: &Towards,
-    ) -> Option<([f64; N], f64)> {
-        let mut left = [1.0; N];
-        let mut reach = towards.reach;
-        loop {
-            let within = if reach.is_finite() { REACHED * reach } else { reach };
-            let met = self.world.walls.first(start, towards.direction, within);
-            let length = met.as_ref().map_or(reach, |met| met.distance);
-            let medium = self.medium(filling);
-            if L::ABSORPTION || L::SCATTERING {
-                left = times(&left, &medium.transmittance(length));
-            }
-            way = self.longer(way, &medium, length);
-            let Some(met) = met else {
-                let is_beam = matches!(towards.source, Source::Beam(_));
-                return is_beam.then_some((left, way));
-            };
-            match towards.source {
-                Source::Wall { wall, .. } if wall == met.wall => {
-                    return self.world.is_bright(wall, met.is_front).then_some((left, way));
-                }
-                _ => {}
-            }
-            let beyond = self.world.sheets[met.wall].filling(!met.is_front);
-            let is_boundary = matches!(self.world.material(met.wall), MaterialKind::Dielectric { .. });
-            if !is_boundary || (L::REFRACTION && !self.optics.is_clear(filling, beyond)) {
-                return None;
-            }
-            start = self.world.walls.start_on(&met, !met.is_front);
-            filling = beyond;
-            reach -= length;
-        }
     }
 }

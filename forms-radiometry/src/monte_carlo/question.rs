@@ -44,6 +44,11 @@ impl Question {
         }
     }
 
+    /// Whether all samples begin at one place, along a ray in one direction.
+    pub(super) fn is_of_one_place(&self) -> bool {
+        matches!(self, Self::Plane { .. } | Self::Sphere { .. } | Self::Sight { .. })
+    }
+
     /// What the numbers are multiplied by, for light that comes from a direction: a receiver integrates over a law of density one.
     pub(super) fn measure(&self, direction: Vector, each: &mut impl FnMut(usize, f64)) {
         match self {
