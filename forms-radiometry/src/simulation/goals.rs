@@ -12,7 +12,7 @@ impl Work<'_> {
     pub(super) fn asking(&self, radiosity: &Radiosity, found: &[Found]) -> Asking {
         let sparing = SPARED * self.scene.solve.tolerance;
         let mut asking = Asking { goals: Vec::new(), errors: [0.0; 2], sparing };
-        for ((reading, found), scales) in self.readings.iter().zip(found).zip(self.scales(found)) {
+        for ((reading, found), scales) in self.readings.iter().zip(found).zip(self.targets(found)) {
             let relative = |(estimate, scale): (&Estimate, &f64)| {
                 let error = estimate.error();
                 if error.is_finite() { error / scale } else { f64::INFINITY }

@@ -36,6 +36,8 @@ pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 pub(super) const DARK: f64 = 1e-9;
 /// The finest polyhedra.
 const FINEST: usize = 4;
+/// How often maps and images are made at most: again only where their means are less than watched cells told.
+const ATTEMPTS: usize = 2;
 /// What is to come at least after each change, relative to it, where surfaces may hide each other: shadows that fall between the
 /// nodes appear when they are closer, and their borders settle no faster than elements shrink.
 const BEHIND_SCREENS: [f64; 3] = [10.0, 2.0, 1.0];
@@ -65,6 +67,10 @@ pub(super) struct Work<'s> {
     pub(super) answers: usize,
     /// The group of each reading.
     pub(super) groups: Vec<usize>,
+    /// For each watched cell the radiance that is emitted straight into it, in each band; nothing for cells of maps.
+    pub(super) emitted: Vec<Vec<f64>>,
+    /// For each receiver the scales of its map or image in all bands, once they are known.
+    pub(super) known_scales: Vec<Option<Vec<f64>>>,
 }
 
 /// What readings and maps are taken from.
@@ -89,13 +95,25 @@ impl<'s> Work<'s> {
         let of = |(index, receiver)| Reading::of(index, receiver);
         let readings: Vec<Reading> = scene.receivers.iter().enumerate().flat_map(of).collect();
         let (answers, groups) = (readings.len(), groups(&readings, readings.len()));
-        Self { scene, effects, choose, watch, start: Instant::now(), readings, answers, groups }
+        Self {
+            scene,
+            effects,
+            choose,
+            watch,
+            start: Instant::now(),
+            readings,
+            answers,
+            groups,
+            emitted: Vec::new(),
+            known_scales: vec![None; scene.receivers.len()],
+        }
     }
 
     fn run(mut self) -> Simulation {
         let mut shapes = Shapes::new(self.scene, self.effects.orders == Some(0), &self.readings);
         let is_round_anywhere = shapes.are_round();
         let mut history = Vec::new();
+        let mut attempts = 1;
         for fineness in 0.. {
             let faces = faces(self.scene, fineness);
             let gathering = (self.choose)(self.scene, &faces, &self.question(), self.effects.hiding);
@@ -125,7 +143,8 @@ impl<'s> Work<'s> {
                     let estimates = of_pieces.flat_map(|found| &mut found.bands);
                     estimates.for_each(|estimate| estimate.floor.quadrature = f64::INFINITY);
                 }
-                if let Some(now) = history.last_mut().filter(|_| is_compared) {
+                // readings that settled, and what the shape changes
+                if let Some(now) = history.last_mut() {
                     now.error = self.relative_errors(&found).fold(0.0, f64::max);
                 }
                 let is_whole = grids.is_empty()
@@ -143,12 +162,19 @@ impl<'s> Work<'s> {
                     }
                     Solution::Paths(paths) => (self.sampled_maps(paths, &grids, &found), Vec::new()),
                 });
-                (found, maps)
+                let may_be_finer = matches!(solution, Solution::Elements(_)) && !is_stopped;
+                (found, maps.map(|maps| (maps, may_be_finer)))
             });
-            if let Some((maps, images)) = maps {
-                return self.simulation(&found, (maps, images), history);
+            if let Some(((maps, images), may_be_finer)) = maps {
+                let may_go_on = may_be_finer && attempts < ATTEMPTS && fineness < FINEST;
+                if !(may_go_on && self.rescale(&maps, &images, &found)) {
+                    return self.simulation(&found, (maps, images), history);
+                }
+                attempts += 1;
             }
-            shapes.remember(found);
+            if is_round_anywhere {
+                shapes.remember(found);
+            }
         }
         unreachable!("the finest polyhedra are the last")
     }
@@ -305,19 +331,10 @@ impl<'s> Work<'s> {
         found
     }
 
-    /// What the tolerance of each reading in each band is relative to: the largest value of its group.
-    pub(super) fn scales(&self, found: &[Found]) -> Vec<Vec<f64>> {
-        let mut largest = vec![vec![0.0_f64; self.scene.band_count()]; found.len()];
-        for (found, &group) in found.iter().zip(&self.groups) {
-            largest[group].iter_mut().zip(&found.bands).for_each(|(m, e)| *m = m.max(e.value.abs()));
-        }
-        self.groups.iter().map(|&group| largest[group].clone()).collect()
-    }
-
     /// The errors of all readings in all bands, relative to what their tolerances are. Of an answer that is nothing beside the
     /// largest of all, such as that of a receiver in the dark, only the error beside that one counts. Of what was not reached nothing is known.
     pub(super) fn relative_errors(&self, found: &[Found]) -> impl Iterator<Item = f64> {
-        let scales = self.scales(found);
+        let scales = self.targets(found);
         let largest = scales.iter().flatten().copied().fold(0.0, f64::max);
         let relative = |(estimate, scale): (&Estimate, f64)| {
             let error = estimate.error();
