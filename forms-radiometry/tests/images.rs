@@ -154,8 +154,9 @@ fn pixels_are_what_paths_find() {
 fn errors_of_pixels_hold_what_finer_elements_change() {
     let eye = camera_at([0.1, 0.08, 0.6], [0.7, 0.75, 0.3], 75.0, [16, 12]);
     let at = |asked: f64| simulated(&(room(0.7, LIT, &block()) + &eye + &tolerance(asked)));
-    let fine = at(1e-3);
-    for asked in [1e-1, 1e-2] {
+    // where numeric code is not optimised, a looser tolerance has to do
+    let fine = at(if cfg!(debug_assertions) { 5e-3 } else { 1e-3 });
+    for asked in [1e-1, 2e-2] {
         let simulation = at(asked);
         let (coarse, fine) = (image(&simulation), image(&fine));
         for pixel in 0..coarse.values[0].len() {

@@ -65,6 +65,25 @@ impl Watched {
     }
 }
 
+/// The maps and images of a simulation, with the numbers of their receivers.
+pub(super) struct Pictures {
+    pub(super) maps: Vec<(usize, Map)>,
+    pub(super) images: Vec<Image>,
+    /// Whether cells are sampled, each until it is exact enough.
+    pub(super) is_sampled: bool,
+}
+
+impl Pictures {
+    pub(super) fn sampled(maps: Vec<(usize, Map)>) -> Self {
+        Self { maps, images: Vec::new(), is_sampled: true }
+    }
+
+    fn all(&self) -> impl Iterator<Item = (usize, &Map)> {
+        let images = self.images.iter().map(|image| (image.receiver, &image.map));
+        self.maps.iter().map(|(receiver, map)| (*receiver, map)).chain(images)
+    }
+}
+
 impl Work<'_> {
     /// What the tolerance of each reading is relative to in each band.
     pub(super) fn scales(&self, found: &[Found]) -> Vec<Vec<f64>> {
@@ -113,10 +132,12 @@ impl Work<'_> {
 
     /// Takes the scales of maps and images that are done for known, where they are so much less than the watched cells told that errors miss
     /// the tolerance; whether there are any.
-    pub(super) fn rescale(&mut self, maps: &[(usize, Map)], images: &[Image], found: &[Found]) -> bool {
-        let images = images.iter().map(|image| (image.receiver, &image.map));
+    pub(super) fn rescale(&mut self, pictures: &Pictures, found: &[Found]) -> bool {
+        if pictures.is_sampled || self.watch.is_stopped() {
+            return false;
+        }
         let mut is_any = false;
-        for (receiver, map) in maps.iter().map(|(receiver, map)| (*receiver, map)).chain(images) {
+        for (receiver, map) in pictures.all() {
             let Some(watched) = self.watched(receiver, found) else { continue };
             let mut pairs = map.scales.iter().zip(watched);
             let is_less = pairs.any(|(scale, Watched { scale: told, .. })| *scale < told || told == 0.0);

@@ -7,7 +7,7 @@
 //! equations left, and rounding. Where shapes are curved, all is done with two polyhedra, one finer than the other, and what that
 //! changes is added.
 
-use super::answer::{Answer, Map, Moment, Quantity, Simulation};
+use super::answer::{Answer, Moment, Quantity, Simulation};
 use super::digits::{Digits, Value};
 use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
@@ -16,6 +16,7 @@ use super::map::Grid;
 use super::parts::ErrorParts;
 use super::prepared::Prepared;
 use super::readings::Reading;
+use super::scales::Pictures;
 use super::shapes::Shapes;
 use super::watch::Watch;
 use crate::faces::{faces, is_round};
@@ -127,7 +128,7 @@ impl<'s> Work<'s> {
                 self.watch_some(if is_watched { &grids } else { &[] }, sight);
             }
             let sharing = self.sharing(gathering, &lights, &transport, &grids);
-            let (found, maps) = sharing.enter(|| {
+            let (found, pictures) = sharing.enter(|| {
                 let straight = || self.straight(&grids, &lights, &transport);
                 // these are the last faces, and maps are not sampled: what comes straight to cells waits for no solution
                 let is_known_before = !is_round_anywhere && gathering == Gathering::Pieces;
@@ -135,14 +136,7 @@ impl<'s> Work<'s> {
                     || self.solved(gathering, &transport, &lights, &mut history),
                     || is_known_before.then(straight),
                 );
-                let is_stopped = self.watch.is_stopped();
-                let is_compared = shapes.compare(&mut found, &self.readings);
-                if is_round_anywhere && is_stopped && !is_compared {
-                    // what the shape changes is not known
-                    let of_pieces = found.iter_mut().filter(|found| found.has_pieces);
-                    let estimates = of_pieces.flat_map(|found| &mut found.bands);
-                    estimates.for_each(|estimate| estimate.floor.quadrature = f64::INFINITY);
-                }
+                let is_compared = self.compare(&mut shapes, &mut found);
                 // readings that settled, and what the shape changes
                 if let Some(now) = history.last_mut() {
                     now.error = self.relative_errors(&found).fold(0.0, f64::max);
@@ -152,23 +146,23 @@ impl<'s> Work<'s> {
                     && !found.iter().any(|found| found.has_pieces);
                 let is_last = !is_round_anywhere
                     || is_whole
-                    || is_stopped
+                    || self.watch.is_stopped()
                     || fineness == FINEST
                     || (is_compared && self.is_enough(&found));
-                let maps = is_last.then(|| match &solution {
+                let pictures = is_last.then(|| match &solution {
                     Solution::Elements(radiosity) => {
                         let grids = (&grids[..], known.unwrap_or_else(straight));
-                        (self.maps(radiosity, grids, &found), self.images(radiosity, sight, &found))
+                        let images = self.images(radiosity, sight, &found);
+                        Pictures { maps: self.maps(radiosity, grids, &found), images, is_sampled: false }
                     }
-                    Solution::Paths(paths) => (self.sampled_maps(paths, &grids, &found), Vec::new()),
+                    Solution::Paths(paths) => Pictures::sampled(self.sampled_maps(paths, &grids, &found)),
                 });
-                let may_be_finer = matches!(solution, Solution::Elements(_)) && !is_stopped;
-                (found, maps.map(|maps| (maps, may_be_finer)))
+                (found, pictures)
             });
-            if let Some(((maps, images), may_be_finer)) = maps {
-                let may_go_on = may_be_finer && attempts < ATTEMPTS && fineness < FINEST;
-                if !(may_go_on && self.rescale(&maps, &images, &found)) {
-                    return self.simulation(&found, (maps, images), history);
+            if let Some(pictures) = pictures {
+                let is_final = attempts == ATTEMPTS || fineness == FINEST;
+                if is_final || !self.rescale(&pictures, &found) {
+                    return self.simulation(&found, pictures, history);
                 }
                 attempts += 1;
             }
@@ -177,6 +171,17 @@ impl<'s> Work<'s> {
             }
         }
         unreachable!("the finest polyhedra are the last")
+    }
+
+    /// Adds what the shape of round surfaces changes; whether that is known.
+    fn compare(&self, shapes: &mut Shapes, found: &mut Vec<Found>) -> bool {
+        let is_compared = shapes.compare(found, &self.readings);
+        if shapes.are_round() && self.watch.is_stopped() && !is_compared {
+            let of_pieces = found.iter_mut().filter(|found| found.has_pieces);
+            let estimates = of_pieces.flat_map(|found| &mut found.bands);
+            estimates.for_each(|estimate| estimate.floor.quadrature = f64::INFINITY);
+        }
+        is_compared
     }
 
     /// Whether all that points get comes straight from lights, in closed forms.
@@ -352,12 +357,8 @@ impl<'s> Work<'s> {
     }
 
     /// What was found, in the order of the receivers.
-    fn simulation(
-        &self,
-        found: &[Found],
-        (mut maps, images): (Vec<(usize, Map)>, Vec<Image>),
-        history: Vec<Moment>,
-    ) -> Simulation {
+    fn simulation(&self, found: &[Found], pictures: Pictures, history: Vec<Moment>) -> Simulation {
+        let Pictures { mut maps, images, .. } = pictures;
         let mut answers = self.answered(found);
         for Image { receiver, map, means } in images {
             answers.extend(means.into_iter().map(|mean| (receiver, mean)));

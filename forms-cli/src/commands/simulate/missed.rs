@@ -87,3 +87,83 @@ fn cells(missed: &MissedCells<'_>) -> String {
         rough(*worst)
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::commands::simulate::answers::lines;
+    use forms_radiometry::simulation::{ErrorKind, ErrorParts, Map, Quantity};
+
+    fn number(receiver: &str, quantity: Quantity, [value, error]: [f64; 2]) -> Answer {
+        Answer {
+            receiver: receiver.to_owned(),
+            quantity,
+            band: None,
+            bin: None,
+            value,
+            error,
+            parts: ErrorParts { quadrature: error, ..ErrorParts::default() },
+            kind: ErrorKind::Estimate,
+            seconds: 0.0,
+        }
+    }
+
+    /// A number, and an image of four pixels with a lamp in the first one, each with these errors.
+    fn simulation(of_number: f64, of_pixels: [f64; 4]) -> Simulation {
+        let image = Map {
+            receiver: "eye".to_owned(),
+            quantity: Quantity::Radiance,
+            size: [2, 2],
+            values: vec![vec![90.0, 1.0, 2.0, 3.0]],
+            errors: vec![of_pixels.to_vec()],
+            scales: vec![2.0],
+            kind: ErrorKind::Estimate,
+            is_image: true,
+        };
+        let mean = number("eye", Quantity::Radiance, [24.0, 0.0]);
+        let answers = vec![number("here", Quantity::Irradiance, [5.0, of_number]), mean];
+        Simulation { answers, maps: vec![image], ..Simulation::default() }
+    }
+
+    /// What misses a tolerance of one hundredth: for each number whether it is marked, the sentence, and the largest error.
+    fn missed(found: &Simulation) -> (Vec<bool>, Option<String>, f64) {
+        let missed = Missed::of(found, 1e-2);
+        let mut output = Vec::new();
+        lines(found, &missed, &mut output).expect("memory");
+        let text = String::from_utf8(output).expect("text");
+        let marked = text.lines().map(|line| line.contains("\"missed\":true")).collect();
+        (marked, missed.sentence(), found.accuracy().largest_error())
+    }
+
+    #[test]
+    fn pixels_are_judged_beside_the_scale_of_their_image_or_their_own_value() {
+        // 0.9 of 90, 0.02 of 2 for the darker ones, and 0.03 of 3
+        let found = simulation(0.05, [0.9, 0.02, 0.02, 0.03]);
+        assert_eq!(missed(&found), (vec![false, false], None, 0.01));
+        let (marked, sentence, largest) = missed(&simulation(0.05, [0.9, 0.05, 0.02, 0.045]));
+        assert_eq!((marked, largest), (vec![false, true], 0.025));
+        let expected = "cells of maps or pixels of images miss the tolerance 1e-2: 2 of 4 pixels of `eye`, by up to 2.5e-2 of what they are relative to";
+        assert_eq!(sentence.as_deref(), Some(expected));
+    }
+
+    #[test]
+    fn numbers_and_pixels_that_miss_the_tolerance_are_in_one_sentence() {
+        let (marked, sentence, largest) = missed(&simulation(0.1, [1.8, 0.0, 0.0, 0.0]));
+        assert_eq!((marked, largest), (vec![true, true], 0.02));
+        let expected = "1 number misses the tolerance 1e-2: `here` (irradiance); 1 of 4 pixels of `eye`, by up to 2.0e-2 of what they are relative to";
+        assert_eq!(sentence.as_deref(), Some(expected));
+    }
+
+    #[test]
+    fn many_numbers_are_judged_in_time_that_goes_with_their_number() {
+        let many = |count: usize| {
+            let numbers =
+                (0..count).map(|index| number(&index.to_string(), Quantity::Irradiance, [1.0, 1e-3]));
+            Simulation { answers: numbers.collect(), ..Simulation::default() }
+        };
+        // seconds, where every number looked for all others it took minutes
+        let found = many(200_000);
+        assert_eq!(found.accuracy().missed(1e-2).iter().filter(|missed| **missed).count(), 0);
+        assert_eq!(found.accuracy().largest_error(), 1e-3);
+    }
+}

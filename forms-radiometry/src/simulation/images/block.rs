@@ -13,9 +13,10 @@ use crate::geometry::Vector;
 use crate::radiosity::{Radiosity, Reflected, Scratch, SeenPiece};
 
 /// How often parts of a pixel are quartered at most.
-const QUARTERED: usize = 5;
-/// The part of what a pixel may err by that one of its parts may leave as it is.
+const QUARTERED: usize = 7;
+/// The part of what a pixel may err by that one of its parts may leave as it is, unless that is more than this part of the average of all of them.
 const SMALL: f64 = 1.0 / 16.0;
+const OF_AVERAGE: f64 = 0.5;
 /// One in so many parts is asked whether polynomials agree with what receivers gather, and the part of what a pixel may err by that they may
 /// differ.
 const CHECKED: usize = 8;
@@ -57,6 +58,9 @@ struct Part {
     found: Vec<[f64; 2]>,
 }
 
+/// What is seen of a piece: its number, the points of it that film points see, and its parts in pixels.
+type Seen = (usize, Vec<Vector>, Vec<Part>);
+
 impl View<'_> {
     /// The pixels of a block, band by band.
     pub(super) fn pixels(&self, block: &Block, scratch: &mut Scratch) -> Vec<Pixel> {
@@ -68,7 +72,7 @@ impl View<'_> {
             let parts = parts.map(|(pixel, polygon)| Part { pixel, polygon, found: Vec::new() }).collect();
             (*piece, self.outline(*piece, polygon), parts)
         };
-        let mut seen: Vec<(usize, Vec<Vector>, Vec<Part>)> = block.seen.iter().map(of_piece).collect();
+        let mut seen: Vec<Seen> = block.seen.iter().map(of_piece).collect();
         let mut pixels = self.emission(&seen, count);
         for quartered in 0..=QUARTERED {
             sums.fill([0.0; 2]);
@@ -76,21 +80,8 @@ impl View<'_> {
                 self.integrate(*piece, outline, parts, scratch);
                 parts.iter().for_each(|part| add(&mut sums[part.pixel * bands..][..bands], &part.found));
             }
-            let allowed = self.allowed(&sums);
-            let allowed = |pixel: usize| &allowed[pixel * bands..][..bands];
-            let is_open = |pixel: usize| is_beyond(&sums[pixel * bands..][..bands], allowed(pixel), 1.0);
-            if quartered == QUARTERED || !(0..count).any(is_open) {
+            if quartered == QUARTERED || !self.divide(&mut seen, &sums) {
                 break;
-            }
-            for (_, _, parts) in &mut seen {
-                *parts = std::mem::take(parts)
-                    .into_iter()
-                    .flat_map(|part| {
-                        let is_divided =
-                            is_open(part.pixel) && is_beyond(&part.found, allowed(part.pixel), SMALL);
-                        if is_divided { part.quarters() } else { vec![part] }
-                    })
-                    .collect();
             }
         }
         for (pixel, [value, error]) in pixels.iter_mut().zip(sums) {
@@ -100,9 +91,37 @@ impl View<'_> {
         pixels
     }
 
+    /// Divides the parts of which too much of the error of their pixels is; whether there are any. `sums` has ∫ L over each pixel and its error,
+    /// band by band.
+    fn divide(&self, seen: &mut [Seen], sums: &[[f64; 2]]) -> bool {
+        let bands = self.outside.len();
+        let allowed = self.allowed(sums);
+        let errors: Vec<f64> = sums.iter().map(|[_, error]| *error).collect();
+        let [allowed, errors] =
+            [&allowed, &errors].map(|all| move |pixel: usize| &all[pixel * bands..][..bands]);
+        let mut counts = vec![0.0; sums.len() / bands];
+        seen.iter().flat_map(|(_, _, parts)| parts).for_each(|part| counts[part.pixel] += 1.0);
+        let is_large = |Part { pixel, found, .. }: &Part| {
+            is_beyond(&sums[pixel * bands..][..bands], allowed(*pixel), 1.0)
+                && (is_beyond(found, allowed(*pixel), SMALL)
+                    || is_beyond(found, errors(*pixel), OF_AVERAGE / counts[*pixel]))
+        };
+        let mut is_any = false;
+        for (_, _, parts) in seen {
+            let all = std::mem::take(parts).into_iter();
+            let divided = |part: Part| {
+                let is_large = is_large(&part);
+                is_any |= is_large;
+                if is_large { part.quarters() } else { vec![part] }
+            };
+            *parts = all.flat_map(divided).collect();
+        }
+        is_any
+    }
+
     /// The pixels of a block, band by band, with what emitters send straight into them, of whose value there is no more yet than the light from
     /// outside.
-    fn emission(&self, seen: &[(usize, Vec<Vector>, Vec<Part>)], count: usize) -> Vec<Pixel> {
+    fn emission(&self, seen: &[Seen], count: usize) -> Vec<Pixel> {
         let bands = self.outside.len();
         let mut pixels = vec![Pixel::default(); count * bands];
         let mut open = vec![1.0; count];
