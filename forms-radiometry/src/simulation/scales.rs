@@ -109,8 +109,24 @@ impl Work<'_> {
     /// What the errors of readings are to stay within the tolerance of: their scales, or the part of these that elements may take.
     pub(super) fn targets(&self, found: &[Found]) -> Vec<Vec<f64>> {
         let mut targets = self.scales(found);
-        targets[self.answers..].iter_mut().flatten().for_each(|scale| *scale *= OF_ELEMENTS);
+        let watched: Vec<usize> = (self.answers..found.len()).collect();
+        for own in watched.chunk_by(|&one, &other| self.groups[one] == self.groups[other]) {
+            for band in 0..self.scene.band_count() {
+                let part = OF_ELEMENTS * self.of_mean(own, band, (found, &targets));
+                own.iter().for_each(|&cell| targets[cell][band] *= part);
+            }
+        }
         targets
+    }
+
+    /// The part of the scales of pixels that leaves their mean within the tolerance of its own value: scales are no less than a mean, and their mean
+    /// may be more. The mean of a map is an answer of its own.
+    fn of_mean(&self, own: &[usize], band: usize, (found, scales): (&[Found], &[Vec<f64>])) -> f64 {
+        let is_image = own.iter().any(|&cell| !self.emitted(cell).is_empty());
+        let value = |&cell: &usize| found[cell].bands.get(band).map_or(0.0, |estimate| estimate.value.abs());
+        let [values, scales] =
+            [own.iter().map(value).sum(), own.iter().map(|&cell| scales[cell][band]).sum::<f64>()];
+        if is_image && values > 0.0 { f64::min(1.0, values / scales) } else { 1.0 }
     }
 
     /// For each band what the watched cells of a map tell; nothing where none is watched.
