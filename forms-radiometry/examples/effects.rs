@@ -15,7 +15,7 @@ mod page;
 mod run;
 
 use forms_radiometry::scene::{Effect, Force, Scene};
-use forms_radiometry::simulation::{Answer, is_by_paths};
+use forms_radiometry::simulation::{Answer, Rated, is_by_paths};
 use gallery::{Problem, scene};
 use run::{Run, forced};
 use std::fmt::Write;
@@ -93,7 +93,8 @@ fn left_out(scene: &Scene, planned: &Run) -> Vec<Effect> {
 
 /// The largest difference of an answer to that of another run, relative to the answer.
 fn difference(run: &Run, other: &Run) -> f64 {
-    let relative =
-        |(a, b): (&Answer, &Answer)| (a.value - b.value).abs() / run.found.scale(a).max(f64::MIN_POSITIVE);
-    run.found.answers.iter().zip(&other.found.answers).map(relative).fold(0.0, f64::max)
+    let relative = |(own, other): (Rated, &Answer)| {
+        (own.answer.value - other.value).abs() / own.scale.max(f64::MIN_POSITIVE)
+    };
+    run.found.accuracy().answers().zip(&other.found.answers).map(relative).fold(0.0, f64::max)
 }

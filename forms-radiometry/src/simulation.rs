@@ -5,6 +5,7 @@
 //! ```
 //! Who watches is told of progress, and can stop the work: what is there by then is returned.
 
+mod accuracy;
 mod answer;
 mod arithmetic;
 mod digits;
@@ -30,6 +31,7 @@ mod prepared;
 mod progress;
 mod readings;
 mod sampled;
+mod scales;
 mod shapes;
 mod solver;
 mod state;
@@ -42,6 +44,7 @@ mod units;
 mod watch;
 
 pub use crate::radiosity::UsedKernel;
+pub use accuracy::{Accuracy, MissedCells, Rated};
 pub use answer::{Answer, ErrorKind, Map, Moment, Plan, PlannedEffect, Quantity, Simulation};
 pub use arithmetic::Arithmetic;
 pub use divided::{is_by_paths, merge, simulate, simulate_job};

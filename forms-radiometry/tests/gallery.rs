@@ -58,10 +58,12 @@ impl Exhibit {
             assert!(error <= tolerance * scale, "{}: {name}: {error:e} is not what was asked for", self.file);
         }
         for map in &found.maps {
-            let largest = map.values[0].iter().copied().fold(0.0, f64::max);
-            let are_enough =
-                map.errors[0].iter().all(|&error| error.is_nan() || error <= tolerance * largest);
-            assert!(largest > 0.0 && are_enough, "{}: the map is not what was asked for", self.file);
+            let scale = map.scales[0];
+            let is_enough = |(value, error): (&f64, &f64)| {
+                error.is_nan() || *error <= tolerance * (1.0 + 4.0 * f64::EPSILON) * scale.max(*value)
+            };
+            let are_enough = map.values[0].iter().zip(&map.errors[0]).all(is_enough);
+            assert!(scale > 0.0 && are_enough, "{}: the map is not what was asked for", self.file);
         }
     }
 }

@@ -130,15 +130,16 @@ const LIT: [f64; 6] = [0.0, 1.0, 0.0, 0.2, 0.0, 0.0];
 #[test]
 fn pixels_are_what_paths_find() {
     let eye = camera_at([0.1, 0.08, 0.6], [0.7, 0.75, 0.3], 75.0, [12, 9]);
+    let asked = if cfg!(debug_assertions) { 1e-1 } else { 2e-2 };
     let lamp = "[[light]]\nname = \"bulb\"\nkind = \"point\"\nposition = [0.3, 0.6, 0.8]\nintensity = 0.2\n";
     for light in ["", lamp] {
         let text = room(0.6, LIT, &block()) + light + &eye;
-        let simulation = simulated(&(text.clone() + &tolerance(1e-2)));
+        let simulation = simulated(&(text.clone() + &tolerance(asked)));
         // a wall of a scene with time is followed along paths: so is the whole scene with a receiver that asks for it
         let timed = "[[receiver]]\nname = \"clock\"\nkind = \"point\"\nposition = [0.5, 0.5, 0.01]\nnormal = [0, 0, 1]\n\
                      time = { start = 0, width = 1, bins = 1 }\n";
         let scene =
-            read(&(text + timed + &tolerance(1e-2)), "test.toml").unwrap_or_else(|e| panic!("{}", e[0]));
+            read(&(text + timed + &tolerance(asked)), "test.toml").unwrap_or_else(|e| panic!("{}", e[0]));
         let plan = plan(&scene).unwrap();
         assert!(is_by_paths(&scene, &plan));
         let by_paths = simulate(&scene, &plan, &Unwatched);
@@ -154,16 +155,18 @@ fn pixels_are_what_paths_find() {
 fn errors_of_pixels_hold_what_finer_elements_change() {
     let eye = camera_at([0.1, 0.08, 0.6], [0.7, 0.75, 0.3], 75.0, [16, 12]);
     let at = |asked: f64| simulated(&(room(0.7, LIT, &block()) + &eye + &tolerance(asked)));
-    let fine = at(1e-3);
-    for asked in [1e-1, 1e-2] {
+    // where numeric code is not optimised, a looser tolerance has to do
+    let (asked, finest) =
+        if cfg!(debug_assertions) { (&[2e-1][..], 3e-2) } else { (&[1e-1, 1e-2][..], 1e-3) };
+    let fine = at(finest);
+    for &asked in asked {
         let simulation = at(asked);
         let (coarse, fine) = (image(&simulation), image(&fine));
-        let largest = fine.values[0].iter().copied().fold(0.0, f64::max);
         for pixel in 0..coarse.values[0].len() {
             let [(a, error), (b, rest)] =
                 [coarse, fine].map(|map| (map.values[0][pixel], map.errors[0][pixel]));
             assert!((a - b).abs() <= error + rest, "{asked}, {pixel}: {a} ± {error}, {b} ± {rest}");
-            assert!(error <= 1.3 * asked * largest, "{asked}, {pixel}: {error}");
+            assert!(error <= asked * a.max(coarse.scales[0]), "{asked}, {pixel}: {error}");
         }
         let (answer, count) = (&simulation.answers[0], coarse.values[0].len() as f64);
         assert!((answer.value - coarse.values[0].iter().sum::<f64>() / count).abs() <= 1e-12 * PI);

@@ -21,6 +21,7 @@ fn map(bands: usize) -> Map {
         size: [3, 2],
         values: (0..bands).map(values).collect(),
         errors: vec![vec![1e-300, 2e-7, 0.0, 1e21, 0.5, f64::NAN]; bands],
+        scales: vec![1.0; bands],
         kind: ErrorKind::Estimate,
         is_image: false,
     }

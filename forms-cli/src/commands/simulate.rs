@@ -12,6 +12,7 @@ mod files;
 mod instructions;
 mod kept;
 mod merge;
+mod missed;
 mod plan;
 mod progress;
 
@@ -25,10 +26,11 @@ use crate::streams::tell;
 use forms::math::Instructions;
 use forms_radiometry::scene::{Overrides, Scene, SceneError, Sources};
 use forms_radiometry::simulation::{
-    self, Answer, Budget, Exposure, Identity, Job, Plan, Share, Simulation, State, is_by_paths,
+    self, Budget, Exposure, Identity, Job, Plan, Share, Simulation, State, is_by_paths,
 };
 use kept::{Checkpoint, Kept, Part, PartOf};
 pub(crate) use merge::merge;
+use missed::Missed;
 use progress::Progress;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -279,8 +281,8 @@ fn finish(asked: &Asked<'_>, found: &Simulation, output: &mut dyn Write) -> io::
         tell!("stopped: answers may be missing, or be less exact than was asked for");
         status = Status::Stopped;
     }
-    let missed: Vec<&Answer> =
-        if *is_to_tolerance { found.missed(scene.solve.tolerance).collect() } else { Vec::new() };
+    let missed =
+        if *is_to_tolerance { Missed::of(found, scene.solve.tolerance) } else { Missed::nothing(found) };
     if *json {
         answers::lines(found, &missed, *is_by_paths, output)?;
     } else {
@@ -290,10 +292,7 @@ fn finish(asked: &Asked<'_>, found: &Simulation, output: &mut dyn Write) -> io::
             writeln!(output, "{}", Palette::of_output().quiet(&line))?;
         }
     }
-    if missed.is_empty() || found.stopped {
-        return Ok(status);
-    }
-    let sentence = answers::sentence(&missed, scene.solve.tolerance);
+    let Some(sentence) = missed.sentence().filter(|_| !found.stopped) else { return Ok(status) };
     output.flush()?;
     tell!("missed: {sentence}");
     Ok(status.max(Status::Missed))

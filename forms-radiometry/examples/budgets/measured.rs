@@ -71,7 +71,8 @@ impl Measured {
 
     /// The answer with the worst error.
     pub(crate) fn worst(&self) -> Result<&Answer, Problem> {
-        self.planned.found.worst().ok_or_else(|| format!("{}: there is no light", self.name).into())
+        let worst = self.planned.found.accuracy().worst_answer().map(|worst| worst.answer);
+        worst.ok_or_else(|| format!("{}: there is no light", self.name).into())
     }
 
     /// What takes the least time of all that halves the error.
@@ -115,9 +116,8 @@ fn rungs(scene: &Scene, known: &[Known], planned: &Run) -> Result<Vec<Rung>, Pro
 }
 
 fn rung(tolerance: f64, run: &Run, known: &[Known]) -> Rung {
-    let worst = run.found.worst();
-    let part =
-        |of: fn(&ErrorParts) -> f64| worst.map_or(0.0, |worst| of(&worst.parts) / run.found.scale(worst));
+    let worst = run.found.accuracy().worst_answer();
+    let part = |of: fn(&ErrorParts) -> f64| worst.map_or(0.0, |worst| of(&worst.answer.parts) / worst.scale);
     let off = |known: &Known| {
         let [value, _] = known.found(&run.found.answers);
         (value - known.value).abs() / scale(known, &run.found.answers)
@@ -144,7 +144,8 @@ fn scale(known: &Known, answers: &[Answer]) -> f64 {
 
 /// What may halve the error: its receiver asked alone, to half of the error, and what the plan dropped, kept.
 fn halved(scene: &Scene, planned: &Run) -> Result<Vec<Halved>, Problem> {
-    let Some(worst) = planned.found.worst() else { return Ok(Vec::new()) };
+    let Some(worst) = planned.found.accuracy().worst_answer() else { return Ok(Vec::new()) };
+    let worst = worst.answer;
     let parts = worst.parts;
     let mut tried = Vec::new();
     let mut run = |what: String, scene: &Scene| -> Result<(), Problem> {

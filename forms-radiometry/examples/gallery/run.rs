@@ -35,9 +35,9 @@ impl Run {
         Ok(runs.swap_remove(RUNS / 2))
     }
 
-    /// The largest error of an answer, relative to it.
+    /// The largest error of an answer, a cell or a pixel, relative to it.
     pub(crate) fn error(&self) -> f64 {
-        self.found.worst().map_or(0.0, |worst| worst.error / self.found.scale(worst))
+        self.found.accuracy().largest_error()
     }
 }
 

@@ -6,6 +6,9 @@ use crate::geometry::{Start, Vector};
 use crate::sampling::Samples;
 use std::f64::consts::PI;
 
+/// The parts along each side of a pixel in which emitters are looked for.
+const PARTS: usize = 4;
+
 /// What is asked for.
 #[derive(Clone, Debug)]
 pub(crate) enum Question {
@@ -47,6 +50,17 @@ impl Question {
     /// Whether all samples begin at one place, along a ray in one direction.
     pub(super) fn is_of_one_place(&self) -> bool {
         matches!(self, Self::Plane { .. } | Self::Sphere { .. } | Self::Sight { .. })
+    }
+
+    /// Whether it is a pixel in which an emitter is seen directly, by rays through the middles of parts of it.
+    pub(crate) fn sees_emitter(&self, world: &World) -> bool {
+        let Self::Pixel { camera, pixel } = self else { return false };
+        let start = world.walls.start_at(camera.origin);
+        let along = |axis: usize, part: usize| pixel[axis] as f64 + (part as f64 + 0.5) / PARTS as f64;
+        (0..PARTS * PARTS).any(|part| {
+            let direction = camera.direction(along(0, part % PARTS), along(1, part / PARTS)).unit();
+            direction.is_some_and(|direction| world.is_emitter(start, direction))
+        })
     }
 
     /// What the numbers are multiplied by, for light that comes from a direction: a receiver integrates over a law of density one.

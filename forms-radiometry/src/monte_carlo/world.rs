@@ -57,6 +57,17 @@ impl<'s> World<'s> {
         }
     }
 
+    /// Whether what is seen in a direction emits light: a surface that does is the first that a ray meets, or the ray meets none and light comes
+    /// from outside.
+    pub(super) fn is_emitter(&self, start: Start, direction: Vector) -> bool {
+        match self.walls.first(start, direction, f64::INFINITY) {
+            Some(Met { wall, is_front, .. }) => {
+                self.scene.surfaces[self.sheets[wall].surface].emits() && self.is_bright(wall, is_front)
+            }
+            None => self.scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0),
+        }
+    }
+
     /// Whether light comes from a side of a wall: it is a front, or that of a surface with two sides.
     pub(super) fn is_bright(&self, wall: usize, is_front: bool) -> bool {
         is_front || self.scene.surfaces[self.sheets[wall].surface].two_sided

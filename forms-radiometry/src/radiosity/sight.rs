@@ -12,7 +12,6 @@ use super::measure::Measure;
 use super::system::{Radiosity, is_reflecting, reflectance, reflects};
 use crate::faces::{emits, is_bright};
 use crate::geometry::Vector;
-use crate::scene::Scene;
 use crate::sharing::Sharing;
 use std::f64::consts::PI;
 
@@ -61,15 +60,6 @@ impl Transport {
         });
         pieces
     }
-
-    /// The pieces that an eye sees of faces that emit light.
-    pub(crate) fn luminous_from(&self, scene: &Scene, eye: Vector) -> Vec<SeenPiece> {
-        let mut scratch = Scratch::default();
-        let luminous = (0..self.faces.len()).filter(|&face| emits(scene, &self.faces[face]));
-        luminous
-            .flat_map(|face| self.seen_from(eye, (face, None), &self.faces[face].vertices, &mut scratch))
-            .collect()
-    }
 }
 
 impl Radiosity<'_> {
@@ -99,6 +89,12 @@ impl Radiosity<'_> {
         };
         let sharing = Sharing::of(sight.operations(1, 4 * targets.len()));
         sharing.map(targets, of_target).into_iter().flatten().collect()
+    }
+
+    /// The radiance that a piece emits, for each band; nothing if it emits none.
+    pub(crate) fn emitted(&self, piece: &SeenPiece) -> &[f64] {
+        let face = &self.transport.faces[piece.face];
+        if emits(self.scene, face) { &self.scene.surfaces[face.surface].radiance } else { &[] }
     }
 
     /// The radiance that points of a piece send, point by point and band by band; the outline holds the points.

@@ -1,7 +1,6 @@
 //! What a simulation says: the plan, and values with their errors.
 
 use super::parts::ErrorParts;
-use super::solver::DARK;
 use crate::radiosity::UsedKernel;
 use crate::scene::Effect;
 use serde::{Deserialize, Serialize};
@@ -33,7 +32,7 @@ pub struct PlannedEffect {
 }
 
 /// What is measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Quantity {
     /// Power per area, W/m²; of a surface its mean.
     Irradiance,
@@ -105,6 +104,10 @@ pub struct Map {
     pub values: Vec<Vec<f64>>,
     /// For each band the error of each cell, row by row.
     pub errors: Vec<Vec<f64>>,
+    /// For each band what the tolerance is relative to, of each cell at least its own value: the mean over all cells that have a value, of an
+    /// image over the pixels in which no emitter is seen directly. Where these are dark, or there are none, the mean over all pixels. Work by
+    /// paths takes a mean that its first samples tell, from below and within a tenth, and where these find no light the brightest one.
+    pub scales: Vec<f64>,
     /// What these errors mean.
     pub kind: ErrorKind,
     /// Whether it is what a camera sees, so that the first row is the upper one.
@@ -116,7 +119,7 @@ pub struct Map {
 pub struct Moment {
     /// Seconds since the work began.
     pub seconds: f64,
-    /// The largest error of an answer, relative to it.
+    /// The largest error of an answer, a cell or a pixel, relative to it; of a cell or a pixel as [`Map::scales`] says.
     pub error: f64,
 }
 
@@ -167,37 +170,6 @@ impl Simulation {
     pub fn shared_seconds(&self) -> f64 {
         let of_answers: f64 = self.answers.iter().map(|answer| answer.seconds).sum();
         (self.seconds - of_answers).max(0.0)
-    }
-
-    /// What the error of an answer is relative to: its value; of a component of a vector and of a bin of time the largest of all of them.
-    pub fn scale(&self, answer: &Answer) -> f64 {
-        let is_of_vector =
-            |quantity| matches!(quantity, Quantity::VectorIrradiance(_) | Quantity::FluenceRate);
-        let is_beside = |other: &&Answer| {
-            other.receiver == answer.receiver
-                && other.band == answer.band
-                && (other.quantity == answer.quantity
-                    || (is_of_vector(other.quantity) && is_of_vector(answer.quantity)))
-        };
-        self.answers.iter().filter(is_beside).map(|other| other.value.abs()).fold(0.0, f64::max)
-    }
-
-    /// The answers whose errors are larger than this tolerance of what they are relative to, but for those that are dark beside the brightest.
-    pub fn missed(&self, tolerance: f64) -> impl Iterator<Item = &Answer> {
-        let largest = self.answers.iter().map(|answer| answer.value.abs()).fold(0.0, f64::max);
-        // what rounding of the sum of parts makes of an error that is met exactly
-        let allowed = tolerance * (1.0 + 4.0 * f64::EPSILON);
-        self.answers.iter().filter(move |answer| {
-            let is_met = answer.error <= allowed * self.scale(answer).max(DARK * largest);
-            !is_met && answer.error > 0.0
-        })
-    }
-
-    /// The answer whose error is the largest part of what it is relative to, the first of several; none where there is no light.
-    pub fn worst(&self) -> Option<&Answer> {
-        let relative = |answer: &Answer| answer.error / self.scale(answer);
-        let lit = self.answers.iter().filter(|answer| self.scale(answer) > 0.0);
-        lit.rev().max_by(|one, other| relative(one).total_cmp(&relative(other)))
     }
 }
 

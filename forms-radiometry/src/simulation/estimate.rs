@@ -20,7 +20,7 @@ const CARRIED: f64 = 0.25;
 /// The part of the changes of all readings that each one is taken to have had at least, relative to its scale.
 const POOLED: f64 = 0.3;
 
-/// The part of the largest change in its group that each reading is taken to have had at least.
+/// The part of the largest change in its group, relative to the scale of each, that each reading is taken to have had at least.
 const GROUPED: f64 = 0.5;
 
 /// What is known of one reading in one band.
@@ -124,7 +124,7 @@ pub(super) fn pool(found: &mut [Found], scales: &[Vec<f64>], groups: &[usize]) {
             if estimate.changed.is_finite() && scale > 0.0 {
                 sum += (estimate.changed / scale).powi(2);
                 count += 1.0;
-                *largest = largest.max(estimate.changed);
+                *largest = largest.max(estimate.changed / scale);
             }
         }
     }
@@ -132,7 +132,7 @@ pub(super) fn pool(found: &mut [Found], scales: &[Vec<f64>], groups: &[usize]) {
     for ((found, scales), &group) in found.iter_mut().zip(scales).zip(groups) {
         for ((estimate, &scale), &largest) in found.bands.iter_mut().zip(scales).zip(&largest[group]) {
             if !estimate.is_exact() && estimate.changed > 0.0 {
-                estimate.change = estimate.change.max(typical * scale).max(GROUPED * largest);
+                estimate.change = estimate.change.max(typical.max(GROUPED * largest) * scale);
             }
         }
     }

@@ -6,7 +6,7 @@
 //! ```
 //! A question that is computed without samples has its answer from the beginning. The tolerance is of one standard error, relative to the
 //! answer; of the components of a vector and the bins of a time to the largest of them; of the cells of a map and the pixels of an image to
-//! the largest that a pilot found. After the pilot, how many samples a question gets depends on nothing but itself: not on threads, on
+//! their own value or the mean that a pilot found, if that is larger. After the pilot, how many samples a question gets depends on nothing but itself: not on threads, on
 //! pauses, or on which other questions are answered beside it.
 
 mod asked;
@@ -31,7 +31,7 @@ pub(super) use asked::{MOST, all_questions};
 pub(super) use computed::Computable;
 use computed::Computing;
 use rayon::prelude::*;
-use scale::{Scales, settled};
+use scale::{Scales, known, settled};
 pub(super) use state::{OfPaths, WrittenOfPaths};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -52,7 +52,7 @@ pub(super) fn followed(task: Task<'_>, job: Job<'_>, progress: &Progress<'_>) ->
     let contained = monte_carlo::Effects::of(task.scene);
     let followers = follower(&world, contained | task.effects.of_paths, limits);
     let computing = Computing::of(task.scene, &limits, &followers);
-    let mut work = Work::new(task, &job, &computing, progress);
+    let mut work = Work::new(&world, task.metres, &job, &computing, progress);
     if let Some(state) = job.state {
         work.restore(state.of_paths().ok_or(Misfit)?)?;
     }
@@ -67,7 +67,8 @@ pub(super) fn merged(
     parts: Vec<(Share, OfPaths)>,
     progress: &Progress<'_>,
 ) -> Result<Simulation, Misfit> {
-    let mut work = Work::new(task, job, &Computing::nothing(), progress);
+    let world = World::new(task.scene);
+    let mut work = Work::new(&world, task.metres, job, &Computing::nothing(), progress);
     parts.into_iter().try_for_each(|(share, state)| work.take(share, state))?;
     if !work.asked.iter().all(Asked::is_answered) {
         return Err(Misfit);
@@ -102,11 +103,17 @@ pub(super) struct Work<'w> {
 }
 
 impl<'w> Work<'w> {
-    fn new(task: Task<'w>, job: &Job<'w>, computing: &Computing<'_>, progress: &'w Progress<'w>) -> Self {
+    fn new(
+        world: &World<'w>,
+        metres: f64,
+        job: &Job<'w>,
+        computing: &Computing<'_>,
+        progress: &'w Progress<'w>,
+    ) -> Self {
         Self {
-            scene: task.scene,
+            scene: world.scene,
             division: Division { share: job.share, budget: job.budget },
-            asked: asked(task.scene, task.metres, computing),
+            asked: asked(world, metres, computing),
             scales: None,
             keeper: job.keeper,
             progress,
@@ -204,7 +211,10 @@ impl<'w> Work<'w> {
             match self.division.budget {
                 _ if asked.computed.is_some() => false,
                 Some(budget) => asked.replicates.samples < budget.of_replicate(),
-                None => asked.error(&self.scales_of(asked)) > self.scene.solve.tolerance && asked.may_go_on(),
+                None => {
+                    let error = asked.error(&self.scales_of(asked, self.scales.as_ref()));
+                    error > self.scene.solve.tolerance && asked.may_go_on()
+                }
             }
         };
         let own = (0..self.asked.len()).into_par_iter().filter(|&question| self.division.has(question));
@@ -214,9 +224,9 @@ impl<'w> Work<'w> {
         !open.is_empty()
     }
 
-    /// What the tolerance of a question is relative to in each band.
-    fn scales_of(&self, asked: &Asked) -> Vec<f64> {
-        match (&self.scales, asked.cell) {
+    /// What the tolerance of a question is relative to in each band, by these scales of cells.
+    fn scales_of(&self, asked: &Asked, scales: Option<&Scales>) -> Vec<f64> {
+        match (scales, asked.cell) {
             (Some(scales), Some(_)) => scales[asked.receiver].clone(),
             _ => asked.largest(self.scene.band_count()),
         }
@@ -236,25 +246,18 @@ impl<'w> Work<'w> {
             own().map(|(_, asked)| asked).filter(|asked| asked.is_answered()).collect();
         let is_told = (budget.is_none() || share.is_whole()) && !answered.is_empty();
         let error = is_told.then(|| {
-            let scales = self.largest();
-            let scale = |asked: &Asked| &scales[asked.receiver][usize::from(asked.cell.is_some())];
-            answered.par_iter().map(|asked| asked.error(scale(asked))).reduce(|| 0.0, f64::max)
+            let cells = self.scales_of_cells();
+            let scales = |asked: &Asked| self.scales_of(asked, Some(&cells));
+            answered.par_iter().map(|asked| asked.error(&scales(asked))).reduce(|| 0.0, f64::max)
         });
         let seconds = self.progress.seconds();
         self.history.extend(error.map(|error| Moment { seconds, error }));
     }
 
-    /// For each receiver the largest value in each band, of its number and of its cells.
-    fn largest(&self) -> Vec<[Vec<f64>; 2]> {
-        let bands = self.scene.band_count();
-        let mut largest = vec![[vec![0.0_f64; bands], vec![0.0_f64; bands]]; self.scene.receivers.len()];
-        let answered: Vec<&Asked> = self.asked.iter().filter(|asked| asked.is_answered()).collect();
-        let values: Vec<Vec<f64>> = answered.par_iter().map(|asked| asked.largest(bands)).collect();
-        for (asked, values) in answered.iter().zip(values) {
-            let scales = &mut largest[asked.receiver][usize::from(asked.cell.is_some())];
-            scales.iter_mut().zip(values).for_each(|(scale, value)| *scale = scale.max(value));
-        }
-        largest
+    /// The scales of cells: those of the pilot, or what all that is known tells.
+    fn scales_of_cells(&self) -> Scales {
+        let all = || known(&self.asked, self.scene.receivers.len(), self.scene.band_count());
+        self.scales.clone().unwrap_or_else(all)
     }
 
     fn simulation(self) -> Simulation {

@@ -12,7 +12,7 @@ impl Work<'_> {
     pub(super) fn asking(&self, radiosity: &Radiosity, found: &[Found]) -> Asking {
         let sparing = SPARED * self.scene.solve.tolerance;
         let mut asking = Asking { goals: Vec::new(), errors: [0.0; 2], sparing };
-        for ((reading, found), scales) in self.readings.iter().zip(found).zip(self.scales(found)) {
+        for ((reading, found), scales) in self.readings.iter().zip(found).zip(self.targets(found)) {
             let relative = |(estimate, scale): (&Estimate, &f64)| {
                 let error = estimate.error();
                 if error.is_finite() { error / scale } else { f64::INFINITY }
@@ -31,19 +31,10 @@ impl Work<'_> {
         asking
     }
 
-    /// What the tolerance of each reading in each band is relative to: the largest value of its group.
-    pub(super) fn scales(&self, found: &[Found]) -> Vec<Vec<f64>> {
-        let mut largest = vec![vec![0.0_f64; self.scene.band_count()]; found.len()];
-        for (found, &group) in found.iter().zip(&self.groups) {
-            largest[group].iter_mut().zip(&found.bands).for_each(|(m, e)| *m = m.max(e.value.abs()));
-        }
-        self.groups.iter().map(|&group| largest[group].clone()).collect()
-    }
-
     /// The errors of all readings in all bands, relative to what their tolerances are. Of an answer that is nothing beside the
     /// largest of all, such as that of a receiver in the dark, only the error beside that one counts. Of what was not reached nothing is known.
     pub(super) fn relative_errors(&self, found: &[Found]) -> impl Iterator<Item = f64> {
-        let scales = self.scales(found);
+        let scales = self.targets(found);
         let largest = scales.iter().flatten().copied().fold(0.0, f64::max);
         let relative = |(estimate, scale): (&Estimate, f64)| {
             let error = estimate.error();

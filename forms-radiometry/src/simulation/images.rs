@@ -4,8 +4,9 @@
 //! pinhole ─▶ pieces that it sees ─▶ polygons of the film ─▶ mean radiance of each pixel, the borders of surfaces exactly
 //!            some pixels are watched while elements become finer ─▶ errors, and how large radiance is
 //! ```
-//! The tolerance is relative to the brightest pixel. The image has one error by what elements may still change, and each pixel its own by the
-//! rules of its integral.
+//! The tolerance is relative to the mean of the pixels in which no emitter is seen, of each pixel at least its own value (see
+//! [`scales`](super::scales)). What elements may still change is the same for all pixels, relative to the light that they reflect, and each pixel has
+//! an error of its own by the rules of its integral.
 
 mod block;
 mod film;
@@ -14,20 +15,21 @@ use super::answer::{Answer, ErrorKind, Map, Quantity};
 use super::estimate::Found;
 use super::parts::ErrorParts;
 use super::readings::Reading;
+use super::scales::{Watched, mean_scale};
 use super::solver::{ROUNDING, Work};
 use crate::camera::Camera;
-use crate::geometry::{Screens, Vector};
+use crate::geometry::Screens;
 use crate::radiosity::{Radiosity, Scratch, Transport};
 use crate::scene::ReceiverKind;
 use crate::sharing::Sharing;
 use block::View;
-use film::{Block, area, blocks, middle, projected};
+use film::{Block, blocks};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 /// One in so many pixels is watched, at least and at most so many in all.
 const WATCHED: usize = 36;
-const FEWEST: usize = 9;
+const FEWEST: usize = 64;
 const MOST: usize = 512;
 /// The part of the tolerance that may be left beside the error of elements.
 const RULES: f64 = 0.25;
@@ -37,14 +39,6 @@ pub(super) struct Image {
     pub(super) receiver: usize,
     pub(super) map: Map,
     pub(super) means: Vec<Answer>,
-}
-
-/// Errors of an image, for each band.
-struct Watched {
-    /// The largest radiance of a pixel.
-    scales: Vec<f64>,
-    /// The largest error of a pixel, by elements that may still change.
-    errors: Vec<f64>,
 }
 
 impl Work<'_> {
@@ -70,27 +64,19 @@ impl Work<'_> {
     }
 
     /// The readings of pixels that are watched, so that elements are refined until images are exact enough, and have errors: some all over
-    /// the image, and one for each piece of a luminaire that fills a pixel, because tolerances are relative to the brightest one.
-    pub(super) fn watched_pixels(&self, sight: &Transport) -> Vec<Reading> {
+    /// the image.
+    pub(super) fn watched_pixels(&self) -> Vec<Reading> {
         let of_camera = |(index, camera): (usize, &Camera)| {
             let [columns, rows] = camera.resolution;
             let count = columns * rows;
             let some = (count / WATCHED).clamp(FEWEST.min(count), MOST);
-            let spread = (0..some).map(|number| {
+            let reading = |number: usize| {
                 let pixel = (2 * number + 1) * count / (2 * some);
-                [pixel % columns, pixel / columns].map(|place| place as f64 + 0.5)
-            });
-            let pieces = sight.luminous_from(self.scene, camera.origin);
-            let luminous = pieces.iter().map(|piece| projected(camera, &piece.outline));
-            let luminous = luminous.filter(|polygon| area(polygon) >= 1.0).map(|polygon| {
-                let Vector { x, y, .. } = middle(&polygon);
-                [x, y]
-            });
-            let reading = |[x, y]: [f64; 2]| {
+                let [x, y] = [pixel % columns, pixel / columns].map(|place| place as f64 + 0.5);
                 let direction = camera.direction(x, y).unit();
                 direction.map(|direction| Reading::radiance(index, camera.origin, direction))
             };
-            spread.chain(luminous).filter_map(reading).collect::<Vec<_>>()
+            (0..some).filter_map(reading).collect::<Vec<_>>()
         };
         self.cameras().flat_map(of_camera).collect()
     }
@@ -99,30 +85,13 @@ impl Work<'_> {
     pub(super) fn images(&self, radiosity: &Radiosity, sight: &Transport, found: &[Found]) -> Vec<Image> {
         let images = self.cameras().map(|(index, camera)| {
             let begin = Instant::now();
-            let watched = self.watched(index, found);
+            let watched = self.watched(index, found).unwrap_or_default();
             let map = self.image((index, camera), radiosity, sight, &watched);
-            let means = self.means(&map, &watched.scales);
+            let means = self.means(&map);
             self.times.add_since(begin, index);
             Image { receiver: index, map, means }
         });
         images.collect()
-    }
-
-    /// What the watched pixels of a camera tell.
-    fn watched(&self, receiver: usize, found: &[Found]) -> Watched {
-        let bands = self.scene.band_count();
-        let mut watched = Watched { scales: vec![0.0; bands], errors: vec![0.0; bands] };
-        let own = (self.answers..found.len()).filter(|&reading| self.readings[reading].receiver == receiver);
-        for found in own.map(|reading| &found[reading]) {
-            if found.is_missing() {
-                watched.errors.fill(f64::INFINITY);
-            }
-            for (band, estimate) in found.bands.iter().enumerate() {
-                watched.scales[band] = watched.scales[band].max(estimate.value.abs());
-                watched.errors[band] = watched.errors[band].max(estimate.error());
-            }
-        }
-        watched
     }
 
     /// The pixels of a camera; not a number where the work was stopped before.
@@ -131,17 +100,17 @@ impl Work<'_> {
         (receiver, camera): (usize, &Camera),
         radiosity: &Radiosity,
         sight: &Transport,
-        watched: &Watched,
+        watched: &[Watched],
     ) -> Map {
-        let tolerance = self.scene.solve.tolerance;
         let outside = &self.scene.ambient.radiance;
         let bands = outside.len();
         let is_seen_past = outside.iter().any(|&radiance| radiance > 0.0);
         let pieces = radiosity.seen_from(camera.origin, sight, is_seen_past);
         // where every watched pixel is dark, the first rule tells how bright others are
-        let allowed = |&scale: &f64| if scale > 0.0 { RULES * tolerance * scale } else { f64::INFINITY };
-        let allowed: Vec<f64> = watched.scales.iter().map(allowed).collect();
-        let view = View { camera, radiosity, pieces: &pieces, outside, allowed: &allowed };
+        let scale = |watched: &Watched| if watched.scale > 0.0 { watched.scale } else { f64::INFINITY };
+        let scales: Vec<f64> = watched.iter().map(scale).collect();
+        let tolerance = RULES * self.scene.solve.tolerance;
+        let view = View { camera, radiosity, pieces: &pieces, outside, tolerance, scales: &scales };
         let blocks = blocks(camera, &pieces);
         let done = AtomicUsize::new(0);
         let of_block = |scratch: &mut Scratch, block: &Block| {
@@ -156,21 +125,27 @@ impl Work<'_> {
         let [columns, rows] = camera.resolution;
         let nothing = vec![vec![f64::NAN; columns * rows]; bands];
         let (mut values, mut errors) = (nothing.clone(), nothing);
+        let mut sees_emitter = vec![false; columns * rows];
         for (block, pixels) in blocks.iter().zip(found) {
             let width = block.to[0] - block.from[0];
-            for (index, &[value, of_rules]) in pixels.iter().flatten().enumerate() {
+            for (index, found) in pixels.iter().flatten().enumerate() {
                 let (pixel, band) = (index / bands, index % bands);
                 let place = (block.from[1] + pixel / width) * columns + block.from[0] + pixel % width;
-                values[band][place] = value;
-                errors[band][place] = of_rules + watched.errors[band] + ROUNDING * watched.scales[band];
+                sees_emitter[place] |= found.emitted > 0.0;
+                values[band][place] = found.value;
+                let of_elements = watched[band].error(found.value - found.emitted);
+                let rounding = ROUNDING * found.value.abs().max(watched[band].scale);
+                errors[band][place] = found.error + of_elements + rounding;
             }
         }
+        let lit = |values: &Vec<f64>| mean_scale(values.iter().copied().zip(sees_emitter.iter().copied()));
         let name = self.scene.receivers[receiver].name.clone();
         let quantity = Quantity::Radiance;
         Map {
             receiver: name,
             quantity,
             size: camera.resolution,
+            scales: values.iter().map(lit).collect(),
             values,
             errors,
             kind: ErrorKind::Estimate,
@@ -179,12 +154,12 @@ impl Work<'_> {
     }
 
     /// The mean of an image, for each band; none if it is not all there.
-    fn means(&self, map: &Map, scales: &[f64]) -> Vec<Answer> {
+    fn means(&self, map: &Map) -> Vec<Answer> {
         let bands = map.values.len();
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
         let answer = |band: usize| {
             let error = mean(&map.errors[band]);
-            let rounding = (ROUNDING * scales[band]).min(error);
+            let rounding = (ROUNDING * mean(&map.values[band]).abs()).min(error);
             let parts = ErrorParts { rounding, quadrature: error - rounding, ..ErrorParts::default() };
             Answer {
                 receiver: map.receiver.clone(),

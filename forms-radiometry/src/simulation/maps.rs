@@ -1,10 +1,12 @@
-//! Maps of a simulation: receivers with a grid become cells, some of which are watched while elements become finer, and these maps.
+//! Maps of a simulation: receivers with a grid become cells, some of which are watched while elements become finer, and these maps. The error
+//! of a cell is the largest of the watched ones, each relative to its scale (see [`scales`](super::scales)).
 
 use super::answer::{ErrorKind, Map, Quantity};
-use super::estimate::{Estimate, Found};
+use super::estimate::Found;
 use super::map::Grid;
 use super::readings::OF_PRODUCT;
 use super::readings::{Reading, groups};
+use super::scales::{Watched, mean_scale};
 use super::solver::Work;
 use super::times::timed;
 use crate::radiosity::{Group, Lights, Radiosity, Scratch, Transport};
@@ -14,8 +16,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 /// One in so many cells of a map is watched while elements become finer, and at least so many in all.
-const WATCHED: [usize; 2] = [36, 9];
-/// What cells that are interpolated may be off by, as a part of the largest error of those that are watched.
+const WATCHED: [usize; 2] = [36, 25];
+/// What cells that are interpolated may be off by, as a part of the error that a cell has anyway.
 const INTERPOLATED: f64 = 0.1;
 
 impl Work<'_> {
@@ -39,7 +41,13 @@ impl Work<'_> {
             let reading = |cell| Reading::irradiance(*index, cell, grid.normal());
             self.readings.extend(grid.some(WATCHED).map(reading));
         }
-        let pixels = self.watched_pixels(sight);
+        self.emitted = vec![Vec::new(); self.readings.len() - self.answers];
+        let pixels = self.watched_pixels();
+        let emitted = |reading: &Reading| {
+            let of_band = |[emitted, _]: [f64; 2]| emitted;
+            reading.made_of(self.scene, sight).into_iter().map(of_band).collect()
+        };
+        self.emitted.extend(pixels.iter().map(emitted).collect::<Vec<_>>());
         self.readings.extend(pixels);
         self.groups = groups(&self.readings, self.answers);
     }
@@ -100,7 +108,7 @@ impl Work<'_> {
         maps.into_iter().map(|(map, _)| map).collect()
     }
 
-    /// The map of a receiver, cell by cell, with the largest error of those of its cells that were watched.
+    /// The map of a receiver, cell by cell.
     fn map(
         &self,
         radiosity: &Radiosity,
@@ -108,36 +116,45 @@ impl Work<'_> {
         found: &[Found],
         note: &(dyn Fn(usize) + Sync),
     ) -> Map {
-        let largest = self.largest_errors(receiver, found);
-        let allowed: Vec<f64> = largest.iter().map(|error| INTERPOLATED * error.unwrap_or(0.0)).collect();
+        let watched = self.watched(receiver, found);
+        let interpolated = |watched: &Watched| INTERPOLATED * watched.error(0.0);
+        let nothing = || vec![0.0; self.scene.band_count()];
+        let allowed = watched.as_ref().map_or_else(nothing, |bands| bands.iter().map(interpolated).collect());
         let values = grid.irradiance(radiosity, (straight, &allowed), self.watch, note);
         let rounding = radiosity.lights().rounding_within(grid.ball(), radiosity.transport());
-        let error = |(band, values): (usize, &Vec<f64>)| {
+        let errors = |(band, values): (usize, &Vec<f64>)| {
             // where none is watched, closed forms leave nothing but rounding
-            let brightest = || values.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
-            let of_closed_forms = || OF_PRODUCT * brightest() + rounding[band];
-            let error = largest[band].unwrap_or_else(of_closed_forms) + allowed[band];
-            values.iter().map(|value| if value.is_nan() { f64::NAN } else { error }).collect()
+            let brightest = values.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
+            let of_closed_forms = OF_PRODUCT * brightest + rounding[band];
+            let error = |&value: &f64| {
+                let of_elements = watched.as_ref().map(|bands| bands[band].error(value) + allowed[band]);
+                if value.is_nan() { f64::NAN } else { of_elements.unwrap_or(of_closed_forms) }
+            };
+            values.iter().map(error).collect()
         };
-        let errors = values.iter().enumerate().map(error).collect();
-        let is_estimated = largest.iter().any(Option::is_some);
+        let errors = values.iter().enumerate().map(errors).collect();
+        let kind = if watched.is_some() { ErrorKind::Estimate } else { ErrorKind::Bound };
+        self.finished_map(receiver, (grid, values, errors), kind)
+    }
+
+    /// A map of irradiance from its cells: an emitter is seen in none of them.
+    pub(super) fn finished_map(
+        &self,
+        receiver: usize,
+        (grid, values, errors): (&Grid, Vec<Vec<f64>>, Vec<Vec<f64>>),
+        kind: ErrorKind,
+    ) -> Map {
+        let cells =
+            |values: &Vec<f64>| mean_scale(values.iter().filter(|v| !v.is_nan()).map(|&v| (v, false)));
         Map {
             receiver: self.scene.receivers[receiver].name.clone(),
             quantity: Quantity::Irradiance,
             size: grid.size(),
+            scales: values.iter().map(cells).collect(),
             values,
             errors,
-            kind: if is_estimated { ErrorKind::Estimate } else { ErrorKind::Bound },
+            kind,
             is_image: false,
         }
-    }
-
-    /// For each band the largest error of the cells of a map that were watched, if any were.
-    fn largest_errors(&self, receiver: usize, found: &[Found]) -> Vec<Option<f64>> {
-        let is_own = |&other: &usize| self.readings[other].receiver == receiver;
-        let watched = || (self.answers..found.len()).filter(is_own).map(|other| &found[other]);
-        let of_cell = |cell: &Found, band: usize| cell.bands.get(band).map_or(f64::INFINITY, Estimate::error);
-        let largest = |band: usize| watched().map(|cell| of_cell(cell, band)).reduce(f64::max);
-        (0..self.scene.band_count()).map(largest).collect()
     }
 }

@@ -54,6 +54,7 @@ impl Prepared {
             spread(&mut simulation, bands);
         }
         divide_times(&mut simulation);
+        conclude(&mut simulation);
         simulation
     }
 }
@@ -61,7 +62,7 @@ impl Prepared {
 /// Adds what the plan drops to every error. It was bounded for the least answer of a receiver, so that of a component of a vector is at
 /// most that of the largest, and that of a cell at most that of the mean.
 fn add_dropped(simulation: &mut Simulation, dropped: f64) {
-    let scales: Vec<f64> = simulation.answers.iter().map(|answer| simulation.scale(answer)).collect();
+    let scales: Vec<f64> = simulation.accuracy().answers().map(|rated| rated.scale).collect();
     for (answer, scale) in simulation.answers.iter_mut().zip(scales) {
         answer.add(ErrorParts { effects: dropped * scale, ..ErrorParts::default() });
         answer.kind = answer.kind.with_estimate();
@@ -94,5 +95,15 @@ fn spread(simulation: &mut Simulation, bands: usize) {
     for map in &mut simulation.maps {
         map.values = vec![map.values[0].clone(); bands];
         map.errors = vec![map.errors[0].clone(); bands];
+        map.scales = vec![map.scales[0]; bands];
+    }
+}
+
+/// Ends the history with the accuracy of what was found: what was not reached before the work was stopped is as inexact as it was.
+fn conclude(simulation: &mut Simulation) {
+    let error = simulation.accuracy().largest_error();
+    let is_stopped = simulation.stopped;
+    if let Some(last) = simulation.history.last_mut() {
+        last.error = if is_stopped { error.max(last.error) } else { error };
     }
 }

@@ -1,7 +1,7 @@
 //! Answers by rays: readings become probes, and those that are not exact enough get more rays and paths, until all are or none may
 //! have more.
 
-use super::answer::{ErrorKind, Map, Moment, Quantity};
+use super::answer::{ErrorKind, Map, Moment};
 use super::estimate::{Estimate, Found};
 use super::map::Grid;
 use super::parts::ErrorParts;
@@ -15,6 +15,9 @@ use std::time::Instant;
 
 /// What the shape of round surfaces leaves of the tolerance for rays.
 const BESIDE_SHAPE: f64 = 0.5;
+
+/// The part of the mean of all cells that is taken for the scale of a map where it is less than the watched cells told.
+const BELOW: f64 = 0.97;
 
 /// The part of the most rays after which it is foreseen how many it takes.
 const SEEN: f64 = 0.02;
@@ -93,7 +96,7 @@ impl Work<'_> {
             let worst = relative.fold(0.0, f64::max) / self.scene.solve.tolerance;
             spent(sampled) * worst.powi(2).max(1.0)
         };
-        [all, sampled.iter().zip(found).zip(self.scales(found)).map(needed).sum()]
+        [all, sampled.iter().zip(found).zip(self.targets(found)).map(needed).sum()]
     }
 
     /// Adds what a loop over readings, which began at this time, took of their receivers.
@@ -105,7 +108,7 @@ impl Work<'_> {
 
     /// More rays for the readings that are not exact enough; whether there are any that may have more.
     fn improve(&self, paths: &Paths, sampled: &mut [Sampled], found: &[Found], tolerance: f64) -> bool {
-        let scales = self.scales(found);
+        let scales = self.targets(found);
         let largest = scales.iter().flatten().copied().fold(0.0, f64::max);
         let one = |((sampled, found), scales): ((&mut Sampled, &Found), Vec<f64>)| {
             let scales: Vec<f64> = scales.into_iter().map(|scale| scale.max(DARK * largest)).collect();
@@ -145,61 +148,86 @@ impl Work<'_> {
         sampled.iter().map(one).collect()
     }
 
-    /// The maps: each cell is sampled until it is exact enough beside the largest of those that were watched.
+    /// The maps: each cell is sampled until it is exact enough beside the mean of those that were watched, and where the mean of all cells is
+    /// less, beside that.
     pub(super) fn sampled_maps(
         &self,
         paths: &Paths,
         grids: &[(usize, Grid)],
         found: &[Found],
     ) -> Vec<(usize, Map)> {
-        let scales = self.scales(found);
+        let dark = DARK * self.scales(found).into_iter().flatten().fold(0.0, f64::max);
         let map = |&(receiver, ref grid): &(usize, Grid)| {
-            let watched =
-                (self.answers..found.len()).find(|&other| self.readings[other].receiver == receiver);
-            let scales =
-                watched.map_or_else(|| vec![0.0; self.scene.band_count()], |other| scales[other].clone());
             let begin = Instant::now();
-            let map = self.sampled_map(paths, receiver, grid, &scales);
+            let map = self.scaled_map(paths, (receiver, grid), found, dark);
             self.times.add_since(begin, receiver);
             (receiver, map)
         };
         grids.iter().map(map).collect()
     }
 
-    fn sampled_map(&self, paths: &Paths, receiver: usize, grid: &Grid, scales: &[f64]) -> Map {
-        let tolerance = self.scene.solve.tolerance;
-        let cells = grid.cells();
-        let done = AtomicUsize::new(0);
+    /// The map of a receiver; what is darker than this is dark.
+    fn scaled_map(&self, paths: &Paths, (receiver, grid): (usize, &Grid), found: &[Found], dark: f64) -> Map {
+        let told = self.watched(receiver, found).into_iter().flatten().map(|watched| watched.scale);
+        let mut scales: Vec<f64> = told.collect();
+        scales.resize(self.scene.band_count(), 0.0);
+        scales.iter_mut().for_each(|scale| *scale = scale.max(dark));
+        let mut cells = self.sampled_cells(paths, receiver, grid);
+        loop {
+            self.improve_cells(paths, &mut cells, &scales);
+            let map = self.sampled_map(receiver, grid, &cells);
+            let is_kept = |(own, all): (&f64, &f64)| *own <= all.max(dark);
+            if self.watch.is_stopped() || scales.iter().zip(&map.scales).all(is_kept) {
+                return map;
+            }
+            let both = scales.iter_mut().zip(&map.scales);
+            both.for_each(|(own, all)| *own = own.min((BELOW * all).max(dark)));
+        }
+    }
+
+    /// The probes of all cells of a map.
+    fn sampled_cells(&self, paths: &Paths, receiver: usize, grid: &Grid) -> Vec<Option<Probe>> {
         let cell = |(index, position): (usize, &Option<crate::geometry::Vector>)| {
             let position = position.filter(|_| !self.watch.is_stopped())?;
             let what = GoalKind::At { position, measure: Measure::Plane(grid.normal()) };
-            let mut probe = paths.probe(what, ((receiver as u64 + 1) << 32) + index as u64);
-            let is_enough = |probe: &Probe| {
-                let of_band = |(band, scale): (usize, &f64)| probe.found(band)[1] <= tolerance * scale;
-                scales.iter().enumerate().all(of_band)
+            Some(paths.probe(what, ((receiver as u64 + 1) << 32) + index as u64))
+        };
+        grid.cells().par_iter().enumerate().map(cell).collect()
+    }
+
+    /// More rays for the cells that are not exact enough beside the scales of their map; nothing is known of those that are not when the work is
+    /// stopped.
+    fn improve_cells(&self, paths: &Paths, cells: &mut [Option<Probe>], of_map: &[f64]) {
+        let tolerance = self.scene.solve.tolerance;
+        let (count, done) = (cells.len(), AtomicUsize::new(0));
+        let improve = |cell: &mut Option<Probe>| {
+            let Some(probe) = cell else { return };
+            let scales = |probe: &Probe| -> Vec<f64> {
+                let of_band = |(band, scale): (usize, &f64)| scale.max(probe.value(band).abs());
+                of_map.iter().enumerate().map(of_band).collect()
             };
-            while !is_enough(&probe) && paths.improve(&mut probe, scales) {}
-            if self.watch.is_stopped() {
-                return None;
+            let is_enough = |probe: &Probe| {
+                let of_band = |(band, scale): (usize, f64)| probe.found(band)[1] <= tolerance * scale;
+                scales(probe).into_iter().enumerate().all(of_band)
+            };
+            while !is_enough(probe) && paths.improve(probe, &scales(probe)) {}
+            if self.watch.is_stopped() && !is_enough(probe) {
+                *cell = None;
+                return;
             }
             let done = done.fetch_add(1, Ordering::Relaxed);
-            self.watch.progress("maps", done as f64 / cells.len() as f64);
-            Some(probe)
+            self.watch.progress("maps", done as f64 / count as f64);
         };
-        let probes: Vec<Option<Probe>> = cells.par_iter().enumerate().map(cell).collect();
+        cells.par_iter_mut().for_each(improve);
+    }
+
+    fn sampled_map(&self, receiver: usize, grid: &Grid, cells: &[Option<Probe>]) -> Map {
         let of_band = |band: usize, part: usize| {
-            probes.iter().map(move |probe| probe.as_ref().map_or(f64::NAN, |probe| probe.found(band)[part]))
+            let of_cell =
+                |cell: &Option<Probe>| cell.as_ref().map_or(f64::NAN, |probe| probe.found(band)[part]);
+            cells.iter().map(of_cell).collect()
         };
-        let all = |part: usize| (0..scales.len()).map(|band| of_band(band, part).collect()).collect();
-        let name = self.scene.receivers[receiver].name.clone();
-        Map {
-            receiver: name,
-            quantity: Quantity::Irradiance,
-            size: grid.size(),
-            values: all(0),
-            errors: all(1),
-            kind: ErrorKind::Confidence,
-            is_image: false,
-        }
+        let all = |part: usize| (0..self.scene.band_count()).map(|band| of_band(band, part)).collect();
+        self.finished_map(receiver, (grid, all(0), all(1)), ErrorKind::Confidence)
     }
 }

@@ -7,7 +7,7 @@
 //! equations left, and rounding. Where shapes are curved, all is done with two polyhedra, one finer than the other, and what that
 //! changes is added.
 
-use super::answer::{Answer, Map, Moment, Simulation};
+use super::answer::{Answer, Moment, Simulation};
 use super::digits::{Digits, Value};
 use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
@@ -17,6 +17,7 @@ use super::parts::ErrorParts;
 use super::prepared::Prepared;
 use super::progress::{Outlook, Progress, foreseen};
 use super::readings::{Reading, groups};
+use super::scales::Pictures;
 use super::shapes::Shapes;
 use super::times::{Times, timed};
 use super::watch::Watch;
@@ -37,6 +38,8 @@ pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 pub(super) const DARK: f64 = 1e-9;
 /// The finest polyhedra.
 pub(super) const FINEST: usize = 4;
+/// How often maps and images are made at most: again only where their means are less than watched cells told.
+const ATTEMPTS: usize = 2;
 /// What is to come at least after each change, relative to it, where surfaces may hide each other: shadows that fall between the
 /// nodes appear when they are closer, and their borders settle no faster than elements shrink.
 const BEHIND_SCREENS: [f64; 3] = [10.0, 2.0, 1.0];
@@ -67,6 +70,10 @@ pub(super) struct Work<'s> {
     pub(super) answers: usize,
     /// The group of each reading.
     pub(super) groups: Vec<usize>,
+    /// For each watched cell the radiance that is emitted straight into it, in each band; nothing for cells of maps.
+    pub(super) emitted: Vec<Vec<f64>>,
+    /// For each receiver the scales of its map or image in all bands, once they are known.
+    pub(super) known_scales: Vec<Option<Vec<f64>>>,
 }
 
 /// What readings and maps are taken from.
@@ -80,14 +87,26 @@ impl<'s> Work<'s> {
         let of = |(index, receiver)| Reading::of(index, receiver);
         let readings: Vec<Reading> = scene.receivers.iter().enumerate().flat_map(of).collect();
         let (answers, groups) = (readings.len(), groups(&readings, readings.len()));
-        let times = Times::new(scene.receivers.len());
-        Self { scene, effects, choose, watch: progress, progress, times, readings, answers, groups }
+        Self {
+            scene,
+            effects,
+            choose,
+            watch: progress,
+            progress,
+            times: Times::new(scene.receivers.len()),
+            readings,
+            answers,
+            groups,
+            emitted: Vec::new(),
+            known_scales: vec![None; scene.receivers.len()],
+        }
     }
 
     fn run(mut self) -> Simulation {
         let mut shapes = Shapes::new(self.scene, self.effects.orders == Some(0), &self.readings);
         let is_round_anywhere = shapes.are_round();
         let mut history = Vec::new();
+        let mut attempts = 1;
         for fineness in 0.. {
             self.progress.begin(Outlook::Unknown);
             let faces = faces(self.scene, fineness);
@@ -102,7 +121,7 @@ impl<'s> Work<'s> {
                 self.watch_some(if is_watched { &grids } else { &[] }, sight);
             }
             let sharing = self.sharing(gathering, &lights, &transport, &grids);
-            let (found, maps) = sharing.enter(|| {
+            let (found, pictures) = sharing.enter(|| {
                 let straight = || self.straight(&grids, &lights, &transport);
                 // these are the last faces, and maps are not sampled: what comes straight to cells waits for no solution
                 let is_known_before = !is_round_anywhere && gathering == Gathering::Pieces;
@@ -111,15 +130,9 @@ impl<'s> Work<'s> {
                     || self.solved(gathering, &transport, &lights, &mut history),
                     || is_known_before.then(straight),
                 );
-                let is_stopped = self.watch.is_stopped();
-                let is_compared = shapes.compare(&mut found, &self.readings);
-                if is_round_anywhere && is_stopped && !is_compared {
-                    // what the shape changes is not known
-                    let of_pieces = found.iter_mut().filter(|found| found.has_pieces);
-                    let estimates = of_pieces.flat_map(|found| &mut found.bands);
-                    estimates.for_each(|estimate| estimate.floor.quadrature = f64::INFINITY);
-                }
-                if let Some(now) = history.last_mut().filter(|_| is_compared) {
+                let is_compared = self.compare(&mut shapes, &mut found);
+                // readings that settled, and what the shape changes
+                if let Some(now) = history.last_mut() {
                     now.error = self.relative_errors(&found).fold(0.0, f64::max);
                 }
                 let is_whole = grids.is_empty()
@@ -127,29 +140,36 @@ impl<'s> Work<'s> {
                     && !found.iter().any(|found| found.has_pieces);
                 let is_last = !is_round_anywhere
                     || is_whole
-                    || is_stopped
+                    || self.watch.is_stopped()
                     || fineness == FINEST
                     || (is_compared && self.is_enough(&found));
-                let maps = is_last.then(|| match &solution {
+                let pictures = is_last.then(|| match &solution {
                     Solution::Elements(radiosity) => {
                         let grids = (&grids[..], known.unwrap_or_else(straight));
                         let cameras = self.cameras().count();
                         self.progress.begin(Outlook::Stages(1 + cameras));
                         let maps = self.maps(radiosity, grids, &found);
                         self.progress.begin(Outlook::Stages(cameras));
-                        (maps, self.images(radiosity, sight, &found))
+                        let images = self.images(radiosity, sight, &found);
+                        Pictures { maps, images, is_sampled: false }
                     }
                     Solution::Paths(paths) => {
                         self.progress.begin(Outlook::Stages(grids.len()));
-                        (self.sampled_maps(paths, &grids, &found), Vec::new())
+                        Pictures::sampled(self.sampled_maps(paths, &grids, &found))
                     }
                 });
-                (found, maps)
+                (found, pictures)
             });
-            if let Some((maps, images)) = maps {
-                return self.simulation(&found, (maps, images), history);
+            if let Some(pictures) = pictures {
+                let is_final = attempts == ATTEMPTS || fineness == FINEST;
+                if is_final || !self.rescale(&pictures, &found) {
+                    return self.simulation(&found, pictures, history);
+                }
+                attempts += 1;
             }
-            shapes.remember(found);
+            if is_round_anywhere {
+                shapes.remember(found);
+            }
         }
         unreachable!("the finest polyhedra are the last")
     }
@@ -165,6 +185,17 @@ impl<'s> Work<'s> {
         let ((one, first), (other, second)) = sharing.both(|| timed(one), || timed(other));
         self.times.rejoin(begin, &before, [first, second]);
         (one, other)
+    }
+
+    /// Adds what the shape of round surfaces changes; whether that is known.
+    fn compare(&self, shapes: &mut Shapes, found: &mut Vec<Found>) -> bool {
+        let is_compared = shapes.compare(found, &self.readings);
+        if shapes.are_round() && self.watch.is_stopped() && !is_compared {
+            let of_pieces = found.iter_mut().filter(|found| found.has_pieces);
+            let estimates = of_pieces.flat_map(|found| &mut found.bands);
+            estimates.for_each(|estimate| estimate.floor.quadrature = f64::INFINITY);
+        }
+        is_compared
     }
 
     /// Whether all that points get comes straight from lights, in closed forms.
@@ -325,12 +356,8 @@ impl<'s> Work<'s> {
     }
 
     /// What was found, in the order of the receivers.
-    fn simulation(
-        &self,
-        found: &[Found],
-        (mut maps, images): (Vec<(usize, Map)>, Vec<Image>),
-        history: Vec<Moment>,
-    ) -> Simulation {
+    fn simulation(&self, found: &[Found], pictures: Pictures, history: Vec<Moment>) -> Simulation {
+        let Pictures { mut maps, images, .. } = pictures;
         let mut answers = self.answered(found);
         for Image { receiver, map, means } in images {
             answers.extend(means.into_iter().map(|mean| (receiver, mean)));

@@ -14,8 +14,10 @@ impl Simulation {
             }
         }
         if working.light != 1.0 {
-            let numbers = self.maps.iter_mut().flat_map(|map| map.values.iter_mut().chain(&mut map.errors));
-            numbers.flatten().for_each(|number| *number *= working.light);
+            for map in &mut self.maps {
+                let numbers = map.values.iter_mut().chain(&mut map.errors).chain([&mut map.scales]);
+                numbers.flatten().for_each(|number| *number *= working.light);
+            }
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The answers, after the work: a table, or a JSON object for each number.
 
+use super::missed::Missed;
 use crate::json::write_record;
 use crate::layout::{columns, seconds};
 use crate::palette::Palette;
@@ -39,15 +40,15 @@ fn shared(is_by_paths: bool) -> &'static str {
     if is_by_paths { "preparation" } else { "solution" }
 }
 
-/// An object for each number, of which those that miss what was asked for are marked, and one for
-/// the time that all of them share.
+/// An object for each number, of which those that miss what was asked for are marked, and the means of maps and images of which cells
+/// do; and one for the time that all of them share.
 pub(super) fn lines(
     found: &Simulation,
-    missed: &[&Answer],
+    missed: &Missed<'_>,
     is_by_paths: bool,
     output: &mut dyn Write,
 ) -> io::Result<()> {
-    found.answers.iter().try_for_each(|answer| {
+    found.answers.iter().enumerate().try_for_each(|(place, answer)| {
         let Answer { receiver, quantity, band, bin, value, error, kind, seconds, .. } = answer;
         let record = Record {
             receiver,
@@ -59,7 +60,7 @@ pub(super) fn lines(
             error: *error,
             kind: kind.name(),
             level: (*kind == ErrorKind::Confidence).then_some(ErrorKind::LEVEL),
-            missed: missed.iter().any(|other| std::ptr::eq(*other, answer)),
+            missed: missed.has(place, answer),
             seconds: *seconds,
         };
         write_record(output, &record)
@@ -99,26 +100,14 @@ pub(super) fn table(
         "{}",
         if end.error <= tolerance { palette.quiet(&summary) } else { palette.notable(&summary) }
     )?;
-    let made_of = found.worst().map(|answer| parts(&answer.parts)).filter(|parts| parts.len() > 1);
+    // of cells it is not known what their errors are made of
+    let accuracy = found.accuracy();
+    let worst = accuracy.worst_answer().filter(|worst| worst.error >= accuracy.largest_of_cells());
+    let made_of = worst.map(|worst| parts(&worst.answer.parts)).filter(|parts| parts.len() > 1);
     made_of.map_or(Ok(()), |parts| {
         let line = format!("that error is {}", parts.join(", "));
         writeln!(output, "{}", palette.quiet(&line))
     })
-}
-
-/// Which numbers miss the tolerance.
-pub(super) fn sentence(missed: &[&Answer], tolerance: f64) -> String {
-    const MOST: usize = 4;
-    let name = |answer: &&Answer| {
-        let place =
-            [answer.band.map(|band| format!("band {band}")), answer.bin.map(|bin| format!("bin {bin}"))];
-        let place: String = place.into_iter().flatten().map(|place| format!(", {place}")).collect();
-        format!("`{}` ({}{place})", answer.receiver, answer.quantity.name())
-    };
-    let mut names: Vec<String> = missed.iter().take(MOST).map(name).collect();
-    names.extend((missed.len() > MOST).then(|| format!("{} more", missed.len() - MOST)));
-    let misses = if missed.len() == 1 { "misses" } else { "miss" };
-    format!("{} {misses} the tolerance {tolerance:e}: {}", counted(missed.len(), "number"), names.join(", "))
 }
 
 /// The parts of an error that are some of it, the largest first: `93% quadrature`.

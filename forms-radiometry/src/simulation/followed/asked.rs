@@ -9,7 +9,7 @@ use super::super::times::scale;
 use super::computed::{Computed, Computing};
 use crate::faces::faces;
 use crate::geometry::Screens;
-use crate::monte_carlo::{Bins, Effects, Follow, LEFT_OUT, Question, REPLICATES, Replicates};
+use crate::monte_carlo::{Bins, Effects, Follow, LEFT_OUT, Question, REPLICATES, Replicates, World};
 use crate::radiosity::Transport;
 use crate::sampling::key;
 use crate::scene::{Receiver, ReceiverKind, Scene, TimeBins};
@@ -32,6 +32,8 @@ pub(super) struct Asked {
     pub(super) receiver: usize,
     /// The cell of a map or the pixel of an image, if it is one.
     pub(super) cell: Option<usize>,
+    /// Whether it is a pixel in which an emitter is seen directly.
+    pub(super) sees_emitter: bool,
     pub(super) question: Question,
     pub(super) replicates: Replicates,
     /// By number and band what is computed, where no samples are needed.
@@ -39,7 +41,7 @@ pub(super) struct Asked {
     /// What images that are left out may make of a value, relative to it.
     left_out: f64,
     /// The largest number that light of the brightest radiance brings, of surfaces and from outside.
-    brightest: f64,
+    pub(super) brightest: f64,
     /// For each band the largest number that light from outside brings, which only chance finds.
     outside: Vec<f64>,
     /// How many samples each replicate is to get before it is asked again whether that is enough.
@@ -79,7 +81,8 @@ impl Division {
 }
 
 /// All questions of a scene. `metres` is the working unit of length; `computing` answers what needs no samples.
-pub(super) fn asked(scene: &Scene, metres: f64, computing: &Computing<'_>) -> Vec<Asked> {
+pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -> Vec<Asked> {
+    let scene = world.scene;
     let effects = Effects::of(scene);
     let has_images = !scene.lights.is_empty() && (effects.mirror || effects.refraction);
     let left_out = if has_images { LEFT_OUT * scene.solve.tolerance } else { 0.0 };
@@ -97,6 +100,7 @@ pub(super) fn asked(scene: &Scene, metres: f64, computing: &Computing<'_>) -> Ve
             all.push(Asked {
                 receiver: index,
                 cell,
+                sees_emitter: false,
                 question,
                 replicates,
                 computed: None,
@@ -110,6 +114,7 @@ pub(super) fn asked(scene: &Scene, metres: f64, computing: &Computing<'_>) -> Ve
         }
     }
     let begin = Instant::now();
+    all.par_iter_mut().for_each(|asked| asked.sees_emitter = asked.question.sees_emitter(world));
     // what comes in bins of time is sampled
     let instant = all.par_iter_mut().filter(|asked| scene.receivers[asked.receiver].time.is_none());
     instant.for_each(|asked| asked.compute(computing));
@@ -256,11 +261,12 @@ impl Asked {
         largest
     }
 
-    /// The largest error relative to the scales of bands; where nothing was found, to the brightest light.
+    /// The largest error relative to the scales of bands, of a cell at least to its own value; where nothing was found, to the brightest light.
     pub(super) fn error(&self, scales: &[f64]) -> f64 {
         let relative = |place: usize| {
-            let [_, error] = self.found(place);
-            let scale = scales[self.replicates.band(place)];
+            let [value, error] = self.found(place);
+            let own = if self.cell.is_some() { value.abs() } else { 0.0 };
+            let scale = scales[self.replicates.band(place)].max(own);
             if error == 0.0 { 0.0 } else { error / if scale > 0.0 { scale } else { self.brightest } }
         };
         (0..self.replicates.len()).map(relative).fold(0.0, f64::max)

@@ -99,6 +99,7 @@ impl Work<'_> {
     }
 
     pub(super) fn maps(&self) -> Vec<Map> {
+        let mut scales_of_cells = self.scales_of_cells();
         let map = |(index, receiver): (usize, &Receiver)| {
             let (size, quantity, is_image) = match &receiver.kind {
                 ReceiverKind::Surface { grid: Some(size), .. } => (*size, Quantity::Irradiance, false),
@@ -116,7 +117,19 @@ impl Work<'_> {
                     [values[band][cell], errors[band][cell]] = asked.found(band);
                 }
             }
-            Some(Map { receiver: receiver.name.clone(), quantity, size, values, errors, kind, is_image })
+            // where no cell was reached there is none
+            let mut scales = std::mem::take(&mut scales_of_cells[index]);
+            scales.resize(bands, 0.0);
+            Some(Map {
+                receiver: receiver.name.clone(),
+                quantity,
+                size,
+                values,
+                errors,
+                scales,
+                kind,
+                is_image,
+            })
         };
         self.scene.receivers.iter().enumerate().filter_map(map).collect()
     }

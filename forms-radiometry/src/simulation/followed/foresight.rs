@@ -48,7 +48,7 @@ impl Work<'_> {
                 [f64::from(asked.target.max(asked.replicates.samples)), 0.0]
             }
             _ => {
-                let samples = asked.foreseen(&self.scales_of(asked), tolerance);
+                let samples = asked.foreseen(&self.scales_of(asked, self.scales.as_ref()), tolerance);
                 [samples, (DOUBT * samples).powi(2)]
             }
         };

@@ -1,61 +1,86 @@
 //! Scales: what the tolerance of cells and pixels is relative to, found in a pilot that every share of the work repeats.
 //!
 //! ```text
-//! scale = max over cells of (value − 2σ)          settled when no value is above scale/0.9
+//! scale = mean over cells of value − 2σ of the mean          settled when it is 0.9 of the mean or more
 //! ```
-//! A pilot gives every cell its first samples, and more to those whose values are above what the scale allows: a few of the largest,
-//! of which either the scale or the value gives way. A cell that had a lucky sample is not taken for the largest, because its error is as
-//! large as its value; and as the scale is from below, errors within the tolerance of it are within that of the largest value.
+//! The mean is over the cells in which no emitter is seen directly, or over all where these are dark. A pilot gives every cell its first samples,
+//! and more to those whose errors are above the average. As the scale is from below, errors within the tolerance of it are within that of the mean.
 
+use super::super::scales::Mean;
 use super::asked::Asked;
 use rayon::prelude::*;
 
-/// How many standard errors a scale is below a value.
+/// How many standard errors of the mean a scale is below it.
 const BELOW: f64 = 2.0;
-/// The part of each value that a settled scale has.
+/// The part of the mean that a settled scale has.
 const SETTLED: f64 = 0.9;
-/// How many cells get more samples at a time, for each band.
-const CANDIDATES: usize = 64;
+/// The least part of it that any scale has.
+const LEAST: f64 = 0.5;
 /// The most samples of a replicate in a pilot.
 const MOST: u32 = 1 << 10;
 
 /// For each receiver the scale of its cells in each band; nothing for those without.
 pub(super) type Scales = Vec<Vec<f64>>;
 
-/// The scales, or the questions that more samples are to decide them.
-pub(super) fn settled(asked: &[Asked], receivers: usize, bands: usize) -> Result<Scales, Vec<usize>> {
-    let mut scales = vec![Vec::new(); receivers];
-    let mut open = Vec::new();
-    for of_receiver in asked.chunk_by(|a, b| a.receiver == b.receiver) {
-        let receiver = of_receiver[0].receiver;
-        let first = asked.iter().position(|asked| asked.receiver == receiver).unwrap_or(0);
-        let is_cell = |place: &usize| asked[*place].cell.is_some();
-        let cells: Vec<usize> = (first..first + of_receiver.len()).filter(is_cell).collect();
-        if cells.is_empty() {
-            continue;
-        }
-        for band in 0..bands {
-            let (scale, candidates) = of_band(asked, &cells, band);
-            scales[receiver].push(scale);
-            open.extend(candidates);
-        }
-    }
-    open.sort_unstable();
-    open.dedup();
-    if open.is_empty() { Ok(scales) } else { Err(open) }
+/// What the cells of a receiver tell of their scale in a band.
+struct Told {
+    scale: f64,
+    /// The cells that more samples are to decide it by.
+    open: Vec<usize>,
 }
 
-/// The scale of cells in a band, and the cells that may change it.
-fn of_band(asked: &[Asked], cells: &[usize], band: usize) -> (f64, Vec<usize>) {
+/// The scales, or the questions that more samples are to decide them.
+pub(super) fn settled(asked: &[Asked], receivers: usize, bands: usize) -> Result<Scales, Vec<usize>> {
+    let told = told(asked, receivers, bands);
+    let mut open: Vec<usize> = told.iter().flatten().flat_map(|told| told.open.iter().copied()).collect();
+    open.sort_unstable();
+    open.dedup();
+    if open.is_empty() { Ok(scales(told)) } else { Err(open) }
+}
+
+/// The scales by what is known of all cells.
+pub(super) fn known(asked: &[Asked], receivers: usize, bands: usize) -> Scales {
+    scales(told(asked, receivers, bands))
+}
+
+fn scales(told: Vec<Vec<Told>>) -> Scales {
+    told.into_iter().map(|bands| bands.into_iter().map(|told| told.scale).collect()).collect()
+}
+
+/// What the cells of each receiver tell, band by band.
+fn told(asked: &[Asked], receivers: usize, bands: usize) -> Vec<Vec<Told>> {
+    let mut told: Vec<Vec<Told>> = (0..receivers).map(|_| Vec::new()).collect();
+    let mut first = 0;
+    for of_receiver in asked.chunk_by(|a, b| a.receiver == b.receiver) {
+        let is_cell = |place: &usize| asked[*place].cell.is_some() && asked[*place].is_answered();
+        let cells: Vec<usize> = (first..first + of_receiver.len()).filter(is_cell).collect();
+        first += of_receiver.len();
+        if !cells.is_empty() {
+            told[of_receiver[0].receiver] = (0..bands).map(|band| of_band(asked, &cells, band)).collect();
+        }
+    }
+    told
+}
+
+/// The scale of cells in a band, and the cells that may change it. Where nothing is found in any, it is the brightest light.
+fn of_band(asked: &[Asked], cells: &[usize], band: usize) -> Told {
     let found: Vec<[f64; 2]> = cells.par_iter().map(|&cell| asked[cell].found(band)).collect();
-    let largest = found.iter().map(|[value, _]| *value).fold(0.0, f64::max);
-    let scale = found.iter().map(|[value, error]| value - BELOW * error).fold(0.0, f64::max);
-    let is_open = |&(place, [value, _]): &(usize, [f64; 2])| {
-        let cell = &asked[cells[place]];
-        SETTLED * value > scale && cell.computed.is_none() && cell.replicates.samples < MOST
+    let values = cells.iter().zip(&found).map(|(&cell, &[value, _])| (value, asked[cell].sees_emitter));
+    let Mean { value: mean, is_of_all } = Mean::of(values);
+    if mean == 0.0 {
+        return Told { scale: asked[cells[0]].brightest, open: Vec::new() };
+    }
+    let counted = || cells.iter().zip(&found).filter(|(cell, _)| is_of_all || !asked[**cell].sees_emitter);
+    // of a cell in which nothing was found it is not known how much more there may be
+    let lit = counted().filter(|(_, [value, _])| *value != 0.0);
+    let squares: Vec<(usize, f64)> = lit.map(|(&cell, [_, error])| (cell, error * error)).collect();
+    let sum: f64 = squares.iter().map(|(_, square)| square).sum();
+    let scale = mean - BELOW * sum.sqrt() / counted().count() as f64;
+    let average = sum / squares.len() as f64;
+    let may_change = |&(cell, square): &(usize, f64)| {
+        let cell = &asked[cell];
+        square >= average && cell.computed.is_none() && cell.replicates.samples < MOST
     };
-    let mut open: Vec<(usize, [f64; 2])> = found.iter().copied().enumerate().filter(is_open).collect();
-    open.sort_by(|(_, [a, _]), (_, [b, _])| b.total_cmp(a));
-    open.truncate(CANDIDATES);
-    (if scale > 0.0 { scale } else { largest }, open.into_iter().map(|(place, _)| cells[place]).collect())
+    let open = squares.into_iter().filter(|_| scale < SETTLED * mean).filter(may_change);
+    Told { scale: scale.max(LEAST * mean), open: open.map(|(cell, _)| cell).collect() }
 }

@@ -140,6 +140,8 @@ impl Work<'_> {
                 return Err(Misfit);
             }
         }
+        // every share repeats the pilot, and finds the same
+        self.scales = state.scales;
         self.progress.resume(state.seconds);
         Ok(())
     }

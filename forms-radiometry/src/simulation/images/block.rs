@@ -13,13 +13,16 @@ use crate::geometry::Vector;
 use crate::radiosity::{Radiosity, Reflected, Scratch, SeenPiece};
 
 /// How often parts of a pixel are quartered at most.
-const QUARTERED: usize = 5;
-/// The part of what a pixel may err by that one of its parts may leave as it is.
+const QUARTERED: usize = 7;
+/// The part of what a pixel may err by that one of its parts may leave as it is, unless that is more than this part of the average of all of them.
 const SMALL: f64 = 1.0 / 16.0;
+const OF_AVERAGE: f64 = 0.5;
 /// One in so many parts is asked whether polynomials agree with what receivers gather, and the part of what a pixel may err by that they may
 /// differ.
 const CHECKED: usize = 8;
 const POLYNOMIALS: f64 = 0.5;
+/// Rounding of the part of a pixel that is seen.
+const OF_BORDERS: f64 = 64.0 * f64::EPSILON;
 /// What is less of a pixel than this is no more than rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -30,8 +33,21 @@ pub(super) struct View<'v> {
     pub(super) pieces: &'v [SeenPiece],
     /// The radiance of the surroundings, for each band.
     pub(super) outside: &'v [f64],
-    /// For each band what rules and polynomials may leave in a pixel.
-    pub(super) allowed: &'v [f64],
+    /// What rules and polynomials may leave in a pixel, relative to the larger of its value and the scale.
+    pub(super) tolerance: f64,
+    /// For each band the scale.
+    pub(super) scales: &'v [f64],
+}
+
+/// What is seen in a pixel, in one band.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Pixel {
+    /// Its mean radiance.
+    pub(super) value: f64,
+    /// What rules, polynomials, and rounding of the parts that emitters have of it leave.
+    pub(super) error: f64,
+    /// What of the value is emitted straight into it.
+    pub(super) emitted: f64,
 }
 
 /// A part of a pixel in which one piece is seen.
@@ -42,52 +58,96 @@ struct Part {
     found: Vec<[f64; 2]>,
 }
 
+/// What is seen of a piece: its number, the points of it that film points see, and its parts in pixels.
+type Seen = (usize, Vec<Vector>, Vec<Part>);
+
 impl View<'_> {
-    /// For each pixel of a block, band by band, its mean radiance and the error of the rules.
-    pub(super) fn pixels(&self, block: &Block, scratch: &mut Scratch) -> Vec<[f64; 2]> {
+    /// The pixels of a block, band by band.
+    pub(super) fn pixels(&self, block: &Block, scratch: &mut Scratch) -> Vec<Pixel> {
         let bands = self.outside.len();
         let count = (block.to[0] - block.from[0]) * (block.to[1] - block.from[1]);
         let mut sums = vec![[0.0; 2]; count * bands];
-        let mut open = vec![1.0; count];
         let of_piece = |(piece, polygon): &(usize, Polygon)| {
             let parts = block.pixels(polygon).into_iter();
             let parts = parts.map(|(pixel, polygon)| Part { pixel, polygon, found: Vec::new() }).collect();
             (*piece, self.outline(*piece, polygon), parts)
         };
-        let mut seen: Vec<(usize, Vec<Vector>, Vec<Part>)> = block.seen.iter().map(of_piece).collect();
-        for part in seen.iter().flat_map(|(_, _, parts)| parts) {
-            open[part.pixel] -= area(&part.polygon);
-        }
+        let mut seen: Vec<Seen> = block.seen.iter().map(of_piece).collect();
+        let mut pixels = self.emission(&seen, count);
         for quartered in 0..=QUARTERED {
             sums.fill([0.0; 2]);
             for (piece, outline, parts) in &mut seen {
                 self.integrate(*piece, outline, parts, scratch);
                 parts.iter().for_each(|part| add(&mut sums[part.pixel * bands..][..bands], &part.found));
             }
-            let is_open = |pixel: usize| self.is_beyond(&sums[pixel * bands..][..bands], 1.0);
-            if quartered == QUARTERED || !(0..count).any(is_open) {
+            if quartered == QUARTERED || !self.divide(&mut seen, &sums) {
                 break;
             }
-            for (_, _, parts) in &mut seen {
-                *parts = std::mem::take(parts)
-                    .into_iter()
-                    .flat_map(|part| {
-                        let is_divided = is_open(part.pixel) && self.is_beyond(&part.found, SMALL);
-                        if is_divided { part.quarters() } else { vec![part] }
-                    })
-                    .collect();
-            }
         }
-        for (of_pixel, open) in sums.chunks_exact_mut(bands).zip(open) {
-            let open = if open > ROUNDING { open } else { 0.0 };
-            of_pixel.iter_mut().zip(self.outside).for_each(|([value, _], outside)| *value += open * outside);
+        for (pixel, [value, error]) in pixels.iter_mut().zip(sums) {
+            pixel.value += value;
+            pixel.error += error;
         }
-        sums
+        pixels
     }
 
-    /// Whether an error is beyond this part of what is allowed.
-    fn is_beyond(&self, found: &[[f64; 2]], part: f64) -> bool {
-        found.iter().zip(self.allowed).any(|([_, error], allowed)| *error > part * allowed)
+    /// Divides the parts of which too much of the error of their pixels is; whether there are any. `sums` has ∫ L over each pixel and its error,
+    /// band by band.
+    fn divide(&self, seen: &mut [Seen], sums: &[[f64; 2]]) -> bool {
+        let bands = self.outside.len();
+        let allowed = self.allowed(sums);
+        let errors: Vec<f64> = sums.iter().map(|[_, error]| *error).collect();
+        let [allowed, errors] =
+            [&allowed, &errors].map(|all| move |pixel: usize| &all[pixel * bands..][..bands]);
+        let mut counts = vec![0.0; sums.len() / bands];
+        seen.iter().flat_map(|(_, _, parts)| parts).for_each(|part| counts[part.pixel] += 1.0);
+        let is_large = |Part { pixel, found, .. }: &Part| {
+            is_beyond(&sums[pixel * bands..][..bands], allowed(*pixel), 1.0)
+                && (is_beyond(found, allowed(*pixel), SMALL)
+                    || is_beyond(found, errors(*pixel), OF_AVERAGE / counts[*pixel]))
+        };
+        let mut is_any = false;
+        for (_, _, parts) in seen {
+            let all = std::mem::take(parts).into_iter();
+            let divided = |part: Part| {
+                let is_large = is_large(&part);
+                is_any |= is_large;
+                if is_large { part.quarters() } else { vec![part] }
+            };
+            *parts = all.flat_map(divided).collect();
+        }
+        is_any
+    }
+
+    /// The pixels of a block, band by band, with what emitters send straight into them, of whose value there is no more yet than the light from
+    /// outside.
+    fn emission(&self, seen: &[Seen], count: usize) -> Vec<Pixel> {
+        let bands = self.outside.len();
+        let mut pixels = vec![Pixel::default(); count * bands];
+        let mut open = vec![1.0; count];
+        for (piece, _, parts) in seen {
+            let emitted = self.radiosity.emitted(&self.pieces[*piece]);
+            for part in parts {
+                let covered = area(&part.polygon);
+                open[part.pixel] -= covered;
+                let of_pixel = &mut pixels[part.pixel * bands..][..bands];
+                of_pixel.iter_mut().zip(emitted).for_each(|(pixel, radiance)| pixel.emit(covered, *radiance));
+            }
+        }
+        for (of_pixel, open) in pixels.chunks_exact_mut(bands).zip(open).filter(|(_, open)| *open > ROUNDING)
+        {
+            for (pixel, radiance) in of_pixel.iter_mut().zip(self.outside) {
+                pixel.value = open * radiance;
+                pixel.emit(open, *radiance);
+            }
+        }
+        pixels
+    }
+
+    /// What rules and polynomials may leave in each pixel, band by band.
+    fn allowed(&self, sums: &[[f64; 2]]) -> Vec<f64> {
+        let scales = self.scales.iter().cycle();
+        sums.iter().zip(scales).map(|([value, _], scale)| self.tolerance * scale.max(value.abs())).collect()
     }
 
     /// The points of a piece that film points see.
@@ -142,7 +202,8 @@ impl View<'_> {
                 *largest = largest.max((gathered - polynomial).abs());
             }
         }
-        if largest.iter().zip(self.allowed).all(|(largest, allowed)| *largest <= POLYNOMIALS * allowed) {
+        let allowed = self.scales.iter().map(|scale| POLYNOMIALS * self.tolerance * scale);
+        if largest.iter().zip(allowed).all(|(largest, allowed)| *largest <= allowed) {
             for part in open {
                 let whole = area(&part.polygon);
                 part.found
@@ -180,6 +241,19 @@ impl View<'_> {
         let mut radiance = vec![0.0; points.len() * self.outside.len()];
         self.radiosity.radiance(&self.pieces[piece], [&points, outline], reflected, scratch, &mut radiance);
         radiance
+    }
+}
+
+/// Whether an error is beyond this part of what is allowed.
+fn is_beyond(found: &[[f64; 2]], allowed: &[f64], part: f64) -> bool {
+    found.iter().zip(allowed).any(|([_, error], allowed)| *error > part * allowed)
+}
+
+impl Pixel {
+    /// Adds what is emitted straight into this part of it. Where the part ends is rounded.
+    fn emit(&mut self, part: f64, radiance: f64) {
+        self.emitted += part * radiance;
+        self.error += OF_BORDERS * radiance;
     }
 }
 

@@ -1,0 +1,138 @@
+//! Accuracy: errors of answers, cells and pixels relative to what the tolerance of each is relative to.
+//!
+//! ```text
+//! a number                          |value|
+//! a component of a vector, a bin    the largest of all components, of all bins
+//! a cell, a pixel                   max(scale of its map, |value|)          see Map::scales
+//! dark ones                         1e-9 of the largest number at least
+//! ```
+//! What is printed, what misses the tolerance, and what a figure shows at its end are taken from here, so that they agree. The scales of all
+//! answers are found once, in time that is linear in their number.
+
+use super::answer::{Answer, Map, Quantity, Simulation};
+use super::solver::DARK;
+use std::collections::HashMap;
+
+/// The answers of a simulation with the scale of each.
+pub struct Accuracy<'s> {
+    found: &'s Simulation,
+    /// What the error of each answer is relative to.
+    scales: Vec<f64>,
+    /// The least number that an error is relative to.
+    dark: f64,
+}
+
+/// An answer and its error relative to its scale.
+#[derive(Clone, Copy, Debug)]
+pub struct Rated<'s> {
+    /// The answer.
+    pub answer: &'s Answer,
+    /// What its error is relative to.
+    pub scale: f64,
+    /// Its relative error.
+    pub error: f64,
+}
+
+/// The cells of a map, or pixels of an image, whose errors are larger than a tolerance allows, in one band.
+#[derive(Clone, Copy, Debug)]
+pub struct MissedCells<'s> {
+    /// The map.
+    pub map: &'s Map,
+    /// The band, from 0; none where the scene has a single one.
+    pub band: Option<usize>,
+    /// The number of these cells, and of all cells that have a value.
+    pub counts: [usize; 2],
+    /// The largest of their errors relative to their scales.
+    pub worst: f64,
+}
+
+impl Simulation {
+    /// The accuracy of what was found.
+    pub fn accuracy(&self) -> Accuracy<'_> {
+        let mut largest: HashMap<_, f64> = HashMap::new();
+        for answer in &self.answers {
+            let scale = largest.entry(group(answer)).or_default();
+            *scale = scale.max(answer.value.abs());
+        }
+        let scales = self.answers.iter().map(|answer| largest[&group(answer)]).collect();
+        let cells = self.maps.iter().flat_map(|map| map.values.iter().flatten());
+        let values = self.answers.iter().map(|answer| &answer.value).chain(cells);
+        let dark = DARK * values.fold(0.0, |most: f64, value| most.max(value.abs()));
+        Accuracy { found: self, scales, dark }
+    }
+}
+
+/// The answers that have one scale: those of one receiver, band and quantity, and the components of a vector.
+fn group(answer: &Answer) -> (&str, Option<usize>, Quantity) {
+    let quantity = match answer.quantity {
+        Quantity::VectorIrradiance(_) => Quantity::FluenceRate,
+        quantity => quantity,
+    };
+    (&answer.receiver, answer.band, quantity)
+}
+
+impl<'s> Accuracy<'s> {
+    /// All answers, in their order.
+    pub fn answers(&self) -> impl DoubleEndedIterator<Item = Rated<'s>> {
+        let rated = |(answer, &scale): (&'s Answer, &f64)| Rated {
+            answer,
+            scale,
+            error: self.relative(answer.error, scale),
+        };
+        self.found.answers.iter().zip(&self.scales).map(rated)
+    }
+
+    /// For each answer, in their order, whether its error is larger than this tolerance allows.
+    pub fn missed(&self, tolerance: f64) -> Vec<bool> {
+        self.answers().map(|rated| rated.error > with_rounding(tolerance)).collect()
+    }
+
+    /// The maps and images that have errors larger than this tolerance allows.
+    pub fn missed_cells(&self, tolerance: f64) -> Vec<MissedCells<'s>> {
+        let of_band = |map: &'s Map, band: usize| {
+            let (mut missed, mut all, mut worst) = (0, 0, 0.0_f64);
+            for error in self.of_cells(map, band) {
+                all += 1;
+                missed += usize::from(error > with_rounding(tolerance));
+                worst = worst.max(error);
+            }
+            let band = (map.values.len() > 1).then_some(band);
+            (missed > 0).then_some(MissedCells { map, band, counts: [missed, all], worst })
+        };
+        let bands = |map: &'s Map| (0..map.values.len()).map(move |band| (map, band));
+        self.found.maps.iter().flat_map(bands).filter_map(|(map, band)| of_band(map, band)).collect()
+    }
+
+    /// The answer whose relative error is the largest, the first of several; none where there is no light.
+    pub fn worst_answer(&self) -> Option<Rated<'s>> {
+        let lit = self.answers().filter(|rated| rated.scale > 0.0);
+        lit.rev().max_by(|one, other| one.error.total_cmp(&other.error))
+    }
+
+    /// The largest relative error of the cells and pixels of all maps and images.
+    pub fn largest_of_cells(&self) -> f64 {
+        let bands = self.found.maps.iter().flat_map(|map| (0..map.values.len()).map(move |band| (map, band)));
+        bands.flat_map(|(map, band)| self.of_cells(map, band)).fold(0.0, f64::max)
+    }
+
+    /// The largest relative error of all answers, cells and pixels.
+    pub fn largest_error(&self) -> f64 {
+        self.answers().map(|rated| rated.error).fold(self.largest_of_cells(), f64::max)
+    }
+
+    /// The relative errors of the cells of a map that have a value.
+    fn of_cells(&self, map: &'s Map, band: usize) -> impl Iterator<Item = f64> {
+        let cells = map.values[band].iter().zip(&map.errors[band]).filter(|(value, _)| !value.is_nan());
+        cells.map(move |(value, &error)| self.relative(error, map.scales[band].max(value.abs())))
+    }
+
+    /// An error relative to a scale. Where there is no light at all, any error is infinite.
+    fn relative(&self, error: f64, scale: f64) -> f64 {
+        if error == 0.0 { 0.0 } else { error / scale.max(self.dark) }
+    }
+}
+
+/// A tolerance with what rounding of the sum of its parts makes of an error that meets it exactly.
+fn with_rounding(tolerance: f64) -> f64 {
+    tolerance * (1.0 + 4.0 * f64::EPSILON)
+}

@@ -1,0 +1,128 @@
+//! Pixels and cells keep their errors, and these the tolerance: scenes with the lamp in view and without it, by elements and by paths, each
+//! compared with a run that is much more exact.
+
+use forms_radiometry::scene::read;
+use forms_radiometry::simulation::{ErrorKind, Map, Simulation, Unwatched, is_by_paths, plan, simulate};
+
+#[expect(dead_code, reason = "other tests need the rest")]
+mod scene_text;
+use scene_text::{CUBE, Point, material, polygon, surface, tolerance};
+
+/// Whether numeric code is optimised; where it is not, tolerances are looser.
+const IS_OPTIMISED: bool = !cfg!(debug_assertions);
+/// A way to look at a scene.
+struct Look {
+    name: &'static str,
+    text: String,
+    is_by_paths: bool,
+    /// What pixels in which no emitter is seen directly stay below, and all others are above, but for a thin border.
+    dim: f64,
+}
+
+/// Where an emitter is seen and where none is, and where all else is black.
+const SEEN: f64 = 1.0;
+const UNSEEN: f64 = f64::INFINITY;
+const BLACK: f64 = 0.0;
+
+fn camera(origin: Point, target: Point, fov: f64) -> String {
+    format!(
+        "[[receiver]]\nname = \"eye\"\nkind = \"camera\"\norigin = {origin:?}\ntarget = {target:?}\nup = [0, 0, 1]\n\
+         fov = {fov}\nresolution = [12, 9]\n"
+    )
+}
+
+/// A cube with a lamp below its ceiling, a shelf, and a floor of this material.
+fn room(floor: &str) -> String {
+    let walls = CUBE.iter().map(|(name, corners)| {
+        surface(name, if *name == "floor" { floor } else { "wall" }, &polygon(corners))
+    });
+    let lamp = [[0.35, 0.35, 0.95], [0.35, 0.65, 0.95], [0.65, 0.65, 0.95], [0.65, 0.35, 0.95]];
+    let shelf = [[0.7, 0.3, 0.4], [1.0, 0.3, 0.4], [1.0, 0.9, 0.4], [0.7, 0.9, 0.4]];
+    material("wall", 0.5)
+        + "[[material]]\nname = \"glass\"\nkind = \"mirror\"\nreflectance = 0.8\n"
+        + &walls.collect::<String>()
+        + &surface("lamp", "wall", &format!("{}\nradiance = 17", polygon(&lamp)))
+        + &surface("shelf", "wall", &format!("{}\ntwo_sided = true", polygon(&shelf)))
+}
+
+fn camera_of([origin, target]: [Point; 2]) -> String {
+    camera(origin, target, 75.0)
+}
+
+/// Towards the lamp, and away from it.
+const UP: [Point; 2] = [[0.1, 0.08, 0.3], [0.6, 0.6, 0.8]];
+const DOWN: [Point; 2] = [[0.1, 0.08, 0.6], [0.7, 0.75, 0.1]];
+
+fn looks() -> Vec<Look> {
+    let look = |name, text, is_by_paths, dim| Look { name, text, is_by_paths, dim };
+    let [up, down] = [UP, DOWN].map(camera_of);
+    let (name, corners) = CUBE[5];
+    let open = room("wall").replace(&surface(name, "wall", &polygon(&corners)), "");
+    let bulb = "[[light]]\nkind = \"point\"\nposition = [0.3, 0.6, 0.7]\nintensity = 0.3\n";
+    let black = room("wall").replace("reflectance = 0.5", "reflectance = 0");
+    vec![
+        look("a lamp in view", room("wall") + &up, false, SEEN),
+        look("a lamp out of view", room("wall") + &down, false, UNSEEN),
+        look("a bulb", room("wall").replace("radiance = 17", "radiance = 0") + bulb + &down, false, UNSEEN),
+        look("a lamp and light from outside", open + "[ambient]\nradiance = 2\n" + &up, false, SEEN),
+        look("a lamp between black walls", black + &up, false, BLACK),
+        look("a lamp over a mirror", room("glass") + &up, true, SEEN),
+        look("a mirror below a lamp", room("glass") + &down, true, UNSEEN),
+    ]
+}
+
+fn simulated(look: &Look, asked: f64) -> Simulation {
+    let scene =
+        read(&(look.text.clone() + &tolerance(asked)), "test.toml").unwrap_or_else(|e| panic!("{}", e[0]));
+    let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
+    assert_eq!(is_by_paths(&scene, &plan), look.is_by_paths, "{}", look.name);
+    simulate(&scene, &plan, &Unwatched)
+}
+
+/// The mean of the pixels that are no brighter than this, or of all where these are dark.
+fn scale(map: &Map, dim: f64) -> f64 {
+    let mean = |values: &mut dyn Iterator<Item = f64>| {
+        let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
+        sum / count
+    };
+    let own = mean(&mut map.values[0].iter().copied().filter(|value| *value <= dim));
+    if own > 0.0 { own } else { mean(&mut map.values[0].iter().copied()) }
+}
+
+#[test]
+fn pixels_are_within_their_errors_and_these_within_the_tolerance_of_what_is_no_emitter() {
+    for look in looks() {
+        let (asked, finer) = match (look.is_by_paths, IS_OPTIMISED) {
+            (true, true) => (1e-1, 4.0),
+            (true, false) => (3e-1, 4.0),
+            (false, true) => (1e-2, 30.0),
+            (false, false) => (3e-1, 10.0),
+        };
+        let [coarse, fine] = [asked, asked / finer].map(|asked| simulated(&look, asked));
+        let (map, exact) = (&coarse.maps[0], &fine.maps[0]);
+        let (mean, told) = (scale(map, look.dim), map.scales[0]);
+        // by paths a scale is from below, and the border of an emitter is found by some rays
+        let is_near = (0.8 * mean..=1.05 * mean).contains(&told);
+        assert!(is_near, "{}: the scale is {told}, and the mean {mean}", look.name);
+        let (mut outside, mut farthest) = (0, 0.0_f64);
+        for pixel in 0..map.values[0].len() {
+            let [(value, error), (right, rest)] =
+                [map, exact].map(|map| (map.values[0][pixel], map.errors[0][pixel]));
+            let off = (value - right).abs();
+            assert!(error <= asked * value.max(told), "{}, {pixel}: {value} ± {error}", look.name);
+            outside += usize::from(off > error + rest);
+            farthest = farthest.max(off / (error + rest));
+        }
+        let part = outside as f64 / map.values[0].len() as f64;
+        // of standard errors a third is exceeded
+        let [most, farthest_of_all] = if map.kind == ErrorKind::Sigma { [0.4, 5.0] } else { [0.02, 3.0] };
+        assert!(part <= most && farthest <= farthest_of_all, "{}: {part}, {farthest}", look.name);
+        let accuracy = coarse.accuracy();
+        assert!(
+            accuracy.missed_cells(asked).is_empty() && accuracy.largest_error() <= asked,
+            "{}",
+            look.name
+        );
+        assert_eq!(coarse.history.last().map(|moment| moment.error), Some(accuracy.largest_error()));
+    }
+}
