@@ -92,53 +92,65 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         };
         let unhidden = times(&times(&path.throughput, radiance), &densities);
         let unhidden = scaled(part / towards.density, &unhidden);
-        let Some((left, way)) = self.reached(vertex.start, path.filling, path.way, towards) else {
+        let Some(reached) = self.reached(vertex.start, path.filling, path.way, towards) else { return };
+        let value = times(&unhidden, &reached.left);
+        if !reached.is_hidden {
+            add(towards.direction, &value, reached.way);
+        } else if !(path.is_same && matches!(towards.source, Source::Beam(_))) {
             // a beam that is hidden from one place is hidden from all samples there
-            if !(path.is_same && matches!(towards.source, Source::Beam(_))) {
-                *hidden = hidden.max(largest(&unhidden));
-            }
-            return;
-        };
-        add(towards.direction, &times(&unhidden, &left), way);
+            *hidden = hidden.max(largest(&value));
+        }
     }
 
-    /// What is left of light on the way to a luminaire, and the optical length to there; none where something stands in between.
+    /// What is on the way to a luminaire; none where that is not met, or is dark from this side.
     fn reached(
         &self,
         mut start: Start,
         mut filling: Filling,
-        mut way: f64,
+        way: f64,
         towards: &Towards,
-    ) -> Option<([f64; N], f64)> {
-        let mut left = [1.0; N];
+    ) -> Option<Reached<N>> {
+        let has_media = L::ABSORPTION || L::SCATTERING;
+        let mut reached = Reached { left: [1.0; N], way, is_hidden: false };
         let mut reach = towards.reach;
         loop {
             let within = if reach.is_finite() { REACHED * reach } else { reach };
             let met = self.world.walls.first(start, towards.direction, within);
             let length = met.as_ref().map_or(reach, |met| met.distance);
             let medium = self.medium(filling);
-            if L::ABSORPTION || L::SCATTERING {
-                left = times(&left, &medium.transmittance(length));
+            if has_media {
+                reached.left = times(&reached.left, &medium.transmittance(length));
             }
-            way = self.longer(way, &medium, length);
+            reached.way = self.longer(reached.way, &medium, length);
             let Some(met) = met else {
                 let is_beam = matches!(towards.source, Source::Beam(_));
-                return is_beam.then_some((left, way));
+                return is_beam.then_some(reached);
             };
             match towards.source {
                 Source::Wall { wall, .. } if wall == met.wall => {
-                    return self.world.is_bright(wall, met.is_front).then_some((left, way));
+                    return self.world.is_bright(wall, met.is_front).then_some(reached);
                 }
                 _ => {}
             }
             let beyond = self.world.sheets[met.wall].filling(!met.is_front);
             let is_boundary = matches!(self.world.material(met.wall), MaterialKind::Dielectric { .. });
-            if !is_boundary || (L::REFRACTION && !self.optics.is_clear(filling, beyond)) {
-                return None;
+            reached.is_hidden |= !is_boundary || (L::REFRACTION && !self.optics.is_clear(filling, beyond));
+            if reached.is_hidden && !has_media {
+                return Some(reached);
             }
             start = self.world.walls.start_on(&met, !met.is_front);
             filling = beyond;
             reach -= length;
         }
     }
+}
+
+/// What is on the way from a vertex to a luminaire.
+struct Reached<const N: usize> {
+    /// What media leave of light.
+    left: [f64; N],
+    /// The optical length.
+    way: f64,
+    /// Whether something stands in between.
+    is_hidden: bool,
 }

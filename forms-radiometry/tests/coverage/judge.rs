@@ -11,8 +11,8 @@ use std::fmt;
 /// How many times the sequence is shifted.
 const SHIFTS: u64 = 16;
 /// The fewest and the most paths of a shift.
-const FEWEST: usize = 1 << 9;
-const MOST: usize = if cfg!(debug_assertions) { 1 << 11 } else { 1 << 14 };
+const FEWEST: usize = 1 << 6;
+const MOST: usize = if cfg!(debug_assertions) { 1 << 9 } else { 1 << 14 };
 /// The standard error of paths, beside the error that is judged, that is exact enough.
 const EXACT: f64 = 0.1;
 /// Standard errors of paths that are allowed for.
