@@ -27,7 +27,7 @@ const BLACK: f64 = 0.0;
 fn camera(origin: Point, target: Point, fov: f64) -> String {
     format!(
         "[[receiver]]\nname = \"eye\"\nkind = \"camera\"\norigin = {origin:?}\ntarget = {target:?}\nup = [0, 0, 1]\n\
-         fov = {fov}\nresolution = [12, 9]\n"
+         fov = {fov}\nresolution = [8, 6]\n"
     )
 }
 

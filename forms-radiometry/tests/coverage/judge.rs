@@ -17,6 +17,8 @@ const MOST: usize = if cfg!(debug_assertions) { 1 << 9 } else { 1 << 14 };
 const EXACT: f64 = 0.1;
 /// Standard errors of paths that are allowed for.
 const SURE: f64 = 4.0;
+/// What n paths have never met is rarer than this over n.
+const UNSEEN: f64 = 9.2;
 
 /// A number that was compared.
 pub(crate) struct Judged {
@@ -102,9 +104,11 @@ fn compared(world: &World, tracer: &Tracer, number: &Number, seed: u64) -> Judge
         let noise = SURE * sigma + 1e-12 * mean.abs();
         let is_clear = off + noise <= error || sigma <= EXACT * error;
         if is_clear || paths >= MOST {
+            // what no path has met is rare, and may be bright
+            let unseen = UNSEEN * world.brightest() / (SHIFTS as f64 * paths as f64);
             let (allowed, sure) = match kind {
-                ErrorKind::Sigma => ((error * error + sigma * sigma).sqrt(), 0.0),
-                _ => (error, noise),
+                ErrorKind::Sigma => ((error * error + sigma * sigma).sqrt(), unseen),
+                _ => (error, noise + unseen),
             };
             let is_outside = value.is_nan() || error.is_nan() || off > allowed + sure;
             let times = (off - sure).max(0.0) / allowed;

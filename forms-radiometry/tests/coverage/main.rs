@@ -43,7 +43,8 @@ fn written(world: &World, tolerance: f64, folder: &Path) {
 fn judged(number: usize) -> (&'static str, Vec<Judged>) {
     let (name, family) = FAMILIES[number % FAMILIES.len()];
     let world = scenes::world(family, number as u64);
-    let tolerance = [3e-2, 1e-2][number / FAMILIES.len() % 2];
+    let tolerances = if cfg!(debug_assertions) { [1e-1, 3e-2] } else { [3e-2, 1e-2] };
+    let tolerance = tolerances[number / FAMILIES.len() % 2];
     let judged = judge::judge(&world, &judge::numbers(&world, tolerance), number as u64);
     if let Ok(folder) = std::env::var("FORMS_COVERAGE_OUT")
         && judged.iter().any(|judged| judged.is_outside)

@@ -3,6 +3,7 @@
 use crate::scene_text;
 use forms_radiometry::geometry::Vector;
 use std::collections::HashMap;
+use std::f64::consts::PI;
 use std::fmt::Write;
 
 /// What a surface looks like.
@@ -77,6 +78,16 @@ impl Shape {
 }
 
 impl World {
+    /// The irradiance of a place that faces the brightest light, a lamp at the distance 1.
+    pub(crate) fn brightest(&self) -> f64 {
+        let of_lights = self.lights.iter().map(|light| match light {
+            Light::Sun { irradiance: brightness, .. } | Light::Lamp { intensity: brightness, .. } => {
+                *brightness
+            }
+        });
+        of_lights.fold(PI * self.sky, f64::max)
+    }
+
     /// The text of the scene file, and the meshes that it names.
     pub(crate) fn text(&self, tolerance: f64) -> (String, HashMap<String, String>) {
         let mut text = String::new();
