@@ -9,6 +9,6 @@ mod sequence;
 mod sobol;
 
 pub(crate) use choice::chosen;
-pub(crate) use draws::Draws;
+pub(crate) use draws::{Draws, SHARED};
 pub(crate) use frame::Frame;
 pub(crate) use sequence::{Net, Random, Samples, key};

@@ -49,7 +49,9 @@ impl<L: Lattice, const N: usize> Follow for Tracer<'_, L, N> {
             }
             None => {}
         }
-        sums.miss(self.optics.bands, question.largest(draws.hidden));
+        for (band, hidden) in (first..first + count).zip(draws.hidden) {
+            sums.miss(band, question.largest(hidden));
+        }
     }
 }
 

@@ -8,6 +8,7 @@ use super::images::Images;
 use super::optics::Optics;
 use super::path::{Limits, Tracer};
 use super::world::World;
+use crate::sampling::SHARED;
 use crate::scene::{Filling, MaterialKind, Scene};
 use std::marker::PhantomData;
 use std::ops::BitOr;
@@ -99,9 +100,6 @@ impl BitOr for Effects {
         }
     }
 }
-
-/// How many bands share their paths at most.
-pub(super) const SHARED: usize = 4;
 
 /// What follows paths in a world, for each group of bands that share them.
 pub(crate) fn follower<'w>(

@@ -8,7 +8,7 @@
 
 use super::lattice::Lattice;
 use super::luminaires::{Source, Towards};
-use super::optics::{MediumOptics, largest, mean, scaled, times};
+use super::optics::{MediumOptics, mean, scaled, times};
 use super::path::{Path, Tracer};
 use super::vertex::Vertex;
 use crate::geometry::{Start, Vector};
@@ -78,7 +78,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         path: &Path<N>,
         vertex: &Vertex<N>,
         towards: &Towards,
-        hidden: &mut f64,
+        hidden: &mut [f64],
         add: &mut impl FnMut(Vector, &[f64; N], f64),
     ) {
         let densities = vertex.law.density(towards.direction);
@@ -98,7 +98,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             add(towards.direction, &value, reached.way);
         } else if !(path.is_same && matches!(towards.source, Source::Beam(_))) {
             // a beam that is hidden from one place is hidden from all samples there
-            *hidden = hidden.max(largest(&value));
+            hidden.iter_mut().zip(value).for_each(|(hidden, value)| *hidden = hidden.max(value));
         }
     }
 

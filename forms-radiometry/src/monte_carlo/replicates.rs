@@ -66,9 +66,9 @@ impl Sums {
         (place >= 0.0 && place < count as f64).then_some(place as usize)
     }
 
-    /// Notes what a sample missed in some bands: the first, and how many.
-    pub(super) fn miss(&mut self, [first, count]: [usize; 2], value: f64) {
-        self.missed[first..first + count].iter_mut().for_each(|missed| *missed = missed.max(value));
+    /// Notes what a sample missed in a band.
+    pub(super) fn miss(&mut self, band: usize, value: f64) {
+        self.missed[band] = self.missed[band].max(value);
     }
 
     pub(super) fn add(&mut self, [number, band, bin]: [usize; 3], value: f64) {

@@ -9,14 +9,17 @@
 
 use super::sequence::{Random, Samples, key};
 
+/// How many bands share a path at most.
+pub(crate) const SHARED: usize = 4;
+
 /// The numbers of one path, and what they missed.
 #[derive(Clone, Debug)]
 pub(crate) struct Draws {
     pub(crate) path: Samples,
     pub(crate) light: Samples,
     pub(crate) chance: Random,
-    /// The largest value that a luminaire would have brought had nothing hidden it.
-    pub(crate) hidden: f64,
+    /// For each band the largest value that a luminaire would have brought had nothing hidden it.
+    pub(crate) hidden: [f64; SHARED],
 }
 
 impl Draws {
@@ -26,7 +29,7 @@ impl Draws {
             path: Samples::joint(key(of, 0), index),
             light: Samples::new(key(of, 1), index),
             chance: Random::new(key(key(of, 2), u64::from(index))),
-            hidden: 0.0,
+            hidden: [0.0; SHARED],
         }
     }
 }

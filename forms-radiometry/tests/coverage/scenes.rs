@@ -5,8 +5,11 @@ use forms_radiometry::geometry::Vector;
 use forms_testing::SplitMix;
 use std::f64::consts::PI;
 
+/// Makes a scene of a kind.
+type Family = fn(&mut Maker);
+
 /// The kinds of scenes.
-pub(crate) const FAMILIES: [(&str, fn(&mut Maker)); 6] = [
+pub(crate) const FAMILIES: [(&str, Family); 6] = [
     ("furnished room", furnished_room),
     ("window", window),
     ("panels", panels),
@@ -31,7 +34,7 @@ fn vector(x: f64, y: f64, z: f64) -> Vector {
 const UP: Vector = Vector { x: 0.0, y: 0.0, z: 1.0 };
 
 /// The world of a kind and a number.
-pub(crate) fn world(family: fn(&mut Maker), number: u64) -> World {
+pub(crate) fn world(family: Family, number: u64) -> World {
     let mut maker = Maker { random: SplitMix(number), world: World::default() };
     family(&mut maker);
     maker.world
