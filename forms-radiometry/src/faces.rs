@@ -43,6 +43,11 @@ pub(crate) fn emits(scene: &Scene, face: &Face) -> bool {
     emits_from(scene, face.surface, face.is_back)
 }
 
+/// The radiance that a face emits, for each band; nothing if it emits none.
+pub(crate) fn emitted<'s>(scene: &'s Scene, face: &Face) -> &'s [f64] {
+    if emits(scene, face) { &scene.surfaces[face.surface].radiance } else { &[] }
+}
+
 /// Whether a side of a surface emits light.
 pub(crate) fn emits_from(scene: &Scene, surface: usize, is_back: bool) -> bool {
     scene.surfaces[surface].emits() && is_side_bright(scene, surface, is_back)

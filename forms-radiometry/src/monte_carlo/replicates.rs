@@ -137,7 +137,7 @@ impl Replicates {
         place / bins.map_or(1, |bins| bins.count) % bands
     }
 
-    /// A value,, and its standard error by the spread of the replicates.
+    /// A value, and its standard error by the spread of the replicates.
     pub(crate) fn found(&self, place: usize) -> [f64; 2] {
         let mean = |sums: &Sums| sums.sums[place].value() / f64::from(self.samples);
         let count = self.of.len() as f64;

@@ -22,7 +22,7 @@ use super::operator::{Operator, Row};
 use super::solution::of_bands;
 use super::subdivision::Subdivision;
 use super::system::{Question, is_reflecting, reflectance};
-use crate::faces::emits;
+use crate::faces::emitted;
 use crate::geometry::Vector;
 use crate::kernels::irradiance;
 use crate::sampling::{Net, key};
@@ -277,7 +277,7 @@ impl<'t> Paths<'t> {
         let Some(face) = face.map(|face| &self.transport.faces[face]) else {
             return &self.scene.ambient.radiance;
         };
-        if emits(self.scene, face) { &self.scene.surfaces[face.surface].radiance } else { &[] }
+        emitted(self.scene, face)
     }
 
     /// For each band the largest radiosity of lights that rays have to meet.
@@ -301,23 +301,23 @@ impl<'t> Paths<'t> {
         for ((brightest, rho), rough) in self.brightest.iter_mut().zip(reflectances).zip(&self.irradiance) {
             *brightest = rho.iter().zip(rough).map(|(rho, rough)| rho * rough).fold(*brightest, f64::max);
         }
-        for face in self.transport.faces.iter().filter(|face| is_reflecting(self.scene, face)) {
-            let beams = most_of_beams(face, self.scene, self.transport);
-            let rho = reflectance(self.scene, face.surface);
-            for (brightest, (beam, rho)) in self.brightest.iter_mut().zip(beams.iter().zip(rho)) {
-                *brightest = brightest.max(rho * beam);
-            }
+        if self.scene.lights.is_empty() {
+            return;
         }
+        let reflecting = self.transport.faces.par_iter().filter(|face| is_reflecting(self.scene, face));
+        let lit = reflecting.map(|face| {
+            let beams = most_of_beams(face, self.scene, self.transport).into_iter();
+            beams.zip(reflectance(self.scene, face.surface)).map(|(beam, rho)| rho * beam).collect()
+        });
+        let lit = lit.reduce(|| vec![0.0; self.brightest.len()], larger);
+        self.brightest = larger(std::mem::take(&mut self.brightest), lit);
     }
 
     /// For each band the most that lights without extent bring to a place of the front of a surface.
     pub(super) fn most_of_beams_on(&self, surface: usize) -> Vec<f64> {
-        let mut most = vec![0.0_f64; self.scene.band_count()];
-        for face in self.transport.fronts(surface) {
-            let beams = most_of_beams(face, self.scene, self.transport);
-            most.iter_mut().zip(beams).for_each(|(most, beam)| *most = most.max(beam));
-        }
-        most
+        let on_faces =
+            self.transport.fronts(surface).map(|face| most_of_beams(face, self.scene, self.transport));
+        on_faces.fold(vec![0.0; self.scene.band_count()], larger)
     }
 
     /// The rough value of what a receiver gets from a direction, over the measure of the direction: what is emitted there, if rays meet
@@ -340,4 +340,9 @@ impl<'t> Paths<'t> {
         }
         Some(place)
     }
+}
+
+/// For each band the larger of two values.
+pub(super) fn larger(one: Vec<f64>, other: Vec<f64>) -> Vec<f64> {
+    one.into_iter().zip(other).map(|(one, other)| f64::max(one, other)).collect()
 }

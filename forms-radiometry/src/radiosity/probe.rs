@@ -14,7 +14,7 @@ use super::directions::towards;
 use super::gather::Scratch;
 use super::importance::GoalKind;
 use super::measure::Measure;
-use super::paths::{Numbers, Paths, Place};
+use super::paths::{Numbers, Paths, Place, larger};
 use super::walk::Begin;
 use crate::geometry::Vector;
 use crate::sampling::{Net, Random, key};
@@ -127,8 +127,7 @@ impl Paths<'_> {
         };
         let mut most: Vec<f64> = self.brightest.iter().map(|brightest| weight * brightest).collect();
         if let (GoalKind::Mean { surface }, true) = (what, self.question.direct) {
-            let beams = self.most_of_beams_on(surface);
-            most.iter_mut().zip(beams).for_each(|(most, beam)| *most = most.max(beam));
+            most = larger(most, self.most_of_beams_on(surface));
         }
         let mean = |is_sampled| if is_sampled { Mean::new(most.clone()) } else { Mean::nothing(bands) };
         let (rough, lack) = (mean(gathers), mean(lacks));

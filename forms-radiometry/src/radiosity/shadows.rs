@@ -72,7 +72,7 @@ impl Shadows {
 
 impl Transport {
     /// Whether a light without extent may reach some of a face.
-    pub(crate) fn may_reach(&self, face: &Face, light: &Light) -> bool {
+    pub(super) fn may_reach(&self, face: &Face, light: &Light) -> bool {
         self.lit(face, light).is_none_or(|lit| !lit.pieces.is_empty())
     }
 

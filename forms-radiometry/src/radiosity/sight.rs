@@ -10,7 +10,7 @@ use super::element::Element;
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use super::system::{Radiosity, is_reflecting, reflectance, reflects};
-use crate::faces::{emits, is_bright};
+use crate::faces::{emits, emitted, is_bright};
 use crate::geometry::Vector;
 use crate::sharing::Sharing;
 use std::f64::consts::PI;
@@ -93,8 +93,7 @@ impl Radiosity<'_> {
 
     /// The radiance that a piece emits, for each band; nothing if it emits none.
     pub(crate) fn emitted(&self, piece: &SeenPiece) -> &[f64] {
-        let face = &self.transport.faces[piece.face];
-        if emits(self.scene, face) { &self.scene.surfaces[face.surface].radiance } else { &[] }
+        emitted(self.scene, &self.transport.faces[piece.face])
     }
 
     /// The radiance that points of a piece send, point by point and band by band; the outline holds the points.

@@ -128,8 +128,13 @@ impl<'s> Accuracy<'s> {
 
     /// An error relative to a scale. Where there is no light at all, any error is infinite.
     fn relative(&self, error: f64, scale: f64) -> f64 {
-        if error == 0.0 { 0.0 } else { error / scale.max(self.dark) }
+        relative(error, scale.max(self.dark))
     }
+}
+
+/// An error relative to a scale; none is none, also where there is no light.
+pub(super) fn relative(error: f64, scale: f64) -> f64 {
+    if error == 0.0 { 0.0 } else { error / scale }
 }
 
 /// A tolerance with what rounding of the sum of its parts makes of an error that meets it exactly.

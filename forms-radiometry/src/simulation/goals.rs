@@ -1,5 +1,6 @@
 //! Goals: the readings that are not exact enough say which elements are made finer.
 
+use super::accuracy::relative;
 use super::estimate::{Estimate, Found};
 use super::solver::{DARK, Work};
 use crate::radiosity::{Asking, Goal, Radiosity};
@@ -36,10 +37,8 @@ impl Work<'_> {
     pub(super) fn relative_errors(&self, found: &[Found]) -> impl Iterator<Item = f64> {
         let scales = self.targets(found);
         let largest = scales.iter().flatten().copied().fold(0.0, f64::max);
-        let relative = |(estimate, scale): (&Estimate, f64)| {
-            let error = estimate.error();
-            if error == 0.0 { 0.0 } else { error / scale.max(DARK * largest) }
-        };
+        let relative =
+            |(estimate, scale): (&Estimate, f64)| relative(estimate.error(), scale.max(DARK * largest));
         let pairs = found.iter().zip(scales);
         let mut errors: Vec<f64> =
             pairs.flat_map(|(found, scales)| found.bands.iter().zip(scales).map(relative)).collect();

@@ -137,7 +137,8 @@ impl<'s> Asked<'s> {
     /// What one of the faces sees.
     fn at(&self, place: usize, hidden: &[Vec<Hidden>], scratch: &mut Scratch) -> Surroundings {
         let Self { scene, transport, reflecting, step } = self;
-        let points = points(self.face(place));
+        let here = self.face(place);
+        let points = points(here);
         let group = self.group(place, &points);
         let mut rows = vec![vec![0.0; scene.band_count()]; points.len()];
         let mut closure = vec![0.0; points.len()];
@@ -150,9 +151,13 @@ impl<'s> Asked<'s> {
                 continue;
             }
             let luminaire = (seen.vertices.as_slice(), seen.normal);
-            let Face { vertices, normal, .. } = self.face(place);
-            may_see |=
-                transport.screens.face_each_other(vertices, Some(*normal), &seen.vertices, seen.normal);
+            may_see = may_see
+                || transport.screens.face_each_other(
+                    &here.vertices,
+                    Some(here.normal),
+                    &seen.vertices,
+                    seen.normal,
+                );
             let factors = transport.measured_past(group, luminaire, screens, scratch).unwrap_or(&[]);
             for ((factor, closure), row) in factors.iter().zip(&mut closure).zip(&mut rows) {
                 *closure += factor;

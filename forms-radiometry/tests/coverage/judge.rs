@@ -2,7 +2,7 @@
 
 use crate::sequence::Sampler;
 use crate::tracer::Tracer;
-use crate::world::{Kind, World};
+use crate::world::{Kind, LIGHT, World};
 use forms_radiometry::scene::read_with_files;
 use forms_radiometry::simulation::{ErrorKind, Quantity, Unwatched, plan, simulate};
 use rayon::prelude::*;
@@ -123,7 +123,6 @@ fn compared(world: &World, tracer: &Tracer, number: &Number, seed: u64) -> Judge
 }
 
 fn sample(world: &World, tracer: &Tracer, number: &Number, sampler: &mut Sampler) -> f64 {
-    const LIGHT: f64 = 299_792_458.0;
     let receiver = &world.receivers[number.receiver];
     let mut sum = 0.0;
     tracer.sample(&receiver.kind, number.cell, sampler, &mut |way, length, value| {

@@ -80,18 +80,13 @@ fn numbers_lie_within_their_errors_as_their_kind_says() {
 fn known() -> [(&'static str, World, Quantity, f64); 5] {
     let at = |x: f64, y: f64, z: f64| Vector::new(x, y, z);
     let flat = |corner: Vector, along: Vector, across: Vector, reflectance: f64, radiance: f64| Surface {
-        name: format!("flat {}", corner.z),
-        shape: Shape::Rectangle([corner, along, across]),
-        reflectance,
         radiance,
-        is_two_sided: false,
-        is_mirror: false,
-        is_hole: false,
+        ..Surface::new(format!("flat {}", corner.z), Shape::Rectangle([corner, along, across]), reflectance)
     };
     let ball = |radius: f64, reflectance: f64, radiance: f64| Surface {
-        shape: Shape::Sphere { center: at(0.0, 0.0, 0.0), radius },
+        radiance,
         is_two_sided: true,
-        ..flat(at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.0), at(0.0, 1.0, 0.0), reflectance, radiance)
+        ..Surface::new("ball".to_owned(), Shape::Sphere { center: at(0.0, 0.0, 0.0), radius }, reflectance)
     };
     let point =
         |position: Vector, normal: Vector| Receiver { kind: Kind::Point { position, normal }, time: None };

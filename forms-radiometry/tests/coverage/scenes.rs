@@ -1,6 +1,6 @@
 //! Random scenes of the kinds that people make: furnished rooms, windows, rows of panels, streets, spheres, meshes.
 
-use crate::world::{Bins, Kind, Light, Receiver, Shape, Surface, World};
+use crate::world::{Bins, Kind, LIGHT, Light, Receiver, Shape, Surface, World};
 use forms_radiometry::geometry::Vector;
 use forms_testing::SplitMix;
 use std::f64::consts::PI;
@@ -17,9 +17,6 @@ pub(crate) const FAMILIES: [(&str, Family); 6] = [
     ("spheres", spheres),
     ("mesh", mesh),
 ];
-
-/// The speed of light in m/s.
-const LIGHT: f64 = 299_792_458.0;
 
 /// Makes a world at random.
 pub(crate) struct Maker {
@@ -63,16 +60,7 @@ impl Maker {
 
     fn add(&mut self, shape: Shape, reflectance: f64) -> &mut Surface {
         let name = format!("surface {}", self.world.surfaces.len());
-        let surface = Surface {
-            name,
-            shape,
-            reflectance,
-            radiance: 0.0,
-            is_two_sided: false,
-            is_mirror: false,
-            is_hole: false,
-        };
-        self.world.surfaces.push(surface);
+        self.world.surfaces.push(Surface::new(name, shape, reflectance));
         self.world.surfaces.last_mut().expect("the surface that was added")
     }
 

@@ -6,6 +6,9 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::fmt::Write;
 
+/// The speed of light in m/s.
+pub(crate) const LIGHT: f64 = 299_792_458.0;
+
 /// What a surface looks like.
 pub(crate) enum Shape {
     /// A parallelogram by a corner and two edges; its front is where they turn counter-clockwise.
@@ -147,6 +150,19 @@ impl World {
 }
 
 impl Surface {
+    /// A surface that reflects diffusely from its front.
+    pub(crate) fn new(name: String, shape: Shape, reflectance: f64) -> Self {
+        Self {
+            name,
+            shape,
+            reflectance,
+            radiance: 0.0,
+            is_two_sided: false,
+            is_mirror: false,
+            is_hole: false,
+        }
+    }
+
     fn text(&self, files: &mut HashMap<String, String>) -> String {
         let name = &self.name;
         let mut shape = match &self.shape {
