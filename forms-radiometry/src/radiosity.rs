@@ -44,7 +44,7 @@ mod walk;
 mod weights;
 mod whole;
 
-pub(crate) use brightest::most_direct;
+pub(crate) use brightest::{most_direct, most_reflected_of_beams};
 pub(crate) use closed_form::{Straight, is_precise};
 pub(crate) use direct::Lights;
 pub(crate) use gather::{Group, Scratch, Transport};

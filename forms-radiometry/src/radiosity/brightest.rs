@@ -10,7 +10,7 @@
 
 use super::gather::Transport;
 use super::shadows::spectrum;
-use super::system::is_reflecting;
+use super::system::{is_reflecting, reflectance};
 use crate::faces::emits;
 use crate::geometry::{Face, distance_of_boxes};
 use crate::scene::{Light, LightKind, Scene};
@@ -29,6 +29,20 @@ pub(crate) fn most_direct(scene: &Scene, transport: &Transport) -> f64 {
             most.iter_mut().zip(radiances).for_each(|(most, radiance)| *most += factor * radiance);
         }
         most.into_iter().fold(0.0, f64::max)
+    };
+    let reflecting = transport.faces.iter().filter(|face| is_reflecting(scene, face));
+    reflecting.map(on_face).fold(0.0, f64::max)
+}
+
+/// The largest radiance that a face reflects of what comes straight from lights without extent, in any band.
+pub(crate) fn most_reflected_of_beams(scene: &Scene, transport: &Transport) -> f64 {
+    let on_face = |face: &Face| {
+        let arriving = most_of_beams(face, scene, transport);
+        arriving
+            .iter()
+            .zip(reflectance(scene, face.surface))
+            .map(|(arriving, rho)| rho * arriving / PI)
+            .fold(0.0, f64::max)
     };
     let reflecting = transport.faces.iter().filter(|face| is_reflecting(scene, face));
     reflecting.map(on_face).fold(0.0, f64::max)

@@ -13,6 +13,7 @@ mod asked;
 mod computed;
 mod findings;
 mod foresight;
+mod pixels;
 mod scale;
 mod state;
 

@@ -11,6 +11,8 @@
 mod block;
 mod film;
 
+pub(super) use film::add_parts;
+
 use super::answer::{Answer, ErrorKind, Map, Quantity};
 use super::estimate::Found;
 use super::parts::ErrorParts;

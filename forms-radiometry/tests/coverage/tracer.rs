@@ -214,21 +214,14 @@ impl<'w> Tracer<'w> {
             Sight::Hemisphere(normal) => normal.dot(way).max(0.0),
             Sight::Sphere => 1.0,
         };
-        for light in &self.world.lights {
-            let (way, distance, irradiance) = match *light {
-                Light::Sun { direction, irradiance } => {
-                    (-1.0 * direction.unit().expect("a direction"), f64::INFINITY, irradiance)
-                }
-                Light::Lamp { position, intensity } => {
-                    let to = position - place;
-                    let distance = to.length();
-                    let transmitted = (-self.world.absorption * distance).exp();
-                    ((1.0 / distance) * to, distance, transmitted * intensity / (distance * distance))
-                }
-            };
-            let value = cosine(way) * irradiance;
-            if value > 0.0 && self.hit(place, way, distance, true).is_none() {
-                sink(way, distance, value);
+        for &light in &self.world.lights {
+            let (way, distance, irradiance) = self.reaching(light, place);
+            if self.hit(place, way, distance, true).is_none() {
+                sink(way, distance, cosine(way) * irradiance);
+            }
+            for mirror in self.mirrors() {
+                let Some((way, distance, irradiance)) = self.mirrored(light, mirror, place) else { continue };
+                sink(way, distance, cosine(way) * irradiance);
             }
         }
         let [pick, u, v] = [sampler.next(), sampler.next(), sampler.next()];
@@ -256,6 +249,49 @@ impl<'w> Tracer<'w> {
         };
         let transmitted = (-self.world.absorption * distance).exp();
         sink(way, distance, transmitted * surface.radiance * arriving / (by_area + by_direction));
+    }
+
+    /// The direction of a light without extent, its distance, and the irradiance that it makes across.
+    fn reaching(&self, light: Light, place: Vector) -> (Vector, f64, f64) {
+        match light {
+            Light::Sun { direction, irradiance } => {
+                (-1.0 * direction.unit().expect("a direction"), f64::INFINITY, irradiance)
+            }
+            Light::Lamp { position, intensity } => {
+                let to = position - place;
+                let distance = to.length();
+                let transmitted = (-self.world.absorption * distance).exp();
+                ((1.0 / distance) * to, distance, transmitted * intensity / (distance * distance))
+            }
+        }
+    }
+
+    fn mirrors(&self) -> impl Iterator<Item = usize> {
+        let is_mirror = |&index: &usize| self.world.surfaces[self.pieces[index].surface].is_mirror;
+        (0..self.pieces.len()).filter(is_mirror)
+    }
+
+    /// The same of the image of a light in a flat mirror, if that is seen: no sampled direction finds it. Images of images are left out, as no world with
+    /// lights without extent has a second mirror.
+    fn mirrored(&self, light: Light, mirror: usize, place: Vector) -> Option<(Vector, f64, f64)> {
+        let piece = &self.pieces[mirror];
+        let normal = piece.normal(piece.middle);
+        let across = |way: Vector| way - (2.0 * way.dot(normal)) * normal;
+        let image = match light {
+            Light::Sun { direction, irradiance } => Light::Sun { direction: across(direction), irradiance },
+            Light::Lamp { position, intensity } => {
+                Light::Lamp { position: piece.middle + across(position - piece.middle), intensity }
+            }
+        };
+        let (way, distance, irradiance) = self.reaching(image, place);
+        let met = self.hit(place, way, distance, false).filter(|met| met.piece == mirror && met.is_front)?;
+        let rest = distance - met.distance;
+        let reflectance = self.world.surfaces[piece.surface].reflectance;
+        self.hit(met.place, across(way), rest, true).is_none().then_some((
+            way,
+            distance,
+            reflectance * irradiance,
+        ))
     }
 
     /// The density, by area, with which next-event estimation chooses points of a piece.

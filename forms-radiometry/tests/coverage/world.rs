@@ -32,6 +32,7 @@ pub(crate) struct Surface {
     pub(crate) is_hole: bool,
 }
 
+#[derive(Clone, Copy)]
 pub(crate) enum Light {
     Sun { direction: Vector, irradiance: f64 },
     Lamp { position: Vector, intensity: f64 },
@@ -81,14 +82,15 @@ impl Shape {
 }
 
 impl World {
-    /// The irradiance of a place that faces the brightest light, a lamp at the distance 1.
+    /// The irradiance of a place that sees nothing but the brightest light: a lamp at the distance 1.
     pub(crate) fn brightest(&self) -> f64 {
         let of_lights = self.lights.iter().map(|light| match light {
             Light::Sun { irradiance: brightness, .. } | Light::Lamp { intensity: brightness, .. } => {
                 *brightness
             }
         });
-        of_lights.fold(PI * self.sky, f64::max)
+        let of_surfaces = self.surfaces.iter().map(|surface| PI * surface.radiance);
+        of_lights.chain(of_surfaces).fold(PI * self.sky, f64::max)
     }
 
     /// The text of the scene file, and the meshes that it names.

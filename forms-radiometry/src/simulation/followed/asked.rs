@@ -7,10 +7,11 @@ use super::super::parts::ErrorParts;
 use super::super::solver::ROUNDING;
 use super::super::times::scale;
 use super::computed::{Computed, Computing};
+use super::pixels::shown;
 use crate::faces::faces;
 use crate::geometry::Screens;
 use crate::monte_carlo::{Bins, Effects, Follow, LEFT_OUT, Question, REPLICATES, Replicates, World};
-use crate::radiosity::Transport;
+use crate::radiosity::{Transport, most_reflected_of_beams};
 use crate::sampling::key;
 use crate::scene::{Receiver, ReceiverKind, Scene, TimeBins};
 use rayon::prelude::*;
@@ -24,6 +25,8 @@ pub(in super::super) const MOST: u32 = 1 << 31;
 const STEP: u32 = 1 << 12;
 /// Where so many samples of each replicate found nothing, there is no use in more.
 const NOTHING: u32 = 1 << 14;
+/// What values of samples differ by through rounding, relative to their mean.
+const SAME: f64 = 1e-12;
 /// The speed of light, in m/s.
 const LIGHT: f64 = 299_792_458.0;
 
@@ -34,13 +37,15 @@ pub(super) struct Asked {
     pub(super) cell: Option<usize>,
     /// Whether it is a pixel in which an emitter is seen directly.
     pub(super) sees_emitter: bool,
+    /// The part of a pixel in which surfaces that send light may be seen.
+    shown: f64,
     pub(super) question: Question,
     pub(super) replicates: Replicates,
     /// By number and band what is computed, where no samples are needed.
     pub(super) computed: Option<Vec<Computed>>,
     /// What images that are left out may make of a value, relative to it.
     left_out: f64,
-    /// The largest number that light of the brightest radiance brings, of surfaces and from outside.
+    /// The largest number that light of the brightest radiance brings: of surfaces, from outside, or reflected of lights without extent.
     pub(super) brightest: f64,
     /// For each band the largest number that light from outside brings, which only chance finds.
     outside: Vec<f64>,
@@ -87,12 +92,17 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
     let has_images = !scene.lights.is_empty() && (effects.mirror || effects.refraction);
     let left_out = if has_images { LEFT_OUT * scene.solve.tolerance } else { 0.0 };
     let mut all: Vec<Asked> = Vec::new();
+    let unhidden = unhidden(scene);
     let radiances = scene.surfaces.iter().map(|surface| &surface.radiance).chain([&scene.ambient.radiance]);
-    let brightest = radiances.flatten().copied().fold(0.0, f64::max);
+    let brightest = radiances.flatten().copied().fold(most_reflected_of_beams(scene, &unhidden), f64::max);
     for (index, receiver) in scene.receivers.iter().enumerate() {
         let bins = receiver.time.as_ref().map(|time| bins(time, metres));
         let own_key = key(scene.solve.seed, index as u64);
-        for (cell, question) in questions(scene, receiver) {
+        let shown = match &receiver.kind {
+            ReceiverKind::Camera(camera) => shown(scene, &unhidden.faces, camera),
+            _ => Vec::new(),
+        };
+        for (cell, question) in questions(receiver, scene, &unhidden) {
             let key = cell.map_or(own_key, |cell| key(own_key, 1 + cell as u64));
             let replicates = Replicates::new(key, &question, scene.band_count(), bins);
             let brightest = question.largest(brightest);
@@ -101,6 +111,7 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
                 receiver: index,
                 cell,
                 sees_emitter: false,
+                shown: cell.and_then(|cell| shown.get(cell).copied()).unwrap_or(1.0),
                 question,
                 replicates,
                 computed: None,
@@ -132,12 +143,14 @@ pub(super) fn divide_time(all: &mut [Asked], begin: Instant) {
 
 /// What is asked of a scene, by receiver.
 pub(in super::super) fn all_questions(scene: &Scene) -> Vec<Question> {
-    let of_receiver = |receiver| questions(scene, receiver).into_iter().map(|(_, question)| question);
+    let unhidden = unhidden(scene);
+    let of_receiver =
+        |receiver| questions(receiver, scene, &unhidden).into_iter().map(|(_, question)| question);
     scene.receivers.iter().flat_map(of_receiver).collect()
 }
 
 /// The questions of a receiver: its number, if it asks for one, and its cells or pixels.
-fn questions(scene: &Scene, receiver: &Receiver) -> Vec<(Option<usize>, Question)> {
+fn questions(receiver: &Receiver, scene: &Scene, unhidden: &Transport) -> Vec<(Option<usize>, Question)> {
     match &receiver.kind {
         ReceiverKind::Point { position, normal } => {
             vec![(None, Question::Plane { position: *position, normal: *normal })]
@@ -148,7 +161,9 @@ fn questions(scene: &Scene, receiver: &Receiver) -> Vec<(Option<usize>, Question
         ReceiverKind::Sphere { position } => vec![(None, Question::Sphere { position: *position })],
         ReceiverKind::Surface { surface, grid: size } => {
             let mean = (None, Question::Surface { surface: *surface });
-            let Some(grid) = size.and_then(|size| grid(scene, *surface, size)) else { return vec![mean] };
+            let Some(grid) = size.and_then(|size| grid(scene, unhidden, *surface, size)) else {
+                return vec![mean];
+            };
             let normal = grid.normal();
             let cell = |(cell, position): (usize, &Option<_>)| {
                 position.map(|position| (Some(cell), Question::Plane { position, normal }))
@@ -232,7 +247,7 @@ impl Asked {
             Some(computed) => (computed[place].value, computed[place].parts),
             None => {
                 let [value, error] = self.replicates.found(place);
-                let sampling = error.hypot(self.unseen(place, value == 0.0 && error == 0.0));
+                let sampling = error.hypot(self.unseen(place, self.is_nothing([value, error])));
                 (value, ErrorParts { sampling, ..ErrorParts::default() })
             }
         };
@@ -240,15 +255,25 @@ impl Asked {
         (value, own + ErrorParts { rounding, orders: images, ..ErrorParts::default() })
     }
 
+    /// Whether no sample found anything: what is the same in all of them is no more than is computed. Rays that begin at one place see the
+    /// same in all samples where nothing but an emitter is seen.
+    fn is_nothing(&self, [value, error]: [f64; 2]) -> bool {
+        match self.question {
+            Question::Pixel { .. } | Question::Sight { .. } => value == 0.0 && error == 0.0,
+            _ => error <= SAME * value.abs(),
+        }
+    }
+
     /// What one sample more could add to a value: a luminaire that was hidden from all others, or light from outside; where no sample found
-    /// anything, the brightest light.
+    /// anything, the brightest light, in the part of a pixel that may show any.
     fn unseen(&self, place: usize, is_nothing: bool) -> f64 {
         if self.replicates.samples == 0 {
             return 0.0;
         }
-        let brightest = if is_nothing { self.brightest } else { 0.0 };
+        let rare = 1.0 / self.replicates.count();
+        let brightest = if is_nothing { self.brightest * self.shown.min(rare) } else { 0.0 };
         let outside = self.outside.get(self.replicates.band(place)).copied().unwrap_or(0.0);
-        brightest.max(outside).max(self.replicates.missed(place)) / self.replicates.count()
+        brightest.max(rare * outside.max(self.replicates.missed(place)))
     }
 
     /// The largest value of each band.
@@ -295,10 +320,14 @@ fn bins(time: &TimeBins, metres: f64) -> Bins {
     Bins { start: time.start * length, width: time.width * length, count: time.bins }
 }
 
-/// The grid over a surface.
-fn grid(scene: &Scene, surface: usize, size: [usize; 2]) -> Option<Grid> {
+/// The geometry of a scene in which nothing hides anything.
+fn unhidden(scene: &Scene) -> Transport {
     let faces = faces(scene, 2);
     let screens = Screens::none(&faces);
-    let transport = Transport { faces, screens, occlusion: false, accuracy: 1.0 };
-    Grid::over(&transport, (surface, &scene.surfaces[surface].shape), size)
+    Transport { faces, screens, occlusion: false, accuracy: 1.0 }
+}
+
+/// The grid over a surface.
+fn grid(scene: &Scene, unhidden: &Transport, surface: usize, size: [usize; 2]) -> Option<Grid> {
+    Grid::over(unhidden, (surface, &scene.surfaces[surface].shape), size)
 }

@@ -127,6 +127,16 @@ fn strips(polygon: &Polygon, axis: Axis, width: usize, end: usize) -> Vec<(usize
     parts
 }
 
+/// Adds the part of each pixel that the image of a convex outline covers, by the ways from the pinhole to its corners.
+pub(in super::super) fn add_parts(camera: &Camera, outline: &[Vector], parts: &mut [f64]) {
+    let [columns, rows] = camera.resolution;
+    for (row, strip) in strips(&projected(camera, outline), Axis::Row, 1, rows) {
+        for (column, part) in strips(&strip, Axis::Column, 1, columns) {
+            parts[row * columns + column] += area(&part);
+        }
+    }
+}
+
 /// The area of a convex polygon of the film.
 pub(super) fn area(polygon: &[Vector]) -> f64 {
     triangles(polygon).map(area_of_triangle).sum()
