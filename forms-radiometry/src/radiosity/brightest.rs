@@ -34,18 +34,18 @@ pub(crate) fn most_direct(scene: &Scene, transport: &Transport) -> f64 {
     reflecting.map(on_face).fold(0.0, f64::max)
 }
 
-/// The largest radiance that a face reflects of what comes straight from lights without extent, in any band.
-pub(crate) fn most_reflected_of_beams(scene: &Scene, transport: &Transport) -> f64 {
-    let on_face = |face: &Face| {
+/// The largest radiance that a face reflects of what comes straight from lights without extent, for each band.
+pub(crate) fn most_reflected_of_beams(scene: &Scene, transport: &Transport) -> Vec<f64> {
+    let mut largest = vec![0.0_f64; scene.band_count()];
+    for face in transport.faces.iter().filter(|face| is_reflecting(scene, face)) {
         let arriving = most_of_beams(face, scene, transport);
-        arriving
-            .iter()
-            .zip(reflectance(scene, face.surface))
-            .map(|(arriving, rho)| rho * arriving / PI)
-            .fold(0.0, f64::max)
-    };
-    let reflecting = transport.faces.iter().filter(|face| is_reflecting(scene, face));
-    reflecting.map(on_face).fold(0.0, f64::max)
+        for ((largest, arriving), rho) in
+            largest.iter_mut().zip(arriving).zip(reflectance(scene, face.surface))
+        {
+            *largest = largest.max(rho * arriving / PI);
+        }
+    }
+    largest
 }
 
 /// The most that comes straight from lights without extent to a place of a face, for each band.
@@ -53,7 +53,12 @@ pub(super) fn most_of_beams(face: &Face, scene: &Scene, transport: &Transport) -
     let mut most = vec![0.0; scene.band_count()];
     for light in &scene.lights {
         let factor = most_of_light(face, light, scene, transport);
-        most.iter_mut().zip(spectrum(light)).for_each(|(most, of_band)| *most += factor * of_band);
+        let is_far = matches!(light.kind, LightKind::Distant { .. });
+        for (band, (most, of_band)) in most.iter_mut().zip(spectrum(light)).enumerate() {
+            if !is_far || scene.is_lit_from_afar(band) {
+                *most += factor * of_band;
+            }
+        }
     }
     most
 }

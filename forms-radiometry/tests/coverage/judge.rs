@@ -23,10 +23,16 @@ const UNSEEN: f64 = 9.2;
 /// A number that was compared.
 pub(crate) struct Judged {
     pub(crate) kind: ErrorKind,
-    pub(crate) is_outside: bool,
     /// By how many errors it is off, at least.
-    pub(crate) times: f64,
+    times: f64,
     pub(crate) what: String,
+}
+
+impl Judged {
+    /// Whether it is off by more than its error.
+    pub(crate) fn is_outside(&self) -> bool {
+        self.times > 1.0
+    }
 }
 
 /// A number of the simulation.
@@ -110,13 +116,16 @@ fn compared(world: &World, tracer: &Tracer, number: &Number, seed: u64) -> Judge
                 ErrorKind::Sigma => ((error * error + sigma * sigma).sqrt(), unseen),
                 _ => (error, noise + unseen),
             };
-            let is_outside = value.is_nan() || error.is_nan() || off > allowed + sure;
-            let times = (off - sure).max(0.0) / allowed;
+            let times = match off - sure {
+                _ if value.is_nan() || error.is_nan() || mean.is_nan() => f64::INFINITY,
+                beyond if beyond > 0.0 => beyond / allowed,
+                _ => 0.0,
+            };
             let what = format!(
                 "receiver {} {:?} {:?} {:?}: {value} ± {error:.3e} {kind:?}, paths say {mean} ± {sigma:.3e}: {times:.2} errors",
                 number.receiver, number.quantity, number.cell, number.bin
             );
-            return Judged { kind, is_outside, times, what };
+            return Judged { kind, times, what };
         }
         more = paths;
     }
@@ -141,59 +150,58 @@ fn sample(world: &World, tracer: &Tracer, number: &Number, sampler: &mut Sampler
     sum
 }
 
-/// What a kind of error promises: the part of numbers that may be off by more, and by how many errors at most.
-fn promise(kind: ErrorKind) -> (f64, f64) {
+/// What a kind of error promises: for a number of errors, the part of numbers that may be off by more.
+fn promises(kind: ErrorKind) -> &'static [(f64, f64)] {
     match kind {
-        ErrorKind::Bound => (0.0, 1.0),
-        ErrorKind::Estimate => (0.02, 3.0),
-        ErrorKind::Confidence => (1.0 - ErrorKind::LEVEL, f64::INFINITY),
-        // 68.27 % of a normal distribution lie within one standard error
-        ErrorKind::Sigma => (0.3173, 5.0),
+        ErrorKind::Bound => &[(1.0, 0.0)],
+        ErrorKind::Estimate => &[(1.0, 0.02), (3.0, 0.0)],
+        ErrorKind::Confidence => &[(1.0, 1.0 - ErrorKind::LEVEL)],
+        // 68.27 % of a normal distribution lie within one standard error; what few of the paths find, as through mirrors, makes the tail longer
+        ErrorKind::Sigma => &[(1.0, 0.3173), (3.0, 0.05)],
     }
 }
 
-/// How many numbers of a kind there are, how many of them lie outside, and by how many errors one of them is off at most.
-#[derive(Clone, Copy, Default)]
-struct Count {
-    all: usize,
-    outside: usize,
-    most: f64,
-}
-
-/// The numbers of each kind.
+/// For each kind by how many errors its numbers are off.
 #[derive(Default)]
-pub(crate) struct Tally(Vec<(ErrorKind, Count)>);
+pub(crate) struct Tally(Vec<(ErrorKind, Vec<f64>)>);
 
 impl Tally {
     pub(crate) fn add(&mut self, judged: &Judged) {
-        if !self.0.iter().any(|(kind, _)| *kind == judged.kind) {
-            self.0.push((judged.kind, Count::default()));
-            self.0.sort_by_key(|(kind, _)| *kind);
+        match self.0.iter_mut().find(|(kind, _)| *kind == judged.kind) {
+            Some((_, all)) => all.push(judged.times),
+            None => self.0.push((judged.kind, vec![judged.times])),
         }
-        let of_kind = self.0.iter_mut().filter(|(kind, _)| *kind == judged.kind);
-        for (_, count) in of_kind {
-            count.all += 1;
-            count.outside += usize::from(judged.is_outside);
-            count.most = count.most.max(judged.times);
-        }
+        self.0.sort_by_key(|(kind, _)| *kind);
     }
 
     /// The kinds that are off more often, or by more, than they promise: three deviations of a binomial distribution are chance.
     pub(crate) fn broken(&self) -> Vec<ErrorKind> {
-        let is_broken = |&&(kind, Count { all, outside, most }): &&(ErrorKind, Count)| {
-            let (part, times) = promise(kind);
-            let expected = part * all as f64;
-            let allowed = expected + 3.0 * (expected * (1.0 - part)).sqrt();
-            outside as f64 > allowed || most > times
+        let is_broken = |&&(kind, ref all): &&(ErrorKind, Vec<f64>)| {
+            promises(kind).iter().any(|&(times, part)| {
+                let expected = part * all.len() as f64;
+                beyond(all, times) as f64 > expected + 3.0 * (expected * (1.0 - part)).sqrt()
+            })
         };
         self.0.iter().filter(is_broken).map(|(kind, _)| *kind).collect()
     }
 }
 
+/// How many numbers are off by more errors than this.
+fn beyond(all: &[f64], times: f64) -> usize {
+    all.iter().filter(|&&one| one > times).count()
+}
+
 impl fmt::Display for Tally {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (kind, Count { all, outside, most }) in &self.0 {
-            writeln!(f, "{}: {outside} of {all} outside, off by {most:.2} errors at most", kind.name())?;
+        for (kind, all) in &self.0 {
+            let most = all.iter().copied().fold(0.0, f64::max);
+            let [outside, far] = [1.0, 3.0].map(|times| beyond(all, times));
+            writeln!(
+                f,
+                "{}: of {} numbers {outside} outside, {far} by more than 3 errors, one by {most:.2}",
+                kind.name(),
+                all.len()
+            )?;
         }
         Ok(())
     }

@@ -47,7 +47,7 @@ fn judged(number: usize) -> (&'static str, Vec<Judged>) {
     let tolerance = tolerances[number / FAMILIES.len() % 2];
     let judged = judge::judge(&world, &judge::numbers(&world, tolerance), number as u64);
     if let Ok(folder) = std::env::var("FORMS_COVERAGE_OUT")
-        && judged.iter().any(|judged| judged.is_outside)
+        && judged.iter().any(|judged| judged.is_outside())
     {
         written(&world, tolerance, &Path::new(&folder).join(number.to_string()));
     }
@@ -61,7 +61,7 @@ fn numbers_lie_within_their_errors_as_their_kind_says() {
     let mut outside = Vec::new();
     for number in from..from + count() {
         let (name, judged) = judged(number);
-        for Judged { what, .. } in judged.iter().filter(|judged| judged.is_outside) {
+        for Judged { what, .. } in judged.iter().filter(|judged| judged.is_outside()) {
             // whoever watches thousands of scenes is told at once
             println!("{number} {name}: {what}");
             outside.push(format!("{number} {name}: {what}"));
@@ -139,7 +139,7 @@ fn paths_find_what_is_known() {
         let is_outside = |value: f64| {
             let (error, kind) = (5e-3 * right, ErrorKind::Bound);
             let number = Number { receiver: 0, quantity, cell: None, bin: None, value, error, kind };
-            judge::judge(&world, &[number], 1)[0].is_outside
+            judge::judge(&world, &[number], 1)[0].is_outside()
         };
         assert!(!is_outside(right), "{name}");
         assert!(is_outside(1.05 * right), "{name}: paths do not tell 5 % more");

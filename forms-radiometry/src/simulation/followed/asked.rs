@@ -45,8 +45,9 @@ pub(super) struct Asked {
     pub(super) computed: Option<Vec<Computed>>,
     /// What images that are left out may make of a value, relative to it.
     left_out: f64,
-    /// The largest number that light of the brightest radiance brings: of surfaces, from outside, or reflected of lights without extent.
-    pub(super) brightest: f64,
+    /// For each band the largest number that light of the brightest radiance brings: of surfaces, from outside, or reflected of lights
+    /// without extent.
+    brightest: Vec<f64>,
     /// For each band the largest number that light from outside brings, which only chance finds.
     outside: Vec<f64>,
     /// How many samples each replicate is to get before it is asked again whether that is enough.
@@ -93,8 +94,8 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
     let left_out = if has_images { LEFT_OUT * scene.solve.tolerance } else { 0.0 };
     let mut all: Vec<Asked> = Vec::new();
     let unhidden = unhidden(scene);
-    let radiances = scene.surfaces.iter().map(|surface| &surface.radiance).chain([&scene.ambient.radiance]);
-    let brightest = radiances.flatten().copied().fold(most_reflected_of_beams(scene, &unhidden), f64::max);
+    let outside = outside(scene);
+    let brightest = brightest(scene, &unhidden, &outside);
     for (index, receiver) in scene.receivers.iter().enumerate() {
         let bins = receiver.time.as_ref().map(|time| bins(time, metres));
         let own_key = key(scene.solve.seed, index as u64);
@@ -105,8 +106,8 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
         for (cell, question) in questions(receiver, scene, &unhidden) {
             let key = cell.map_or(own_key, |cell| key(own_key, 1 + cell as u64));
             let replicates = Replicates::new(key, &question, scene.band_count(), bins);
-            let brightest = question.largest(brightest);
-            let outside = scene.ambient.radiance.iter().map(|&radiance| question.largest(radiance)).collect();
+            let [brightest, outside] = [&brightest, &outside]
+                .map(|radiances| radiances.iter().map(|&radiance| question.largest(radiance)).collect());
             all.push(Asked {
                 receiver: index,
                 cell,
@@ -271,9 +272,14 @@ impl Asked {
             return 0.0;
         }
         let rare = 1.0 / self.replicates.count();
-        let brightest = if is_nothing { self.brightest * self.shown.min(rare) } else { 0.0 };
-        let outside = self.outside.get(self.replicates.band(place)).copied().unwrap_or(0.0);
-        brightest.max(rare * outside.max(self.replicates.missed(place)))
+        let band = self.replicates.band(place);
+        let brightest = if is_nothing { self.brightest[band] * self.shown.min(rare) } else { 0.0 };
+        brightest.max(rare * self.outside[band].max(self.replicates.missed(place)))
+    }
+
+    /// The largest number that any light of the scene brings.
+    pub(super) fn brightest(&self) -> f64 {
+        self.brightest.iter().copied().fold(0.0, f64::max)
     }
 
     /// The largest value of each band.
@@ -292,7 +298,7 @@ impl Asked {
             let [value, error] = self.found(place);
             let own = if self.cell.is_some() { value.abs() } else { 0.0 };
             let scale = scales[self.replicates.band(place)].max(own);
-            if error == 0.0 { 0.0 } else { error / if scale > 0.0 { scale } else { self.brightest } }
+            if error == 0.0 { 0.0 } else { error / if scale > 0.0 { scale } else { self.brightest() } }
         };
         (0..self.replicates.len()).map(relative).fold(0.0, f64::max)
     }
@@ -312,6 +318,23 @@ impl Asked {
         let is_nothing = || (0..self.replicates.len()).all(|place| self.replicates.found(place) == [0.0; 2]);
         self.replicates.samples < MOST && !(self.replicates.samples >= NOTHING && is_nothing())
     }
+}
+
+/// The radiance from outside that arrives, for each band.
+fn outside(scene: &Scene) -> Vec<f64> {
+    let radiance = |band: usize| scene.ambient.radiance.get(band).copied().unwrap_or(0.0);
+    (0..scene.band_count())
+        .map(|band| if scene.is_lit_from_afar(band) { radiance(band) } else { 0.0 })
+        .collect()
+}
+
+/// For each band the brightest radiance: of surfaces, from outside, or reflected of lights without extent.
+fn brightest(scene: &Scene, unhidden: &Transport, outside: &Vec<f64>) -> Vec<f64> {
+    let mut brightest = most_reflected_of_beams(scene, unhidden);
+    for radiances in scene.surfaces.iter().map(|surface| &surface.radiance).chain([outside]) {
+        brightest.iter_mut().zip(radiances).for_each(|(most, &radiance)| *most = most.max(radiance));
+    }
+    brightest
 }
 
 /// Bins of time as bins of optical length.

@@ -68,7 +68,7 @@ fn of_band(asked: &[Asked], cells: &[usize], band: usize) -> Told {
     let values = cells.iter().zip(&found).map(|(&cell, &[value, _])| (value, asked[cell].sees_emitter));
     let Mean { value: mean, is_of_all } = Mean::of(values);
     if mean == 0.0 {
-        return Told { scale: asked[cells[0]].brightest, open: Vec::new() };
+        return Told { scale: asked[cells[0]].brightest(), open: Vec::new() };
     }
     let counted = || cells.iter().zip(&found).filter(|(cell, _)| is_of_all || !asked[**cell].sees_emitter);
     // of a cell in which nothing was found it is not known how much more there may be
