@@ -14,6 +14,7 @@
 mod arriving;
 mod brightest;
 mod change;
+mod checks;
 mod closed_form;
 mod clusters;
 mod contact;

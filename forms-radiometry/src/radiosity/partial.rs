@@ -12,7 +12,6 @@ use super::element::Element;
 use super::gather::{Group, Scratch, Transport};
 use super::importance::GoalKind;
 use super::measure::Measure;
-use super::operator::Operator;
 use super::shadows::{Shadows, measure, spectrum};
 use super::solution::of_bands;
 use super::system::Radiosity;
@@ -115,29 +114,46 @@ fn spread(weights: &[f64], element: &Element) -> f64 {
     high - low
 }
 
+/// What there is of an element in a band; nothing where there is of none.
+fn of_element(all: &[Vec<f64>], element: usize, band: usize) -> f64 {
+    all.get(band).and_then(|band| band.get(element)).copied().unwrap_or(0.0)
+}
+
 impl Radiosity<'_> {
-    /// For each band what the irradiance of each node may be off by because of where shadows end on elements, over all reflections; nothing where
-    /// none does.
-    pub(super) fn found_doubts(&self, operator: &Operator, reflectances: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        if self.jumps.iter().flatten().all(|&jump| jump == 0.0) {
-            return Vec::new();
+    /// Finds anew what nodes miss of what comes straight, and, for each band, what the irradiance of each node may be off by because of that,
+    /// and of where shadows end on elements, over all reflections; nothing where neither is there.
+    pub(super) fn doubt_anew(&mut self) {
+        self.residuals = self.residuals();
+        self.missed = self.missed();
+        self.doubts = Vec::new();
+        if let Some(operator) = self.operator.as_ref().filter(|_| self.is_doubtful()) {
+            let reflectances = self.reflectances();
+            let once = |(band, reflectances): (usize, &Vec<f64>)| {
+                operator.sums(|element, weights| reflectances[element] * self.astray(element, band, weights))
+            };
+            let once: Vec<Vec<f64>> = reflectances.iter().enumerate().map(once).collect();
+            self.doubts =
+                of_bands(operator, &reflectances, &once, self.question.orders, self.watch).irradiance;
         }
-        let once = |(reflectances, jumps): (&Vec<f64>, &Vec<f64>)| {
-            operator.sums(|element, weights| {
-                let jump = reflectances[element] * jumps[element];
-                if jump > 0.0 { jump * spread(weights, &self.elements[element]) } else { 0.0 }
-            })
-        };
-        let once: Vec<Vec<f64>> = reflectances.iter().zip(&self.jumps).map(once).collect();
-        of_bands(operator, reflectances, &once, self.question.orders, self.watch).irradiance
     }
 
-    /// Whether shadows end on elements.
-    pub(crate) fn has_doubts(&self) -> bool {
-        !self.doubts.is_empty()
+    /// Whether the irradiance of an element is not that of its nodes.
+    pub(crate) fn is_doubtful(&self) -> bool {
+        let of_elements = self.missed.iter().chain(&self.jumps).flatten();
+        of_elements.into_iter().any(|&irradiance| irradiance > 0.0)
     }
 
-    /// What an answer may be off by, for each band, because of where shadows end on elements.
+    /// What comes from an element that its nodes do not tell, where these have such weights: of a reflectance of 1.
+    fn astray(&self, element: usize, band: usize, weights: &[f64]) -> f64 {
+        let [jump, missed] = [&self.jumps, &self.missed].map(|all| of_element(all, element, band));
+        if jump == 0.0 && missed == 0.0 {
+            return 0.0;
+        }
+        let whole: f64 = weights.iter().map(|weight| weight.abs()).sum();
+        (jump + missed) * spread(weights, &self.elements[element]) + missed * whole
+    }
+
+    /// What an answer may be off by, for each band, because of where shadows end on elements, and of what their nodes miss.
     pub(crate) fn doubt(&self, what: GoalKind, scratch: &mut Scratch) -> Vec<f64> {
         let mut sums = vec![0.0; self.scene.band_count()];
         match what {
@@ -146,17 +162,19 @@ impl Radiosity<'_> {
                 let group = Group { points: &points, outline: &points, measure };
                 self.weigh(group, None, scratch, |source, _, weights| {
                     let element = &self.elements[source];
-                    let spread = spread(weights, element);
                     for (band, sum) in sums.iter_mut().enumerate() {
                         let doubts = self.doubts[band][self.first[source]..].iter();
                         let arriving: f64 =
                             weights.iter().zip(doubts).map(|(w, doubt)| w.abs() * doubt).sum();
-                        let own = self.jumps[band][source] * spread;
-                        *sum += self.reflectance(element, band) * (arriving + own);
+                        *sum +=
+                            self.reflectance(element, band) * (arriving + self.astray(source, band, weights));
                     }
                 });
             }
             GoalKind::Mean { surface } => {
+                if self.question.direct {
+                    sums = self.missed_of(surface);
+                }
                 for index in self.elements_on(surface) {
                     for (area, node) in self.elements[index].areas().zip(self.first[index]..) {
                         sums.iter_mut()
@@ -171,10 +189,11 @@ impl Radiosity<'_> {
 
     /// How much of an element's irradiance is in doubt itself, relative to the largest, in the band where that is most.
     pub(super) fn jump(&self, element: usize) -> f64 {
-        let of_bands = self.jumps.iter().zip(&self.brightest);
-        of_bands
-            .filter(|(_, scale)| **scale > 0.0)
-            .map(|(jumps, scale)| jumps.get(element).map_or(0.0, |jump| jump / scale))
-            .fold(0.0, f64::max)
+        let of_band = |(band, &brightest): (usize, &f64)| {
+            let jump: f64 =
+                [&self.jumps, &self.missed].map(|all| of_element(all, element, band)).iter().sum();
+            if jump > 0.0 { jump / brightest.max(jump) } else { 0.0 }
+        };
+        self.brightest.iter().enumerate().map(of_band).fold(0.0, f64::max)
     }
 }

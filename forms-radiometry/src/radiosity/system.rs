@@ -3,6 +3,7 @@
 
 use super::arriving::Kinds;
 use super::change::Change;
+use super::checks::{Check, Residual};
 use super::contact;
 use super::direct::{Integral, Lights};
 use super::element::{Element, HIGHEST_ORDER};
@@ -101,6 +102,11 @@ pub(crate) struct Radiosity<'t> {
     /// irradiance of each node may be off for that, over all reflections: empty where no shadow does.
     pub(super) jumps: Vec<Vec<f64>>,
     pub(super) doubts: Vec<Vec<f64>>,
+    /// What comes straight to random points, by how much that is more than nodes make of it, and for each band by how much the mean irradiance
+    /// of each element differs by that from the mean of its nodes.
+    pub(super) checks: Vec<Check>,
+    pub(super) residuals: Vec<Residual>,
+    pub(super) missed: Vec<Vec<f64>>,
     /// Of each surface that receives, what comes straight from lights as an integral.
     straight: Vec<Option<Integral>>,
     /// For each band what of the irradiance of each node is reflected once more: all but its highest order.
@@ -153,12 +159,16 @@ impl<'t> Radiosity<'t> {
             shadows,
             jumps: Vec::new(),
             doubts: Vec::new(),
+            checks: Vec::new(),
+            residuals: Vec::new(),
+            missed: Vec::new(),
             straight,
             reflected: Vec::new(),
             tail: Vec::new(),
             elements,
         };
         radiosity.solve();
+        radiosity.check();
         radiosity.changes = radiosity.unknown_changes();
         radiosity
     }
@@ -190,21 +200,26 @@ impl<'t> Radiosity<'t> {
             self.tail = vec![0.0; direct.len()];
             self.take(direct.clone());
             self.direct = direct;
+            self.doubt_anew();
             return true;
         }
         let operator = Operator::new(rows, self.first.clone());
-        let reflectances: Vec<Vec<f64>> = (0..self.scene.band_count())
-            .map(|band| self.elements.iter().map(|element| self.reflectance(element, band)).collect())
-            .collect();
+        let reflectances = self.reflectances();
         let solved = of_bands(&operator, &reflectances, &direct, self.question.orders, self.watch);
         if self.watch.is_stopped() {
             return false;
         }
-        self.doubts = self.found_doubts(&operator, &reflectances);
         (self.reflected, self.tail) = (solved.reflected, solved.tail);
         self.take(solved.irradiance);
         (self.direct, self.operator) = (direct, Some(operator));
+        self.doubt_anew();
         true
+    }
+
+    /// For each band the reflectance of each element.
+    pub(super) fn reflectances(&self) -> Vec<Vec<f64>> {
+        let of_band = |band| self.elements.iter().map(|element| self.reflectance(element, band)).collect();
+        (0..self.scene.band_count()).map(of_band).collect()
     }
 
     /// The rows of the nodes of each element, and the light that comes straight to them.

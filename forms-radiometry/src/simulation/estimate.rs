@@ -10,6 +10,7 @@
 
 use super::answer::ErrorKind;
 use super::parts::ErrorParts;
+use super::solver::DARK;
 
 /// The safety of the estimate.
 const SAFETY: f64 = 1.5;
@@ -118,10 +119,12 @@ impl Found {
 /// Raises changes that are small beside those of all readings, each relative to its scale, and beside those of its group.
 pub(super) fn pool(found: &mut [Found], scales: &[Vec<f64>], groups: &[usize]) {
     let (mut sum, mut count) = (0.0, 0.0);
+    // of what is dark beside all others, changes are no more than rounding
+    let dark = DARK * scales.iter().flatten().copied().fold(0.0, f64::max);
     let mut largest = vec![vec![0.0_f64; scales.first().map_or(0, Vec::len)]; found.len()];
     for ((found, scales), &group) in found.iter().zip(scales).zip(groups) {
         for ((estimate, &scale), largest) in found.bands.iter().zip(scales).zip(&mut largest[group]) {
-            if estimate.changed.is_finite() && scale > 0.0 {
+            if estimate.changed.is_finite() && scale > dark {
                 sum += (estimate.changed / scale).powi(2);
                 count += 1.0;
                 *largest = largest.max(estimate.changed / scale);

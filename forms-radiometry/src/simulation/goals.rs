@@ -2,7 +2,7 @@
 
 use super::accuracy::relative;
 use super::estimate::{Estimate, Found};
-use super::solver::{DARK, Work};
+use super::solver::Work;
 use crate::radiosity::{Asking, Goal, Radiosity};
 
 /// The part that elements may take which are not split though they are expected to change.
@@ -19,7 +19,10 @@ impl Work<'_> {
                 if error.is_finite() { error / scale } else { f64::INFINITY }
             };
             let worst = found.bands.iter().zip(&scales).map(relative).fold(0.0, f64::max);
-            let scale = scales.iter().copied().fold(0.0, f64::max);
+            let errors = found.bands.iter().map(Estimate::error).filter(|error| error.is_finite());
+            // what is nothing so far is relative to what it may be, or to anything
+            let scale = [scales.iter().copied().fold(0.0, f64::max), errors.fold(0.0, f64::max), 1.0];
+            let scale = scale.into_iter().find(|&scale| scale > 0.0).unwrap_or(1.0);
             let weight = if worst.is_finite() { worst / scale } else { 1.0 / scale };
             let weight = weight * reading.of_goal(radiosity.transport());
             let Some(what) = reading.goal(self.scene, radiosity.transport()) else { continue };
@@ -32,14 +35,10 @@ impl Work<'_> {
         asking
     }
 
-    /// The errors of all readings in all bands, relative to what their tolerances are. Of an answer that is nothing beside the
-    /// largest of all, such as that of a receiver in the dark, only the error beside that one counts. Of what was not reached nothing is known.
+    /// The errors of all readings in all bands, relative to what their tolerances are. Of what was not reached nothing is known.
     pub(super) fn relative_errors(&self, found: &[Found]) -> impl Iterator<Item = f64> {
-        let scales = self.targets(found);
-        let largest = scales.iter().flatten().copied().fold(0.0, f64::max);
-        let relative =
-            |(estimate, scale): (&Estimate, f64)| relative(estimate.error(), scale.max(DARK * largest));
-        let pairs = found.iter().zip(scales);
+        let relative = |(estimate, scale): (&Estimate, f64)| relative(estimate.error(), scale);
+        let pairs = found.iter().zip(self.targets(found));
         let mut errors: Vec<f64> =
             pairs.flat_map(|(found, scales)| found.bands.iter().zip(scales).map(relative)).collect();
         errors.extend(found.iter().any(Found::is_missing).then_some(f64::INFINITY));

@@ -200,11 +200,12 @@ impl Reading {
         }
     }
 
-    /// What it may be off by, for each band, because of where shadows of lights without extent end on elements.
+    /// What it may be off by, for each band, because of where shadows of lights without extent end on elements, and of what
+    /// their nodes miss.
     pub(super) fn doubts(&self, scene: &Scene, radiosity: &Radiosity, scratch: &mut Scratch) -> Vec<f64> {
         let transport = radiosity.transport();
         let mut doubts = match self.goal(scene, transport) {
-            Some(goal) if radiosity.has_doubts() => radiosity.doubt(goal, scratch),
+            Some(goal) if radiosity.is_doubtful() => radiosity.doubt(goal, scratch),
             _ => return vec![0.0; scene.band_count()],
         };
         if self.is_mean() {

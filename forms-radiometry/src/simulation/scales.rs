@@ -106,7 +106,8 @@ impl Work<'_> {
         scales
     }
 
-    /// What the errors of readings are to stay within the tolerance of: their scales, or the part of these that elements may take.
+    /// What the errors of readings are to stay within the tolerance of: their scales, or the part of these that elements may take. Of an answer
+    /// that is nothing beside the largest of all, such as that of a receiver in the dark, only the error beside that one counts.
     pub(super) fn targets(&self, found: &[Found]) -> Vec<Vec<f64>> {
         let mut targets = self.scales(found);
         let watched: Vec<usize> = (self.answers..found.len()).collect();
@@ -116,6 +117,8 @@ impl Work<'_> {
                 own.iter().for_each(|&cell| targets[cell][band] *= part);
             }
         }
+        let dark = DARK * targets.iter().flatten().copied().fold(0.0, f64::max);
+        targets.iter_mut().flatten().for_each(|target| *target = target.max(dark));
         targets
     }
 
