@@ -78,7 +78,7 @@ pub(super) struct Work<'s> {
 
 /// What readings and maps are taken from.
 enum Solution<'t> {
-    Elements(Radiosity<'t>),
+    Elements(Box<Radiosity<'t>>),
     Paths(Paths<'t>),
 }
 
@@ -247,7 +247,7 @@ impl<'s> Work<'s> {
             }
         }
         let (radiosity, found) = self.refined(transport, lights, history);
-        (Solution::Elements(radiosity), found)
+        (Solution::Elements(Box::new(radiosity)), found)
     }
 
     pub(super) fn question(&self) -> Question {
