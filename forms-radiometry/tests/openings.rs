@@ -1,18 +1,23 @@
 //! Openings: uniform light from outside falls through a narrow shaft onto the floor of a black room, between nodes that are far apart.
 //!
 //! The floor lies in all that the shaft shows of it, so that what enters above and leaves below falls on it: π L times the exchange area of the
-//! two ends, which are opposed squares. `FORMS_OPENINGS` is the number of rooms.
+//! two ends, which are opposed squares. If a lamp closes the upper end and the floor reflects, the room gets what the floor sends on.
+//! `FORMS_OPENINGS` is the number of rooms.
 
 #[expect(dead_code, reason = "other tests need the rest")]
 mod scene_text;
 
 use forms_radiometry::kernels::view_factor_parallel_rectangles;
 use forms_radiometry::scene::read;
-use forms_radiometry::simulation::{Quantity, Unwatched, plan, simulate};
+use forms_radiometry::simulation::{Answer, Quantity, Unwatched, plan, simulate};
 use forms_testing::SplitMix;
 use scene_text::{Point, material, polygon, surface, surface_receiver, tolerance};
 use std::f64::consts::PI;
+use std::ops::Range;
 
+/// The walls of the room among its faces; those of the shaft follow, and then the ceiling.
+const WALLS: Range<usize> = 0..4;
+const CEILING: Range<usize> = 8..12;
 /// The sides of the room, and its height.
 const ROOM: [f64; 3] = [4.0, 3.0, 3.0];
 const RADIANCE: f64 = 1000.0;
@@ -69,16 +74,33 @@ impl Shaft {
         walls.concat().into_iter().chain(ceilings).collect()
     }
 
-    fn scene(&self, accuracy: f64) -> String {
+    /// A room whose floor reflects this part of light, without a source.
+    fn room(&self, reflectance: f64) -> String {
         let [x, y, _] = ROOM;
         let floor = [[0.0, 0.0, 0.0], [x, 0.0, 0.0], [x, y, 0.0], [0.0, y, 0.0]];
         let walls = self.faces().into_iter().enumerate();
         let walls = walls.map(|(index, face)| surface(&format!("wall {index}"), "black", &polygon(&face)));
         material("black", 0)
-            + &surface("floor", "black", &polygon(&floor))
+            + &material("floor", reflectance)
+            + &surface("floor", "floor", &polygon(&floor))
             + &walls.collect::<String>()
-            + &format!("[ambient]\nradiance = {RADIANCE:?}\n")
             + &surface_receiver("floor")
+    }
+
+    /// The room in uniform light from outside.
+    fn open(&self, accuracy: f64) -> String {
+        self.room(0.0) + &format!("[ambient]\nradiance = {RADIANCE:?}\n") + &tolerance(accuracy)
+    }
+
+    /// The room with a lamp that closes the shaft, and with a floor that reflects half of its light onto walls and ceiling.
+    fn lit(&self, accuracy: f64) -> String {
+        let ([a, b], [c, d]) = (self.corner, self.corner.map(|corner| corner + self.side));
+        let top = ROOM[2] + self.length;
+        let lamp = polygon(&[[a, b, top], [a, d, top], [c, d, top], [c, b, top]]);
+        let receivers = WALLS.chain(CEILING).map(|index| surface_receiver(&format!("wall {index}")));
+        self.room(0.5)
+            + &surface("lamp", "black", &format!("{lamp}\nradiance = {RADIANCE:?}"))
+            + &receivers.collect::<String>()
             + &tolerance(accuracy)
     }
 
@@ -89,6 +111,11 @@ impl Shaft {
     }
 }
 
+fn answers(text: &str) -> Vec<Answer> {
+    let scene = read(text, "room.toml").unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
+    simulate(&scene, &plan(&scene).expect("a plan"), &Unwatched).answers
+}
+
 #[test]
 fn light_through_a_shaft_is_found_between_nodes() {
     let mut random = SplitMix(30);
@@ -96,12 +123,9 @@ fn light_through_a_shaft_is_found_between_nodes() {
     for _ in 0..count() {
         let shaft = Shaft::random(&mut random);
         let accuracy = 10.0_f64.powf(between(&mut random, -3.0, -2.0));
-        let text = shaft.scene(accuracy);
-        let scene = read(&text, "room.toml").unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
-        let plan = plan(&scene).expect("a plan");
-        let found = simulate(&scene, &plan, &Unwatched);
-        let mean =
-            found.answers.iter().find(|answer| answer.quantity == Quantity::Irradiance).expect("a mean");
+        let text = shaft.open(accuracy);
+        let answers = answers(&text);
+        let mean = answers.iter().find(|answer| answer.quantity == Quantity::Irradiance).expect("a mean");
         let right = shaft.right();
         settled += usize::from(mean.error <= accuracy * mean.value);
         if (mean.value - right).abs() > mean.error {
@@ -114,4 +138,26 @@ fn light_through_a_shaft_is_found_between_nodes() {
     // an estimate may be off in one case of fifty
     assert!(outside.len() * 50 <= count().max(49), "{outside:#?}");
     assert!(3 * settled >= count(), "{settled} of {} rooms within their tolerance", count());
+}
+
+#[test]
+fn a_room_gets_what_its_floor_reflects_of_a_lamp_in_a_shaft() {
+    let mut random = SplitMix(31);
+    for _ in 0..count().div_ceil(5) {
+        let shaft = Shaft::random(&mut random);
+        let text = shaft.lit(0.05);
+        let answers = answers(&text);
+        let fluxes: Vec<&Answer> =
+            answers.iter().filter(|answer| answer.quantity == Quantity::Flux).collect();
+        let [floor, room @ ..] = fluxes.as_slice() else { panic!("no floor") };
+        let received: f64 = room.iter().map(|answer| answer.value).sum();
+        let error = 0.5 * floor.error + room.iter().map(|answer| answer.error).sum::<f64>();
+        let sent = 0.5 * floor.value;
+        // the rest goes back into the shaft, of which no point of the floor sees more than this part of its hemisphere
+        let lost = (shaft.side / ROOM[2]).powi(2) / PI;
+        assert!(
+            received <= sent + error && received >= sent * (1.0 - lost) - error && error <= 0.2 * sent,
+            "{received} ± {error} of {sent}:\n{text}"
+        );
+    }
 }

@@ -13,6 +13,7 @@ use super::gather::{Group, Scratch};
 use super::measure::Measure;
 use super::system::Radiosity;
 use crate::geometry::Vector;
+use crate::kernels::gathered_light::Effects;
 use crate::sampling::{Net, key};
 use rayon::prelude::*;
 
@@ -43,9 +44,11 @@ pub(super) struct Residual {
 }
 
 impl Radiosity<'_> {
-    /// Finds what comes straight to random points, where light from outside may be hidden.
+    /// Finds what comes straight to random points, where nodes are to tell of light that may be hidden from them.
     pub(super) fn check(&mut self) {
-        if !self.transport.occlusion || !self.lights.kinds().surroundings {
+        let Effects { luminaires, surroundings, .. } = self.lights.kinds();
+        let is_told = surroundings || luminaires && self.question.orders != Some(0);
+        if !self.transport.occlusion || !is_told {
             return;
         }
         let whole: f64 = self.elements.iter().map(|element| element.area).sum();

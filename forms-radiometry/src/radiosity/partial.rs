@@ -172,7 +172,9 @@ impl Radiosity<'_> {
                 });
             }
             GoalKind::Mean { surface } => {
-                if self.question.direct {
+                let is_integral =
+                    self.straight[surface].as_ref().is_some_and(|integral| integral.kinds.luminaires);
+                if self.question.direct && !is_integral {
                     sums = self.missed_of(surface);
                 }
                 for index in self.elements_on(surface) {

@@ -108,7 +108,7 @@ pub(crate) struct Radiosity<'t> {
     pub(super) residuals: Vec<Residual>,
     pub(super) missed: Vec<Vec<f64>>,
     /// Of each surface that receives, what comes straight from lights as an integral.
-    straight: Vec<Option<Integral>>,
+    pub(super) straight: Vec<Option<Integral>>,
     /// For each band what of the irradiance of each node is reflected once more: all but its highest order.
     pub(super) reflected: Vec<Vec<f64>>,
     /// For each band the largest error that the solution of the equations leaves.

@@ -79,7 +79,7 @@ pub(super) struct Work<'s> {
 /// What readings and maps are taken from.
 enum Solution<'t> {
     Elements(Box<Radiosity<'t>>),
-    Paths(Paths<'t>),
+    Paths(Box<Paths<'t>>),
 }
 
 impl<'s> Work<'s> {
@@ -243,7 +243,7 @@ impl<'s> Work<'s> {
             let paths = Paths::new(self.scene, transport, lights, self.question(), self.watch);
             let found = self.sampled(&paths, is_round(self.scene), most, history);
             if most.is_infinite() || self.watch.is_stopped() || self.is_enough(&found) {
-                return (Solution::Paths(paths), found);
+                return (Solution::Paths(Box::new(paths)), found);
             }
         }
         let (radiosity, found) = self.refined(transport, lights, history);
