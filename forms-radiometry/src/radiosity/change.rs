@@ -16,6 +16,8 @@ use super::reference::Shape;
 /// expected where nothing is known.
 const EXPECTED: [f64; 2] = [1.0 / 64.0, 1.0];
 const UNKNOWN: f64 = 0.5;
+/// By how much the highest term of a polynomial grows where light has come to an element that was not there before.
+const GROWN: f64 = 4.0;
 /// The largest part that all changes to come are expected to leave: areas with a jump inside halve, and so does what they matter.
 const SLOWEST: f64 = 0.7;
 
@@ -26,12 +28,23 @@ pub(super) struct Change {
     measured: f64,
     /// By how much its own parts are expected to differ from it.
     pub(super) expected: f64,
+    /// The highest term of its polynomial then, relative to the largest irradiance.
+    term: f64,
 }
 
 impl Change {
     /// Before an element is split.
-    pub(super) fn unknown(expected: f64) -> Self {
-        Self { measured: f64::INFINITY, expected }
+    pub(super) fn unknown(expected: f64, term: f64) -> Self {
+        Self { measured: f64::INFINITY, expected, term }
+    }
+
+    pub(super) fn term(self) -> f64 {
+        self.term
+    }
+
+    /// Whether light has come to the element since, of which what was measured does not tell.
+    pub(super) fn is_outgrown(&self, term: f64) -> bool {
+        term > GROWN * self.term
     }
 
     /// The sum of the changes that are to come, if each leaves the same part.
@@ -41,10 +54,10 @@ impl Change {
     }
 
     /// The change of a part of an element that was split, and what is expected next, but no less than the last two let expect.
-    pub(super) fn followed_by(self, measured: f64, expected: f64) -> Self {
+    pub(super) fn followed_by(self, measured: f64, expected: f64, term: f64) -> Self {
         let settled = measured / self.measured;
         let by_last = if settled.is_finite() { settled.min(EXPECTED[1]) * measured } else { 0.0 };
-        Self { measured, expected: expected.max(by_last) }
+        Self { measured, expected: expected.max(by_last), term }
     }
 }
 

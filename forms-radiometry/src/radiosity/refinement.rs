@@ -58,13 +58,29 @@ impl Radiosity<'_> {
     pub(super) fn unknown_changes(&self) -> Vec<[Change; 2]> {
         let next = |[highest, lower]: [f64; 2]| highest * (highest / highest.max(lower));
         let unknown = |(index, element): (usize, &Element)| {
-            let expected = self.largest(|band, scale| {
-                let terms = element.reference().highest(self.nodes(index, band));
-                terms.map(|terms| (next(terms) / scale).max(LEAST_CHANGE))
+            let [expected, terms] = [false, true].map(|is_term| {
+                self.largest(|band, scale| {
+                    let terms = element.reference().highest(self.nodes(index, band));
+                    terms.map(|terms| {
+                        if is_term { terms[0] / scale } else { (next(terms) / scale).max(LEAST_CHANGE) }
+                    })
+                })
             });
-            [0, 1].map(|i| Change::unknown(if element.is_divisible()[i] { expected[i] } else { 0.0 }))
+            [0, 1]
+                .map(|i| Change::unknown(if element.is_divisible()[i] { expected[i] } else { 0.0 }, terms[i]))
         };
         self.elements.iter().enumerate().map(unknown).collect()
+    }
+
+    /// Forgets what is known of elements that light has come to since: it came between nodes before, of them or of what they see.
+    fn forget_outgrown(&mut self) {
+        for (index, unknown) in self.unknown_changes().into_iter().enumerate() {
+            for (change, unknown) in self.changes[index].iter_mut().zip(unknown) {
+                if change.is_outgrown(unknown.term()) {
+                    *change = unknown;
+                }
+            }
+        }
     }
 
     /// The irradiance at the nodes of an element.
@@ -82,6 +98,7 @@ impl Radiosity<'_> {
     /// Splits the elements that matter most, and solves again. Nothing if there is nothing to split, no room for more, or no time: then the
     /// solution stays what it was.
     pub(crate) fn refine(&mut self, asking: &Asking) -> Option<Refined> {
+        self.forget_outgrown();
         let matter = self.matter(&asking.goals);
         if self.watch.is_stopped() {
             return None;
@@ -182,7 +199,7 @@ impl Radiosity<'_> {
                 let [of_flux, of_size] = decay[i];
                 let expected = flux * of_flux + CANCELLING * size * of_size;
                 let change = &mut self.changes[part][i];
-                *change = change.followed_by(shares[i] * measured, shares[i] * expected);
+                *change = change.followed_by(shares[i] * measured, shares[i] * expected, own[i]);
             }
         }
         measured
