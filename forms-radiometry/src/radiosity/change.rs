@@ -38,13 +38,9 @@ impl Change {
         Self { measured: f64::INFINITY, expected, term }
     }
 
-    pub(super) fn term(self) -> f64 {
-        self.term
-    }
-
-    /// Whether light has come to the element since, of which what was measured does not tell.
-    pub(super) fn is_outgrown(&self, term: f64) -> bool {
-        term > GROWN * self.term
+    /// Whether light has come to the element since, of which what was measured does not tell: as far as its polynomial now shows.
+    pub(super) fn is_outgrown_by(self, now: Self) -> bool {
+        now.term > GROWN * self.term
     }
 
     /// The sum of the changes that are to come, if each leaves the same part.

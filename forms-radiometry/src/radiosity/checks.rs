@@ -69,7 +69,6 @@ impl Radiosity<'_> {
             checks
         };
         self.checks = self.elements.par_iter().enumerate().flat_map_iter(on_element).collect();
-        self.doubt_anew();
     }
 
     /// What comes straight from faces and from outside to a place on a face, in each band.

@@ -139,8 +139,7 @@ impl Radiosity<'_> {
 
     /// Whether the irradiance of an element is not that of its nodes.
     pub(crate) fn is_doubtful(&self) -> bool {
-        let of_elements = self.missed.iter().chain(&self.jumps).flatten();
-        of_elements.into_iter().any(|&irradiance| irradiance > 0.0)
+        self.missed.iter().chain(&self.jumps).flatten().any(|&irradiance| irradiance > 0.0)
     }
 
     /// What comes from an element that its nodes do not tell, where these have such weights: of a reflectance of 1.

@@ -58,14 +58,13 @@ impl Radiosity<'_> {
     pub(super) fn unknown_changes(&self) -> Vec<[Change; 2]> {
         let next = |[highest, lower]: [f64; 2]| highest * (highest / highest.max(lower));
         let unknown = |(index, element): (usize, &Element)| {
-            let [expected, terms] = [false, true].map(|is_term| {
+            let largest = |of: fn([f64; 2]) -> f64, least: f64| {
                 self.largest(|band, scale| {
                     let terms = element.reference().highest(self.nodes(index, band));
-                    terms.map(|terms| {
-                        if is_term { terms[0] / scale } else { (next(terms) / scale).max(LEAST_CHANGE) }
-                    })
+                    terms.map(|terms| (of(terms) / scale).max(least))
                 })
-            });
+            };
+            let (expected, terms) = (largest(next, LEAST_CHANGE), largest(|[highest, _]| highest, 0.0));
             [0, 1]
                 .map(|i| Change::unknown(if element.is_divisible()[i] { expected[i] } else { 0.0 }, terms[i]))
         };
@@ -76,7 +75,7 @@ impl Radiosity<'_> {
     fn forget_outgrown(&mut self) {
         for (index, unknown) in self.unknown_changes().into_iter().enumerate() {
             for (change, unknown) in self.changes[index].iter_mut().zip(unknown) {
-                if change.is_outgrown(unknown.term()) {
+                if change.is_outgrown_by(unknown) {
                     *change = unknown;
                 }
             }

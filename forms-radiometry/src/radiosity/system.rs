@@ -167,8 +167,8 @@ impl<'t> Radiosity<'t> {
             tail: Vec::new(),
             elements,
         };
-        radiosity.solve();
         radiosity.check();
+        radiosity.solve();
         radiosity.changes = radiosity.unknown_changes();
         radiosity
     }

@@ -21,7 +21,7 @@ impl Work<'_> {
             let worst = found.bands.iter().zip(&scales).map(relative).fold(0.0, f64::max);
             let errors = found.bands.iter().map(Estimate::error).filter(|error| error.is_finite());
             // what is nothing so far is relative to what it may be, or to anything
-            let scale = [scales.iter().copied().fold(0.0, f64::max), errors.fold(0.0, f64::max), 1.0];
+            let scale = [scales.iter().copied().fold(0.0, f64::max), errors.fold(0.0, f64::max)];
             let scale = scale.into_iter().find(|&scale| scale > 0.0).unwrap_or(1.0);
             let weight = if worst.is_finite() { worst / scale } else { 1.0 / scale };
             let weight = weight * reading.of_goal(radiosity.transport());

@@ -109,9 +109,7 @@ impl Work<'_> {
     /// More rays for the readings that are not exact enough; whether there are any that may have more.
     fn improve(&self, paths: &Paths, sampled: &mut [Sampled], found: &[Found], tolerance: f64) -> bool {
         let scales = self.targets(found);
-        let largest = scales.iter().flatten().copied().fold(0.0, f64::max);
         let one = |((sampled, found), scales): ((&mut Sampled, &Found), Vec<f64>)| {
-            let scales: Vec<f64> = scales.into_iter().map(|scale| scale.max(DARK * largest)).collect();
             let is_enough = found.bands.iter().zip(&scales).all(|(e, scale)| e.error() <= tolerance * scale);
             let Some(probe) = sampled.probe.as_mut().filter(|_| !is_enough) else { return false };
             let begin = Instant::now();

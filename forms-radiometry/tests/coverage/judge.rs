@@ -169,9 +169,11 @@ impl Tally {
     pub(crate) fn add(&mut self, judged: &Judged) {
         match self.0.iter_mut().find(|(kind, _)| *kind == judged.kind) {
             Some((_, all)) => all.push(judged.times),
-            None => self.0.push((judged.kind, vec![judged.times])),
+            None => {
+                self.0.push((judged.kind, vec![judged.times]));
+                self.0.sort_by_key(|(kind, _)| *kind);
+            }
         }
-        self.0.sort_by_key(|(kind, _)| *kind);
     }
 
     /// The kinds that are off more often, or by more, than they promise: three deviations of a binomial distribution are chance.
