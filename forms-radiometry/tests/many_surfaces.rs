@@ -2,13 +2,16 @@
 
 use forms_radiometry::scene::{Scene, read_with_files};
 use forms_radiometry::simulation::{Answer, ErrorKind, Quantity, Unwatched, plan, simulate};
+use forms_testing::SplitMix;
 use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::fmt::Write;
 
 #[expect(dead_code, reason = "other tests need the rest")]
 mod scene_text;
-use scene_text::{CUBE, Point, material, point_receiver, surface_receiver as receiver, tolerance as asked};
+use scene_text::{
+    CUBE, Point, material, point_receiver, polygon, surface_receiver as receiver, tolerance as asked,
+};
 
 /// Whether numeric code is optimised; where it is not, hundreds of surfaces have to do.
 const IS_OPTIMISED: bool = !cfg!(debug_assertions);
@@ -152,6 +155,47 @@ fn each_seed_has_answers_of_its_own_within_the_errors_of_the_others() {
         for other in &found[..index] {
             let off = (one.value - other.value).abs();
             assert!(off > 0.0 && off <= one.error + other.error, "{one:?}, {other:?}");
+        }
+    }
+}
+
+/// A black floor in the sun below regular slats, and what is right for its mean: a few parts in a hundred are in the shadow, or nearly all.
+fn slats(random: &mut SplitMix) -> (String, f64) {
+    let count = random.of(&[15, 20, 24, 30, 32]);
+    let [length, width] = [random.of(&[4.0, 8.41, PI]), 1.0 + 11.0 * random.unit()];
+    let pitch = length / f64::from(count);
+    let slat = pitch * random.of(&[0.015, 0.1, 0.5, 0.99]);
+    let [height, slope] = [0.3 + 1.7 * random.unit(), random.unit()];
+    let floor = [[0.0, 0.0, 0.0], [length, 0.0, 0.0], [length, width, 0.0], [0.0, width, 0.0]];
+    let mut text = material("black", 0) + &material("grey", 0.5);
+    text += &scene_text::surface("floor", "black", &polygon(&floor));
+    let mut covered = 0.0;
+    let before = (slope * height / pitch).ceil() as i32;
+    for number in -1 - before..count {
+        let low = pitch * (f64::from(number) + 0.3);
+        let at = |x: f64, y: f64| [x, y, height];
+        let corners = [at(low, -9.0), at(low + slat, -9.0), at(low + slat, 21.0), at(low, 21.0)];
+        let shape = polygon(&corners) + "\ntwo_sided = true";
+        text += &scene_text::surface(&format!("slat {number}"), "grey", &shape);
+        let [begin, end] = [low, low + slat].map(|x| (x + slope * height).clamp(0.0, length));
+        covered += end - begin;
+    }
+    text += &format!("[[light]]\nkind = \"distant\"\ndirection = [{slope:?}, 0, -1]\nirradiance = 900\n");
+    text += &(receiver("floor") + &asked(1e-2) + "effects = { interreflection = \"off\" }\n");
+    (text, 900.0 / slope.hypot(1.0) * (1.0 - covered / length))
+}
+
+#[test]
+fn random_points_are_right_about_regular_shadows_with_every_seed() {
+    let mut random = SplitMix(1);
+    for number in 0..4 {
+        let (text, right) = slats(&mut random);
+        for seed in 0..20 {
+            let floor = Meshes::default().answers(&format!("{text}seed = {seed}\n")).swap_remove(0);
+            let (value, error) = (floor.value, floor.error);
+            let is_right = (value - right).abs() <= error + 1e-9 * right;
+            assert!(is_right, "{number}, seed {seed}: {value} ± {error}, right is {right}");
+            assert_ne!(floor.kind, ErrorKind::Sigma);
         }
     }
 }
