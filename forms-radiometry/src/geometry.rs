@@ -36,7 +36,7 @@ pub(crate) use round::Round;
 pub use round::{Disk, Sphere};
 pub use vector::Vector;
 pub(crate) use visibility::{
-    Beam, Between, Borders, Boxes, Face, Lit, Looking, Met, Screens, Start, Wall, Walls, Workspace,
+    Beam, Between, Borders, Boxes, Face, Lit, Looking, Met, Plane, Screens, Start, Wall, Walls, Workspace,
     closeness, distance_of_boxes,
 };
 pub(crate) use weld::Welded;

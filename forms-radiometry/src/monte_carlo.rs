@@ -13,6 +13,7 @@
 //! Source: E. Veach, Robust Monte Carlo methods for light transport simulation (1997).
 
 mod boundary;
+mod chains;
 mod endless;
 mod expansion;
 mod extinction;

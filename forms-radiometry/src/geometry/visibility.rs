@@ -94,15 +94,30 @@ impl Face {
 
 /// The plane through a point with this unit normal.
 #[derive(Clone, Copy, Debug)]
-struct Plane {
-    point: Vector,
-    normal: Vector,
+pub(crate) struct Plane {
+    pub(crate) point: Vector,
+    pub(crate) normal: Vector,
 }
 
 impl Plane {
     /// The distance of a point, above zero on the side to which the normal points.
-    fn distance(self, point: Vector) -> f64 {
+    pub(crate) fn distance(self, point: Vector) -> f64 {
         self.normal.dot(point - self.point)
+    }
+
+    /// The mirror image of a point, for a unit normal: x − 2 ((x − a)·n) n.
+    pub(crate) fn mirrored(self, point: Vector) -> Vector {
+        point - (2.0 * self.distance(point)) * self.normal
+    }
+
+    /// The mirror image of a direction, for a unit normal: d − 2 (d·n) n.
+    pub(crate) fn turned(self, direction: Vector) -> Vector {
+        direction - (2.0 * self.normal.dot(direction)) * self.normal
+    }
+
+    /// The same plane with its normal to this side.
+    pub(crate) fn facing(self, is_front: bool) -> Self {
+        if is_front { self } else { Self { normal: -self.normal, ..self } }
     }
 }
 

@@ -67,6 +67,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             vertex: start.position,
             sought: start.position,
             density: f64::INFINITY,
+            chain: 0,
             reflections: 0,
             scatterings: 0,
             turns: 0,
@@ -85,6 +86,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let law = normal.map_or(Law::Sphere, Law::Plane);
         let mut path = Path { is_same, ..self.begin(start, normal.unwrap_or(Vector::new(0.0, 0.0, 1.0))) };
         let vertex = Vertex { start, law };
+        self.by_images(&path, &vertex, draws, add);
         if self.limits.direct {
             self.straight(&path, &vertex, draws, add);
         }

@@ -13,7 +13,7 @@ use super::mirror::reflected;
 use super::optics::{MediumOptics, Optics, largest, scaled, times};
 use super::refraction::passages;
 use super::world::World;
-use crate::geometry::{Met, Start, Vector, Wall, split};
+use crate::geometry::{Met, Plane, Start, Vector, Wall, split};
 use crate::sampling::chosen;
 use crate::scene::{Filling, LightKind, MaterialKind};
 
@@ -159,20 +159,11 @@ fn is_smooth<const N: usize>(world: &World, optics: &Optics<N>, wall: usize) -> 
     }
 }
 
-/// A point of a flat wall and its unit normal on one side; nothing of a curved one.
-fn plane(wall: &Wall, is_front: bool) -> Option<(Vector, Vector)> {
-    let (point, normal) = match wall {
-        Wall::Polygon { vertices, normal } => (vertices[0], *normal),
-        Wall::Disk(disk) => (disk.center, disk.normal),
-        Wall::Sphere(_) => return None,
-    };
-    Some((point, if is_front { normal } else { -normal }))
-}
-
 impl<const N: usize> Sent<N> {
     /// What a wall makes of the light that arrives at one of its sides.
     fn after(&self, world: &World, optics: &Optics<N>, wall: usize, is_front: bool) -> Vec<Self> {
-        let Some((point, normal)) = plane(world.walls.get(wall), is_front) else { return Vec::new() };
+        let Some(plane) = world.walls.get(wall).plane() else { return Vec::new() };
+        let Plane { point, normal } = plane.facing(is_front);
         let sheet = &world.sheets[wall];
         let arrives = match self.place {
             Place::Point(position) => normal.dot(position - point) > 0.0,
@@ -198,7 +189,7 @@ impl<const N: usize> Sent<N> {
         let is_boundary = matches!(material, MaterialKind::Dielectric { .. });
         match self.place {
             Place::Point(position) if !is_boundary && world.is_bright(wall, is_front) => {
-                let image = position - (2.0 * normal.dot(position - point)) * normal;
+                let image = plane.mirrored(position);
                 // a metal reflects most at a grazing angle: all
                 let factor = if let MaterialKind::Mirror { .. } = material {
                     optics.reflectances[sheet.surface]
@@ -242,7 +233,7 @@ impl<const N: usize> Sent<N> {
     /// The part of a wall that the light reaches from the last one, if nothing stands in between: what of the last one is before the wall and
     /// in the cone of rays over it, moved on along these rays. `point` and `normal` are those of the side at which it arrives.
     fn lit_on(&self, wall: &Wall, point: Vector, normal: Vector) -> Vec<Vector> {
-        let outline = outline(wall);
+        let outline = wall.corners();
         if self.steps.is_empty() {
             return outline;
         }
@@ -270,18 +261,6 @@ impl<const N: usize> Sent<N> {
             Place::Point(position) => through - position,
             Place::Far(direction) => direction,
         }
-    }
-}
-
-/// The corners of a flat wall; of a disk those of a polygon around it.
-fn outline(wall: &Wall) -> Vec<Vector> {
-    match wall {
-        Wall::Polygon { vertices, .. } => vertices.clone(),
-        Wall::Disk(disk) => {
-            let wider = |v: Vector| disk.center + 1.02 * (v - disk.center);
-            disk.polygon(0).into_iter().map(wider).collect()
-        }
-        Wall::Sphere(_) => Vec::new(),
     }
 }
 

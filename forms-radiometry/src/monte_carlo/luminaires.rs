@@ -28,6 +28,8 @@ pub(super) struct Luminaires {
     all: Vec<Luminaire>,
     /// The chance of each luminaire and of all before it.
     chances: Vec<f64>,
+    /// The chance of all that are walls, which come first.
+    of_all_walls: f64,
     /// The luminaires of each wall.
     of_walls: Vec<Range<usize>>,
     /// By wall the points from which its luminaires are not looked for.
@@ -113,7 +115,9 @@ impl Luminaires {
             sum += luminaire.chance;
             chances.push(sum);
         }
-        Self { all, chances, of_walls, near }
+        let last_wall = of_walls.last().map_or(0, |of_wall| of_wall.end);
+        let of_all_walls = chances[..last_wall].last().copied().unwrap_or(0.0);
+        Self { all, chances, of_all_walls, of_walls, near }
     }
 
     /// Whether a ray can meet any.
@@ -123,7 +127,21 @@ impl Luminaires {
 
     /// A luminaire that is looked for from a point, if any is.
     pub(super) fn sought(&self, from: Vector, samples: &mut Samples) -> Option<&Luminaire> {
-        let luminaire = self.choose(samples.one())?;
+        self.sought_by(from, samples.one())
+    }
+
+    /// The same of those that are walls.
+    pub(super) fn sought_wall(&self, from: Vector, samples: &mut Samples) -> Option<&Luminaire> {
+        self.sought_by(from, self.of_all_walls * samples.one())
+    }
+
+    /// How likely it is that a luminaire which is chosen is a wall.
+    pub(super) fn of_all_walls(&self) -> f64 {
+        self.of_all_walls
+    }
+
+    fn sought_by(&self, from: Vector, number: f64) -> Option<&Luminaire> {
+        let luminaire = self.choose(number)?;
         let is_near = matches!(luminaire.source, Source::Wall { wall, .. } if self.is_near(wall, from));
         (!is_near).then_some(luminaire)
     }
@@ -331,15 +349,8 @@ fn cone_density(height: f64) -> f64 {
 }
 
 /// A length that the scene extends over.
-fn extent(walls: &[Wall]) -> f64 {
-    let corners = walls.iter().flat_map(|wall| match wall {
-        Wall::Polygon { vertices, .. } => vertices.clone(),
-        Wall::Disk(Disk { center, radius, .. }) | Wall::Sphere(Sphere { center, radius, .. }) => {
-            let reach = Vector::new(*radius, *radius, *radius);
-            vec![*center - reach, *center + reach]
-        }
-    });
-    let corners: Vec<Vector> = corners.collect();
+pub(super) fn extent(walls: &[Wall]) -> f64 {
+    let corners: Vec<Vector> = walls.iter().flat_map(Wall::corners).collect();
     let Some(&first) = corners.first() else { return 1.0 };
     corners.iter().map(|&corner| (corner - first).length()).fold(0.0, f64::max)
 }

@@ -6,14 +6,16 @@
 //! ```
 //! Source: E. Veach, L. Guibas, Optimally combining sampling techniques for Monte Carlo rendering (1995).
 
+use super::chains::Step;
 use super::lattice::Lattice;
 use super::luminaires::{Source, Towards};
+use super::mirror::reflected;
 use super::optics::{MediumOptics, mean, scaled, times};
 use super::path::{Path, Tracer};
 use super::vertex::Vertex;
 use crate::geometry::{Start, Vector};
 use crate::sampling::Draws;
-use crate::scene::{Filling, MaterialKind};
+use crate::scene::MaterialKind;
 
 /// A luminaire that is a point is reached where nothing is met before this part of the way.
 const REACHED: f64 = 1.0 - 1e-12;
@@ -37,16 +39,15 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         draws: &mut Draws,
         add: &mut impl FnMut(&[f64; N], f64),
     ) {
+        self.imaged_segment(path, medium, length, draws, add);
         let samples = &mut draws.light;
-        if L::MIRROR || L::REFRACTION {
-            self.imaged_segment(path, medium, length, samples, add);
-        }
         let sought = self.world.luminaires.sought(path.start.position, samples);
         let Some(luminaire) = sought else { return };
         let pivot = luminaire.point(samples.pair());
         let Some((lit, vertex)) = self.lit_point(path, medium, length, pivot, samples) else { return };
         if let Some(towards) = luminaire.towards(vertex.start.position, samples.pair()) {
-            self.lit(&lit, &vertex, &towards, &mut draws.hidden, &mut |_, value, way| add(value, way));
+            let hidden = &mut draws.hidden;
+            self.lit(&lit, &vertex, (&towards, &[]), hidden, &mut |_, value, way| add(value, way));
         }
     }
 
@@ -59,25 +60,19 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         add: &mut impl FnMut(Vector, &[f64; N], f64),
     ) {
         let samples = &mut draws.light;
-        if L::MIRROR || L::REFRACTION {
-            // what a receiver, or the first thing that a ray meets, gets of them is the same for all its samples
-            for image in self.images.choose(samples.one(), path.is_straight) {
-                self.imaged(path, vertex, image, add);
-            }
-        }
         let position = vertex.start.position;
         let Some(luminaire) = self.world.luminaires.sought(position, samples) else { return };
         if let Some(towards) = luminaire.towards(position, samples.pair()) {
-            self.lit(path, vertex, &towards, &mut draws.hidden, add);
+            self.lit(path, vertex, (&towards, &[]), &mut draws.hidden, add);
         }
     }
 
-    /// Adds what a luminaire brings to a vertex, or notes what it would have brought.
-    fn lit(
+    /// Adds what a luminaire brings to a vertex by these mirrors, or notes what it would have brought.
+    pub(super) fn lit(
         &self,
         path: &Path<N>,
         vertex: &Vertex<N>,
-        towards: &Towards,
+        (towards, steps): (&Towards, &[Step]),
         hidden: &mut [f64],
         add: &mut impl FnMut(Vector, &[f64; N], f64),
     ) {
@@ -92,7 +87,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         };
         let unhidden = times(&times(&path.throughput, radiance), &densities);
         let unhidden = scaled(part / towards.density, &unhidden);
-        let Some(reached) = self.reached(vertex.start, path.filling, path.way, towards) else { return };
+        let Some(reached) = self.reached(path, vertex.start, towards, steps) else { return };
         let value = times(&unhidden, &reached.left);
         if !reached.is_hidden {
             add(towards.direction, &value, reached.way);
@@ -102,20 +97,22 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         }
     }
 
-    /// What is on the way to a luminaire; none where that is not met, or is dark from this side.
+    /// What is on the way from a vertex to a luminaire; none where that is not met, or is dark from this side. A mirror that is not where it has
+    /// to be counts as something in the way.
     fn reached(
         &self,
+        path: &Path<N>,
         mut start: Start,
-        mut filling: Filling,
-        way: f64,
         towards: &Towards,
+        steps: &[Step],
     ) -> Option<Reached<N>> {
         let has_media = L::ABSORPTION || L::SCATTERING;
-        let mut reached = Reached { left: [1.0; N], way, is_hidden: false };
-        let mut reach = towards.reach;
+        let mut reached = Reached { left: [1.0; N], way: path.way, is_hidden: false };
+        let (mut filling, mut direction, mut reach) = (path.filling, towards.direction, towards.reach);
+        let mut steps = steps.iter();
         loop {
             let within = if reach.is_finite() { REACHED * reach } else { reach };
-            let met = self.world.walls.first(start, towards.direction, within);
+            let met = self.world.walls.first(start, direction, within);
             let length = met.as_ref().map_or(reach, |met| met.distance);
             let medium = self.medium(filling);
             if has_media {
@@ -124,18 +121,28 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             reached.way = self.longer(reached.way, &medium, length);
             let Some(met) = met else {
                 let is_beam = matches!(towards.source, Source::Beam(_));
-                return is_beam.then_some(reached);
+                reached.is_hidden |= steps.len() > 0;
+                return (is_beam || reached.is_hidden).then_some(reached);
             };
             match towards.source {
-                Source::Wall { wall, .. } if wall == met.wall => {
+                Source::Wall { wall, .. } if wall == met.wall && steps.len() == 0 => {
                     return self.world.is_bright(wall, met.is_front).then_some(reached);
                 }
                 _ => {}
             }
+            if steps.as_slice().first().is_some_and(|&step| self.world.chains.is_at(step, &met)) {
+                steps.next();
+                let normal = if met.is_front { met.normal } else { -met.normal };
+                let material = self.world.material(met.wall);
+                let passage = reflected(material, &self.optics, &medium, direction, normal);
+                (direction, reached.left, _) = passage.applied(&reached.left);
+                start = self.world.walls.start_on(&met, met.is_front);
+                continue;
+            }
             let beyond = self.world.sheets[met.wall].filling(!met.is_front);
             let is_boundary = matches!(self.world.material(met.wall), MaterialKind::Dielectric { .. });
             reached.is_hidden |= !is_boundary || (L::REFRACTION && !self.optics.is_clear(filling, beyond));
-            if reached.is_hidden && !has_media {
+            if reached.is_hidden && (!has_media || steps.len() > 0) {
                 return Some(reached);
             }
             start = self.world.walls.start_on(&met, !met.is_front);
@@ -147,7 +154,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
 
 /// What is on the way from a vertex to a luminaire.
 struct Reached<const N: usize> {
-    /// What media leave of light.
+    /// What media and mirrors leave of light.
     left: [f64; N],
     /// The optical length.
     way: f64,

@@ -59,11 +59,15 @@ pub(super) struct Path<const N: usize> {
     pub(super) throughput: [f64; N],
     /// The optical length so far, the integral of the index.
     pub(super) way: f64,
-    /// The last vertex, and the density that the direction had there; without end where a luminaire could not have been found from there.
+    /// The last vertex, as the mirrors since then show it, and the density that the direction had there; without end where a luminaire could not
+    /// have been found from there.
     pub(super) vertex: Vector,
     pub(super) density: f64,
-    /// Where it was decided whether to look for luminaires from the last vertex: there, or at the start of the segment on which it is.
+    /// Where it was decided whether to look for luminaires from the last vertex: there, or at the start of the segment on which it is;
+    /// as mirrors show it.
     pub(super) sought: Vector,
+    /// The chain of these mirrors.
+    pub(super) chain: usize,
     pub(super) reflections: u32,
     pub(super) scatterings: u32,
     /// How often it was reflected or bent since it was spread last.
@@ -151,7 +155,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             return;
         }
         let part = if path.density.is_finite() {
-            part(path.density, self.world.luminaires.density(path.sought, path.vertex, path.direction, met))
+            let seen = self.world.luminaires.density(path.sought, path.vertex, path.direction, met);
+            part(path.density, self.world.chance(path.chain) * seen)
         } else {
             1.0
         };
@@ -181,6 +186,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             path.reflections += 1;
             let vertex =
                 Vertex { start: self.world.walls.start_on(met, met.is_front), law: Law::Plane(normal) };
+            self.by_images(path, &vertex, draws, &mut |_, value, way| add(value, way));
             self.straight(path, &vertex, draws, &mut |_, value, way| add(value, way));
             self.leaves(path, &vertex, &mut draws.path);
             return true;
@@ -197,7 +203,12 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let (direction, throughput, stays) = passage.applied(&path.throughput);
         (path.direction, path.throughput) = (direction, throughput);
         path.start = self.world.walls.start_on(met, met.is_front == stays);
-        path.density = f64::INFINITY;
+        match self.world.chains.after(path.chain, met, [path.vertex, path.sought]) {
+            Some((chain, [vertex, sought])) => {
+                (path.chain, path.vertex, path.sought) = (chain, vertex, sought);
+            }
+            None => path.density = f64::INFINITY,
+        }
         path.is_straight = false;
         path.turns += 1;
         path.turns < CAUGHT
@@ -243,7 +254,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let (weights, density) = vertex.law.weights(direction, self.count());
         path.throughput = times(&path.throughput, &weights);
         (path.start, path.direction, path.vertex) = (vertex.start, direction, vertex.start.position);
-        path.sought = path.vertex;
+        (path.sought, path.chain) = (path.vertex, 0);
         path.density = if self.world.luminaires.are_met() { density } else { f64::INFINITY };
         (path.is_straight, path.is_same) = (false, false);
         path.turns = 0;

@@ -1,5 +1,6 @@
 //! The world: a scene becomes walls with media on both sides, and luminaires.
 
+use super::chains::Chains;
 use super::luminaires::{Front, Luminaires};
 use crate::geometry::{Met, Start, Vector, Wall, Walls};
 use crate::scene::{FilledSheet, Filling, MaterialKind, Piece, Scene, filled};
@@ -11,6 +12,8 @@ pub(crate) struct World<'s> {
     /// What each wall belongs to.
     pub(super) sheets: Vec<Sheet>,
     pub(super) luminaires: Luminaires,
+    /// The flat mirrors in which luminaires are seen.
+    pub(super) chains: Chains,
     /// The front of each surface.
     pub(super) fronts: Vec<Front>,
 }
@@ -40,13 +43,24 @@ impl<'s> World<'s> {
             walls.extend(of_sheet);
         }
         let luminaires = Luminaires::of(scene, &walls, &sheets);
+        let chains = Chains::of(scene, &walls, &sheets);
         let mut of_surfaces = vec![Vec::new(); scene.surfaces.len()];
         for (wall, sheet) in sheets.iter().enumerate() {
             of_surfaces[sheet.surface].push(wall);
         }
         let front = |own: &Vec<usize>| Front::of(own.iter().map(|&wall| (wall, &walls[wall])));
         let fronts = of_surfaces.iter().map(front).collect();
-        Self { scene, walls: Walls::of(walls), sheets, luminaires, fronts }
+        Self { scene, walls: Walls::of(walls), sheets, luminaires, chains, fronts }
+    }
+
+    /// How likely luminaires are looked for in a chain of mirrors, beside those that are looked for straight.
+    pub(super) fn chance(&self, chain: usize) -> f64 {
+        if chain == 0 { 1.0 } else { self.chains.chance(chain) / self.luminaires.of_all_walls() }
+    }
+
+    /// The largest part of the light of a luminaire that mirrors and boundaries turn in a way in which none is looked for.
+    pub(crate) fn turned_by_chance(&self) -> f64 {
+        self.chains.left_out()
     }
 
     /// The medium that a ray starts in.

@@ -75,6 +75,23 @@ struct Ray<'w> {
 }
 
 impl Wall {
+    /// Corners between which it lies: its own, those of a polygon around a disk or of a cube around a sphere.
+    pub(crate) fn corners(&self) -> Vec<Vector> {
+        match self {
+            Self::Polygon { vertices, .. } => vertices.clone(),
+            Self::Disk(disk) => {
+                let wider = |v: Vector| disk.center + 1.02 * (v - disk.center);
+                disk.polygon(0).into_iter().map(wider).collect()
+            }
+            Self::Sphere(Sphere { center, radius, .. }) => {
+                let side =
+                    |corner: usize, axis: usize| if corner >> axis & 1 == 1 { *radius } else { -radius };
+                let corner = |n: usize| *center + Vector::new(side(n, 0), side(n, 1), side(n, 2));
+                (0..8).map(corner).collect()
+            }
+        }
+    }
+
     fn bounds(&self) -> Bounds {
         match self {
             Self::Polygon { vertices, .. } => Bounds::of(vertices.iter().copied()),
@@ -90,7 +107,7 @@ impl Wall {
     }
 
     /// The plane that the wall lies in, if it is flat.
-    fn plane(&self) -> Option<Plane> {
+    pub(crate) fn plane(&self) -> Option<Plane> {
         match self {
             Self::Polygon { vertices, normal } => Some(Plane { point: vertices[0], normal: *normal }),
             Self::Disk(disk) => Some(Plane { point: disk.center, normal: disk.normal }),

@@ -48,8 +48,8 @@ pub(super) struct Asked {
     /// For each band the largest number that light of the brightest radiance brings: of surfaces, from outside, or reflected of lights
     /// without extent.
     brightest: Vec<f64>,
-    /// For each band the largest number that light from outside brings, which only chance finds.
-    outside: Vec<f64>,
+    /// For each band the largest number that light brings which only chance finds: from outside, and of surfaces by curved mirrors and glass.
+    by_chance: Vec<f64>,
     /// How many samples each replicate is to get before it is asked again whether that is enough.
     pub(super) target: u32,
     /// The part of the time of the work that it took.
@@ -96,6 +96,7 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
     let unhidden = unhidden(scene);
     let outside = outside(scene);
     let brightest = brightest(scene, &unhidden, &outside);
+    let by_chance = by_chance(world, outside);
     for (index, receiver) in scene.receivers.iter().enumerate() {
         let bins = receiver.time.as_ref().map(|time| bins(time, metres));
         let own_key = key(scene.solve.seed, index as u64);
@@ -106,7 +107,7 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
         for (cell, question) in questions(receiver, scene, &unhidden) {
             let key = cell.map_or(own_key, |cell| key(own_key, 1 + cell as u64));
             let replicates = Replicates::new(key, &question, scene.band_count(), bins);
-            let [brightest, outside] = [&brightest, &outside]
+            let [brightest, by_chance] = [&brightest, &by_chance]
                 .map(|radiances| radiances.iter().map(|&radiance| question.largest(radiance)).collect());
             all.push(Asked {
                 receiver: index,
@@ -118,7 +119,7 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
                 computed: None,
                 left_out,
                 brightest,
-                outside,
+                by_chance,
                 target: 0,
                 seconds: 0.0,
                 elapsed: 0.0,
@@ -265,8 +266,8 @@ impl Asked {
         }
     }
 
-    /// What one sample more could add to a value: a luminaire that was hidden from all others, or light from outside; where no sample found
-    /// anything, the brightest light, in the part of a pixel that may show any.
+    /// What one sample more could add to a value: a luminaire that was hidden from all others, or light that only chance finds; where no sample
+    /// found anything, the brightest light, in the part of a pixel that may show any.
     fn unseen(&self, place: usize, is_nothing: bool) -> f64 {
         if self.replicates.samples == 0 {
             return 0.0;
@@ -274,7 +275,7 @@ impl Asked {
         let rare = 1.0 / self.replicates.count();
         let band = self.replicates.band(place);
         let brightest = if is_nothing { self.brightest[band] * self.shown.min(rare) } else { 0.0 };
-        brightest.max(rare * self.outside[band].max(self.replicates.missed(place)))
+        brightest.max(rare * self.by_chance[band].max(self.replicates.missed(place)))
     }
 
     /// The largest number that any light of the scene brings.
@@ -329,12 +330,24 @@ fn outside(scene: &Scene) -> Vec<f64> {
 }
 
 /// For each band the brightest radiance: of surfaces, from outside, or reflected of lights without extent.
-fn brightest(scene: &Scene, unhidden: &Transport, outside: &Vec<f64>) -> Vec<f64> {
+fn brightest(scene: &Scene, unhidden: &Transport, outside: &[f64]) -> Vec<f64> {
     let mut brightest = most_reflected_of_beams(scene, unhidden);
-    for radiances in scene.surfaces.iter().map(|surface| &surface.radiance).chain([outside]) {
-        brightest.iter_mut().zip(radiances).for_each(|(most, &radiance)| *most = most.max(radiance));
-    }
+    add_brighter(&mut brightest, outside, 1.0);
+    scene.surfaces.iter().for_each(|surface| add_brighter(&mut brightest, &surface.radiance, 1.0));
     brightest
+}
+
+/// For each band the brightest radiance that only chance finds.
+fn by_chance(world: &World<'_>, outside: Vec<f64>) -> Vec<f64> {
+    let mut brightest = outside;
+    let turned = world.turned_by_chance();
+    world.scene.surfaces.iter().for_each(|surface| add_brighter(&mut brightest, &surface.radiance, turned));
+    brightest
+}
+
+/// Takes of each band this part of a radiance where that is more.
+fn add_brighter(brightest: &mut [f64], radiance: &[f64], part: f64) {
+    brightest.iter_mut().zip(radiance).for_each(|(most, &radiance)| *most = most.max(part * radiance));
 }
 
 /// Bins of time as bins of optical length.
