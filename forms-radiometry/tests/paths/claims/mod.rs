@@ -15,6 +15,7 @@ mod forced;
 mod furnaces;
 mod images;
 mod integral;
+mod mirrored_lamps;
 mod mirrors;
 #[path = "../../scene_text/mod.rs"]
 #[expect(dead_code, reason = "other tests need the rest")]
@@ -209,6 +210,7 @@ pub(crate) fn all() -> Vec<Claim> {
         absorption::claims(),
         boundaries::claims(),
         mirrors::claims(),
+        mirrored_lamps::claims(),
         fog::claims(),
         emitters::claims(),
         spectra::claims(),
