@@ -6,6 +6,7 @@ mod images;
 mod lengths;
 mod statistics;
 mod traps;
+mod unfolded;
 
 use claims::{Claim, Compared};
 use forms_radiometry::simulation::{ErrorKind, Quantity};
