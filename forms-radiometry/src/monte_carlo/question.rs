@@ -52,15 +52,21 @@ impl Question {
         matches!(self, Self::Plane { .. } | Self::Sphere { .. } | Self::Sight { .. })
     }
 
-    /// Whether it is a pixel in which an emitter is seen directly, by rays through the middles of parts of it.
+    /// Whether an emitter is seen directly along a ray, or in a pixel by rays through the middles of parts of it.
     pub(crate) fn sees_emitter(&self, world: &World) -> bool {
-        let Self::Pixel { camera, pixel } = self else { return false };
-        let start = world.walls.start_at(camera.origin);
-        let along = |axis: usize, part: usize| pixel[axis] as f64 + (part as f64 + 0.5) / PARTS as f64;
-        (0..PARTS * PARTS).any(|part| {
-            let direction = camera.direction(along(0, part % PARTS), along(1, part / PARTS)).unit();
-            direction.is_some_and(|direction| world.is_emitter(start, direction))
-        })
+        let sees =
+            |origin: Vector, direction: Vector| world.is_emitter(world.walls.start_at(origin), direction);
+        match self {
+            Self::Sight { origin, direction } => sees(*origin, *direction),
+            Self::Pixel { camera, pixel } => {
+                let along =
+                    |axis: usize, part: usize| pixel[axis] as f64 + (part as f64 + 0.5) / PARTS as f64;
+                let direction =
+                    |part: usize| camera.direction(along(0, part % PARTS), along(1, part / PARTS)).unit();
+                (0..PARTS * PARTS).filter_map(direction).any(|direction| sees(camera.origin, direction))
+            }
+            Self::Plane { .. } | Self::Sphere { .. } | Self::Surface { .. } => false,
+        }
     }
 
     /// What the numbers are multiplied by, for light that comes from a direction: a receiver integrates over a law of density one.

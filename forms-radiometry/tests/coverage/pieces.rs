@@ -60,6 +60,10 @@ impl Piece {
         }
     }
 
+    pub(crate) fn is_flat(&self) -> bool {
+        matches!(self.shape, PieceShape::Flat { .. })
+    }
+
     pub(crate) fn normal(&self, place: Vector) -> Vector {
         match self.shape {
             PieceShape::Flat { normal, .. } => normal,

@@ -9,13 +9,14 @@ use std::f64::consts::PI;
 type Family = fn(&mut Maker);
 
 /// The kinds of scenes.
-pub(crate) const FAMILIES: [(&str, Family); 6] = [
+pub(crate) const FAMILIES: [(&str, Family); 7] = [
     ("furnished room", furnished_room),
     ("window", window),
     ("panels", panels),
     ("street", street),
     ("spheres", spheres),
     ("mesh", mesh),
+    ("mirror", mirror),
 ];
 
 /// Makes a world at random.
@@ -334,4 +335,29 @@ fn mesh(maker: &mut Maker) {
     maker.add(Shape::Mesh(triangles), reflectance);
     let surface = maker.random.of(&[0, maker.world.surfaces.len() - 1]);
     maker.ask_anything([[-2.5, -2.5, 2.4], [2.5, 2.5, 2.8]], surface);
+}
+
+/// A floor, a board, a mirror on a wall, and a lamp that may be very small and face the mirror.
+fn mirror(maker: &mut Maker) {
+    let reflectance = maker.between(0.0, 0.7);
+    maker.rectangle(vector(-2.0, -3.0, 0.0), vector(4.0, 0.0, 0.0), vector(0.0, 3.0, 0.0), reflectance);
+    let [left, low] = [maker.between(-2.0, 1.0), maker.between(0.0, 1.0)];
+    let [width, height] = [maker.between(0.3, 4.0), maker.between(0.3, 3.0)];
+    let silver = maker.between(0.5, 1.0);
+    let sides = [vector(width, 0.0, 0.0), vector(0.0, 0.0, height)];
+    maker.rectangle(vector(left, 0.0, low), sides[0], sides[1], silver).is_mirror = true;
+    let place = maker.within([-1.5, -2.5, 0.5], [1.5, -0.5, 2.5]);
+    let side = 10.0_f64.powf(maker.between(-2.0, -0.3));
+    let [along, turn] = [maker.direction(), maker.direction()];
+    let across = along.cross(turn).cross(along).unit().expect("a direction");
+    let is_two_sided = maker.happens(0.5);
+    let lamp = maker.rectangle(place, side * along, side * across, 0.0);
+    (lamp.radiance, lamp.is_two_sided) = (10.0 / (side * side), is_two_sided);
+    if maker.happens(0.5) {
+        let corner = maker.within([-1.5, -2.5, 0.3], [1.5, -0.3, 1.2]);
+        let [a, b] = [maker.direction(), maker.direction()];
+        let reflectance = maker.between(0.0, 0.8);
+        maker.rectangle(corner, a, b, reflectance).is_two_sided = true;
+    }
+    maker.ask_anything([[-1.8, -2.8, 0.1], [1.8, -0.1, 2.8]], 0);
 }

@@ -162,6 +162,8 @@ impl<'w> Tracer<'w> {
     ) {
         let (mut origin, mut way, mut density) = (from, first, density);
         let (mut throughput, mut length) = (1.0, 0.0);
+        // flat mirrors since the last place where emitters were looked for, and the way from there
+        let (mut mirrors, mut since) = (0, 0.0);
         for reflections in 0.. {
             let Some(hit) = self.hit(origin, way, f64::INFINITY, false) else {
                 if self.world.absorption == 0.0 {
@@ -173,12 +175,14 @@ impl<'w> Tracer<'w> {
             let surface = &self.world.surfaces[piece.surface];
             throughput *= (-self.world.absorption * hit.distance).exp();
             length += hit.distance;
+            since += hit.distance;
             if !(hit.is_front || surface.is_two_sided) {
                 return;
             }
             if surface.radiance > 0.0 {
-                let by_area = || self.density(hit.piece) * hit.distance.powi(2) / hit.normal.dot(way).abs();
-                let weight = density.map_or(1.0, |density| density / (density + by_area()));
+                let by_area = || self.density(hit.piece) * since * since / hit.normal.dot(way).abs();
+                let weight =
+                    density.filter(|_| mirrors <= 1).map_or(1.0, |density| density / (density + by_area()));
                 sink(first, length, throughput * surface.radiance * weight);
             }
             if surface.reflectance == 0.0 {
@@ -191,7 +195,8 @@ impl<'w> Tracer<'w> {
             origin = hit.place;
             if surface.is_mirror {
                 way = way - (2.0 * way.dot(hit.normal)) * hit.normal;
-                density = None;
+                mirrors += 1;
+                density = density.filter(|_| piece.is_flat());
                 continue;
             }
             self.next_event(origin, Sight::Hemisphere(hit.normal), sampler, &mut |_, more, value| {
@@ -199,6 +204,7 @@ impl<'w> Tracer<'w> {
             });
             let (next, of_next) = cosine_direction(hit.normal, sampler.next(), sampler.next());
             (way, density) = (next, Some(of_next));
+            (mirrors, since) = (0, 0.0);
         }
     }
 
@@ -232,23 +238,49 @@ impl<'w> Tracer<'w> {
         let piece = &self.pieces[index];
         let surface = &self.world.surfaces[piece.surface];
         let (point, normal) = piece.place(u, v);
-        let to = point - place;
-        let distance = to.length();
-        let way = (1.0 / distance) * to;
-        let leaving = -way.dot(normal);
-        let leaving = if surface.is_two_sided { leaving.abs() } else { leaving };
-        let arriving = cosine(way);
-        if !(leaving > 0.0 && arriving > 0.0) || self.hit(place, way, distance * (1.0 - NEAR), true).is_some()
-        {
-            return;
-        }
-        let by_area = self.density(index) * distance * distance / leaving;
-        let by_direction = match sight {
-            Sight::Hemisphere(_) => arriving * FRAC_1_PI,
-            Sight::Sphere => 0.25 * FRAC_1_PI,
+        let mut looked_for = |image: Vector, normal: Vector, mirror: Option<usize>| {
+            let to = image - place;
+            let distance = to.length();
+            let way = (1.0 / distance) * to;
+            let leaving = -way.dot(normal);
+            let leaving = if surface.is_two_sided { leaving.abs() } else { leaving };
+            let arriving = cosine(way);
+            if !(leaving > 0.0 && arriving > 0.0) {
+                return;
+            }
+            let near = distance * (1.0 - NEAR);
+            let left = match mirror {
+                None => f64::from(u8::from(self.hit(place, way, near, true).is_none())),
+                Some(mirror) => self.left_by(mirror, place, way, near).unwrap_or(0.0),
+            };
+            let by_area = self.density(index) * distance * distance / leaving;
+            let by_direction = match sight {
+                Sight::Hemisphere(_) => arriving * FRAC_1_PI,
+                Sight::Sphere => 0.25 * FRAC_1_PI,
+            };
+            let transmitted = left * (-self.world.absorption * distance).exp();
+            sink(way, distance, transmitted * surface.radiance * arriving / (by_area + by_direction));
         };
-        let transmitted = (-self.world.absorption * distance).exp();
-        sink(way, distance, transmitted * surface.radiance * arriving / (by_area + by_direction));
+        looked_for(point, normal, None);
+        for mirror in self.mirrors() {
+            let [at, across] = self.mirror(mirror);
+            let turned = |way: Vector| way - (2.0 * way.dot(across)) * across;
+            looked_for(at + turned(point - at), turned(normal), Some(mirror));
+        }
+    }
+
+    /// What a flat mirror leaves of light that comes along a way by it, if nothing else is before a distance.
+    fn left_by(&self, mirror: usize, place: Vector, way: Vector, distance: f64) -> Option<f64> {
+        let met = self.hit(place, way, distance, false).filter(|met| met.piece == mirror && met.is_front)?;
+        let turned = way - (2.0 * way.dot(met.normal)) * met.normal;
+        let is_free = self.hit(met.place, turned, distance - met.distance, true).is_none();
+        is_free.then(|| self.world.surfaces[self.pieces[mirror].surface].reflectance)
+    }
+
+    /// A point of a flat mirror, and its normal.
+    fn mirror(&self, mirror: usize) -> [Vector; 2] {
+        let middle = self.pieces[mirror].middle;
+        [middle, self.pieces[mirror].normal(middle)]
     }
 
     /// The direction of a light without extent, its distance, and the irradiance that it makes across.
@@ -266,32 +298,29 @@ impl<'w> Tracer<'w> {
         }
     }
 
+    /// The flat mirrors.
     fn mirrors(&self) -> impl Iterator<Item = usize> {
-        let is_mirror = |&index: &usize| self.world.surfaces[self.pieces[index].surface].is_mirror;
+        let is_mirror = |&index: &usize| {
+            let piece = &self.pieces[index];
+            piece.is_flat() && self.world.surfaces[piece.surface].is_mirror
+        };
         (0..self.pieces.len()).filter(is_mirror)
     }
 
-    /// The same of the image of a light in a flat mirror, if that is seen: no sampled direction finds it. Images of images are left out, as no world with
-    /// lights without extent has a second mirror.
+    /// The same of the image of a light in a flat mirror, if that is seen: no sampled direction finds it. Images of images are left out, as no world
+    /// has a second flat mirror.
     fn mirrored(&self, light: Light, mirror: usize, place: Vector) -> Option<(Vector, f64, f64)> {
-        let piece = &self.pieces[mirror];
-        let normal = piece.normal(piece.middle);
+        let [at, normal] = self.mirror(mirror);
         let across = |way: Vector| way - (2.0 * way.dot(normal)) * normal;
         let image = match light {
             Light::Sun { direction, irradiance } => Light::Sun { direction: across(direction), irradiance },
             Light::Lamp { position, intensity } => {
-                Light::Lamp { position: piece.middle + across(position - piece.middle), intensity }
+                Light::Lamp { position: at + across(position - at), intensity }
             }
         };
         let (way, distance, irradiance) = self.reaching(image, place);
-        let met = self.hit(place, way, distance, false).filter(|met| met.piece == mirror && met.is_front)?;
-        let rest = distance - met.distance;
-        let reflectance = self.world.surfaces[piece.surface].reflectance;
-        self.hit(met.place, across(way), rest, true).is_none().then_some((
-            way,
-            distance,
-            reflectance * irradiance,
-        ))
+        let left = self.left_by(mirror, place, way, distance)?;
+        Some((way, distance, left * irradiance))
     }
 
     /// The density, by area, with which next-event estimation chooses points of a piece.

@@ -35,7 +35,7 @@ pub(super) struct Asked {
     pub(super) receiver: usize,
     /// The cell of a map or the pixel of an image, if it is one.
     pub(super) cell: Option<usize>,
-    /// Whether it is a pixel in which an emitter is seen directly.
+    /// Whether it is a pixel, or a ray, in which an emitter is seen directly.
     pub(super) sees_emitter: bool,
     /// The part of a pixel in which surfaces that send light may be seen.
     shown: f64,
@@ -257,13 +257,9 @@ impl Asked {
         (value, own + ErrorParts { rounding, orders: images, ..ErrorParts::default() })
     }
 
-    /// Whether no sample found anything: what is the same in all of them is no more than is computed. Rays that begin at one place see the
-    /// same in all samples where nothing but an emitter is seen.
+    /// Whether no sample found anything: what is the same in all of them is no more than is computed, or than an emitter that a ray sees.
     fn is_nothing(&self, [value, error]: [f64; 2]) -> bool {
-        match self.question {
-            Question::Pixel { .. } | Question::Sight { .. } => value == 0.0 && error == 0.0,
-            _ => error <= SAME * value.abs(),
-        }
+        error <= SAME * value.abs() && (value == 0.0 || !self.sees_emitter)
     }
 
     /// What one sample more could add to a value: a luminaire that was hidden from all others, or light that only chance finds; where no sample
