@@ -7,8 +7,8 @@
 //! sums of independent replicates ─▶ mean, standard error ─▶ more samples, until the error is small enough
 //! ```
 //! L(x, ω) = Lₑ + T L is expanded into its Neumann series; a path finds one term after the other. At each vertex that spreads light, a direction
-//! to a luminaire and one by the law of the vertex are both taken, and what both can find is weighed by the power heuristic. Every
-//! direction and distance comes from a warp of the library, whose density is the proved reciprocal of its pullback.
+//! to a luminaire and one by the law of the vertex are both taken, and what both can find is weighed by the power heuristic; so is what flat
+//! mirrors show of luminaires. Every direction and distance comes from a warp of the library, whose density is the proved reciprocal of its pullback.
 //!
 //! Source: E. Veach, Robust Monte Carlo methods for light transport simulation (1997).
 
