@@ -14,6 +14,7 @@
 
 mod boundary;
 mod chains;
+mod choice;
 mod endless;
 mod expansion;
 mod extinction;

@@ -237,15 +237,20 @@ impl Chains {
     }
 
     /// The chain that a path has gone through after one more mirror, and points as they are behind that.
-    pub(super) fn after(&self, chain: usize, met: &Met, points: [Vector; 2]) -> Option<(usize, [Vector; 2])> {
+    pub(super) fn after<const N: usize>(
+        &self,
+        chain: usize,
+        met: &Met,
+        points: [Vector; N],
+    ) -> Option<(usize, [Vector; N])> {
         let step = Step { plane: self.of_walls[met.wall]?, is_front: met.is_front };
         let (_, longer) = self.all[chain].longer.iter().find(|(next, _)| *next == step)?;
         Some((*longer, points.map(|point| self.planes[step.plane].plane.mirrored(point))))
     }
 
-    /// How likely it is that a chain is chosen.
+    /// How likely it is that a chain is chosen; luminaires straight ahead are looked for in any case.
     pub(super) fn chance(&self, chain: usize) -> f64 {
-        self.all[chain].chance
+        if chain == 0 { 1.0 } else { self.all[chain].chance }
     }
 
     /// Whether no luminaire can be seen in any.

@@ -65,7 +65,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             throughput: [1.0; N],
             way: 0.0,
             vertex: start.position,
-            sought: start.position,
+            sought: [start.position; 2],
             density: f64::INFINITY,
             chain: 0,
             reflections: 0,

@@ -2,6 +2,7 @@
 //! by media.
 
 use super::chains::Chain;
+use super::choice::Sought;
 use super::images::Image;
 use super::lattice::Lattice;
 use super::luminaires::{Luminaire, Towards};
@@ -11,7 +12,7 @@ use super::vertex::Vertex;
 use crate::geometry::Vector;
 use crate::sampling::{Draws, Samples};
 
-/// A luminaire that is looked for in a chain of mirrors, and how likely the chain is, beside luminaires among all lights.
+/// A luminaire that is looked for in a chain of mirrors, and how likely these two are chosen.
 struct Mirrored<'w> {
     chain: &'w Chain,
     luminaire: &'w Luminaire,
@@ -34,7 +35,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             }
         }
         let position = vertex.start.position;
-        let Some(mirrored) = self.mirrored(position, &mut draws.light) else { return };
+        let Some(mirrored) = self.mirrored([position; 2], &mut draws.light) else { return };
         if let Some(towards) = self.towards(&mirrored, position, draws.light.pair()) {
             self.lit(path, vertex, (&towards, &mirrored.chain.steps), &mut draws.hidden, add);
         }
@@ -43,7 +44,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     /// What a segment scatters of the light of images.
     pub(super) fn imaged_segment(
         &self,
-        path: &Path<N>,
+        (path, sought): (&Path<N>, Sought),
         medium: &MediumOptics<N>,
         length: f64,
         draws: &mut Draws,
@@ -57,7 +58,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
                 self.imaged(&lit, &vertex, (image, chance), &mut |_, value, way| add(value, way));
             }
         }
-        let Some(mirrored) = self.mirrored(path.start.position, samples) else { return };
+        let Some(mirrored) = self.mirrored(sought, samples) else { return };
         let point = mirrored.luminaire.point(samples.pair());
         let pivot = point.map(|point| self.world.chains.seen(mirrored.chain, point));
         let Some((lit, vertex)) = self.lit_point(path, medium, length, pivot, samples) else { return };
@@ -81,23 +82,25 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         add(coming.direction, &scaled(1.0 / chance, &value), path.way + coming.way);
     }
 
-    /// A luminaire that is looked for in mirrors from a point, if any is.
-    fn mirrored(&self, from: Vector, samples: &mut Samples) -> Option<Mirrored<'_>> {
+    /// A luminaire that is looked for in mirrors, if any is.
+    fn mirrored(&self, sought: Sought, samples: &mut Samples) -> Option<Mirrored<'_>> {
         let chains = &self.world.chains;
         if !L::MIRROR || chains.are_none() {
             return None;
         }
-        let chain = chains.choose(samples.one()).filter(|chain| chains.is_before(chain, from))?;
-        let luminaires = &self.world.luminaires;
-        let luminaire = luminaires.sought_wall(chains.image(chain, from), samples)?;
-        Some(Mirrored { chain, luminaire, chance: chain.chance / luminaires.of_all_walls() })
+        let chain = chains.choose(samples.one())?;
+        let images = sought.map(|place| chains.image(chain, place));
+        let (luminaire, chance) = self.world.luminaires.wall(images, samples)?;
+        Some(Mirrored { chain, luminaire, chance: chain.chance * chance })
     }
 
     /// A direction from a point to a luminaire in mirrors.
     fn towards(&self, mirrored: &Mirrored<'_>, from: Vector, square: [f64; 2]) -> Option<Towards> {
-        let chains = &self.world.chains;
-        let towards = mirrored.luminaire.towards(chains.image(mirrored.chain, from), square)?;
-        let direction = chains.seen_along(mirrored.chain, towards.direction);
-        Some(Towards { direction, density: mirrored.chance * towards.density, ..towards })
+        let (chains, chain) = (&self.world.chains, mirrored.chain);
+        if !chains.is_before(chain, from) {
+            return None;
+        }
+        let towards = mirrored.luminaire.towards(chains.image(chain, from), square, mirrored.chance)?;
+        Some(Towards { direction: chains.seen_along(chain, towards.direction), ..towards })
     }
 }

@@ -5,10 +5,12 @@
 //! sphere     uniform over the cone that it fills, seen from outside; uniform over its area from inside
 //! point, distant light: the one direction that there is
 //! ```
-//! Which luminaire is taken is chosen by power. Densities are of solid angle, and are what a direction has that was found in another way.
+//! Which luminaire is taken is a [choice](super::choice) by what each may bring; of points and distant lights all are where they are few. Densities
+//! are of solid angle, and are what a direction has that was found in another way.
 //!
 //! A luminaire that is [`near`](super::near) is found by chance, and is not looked for: its density is zero there.
 
+use super::choice::{Choice, Sought, Weight};
 use super::near::Near;
 use super::optics::largest;
 use super::warps::{
@@ -23,25 +25,32 @@ use crate::scene::{LightKind, Scene};
 use std::f64::consts::PI;
 use std::ops::Range;
 
+/// So many points and distant lights are all looked for; of more one is chosen.
+const FEW_BEAMS: usize = 16;
+
 /// All luminaires of a scene.
 pub(super) struct Luminaires {
-    all: Vec<Luminaire>,
-    /// The chance of each luminaire and of all before it.
-    chances: Vec<f64>,
-    /// The chance of all that are walls, which come first.
-    of_all_walls: f64,
+    /// Those that are walls.
+    walls: Vec<Luminaire>,
+    choice_of_walls: Choice,
+    /// Those that are points or far away.
+    beams: Vec<Luminaire>,
+    choice_of_beams: Choice,
+    /// The part of the power of each of all these and of those before it.
+    powers: Vec<f64>,
     /// The luminaires of each wall.
     of_walls: Vec<Range<usize>>,
     /// By wall the points from which its luminaires are not looked for.
     near: Vec<Option<Near>>,
+    /// The middle of all that are near, and how far they are from it at most.
+    middle: Vector,
+    reach: f64,
 }
 
 /// Something that emits light.
 pub(super) struct Luminaire {
     pub(super) source: Source,
     form: Form,
-    /// How likely it is chosen.
-    chance: f64,
 }
 
 /// Where the optical numbers of a luminaire are.
@@ -73,14 +82,17 @@ pub(super) struct Towards {
     /// The density of the direction, of which the choice of the luminaire is part; of a beam the reciprocal of what its intensity or
     /// irradiance is multiplied by.
     pub(super) density: f64,
+    /// How likely the luminaire was chosen.
+    pub(super) chance: f64,
 }
 
 impl Luminaires {
-    pub(super) fn of(scene: &Scene, walls: &[Wall], sheets: &[Sheet]) -> Self {
-        let (mut all, mut powers, mut of_walls) = (Vec::new(), Vec::new(), Vec::new());
-        let mut near = Vec::with_capacity(walls.len());
-        for (wall, (shape, sheet)) in walls.iter().zip(sheets).enumerate() {
-            let first = all.len();
+    pub(super) fn of(scene: &Scene, shapes: &[Wall], sheets: &[Sheet]) -> Self {
+        let (mut walls, mut weights, mut powers, mut of_walls) =
+            (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let mut near = Vec::with_capacity(shapes.len());
+        for (wall, (shape, sheet)) in shapes.iter().zip(sheets).enumerate() {
+            let first = walls.len();
             let surface = &scene.surfaces[sheet.surface];
             let radiance = largest(&surface.radiance);
             if radiance > 0.0 {
@@ -88,62 +100,74 @@ impl Luminaires {
                 let source = Source::Wall { wall, surface: sheet.surface };
                 for form in forms(shape) {
                     powers.push(sides * PI * radiance * form.area());
-                    all.push(Luminaire { source, form, chance: 0.0 });
+                    let before = shape.plane().filter(|_| !surface.two_sided);
+                    weights.push(Weight { before, ..form.weight(radiance) });
+                    walls.push(Luminaire { source, form });
                 }
             }
-            of_walls.push(first..all.len());
+            of_walls.push(first..walls.len());
             near.push((radiance > 0.0).then(|| Near::of(shape)));
         }
-        let extent = extent(walls);
+        let extent = extent(shapes);
+        let (mut beams, mut weights_of_beams) = (Vec::new(), Vec::new());
         for (index, light) in scene.lights.iter().enumerate() {
-            let (form, power) = match &light.kind {
-                LightKind::Point { position, intensity } => {
-                    (Form::Point(*position), 4.0 * PI * largest(intensity))
-                }
+            let (form, value) = match &light.kind {
+                LightKind::Point { position, intensity } => (Form::Point(*position), largest(intensity)),
                 LightKind::Distant { direction, irradiance } => {
-                    (Form::Distant(*direction), PI * extent * extent * largest(irradiance))
+                    (Form::Distant(*direction), largest(irradiance))
                 }
             };
-            powers.push(power);
-            all.push(Luminaire { source: Source::Beam(index), form, chance: 0.0 });
+            let solid = if let Form::Point(_) = form { 4.0 } else { extent * extent };
+            powers.push(PI * solid * value);
+            weights_of_beams.push(form.weight(value));
+            beams.push(Luminaire { source: Source::Beam(index), form });
         }
         let whole: f64 = powers.iter().sum();
         let mut sum = 0.0;
-        let mut chances = Vec::with_capacity(all.len());
-        for (luminaire, power) in all.iter_mut().zip(powers) {
-            luminaire.chance = power / whole;
-            sum += luminaire.chance;
-            chances.push(sum);
+        for power in &mut powers {
+            sum += *power / whole;
+            *power = sum;
         }
-        let last_wall = of_walls.last().map_or(0, |of_wall| of_wall.end);
-        let of_all_walls = chances[..last_wall].last().copied().unwrap_or(0.0);
-        Self { all, chances, of_all_walls, of_walls, near }
+        let all = || weights.iter().chain(&weights_of_beams).filter(|weight| weight.strength > 0.0);
+        let middles: Vec<Vector> = all().map(|weight| weight.middle).collect();
+        let middle = if middles.is_empty() { Vector::default() } else { Vector::mean(&middles) };
+        let reach = all().map(|weight| (weight.middle - middle).length() + weight.radius).fold(0.0, f64::max);
+        let [choice_of_walls, choice_of_beams] = [weights, weights_of_beams].map(Choice::among);
+        Self { walls, choice_of_walls, beams, choice_of_beams, powers, of_walls, near, middle, reach }
     }
 
     /// Whether a ray can meet any.
     pub(super) fn are_met(&self) -> bool {
-        self.all.iter().any(|luminaire| matches!(luminaire.source, Source::Wall { .. }))
+        !self.walls.is_empty()
     }
 
-    /// A luminaire that is looked for from a point, if any is.
-    pub(super) fn sought(&self, from: Vector, samples: &mut Samples) -> Option<&Luminaire> {
-        self.sought_by(from, samples.one())
+    /// Where luminaires are looked for along a segment: as far as any is abreast of it.
+    pub(super) fn sought_along(&self, from: Vector, direction: Vector, length: f64) -> Sought {
+        let farthest = (from - self.middle).length() + self.reach;
+        [from, from + length.min(farthest) * direction]
     }
 
-    /// The same of those that are walls.
-    pub(super) fn sought_wall(&self, from: Vector, samples: &mut Samples) -> Option<&Luminaire> {
-        self.sought_by(from, self.of_all_walls * samples.one())
+    /// A wall that is looked for, if any is, and how likely it was chosen.
+    pub(super) fn wall(&self, sought: Sought, samples: &mut Samples) -> Option<(&Luminaire, f64)> {
+        if self.walls.is_empty() {
+            return None;
+        }
+        let (place, chance) = self.choice_of_walls.choose(sought, samples.one())?;
+        let luminaire = &self.walls[place];
+        let is_near = matches!(luminaire.source, Source::Wall { wall, .. } if self.is_near(wall, sought[0]));
+        (!is_near).then_some((luminaire, chance))
     }
 
-    /// How likely it is that a luminaire which is chosen is a wall.
-    pub(super) fn of_all_walls(&self) -> f64 {
-        self.of_all_walls
-    }
-
-    fn sought_by(&self, from: Vector, number: f64) -> Option<&Luminaire> {
-        let luminaire = self.choose(number)?;
-        let is_near = matches!(luminaire.source, Source::Wall { wall, .. } if self.is_near(wall, from));
-        (!is_near).then_some(luminaire)
+    /// The beams that are looked for, each with how likely it was chosen: all where they are few.
+    pub(super) fn beams<'l>(
+        &'l self,
+        sought: Sought,
+        samples: &mut Samples,
+    ) -> impl Iterator<Item = (&'l Luminaire, f64)> + use<'l> {
+        let are_few = self.beams.len() <= FEW_BEAMS;
+        let one = if are_few { None } else { self.choice_of_beams.choose(sought, samples.one()) };
+        let all = if are_few { &self.beams[..] } else { &[] };
+        all.iter().map(|beam| (beam, 1.0)).chain(one.map(|(place, chance)| (&self.beams[place], chance)))
     }
 
     /// Whether the luminaires of a wall are not looked for from a point.
@@ -151,38 +175,36 @@ impl Luminaires {
         self.near[wall].as_ref().is_some_and(|near| near.holds(from))
     }
 
-    /// A luminaire by a number from 0 to 1; none where there is none.
-    fn choose(&self, number: f64) -> Option<&Luminaire> {
-        chosen(&self.chances, number).map(|place| &self.all[place])
-    }
-
-    /// The surface of a luminaire by a number from 0 to 1; none where that is a beam.
+    /// The surface of a luminaire by a number from 0 to 1, each as likely as its part of the power; none where that is a beam.
     pub(super) fn emitting(&self, number: f64) -> Option<usize> {
-        match self.choose(number)?.source {
+        match self.walls.get(chosen(&self.powers, number)?)?.source {
             Source::Wall { surface, .. } => Some(surface),
             Source::Beam(_) => None,
         }
     }
 
-    /// The density that a direction from a point to the wall that it meets has among those that [`choose`](Self::choose) and
-    /// [`towards`](Luminaire::towards) take, where it is decided at `sought` whether to look.
-    pub(super) fn density(&self, sought: Vector, from: Vector, direction: Vector, met: &Met) -> f64 {
-        if self.is_near(met.wall, sought) {
+    /// The density that a direction from a point to the wall that it meets has among those that [`wall`](Self::wall) and
+    /// [`towards`](Luminaire::towards) take.
+    pub(super) fn density(&self, sought: Sought, from: Vector, direction: Vector, met: &Met) -> f64 {
+        if self.is_near(met.wall, sought[0]) {
             return 0.0;
         }
-        let of_wall = self.all[self.of_walls[met.wall].clone()].iter();
-        let density = |luminaire: &Luminaire| luminaire.chance * luminaire.form.density(from, direction, met);
-        of_wall.map(density).sum()
+        let density = |place: usize| {
+            let density = self.walls[place].form.density(from, direction, met);
+            if density > 0.0 { self.choice_of_walls.chance(sought, place) * density } else { 0.0 }
+        };
+        self.of_walls[met.wall].clone().map(density).sum()
     }
 }
 
 impl Luminaire {
-    /// A direction from a point, by a point of the unit square. None where the luminaire cannot be seen from there.
-    pub(super) fn towards(&self, from: Vector, square: [f64; 2]) -> Option<Towards> {
+    /// A direction from a point, by a point of the unit square, where the luminaire was chosen with this chance. None where it cannot be
+    /// seen from there.
+    pub(super) fn towards(&self, from: Vector, square: [f64; 2], chance: f64) -> Option<Towards> {
         let (direction, reach, density) = self.form.towards(from, square)?;
         let is_found = density > 0.0 && density.is_finite();
-        let density = self.chance * density;
-        is_found.then_some(Towards { source: self.source, direction, reach, density })
+        let density = chance * density;
+        is_found.then_some(Towards { source: self.source, direction, reach, density, chance })
     }
 
     /// A point of it, by a point of the unit square; none if it is far away.
@@ -196,6 +218,28 @@ impl Luminaire {
 }
 
 impl Form {
+    /// Its weight where its radiance, intensity or irradiance is this.
+    fn weight(&self, value: f64) -> Weight {
+        let near = |area: f64, middle: Vector, radius: f64| Weight {
+            strength: value * area,
+            middle,
+            radius,
+            far: 0.0,
+            before: None,
+        };
+        match *self {
+            Self::Triangle(corners) => {
+                let middle = Vector::mean(&corners);
+                let radius = corners.iter().map(|&corner| (corner - middle).length()).fold(0.0, f64::max);
+                near(self.area(), middle, radius)
+            }
+            Self::Disk(disk) => near(self.area(), disk.center, disk.radius),
+            Self::Sphere(sphere) => near(PI * sphere.radius * sphere.radius, sphere.center, sphere.radius),
+            Self::Point(position) => near(1.0, position, 0.0),
+            Self::Distant(_) => Weight { far: value, ..near(0.0, Vector::default(), 0.0) },
+        }
+    }
+
     fn area(&self) -> f64 {
         match self {
             Self::Triangle([a, b, c]) => 0.5 * (*b - *a).cross(*c - *a).length(),

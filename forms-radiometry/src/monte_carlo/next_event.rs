@@ -39,19 +39,22 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         draws: &mut Draws,
         add: &mut impl FnMut(&[f64; N], f64),
     ) {
-        self.imaged_segment(path, medium, length, draws, add);
-        let samples = &mut draws.light;
-        let sought = self.world.luminaires.sought(path.start.position, samples);
-        let Some(luminaire) = sought else { return };
-        let pivot = luminaire.point(samples.pair());
-        let Some((lit, vertex)) = self.lit_point(path, medium, length, pivot, samples) else { return };
-        if let Some(towards) = luminaire.towards(vertex.start.position, samples.pair()) {
-            let hidden = &mut draws.hidden;
-            self.lit(&lit, &vertex, (&towards, &[]), hidden, &mut |_, value, way| add(value, way));
+        let sought = self.world.luminaires.sought_along(path.start.position, path.direction, length);
+        self.imaged_segment((path, sought), medium, length, draws, add);
+        let Draws { light: samples, hidden, .. } = draws;
+        let luminaires = &self.world.luminaires;
+        let beams = luminaires.beams(sought, samples);
+        for (luminaire, chance) in beams.chain(luminaires.wall(sought, samples)) {
+            let pivot = luminaire.point(samples.pair());
+            let lit = self.lit_point(path, medium, length, pivot, samples);
+            let Some((lit, vertex)) = lit else { continue };
+            if let Some(towards) = luminaire.towards(vertex.start.position, samples.pair(), chance) {
+                self.lit(&lit, &vertex, (&towards, &[]), hidden, &mut |_, value, way| add(value, way));
+            }
         }
     }
 
-    /// What comes straight from a luminaire to a vertex, whose weight the path has by now; with the direction that it comes from.
+    /// What comes straight from luminaires to a vertex, whose weight the path has by now; with the direction that it comes from.
     pub(super) fn straight(
         &self,
         path: &Path<N>,
@@ -59,11 +62,17 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         draws: &mut Draws,
         add: &mut impl FnMut(Vector, &[f64; N], f64),
     ) {
-        let samples = &mut draws.light;
+        let Draws { light: samples, hidden, .. } = draws;
         let position = vertex.start.position;
-        let Some(luminaire) = self.world.luminaires.sought(position, samples) else { return };
-        if let Some(towards) = luminaire.towards(position, samples.pair()) {
-            self.lit(path, vertex, (&towards, &[]), &mut draws.hidden, add);
+        let luminaires = &self.world.luminaires;
+        for (beam, chance) in luminaires.beams([position; 2], samples) {
+            if let Some(towards) = beam.towards(position, [0.0; 2], chance) {
+                self.lit(path, vertex, (&towards, &[]), hidden, add);
+            }
+        }
+        let Some((luminaire, chance)) = luminaires.wall([position; 2], samples) else { return };
+        if let Some(towards) = luminaire.towards(position, samples.pair(), chance) {
+            self.lit(path, vertex, (&towards, &[]), hidden, add);
         }
     }
 
@@ -78,22 +87,25 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     ) {
         let densities = vertex.law.density(towards.direction);
         let own = mean(&densities, self.count());
-        if own == 0.0 {
-            return;
-        }
         let (radiance, part) = match towards.source {
             Source::Wall { surface, .. } => (&self.optics.radiances[surface], part(towards.density, own)),
             Source::Beam(light) => (&self.optics.beams[light], 1.0),
         };
-        let unhidden = times(&times(&path.throughput, radiance), &densities);
-        let unhidden = scaled(part / towards.density, &unhidden);
+        let brings = times(&path.throughput, radiance);
+        if own == 0.0 {
+            // another one would have been worth as much, had it been chosen
+            let wasted = vertex.law.largest() * (1.0 - towards.chance) / towards.density;
+            miss(hidden, &scaled(wasted, &brings));
+            return;
+        }
+        let unhidden = scaled(part / towards.density, &times(&brings, &densities));
         let Some(reached) = self.reached(path, vertex.start, towards, steps) else { return };
         let value = times(&unhidden, &reached.left);
         if !reached.is_hidden {
             add(towards.direction, &value, reached.way);
-        } else if !(path.is_same && matches!(towards.source, Source::Beam(_))) {
+        } else if !(path.is_same && towards.chance == 1.0 && matches!(towards.source, Source::Beam(_))) {
             // a beam that is hidden from one place is hidden from all samples there
-            hidden.iter_mut().zip(value).for_each(|(hidden, value)| *hidden = hidden.max(value));
+            miss(hidden, &value);
         }
     }
 
@@ -150,6 +162,11 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             reach -= length;
         }
     }
+}
+
+/// Notes what a sample missed.
+fn miss<const N: usize>(hidden: &mut [f64], values: &[f64; N]) {
+    hidden.iter_mut().zip(values).for_each(|(hidden, &value)| *hidden = hidden.max(value));
 }
 
 /// What is on the way from a vertex to a luminaire.

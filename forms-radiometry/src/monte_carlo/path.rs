@@ -11,6 +11,7 @@
 //! no path counts more than the first ones of its kind, and the variance is finite wherever the sum of all orders is.
 
 use super::boundary::Passage;
+use super::choice::Sought;
 use super::images::Images;
 use super::lattice::Lattice;
 use super::mirror::reflected;
@@ -63,9 +64,8 @@ pub(super) struct Path<const N: usize> {
     /// have been found from there.
     pub(super) vertex: Vector,
     pub(super) density: f64,
-    /// Where it was decided whether to look for luminaires from the last vertex: there, or at the start of the segment on which it is;
-    /// as mirrors show it.
-    pub(super) sought: Vector,
+    /// Where luminaires were looked for from the last vertex: there, or along the segment on which it is; as mirrors show it.
+    pub(super) sought: Sought,
     /// The chain of these mirrors.
     pub(super) chain: usize,
     pub(super) reflections: u32,
@@ -109,7 +109,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
                 match self.flight(&path, &medium, met.as_ref(), &mut draws.path, add) {
                     Flight::Scattered(distance, factor) => {
                         path.throughput = times(&path.throughput, &factor);
-                        self.scatter(&mut path, &medium, distance, &mut draws.path);
+                        self.scatter(&mut path, &medium, [distance, length], &mut draws.path);
                         if self.is_endless(&path, &medium) || !self.goes_on(&mut path, &mut draws.chance) {
                             return;
                         }
@@ -156,7 +156,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         }
         let part = if path.density.is_finite() {
             let seen = self.world.luminaires.density(path.sought, path.vertex, path.direction, met);
-            part(path.density, self.world.chance(path.chain) * seen)
+            part(path.density, self.world.chains.chance(path.chain) * seen)
         } else {
             1.0
         };
@@ -203,9 +203,10 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let (direction, throughput, stays) = passage.applied(&path.throughput);
         (path.direction, path.throughput) = (direction, throughput);
         path.start = self.world.walls.start_on(met, met.is_front == stays);
-        match self.world.chains.after(path.chain, met, [path.vertex, path.sought]) {
-            Some((chain, [vertex, sought])) => {
-                (path.chain, path.vertex, path.sought) = (chain, vertex, sought);
+        let [from, to] = path.sought;
+        match self.world.chains.after(path.chain, met, [path.vertex, from, to]) {
+            Some((chain, [vertex, from, to])) => {
+                (path.chain, path.vertex, path.sought) = (chain, vertex, [from, to]);
             }
             None => path.density = f64::INFINITY,
         }
@@ -254,18 +255,26 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let (weights, density) = vertex.law.weights(direction, self.count());
         path.throughput = times(&path.throughput, &weights);
         (path.start, path.direction, path.vertex) = (vertex.start, direction, vertex.start.position);
-        (path.sought, path.chain) = (path.vertex, 0);
+        (path.sought, path.chain) = ([path.vertex; 2], 0);
         path.density = if self.world.luminaires.are_met() { density } else { f64::INFINITY };
         (path.is_straight, path.is_same) = (false, false);
         path.turns = 0;
     }
 
-    fn scatter(&self, path: &mut Path<N>, medium: &MediumOptics<N>, distance: f64, samples: &mut Samples) {
+    /// Scatters a path at a distance along a segment of this length.
+    fn scatter(
+        &self,
+        path: &mut Path<N>,
+        medium: &MediumOptics<N>,
+        [distance, length]: [f64; 2],
+        samples: &mut Samples,
+    ) {
         path.way = self.longer(path.way, medium, distance);
         path.scatterings += 1;
-        let (vertex, from) = (self.scattering(path, medium, distance), path.start.position);
+        let vertex = self.scattering(path, medium, distance);
+        let sought = self.world.luminaires.sought_along(path.start.position, path.direction, length);
         self.leaves(path, &vertex, samples);
-        path.sought = from;
+        path.sought = sought;
     }
 
     /// The vertex at a distance along the path.

@@ -53,11 +53,6 @@ impl<'s> World<'s> {
         Self { scene, walls: Walls::of(walls), sheets, luminaires, chains, fronts }
     }
 
-    /// How likely luminaires are looked for in a chain of mirrors, beside those that are looked for straight.
-    pub(super) fn chance(&self, chain: usize) -> f64 {
-        if chain == 0 { 1.0 } else { self.chains.chance(chain) / self.luminaires.of_all_walls() }
-    }
-
     /// The largest part of the light of a luminaire that mirrors and boundaries turn in a way in which none is looked for.
     pub(crate) fn turned_by_chance(&self) -> f64 {
         self.chains.left_out()

@@ -1,0 +1,215 @@
+//! Choice: which of several lights a place looks for: each as likely as the irradiance that it may bring there.
+//!
+//! ```text
+//! lights ─ halved across the longest axis ─▶ about √n groups
+//! place ─▶ a group by S/max(d², r²) + E ─▶ a light of it by the same
+//! ```
+//! S is the intensity, or the radiance times the area, d how far the middle is and r the radius around it; E is the irradiance of lights that are
+//! far away. A flat light brings nothing to what is behind it. So a weak lamp that is near is found beside the sun, and a sample is
+//! hardly ever worth more than all lights together.
+//!
+//! Source: A. Conty Estevez, C. Kulla, Importance sampling of many lights with adaptive tree splitting (2018), for weights of groups.
+
+use crate::geometry::{Plane, Vector};
+
+/// Of no more lights each is a group.
+const FEW: usize = 64;
+
+/// What is known of a light, or of a group of them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Weight {
+    /// The intensity of what is near, or the radiance times the area.
+    pub(super) strength: f64,
+    pub(super) middle: Vector,
+    pub(super) radius: f64,
+    /// The irradiance of what is far away.
+    pub(super) far: f64,
+    /// The plane before which it shines, if it shines to one side.
+    pub(super) before: Option<Plane>,
+}
+
+/// Where light is looked for: a place, or the ends of a segment on which it is.
+pub(super) type Sought = [Vector; 2];
+
+/// A choice among lights.
+pub(super) struct Choice {
+    lights: Vec<Weight>,
+    groups: Vec<Group>,
+    /// The group of each light.
+    of_lights: Vec<usize>,
+}
+
+struct Group {
+    lights: Vec<usize>,
+    all: Weight,
+}
+
+impl Choice {
+    pub(super) fn among(lights: Vec<Weight>) -> Self {
+        let groups = if lights.len() <= FEW { lights.len() } else { lights.len().isqrt() };
+        let mut choice =
+            Self { of_lights: vec![0; lights.len()], groups: Vec::with_capacity(groups), lights };
+        let all = (0..choice.lights.len()).collect();
+        choice.divide(all, groups);
+        choice
+    }
+
+    /// Divides lights into so many groups.
+    fn divide(&mut self, mut lights: Vec<usize>, groups: usize) {
+        if groups <= 1 {
+            if !lights.is_empty() {
+                lights.iter().for_each(|&light| self.of_lights[light] = self.groups.len());
+                let all = self.together(&lights);
+                self.groups.push(Group { lights, all });
+            }
+            return;
+        }
+        let along = |axis: usize, light: usize| {
+            let Vector { x, y, z } = self.lights[light].middle;
+            [x, y, z][axis]
+        };
+        let extent = |axis: usize| {
+            let places = || lights.iter().map(|&light| along(axis, light));
+            places().fold(f64::NEG_INFINITY, f64::max) - places().fold(f64::INFINITY, f64::min)
+        };
+        let longest = (0..3).max_by(|&a, &b| extent(a).total_cmp(&extent(b))).unwrap_or(0);
+        lights.sort_by(|&a, &b| along(longest, a).total_cmp(&along(longest, b)).then(a.cmp(&b)));
+        let half = groups / 2;
+        let rest = lights.split_off(lights.len() * half / groups);
+        self.divide(lights, half);
+        self.divide(rest, groups - half);
+    }
+
+    /// The weight of a group.
+    fn together(&self, lights: &[usize]) -> Weight {
+        if let [light] = lights {
+            return self.lights[*light];
+        }
+        let of = || lights.iter().map(|&light| &self.lights[light]);
+        let near = || of().filter(|light| light.strength > 0.0);
+        let middles: Vec<Vector> = near().map(|light| light.middle).collect();
+        let middle = if middles.is_empty() { Vector::default() } else { Vector::mean(&middles) };
+        let reach = |light: &Weight| (light.middle - middle).length() + light.radius;
+        Weight {
+            strength: of().map(|light| light.strength).sum(),
+            middle,
+            radius: near().map(reach).fold(0.0, f64::max),
+            far: of().map(|light| light.far).sum(),
+            before: None,
+        }
+    }
+
+    /// A light by a number from 0 to 1, and how likely it is; none where there is none, or none brings anything.
+    pub(super) fn choose(&self, sought: Sought, number: f64) -> Option<(usize, f64)> {
+        if self.lights.len() == 1 {
+            return Some((0, 1.0));
+        }
+        let groups = self.groups.iter().map(|group| group.all.at(sought));
+        let (group, rest, of_group) = divided(groups, number)?;
+        let lights = &self.groups[group].lights;
+        let (place, _, of_light) = divided(lights.iter().map(|&light| self.lights[light].at(sought)), rest)?;
+        Some((lights[place], of_group * of_light))
+    }
+
+    /// How likely a light is chosen.
+    pub(super) fn chance(&self, sought: Sought, light: usize) -> f64 {
+        if self.lights.len() == 1 {
+            return 1.0;
+        }
+        let group = &self.groups[self.of_lights[light]];
+        let part = |own: f64, all: f64| if own > 0.0 { own / all } else { 0.0 };
+        let groups = self.groups.iter().map(|group| group.all.at(sought)).sum();
+        let lights = group.lights.iter().map(|&light| self.lights[light].at(sought)).sum();
+        part(group.all.at(sought), groups) * part(self.lights[light].at(sought), lights)
+    }
+}
+
+impl Weight {
+    /// The irradiance that it may bring.
+    fn at(&self, [from, to]: Sought) -> f64 {
+        if self.before.is_some_and(|plane| plane.distance(from) <= 0.0 && plane.distance(to) <= 0.0) {
+            return self.far;
+        }
+        let along = to - from;
+        let squared = along.dot(along);
+        let part =
+            if squared > 0.0 { ((self.middle - from).dot(along) / squared).clamp(0.0, 1.0) } else { 0.0 };
+        let way = self.middle - (from + part * along);
+        let least = (self.radius * self.radius).max(f64::MIN_POSITIVE);
+        self.far + self.strength / way.dot(way).max(least)
+    }
+}
+
+/// The place of the part in which a number from 0 to 1 lies, where in it, and the part itself.
+fn divided(weights: impl Iterator<Item = f64> + Clone, number: f64) -> Option<(usize, f64, f64)> {
+    let all: f64 = weights.clone().sum();
+    let along = number * all;
+    let (mut before, mut found) = (0.0, None);
+    for (place, own) in weights.enumerate().filter(|(_, own)| *own > 0.0) {
+        found = Some((place, ((along - before) / own).clamp(0.0, 1.0), own / all));
+        before += own;
+        if along < before {
+            break;
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lamp(strength: f64, [x, y, z]: [f64; 3]) -> Weight {
+        Weight { strength, middle: Vector::new(x, y, z), radius: 0.1, far: 0.0, before: None }
+    }
+
+    const SUN: Weight =
+        Weight { strength: 0.0, middle: Vector::new(0.0, 0.0, 0.0), radius: 0.0, far: 500.0, before: None };
+
+    /// Many lamps of all strengths on a screw, and the sun.
+    fn many(count: usize) -> Choice {
+        let lamp = |i: usize| {
+            let turn = i as f64;
+            lamp(10_f64.powi(i as i32 % 7), [turn.cos(), turn.sin(), 0.01 * turn])
+        };
+        Choice::among((1..count).map(lamp).chain([SUN]).collect())
+    }
+
+    #[test]
+    fn chances_sum_to_one_and_are_those_of_the_parts_of_numbers() {
+        for count in [1, 2, 5, 64, 65, 1000] {
+            let choice = many(count);
+            let sought = [Vector::new(0.3, 0.1, 0.2), Vector::new(0.5, 2.0, 0.2)];
+            let sum: f64 = (0..count).map(|light| choice.chance(sought, light)).sum();
+            assert!((sum - 1.0).abs() < 1e-12, "{count}: {sum}");
+            const NUMBERS: usize = 100_000;
+            let mut found = vec![0; count];
+            for number in 0..NUMBERS {
+                let number = (number as f64 + 0.5) / NUMBERS as f64;
+                let (light, chance) = choice.choose(sought, number).expect("a light");
+                assert!((chance - choice.chance(sought, light)).abs() <= 1e-12);
+                found[light] += 1;
+            }
+            for (light, &times) in found.iter().enumerate() {
+                let expected = NUMBERS as f64 * choice.chance(sought, light);
+                assert!((f64::from(times) - expected).abs() < 3.0, "{count}, {light}: {times}, {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_weak_lamp_that_is_near_is_chosen_beside_the_sun() {
+        let choice = Choice::among(vec![SUN, lamp(5.0, [0.0, 0.0, 0.4])]);
+        let place = [Vector::default(); 2];
+        assert!((choice.chance(place, 1) - 31.25 / 531.25).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_shines_to_the_other_side_is_not_chosen() {
+        let plane = Plane { point: Vector::new(0.0, 0.0, 1.0), normal: Vector::new(0.0, 0.0, 1.0) };
+        let ceiling = Weight { before: Some(plane), ..lamp(1e6, [0.0, 0.0, 1.0]) };
+        let choice = Choice::among(vec![ceiling, lamp(1.0, [3.0, 0.0, 0.0])]);
+        let chances = [0.0, 2.0].map(|z| choice.chance([Vector::new(0.0, 0.0, z); 2], 0));
+        assert!(chances[0] == 0.0 && chances[1] > 0.99, "{chances:?}");
+    }
+}
