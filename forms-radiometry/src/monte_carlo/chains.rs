@@ -8,6 +8,7 @@
 //! x', and a path that was reflected by the planes is weighed as if it came straight from x'. Whether mirrors are where they are needed, and
 //! whether anything else is in the way, only the ray tells. What no chain finds is found by chance.
 
+use super::choice::Sought;
 use super::luminaires::extent;
 use super::world::Sheet;
 use crate::geometry::{Met, Plane, Vector, Wall};
@@ -219,6 +220,11 @@ impl Chains {
         chain.steps.iter().fold(point, |point, step| self.planes[step.plane].plane.mirrored(point))
     }
 
+    /// Where luminaires are looked for, as a chain shows it.
+    pub(super) fn sought(&self, chain: &Chain, sought: Sought) -> Sought {
+        chain.steps.iter().fold(sought, |sought, step| sought.mirrored(self.planes[step.plane].plane))
+    }
+
     /// Where a point seems to be that is seen in a chain.
     pub(super) fn seen(&self, chain: &Chain, point: Vector) -> Vector {
         chain.steps.iter().rev().fold(point, |point, step| self.planes[step.plane].plane.mirrored(point))
@@ -236,16 +242,11 @@ impl Chains {
         self.of_walls[met.wall] == Some(step.plane) && met.is_front == step.is_front
     }
 
-    /// The chain that a path has gone through after one more mirror, and points as they are behind that.
-    pub(super) fn after<const N: usize>(
-        &self,
-        chain: usize,
-        met: &Met,
-        points: [Vector; N],
-    ) -> Option<(usize, [Vector; N])> {
+    /// The chain that a path has gone through after one more mirror, and the plane of that.
+    pub(super) fn after(&self, chain: usize, met: &Met) -> Option<(usize, Plane)> {
         let step = Step { plane: self.of_walls[met.wall]?, is_front: met.is_front };
         let (_, longer) = self.all[chain].longer.iter().find(|(next, _)| *next == step)?;
-        Some((*longer, points.map(|point| self.planes[step.plane].plane.mirrored(point))))
+        Some((*longer, self.planes[step.plane].plane))
     }
 
     /// How likely it is that a chain is chosen; luminaires straight ahead are looked for in any case.

@@ -2,10 +2,10 @@
 //!
 //! ```text
 //! lights ─ halved across the longest axis ─▶ about √n groups
-//! place ─▶ a group by S/max(d², r²) + E ─▶ a light of it by the same
+//! place ─▶ a group by S cos θ/max(d², r²) + E ─▶ a light of it by the same
 //! ```
-//! S is the intensity, or the radiance times the area, d how far the middle is and r the radius around it; E is the irradiance of lights that are
-//! far away. A flat light brings nothing to what is behind it. So a weak lamp that is near is found beside the sun, and a sample is
+//! S is the intensity, or the radiance times the area, d how far the middle is, r the radius around it, and θ the least angle that anything within
+//! has at a surface; E is the irradiance of lights that are far away. A flat light brings nothing to what is behind it. So a weak lamp that is near is found beside the sun, and a sample is
 //! hardly ever worth more than all lights together.
 //!
 //! Source: A. Conty Estevez, C. Kulla, Importance sampling of many lights with adaptive tree splitting (2018), for weights of groups.
@@ -22,14 +22,36 @@ pub(super) struct Weight {
     pub(super) strength: f64,
     pub(super) middle: Vector,
     pub(super) radius: f64,
-    /// The irradiance of what is far away.
+    /// The irradiance of what is far away, and the direction to it if that is one.
     pub(super) far: f64,
+    pub(super) direction: Option<Vector>,
     /// The plane before which it shines, if it shines to one side.
     pub(super) before: Option<Plane>,
 }
 
-/// Where light is looked for: a place, or the ends of a segment on which it is.
-pub(super) type Sought = [Vector; 2];
+/// Where light is looked for: on a segment, whose ends are one place where it is a point, and before a plane there if this has a normal.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sought {
+    pub(super) from: Vector,
+    to: Vector,
+    normal: Option<Vector>,
+}
+
+impl Sought {
+    pub(super) fn at(place: Vector, normal: Option<Vector>) -> Self {
+        Self { from: place, to: place, normal }
+    }
+
+    pub(super) fn along(from: Vector, to: Vector) -> Self {
+        Self { from, to, normal: None }
+    }
+
+    /// Its mirror image.
+    pub(super) fn mirrored(self, plane: Plane) -> Self {
+        let [from, to] = [self.from, self.to].map(|place| plane.mirrored(place));
+        Self { from, to, normal: self.normal.map(|normal| plane.turned(normal)) }
+    }
+}
 
 /// A choice among lights.
 pub(super) struct Choice {
@@ -95,6 +117,7 @@ impl Choice {
             middle,
             radius: near().map(reach).fold(0.0, f64::max),
             far: of().map(|light| light.far).sum(),
+            direction: None,
             before: None,
         }
     }
@@ -126,17 +149,24 @@ impl Choice {
 
 impl Weight {
     /// The irradiance that it may bring.
-    fn at(&self, [from, to]: Sought) -> f64 {
+    fn at(&self, Sought { from, to, normal }: Sought) -> f64 {
+        let far = match (self.direction, normal) {
+            (Some(direction), Some(normal)) => normal.dot(direction).max(0.0) * self.far,
+            _ => self.far,
+        };
         if self.before.is_some_and(|plane| plane.distance(from) <= 0.0 && plane.distance(to) <= 0.0) {
-            return self.far;
+            return far;
         }
         let along = to - from;
         let squared = along.dot(along);
         let part =
             if squared > 0.0 { ((self.middle - from).dot(along) / squared).clamp(0.0, 1.0) } else { 0.0 };
         let way = self.middle - (from + part * along);
-        let least = (self.radius * self.radius).max(f64::MIN_POSITIVE);
-        self.far + self.strength / way.dot(way).max(least)
+        let least = way.dot(way).max(self.radius * self.radius).max(f64::MIN_POSITIVE);
+        // the largest cosine of anything within the radius
+        let cosine =
+            normal.map_or(1.0, |normal| ((normal.dot(way) + self.radius) / least.sqrt()).clamp(0.0, 1.0));
+        far + cosine * self.strength / least
     }
 }
 
@@ -159,12 +189,18 @@ fn divided(weights: impl Iterator<Item = f64> + Clone, number: f64) -> Option<(u
 mod tests {
     use super::*;
 
-    fn lamp(strength: f64, [x, y, z]: [f64; 3]) -> Weight {
-        Weight { strength, middle: Vector::new(x, y, z), radius: 0.1, far: 0.0, before: None }
+    const fn lamp(strength: f64, [x, y, z]: [f64; 3]) -> Weight {
+        Weight {
+            strength,
+            middle: Vector::new(x, y, z),
+            radius: 0.1,
+            far: 0.0,
+            direction: None,
+            before: None,
+        }
     }
 
-    const SUN: Weight =
-        Weight { strength: 0.0, middle: Vector::new(0.0, 0.0, 0.0), radius: 0.0, far: 500.0, before: None };
+    const SUN: Weight = Weight { far: 500.0, ..lamp(0.0, [0.0; 3]) };
 
     /// Many lamps of all strengths on a screw, and the sun.
     fn many(count: usize) -> Choice {
@@ -179,7 +215,7 @@ mod tests {
     fn chances_sum_to_one_and_are_those_of_the_parts_of_numbers() {
         for count in [1, 2, 5, 64, 65, 1000] {
             let choice = many(count);
-            let sought = [Vector::new(0.3, 0.1, 0.2), Vector::new(0.5, 2.0, 0.2)];
+            let sought = Sought::along(Vector::new(0.3, 0.1, 0.2), Vector::new(0.5, 2.0, 0.2));
             let sum: f64 = (0..count).map(|light| choice.chance(sought, light)).sum();
             assert!((sum - 1.0).abs() < 1e-12, "{count}: {sum}");
             const NUMBERS: usize = 100_000;
@@ -200,8 +236,10 @@ mod tests {
     #[test]
     fn a_weak_lamp_that_is_near_is_chosen_beside_the_sun() {
         let choice = Choice::among(vec![SUN, lamp(5.0, [0.0, 0.0, 0.4])]);
-        let place = [Vector::default(); 2];
-        assert!((choice.chance(place, 1) - 31.25 / 531.25).abs() < 1e-12);
+        let place = |normal| Sought::at(Vector::default(), normal);
+        assert!((choice.chance(place(None), 1) - 31.25 / 531.25).abs() < 1e-12);
+        let down = Some(Vector::new(0.0, 0.0, -1.0));
+        assert_eq!(choice.chance(place(down), 1), 0.0);
     }
 
     #[test]
@@ -209,7 +247,7 @@ mod tests {
         let plane = Plane { point: Vector::new(0.0, 0.0, 1.0), normal: Vector::new(0.0, 0.0, 1.0) };
         let ceiling = Weight { before: Some(plane), ..lamp(1e6, [0.0, 0.0, 1.0]) };
         let choice = Choice::among(vec![ceiling, lamp(1.0, [3.0, 0.0, 0.0])]);
-        let chances = [0.0, 2.0].map(|z| choice.chance([Vector::new(0.0, 0.0, z); 2], 0));
+        let chances = [0.0, 2.0].map(|z| choice.chance(Sought::at(Vector::new(0.0, 0.0, z), None), 0));
         assert!(chances[0] == 0.0 && chances[1] > 0.99, "{chances:?}");
     }
 }

@@ -147,8 +147,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             }
             _ if !is_bright => Some(Vec::new()),
             MaterialKind::Diffuse { .. } => {
-                let is_black = largest(&self.optics.reflectances[surface]) == 0.0;
-                (is_black || self.limits.reflections == Some(0)).then(Vec::new)
+                (largest(&self.optics.reflectances[surface]) == 0.0).then(Vec::new)
             }
             _ if !L::MIRROR => Some(Vec::new()),
             material => match reflected(material, &self.optics, medium, ray.direction, normal) {

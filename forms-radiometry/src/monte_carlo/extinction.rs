@@ -28,7 +28,9 @@ pub(crate) fn scattering_once<'s>(scene: &'s Scene, limits: &Limits) -> Option<(
     let is_scattered =
         limits.scatterings == Some(1) && medium.scattering.iter().any(|&scattering| scattering > 0.0);
     let is_alone = limits.direct && is_scattered && !scene.surfaces.iter().any(Surface::emits);
-    is_alone.then(|| unturned(scene, limits)).flatten().map(|extinction| (medium, extinction))
+    // surfaces that are seen reflect to the eye, whatever is asked for
+    let limits = Limits { reflections: None, ..*limits };
+    is_alone.then(|| unturned(scene, &limits)).flatten().map(|extinction| (medium, extinction))
 }
 
 /// The extinction in each band where one medium is everywhere, and no surface reflects or bends light, or only some orders are asked for, and none

@@ -1,5 +1,6 @@
 //! Following: a question and a number become one sample: the light of one path, in the sums of what is asked for.
 
+use super::choice::Sought;
 use super::lattice::Lattice;
 use super::path::{Path, Tracer};
 use super::question::{Begin, Question};
@@ -41,7 +42,8 @@ impl<L: Lattice, const N: usize> Follow for Tracer<'_, L, N> {
         let is_same = question.is_of_one_place();
         match question.begin(self.world, &mut draws.path) {
             Some(Begin::Sight { start, direction }) => {
-                let path = Path { is_same, ..self.begin(start, direction) };
+                let most = self.limits.reflections.map(|most| most.saturating_add(1));
+                let path = Path { is_same, most, ..self.begin(start, direction) };
                 self.follow(path, draws, &mut |value, way| add(direction, value, way));
             }
             Some(Begin::Receiver { start, normal }) => {
@@ -65,10 +67,11 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             throughput: [1.0; N],
             way: 0.0,
             vertex: start.position,
-            sought: [start.position; 2],
+            sought: Sought::at(start.position, None),
             density: f64::INFINITY,
             chain: 0,
             reflections: 0,
+            most: self.limits.reflections,
             scatterings: 0,
             turns: 0,
             is_straight: true,

@@ -42,7 +42,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             MaterialKind::Dielectric { .. } => true,
             MaterialKind::Diffuse { .. } => {
                 let reflectance = &self.optics.reflectances[self.world.sheets[met.wall].surface];
-                let is_left = may_go_on(path.reflections, self.limits.reflections);
+                let is_left = may_go_on(path.reflections, path.most);
                 is_bright && is_left && largest(reflectance) > 0.0
             }
             MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => is_bright && L::MIRROR,

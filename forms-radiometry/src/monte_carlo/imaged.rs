@@ -35,7 +35,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             }
         }
         let position = vertex.start.position;
-        let Some(mirrored) = self.mirrored([position; 2], &mut draws.light) else { return };
+        let Some(mirrored) = self.mirrored(vertex.sought(), &mut draws.light) else { return };
         if let Some(towards) = self.towards(&mirrored, position, draws.light.pair()) {
             self.lit(path, vertex, (&towards, &mirrored.chain.steps), &mut draws.hidden, add);
         }
@@ -89,8 +89,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             return None;
         }
         let chain = chains.choose(samples.one())?;
-        let images = sought.map(|place| chains.image(chain, place));
-        let (luminaire, chance) = self.world.luminaires.wall(images, samples)?;
+        let (luminaire, chance) = self.world.luminaires.wall(chains.sought(chain, sought), samples)?;
         Some(Mirrored { chain, luminaire, chance: chain.chance * chance })
     }
 

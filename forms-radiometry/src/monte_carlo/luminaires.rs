@@ -144,7 +144,7 @@ impl Luminaires {
     /// Where luminaires are looked for along a segment: as far as any is abreast of it.
     pub(super) fn sought_along(&self, from: Vector, direction: Vector, length: f64) -> Sought {
         let farthest = (from - self.middle).length() + self.reach;
-        [from, from + length.min(farthest) * direction]
+        Sought::along(from, from + length.min(farthest) * direction)
     }
 
     /// A wall that is looked for, if any is, and how likely it was chosen.
@@ -154,7 +154,8 @@ impl Luminaires {
         }
         let (place, chance) = self.choice_of_walls.choose(sought, samples.one())?;
         let luminaire = &self.walls[place];
-        let is_near = matches!(luminaire.source, Source::Wall { wall, .. } if self.is_near(wall, sought[0]));
+        let is_near =
+            matches!(luminaire.source, Source::Wall { wall, .. } if self.is_near(wall, sought.from));
         (!is_near).then_some((luminaire, chance))
     }
 
@@ -186,7 +187,7 @@ impl Luminaires {
     /// The density that a direction from a point to the wall that it meets has among those that [`wall`](Self::wall) and
     /// [`towards`](Luminaire::towards) take.
     pub(super) fn density(&self, sought: Sought, from: Vector, direction: Vector, met: &Met) -> f64 {
-        if self.is_near(met.wall, sought[0]) {
+        if self.is_near(met.wall, sought.from) {
             return 0.0;
         }
         let density = |place: usize| {
@@ -225,6 +226,7 @@ impl Form {
             middle,
             radius,
             far: 0.0,
+            direction: None,
             before: None,
         };
         match *self {
@@ -236,7 +238,9 @@ impl Form {
             Self::Disk(disk) => near(self.area(), disk.center, disk.radius),
             Self::Sphere(sphere) => near(PI * sphere.radius * sphere.radius, sphere.center, sphere.radius),
             Self::Point(position) => near(1.0, position, 0.0),
-            Self::Distant(_) => Weight { far: value, ..near(0.0, Vector::default(), 0.0) },
+            Self::Distant(direction) => {
+                Weight { far: value, direction: Some(-direction), ..near(0.0, Vector::default(), 0.0) }
+            }
         }
     }
 

@@ -65,12 +65,12 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let Draws { light: samples, hidden, .. } = draws;
         let position = vertex.start.position;
         let luminaires = &self.world.luminaires;
-        for (beam, chance) in luminaires.beams([position; 2], samples) {
+        for (beam, chance) in luminaires.beams(vertex.sought(), samples) {
             if let Some(towards) = beam.towards(position, [0.0; 2], chance) {
                 self.lit(path, vertex, (&towards, &[]), hidden, add);
             }
         }
-        let Some((luminaire, chance)) = luminaires.wall([position; 2], samples) else { return };
+        let Some((luminaire, chance)) = luminaires.wall(vertex.sought(), samples) else { return };
         if let Some(towards) = luminaire.towards(position, samples.pair(), chance) {
             self.lit(path, vertex, (&towards, &[]), hidden, add);
         }

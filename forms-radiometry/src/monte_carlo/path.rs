@@ -33,7 +33,8 @@ const FAINT: f64 = 0.1;
 /// scene would have been refused.
 const CAUGHT: u32 = 4096;
 
-/// How often light is reflected by diffuse surfaces and scattered by media at most, and what counts.
+/// How often light is reflected by diffuse surfaces and scattered by media at most, and what counts. A surface that is seen along a ray reflects
+/// to the eye besides.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits {
     pub(crate) reflections: Option<u32>,
@@ -69,6 +70,8 @@ pub(super) struct Path<const N: usize> {
     /// The chain of these mirrors.
     pub(super) chain: usize,
     pub(super) reflections: u32,
+    /// How often diffuse surfaces may reflect it at most.
+    pub(super) most: Option<u32>,
     pub(super) scatterings: u32,
     /// How often it was reflected or bent since it was spread last.
     pub(super) turns: u32,
@@ -203,10 +206,10 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let (direction, throughput, stays) = passage.applied(&path.throughput);
         (path.direction, path.throughput) = (direction, throughput);
         path.start = self.world.walls.start_on(met, met.is_front == stays);
-        let [from, to] = path.sought;
-        match self.world.chains.after(path.chain, met, [path.vertex, from, to]) {
-            Some((chain, [vertex, from, to])) => {
-                (path.chain, path.vertex, path.sought) = (chain, vertex, [from, to]);
+        match self.world.chains.after(path.chain, met) {
+            Some((chain, plane)) => {
+                path.chain = chain;
+                (path.vertex, path.sought) = (plane.mirrored(path.vertex), path.sought.mirrored(plane));
             }
             None => path.density = f64::INFINITY,
         }
@@ -255,7 +258,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let (weights, density) = vertex.law.weights(direction, self.count());
         path.throughput = times(&path.throughput, &weights);
         (path.start, path.direction, path.vertex) = (vertex.start, direction, vertex.start.position);
-        (path.sought, path.chain) = ([path.vertex; 2], 0);
+        (path.sought, path.chain) = (vertex.sought(), 0);
         path.density = if self.world.luminaires.are_met() { density } else { f64::INFINITY };
         (path.is_straight, path.is_same) = (false, false);
         path.turns = 0;

@@ -8,6 +8,7 @@
 //! All laws are densities of directions. Of several bands with different laws one is chosen at random to take a direction, and the density of
 //! that is the mean of all.
 
+use super::choice::Sought;
 use super::optics::mean;
 use super::warps::{
     cosine_hemisphere_pdf, cosine_hemisphere_sample, henyey_greenstein, henyey_greenstein_direction_sample,
@@ -33,6 +34,14 @@ pub(super) enum Law<const N: usize> {
         forward: Vector,
         asymmetry: [f64; N],
     },
+}
+
+impl<const N: usize> Vertex<N> {
+    /// Where light is looked for from it.
+    pub(super) fn sought(&self) -> Sought {
+        let normal = if let Law::Plane(normal) = self.law { Some(normal) } else { None };
+        Sought::at(self.start.position, normal)
+    }
 }
 
 impl<const N: usize> Law<N> {

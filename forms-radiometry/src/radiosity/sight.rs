@@ -3,15 +3,17 @@
 //! ```text
 //! faces, elements ─ visible from the eye ─▶ pieces ─ points of them ─▶ L = Lₑ + ρ/π (D + what is reflected to them)
 //! ```
-//! Pieces are exact. So is D, the light that comes straight to a point. What is reflected to it is either gathered as receivers gather, or
+//! Pieces are exact, and no shadow of a light without extent ends on one. So is D, the light that comes straight to a point. What is reflected to it is either gathered as receivers gather, or
 //! taken from the polynomials of the element that it lies on, which is quick.
 
+use super::contact::{self, ConvexPiece};
 use super::element::Element;
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
+use super::shadows::Shadows;
 use super::system::{Radiosity, is_reflecting, reflectance, reflects};
 use crate::faces::{emits, emitted, is_bright};
-use crate::geometry::Vector;
+use crate::geometry::{Face, Vector, closeness};
 use crate::sharing::Sharing;
 use std::f64::consts::PI;
 
@@ -72,23 +74,39 @@ impl Radiosity<'_> {
             emits(self.scene, face) || is_reflecting(self.scene, face)
         };
         let mut has_elements = vec![false; faces.len()];
-        let mut targets: Vec<(usize, Option<usize>)> = Vec::new();
+        let mut targets: Vec<(usize, Option<usize>, &[Vector])> = Vec::new();
         for (index, element) in self.sources() {
             has_elements[element.face] = true;
-            targets.push((element.face, Some(index)));
+            targets.push((element.face, Some(index), &self.outlines[index]));
         }
-        let others = (0..faces.len()).filter(|&index| !has_elements[index] && (all || sends(index)));
-        targets.extend(others.map(|index| (index, None)));
-        let of_target = |scratch: &mut Scratch, (face, element): (usize, Option<usize>)| {
-            let outline = element.map_or(&faces[face].vertices, |element| &self.outlines[element]);
-            if self.watch.is_stopped() {
-                Vec::new()
-            } else {
-                sight.seen_from(eye, (face, element), outline, scratch)
-            }
-        };
+        let parts = self.parts_in_shadows();
+        for index in (0..faces.len()).filter(|&index| !has_elements[index] && (all || sends(index))) {
+            let whole = parts[index].is_empty().then_some(&faces[index].vertices);
+            let outlines = parts[index].iter().map(|part| &part.outline).chain(whole);
+            targets.extend(outlines.map(|outline| (index, None, &outline[..])));
+        }
+        let of_target =
+            |scratch: &mut Scratch, (face, element, outline): (usize, Option<usize>, &[Vector])| {
+                if self.watch.is_stopped() {
+                    Vec::new()
+                } else {
+                    sight.seen_from(eye, (face, element), outline, scratch)
+                }
+            };
         let sharing = Sharing::of(sight.operations(1, 4 * targets.len()));
         sharing.map(targets, of_target).into_iter().flatten().collect()
+    }
+
+    /// By face the parts in which no shadow of a light without extent ends, where there are no elements that are cut so.
+    fn parts_in_shadows(&self) -> Vec<Vec<ConvexPiece>> {
+        let faces = &self.transport.faces;
+        if self.question.orders != Some(0) || self.scene.lights.is_empty() {
+            return faces.iter().map(|_| Vec::new()).collect();
+        }
+        let reflects = |face: &Face| is_reflecting(self.scene, face);
+        let shadows = Shadows::of(self.scene, self.transport, reflects, self.watch);
+        let closeness = closeness(faces.iter().flat_map(|face| &face.vertices).copied());
+        contact::pieces(faces, closeness, reflects, |index, face| shadows.borders(index, face, closeness))
     }
 
     /// The radiance that a piece emits, for each band; nothing if it emits none.

@@ -4,6 +4,7 @@
 mod claims;
 mod images;
 mod lengths;
+mod many_lights;
 mod statistics;
 mod traps;
 mod unfolded;

@@ -13,7 +13,7 @@ use crate::geometry::Screens;
 use crate::monte_carlo::{Bins, Effects, Follow, LEFT_OUT, Question, REPLICATES, Replicates, World};
 use crate::radiosity::{Transport, most_reflected_of_beams};
 use crate::sampling::key;
-use crate::scene::{Receiver, ReceiverKind, Scene, TimeBins};
+use crate::scene::{MaterialKind, Receiver, ReceiverKind, Scene, TimeBins};
 use rayon::prelude::*;
 use std::time::Instant;
 
@@ -27,6 +27,8 @@ const STEP: u32 = 1 << 12;
 const NOTHING: u32 = 1 << 14;
 /// What values of samples differ by through rounding, relative to their mean.
 const SAME: f64 = 1e-12;
+/// What none of n samples has met is rarer than this over n, as a rule.
+const UNMET: f64 = 3.0;
 /// The speed of light, in m/s.
 const LIGHT: f64 = 299_792_458.0;
 
@@ -95,7 +97,7 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
     let mut all: Vec<Asked> = Vec::new();
     let unhidden = unhidden(scene);
     let outside = outside(scene);
-    let brightest = brightest(scene, &unhidden, &outside);
+    let brightest = [1.0, passed_on(scene)].map(|part| brightest(scene, &unhidden, &outside, part));
     let by_chance = by_chance(world, outside);
     for (index, receiver) in scene.receivers.iter().enumerate() {
         let bins = receiver.time.as_ref().map(|time| bins(time, metres));
@@ -107,7 +109,9 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
         for (cell, question) in questions(receiver, scene, &unhidden) {
             let key = cell.map_or(own_key, |cell| key(own_key, 1 + cell as u64));
             let replicates = Replicates::new(key, &question, scene.band_count(), bins);
-            let [brightest, by_chance] = [&brightest, &by_chance]
+            // luminaires are looked for, but from nowhere on the way of the first ray of an eye
+            let is_looked_for = !matches!(question, Question::Sight { .. } | Question::Pixel { .. });
+            let [brightest, by_chance] = [&brightest[usize::from(is_looked_for)], &by_chance]
                 .map(|radiances| radiances.iter().map(|&radiance| question.largest(radiance)).collect());
             all.push(Asked {
                 receiver: index,
@@ -249,7 +253,11 @@ impl Asked {
             Some(computed) => (computed[place].value, computed[place].parts),
             None => {
                 let [value, error] = self.replicates.found(place);
-                let sampling = error.hypot(self.unseen(place, self.is_nothing([value, error])));
+                let is_nothing = self.is_nothing([value, error]);
+                // what no direction by chance has met of luminaires that are looked for has this part of them: the square of its own part
+                let unmet =
+                    if is_nothing { (UNMET / self.replicates.count()).powi(2) * value.abs() } else { 0.0 };
+                let sampling = error.hypot(self.unseen(place, is_nothing)).hypot(unmet);
                 (value, ErrorParts { sampling, ..ErrorParts::default() })
             }
         };
@@ -325,11 +333,23 @@ fn outside(scene: &Scene) -> Vec<f64> {
         .collect()
 }
 
-/// For each band the brightest radiance: of surfaces, from outside, or reflected of lights without extent.
-fn brightest(scene: &Scene, unhidden: &Transport, outside: &[f64]) -> Vec<f64> {
+/// The largest part of light that a surface reflects to all sides, or a medium scatters.
+fn passed_on(scene: &Scene) -> f64 {
+    if Effects::of(scene).scattering {
+        return 1.0;
+    }
+    let reflectances = scene.surfaces.iter().map(|surface| match &scene.materials[surface.material].kind {
+        MaterialKind::Diffuse { reflectance } => reflectance.iter().copied().fold(0.0, f64::max),
+        _ => 0.0,
+    });
+    reflectances.fold(0.0, f64::max)
+}
+
+/// For each band the brightest radiance: this part of that of surfaces, from outside, or reflected of lights without extent.
+fn brightest(scene: &Scene, unhidden: &Transport, outside: &[f64], part: f64) -> Vec<f64> {
     let mut brightest = most_reflected_of_beams(scene, unhidden);
     add_brighter(&mut brightest, outside, 1.0);
-    scene.surfaces.iter().for_each(|surface| add_brighter(&mut brightest, &surface.radiance, 1.0));
+    scene.surfaces.iter().for_each(|surface| add_brighter(&mut brightest, &surface.radiance, part));
     brightest
 }
 

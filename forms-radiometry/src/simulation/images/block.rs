@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! a polygon of the film in a pixel ─▶ triangles with 3 points each, exact to the second degree ─▶ ∫ L
-//!                                     └ beside the middle of the polygon alone ─▶ error ─ too large ─▶ its quarters
+//!                                     ├ beside the middle of the polygon alone ─▶ error ─ too large ─▶ its quarters
+//!                                     └ without reflections: what corners are off a plane through these points
 //! ```
 //! L = Lₑ + ρ E/π at the point that a film point sees. Borders of what is seen are exact; shadows within it are found by the rule. Reflected
 //! light is taken from polynomials where these agree with what receivers gather, and corrected where they do not.
@@ -23,6 +24,9 @@ const CHECKED: usize = 8;
 const POLYNOMIALS: f64 = 0.5;
 /// Rounding of the part of a pixel that is seen.
 const OF_BORDERS: f64 = 64.0 * f64::EPSILON;
+/// How far inside of a part its corners are looked at, and the part of a triangle that one of them stands for.
+const INSIDE: f64 = 0.02;
+const OF_CORNER: f64 = 0.25;
 /// What is less of a pixel than this is no more than rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -167,7 +171,13 @@ impl View<'_> {
         if open.is_empty() {
             return;
         }
-        let film: Vec<Vec<Vector>> = open.iter().map(|part| part.points()).collect();
+        // elements tell of light with borders themselves
+        let has_corners = !self.pieces[piece].has_polynomials();
+        let points = |part: &&mut Part| {
+            let corners = if has_corners { part.corners() } else { Vec::new() };
+            [part.points(), corners].concat()
+        };
+        let film: Vec<Vec<Vector>> = open.iter().map(points).collect();
         let radiance = self.radiance(piece, outline, &film.concat(), Reflected::Interpolated, scratch);
         let bands = self.outside.len();
         let mut of_points = radiance.chunks_exact(bands);
@@ -263,19 +273,46 @@ impl Part {
         std::iter::once(middle(&self.polygon)).chain(triangles(&self.polygon).flat_map(nodes)).collect()
     }
 
-    /// Takes the integral from the radiance at these points, with the difference to that by the middle alone.
+    /// Its corners, but for a little, triangle by triangle: where light ends along a line in the part, one of them is on each side.
+    fn corners(&self) -> Vec<Vector> {
+        let inside = |[a, b, c]: [Vector; 3]| {
+            let middle = (1.0 / 3.0) * (a + b + c);
+            [a, b, c].map(|corner| corner + INSIDE * (middle - corner))
+        };
+        triangles(&self.polygon).flat_map(inside).collect()
+    }
+
+    /// Takes the integral from the radiance at these points, with the difference to that by the middle alone; or, if that is more, with what corners
+    /// are off the plane through the points of their triangles.
     fn integrate<'r>(&mut self, mut radiance: impl Iterator<Item = &'r [f64]>) {
         let whole = area(&self.polygon);
         let in_middle = radiance.next().expect("the middle is the first");
-        self.found = vec![[0.0; 2]; in_middle.len()];
+        let bands = in_middle.len();
+        self.found = vec![[0.0; 2]; bands];
+        let mut of_triangles = Vec::new();
         for triangle in triangles(&self.polygon) {
-            let weight = area_of_triangle(triangle) / 3.0;
-            for of_point in radiance.by_ref().take(3) {
-                self.found.iter_mut().zip(of_point).for_each(|([sum, _], value)| *sum += weight * value);
+            let area = area_of_triangle(triangle);
+            let nodes: Vec<&[f64]> = radiance.by_ref().take(3).collect();
+            for (band, [sum, _]) in self.found.iter_mut().enumerate() {
+                nodes.iter().for_each(|of_node| *sum += area / 3.0 * of_node[band]);
+            }
+            of_triangles.push((area, nodes));
+        }
+        let mut of_corners = vec![0.0; bands];
+        for (area, nodes) in of_triangles {
+            for (near, of_corner) in radiance.by_ref().take(nodes.len()).enumerate() {
+                for (band, error) in of_corners.iter_mut().enumerate() {
+                    let [own, mean] =
+                        [nodes[near][band], nodes.iter().map(|node| node[band]).sum::<f64>() / 3.0];
+                    // a node is half as far from the middle as its corner
+                    let expected = mean + (1.0 - INSIDE) * 2.0 * (own - mean);
+                    *error += OF_CORNER * area * (of_corner[band] - expected).abs();
+                }
             }
         }
-        let found = self.found.iter_mut().zip(in_middle);
-        found.for_each(|([sum, error], in_middle)| *error = (*sum - whole * in_middle).abs());
+        for ((found, in_middle), of_corners) in self.found.iter_mut().zip(in_middle).zip(of_corners) {
+            found[1] = (found[0] - whole * in_middle).abs().max(of_corners);
+        }
     }
 
     fn quarters(self) -> Vec<Self> {
