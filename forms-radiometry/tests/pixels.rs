@@ -1,8 +1,10 @@
 //! Pixels and cells keep their errors, and these the tolerance: scenes with the lamp in view and without it, by elements and by paths, each
-//! compared with a run that is much more exact.
+//! compared with a run that is much more exact. And pixels of direct light alone that shadows and horizons cut, each with the pixels of an image
+//! that is finer.
 
 use forms_radiometry::scene::read;
 use forms_radiometry::simulation::{ErrorKind, Map, Simulation, Unwatched, is_by_paths, plan, simulate};
+use forms_testing::SplitMix;
 
 #[expect(dead_code, reason = "other tests need the rest")]
 mod scene_text;
@@ -124,5 +126,68 @@ fn pixels_are_within_their_errors_and_these_within_the_tolerance_of_what_is_no_e
             look.name
         );
         assert_eq!(coarse.history.last().map(|moment| moment.error), Some(accuracy.largest_error()));
+    }
+}
+
+/// How many pixels of the finer image one has along each side.
+const FINER: usize = 6;
+
+/// A ground below a plate, in the light of a sun, a point or a lamp that shines along the ground, and a camera of this resolution.
+fn cut_by_shadows(seed: u64, resolution: [usize; 2]) -> String {
+    let mut random = SplitMix(seed);
+    let mut between = |low: f64, high: f64| low + (high - low) * random.unit();
+    let [x, y, turn] = [between(-1.0, 1.0), between(-1.0, 1.0), between(0.0, 3.0)];
+    let corner = |u: f64, v: f64| {
+        [x + u * f64::cos(turn) - v * f64::sin(turn), y + u * f64::sin(turn) + v * f64::cos(turn), 1.0]
+    };
+    let plate = polygon(&[corner(-0.7, -0.2), corner(0.7, -0.2), corner(0.7, 0.2), corner(-0.7, 0.2)]);
+    let ground = polygon(&[[-3.0, -3.0, 0.0], [3.0, -3.0, 0.0], [3.0, 3.0, 0.0], [-3.0, 3.0, 0.0]]);
+    let [a, b, c] = [(); 3].map(|()| between(-0.8, 0.8));
+    let light = match seed % 3 {
+        0 => format!("[[light]]\nkind = \"distant\"\ndirection = [{a}, {b}, -1]\nirradiance = 5\n"),
+        1 => format!("[[light]]\nkind = \"point\"\nposition = [{a}, {b}, 2.5]\nintensity = 9\n"),
+        _ => {
+            // its plane cuts the ground
+            let lamp = [[a, b, 1.2], [a + 0.3, b, 1.2], [a + 0.3, b + 0.2, 1.2 + c], [a, b + 0.2, 1.2 + c]];
+            surface("lamp", "black", &format!("{}\nradiance = 20", polygon(&lamp)))
+        }
+    };
+    let look = camera([between(-2.0, 2.0), between(-2.0, 2.0), 3.5], [0.0, 0.1, 0.0], 50.0)
+        .replace("[8, 6]", &format!("{resolution:?}"));
+    let asked = tolerance(1e-2) + "effects = { interreflection = \"off\" }\n";
+    material("black", 0)
+        + &material("ground", 0.5)
+        + &surface("ground", "ground", &ground)
+        + &surface("plate", "black", &format!("{plate}\ntwo_sided = true"))
+        + &light
+        + &look
+        + &asked
+}
+
+#[test]
+fn pixels_that_shadows_and_horizons_cut_are_the_means_of_finer_ones() {
+    const SIZE: [usize; 2] = [8, 6];
+    for seed in 0..18 {
+        let image = |resolution| {
+            let scene =
+                read(&cut_by_shadows(seed, resolution), "test.toml").unwrap_or_else(|e| panic!("{}", e[0]));
+            let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
+            simulate(&scene, &plan, &Unwatched).maps.swap_remove(0)
+        };
+        let [coarse, fine] = [SIZE, SIZE.map(|size| FINER * size)].map(image);
+        for pixel in 0..SIZE[0] * SIZE[1] {
+            let [column, row] = [pixel % SIZE[0], pixel / SIZE[0]];
+            let parts = (0..FINER * FINER)
+                .map(|part| (FINER * row + part / FINER) * FINER * SIZE[0] + FINER * column + part % FINER);
+            let mean =
+                |values: &[f64]| parts.clone().map(|part| values[part]).sum::<f64>() / (FINER * FINER) as f64;
+            let [right, rest] = [mean(&fine.values[0]), mean(&fine.errors[0])];
+            let (value, error) = (coarse.values[0][pixel], coarse.errors[0][pixel]);
+            let off = (value - right).abs();
+            assert!(
+                off <= error + rest + 1e-12,
+                "{seed}, {pixel}: {value} ± {error}, {right} ± {rest} is right"
+            );
+        }
     }
 }

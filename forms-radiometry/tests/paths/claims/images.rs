@@ -1,9 +1,13 @@
 //! Images: the mean of all pixels is that of the radiance over the film.
 
 use super::Claim;
-use super::elements::{camera, cuboid, filled_with, glass, medium, shining, sky, square};
+use super::elements::{
+    camera, cuboid, distant_light, effects, filled_with, glass, medium, mirror_aside, ray, shining, sky,
+    square,
+};
 use super::integral::integral;
 use super::scene_text::{material, surface};
+use std::f64::consts::PI;
 
 /// How wide and how high half of the film is at unit distance, at a vertical field of view of 60 degrees and a shape of 4 to 3.
 fn half_film() -> [f64; 2] {
@@ -42,7 +46,19 @@ pub(super) fn claims() -> Vec<Claim> {
         sky(1),
         looking_down(),
     ];
+    let lit_floor = [
+        material("grey", 0.5),
+        surface("floor", "grey", &square(0.0, 99.0, true)),
+        distant_light([0.0, 0.0, -1.0], PI),
+        mirror_aside(),
+        ray("ray", [0.0, 0.0, 2.0], [0.1, 0.0, -1.0]),
+        looking_down(),
+        effects("interreflection = \"off\""),
+    ];
     vec![
+        Claim::new("what an eye sees reflects to it without interreflection", &lit_floor)
+            .radiance("ray", 0.5)
+            .radiance("camera", 0.5),
         floor_in_haze(),
         Claim::new("the sky in black water", &sea)
             .radiance("camera", mean(|secant| super::integral::fresnel(1.33, 1.0 / secant))),
