@@ -87,17 +87,14 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     ) {
         let densities = vertex.law.density(towards.direction);
         let own = mean(&densities, self.count());
+        if own == 0.0 {
+            return;
+        }
         let (radiance, part) = match towards.source {
             Source::Wall { surface, .. } => (&self.optics.radiances[surface], part(towards.density, own)),
             Source::Beam(light) => (&self.optics.beams[light], 1.0),
         };
         let brings = times(&path.throughput, radiance);
-        if own == 0.0 {
-            // another one would have been worth as much, had it been chosen
-            let wasted = vertex.law.largest() * (1.0 - towards.chance) / towards.density;
-            miss(hidden, &scaled(wasted, &brings));
-            return;
-        }
         let unhidden = scaled(part / towards.density, &times(&brings, &densities));
         let Some(reached) = self.reached(path, vertex.start, towards, steps) else { return };
         let value = times(&unhidden, &reached.left);

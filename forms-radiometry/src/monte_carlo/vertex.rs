@@ -61,14 +61,6 @@ impl<const N: usize> Law<N> {
         }
     }
 
-    /// The largest density of directions of which some may have none.
-    pub(super) fn largest(&self) -> f64 {
-        match self {
-            Self::Plane(_) => cosine_hemisphere_pdf(1.0, 0.0, 1.0),
-            Self::Sphere | Self::Phase { .. } => uniform_sphere_pdf(0.0, 0.0, 1.0),
-        }
-    }
-
     /// A direction by the law, of so many bands.
     pub(super) fn direction(&self, count: usize, samples: &mut Samples) -> Vector {
         let [u, v] = samples.pair();
