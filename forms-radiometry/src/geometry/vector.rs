@@ -36,6 +36,11 @@ impl Vector {
         )
     }
 
+    /// The mirror image of a direction at a plane with this unit normal: d − 2 (d·n) n.
+    pub(crate) fn mirrored(self, normal: Self) -> Self {
+        self - (2.0 * normal.dot(self)) * normal
+    }
+
     /// The mean of points.
     pub(crate) fn mean(points: &[Self]) -> Self {
         let sum = points.iter().fold(Self::default(), |sum, &point| sum + point);

@@ -110,11 +110,6 @@ impl Plane {
         point - (2.0 * self.distance(point)) * self.normal
     }
 
-    /// The mirror image of a direction, for a unit normal: d − 2 (d·n) n.
-    pub(crate) fn turned(self, direction: Vector) -> Vector {
-        direction - (2.0 * self.normal.dot(direction)) * self.normal
-    }
-
     /// The same plane with its normal to this side.
     pub(crate) fn facing(self, is_front: bool) -> Self {
         if is_front { self } else { Self { normal: -self.normal, ..self } }

@@ -18,7 +18,7 @@ pub(super) enum Passage<const N: usize> {
 
 /// The direction of the mirror image, for a unit normal: d − 2 (d·n) n.
 pub(super) fn mirrored(direction: Vector, normal: Vector) -> Vector {
-    let reflected = direction - (2.0 * normal.dot(direction)) * normal;
+    let reflected = direction.mirrored(normal);
     // so that rounding does not add up from mirror to mirror
     reflected.unit().unwrap_or(reflected)
 }

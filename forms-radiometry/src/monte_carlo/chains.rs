@@ -190,7 +190,7 @@ impl Chains {
         }
         let mirrored = |(corners, plane): &(Vec<Vector>, Plane)| {
             let corners = corners.iter().map(|&corner| own.mirrored(corner)).collect();
-            (corners, Plane { point: own.mirrored(plane.point), normal: own.turned(plane.normal) })
+            (corners, Plane { point: own.mirrored(plane.point), normal: plane.normal.mirrored(own.normal) })
         };
         Some(windows.iter().map(mirrored).chain([(mirrors.corners.clone(), own)]).collect())
     }
@@ -232,7 +232,7 @@ impl Chains {
 
     /// The direction in which something is seen in a chain that is in this direction from the image of the point.
     pub(super) fn seen_along(&self, chain: &Chain, direction: Vector) -> Vector {
-        let turned = |way, step: &Step| self.planes[step.plane].plane.turned(way);
+        let turned = |way: Vector, step: &Step| way.mirrored(self.planes[step.plane].plane.normal);
         let along = chain.steps.iter().rev().fold(direction, turned);
         along.unit().unwrap_or(along)
     }

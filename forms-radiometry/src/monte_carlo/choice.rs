@@ -49,7 +49,7 @@ impl Sought {
     /// Its mirror image.
     pub(super) fn mirrored(self, plane: Plane) -> Self {
         let [from, to] = [self.from, self.to].map(|place| plane.mirrored(place));
-        Self { from, to, normal: self.normal.map(|normal| plane.turned(normal)) }
+        Self { from, to, normal: self.normal.map(|normal| normal.mirrored(plane.normal)) }
     }
 }
 
