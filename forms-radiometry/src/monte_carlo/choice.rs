@@ -81,7 +81,7 @@ impl Choice {
         if groups <= 1 {
             if !lights.is_empty() {
                 lights.iter().for_each(|&light| self.of_lights[light] = self.groups.len());
-                let all = self.together(&lights);
+                let all = Weight::together(lights.iter().map(|&light| &self.lights[light]));
                 self.groups.push(Group { lights, all });
             }
             return;
@@ -100,26 +100,6 @@ impl Choice {
         let rest = lights.split_off(lights.len() * half / groups);
         self.divide(lights, half);
         self.divide(rest, groups - half);
-    }
-
-    /// The weight of a group.
-    fn together(&self, lights: &[usize]) -> Weight {
-        if let [light] = lights {
-            return self.lights[*light];
-        }
-        let of = || lights.iter().map(|&light| &self.lights[light]);
-        let near = || of().filter(|light| light.strength > 0.0);
-        let middles: Vec<Vector> = near().map(|light| light.middle).collect();
-        let middle = if middles.is_empty() { Vector::default() } else { Vector::mean(&middles) };
-        let reach = |light: &Weight| (light.middle - middle).length() + light.radius;
-        Weight {
-            strength: of().map(|light| light.strength).sum(),
-            middle,
-            radius: near().map(reach).fold(0.0, f64::max),
-            far: of().map(|light| light.far).sum(),
-            direction: None,
-            before: None,
-        }
     }
 
     /// A light by a number from 0 to 1, and how likely it is; none where there is none, or none brings anything.
@@ -148,6 +128,26 @@ impl Choice {
 }
 
 impl Weight {
+    /// What is known of several lights together; of one all that is known of it.
+    pub(super) fn together<'w>(lights: impl Iterator<Item = &'w Self> + Clone) -> Self {
+        let mut all = lights.clone();
+        if let (Some(one), None) = (all.next(), all.next()) {
+            return *one;
+        }
+        let near = lights.clone().filter(|light| light.strength > 0.0);
+        let middles: Vec<Vector> = near.clone().map(|light| light.middle).collect();
+        let middle = if middles.is_empty() { Vector::default() } else { Vector::mean(&middles) };
+        let reach = |light: &Self| (light.middle - middle).length() + light.radius;
+        Self {
+            strength: near.clone().map(|light| light.strength).sum(),
+            middle,
+            radius: near.map(reach).fold(0.0, f64::max),
+            far: lights.map(|light| light.far).sum(),
+            direction: None,
+            before: None,
+        }
+    }
+
     /// The irradiance that it may bring.
     fn at(&self, Sought { from, to, normal }: Sought) -> f64 {
         let far = match (self.direction, normal) {

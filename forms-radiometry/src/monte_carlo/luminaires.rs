@@ -42,9 +42,8 @@ pub(super) struct Luminaires {
     of_walls: Vec<Range<usize>>,
     /// By wall the points from which its luminaires are not looked for.
     near: Vec<Option<Near>>,
-    /// The middle of all that are near, and how far they are from it at most.
-    middle: Vector,
-    reach: f64,
+    /// What is known of all together.
+    all: Weight,
 }
 
 /// Something that emits light.
@@ -128,12 +127,9 @@ impl Luminaires {
             sum += *power / whole;
             *power = sum;
         }
-        let all = || weights.iter().chain(&weights_of_beams).filter(|weight| weight.strength > 0.0);
-        let middles: Vec<Vector> = all().map(|weight| weight.middle).collect();
-        let middle = if middles.is_empty() { Vector::default() } else { Vector::mean(&middles) };
-        let reach = all().map(|weight| (weight.middle - middle).length() + weight.radius).fold(0.0, f64::max);
+        let all = Weight::together(weights.iter().chain(&weights_of_beams));
         let [choice_of_walls, choice_of_beams] = [weights, weights_of_beams].map(Choice::among);
-        Self { walls, choice_of_walls, beams, choice_of_beams, powers, of_walls, near, middle, reach }
+        Self { walls, choice_of_walls, beams, choice_of_beams, powers, of_walls, near, all }
     }
 
     /// Whether a ray can meet any.
@@ -143,7 +139,7 @@ impl Luminaires {
 
     /// Where luminaires are looked for along a segment: as far as any is abreast of it.
     pub(super) fn sought_along(&self, from: Vector, direction: Vector, length: f64) -> Sought {
-        let farthest = (from - self.middle).length() + self.reach;
+        let farthest = (from - self.all.middle).length() + self.all.radius;
         Sought::along(from, from + length.min(farthest) * direction)
     }
 

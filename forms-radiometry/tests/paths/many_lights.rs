@@ -1,10 +1,10 @@
 //! Many lights of all strengths: what a point gets of them is the sum of what it gets of each, a closed form.
 
+use crate::claims::answers;
 use crate::claims::elements::{distant_light, mirror_aside, point_light, shining, sphere};
 use crate::claims::scene_text::{Point, material, point_receiver, surface, tolerance};
 use forms_radiometry::kernels::form_factor_point_sphere;
 use forms_radiometry::scene::read;
-use forms_radiometry::simulation::{Unwatched, plan, simulate};
 use forms_testing::SplitMix;
 use std::f64::consts::PI;
 
@@ -52,8 +52,7 @@ fn what_a_point_gets_is_the_sum_of_what_each_light_brings() {
         let here = point_receiver("here", [0.0; 3], [0.0, 0.0, 1.0]);
         let text = [material("black", 0), lights, mirror_aside(), here, tolerance(1e-2)].concat();
         let scene = read(&text, "lights.toml").unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
-        let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-        let here = &simulate(&scene, &plan, &Unwatched).answers[0];
+        let here = &answers("many lights", &scene)[0];
         let off = (here.value - right).abs();
         assert!(off <= DEVIATIONS * here.error, "{number}: {here:?}, {right} is right");
     }

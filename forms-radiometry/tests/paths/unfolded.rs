@@ -3,10 +3,11 @@
 //! Without a medium the unfolded scene is diffuse, and its light is found on elements: by no path. In fog both are followed along paths,
 //! and lights are looked for from each place of a way through it.
 
+use crate::claims::answers;
 use crate::claims::elements::{filled_with, medium, mirror, probe, shining, two_sided};
 use crate::claims::scene_text::{Point, material, point_receiver, polygon, surface, tolerance};
 use forms_radiometry::scene::read;
-use forms_radiometry::simulation::{Answer, ErrorKind, Unwatched, plan, simulate};
+use forms_radiometry::simulation::{Answer, ErrorKind};
 use forms_testing::SplitMix;
 
 const FAR: f64 = 1e4;
@@ -57,10 +58,8 @@ impl Case {
     }
 }
 
-fn answers(text: &str) -> Vec<Answer> {
-    let scene = read(text, "unfolded.toml").unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
-    let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    simulate(&scene, &plan, &Unwatched).answers
+fn of(text: &str) -> Vec<Answer> {
+    answers("unfolded", &read(text, "unfolded.toml").unwrap_or_else(|errors| panic!("{}\n{text}", errors[0])))
 }
 
 /// Compares the light before a mirror with that beside an image, with more tables in both.
@@ -68,8 +67,8 @@ fn compare(seed: u64, more: &str) {
     let case = Case::of(seed);
     let plane = polygon(&[[0.0, -FAR, -FAR], [0.0, FAR, -FAR], [0.0, FAR, FAR], [0.0, -FAR, FAR]]);
     let silver = mirror("silver", 1) + &surface("mirror", "silver", &plane);
-    let before = answers(&[&case.tables, &silver[..], more].concat());
-    let beside = answers(&[&case.tables, &case.images[..], more].concat());
+    let before = of(&[&case.tables, &silver[..], more].concat());
+    let beside = of(&[&case.tables, &case.images[..], more].concat());
     for (mirrored, unfolded) in before.iter().zip(&beside) {
         let sigma = |answer: &Answer| match answer.kind {
             ErrorKind::Sigma => DEVIATIONS * answer.error,

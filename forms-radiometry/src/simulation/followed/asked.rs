@@ -97,7 +97,7 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
     let mut all: Vec<Asked> = Vec::new();
     let unhidden = unhidden(scene);
     let outside = outside(scene);
-    let brightest = [1.0, passed_on(scene)].map(|part| brightest(scene, &unhidden, &outside, part));
+    let brightest = [1.0, passed_on(scene, &effects)].map(|part| brightest(scene, &unhidden, &outside, part));
     let by_chance = by_chance(world, outside);
     for (index, receiver) in scene.receivers.iter().enumerate() {
         let bins = receiver.time.as_ref().map(|time| bins(time, metres));
@@ -334,8 +334,8 @@ fn outside(scene: &Scene) -> Vec<f64> {
 }
 
 /// The largest part of light that a surface reflects to all sides, or a medium scatters.
-fn passed_on(scene: &Scene) -> f64 {
-    if Effects::of(scene).scattering {
+fn passed_on(scene: &Scene, effects: &Effects) -> f64 {
+    if effects.scattering {
         return 1.0;
     }
     let reflectances = scene.surfaces.iter().map(|surface| match &scene.materials[surface.material].kind {
