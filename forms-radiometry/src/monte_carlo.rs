@@ -49,7 +49,7 @@ pub(crate) use kept::{KeptSums, WrittenSums};
 pub(crate) use kernels::kernels;
 pub(crate) use lattice::{Effects, follower, has_too_many_images};
 pub(crate) use path::Limits;
-pub(crate) use question::Question;
+pub(crate) use question::{Question, Seen};
 pub(crate) use replicates::{Bins, REPLICATES, Replicates};
 pub(crate) use trap::trap;
 pub(crate) use world::World;

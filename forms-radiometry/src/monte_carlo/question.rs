@@ -24,6 +24,30 @@ pub(crate) enum Question {
     Pixel { camera: Camera, pixel: [usize; 2] },
 }
 
+/// What rays meet first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Seen {
+    /// Whether any of it emits light.
+    pub(crate) is_emitter: bool,
+    /// The surface that all of them meet, or that they meet none; of rays that meet several there is no one.
+    pub(crate) surface: Result<Option<usize>, Several>,
+}
+
+/// Rays that meet several surfaces, or one and none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Several;
+
+impl Seen {
+    /// What no ray meets.
+    pub(crate) const NOTHING: Self = Self { is_emitter: false, surface: Ok(None) };
+
+    /// What is seen by rays that see one and rays that see the other.
+    fn with(self, other: Self) -> Self {
+        let surface = if self.surface == other.surface { self.surface } else { Err(Several) };
+        Self { is_emitter: self.is_emitter || other.is_emitter, surface }
+    }
+}
+
 /// The begin of a path.
 pub(super) enum Begin {
     /// At a receiver with this unit normal, or with none.
@@ -52,20 +76,22 @@ impl Question {
         matches!(self, Self::Plane { .. } | Self::Sphere { .. } | Self::Sight { .. })
     }
 
-    /// Whether an emitter is seen directly along a ray, or in a pixel by rays through the middles of parts of it.
-    pub(crate) fn sees_emitter(&self, world: &World) -> bool {
-        let sees =
-            |origin: Vector, direction: Vector| world.is_emitter(world.walls.start_at(origin), direction);
+    /// What is seen directly along a ray, or in a pixel by rays through the middles of parts of it.
+    pub(crate) fn seen(&self, world: &World) -> Seen {
+        let seen = |origin: Vector, direction: Vector| world.seen(world.walls.start_at(origin), direction);
         match self {
-            Self::Sight { origin, direction } => sees(*origin, *direction),
+            Self::Sight { origin, direction } => seen(*origin, *direction),
             Self::Pixel { camera, pixel } => {
                 let along =
                     |axis: usize, part: usize| pixel[axis] as f64 + (part as f64 + 0.5) / PARTS as f64;
                 let direction =
                     |part: usize| camera.direction(along(0, part % PARTS), along(1, part / PARTS)).unit();
-                (0..PARTS * PARTS).filter_map(direction).any(|direction| sees(camera.origin, direction))
+                let all = (0..PARTS * PARTS).filter_map(direction);
+                all.map(|direction| seen(camera.origin, direction))
+                    .reduce(Seen::with)
+                    .unwrap_or(Seen::NOTHING)
             }
-            Self::Plane { .. } | Self::Sphere { .. } | Self::Surface { .. } => false,
+            Self::Plane { .. } | Self::Sphere { .. } | Self::Surface { .. } => Seen::NOTHING,
         }
     }
 

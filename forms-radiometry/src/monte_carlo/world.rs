@@ -2,6 +2,7 @@
 
 use super::chains::Chains;
 use super::luminaires::{Front, Luminaires};
+use super::question::Seen;
 use crate::geometry::{Met, Start, Vector, Wall, Walls};
 use crate::scene::{FilledSheet, Filling, MaterialKind, Piece, Scene, filled};
 
@@ -66,14 +67,18 @@ impl<'s> World<'s> {
         }
     }
 
-    /// Whether what is seen in a direction emits light: a surface that does is the first that a ray meets, or the ray meets none and light comes
-    /// from outside.
-    pub(super) fn is_emitter(&self, start: Start, direction: Vector) -> bool {
+    /// What a ray meets first: where it meets nothing, what emits light is the space around.
+    pub(super) fn seen(&self, start: Start, direction: Vector) -> Seen {
         match self.walls.first(start, direction, f64::INFINITY) {
             Some(Met { wall, is_front, .. }) => {
-                self.scene.surfaces[self.sheets[wall].surface].emits() && self.is_bright(wall, is_front)
+                let surface = self.sheets[wall].surface;
+                let is_emitter = self.scene.surfaces[surface].emits() && self.is_bright(wall, is_front);
+                Seen { is_emitter, surface: Ok(Some(surface)) }
             }
-            None => self.scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0),
+            None => {
+                let is_emitter = self.scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0);
+                Seen { is_emitter, surface: Ok(None) }
+            }
         }
     }
 

@@ -315,7 +315,8 @@ pub struct Ambient {
 /// What is asked of a solver.
 #[derive(Clone, Debug)]
 pub struct Solve {
-    /// The error to stay within, relative to the receiver’s answer; of maps and images, to their largest value.
+    /// The error to stay within, relative to the receiver’s answer; of a cell or a pixel, to the mean of its
+    /// map or image without what shows an emitter directly, or to its own value if that is larger.
     pub tolerance: f64,
     /// The seed of random numbers, where a solver needs any.
     pub seed: u64,

@@ -13,6 +13,7 @@ mod asked;
 mod computed;
 mod findings;
 mod foresight;
+mod neighbours;
 mod pixels;
 mod scale;
 mod state;
@@ -31,6 +32,7 @@ use asked::{Asked, Division, asked, divide_time};
 pub(super) use asked::{MOST, all_questions};
 pub(super) use computed::Computable;
 use computed::Computing;
+use neighbours::neighbours;
 use rayon::prelude::*;
 use scale::{Scales, known, settled};
 pub(super) use state::{OfPaths, WrittenOfPaths};
@@ -195,6 +197,8 @@ impl<'w> Work<'w> {
     fn pilot(&mut self) -> bool {
         match settled(&self.asked, self.scene.receivers.len(), self.scene.band_count()) {
             Ok(scales) => {
+                let told = neighbours(&self.asked, self.scene, &scales);
+                self.asked.iter_mut().zip(told).for_each(|(asked, told)| asked.neighbours = told);
                 self.scales = Some(scales);
                 false
             }
@@ -214,7 +218,7 @@ impl<'w> Work<'w> {
                 Some(budget) => asked.replicates.samples < budget.of_replicate(),
                 None => {
                     let error = asked.error(&self.scales_of(asked, self.scales.as_ref()));
-                    error > self.scene.solve.tolerance && asked.may_go_on()
+                    error > asked.tolerance(self.scene.solve.tolerance) && asked.may_go_on()
                 }
             }
         };

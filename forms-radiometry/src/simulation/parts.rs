@@ -59,14 +59,14 @@ impl ErrorParts {
         }
     }
 
-    /// Those of a mean of independent numbers: what is sampled averages out, nothing else does.
-    pub(super) fn of_mean(all: impl Iterator<Item = Self>) -> Self {
+    /// Those of a mean: what is sampled averages out, but for this part of it, which all numbers have in common; nothing else does.
+    pub(super) fn of_mean(all: impl Iterator<Item = Self>, common: f64) -> Self {
         let (mut sum, mut squares, mut count) = (Self::default(), 0.0, 0.0);
         for parts in all {
             (squares, count) = (squares + parts.sampling * parts.sampling, count + 1.0);
             sum = sum + parts;
         }
-        Self { sampling: squares.sqrt(), ..sum }.scaled(1.0 / count)
+        Self { sampling: squares.sqrt().hypot(common * sum.sampling), ..sum }.scaled(1.0 / count)
     }
 }
 
@@ -99,8 +99,9 @@ mod tests {
     }
 
     #[test]
-    fn what_is_sampled_averages_out_and_nothing_else() {
-        let mean = ErrorParts::of_mean([PARTS; 4].into_iter());
-        assert_eq!(mean, ErrorParts { sampling: 2.0, ..PARTS });
+    fn what_is_sampled_averages_out_but_for_what_is_common() {
+        let mean = |common| ErrorParts::of_mean([PARTS; 4].into_iter(), common);
+        assert_eq!(mean(0.0), ErrorParts { sampling: 2.0, ..PARTS });
+        assert_eq!(mean(0.375), ErrorParts { sampling: 2.5, ..PARTS });
     }
 }

@@ -7,10 +7,11 @@ use super::super::parts::ErrorParts;
 use super::super::solver::ROUNDING;
 use super::super::times::scale;
 use super::computed::{Computed, Computing};
+use super::neighbours::Neighbours;
 use super::pixels::shown;
 use crate::faces::faces;
 use crate::geometry::Screens;
-use crate::monte_carlo::{Bins, Effects, Follow, LEFT_OUT, Question, REPLICATES, Replicates, World};
+use crate::monte_carlo::{Bins, Effects, Follow, LEFT_OUT, Question, REPLICATES, Replicates, Seen, World};
 use crate::radiosity::{Transport, most_reflected_of_beams};
 use crate::sampling::key;
 use crate::scene::{MaterialKind, Receiver, ReceiverKind, Scene, TimeBins};
@@ -37,8 +38,8 @@ pub(super) struct Asked {
     pub(super) receiver: usize,
     /// The cell of a map or the pixel of an image, if it is one.
     pub(super) cell: Option<usize>,
-    /// Whether it is a pixel, or a ray, in which an emitter is seen directly.
-    pub(super) sees_emitter: bool,
+    /// What a pixel, or a ray, sees directly.
+    pub(super) seen: Seen,
     /// The part of a pixel in which surfaces that send light may be seen.
     shown: f64,
     pub(super) question: Question,
@@ -54,6 +55,8 @@ pub(super) struct Asked {
     by_chance: Vec<f64>,
     /// How many samples each replicate is to get before it is asked again whether that is enough.
     pub(super) target: u32,
+    /// What the cells around it tell of how many it needs.
+    pub(super) neighbours: Neighbours,
     /// The part of the time of the work that it took.
     pub(super) seconds: f64,
     /// What it took in the present loop over questions, of which several run at once.
@@ -116,7 +119,7 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
             all.push(Asked {
                 receiver: index,
                 cell,
-                sees_emitter: false,
+                seen: Seen::NOTHING,
                 shown: cell.and_then(|cell| shown.get(cell).copied()).unwrap_or(1.0),
                 question,
                 replicates,
@@ -125,13 +128,14 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
                 brightest,
                 by_chance,
                 target: 0,
+                neighbours: Neighbours::NONE,
                 seconds: 0.0,
                 elapsed: 0.0,
             });
         }
     }
     let begin = Instant::now();
-    all.par_iter_mut().for_each(|asked| asked.sees_emitter = asked.question.sees_emitter(world));
+    all.par_iter_mut().for_each(|asked| asked.seen = asked.question.seen(world));
     // what comes in bins of time is sampled
     let instant = all.par_iter_mut().filter(|asked| scene.receivers[asked.receiver].time.is_none());
     instant.for_each(|asked| asked.compute(computing));
@@ -267,7 +271,7 @@ impl Asked {
 
     /// Whether no sample found anything: what is the same in all of them is no more than is computed, or than an emitter that a ray sees.
     fn is_nothing(&self, [value, error]: [f64; 2]) -> bool {
-        error <= SAME * value.abs() && (value == 0.0 || !self.sees_emitter)
+        error <= SAME * value.abs() && (value == 0.0 || !self.seen.is_emitter)
     }
 
     /// What one sample more could add to a value: a luminaire that was hidden from all others, or light that only chance finds; where no sample
@@ -308,12 +312,15 @@ impl Asked {
         (0..self.replicates.len()).map(relative).fold(0.0, f64::max)
     }
 
-    /// The samples of a replicate after which the error will be as small as this, with these scales: it falls like the root of their
-    /// number, which is doubled until then.
+    /// The samples of a replicate after which it will be done, with these scales.
     pub(super) fn foreseen(&self, scales: &[f64], tolerance: f64) -> f64 {
-        let (samples, most) = (f64::from(self.replicates.samples), f64::from(MOST));
-        let doublings = (2.0 * (self.error(scales) / tolerance).log2()).ceil().max(0.0);
-        (samples * doublings.exp2()).min(most).max(f64::from(self.target))
+        let foreseen = self.neighbours.foreseen(self.replicates.samples, self.error(scales), tolerance);
+        foreseen.min(f64::from(MOST)).max(f64::from(self.target))
+    }
+
+    /// The tolerance of its error by now.
+    pub(super) fn tolerance(&self, tolerance: f64) -> f64 {
+        self.neighbours.tolerance(self.replicates.samples, tolerance)
     }
 
     pub(super) fn may_go_on(&self) -> bool {

@@ -65,12 +65,12 @@ fn told(asked: &[Asked], receivers: usize, bands: usize) -> Vec<Vec<Told>> {
 /// The scale of cells in a band, and the cells that may change it. Where nothing is found in any, it is the brightest light.
 fn of_band(asked: &[Asked], cells: &[usize], band: usize) -> Told {
     let found: Vec<[f64; 2]> = cells.par_iter().map(|&cell| asked[cell].found(band)).collect();
-    let values = cells.iter().zip(&found).map(|(&cell, &[value, _])| (value, asked[cell].sees_emitter));
+    let values = cells.iter().zip(&found).map(|(&cell, &[value, _])| (value, asked[cell].seen.is_emitter));
     let Mean { value: mean, is_of_all } = Mean::of(values);
     if mean == 0.0 {
         return Told { scale: asked[cells[0]].brightest(), open: Vec::new() };
     }
-    let counted = || cells.iter().zip(&found).filter(|(cell, _)| is_of_all || !asked[**cell].sees_emitter);
+    let counted = || cells.iter().zip(&found).filter(|(cell, _)| is_of_all || !asked[**cell].seen.is_emitter);
     // of a cell in which nothing was found it is not known how much more there may be
     let lit = counted().filter(|(_, [value, _])| *value != 0.0);
     let squares: Vec<(usize, f64)> = lit.map(|(&cell, [_, error])| (cell, error * error)).collect();

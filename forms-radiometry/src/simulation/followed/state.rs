@@ -3,6 +3,7 @@
 use super::Work;
 use super::asked::{Asked, Division};
 use super::computed::Computed;
+use super::neighbours::Neighbours;
 use super::scale::Scales;
 use crate::monte_carlo::{KeptSums, WrittenSums};
 use crate::simulation::state::Misfit;
@@ -23,6 +24,7 @@ pub(in crate::simulation) struct OfPaths {
 struct KeptAsked {
     target: u32,
     samples: u32,
+    neighbours: Neighbours,
     seconds: f64,
     computed: Option<Vec<Computed>>,
     sums: KeptSums,
@@ -42,6 +44,7 @@ pub(in crate::simulation) struct WrittenOfPaths<'w> {
 struct WrittenAsked<'w> {
     target: u32,
     samples: u32,
+    neighbours: Neighbours,
     seconds: f64,
     computed: Option<&'w [Computed]>,
     sums: WrittenSums<'w>,
@@ -68,6 +71,7 @@ impl Work<'_> {
             WrittenAsked {
                 target: if is_kept { asked.target } else { 0 },
                 samples: if is_kept { asked.replicates.samples } else { 0 },
+                neighbours: asked.neighbours,
                 seconds: asked.seconds,
                 computed: asked.computed.as_deref().filter(|_| is_kept),
                 sums: if is_kept { asked.replicates.kept(is_meant) } else { Vec::new() },
@@ -108,7 +112,7 @@ impl Work<'_> {
             return Err(Misfit);
         }
         for (question, (asked, kept)) in self.asked.iter_mut().zip(state.asked).enumerate() {
-            (asked.target, asked.seconds) = (kept.target, kept.seconds);
+            (asked.target, asked.neighbours, asked.seconds) = (kept.target, kept.neighbours, kept.seconds);
             if kept.computed.is_some() {
                 asked.computed = kept.computed;
             }
