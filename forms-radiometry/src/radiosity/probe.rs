@@ -7,7 +7,7 @@
 //! ```
 //! t is the quantile of Student's distribution with 15 degrees of freedom that 99.99 % lie within. What n points have never met is
 //! rarer than u/n with that certainty, u = −ln 0.0001; where rays have to meet lights, it may be the brightest of them, m.
-//! Batches are shifts of one point set, which are independent; within a batch points lie more evenly than random ones, which their
+//! Batches are independent scramblings of one point set; within a batch points lie more evenly than random ones, which their
 //! spread shows. A spread that is small by chance would end the work too early, so a doubling is not taken to gain more than half.
 
 use super::directions::towards;
