@@ -6,7 +6,7 @@ use crate::geometry::{Start, Vector};
 use crate::sampling::Samples;
 use std::f64::consts::PI;
 
-/// The parts along each side of a pixel in which emitters are looked for.
+/// The parts along each side of a pixel between which rays tell what is seen.
 const PARTS: usize = 4;
 
 /// What is asked for.
@@ -76,17 +76,18 @@ impl Question {
         matches!(self, Self::Plane { .. } | Self::Sphere { .. } | Self::Sight { .. })
     }
 
-    /// What is seen directly along a ray, or in a pixel by rays through the middles of parts of it.
+    /// What is seen directly along a ray, or in a pixel by rays through the corners of parts of it.
     pub(crate) fn seen(&self, world: &World) -> Seen {
         let seen = |origin: Vector, direction: Vector| world.seen(world.walls.start_at(origin), direction);
         match self {
             Self::Sight { origin, direction } => seen(*origin, *direction),
             Self::Pixel { camera, pixel } => {
-                let along =
-                    |axis: usize, part: usize| pixel[axis] as f64 + (part as f64 + 0.5) / PARTS as f64;
-                let direction =
-                    |part: usize| camera.direction(along(0, part % PARTS), along(1, part / PARTS)).unit();
-                let all = (0..PARTS * PARTS).filter_map(direction);
+                let along = |axis: usize, part: usize| pixel[axis] as f64 + part as f64 / PARTS as f64;
+                let direction = |corner: usize| {
+                    let [x, y] = [corner % (PARTS + 1), corner / (PARTS + 1)];
+                    camera.direction(along(0, x), along(1, y)).unit()
+                };
+                let all = (0..(PARTS + 1) * (PARTS + 1)).filter_map(direction);
                 all.map(|direction| seen(camera.origin, direction))
                     .reduce(Seen::with)
                     .unwrap_or(Seen::NOTHING)

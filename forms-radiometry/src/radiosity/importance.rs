@@ -35,16 +35,16 @@ pub(crate) enum GoalKind {
 impl Radiosity<'_> {
     /// What a uniform irradiance of each element would change in the goals, over all reflections; only some of it if the work is stopped.
     pub(super) fn importance(&self, goals: &[Goal]) -> Vec<f64> {
-        let bands = 0..self.scene.band_count();
-        let strongest: Vec<f64> = self
-            .elements
-            .iter()
-            .map(|element| bands.clone().map(|band| self.reflectance(element, band)).fold(0.0, f64::max))
-            .collect();
+        let strongest = self.strongest();
         // sums of the same goals in the same order, whatever the number of threads
         let of_some = |goals: &[Goal]| {
             let (mut scratch, mut straight) = (Scratch::default(), vec![0.0; self.size()]);
-            goals.iter().for_each(|goal| self.add_straight(goal, &strongest, &mut scratch, &mut straight));
+            for goal in goals {
+                self.each_straight(goal, &strongest, &mut scratch, |source, weights| {
+                    let nodes = straight[self.first[source]..].iter_mut();
+                    nodes.zip(weights).for_each(|(node, weight)| *node += weight);
+                });
+            }
             straight
         };
         let parts: Vec<Vec<f64>> =
@@ -76,24 +76,50 @@ impl Radiosity<'_> {
         is_hidden || self.importance(&goals).iter().any(|&importance| importance > 0.0)
     }
 
-    /// Adds what each node gives to a goal straight.
-    fn add_straight(&self, goal: &Goal, strongest: &[f64], scratch: &mut Scratch, straight: &mut [f64]) {
+    /// For each goal the sums over elements of pairs of numbers, each times what the element gives to the goal straight.
+    pub(super) fn straight_sums(&self, goals: &[Goal], of_elements: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        let strongest = self.strongest();
+        let of_goal = |scratch: &mut Scratch, goal: &Goal| {
+            let mut sums = [0.0; 2];
+            self.each_straight(goal, &strongest, scratch, |source, weights| {
+                let weight: f64 = weights.sum();
+                sums.iter_mut().zip(of_elements[source]).for_each(|(sum, number)| *sum += weight * number);
+            });
+            sums
+        };
+        goals.par_iter().map_init(Scratch::default, of_goal).collect()
+    }
+
+    /// The largest reflectance of each element in any band.
+    fn strongest(&self) -> Vec<f64> {
+        let bands = 0..self.scene.band_count();
+        let of = |element| bands.clone().map(|band| self.reflectance(element, band)).fold(0.0, f64::max);
+        self.elements.iter().map(of).collect()
+    }
+
+    /// What the nodes of each element give to a goal straight.
+    fn each_straight(
+        &self,
+        goal: &Goal,
+        strongest: &[f64],
+        scratch: &mut Scratch,
+        mut each: impl FnMut(usize, &mut dyn Iterator<Item = f64>),
+    ) {
         match goal.what {
             GoalKind::At { position, measure } => {
                 let points = [position];
                 let group = Group { points: &points, outline: &points, measure };
                 self.weigh(group, None, scratch, |source, _, weights| {
-                    let nodes = straight[self.first[source]..].iter_mut();
-                    for (node, weight) in nodes.zip(weights) {
-                        *node += goal.weight * strongest[source] * weight.abs();
-                    }
+                    each(
+                        source,
+                        &mut weights.iter().map(|weight| goal.weight * strongest[source] * weight.abs()),
+                    );
                 });
             }
             GoalKind::Mean { surface } => {
                 for (index, element) in self.elements.iter().enumerate() {
                     if self.transport.faces[element.face].is_front_of(surface) {
-                        let nodes = straight[self.first[index]..].iter_mut().zip(element.areas());
-                        nodes.for_each(|(node, area)| *node += goal.weight * area);
+                        each(index, &mut element.areas().map(|area| goal.weight * area));
                     }
                 }
             }

@@ -44,10 +44,12 @@ impl Asking {
 }
 
 /// What a refinement leaves.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Refined {
     /// How much what is to come still matters, relative to what this changed.
     pub(crate) left: f64,
+    /// The same for each goal by what it gets of elements straight.
+    pub(crate) of_goals: Vec<f64>,
     /// The relative error by elements that were spared though they are expected to change. All of them count in full: errors that cancel
     /// among elements of one size no longer do where some of these are split. Nothing before errors are known.
     pub(crate) spared: f64,
@@ -125,17 +127,21 @@ impl Radiosity<'_> {
                 (before, changes_before, outlines, first);
             return None;
         }
-        let importance = self.importance(&asking.goals);
-        let mut settled = 0.0;
+        let mut changed = vec![[0.0; 2]; self.elements.len()];
         for (whole, parts) in split {
             let measured = self.measure(parts.clone(), &before[whole], chosen[whole]);
-            settled += measured * importance[parts].iter().sum::<f64>();
+            changed[parts].iter_mut().for_each(|[settled, _]| *settled = measured);
         }
-        let of_element = |(changes, &z): (&[Change; 2], &f64)| {
-            changes.iter().map(|change| product(change.remaining(), z)).sum::<f64>()
-        };
-        let left: f64 = self.changes.iter().zip(&importance).map(of_element).sum();
-        Some(Refined { left: if settled > 0.0 { left / settled } else { 1.0 }, spared })
+        for ([_, left], changes) in changed.iter_mut().zip(&self.changes) {
+            *left = changes.iter().map(|change| change.remaining()).sum();
+        }
+        let left = |[settled, left]: [f64; 2]| if settled > 0.0 { left / settled } else { 1.0 };
+        let mut sums = [0.0; 2];
+        for (changed, z) in changed.iter().zip(self.importance(&asking.goals)) {
+            sums.iter_mut().zip(changed).for_each(|(sum, &change)| *sum += product(change, z));
+        }
+        let of_goals = self.straight_sums(&asking.goals, &changed).into_iter().map(left).collect();
+        Some(Refined { left: left(sums), of_goals, spared })
     }
 
     /// How much the changes that are expected of each element matter to the goals.

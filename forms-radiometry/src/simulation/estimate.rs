@@ -1,7 +1,7 @@
 //! Estimates: what is known of a reading, from how it changed while elements became finer.
 //!
 //! ```text
-//! error = 1.5 λₙ max(Δₙ, λₙ₋₁ Δₙ₋₁/4, pooled change)
+//! error = 1.5 λₙ max(Δₙ, λₙ₋₁ Δₙ₋₁/4, pooled change)          of what elements were made finer for others: no less than εₙ₋₁ − Δₙ
 //! ```
 //! λ is what all refinements to come are expected to settle, relative to what the last one settled, both as elements matter to the
 //! answers. A change may cancel by chance: so what the change before let expect counts too, and the changes of all readings together, most
@@ -33,27 +33,41 @@ pub(super) struct Estimate {
     change: f64,
     /// What refinements to come settle, relative to what the last one settled.
     left: f64,
+    /// What is left of the error before, if elements were made finer for other readings only.
+    kept: f64,
     /// What finer elements leave: the solution of the equations, rules of integration, the shape of surfaces, and rounding.
     pub(super) floor: ErrorParts,
 }
 
+/// What is known of a reading before elements became finer.
+#[derive(Clone, Copy)]
+pub(super) struct Before<'e> {
+    pub(super) estimate: &'e Estimate,
+    /// Whether it was one of those that they became finer for.
+    pub(super) was_asked: bool,
+    /// What refinements to come settle, relative to what this one settled.
+    pub(super) left: f64,
+}
+
 impl Estimate {
     /// A first value, or one that comes after another.
-    pub(super) fn new(value: f64, before: Option<(&Self, f64)>, floor: ErrorParts) -> Self {
+    pub(super) fn new(value: f64, before: Option<Before>, floor: ErrorParts) -> Self {
         let (value, floor) = known(value, floor);
-        let Some((before, left)) = before else {
-            return Self { value, changed: f64::INFINITY, change: f64::INFINITY, left: 1.0, floor };
+        let unknown = f64::INFINITY;
+        let Some(Before { estimate: before, was_asked, left }) = before else {
+            return Self { value, changed: unknown, change: unknown, left: 1.0, kept: 0.0, floor };
         };
         let changed = (value - before.value).abs();
+        let kept = if was_asked { 0.0 } else { (before.parts().quadrature - changed).max(0.0) };
         let carried =
             if before.changed.is_finite() { CARRIED * before.left.min(1.0) * before.changed } else { 0.0 };
-        Self { value, changed, change: changed.max(carried), left: left.max(f64::MIN_POSITIVE), floor }
+        Self { value, changed, change: changed.max(carried), left: left.max(f64::MIN_POSITIVE), kept, floor }
     }
 
     /// A value that finer elements do not change, with its error.
     pub(super) fn exact(value: f64, floor: ErrorParts) -> Self {
         let (value, floor) = known(value, floor);
-        Self { value, changed: 0.0, change: 0.0, left: 0.0, floor }
+        Self { value, changed: 0.0, change: 0.0, left: 0.0, kept: 0.0, floor }
     }
 
     /// Finer elements do not change it.
@@ -82,7 +96,8 @@ impl Estimate {
     pub(super) fn parts(&self) -> ErrorParts {
         let refined =
             if self.change == 0.0 { 0.0 } else { SAFETY * self.left.clamp(LEFT[0], LEFT[1]) * self.change };
-        let parts = ErrorParts { quadrature: refined + self.floor.quadrature, ..self.floor };
+        let quadrature = self.kept.max(refined + self.floor.quadrature);
+        let parts = ErrorParts { quadrature, ..self.floor };
         known(self.value, parts).1
     }
 

@@ -32,7 +32,7 @@ use asked::{Asked, Division, asked, divide_time};
 pub(super) use asked::{MOST, all_questions};
 pub(super) use computed::Computable;
 use computed::Computing;
-use neighbours::neighbours;
+use neighbours::spreads;
 use rayon::prelude::*;
 use scale::{Scales, known, settled};
 pub(super) use state::{OfPaths, WrittenOfPaths};
@@ -197,8 +197,8 @@ impl<'w> Work<'w> {
     fn pilot(&mut self) -> bool {
         match settled(&self.asked, self.scene.receivers.len(), self.scene.band_count()) {
             Ok(scales) => {
-                let told = neighbours(&self.asked, self.scene, &scales);
-                self.asked.iter_mut().zip(told).for_each(|(asked, told)| asked.neighbours = told);
+                let spreads = spreads(&self.asked, self.scene);
+                self.asked.iter_mut().zip(spreads).for_each(|(asked, spreads)| asked.spreads = spreads);
                 self.scales = Some(scales);
                 false
             }
@@ -218,7 +218,7 @@ impl<'w> Work<'w> {
                 Some(budget) => asked.replicates.samples < budget.of_replicate(),
                 None => {
                     let error = asked.error(&self.scales_of(asked, self.scales.as_ref()));
-                    error > asked.tolerance(self.scene.solve.tolerance) && asked.may_go_on()
+                    error > self.scene.solve.tolerance && asked.may_go_on()
                 }
             }
         };

@@ -1,24 +1,48 @@
 //! Goals: the readings that are not exact enough say which elements are made finer.
 
 use super::accuracy::relative;
-use super::estimate::{Estimate, Found};
+use super::estimate::{Before, Estimate, Found};
 use super::solver::Work;
-use crate::radiosity::{Asking, Goal, Radiosity};
+use crate::radiosity::{Asking, Goal, Radiosity, Refined};
 
 /// The part that elements may take which are not split though they are expected to change.
 const SPARED: f64 = 0.3;
 
+/// What is known of all readings before elements became finer, and what that leaves.
+pub(super) struct Earlier<'f> {
+    found: &'f [Found],
+    /// What is left of each reading that they became finer for.
+    left: Vec<Option<f64>>,
+    pub(super) refined: Refined,
+}
+
+impl<'f> Earlier<'f> {
+    /// `open` are the readings whose goals were asked for, in their order.
+    pub(super) fn new(found: &'f [Found], open: &[usize], refined: Refined) -> Self {
+        let mut left = vec![None; found.len()];
+        open.iter().zip(&refined.of_goals).for_each(|(&reading, &of_goal)| left[reading] = Some(of_goal));
+        Self { found, left, refined }
+    }
+
+    /// What is known of a reading in a band.
+    pub(super) fn of(&self, reading: usize, band: usize) -> Before<'f> {
+        let own = self.left[reading];
+        Before {
+            estimate: &self.found[reading].bands[band],
+            was_asked: own.is_some(),
+            left: own.map_or(self.refined.left, |own| own.max(self.refined.left)),
+        }
+    }
+}
+
 impl Work<'_> {
-    /// The readings that are not exact enough, each weighted by how far it is from that.
-    pub(super) fn asking(&self, radiosity: &Radiosity, found: &[Found]) -> Asking {
+    /// The readings that are not exact enough, each weighted by how far it is from that; and their numbers.
+    pub(super) fn asking(&self, radiosity: &Radiosity, found: &[Found]) -> (Asking, Vec<usize>) {
         let sparing = SPARED * self.scene.solve.tolerance;
-        let mut asking = Asking { goals: Vec::new(), errors: [0.0; 2], sparing };
-        for ((reading, found), scales) in self.readings.iter().zip(found).zip(self.targets(found)) {
-            let relative = |(estimate, scale): (&Estimate, &f64)| {
-                let error = estimate.error();
-                if error.is_finite() { error / scale } else { f64::INFINITY }
-            };
-            let worst = found.bands.iter().zip(&scales).map(relative).fold(0.0, f64::max);
+        let (mut asking, mut open) = (Asking { goals: Vec::new(), errors: [0.0; 2], sparing }, Vec::new());
+        let readings = self.readings.iter().zip(found).zip(self.targets(found));
+        for (index, ((reading, found), scales)) in readings.enumerate() {
+            let worst = worst(found, &scales);
             let errors = found.bands.iter().map(Estimate::error).filter(|error| error.is_finite());
             // what is nothing so far is relative to what it may be, or to anything
             let scale = [scales.iter().copied().fold(0.0, f64::max), errors.fold(0.0, f64::max)];
@@ -27,12 +51,13 @@ impl Work<'_> {
             let weight = weight * reading.of_goal(radiosity.transport());
             let Some(what) = reading.goal(self.scene, radiosity.transport()) else { continue };
             if worst > self.scene.solve.tolerance && weight.is_finite() {
+                open.push(index);
                 asking.goals.push(Goal { what, weight });
                 asking.errors[0] += worst;
                 asking.errors[1] += worst * worst;
             }
         }
-        asking
+        (asking, open)
     }
 
     /// The errors of all readings in all bands, relative to what their tolerances are. Of what was not reached nothing is known.
@@ -48,4 +73,13 @@ impl Work<'_> {
     pub(super) fn is_enough(&self, found: &[Found]) -> bool {
         self.relative_errors(found).all(|error| error <= self.scene.solve.tolerance)
     }
+}
+
+/// The largest error of a reading in any band, relative to its scales.
+fn worst(found: &Found, scales: &[f64]) -> f64 {
+    let relative = |(estimate, scale): (&Estimate, &f64)| {
+        let error = estimate.error();
+        if error.is_finite() { error / scale } else { f64::INFINITY }
+    };
+    found.bands.iter().zip(scales).map(relative).fold(0.0, f64::max)
 }

@@ -11,6 +11,7 @@ use super::answer::{Answer, Moment, Simulation};
 use super::digits::{Digits, Value};
 use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
+use super::goals::Earlier;
 use super::images::Image;
 use super::map::Grid;
 use super::parts::ErrorParts;
@@ -23,7 +24,7 @@ use super::times::{Times, timed};
 use super::watch::Watch;
 use crate::faces::{faces, is_round};
 use crate::geometry::Face;
-use crate::radiosity::{Gathering, Hiding, Lights, Paths, Question, Radiosity, Refined, Scratch, Transport};
+use crate::radiosity::{Gathering, Hiding, Lights, Paths, Question, Radiosity, Scratch, Transport};
 use crate::scene::{Scene, WorkingScene};
 use crate::sharing::Sharing;
 use std::time::Instant;
@@ -276,16 +277,17 @@ impl<'s> Work<'s> {
             if self.watch.is_stopped() || self.is_enough(&found) {
                 return (radiosity, found);
             }
-            let Some(Refined { mut left, spared }) = radiosity.refine(&self.asking(&radiosity, &found))
-            else {
+            let (asking, open) = self.asking(&radiosity, &found);
+            let Some(mut refined) = radiosity.refine(&asking) else {
                 self.settle(&radiosity, &mut found);
                 return (radiosity, found);
             };
             if transport.occlusion {
-                left = left.max(BEHIND_SCREENS[splits.min(BEHIND_SCREENS.len() - 1)]);
+                refined.left = refined.left.max(BEHIND_SCREENS[splits.min(BEHIND_SCREENS.len() - 1)]);
             }
             splits += 1;
-            let finer = self.read(&radiosity, Some((&found, left, spared)));
+            let earlier = Earlier::new(&found, &open, refined);
+            let finer = self.read(&radiosity, Some(&earlier));
             if self.watch.is_stopped() {
                 return (radiosity, found);
             }
@@ -306,7 +308,7 @@ impl<'s> Work<'s> {
     }
 
     /// All readings in all bands; in none where the work was stopped before.
-    fn read(&self, radiosity: &Radiosity, before: Option<(&Vec<Found>, f64, f64)>) -> Vec<Found> {
+    fn read(&self, radiosity: &Radiosity, earlier: Option<&Earlier>) -> Vec<Found> {
         let is_straight = self.effects.orders == Some(0);
         let digits = Digits::of((self.scene, &self.readings), self.answers, is_straight, radiosity);
         let one = |scratch: &mut Scratch, (index, reading): (usize, &Reading)| {
@@ -328,7 +330,7 @@ impl<'s> Work<'s> {
                 if self.effects.orders == Some(0) && straight.is_some() {
                     return Estimate::exact(value, integral);
                 }
-                let before = before.map(|(before, left, _)| (&before[index].bands[band], left));
+                let before = earlier.map(|earlier| earlier.of(index, band));
                 let orders = largest * radiosity.floor(band);
                 Estimate::new(value, before, ErrorParts { orders, ..integral })
             };
@@ -342,7 +344,7 @@ impl<'s> Work<'s> {
         self.times.add(begin, self.readings.iter().map(|reading| reading.receiver).zip(seconds));
         let scales = self.scales(&found);
         pool(&mut found, &scales, &self.groups);
-        let spared = before.map_or(0.0, |(.., spared)| spared);
+        let spared = earlier.map_or(0.0, |earlier| earlier.refined.spared);
         for (found, scales) in found.iter_mut().zip(scales) {
             for (estimate, scale) in found.bands.iter_mut().zip(scales) {
                 if estimate.is_exact() {

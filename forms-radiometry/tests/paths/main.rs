@@ -5,6 +5,7 @@ mod claims;
 mod images;
 mod lengths;
 mod many_lights;
+mod rare;
 mod statistics;
 mod traps;
 mod unfolded;

@@ -7,7 +7,7 @@ use super::super::parts::ErrorParts;
 use super::super::solver::ROUNDING;
 use super::super::times::scale;
 use super::computed::{Computed, Computing};
-use super::neighbours::Neighbours;
+use super::neighbours::Spread;
 use super::pixels::shown;
 use crate::faces::faces;
 use crate::geometry::Screens;
@@ -18,8 +18,11 @@ use crate::scene::{MaterialKind, Receiver, ReceiverKind, Scene, TimeBins};
 use rayon::prelude::*;
 use std::time::Instant;
 
-/// The first samples of each replicate of a number, and of a cell or a pixel.
-const FIRST: [u32; 2] = [32, 1];
+/// The first samples of each replicate of a number.
+const FIRST: u32 = 32;
+/// Those of all cells of a receiver together, as far as none has more than a number; and those of a pixel that sees several surfaces at least.
+const FIRST_OF_CELLS: usize = 1024;
+const FIRST_OF_SEVERAL: u32 = 8;
 /// The most samples of a replicate.
 pub(in super::super) const MOST: u32 = 1 << 31;
 /// Samples of a replicate after which it is asked whether to pause.
@@ -53,10 +56,12 @@ pub(super) struct Asked {
     brightest: Vec<f64>,
     /// For each band the largest number that light brings which only chance finds: from outside, and of surfaces by curved mirrors and glass.
     by_chance: Vec<f64>,
+    /// Of a cell, the part of the first samples of its receiver that each replicate has.
+    share_of_first: Option<u32>,
     /// How many samples each replicate is to get before it is asked again whether that is enough.
     pub(super) target: u32,
-    /// What the cells around it tell of how many it needs.
-    pub(super) neighbours: Neighbours,
+    /// What the cells around it tell of each of its values; nothing where there are none.
+    pub(super) spreads: Vec<Spread>,
     /// The part of the time of the work that it took.
     pub(super) seconds: f64,
     /// What it took in the present loop over questions, of which several run at once.
@@ -127,8 +132,9 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
                 left_out,
                 brightest,
                 by_chance,
+                share_of_first: cell.map(|_| share_of_first(receiver)),
                 target: 0,
-                neighbours: Neighbours::NONE,
+                spreads: Vec::new(),
                 seconds: 0.0,
                 elapsed: 0.0,
             });
@@ -233,7 +239,13 @@ impl Asked {
     /// The next target: the first samples, or twice as many as there are, up to a most.
     pub(super) fn aim(&mut self, most: u32) {
         let doubled = self.replicates.samples.saturating_mul(2);
-        self.target = doubled.max(FIRST[usize::from(self.cell.is_some())]).min(most);
+        self.target = doubled.max(self.first()).min(most);
+    }
+
+    /// The first samples of each replicate.
+    fn first(&self) -> u32 {
+        let several = if self.seen.surface.is_err() { FIRST_OF_SEVERAL } else { 1 };
+        self.share_of_first.map_or(FIRST, |share| share.max(several))
     }
 
     /// What its errors mean.
@@ -261,6 +273,8 @@ impl Asked {
                 // what no direction by chance has met of luminaires that are looked for has this part of them: the square of its own part
                 let unmet =
                     if is_nothing { (UNMET / self.replicates.count()).powi(2) * value.abs() } else { 0.0 };
+                let told = self.spreads.get(place);
+                let error = told.map_or(error, |told| told.error(error, self.replicates.samples));
                 let sampling = error.hypot(self.unseen(place, is_nothing)).hypot(unmet);
                 (value, ErrorParts { sampling, ..ErrorParts::default() })
             }
@@ -312,15 +326,12 @@ impl Asked {
         (0..self.replicates.len()).map(relative).fold(0.0, f64::max)
     }
 
-    /// The samples of a replicate after which it will be done, with these scales.
+    /// The samples of a replicate after which the error will be as small as this, with these scales: it falls like the root of their
+    /// number, which is doubled until then.
     pub(super) fn foreseen(&self, scales: &[f64], tolerance: f64) -> f64 {
-        let foreseen = self.neighbours.foreseen(self.replicates.samples, self.error(scales), tolerance);
-        foreseen.min(f64::from(MOST)).max(f64::from(self.target))
-    }
-
-    /// The tolerance of its error by now.
-    pub(super) fn tolerance(&self, tolerance: f64) -> f64 {
-        self.neighbours.tolerance(self.replicates.samples, tolerance)
+        let (samples, most) = (f64::from(self.replicates.samples), f64::from(MOST));
+        let doublings = (2.0 * (self.error(scales) / tolerance).log2()).ceil().max(0.0);
+        (samples * doublings.exp2()).min(most).max(f64::from(self.target))
     }
 
     pub(super) fn may_go_on(&self) -> bool {
@@ -330,6 +341,16 @@ impl Asked {
         let is_nothing = || (0..self.replicates.len()).all(|place| self.replicates.found(place) == [0.0; 2]);
         self.replicates.samples < MOST && !(self.replicates.samples >= NOTHING && is_nothing())
     }
+}
+
+/// The first samples of each replicate of a cell or a pixel of a receiver.
+fn share_of_first(receiver: &Receiver) -> u32 {
+    let cells = match &receiver.kind {
+        ReceiverKind::Surface { grid: Some([columns, rows]), .. } => columns * rows,
+        ReceiverKind::Camera(camera) => camera.resolution[0] * camera.resolution[1],
+        _ => 1,
+    };
+    (FIRST_OF_CELLS / cells.max(1)).clamp(1, FIRST as usize) as u32
 }
 
 /// The radiance from outside that arrives, for each band.

@@ -1,14 +1,14 @@
-//! Neighbours: what the first samples of the cells around a cell tell of how many it needs.
+//! Neighbours: what the first samples of the cells around a cell tell of how far its own samples differ.
 //!
 //! ```text
-//! s² = mean of n σ² over the cells around          a cell is done at n = s²/ε² samples, or at an error of ε min(1, σ₁ √n₁/s), and at ε
+//! s² = mean of n σ² over the cells around          error after n samples = max(σ, min(σ s/(σ₁ √n₁), s/√n))
 //! ```
-//! σ is a standard error, n₁ the number of the first samples and σ₁ their error, ε the error that is tolerated. A few samples that have all missed
-//! what is rare agree with each other: the cell would be done too early, and be too dark. (A number of samples that depends on what they
-//! found makes their mean wrong: Kirk and Arvo, Unbiased sampling techniques for image synthesis, 1991.) All the cells around that see the same
-//! surface have met it. Where a cell agrees with itself better than they do, its tolerance is the smaller by that.
+//! σ is a cell's own standard error, σ₁ that after its first n₁ samples. A few samples that have all missed what is rare agree with each other:
+//! the cell would be done too early, be too dark, and say that it is exact. (A number of samples that depends on what they
+//! found makes their mean wrong: Kirk and Arvo, Unbiased sampling techniques for image synthesis, 1991.) The cells around that see the same
+//! surface have met it. Where a cell agrees with itself better than they do, its error is the larger by that, but no larger than theirs.
 
-use super::asked::{Asked, MOST};
+use super::asked::Asked;
 use crate::scene::{ReceiverKind, Scene};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -16,20 +16,20 @@ use serde::{Deserialize, Serialize};
 /// How far around a cell others are asked, in columns and in rows.
 const REACH: usize = 8;
 
-/// What the cells around a cell tell of it.
+/// What the cells around a cell tell of one of its values.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct Neighbours {
-    /// So many samples of each replicate are enough by the errors of all of them.
-    enough: u32,
-    /// The cell's own error as part of theirs, at most 1.
-    part: f64,
+pub(super) struct Spread {
+    /// Their standard error by one sample of each replicate.
+    of_all: f64,
+    /// The cell's own one as part of that, at most 1.
+    own: f64,
 }
 
 /// What the first samples of a cell have found.
 struct First<'a> {
     asked: &'a Asked,
-    /// Each value, and its variance by one sample of each replicate.
-    values: Vec<[f64; 2]>,
+    /// The variance of each value by one sample of each replicate.
+    variances: Vec<f64>,
 }
 
 /// The cells of a map, or the pixels of an image, that samples are to answer.
@@ -38,22 +38,17 @@ struct Cells<'a> {
     at: Vec<Option<First<'a>>>,
 }
 
-/// What the cells of all receivers tell of each other, question by question. `scales` has what the tolerance of each receiver's cells is
-/// relative to in each band.
-pub(super) fn neighbours(asked: &[Asked], scene: &Scene, scales: &[Vec<f64>]) -> Vec<Neighbours> {
+/// What the cells of all receivers tell of each other, question by question and value by value; nothing where no samples are needed.
+pub(super) fn spreads(asked: &[Asked], scene: &Scene) -> Vec<Vec<Spread>> {
     let mut all = Vec::with_capacity(asked.len());
     for of_receiver in asked.chunk_by(|a, b| a.receiver == b.receiver) {
-        let receiver = of_receiver[0].receiver;
-        let size = match &scene.receivers[receiver].kind {
+        let size = match &scene.receivers[of_receiver[0].receiver].kind {
             ReceiverKind::Surface { grid: Some(size), .. } => *size,
             ReceiverKind::Camera(camera) => camera.resolution,
             _ => [0, 0],
         };
         let cells = Cells::of(of_receiver, size);
-        let told = |asked: &Asked| {
-            let told = asked.cell.and_then(|cell| cells.tell(cell, &scales[receiver], scene.solve.tolerance));
-            told.unwrap_or(Neighbours::NONE)
-        };
+        let told = |asked: &Asked| asked.cell.map_or(Vec::new(), |cell| cells.tell(cell));
         all.par_extend(of_receiver.par_iter().map(told));
     }
     all
@@ -70,25 +65,16 @@ impl<'a> Cells<'a> {
         Self { size, at }
     }
 
-    /// What is known of a cell that needs samples, with these scales of bands.
-    fn tell(&self, cell: usize, scales: &[f64], tolerance: f64) -> Option<Neighbours> {
-        let own = self.at[cell].as_ref()?;
+    /// What is known of a cell that needs samples.
+    fn tell(&self, cell: usize) -> Vec<Spread> {
+        let Some(own) = &self.at[cell] else { return Vec::new() };
         let around = self.around(own, cell);
-        let count = around.len() as f64;
-        let mean = |place: usize, part: usize| {
-            around.iter().map(|first| first.values[place][part]).sum::<f64>() / count
+        let of_one = |(place, variance): (usize, &f64)| {
+            let sum: f64 = around.iter().map(|first| first.variances[place]).sum();
+            let of_all = (sum / around.len() as f64).sqrt();
+            Spread { of_all, own: if of_all > 0.0 { (variance.sqrt() / of_all).min(1.0) } else { 1.0 } }
         };
-        let mut told = Neighbours::NONE;
-        for (place, [_, own_variance]) in own.values.iter().enumerate() {
-            let variance = mean(place, 1);
-            if variance > 0.0 {
-                let scale = scales[own.asked.replicates.band(place)].max(mean(place, 0).abs());
-                let enough = variance / (tolerance * scale).powi(2);
-                told.enough = told.enough.max(enough.min(f64::from(MOST)).ceil() as u32);
-                told.part = told.part.min((own_variance / variance).sqrt());
-            }
-        }
-        Some(told)
+        own.variances.iter().enumerate().map(of_one).collect()
     }
 
     /// A cell with those around it that see the one surface that it sees.
@@ -107,30 +93,37 @@ impl<'a> Cells<'a> {
 impl<'a> First<'a> {
     fn of(asked: &'a Asked) -> Self {
         let samples = f64::from(asked.replicates.samples);
-        let value = |place| {
-            let [value, error] = asked.replicates.found(place);
-            [value, samples * error * error]
+        let variance = |place| {
+            let [_, error] = asked.replicates.found(place);
+            samples * error * error
         };
-        Self { asked, values: (0..asked.replicates.len()).map(value).collect() }
+        Self { asked, variances: (0..asked.replicates.len()).map(variance).collect() }
     }
 }
 
-impl Neighbours {
-    /// What is known without any.
-    pub(super) const NONE: Self = Self { enough: 0, part: 1.0 };
-
-    /// The tolerance of a cell's own error after so many samples.
-    pub(super) fn tolerance(self, samples: u32, tolerance: f64) -> f64 {
-        if samples < self.enough { self.part * tolerance } else { tolerance }
+impl Spread {
+    /// What a cell's own standard error after so many samples is taken for.
+    pub(super) fn error(self, own: f64, samples: u32) -> f64 {
+        // of a cell that found nothing, or nothing but one value, the quotient tells nothing
+        own.max((own / self.own).min(self.of_all / f64::from(samples).sqrt()))
     }
+}
 
-    /// The samples after which the cell is done, if its error, which is this now, falls like the root of their number, which is doubled
-    /// until then.
-    pub(super) fn foreseen(self, samples: u32, error: f64, tolerance: f64) -> f64 {
-        let after = |tolerance: f64| {
-            let doublings = (2.0 * (error / tolerance).log2()).ceil().max(0.0);
-            f64::from(samples) * doublings.exp2()
-        };
-        after(tolerance).max(after(self.part * tolerance).min(f64::from(self.enough)))
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cell_is_as_inexact_as_those_around_it_until_its_own_samples_tell_more() {
+        let spread = Spread { of_all: 8.0, own: 0.25 };
+        for (what, own, samples, expected) in [
+            ("it fell as it should", 1.0, 4, 4.0),
+            ("it fell faster, as on a net", 0.25, 4, 1.0),
+            ("something rare was met", 3.0, 4, 4.0),
+            ("it is larger than theirs", 5.0, 4, 5.0),
+        ] {
+            assert_eq!(spread.error(own, samples), expected, "{what}");
+        }
+        assert_eq!(Spread { of_all: 8.0, own: 0.0 }.error(0.0, 4), 4.0, "it found nothing");
     }
 }

@@ -3,7 +3,7 @@
 use super::Work;
 use super::asked::{Asked, Division};
 use super::computed::Computed;
-use super::neighbours::Neighbours;
+use super::neighbours::Spread;
 use super::scale::Scales;
 use crate::monte_carlo::{KeptSums, WrittenSums};
 use crate::simulation::state::Misfit;
@@ -24,7 +24,7 @@ pub(in crate::simulation) struct OfPaths {
 struct KeptAsked {
     target: u32,
     samples: u32,
-    neighbours: Neighbours,
+    spreads: Vec<Spread>,
     seconds: f64,
     computed: Option<Vec<Computed>>,
     sums: KeptSums,
@@ -44,7 +44,7 @@ pub(in crate::simulation) struct WrittenOfPaths<'w> {
 struct WrittenAsked<'w> {
     target: u32,
     samples: u32,
-    neighbours: Neighbours,
+    spreads: &'w [Spread],
     seconds: f64,
     computed: Option<&'w [Computed]>,
     sums: WrittenSums<'w>,
@@ -71,7 +71,7 @@ impl Work<'_> {
             WrittenAsked {
                 target: if is_kept { asked.target } else { 0 },
                 samples: if is_kept { asked.replicates.samples } else { 0 },
-                neighbours: asked.neighbours,
+                spreads: if is_kept { &asked.spreads } else { &[] },
                 seconds: asked.seconds,
                 computed: asked.computed.as_deref().filter(|_| is_kept),
                 sums: if is_kept { asked.replicates.kept(is_meant) } else { Vec::new() },
@@ -112,7 +112,7 @@ impl Work<'_> {
             return Err(Misfit);
         }
         for (question, (asked, kept)) in self.asked.iter_mut().zip(state.asked).enumerate() {
-            (asked.target, asked.neighbours, asked.seconds) = (kept.target, kept.neighbours, kept.seconds);
+            (asked.target, asked.spreads, asked.seconds) = (kept.target, kept.spreads, kept.seconds);
             if kept.computed.is_some() {
                 asked.computed = kept.computed;
             }
@@ -137,7 +137,7 @@ impl Work<'_> {
         for (question, (asked, kept)) in self.asked.iter_mut().zip(state.asked).enumerate() {
             asked.seconds += kept.seconds;
             if division.has(question) {
-                asked.computed = kept.computed;
+                (asked.computed, asked.spreads) = (kept.computed, kept.spreads);
             }
             let is_meant = |replicate| division.has_replicate(question, replicate);
             if division.has(question) && !asked.replicates.restore(kept.samples, kept.sums, is_meant) {

@@ -1,0 +1,112 @@
+//! Rare light: pixels and cells of which few samples have met what is bright say how far they are off.
+//!
+//! The judge is the same scene with so many samples that what is rare is met, of another seed. A number of samples that is given leaves their mean
+//! right, whatever they find.
+
+use crate::claims::elements::{camera, distant_light, gas, point_light, sky, sphere, square, two_sided};
+use crate::claims::scene_text::{material, polygon, surface};
+use forms_radiometry::scene::{Scene, read};
+use forms_radiometry::simulation::{
+    Budget, ErrorKind, Job, Map, Simulation, Unwatched, plan, simulate, simulate_job,
+};
+use forms_testing::SplitMix;
+
+/// The samples of each pixel and cell that meet what is rare.
+const MANY: u64 = 1 << 13;
+const TOLERANCE: f64 = 5e-2;
+/// The parts of all pixels and cells that may be off by more than three errors, and by more than ten.
+const BEYOND: [(f64, f64); 2] = [(3.0, 0.05), (10.0, 0.002)];
+
+fn read_or_panic(tables: &[String]) -> Scene {
+    let text = tables.concat();
+    let mut scene = read(&text, "rare.toml").unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
+    scene.solve.tolerance = TOLERANCE;
+    scene
+}
+
+/// A ball of droplets in the sun that few paths are led to through it.
+fn cloud(scattering: f64, g: f64) -> Scene {
+    read_or_panic(&[
+        gas("droplets", 0, scattering, g),
+        surface("cloud", "droplets", &sphere([0.0; 3], 1.0, false)),
+        distant_light([-1.0, 0.6, -0.7], 10),
+        sky(0.5),
+        camera([[0.0, -6.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]], 20.0, [16, 16]),
+    ])
+}
+
+/// A ball of droplets and a board above a floor that reflects, in the sun or beside a point light; an image and a map of the floor.
+fn of(seed: u64) -> Scene {
+    let mut random = SplitMix(seed);
+    let mut between = |low: f64, high: f64| low + (high - low) * random.unit();
+    let droplets = gas("droplets", 0, between(0.3, 4.0), between(-0.5, 0.9));
+    let ball = sphere([between(-1.0, 1.0), between(-1.0, 1.0), between(0.6, 1.5)], between(0.2, 0.5), false);
+    let [x, y, z] = [between(-1.5, 1.0), between(-1.5, 1.0), between(0.3, 1.0)];
+    let board = polygon(&[[x, y, z], [x + 0.6, y, z + 0.2], [x + 0.6, y + 0.5, z + 0.2], [x, y + 0.5, z]]);
+    let light = if between(0.0, 1.0) < 0.5 {
+        distant_light([between(-1.0, 1.0), between(-1.0, 1.0), -1.0], 10)
+    } else {
+        point_light([between(-2.0, 2.0), between(-2.0, 2.0), between(1.0, 2.0)], 5)
+    };
+    read_or_panic(&[
+        droplets,
+        material("grey", between(0.3, 0.8)),
+        surface("ball", "droplets", &ball),
+        surface("board", "grey", &two_sided(&board)),
+        surface("floor", "grey", &square(0.0, 2.0, true)),
+        light,
+        "[[receiver]]\nname = \"map\"\nkind = \"surface\"\nsurface = \"floor\"\ngrid = [6, 5]\n".to_owned(),
+        camera([[0.0, -5.0, 2.0], [0.0, 0.0, 0.5], [0.0, 0.0, 1.0]], 40.0, [10, 8]),
+    ])
+}
+
+/// What is found, and what so many samples of each pixel and cell find.
+fn both(mut scene: Scene) -> [Simulation; 2] {
+    let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
+    let found = simulate(&scene, &plan, &Unwatched);
+    scene.solve.seed += 1;
+    let budget = Some(Budget::new(MANY).unwrap_or_else(|error| panic!("{error}")));
+    let many = simulate_job(&scene, &plan, Job { budget, ..Job::default() }, &Unwatched);
+    [found, many.unwrap_or_else(|error| panic!("{error}"))]
+}
+
+/// How far the pixels or cells of two maps are apart, in errors of both.
+fn deviations(one: &Map, other: &Map) -> Vec<f64> {
+    let of_one = |map: &Map, cell: usize| (map.values[0][cell], map.errors[0][cell]);
+    let deviation = |cell| {
+        let ((a, of_a), (b, of_b)) = (of_one(one, cell), of_one(other, cell));
+        if a == b { 0.0 } else { (a - b).abs() / of_a.hypot(of_b) }
+    };
+    (0..one.values[0].len()).map(deviation).filter(|deviation| !deviation.is_nan()).collect()
+}
+
+/// Asserts how many of all pixels and cells are off by how much.
+fn assert_honest(off: &[f64]) {
+    for (errors, most) in BEYOND {
+        let beyond = off.iter().filter(|&&off| off > errors).count() as f64 / off.len() as f64;
+        assert!(beyond <= most, "{beyond} of {} are off by more than {errors} errors", off.len());
+    }
+}
+
+#[test]
+fn pixels_of_clouds_are_not_too_dark() {
+    for [scattering, g] in [[3.0, 0.8], [1.5, 0.9]] {
+        let [found, many] = both(cloud(scattering, g));
+        assert_honest(&deviations(&found.maps[0], &many.maps[0]));
+        let [found, many] = [&found, &many].map(|simulation| &simulation.answers[0]);
+        let apart = (found.value - many.value).abs() / found.error.hypot(many.error);
+        assert!(apart <= 3.0, "{scattering}, {g}: {found:?}, {many:?}");
+    }
+}
+
+#[test]
+fn pixels_and_cells_say_how_far_they_are_off_where_light_is_rare() {
+    let count = std::env::var("FORMS_RARE").map_or(6, |count| count.parse().expect("a number"));
+    let off = (0..count).flat_map(|seed| {
+        let [found, many] = both(of(seed));
+        assert!(found.maps.iter().all(|map| map.kind == ErrorKind::Sigma), "{seed}: no paths");
+        let maps = found.maps.iter().zip(&many.maps);
+        maps.flat_map(|(one, other)| deviations(one, other)).collect::<Vec<f64>>()
+    });
+    assert_honest(&off.collect::<Vec<f64>>());
+}
