@@ -56,7 +56,7 @@ pub(crate) use kernels::kernels;
 pub(crate) use measure::Measure;
 pub(crate) use paths::Paths;
 pub(crate) use probe::Probe;
-pub(crate) use refinement::{Asking, Refined, Rest};
+pub(crate) use refinement::{Asking, Refined};
 pub(crate) use round::bulges;
 pub(crate) use sight::{Reflected, SeenPiece};
 pub(crate) use solution::orders;

@@ -12,6 +12,8 @@ use forms_radiometry::simulation::{Answer, Unwatched, plan, simulate};
 use forms_testing::SplitMix;
 use scene_text::{Point, material, point_receiver, polygon, surface, surface_receiver};
 
+/// The first scene. In scene 487 the first change is small by chance, and a corner settles more slowly than all else.
+const FIRST: u64 = 480;
 const TOLERANCES: [f64; 5] = [1e-2, 3e-3, 1e-3, 5e-4, 1e-4];
 /// The least distance of the two.
 const LEAST_DISTANCE: f64 = 0.15;
@@ -54,7 +56,7 @@ fn answers(scene: &Scene, tolerance: f64) -> Vec<Answer> {
 fn answers_at_two_tolerances_agree_within_their_errors() {
     let count = std::env::var("FORMS_TOLERANCES").map_or(20, |count| count.parse().expect("a number"));
     let (mut pairs, mut outside, mut farthest) = (0, 0, 0.0_f64);
-    for seed in 0..count {
+    for seed in FIRST..FIRST + count {
         let scene = scene(seed);
         let found = TOLERANCES.map(|tolerance| answers(&scene, tolerance));
         for (finer, one) in found.iter().enumerate() {

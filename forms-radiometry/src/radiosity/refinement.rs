@@ -43,22 +43,13 @@ impl Asking {
     }
 }
 
-/// What a refinement leaves of a goal, by what this gets of elements straight.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Rest {
-    /// How much what is to come still matters, relative to what the refinement changed.
-    pub(crate) left: f64,
-    /// The part of what was expected to change that elements have which were not split.
-    pub(crate) spared: f64,
-}
-
 /// What a refinement leaves.
 #[derive(Clone, Debug)]
 pub(crate) struct Refined {
     /// How much what is to come still matters, relative to what this changed.
     pub(crate) left: f64,
-    /// What it leaves of each goal.
-    pub(crate) of_goals: Vec<Rest>,
+    /// The same for each goal by what it gets of elements straight.
+    pub(crate) of_goals: Vec<f64>,
     /// The relative error by elements that were spared though they are expected to change. All of them count in full: errors that cancel
     /// among elements of one size no longer do where some of these are split. Nothing before errors are known.
     pub(crate) spared: f64,
@@ -117,7 +108,6 @@ impl Radiosity<'_> {
         if !chosen.iter().flatten().any(|&is_chosen| is_chosen) {
             return None;
         }
-        let spared_of_goals = self.spared_of(&asking.goals, &chosen);
         let (mut elements, mut changes, mut split) = (Vec::new(), Vec::new(), Vec::new());
         for (index, element) in self.elements.iter().enumerate() {
             let from = elements.len();
@@ -150,37 +140,21 @@ impl Radiosity<'_> {
         for (changed, z) in changed.iter().zip(self.importance(&asking.goals)) {
             sums.iter_mut().zip(changed).for_each(|(sum, &change)| *sum += product(change, z));
         }
-        let left_of_goals = self.straight_sums(&asking.goals, &changed).into_iter().map(left);
-        let rest = |(left, spared)| Rest { left, spared };
-        let of_goals = left_of_goals.zip(spared_of_goals).map(rest).collect();
+        let of_goals = self.straight_sums(&asking.goals, &changed).into_iter().map(left).collect();
         Some(Refined { left: left(sums), of_goals, spared })
     }
 
     /// How much the changes that are expected of each element matter to the goals.
     fn matter(&self, goals: &[Goal]) -> Vec<[f64; 2]> {
-        let of_element = |(index, z)| self.expected(index).map(|change| product(change, z));
-        self.importance(goals).into_iter().enumerate().map(of_element).collect()
-    }
-
-    /// The changes that are expected of an element.
-    fn expected(&self, index: usize) -> [f64; 2] {
-        let (jump, is_divisible) = (self.jump(index), self.elements[index].is_divisible());
-        [0, 1].map(|i| {
-            let jump = if is_divisible[i] { jump } else { 0.0 };
-            self.changes[index][i].expected.max(jump)
-        })
-    }
-
-    /// For each goal the part of the changes that are expected which elements have that are not chosen.
-    fn spared_of(&self, goals: &[Goal], chosen: &[[bool; 2]]) -> Vec<f64> {
-        let of_element = |(index, is_chosen): (usize, &[bool; 2])| {
-            let expected = self.expected(index);
-            let spared = |i: usize| if is_chosen[i] { 0.0 } else { expected[i] };
-            [expected[0] + expected[1], spared(0) + spared(1)]
+        let changes = self.changes.iter().zip(self.importance(goals)).enumerate();
+        let of_element = |(index, (changes, z)): (usize, (&[Change; 2], f64))| {
+            let (jump, is_divisible) = (self.jump(index), self.elements[index].is_divisible());
+            [0, 1].map(|i| {
+                let jump = if is_divisible[i] { jump } else { 0.0 };
+                product(changes[i].expected.max(jump), z)
+            })
         };
-        let of_elements: Vec<[f64; 2]> = chosen.iter().enumerate().map(of_element).collect();
-        let part = |[all, spared]: [f64; 2]| if all > 0.0 { spared / all } else { 0.0 };
-        self.straight_sums(goals, &of_elements).into_iter().map(part).collect()
+        changes.map(of_element).collect()
     }
 
     /// The elements that are split next, in which coordinates, and the relative error by the others.

@@ -1,7 +1,7 @@
 //! Estimates: what is known of a reading, from how it changed while elements became finer.
 //!
 //! ```text
-//! error = 1.5 λₙ max(Δₙ, λₙ₋₁ Δₙ₋₁/4, pooled change)          no less than what is left of εₙ₋₁ − Δₙ/2 by elements that were spared
+//! error = 1.5 λₙ max(Δₙ, λₙ₋₁ Δₙ₋₁/4, pooled change)          where elements were made finer for others: no less than εₙ₋₁ − Δₙ/2
 //! ```
 //! λ is what all refinements to come are expected to settle, relative to what the last one settled, both as elements matter to the
 //! answers. A change may cancel by chance: so what the change before let expect counts too, and the changes of all readings together, most
@@ -20,7 +20,7 @@ const LEFT: [f64; 2] = [0.05, 10.0];
 const AT_FIRST: f64 = 0.5;
 /// The part of what the change before let expect that each change is taken to have had at least.
 const CARRIED: f64 = 0.25;
-/// The part of a change that is taken to have been settled: the rest may have come anew.
+/// The part of a change that was settled where elements were made finer for other readings: the rest may have come anew.
 const SETTLED: f64 = 0.5;
 /// The part of the changes of all readings that each one is taken to have had at least, relative to its scale.
 const POOLED: f64 = 0.3;
@@ -37,7 +37,7 @@ pub(super) struct Estimate {
     change: f64,
     /// What refinements to come settle, relative to what the last one settled.
     left: f64,
-    /// What is left of the error before by elements that stayed as they were.
+    /// What is left of the error before, if elements were made finer for other readings only.
     kept: f64,
     /// What finer elements leave: the solution of the equations, rules of integration, the shape of surfaces, and rounding.
     pub(super) floor: ErrorParts,
@@ -47,8 +47,8 @@ pub(super) struct Estimate {
 #[derive(Clone, Copy)]
 pub(super) struct Before<'e> {
     pub(super) estimate: &'e Estimate,
-    /// The part of its error that elements have which stayed as they were.
-    pub(super) spared: f64,
+    /// Whether it was one of those that they became finer for.
+    pub(super) was_asked: bool,
     /// What refinements to come settle, relative to what this one settled.
     pub(super) left: f64,
 }
@@ -58,13 +58,12 @@ impl Estimate {
     pub(super) fn new(value: f64, before: Option<Before>, floor: ErrorParts) -> Self {
         let (value, floor) = known(value, floor);
         let unknown = f64::INFINITY;
-        let Some(Before { estimate: before, spared, left }) = before else {
+        let Some(Before { estimate: before, was_asked, left }) = before else {
             return Self { value, changed: unknown, change: unknown, left: 1.0, kept: 0.0, floor };
         };
         let changed = (value - before.value).abs();
         let left = if before.changed.is_finite() { left } else { left.max(AT_FIRST) };
-        let error = before.parts().quadrature;
-        let kept = if error.is_finite() { spared * (error - SETTLED * changed).max(0.0) } else { 0.0 };
+        let kept = if was_asked { 0.0 } else { (before.parts().quadrature - SETTLED * changed).max(0.0) };
         let carried =
             if before.changed.is_finite() { CARRIED * before.left.min(1.0) * before.changed } else { 0.0 };
         Self { value, changed, change: changed.max(carried), left: left.max(f64::MIN_POSITIVE), kept, floor }

@@ -3,7 +3,7 @@
 use super::accuracy::relative;
 use super::estimate::{Before, Estimate, Found};
 use super::solver::Work;
-use crate::radiosity::{Asking, Goal, Radiosity, Refined, Rest};
+use crate::radiosity::{Asking, Goal, Radiosity, Refined};
 
 /// The part that elements may take which are not split though they are expected to change.
 const SPARED: f64 = 0.3;
@@ -12,23 +12,26 @@ const SPARED: f64 = 0.3;
 pub(super) struct Earlier<'f> {
     found: &'f [Found],
     /// What is left of each reading that they became finer for.
-    rest: Vec<Option<Rest>>,
+    left: Vec<Option<f64>>,
     pub(super) refined: Refined,
 }
 
 impl<'f> Earlier<'f> {
     /// `open` are the readings whose goals were asked for, in their order.
     pub(super) fn new(found: &'f [Found], open: &[usize], refined: Refined) -> Self {
-        let mut rest = vec![None; found.len()];
-        open.iter().zip(&refined.of_goals).for_each(|(&reading, &of_goal)| rest[reading] = Some(of_goal));
-        Self { found, rest, refined }
+        let mut left = vec![None; found.len()];
+        open.iter().zip(&refined.of_goals).for_each(|(&reading, &of_goal)| left[reading] = Some(of_goal));
+        Self { found, left, refined }
     }
 
     /// What is known of a reading in a band.
     pub(super) fn of(&self, reading: usize, band: usize) -> Before<'f> {
-        let Rest { left, spared } = self.rest[reading].unwrap_or(Rest { left: 0.0, spared: 1.0 });
-        let estimate = &self.found[reading].bands[band];
-        Before { estimate, left: left.max(self.refined.left), spared }
+        let own = self.left[reading];
+        Before {
+            estimate: &self.found[reading].bands[band],
+            was_asked: own.is_some(),
+            left: own.map_or(self.refined.left, |own| own.max(self.refined.left)),
+        }
     }
 }
 
