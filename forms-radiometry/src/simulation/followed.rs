@@ -15,6 +15,7 @@ mod findings;
 mod foresight;
 mod neighbours;
 mod pixels;
+mod radiances;
 mod scale;
 mod state;
 

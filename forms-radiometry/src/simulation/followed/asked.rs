@@ -9,12 +9,13 @@ use super::super::times::scale;
 use super::computed::{Computed, Computing};
 use super::neighbours::Spread;
 use super::pixels::shown;
+use super::radiances::{brightest, by_chance, outside, passed_on};
 use crate::faces::faces;
 use crate::geometry::Screens;
 use crate::monte_carlo::{Bins, Effects, Follow, LEFT_OUT, Question, REPLICATES, Replicates, Seen, World};
-use crate::radiosity::{Transport, most_reflected_of_beams};
+use crate::radiosity::Transport;
 use crate::sampling::key;
-use crate::scene::{MaterialKind, Receiver, ReceiverKind, Scene, TimeBins};
+use crate::scene::{Receiver, ReceiverKind, Scene, TimeBins};
 use rayon::prelude::*;
 use std::time::Instant;
 
@@ -351,47 +352,6 @@ fn share_of_first(receiver: &Receiver) -> u32 {
         _ => 1,
     };
     (FIRST_OF_CELLS / cells.max(1)).clamp(1, FIRST as usize) as u32
-}
-
-/// The radiance from outside that arrives, for each band.
-fn outside(scene: &Scene) -> Vec<f64> {
-    let radiance = |band: usize| scene.ambient.radiance.get(band).copied().unwrap_or(0.0);
-    (0..scene.band_count())
-        .map(|band| if scene.is_lit_from_afar(band) { radiance(band) } else { 0.0 })
-        .collect()
-}
-
-/// The largest part of light that a surface reflects to all sides, or a medium scatters.
-fn passed_on(scene: &Scene, effects: &Effects) -> f64 {
-    if effects.scattering {
-        return 1.0;
-    }
-    let reflectances = scene.surfaces.iter().map(|surface| match &scene.materials[surface.material].kind {
-        MaterialKind::Diffuse { reflectance } => reflectance.iter().copied().fold(0.0, f64::max),
-        _ => 0.0,
-    });
-    reflectances.fold(0.0, f64::max)
-}
-
-/// For each band the brightest radiance: this part of that of surfaces, from outside, or reflected of lights without extent.
-fn brightest(scene: &Scene, unhidden: &Transport, outside: &[f64], part: f64) -> Vec<f64> {
-    let mut brightest = most_reflected_of_beams(scene, unhidden);
-    add_brighter(&mut brightest, outside, 1.0);
-    scene.surfaces.iter().for_each(|surface| add_brighter(&mut brightest, &surface.radiance, part));
-    brightest
-}
-
-/// For each band the brightest radiance that only chance finds.
-fn by_chance(world: &World<'_>, outside: Vec<f64>) -> Vec<f64> {
-    let mut brightest = outside;
-    let turned = world.turned_by_chance();
-    world.scene.surfaces.iter().for_each(|surface| add_brighter(&mut brightest, &surface.radiance, turned));
-    brightest
-}
-
-/// Takes of each band this part of a radiance where that is more.
-fn add_brighter(brightest: &mut [f64], radiance: &[f64], part: f64) {
-    brightest.iter_mut().zip(radiance).for_each(|(most, &radiance)| *most = most.max(part * radiance));
 }
 
 /// Bins of time as bins of optical length.

@@ -1,0 +1,46 @@
+//! Radiances: how bright the light of a scene can be that samples may have missed, band by band.
+
+use crate::monte_carlo::{Effects, World};
+use crate::radiosity::{Transport, most_reflected_of_beams};
+use crate::scene::{MaterialKind, Scene};
+
+/// The radiance from outside that arrives, for each band.
+pub(super) fn outside(scene: &Scene) -> Vec<f64> {
+    let radiance = |band: usize| scene.ambient.radiance.get(band).copied().unwrap_or(0.0);
+    (0..scene.band_count())
+        .map(|band| if scene.is_lit_from_afar(band) { radiance(band) } else { 0.0 })
+        .collect()
+}
+
+/// The largest part of light that a surface reflects to all sides, or a medium scatters.
+pub(super) fn passed_on(scene: &Scene, effects: &Effects) -> f64 {
+    if effects.scattering {
+        return 1.0;
+    }
+    let reflectances = scene.surfaces.iter().map(|surface| match &scene.materials[surface.material].kind {
+        MaterialKind::Diffuse { reflectance } => reflectance.iter().copied().fold(0.0, f64::max),
+        _ => 0.0,
+    });
+    reflectances.fold(0.0, f64::max)
+}
+
+/// For each band the brightest radiance: this part of that of surfaces, from outside, or reflected of lights without extent.
+pub(super) fn brightest(scene: &Scene, unhidden: &Transport, outside: &[f64], part: f64) -> Vec<f64> {
+    let mut brightest = most_reflected_of_beams(scene, unhidden);
+    add_brighter(&mut brightest, outside, 1.0);
+    scene.surfaces.iter().for_each(|surface| add_brighter(&mut brightest, &surface.radiance, part));
+    brightest
+}
+
+/// For each band the brightest radiance that only chance finds.
+pub(super) fn by_chance(world: &World<'_>, outside: Vec<f64>) -> Vec<f64> {
+    let mut brightest = outside;
+    let turned = world.turned_by_chance();
+    world.scene.surfaces.iter().for_each(|surface| add_brighter(&mut brightest, &surface.radiance, turned));
+    brightest
+}
+
+/// Takes of each band this part of a radiance where that is more.
+fn add_brighter(brightest: &mut [f64], radiance: &[f64], part: f64) {
+    brightest.iter_mut().zip(radiance).for_each(|(most, &radiance)| *most = most.max(part * radiance));
+}
