@@ -35,20 +35,39 @@ pub(crate) enum GoalKind {
 impl Radiosity<'_> {
     /// What a uniform irradiance of each element would change in the goals, over all reflections; only some of it if the work is stopped.
     pub(super) fn importance(&self, goals: &[Goal]) -> Vec<f64> {
-        let strongest = self.strongest();
+        self.importance_and_sums(goals, &vec![[0.0; 2]; self.elements.len()]).0
+    }
+
+    /// The importance of each element; and for each goal the sums over elements of pairs of numbers, each times what the element gives to the
+    /// goal straight.
+    pub(super) fn importance_and_sums(
+        &self,
+        goals: &[Goal],
+        of_elements: &[[f64; 2]],
+    ) -> (Vec<f64>, Vec<[f64; 2]>) {
+        let bands = 0..self.scene.band_count();
+        let of = |element| bands.clone().map(|band| self.reflectance(element, band)).fold(0.0, f64::max);
+        let strongest: Vec<f64> = self.elements.iter().map(of).collect();
         // sums of the same goals in the same order, whatever the number of threads
         let of_some = |goals: &[Goal]| {
             let (mut scratch, mut straight) = (Scratch::default(), vec![0.0; self.size()]);
-            for goal in goals {
+            let mut sums = |goal: &Goal| {
+                let mut sums = [0.0; 2];
                 self.each_straight(goal, &strongest, &mut scratch, |source, weights| {
-                    let nodes = straight[self.first[source]..].iter_mut();
-                    nodes.zip(weights).for_each(|(node, weight)| *node += weight);
+                    let mut whole = 0.0;
+                    for (node, weight) in straight[self.first[source]..].iter_mut().zip(weights) {
+                        *node += weight;
+                        whole += weight;
+                    }
+                    sums.iter_mut().zip(of_elements[source]).for_each(|(sum, number)| *sum += whole * number);
                 });
-            }
-            straight
+                sums
+            };
+            let sums: Vec<[f64; 2]> = goals.iter().map(&mut sums).collect();
+            (straight, sums)
         };
-        let parts: Vec<Vec<f64>> =
-            goals.par_chunks(goals.len().div_ceil(PARTS).max(1)).map(of_some).collect();
+        let parts = goals.par_chunks(goals.len().div_ceil(PARTS).max(1)).map(of_some);
+        let (parts, sums): (Vec<Vec<f64>>, Vec<Vec<[f64; 2]>>) = parts.unzip();
         let mut straight = vec![0.0; self.size()];
         for part in parts {
             straight.iter_mut().zip(part).for_each(|(sum, value)| *sum += value);
@@ -65,7 +84,8 @@ impl Radiosity<'_> {
                 sum.iter_mut().zip(&last).for_each(|(sum, last)| *sum += last);
             }
         }
-        self.first.windows(2).map(|nodes| sum[nodes[0]..nodes[1]].iter().sum()).collect()
+        let importance = self.first.windows(2).map(|nodes| sum[nodes[0]..nodes[1]].iter().sum()).collect();
+        (importance, sums.concat())
     }
 
     /// Whether a goal has light of any element. What a point sees is exact; on a surface nodes tell, between which others may see more where
@@ -74,27 +94,6 @@ impl Radiosity<'_> {
         let goals = [Goal { what, weight: 1.0 }];
         let is_hidden = self.transport.occlusion && matches!(what, GoalKind::Mean { .. });
         is_hidden || self.importance(&goals).iter().any(|&importance| importance > 0.0)
-    }
-
-    /// For each goal the sums over elements of pairs of numbers, each times what the element gives to the goal straight.
-    pub(super) fn straight_sums(&self, goals: &[Goal], of_elements: &[[f64; 2]]) -> Vec<[f64; 2]> {
-        let strongest = self.strongest();
-        let of_goal = |scratch: &mut Scratch, goal: &Goal| {
-            let mut sums = [0.0; 2];
-            self.each_straight(goal, &strongest, scratch, |source, weights| {
-                let weight: f64 = weights.sum();
-                sums.iter_mut().zip(of_elements[source]).for_each(|(sum, number)| *sum += weight * number);
-            });
-            sums
-        };
-        goals.par_iter().map_init(Scratch::default, of_goal).collect()
-    }
-
-    /// The largest reflectance of each element in any band.
-    fn strongest(&self) -> Vec<f64> {
-        let bands = 0..self.scene.band_count();
-        let of = |element| bands.clone().map(|band| self.reflectance(element, band)).fold(0.0, f64::max);
-        self.elements.iter().map(of).collect()
     }
 
     /// What the nodes of each element give to a goal straight.

@@ -136,12 +136,12 @@ impl Radiosity<'_> {
             *left = changes.iter().map(|change| change.remaining()).sum();
         }
         let left = |[settled, left]: [f64; 2]| if settled > 0.0 { left / settled } else { 1.0 };
+        let (importance, of_goals) = self.importance_and_sums(&asking.goals, &changed);
         let mut sums = [0.0; 2];
-        for (changed, z) in changed.iter().zip(self.importance(&asking.goals)) {
+        for (changed, z) in changed.iter().zip(importance) {
             sums.iter_mut().zip(changed).for_each(|(sum, &change)| *sum += product(change, z));
         }
-        let of_goals = self.straight_sums(&asking.goals, &changed).into_iter().map(left).collect();
-        Some(Refined { left: left(sums), of_goals, spared })
+        Some(Refined { left: left(sums), of_goals: of_goals.into_iter().map(left).collect(), spared })
     }
 
     /// How much the changes that are expected of each element matter to the goals.

@@ -62,10 +62,10 @@ impl Estimate {
             return Self { value, changed: unknown, change: unknown, left: 1.0, kept: 0.0, floor };
         };
         let changed = (value - before.value).abs();
-        let left = if before.changed.is_finite() { left } else { left.max(AT_FIRST) };
+        let is_first = !before.changed.is_finite();
+        let left = if is_first { left.max(AT_FIRST) } else { left };
         let kept = if was_asked { 0.0 } else { (before.parts().quadrature - SETTLED * changed).max(0.0) };
-        let carried =
-            if before.changed.is_finite() { CARRIED * before.left.min(1.0) * before.changed } else { 0.0 };
+        let carried = if is_first { 0.0 } else { CARRIED * before.left.min(1.0) * before.changed };
         Self { value, changed, change: changed.max(carried), left: left.max(f64::MIN_POSITIVE), kept, floor }
     }
 

@@ -1,7 +1,7 @@
 //! Rare light: pixels and cells of which few samples have met what is bright say how far they are off.
 //!
 //! The judge is the same scene with so many samples that what is rare is met, of another seed. A number of samples that is given leaves their mean
-//! right, whatever they find.
+//! right, whatever they find. `FORMS_RARE` is the number of scenes.
 
 use crate::claims::elements::{camera, distant_light, gas, point_light, sky, sphere, square, two_sided};
 use crate::claims::scene_text::{material, polygon, surface};

@@ -13,7 +13,7 @@ use super::radiances::{brightest, by_chance, outside, passed_on};
 use crate::faces::faces;
 use crate::geometry::Screens;
 use crate::monte_carlo::{Bins, Effects, Follow, LEFT_OUT, Question, REPLICATES, Replicates, Seen, World};
-use crate::radiosity::Transport;
+use crate::radiosity::{Transport, most_reflected_of_beams};
 use crate::sampling::key;
 use crate::scene::{Receiver, ReceiverKind, Scene, TimeBins};
 use rayon::prelude::*;
@@ -106,7 +106,8 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
     let mut all: Vec<Asked> = Vec::new();
     let unhidden = unhidden(scene);
     let outside = outside(scene);
-    let brightest = [1.0, passed_on(scene, &effects)].map(|part| brightest(scene, &unhidden, &outside, part));
+    let of_beams = most_reflected_of_beams(scene, &unhidden);
+    let brightest = [1.0, passed_on(scene, &effects)].map(|part| brightest(scene, &of_beams, &outside, part));
     let by_chance = by_chance(world, outside);
     for (index, receiver) in scene.receivers.iter().enumerate() {
         let bins = receiver.time.as_ref().map(|time| bins(time, metres));
@@ -346,12 +347,17 @@ impl Asked {
 
 /// The first samples of each replicate of a cell or a pixel of a receiver.
 fn share_of_first(receiver: &Receiver) -> u32 {
-    let cells = match &receiver.kind {
-        ReceiverKind::Surface { grid: Some([columns, rows]), .. } => columns * rows,
-        ReceiverKind::Camera(camera) => camera.resolution[0] * camera.resolution[1],
-        _ => 1,
-    };
-    (FIRST_OF_CELLS / cells.max(1)).clamp(1, FIRST as usize) as u32
+    let [columns, rows] = size(receiver);
+    (FIRST_OF_CELLS / (columns * rows).max(1)).clamp(1, FIRST as usize) as u32
+}
+
+/// The columns and rows of the map or image of a receiver, none where it has neither.
+pub(super) fn size(receiver: &Receiver) -> [usize; 2] {
+    match &receiver.kind {
+        ReceiverKind::Surface { grid: Some(size), .. } => *size,
+        ReceiverKind::Camera(camera) => camera.resolution,
+        _ => [0; 2],
+    }
 }
 
 /// Bins of time as bins of optical length.

@@ -8,7 +8,7 @@ use crate::faces::faces;
 use crate::scene::{Receiver, ReceiverKind, Scene};
 
 /// The part of the errors of pixels that they have in common: samples end where they agree, more often where they have missed something
-/// bright, and pixels are by up to 0.5 of their errors too dark in the mean where a medium scatters forwards (`tests/paths/images.rs`).
+/// bright, and pixels are by up to 0.5 of their errors too dark in the mean where a medium scatters forwards (`tests/paths/rare.rs`).
 const STOPPED: f64 = 0.5;
 
 impl Work<'_> {

@@ -8,8 +8,8 @@
 //! found makes their mean wrong: Kirk and Arvo, Unbiased sampling techniques for image synthesis, 1991.) The cells around that see the same
 //! surface have met it. Where a cell agrees with itself better than they do, its error is the larger by that, but no larger than theirs.
 
-use super::asked::Asked;
-use crate::scene::{ReceiverKind, Scene};
+use super::asked::{Asked, size};
+use crate::scene::Scene;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -42,12 +42,7 @@ struct Cells<'a> {
 pub(super) fn spreads(asked: &[Asked], scene: &Scene) -> Vec<Vec<Spread>> {
     let mut all = Vec::with_capacity(asked.len());
     for of_receiver in asked.chunk_by(|a, b| a.receiver == b.receiver) {
-        let size = match &scene.receivers[of_receiver[0].receiver].kind {
-            ReceiverKind::Surface { grid: Some(size), .. } => *size,
-            ReceiverKind::Camera(camera) => camera.resolution,
-            _ => [0, 0],
-        };
-        let cells = Cells::of(of_receiver, size);
+        let cells = Cells::of(of_receiver, size(&scene.receivers[of_receiver[0].receiver]));
         let told = |asked: &Asked| asked.cell.map_or(Vec::new(), |cell| cells.tell(cell));
         all.par_extend(of_receiver.par_iter().map(told));
     }

@@ -1,8 +1,8 @@
 //! Radiances: how bright the light of a scene can be that samples may have missed, band by band.
 
 use crate::monte_carlo::{Effects, World};
-use crate::radiosity::{Transport, most_reflected_of_beams};
-use crate::scene::{MaterialKind, Scene};
+use crate::radiosity::reflectance;
+use crate::scene::Scene;
 
 /// The radiance from outside that arrives, for each band.
 pub(super) fn outside(scene: &Scene) -> Vec<f64> {
@@ -17,16 +17,12 @@ pub(super) fn passed_on(scene: &Scene, effects: &Effects) -> f64 {
     if effects.scattering {
         return 1.0;
     }
-    let reflectances = scene.surfaces.iter().map(|surface| match &scene.materials[surface.material].kind {
-        MaterialKind::Diffuse { reflectance } => reflectance.iter().copied().fold(0.0, f64::max),
-        _ => 0.0,
-    });
-    reflectances.fold(0.0, f64::max)
+    (0..scene.surfaces.len()).flat_map(|surface| reflectance(scene, surface)).copied().fold(0.0, f64::max)
 }
 
-/// For each band the brightest radiance: this part of that of surfaces, from outside, or reflected of lights without extent.
-pub(super) fn brightest(scene: &Scene, unhidden: &Transport, outside: &[f64], part: f64) -> Vec<f64> {
-    let mut brightest = most_reflected_of_beams(scene, unhidden);
+/// For each band the brightest radiance: this part of that of surfaces, from outside, or what is reflected of beams.
+pub(super) fn brightest(scene: &Scene, of_beams: &[f64], outside: &[f64], part: f64) -> Vec<f64> {
+    let mut brightest = of_beams.to_vec();
     add_brighter(&mut brightest, outside, 1.0);
     scene.surfaces.iter().for_each(|surface| add_brighter(&mut brightest, &surface.radiance, part));
     brightest
