@@ -70,7 +70,7 @@ pub use raise::Raised;
 
 #[cfg(test)]
 #[allow(dead_code, reason = "shared with the integration tests, which use the rest")]
-#[path = "../../tests/kernel/formula.rs"]
+#[path = "../tests/kernel/formula.rs"]
 mod formula;
 #[cfg(test)]
 mod laws;
