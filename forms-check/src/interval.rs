@@ -156,20 +156,10 @@ impl Interval {
         sum.widened(&power).into_interval()
     }
 
-    /// log x = k log 2 + 2 artanh((z − 1)/(z + 1)) for x = 2ᵏ z
+    /// The logarithm increases: its enclosures at both ends enclose it.
     pub(crate) fn logarithm(&self) -> Option<Self> {
         self.sign().filter(|sign| *sign > 0)?;
-        let (mut z, mut k) = (self.clone(), 0);
-        for (too_large, factor) in [(true, rational(1, 2)), (false, rational(2, 1))] {
-            while k < LARGEST && if too_large { z.high > rational(3, 2) } else { z.low < rational(2, 3) } {
-                z = z.scale(&factor);
-                k += if too_large { 1 } else { -1 };
-            }
-        }
-        let one = Interval::number(rational(1, 1));
-        let w = z.subtract(&one).divide(&z.add(&one))?;
-        let two = Interval::logarithm_of_two().scale(&rational(k, 1));
-        (w.magnitude() <= rational(1, 2)).then(|| two.add(&w.odd_series(1).scale(&rational(2, 1))))
+        Some(Interval { low: logarithm_of(&self.low)?.low, high: logarithm_of(&self.high)?.high })
     }
 
     /// π = 4 (atan ½ + atan ⅓)
@@ -222,6 +212,18 @@ impl Interval {
             _ => None,
         }
     }
+}
+
+/// log x = k log 2 + 2 artanh((z − 1)/(z + 1)) for x = 2ᵏ z > 0 with ½ < z < 2
+fn logarithm_of(x: &BigRational) -> Option<Interval> {
+    let k = i64::try_from(x.numer().bits()).ok()? - i64::try_from(x.denom().bits()).ok()?;
+    if k.abs() > LARGEST {
+        return None;
+    }
+    let z = x * rational(2, 1).pow(i32::try_from(-k).ok()?);
+    let w = (&z - rational(1, 1)) / (z + rational(1, 1));
+    let two = Interval::logarithm_of_two().scale(&rational(k, 1));
+    Some(two.add(&Interval::number(w).odd_series(1).scale(&rational(2, 1))))
 }
 
 /// An interval whose ends are so many units of 2^−BITS: what series are summed in.
@@ -284,5 +286,50 @@ impl Fixed {
         self.low -= &magnitude;
         self.high += magnitude;
         self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers from 2⁻²⁰⁰⁰ to 2²⁰⁰⁰.
+    fn numbers() -> Vec<BigRational> {
+        let powers = [-2000, -161, -160, -159, -1, 0, 1, 3, 160, 2000].map(|n| rational(2, 1).pow(n));
+        let factors = [rational(1, 1), rational(2, 3), rational(3, 2), rational(999_999, 1_000_000)];
+        powers.iter().flat_map(|power| factors.iter().map(move |factor| power * factor)).collect()
+    }
+
+    #[test]
+    fn the_logarithm_is_narrow_and_its_exponential_encloses_the_number() {
+        for x in numbers() {
+            let log = Interval::number(x.clone()).logarithm().expect("the number is positive");
+            assert!(&log.high - &log.low < rational(2, 1).pow(-140), "{x}");
+            let back = log.exponential().expect("the logarithm is below the largest");
+            assert!(back.low <= x && x <= back.high, "{x}");
+        }
+    }
+
+    #[test]
+    fn the_logarithm_of_a_wide_interval_encloses_those_of_its_numbers() {
+        let numbers = numbers();
+        for low in &numbers {
+            for high in numbers.iter().filter(|high| *high >= low) {
+                let log = Interval { low: low.clone(), high: high.clone() }.logarithm().expect("positive");
+                for x in numbers.iter().filter(|x| *x >= low && *x <= high) {
+                    let inside = Interval::number(x.clone()).logarithm().expect("positive");
+                    assert!(log.low <= inside.low && inside.high <= log.high, "{x} in {low} .. {high}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_not_positive_or_is_too_large_has_no_logarithm() {
+        let interval = |low: i64, high: i64| Interval { low: rational(low, 1), high: rational(high, 1) };
+        assert!(interval(0, 1).logarithm().is_none());
+        assert!(interval(-1, 1).logarithm().is_none());
+        assert!(Interval::number(rational(2, 1).pow(5000)).logarithm().is_none());
+        assert!(Interval::number(rational(2, 1).pow(-5000)).logarithm().is_none());
     }
 }

@@ -18,6 +18,7 @@ use crate::arguments::Arguments;
 use crate::commands::run_with_input;
 use clap::Parser;
 use damage::damaged;
+use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -189,7 +190,9 @@ fn watch(threads: Vec<Watched>, is_done: Arc<AtomicU64>) {
             if let Some((since, case)) = &*case
                 && since.elapsed() > LONGEST
             {
-                eprintln!("this case takes longer than {} s:\n{case}", LONGEST.as_secs());
+                let report = format!("this case takes longer than {} s:\n{case}\n", LONGEST.as_secs());
+                // To standard error itself: the runner loses what it has captured when the process aborts.
+                let _ = std::io::stderr().lock().write_all(report.as_bytes());
                 std::process::abort();
             }
         }
