@@ -1,12 +1,13 @@
-//! Accuracy: what a program computes beside what it should.
+//! Accuracy: the values a program computes, compared with the true values.
 //!
 //! ```text
 //! kernel ─┬─ edges, regime ─▶ arguments, typical and hard ─┐
 //!         ├─ truth ──▶ values, correctly rounded ──────────┴─ sample ─┐
 //!         └─ programs ─▶ values in f32, f64, double-double ───────────┴─ score ─▶ bits and ulps lost
 //! ```
-//! Truth is found by enclosures of rising precision: it is a number only where its rounding is certain. Arguments are
-//! drawn from a fixed seed, so that equal kernels have equal scores on every machine.
+//! True values are found by enclosures of rising precision: a true value is a number only where its
+//! rounding is certain. Arguments are drawn from a fixed seed, so that equal kernels have equal
+//! scores on every machine.
 
 mod arguments;
 mod edges;

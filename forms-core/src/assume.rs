@@ -1,12 +1,12 @@
-//! Assumptions: which signs the factors of radicands have where some conditions hold.
+//! Assumptions: the possible signs of the factors of radicands under given conditions.
 //!
 //! ```text
 //! conditions ─ normal forms ─▶ facts (bounds of generators) + constraints (signs of products)
 //!                                        │
 //! expressions ─ whose signs matter ─▶ region ─▶ cases, each a sign for every such factor
 //! ```
-//! Everything that is said about real expressions under conditions, proofs and integrals alike, goes through
-//! the cases found here.
+//! All reasoning about real expressions under conditions, in proofs and integrals alike, uses the
+//! cases found here.
 
 mod arc;
 mod contradiction;
@@ -32,10 +32,10 @@ use crate::normal::{Fraction, Normalised, Obstacle, Sign, SignConstraint, Tower,
 use crate::syntax::ast::Relation;
 use region::{Constraint, MOST_FACTORS, NoCases, Region};
 
-/// How often the tower may be refined by what the assumptions bring in.
+/// Number of times that the assumptions can refine the tower.
 const MOST_PASSES: usize = 16;
 
-/// Products of terms that a question whose answer may be left open is worth.
+/// Limit on the products of terms for a query whose answer may be left open.
 const CHEAP_WORK: u64 = 1_000_000;
 
 /// Conditions with the differences of their sides.
@@ -43,18 +43,20 @@ const CHEAP_WORK: u64 = 1_000_000;
 pub(crate) struct Assumptions {
     conditions: Vec<Condition>,
     sides: Vec<Expr>,
-    /// Whether every choice of signs is looked at for a contradiction, not only those on borders.
+    /// Whether every choice of signs is tested for a contradiction, not only the choices on
+    /// boundaries.
     thorough: bool,
 }
 
 /// The cases of the signs that some expressions need.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Cases {
-    /// Each is a sign for every factor that matters; one of them, perhaps on its border, holds at every point.
+    /// Each case is a sign for every factor that matters; every point lies in one of the cases,
+    /// perhaps on its boundary.
     Signs(Vec<Vec<(usize, Sign)>>),
     /// No point meets the conditions.
     Empty,
-    /// There are too many.
+    /// There are too many cases.
     TooMany,
 }
 
@@ -66,15 +68,17 @@ impl Assumptions {
         Assumptions { conditions, sides, thorough: false }
     }
 
-    /// The same with fewer cases, for more work: those go that linear certificates exclude.
+    /// Returns the same assumptions with fewer cases, for more work: the cases that linear
+    /// certificates exclude are dropped.
     pub(crate) fn thorough(self) -> Self {
         Assumptions { thorough: true, ..self }
     }
 
-    /// The cases to be told apart next, once some signs are given: of the open signs that the expressions
-    /// depend on or, if there are none, of those that the conditions depend on. A single case without signs
-    /// says that nothing is left to tell apart. A sign within a sign (√(|x| − 1)) is open only once the inner
-    /// one is given, so whoever decides asks again for each case.
+    /// Returns the next cases to distinguish, under the given signs: cases of the open signs on
+    /// which the expressions depend or, if there are none, on which the conditions depend. A single
+    /// case without signs means that nothing remains to be distinguished. A sign within a sign
+    /// (√(|x| − 1)) is open only after the inner sign is given, so the caller has to ask again for
+    /// each case.
     pub(crate) fn cases(
         &self,
         tower: &mut Tower,
@@ -101,8 +105,8 @@ impl Assumptions {
         Ok(Cases::Signs(distinct))
     }
 
-    /// The factors that the cases rest on, those to be told apart first, and what is known of generators. Nothing if
-    /// the conditions contradict each other.
+    /// Returns the factors on which the cases rest, first those to distinguish, and the known facts
+    /// about generators. `None` if the conditions contradict each other.
     pub(crate) fn grounds(
         &self,
         tower: &mut Tower,
@@ -119,8 +123,8 @@ impl Assumptions {
         }))
     }
 
-    /// The factors whose signs matter, with all that is known of them; and those to be told apart. Nothing if the
-    /// conditions contradict each other.
+    /// Returns the region of the factors whose signs matter, the factors to distinguish, and the
+    /// known facts. `None` if the conditions contradict each other.
     fn region(
         &self,
         tower: &mut Tower,
@@ -150,7 +154,7 @@ impl Assumptions {
         Err(Obstacle::Refine)
     }
 
-    /// Where an angle lies once some signs are given; nothing where that is not known.
+    /// Returns the range of an angle under the given signs; unbounded where it is not known.
     pub(crate) fn range(
         &self,
         tower: &mut Tower,
@@ -169,8 +173,9 @@ impl Assumptions {
         Ok(Range::default())
     }
 
-    /// The expressions in normal form with the given signs, and what the conditions say beside them. Nothing if the
-    /// conditions refine the tower, which then starts again.
+    /// Returns the normal forms of the expressions under the given signs, and the consequences of
+    /// the conditions together with these signs. `None` if the conditions refine the tower, which
+    /// then starts again.
     fn learned(
         &self,
         tower: &mut Tower,
@@ -190,8 +195,8 @@ impl Assumptions {
         }
     }
 
-    /// What the conditions say. One without a normal form, or whose normal form depends on an open sign, is
-    /// left out, which only leaves more cases.
+    /// Adds the consequences of the conditions. A condition without a normal form, or whose normal
+    /// form depends on an open sign, is left out; this only leaves more cases.
     fn assume(&self, tower: &mut Tower, pool: &Pool, knowledge: &mut Knowledge) -> Result<(), Obstacle> {
         for (condition, &side) in self.conditions.iter().zip(&self.sides) {
             let before = tower.trigonometry();
@@ -223,8 +228,8 @@ impl Assumptions {
     }
 }
 
-/// The factors that bound one generator by a number, if there are any: once their signs are given, more is
-/// known of the others.
+/// Returns the factors that bound one generator by a number, if there are any: after their signs
+/// are given, more is known about the others.
 fn simplest(tower: &Tower, open: Vec<usize>) -> Vec<usize> {
     let is_bound = |&base: &usize| {
         let polynomial = &tower.base(base).polynomial;
@@ -250,7 +255,7 @@ pub(crate) fn is_at_most(pool: &mut Pool, a: Expr, b: Expr, conditions: &[Condit
     (difference.is_zero() || sign.flatten() == Some(Sign::Positive)) && tower.holds_everywhere()
 }
 
-/// Where an angle lies wherever the conditions hold; nothing where that is not known.
+/// Returns the range of an angle wherever the conditions hold; unbounded where it is not known.
 pub(crate) fn range_of(pool: &mut Pool, angle: Expr, conditions: &[Condition]) -> Range {
     let assumptions = Assumptions::new(pool, conditions);
     let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(CHEAP_WORK);
@@ -258,7 +263,8 @@ pub(crate) fn range_of(pool: &mut Pool, angle: Expr, conditions: &[Condition]) -
     if tower.holds_everywhere() { range } else { Range::default() }
 }
 
-/// Whether an expression is known to be zero wherever it is defined; a cheap question, so that no is no answer.
+/// Whether an expression is known to be zero wherever it is defined. The test is cheap: `false`
+/// decides nothing.
 pub(crate) fn vanishes(pool: &Pool, expression: Expr) -> bool {
     let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(CHEAP_WORK);
     let Ok(prepared) = normalise(&mut tower, pool, &[expression]) else { return false };
@@ -267,11 +273,11 @@ pub(crate) fn vanishes(pool: &Pool, expression: Expr) -> bool {
         && tower.holds_everywhere()
 }
 
-/// What conditions say while some signs are given.
+/// Consequences of conditions under given signs.
 struct Knowledge {
     facts: Facts,
     constraints: Vec<Constraint>,
-    /// The open signs that conditions depend on.
+    /// The open signs on which conditions depend.
     open: Vec<usize>,
 }
 
@@ -288,7 +294,7 @@ impl Knowledge {
         Knowledge { facts, constraints: Vec::new(), open: Vec::new() }
     }
 
-    /// The given factors and, unless there are too many, those the constraints speak of.
+    /// Returns the given factors and, unless there are too many, the factors in the constraints.
     fn factors(&self, given: &[(usize, Sign)]) -> Vec<usize> {
         let given: Vec<usize> = given.iter().map(|entry| entry.0).collect();
         let mut all = given.clone();
@@ -306,13 +312,14 @@ impl Constraint {
         self.product.odd.iter().chain(&self.product.other).copied()
     }
 
-    /// Whether one of its factors has been replaced by finer ones, which leaves it without meaning.
+    /// Whether one of its factors has been replaced by finer ones, which makes the constraint
+    /// meaningless.
     fn speaks_of_retired(&self, tower: &Tower) -> bool {
         self.bases().any(|base| tower.base(base).is_retired())
     }
 }
 
-/// `difference relation 0` as a constraint on factors.
+/// Returns `difference relation 0` as a constraint on factors.
 fn constraint(
     tower: &mut Tower,
     difference: &Fraction,
@@ -337,7 +344,8 @@ fn constraint(
     Ok(Some(Constraint { product, strict }))
 }
 
-/// The factors that matter and those that share a constraint with one.
+/// Returns the region of the factors that matter and of all factors that share a constraint with
+/// one of these.
 fn assemble(tower: &Tower, knowledge: Knowledge, given: &[(usize, Sign)], factors: Vec<usize>) -> Region {
     let is_number = |number: &usize| tower.base(*number).polynomial.as_constant().is_some();
     let mut factors: Vec<usize> = factors;

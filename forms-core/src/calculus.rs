@@ -7,8 +7,9 @@
 //!   Form, Field ── wedge  power  exterior  interior  lie  pullback ──▶ Form, Field
 //!   Metric ─────── hodge  musical  gradient ────────────────────────────▶ Form, Field
 //! ```
-//! One definition of each operation serves both kinds of coefficients. Conventions (orientation, signs) are
-//! those of `docs/conventions.md`; only `metric`, `hodge`, `musical` and `gradient` know lengths.
+//! Each operation has one definition for both kinds of coefficients. The conventions (orientation,
+//! signs) are listed in `docs/conventions.md`; only `metric`, `hodge`, `musical` and `gradient`
+//! depend on lengths.
 
 mod blade;
 mod coefficient;

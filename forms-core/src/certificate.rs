@@ -1,11 +1,11 @@
-//! Certificates: what has to be known to check verdicts without trusting the prover.
+//! Certificates: the data needed to check verdicts without trusting the prover.
 //!
 //! ```text
 //! proof, observed ─▶ bases of radicands, units, cases of signs with reasons ─▶ lines
 //! refutation      ─▶ the point, the component, both values                  ─▶ lines
 //! ```
-//! The format is described in `docs/certificates.md`; `forms-check` reads it. Generators are written as
-//! expressions of the language, so that a checker can name them in its own way.
+//! The format is described in `docs/certificates.md`; `forms-check` reads it. Generators are
+//! written as expressions of the language, so that a checker can name them in its own way.
 
 mod reason;
 mod writer;
@@ -21,19 +21,20 @@ use writer::Writer;
 /// The first line of a certificate.
 pub const HEADER: &str = "forms certificate 1\n";
 
-/// The lines that begin the entries of one file, which the reader finds by that name.
+/// Returns the lines that begin the entries of one file; the reader finds the file by this name.
 pub fn file_lines(name: &str, text: &str) -> String {
     format!("\nfile {name}\nhash {:016x}\n", fnv1a(text))
 }
 
-/// FNV-1a, 64 bits: it tells a changed file.
+/// FNV-1a hash, 64 bits, which detects a changed file.
 fn fnv1a(text: &str) -> u64 {
     let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
     text.bytes().fold(0xcbf2_9ce4_8422_2325, step)
 }
 
-/// An antiderivative for each range that is integrated over in a file, and why its derivative is the integrand; nothing
-/// but the place where none was found or the proof cannot be written.
+/// Writes an antiderivative for each range of integration in a file, with the proof that its
+/// derivative is the integrand. Only the place is written where no antiderivative was found or the
+/// proof cannot be written.
 pub fn antiderivatives(theory: &mut Theory) -> String {
     let mut lines = String::new();
     for integration in theory.integrations.clone() {
@@ -52,7 +53,7 @@ pub fn antiderivatives(theory: &mut Theory) -> String {
     lines
 }
 
-/// The entry of one decided statement.
+/// Returns the entry of one decided statement.
 pub fn entry(theory: &mut Theory, statement: &Statement, verdict: &Verdict) -> String {
     let name = &statement.name;
     match verdict {
@@ -80,16 +81,17 @@ pub fn entry(theory: &mut Theory, statement: &Statement, verdict: &Verdict) -> S
     }
 }
 
-/// Whoever is told how a proof goes.
+/// Receiver of the steps of a proof.
 pub(crate) trait Observer {
-    /// The differences, expressions of this pool, are zero in this case.
+    /// The differences, which are expressions of this pool, are zero in this case.
     fn zero(&mut self, pool: &Pool, tower: &Tower, differences: &[Expr]);
     /// In this case a side divides by zero everywhere.
     fn undefined(&mut self);
-    /// The proof goes on by cases; the factors they rest on, those told apart first.
+    /// The proof continues by cases; `factors` are the factors on which they rest, first those
+    /// whose signs distinguish the cases.
     fn split(&mut self, tower: &Tower, factors: &[usize], facts: &Facts, cases: &[Vec<(usize, Sign)>]);
     /// One of the cases begins.
     fn case(&mut self, signs: &[(usize, Sign)]);
-    /// The cases are through.
+    /// All cases of the last split are complete.
     fn end(&mut self);
 }

@@ -1,17 +1,17 @@
 //! Deciding statements: an exact proof, an exact counterexample, or neither.
 //!
 //! ```text
-//! statement ─▶ differences by component + what may be assumed
+//! statement ─▶ differences by component + assumptions
 //!      │ witness: exact points, values enclosed            ─▶ Refuted
 //!      └ normal forms, zero in every case                  ─▶ Proved
 //!                                                     else ─▶ Unknown
 //! ```
-//! A glance in machine words comes first: where it is certain of a point at which the sides may agree, the normal
-//! forms are asked before any other point is looked at.
+//! A quick check in machine words comes first: if it is certain of a point at which the sides may
+//! agree, the normal forms are computed before any other point is tried.
 //!
-//! A proof never rests on a sample, a refutation never on a normal form: each has an argument of its own. A
-//! few points are looked at first, since a false statement is refuted by almost any point; a proved one needs
-//! a point as well, to show that it speaks of something.
+//! A proof never rests on a sample, and a refutation never on a normal form: each has its own
+//! argument. A few points are tried first, since almost any point refutes a false statement; a
+//! proved statement needs a point as well, to show that it is not vacuous.
 
 mod account;
 mod angle;
@@ -55,7 +55,7 @@ use crate::steps;
 use crate::syntax::ast::Relation;
 use problem::Problem;
 
-/// The products of terms that one normal form of a retraced proof may cost.
+/// Limit on the products of terms in one normal form of a retraced proof.
 const RETRACED_WORK: u64 = 2_000_000;
 
 /// Decides one statement.
@@ -73,7 +73,7 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
     decide_with_effort(theory, statement, 1)
 }
 
-/// Decides one statement with so many times the usual steps, which are about a second of work.
+/// Decides one statement with `effort` times the usual steps, which are about a second of work.
 pub fn decide_with_effort(theory: &mut Theory, statement: &Statement, effort: u32) -> Verdict {
     let granted = steps::STATEMENT.saturating_mul(effort.max(1).into());
     steps::limited(granted, || decide_within(theory, statement, effort.max(1)))
@@ -85,7 +85,7 @@ fn decide_within(theory: &mut Theory, statement: &Statement, effort: u32) -> Ver
     }
     let problem = Problem::new(theory, statement);
     let found = finding::find(&mut theory.pool, &problem, Effort::STATEMENT.times(effort));
-    // At a point of a refutation the value that is known holds.
+    // At the point of a refutation the known value of an integral holds.
     if !matches!(found, Finding::Different(_) | Finding::Unknown { .. })
         && let Some(reason) = narrowed(theory, &problem)
     {
@@ -105,12 +105,14 @@ fn decide_within(theory: &mut Theory, statement: &Statement, effort: u32) -> Ver
     }
 }
 
-/// Why a value that is known under a condition says too little: where the condition fails, the statement may speak of
-/// points that are limits of no others.
+/// Returns the reason why an integral that is known only under a condition does not decide the
+/// statement: where the condition fails, the statement may include points that are not limits of
+/// other points.
 ///
-/// A condition that follows from the others takes no point away. Any other is one of a theorem, as for an integral of
-/// cos(k x) the k ≠ 0, if the points that meet the rest form an open set, in which k is zero nowhere dense: those left are
-/// dense in it, and both sides are continuous.
+/// A condition that follows from the others removes no point. Any other condition, such as k ≠ 0
+/// for an integral of cos(k x), is a legitimate condition of a theorem if the points that meet the
+/// rest form an open set in which the zeros of k are nowhere dense: the remaining points are dense
+/// in it, and both sides are continuous.
 fn narrowed(theory: &mut Theory, problem: &Problem) -> Option<String> {
     let stated = &problem.assumptions[..problem.stated];
     let is_narrowing =
@@ -125,7 +127,8 @@ fn narrowed(theory: &mut Theory, problem: &Problem) -> Option<String> {
         return None;
     }
     let has_limits = is_open(pool, &others, &sides);
-    // A condition that is not defined everywhere may contain the integral itself, with what it divides by.
+    // A condition that is not defined everywhere may contain the integral itself, together with its
+    // divisors.
     let plain: Vec<Condition> =
         stated.iter().copied().filter(|c| is_defined_without_divisors(pool, c)).collect();
     let open = narrowing.into_iter().find(|condition| {
@@ -137,14 +140,14 @@ fn narrowed(theory: &mut Theory, problem: &Problem) -> Option<String> {
     Some(format!("an integral in it is known where `{}` only", open.text(pool)))
 }
 
-/// Whether a condition is defined whatever divisors are.
+/// Whether a condition is defined without requiring that a divisor is not zero.
 fn is_defined_without_divisors(pool: &mut Pool, condition: &Condition) -> bool {
     let domain = pool.domain(&[condition.left, condition.right]);
     domain.iter().all(|needed| needed.relation != Relation::NotEqual)
 }
 
-/// Whether a ≠ b follows from other conditions: from one of them with the same difference up to its sign, or since a = b
-/// contradicts them.
+/// Whether a ≠ b follows from other conditions: from one of them with the same difference up to its
+/// sign, or because a = b contradicts them.
 pub(crate) fn is_implied(pool: &mut Pool, condition: &Condition, others: &[Condition]) -> bool {
     let Condition { left, right, .. } = *condition;
     let difference = pool.subtract(left, right);
@@ -164,13 +167,14 @@ pub(crate) fn is_implied(pool: &mut Pool, condition: &Condition, others: &[Condi
     finding::contradiction(pool, &both).is_some()
 }
 
-/// Proves a statement again, telling an observer how; whether it is proved.
+/// Proves a statement again, reports the steps to an observer, and returns whether it is proved.
 pub(crate) fn retrace(theory: &mut Theory, statement: &Statement, observer: &mut dyn Observer) -> bool {
     let problem = Problem::new(theory, statement);
     retrace_problem(&mut theory.pool, &problem, observer)
 }
 
-/// Proves anew that the derivative of an antiderivative is the integrand, telling an observer how.
+/// Proves again that the derivative of an antiderivative is the integrand, and reports the steps to
+/// an observer.
 pub(crate) fn retrace_integration(
     pool: &mut Pool,
     integration: &Integration,
@@ -191,7 +195,7 @@ fn retrace_problem(pool: &mut Pool, problem: &Problem, observer: &mut dyn Observ
     proof::settled_cases(pool, problem, &mut tower, Some(observer)).is_some()
 }
 
-/// What a verdict on a statement assumes, the texts of which it carries.
+/// Returns the conditions that a verdict on a statement assumes; the verdict carries their texts.
 pub fn conditions(theory: &mut Theory, statement: &Statement) -> Vec<Condition> {
     let problem = Problem::new(theory, statement);
     report::conditions(&mut theory.pool, &problem)

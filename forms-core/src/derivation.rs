@@ -1,10 +1,11 @@
-//! Derivations: why a statement holds or fails, in steps that a person can follow.
+//! Derivations: the reasons why a statement holds or fails, in steps that a person can follow.
 //!
 //! ```text
 //! source ─ resolve, every value noted ─▶ definitions, calculus ─┐
 //! statement ─ decide ─▶ verdict ─ account of the proof ─────────┴─▶ steps ─▶ text · LaTeX
 //! ```
-//! Nothing is decided here: a derivation shows what the engine did, in the order in which a reader would check it.
+//! A derivation decides nothing: it shows the steps of the engine in the order in which a reader
+//! would check them.
 
 mod calculus;
 mod conclusion;
@@ -28,20 +29,20 @@ use scribe::Scribe;
 pub struct Derivation {
     /// The statement's name.
     pub name: String,
-    /// What was decided.
+    /// The verdict on the statement.
     pub verdict: Verdict,
-    /// Whether that is what the statement claims.
+    /// Whether the verdict agrees with the claim of the statement.
     pub ok: bool,
     /// The steps in order.
     pub steps: Vec<Step>,
 }
 
-/// One step: what is done, and what comes of it.
+/// One step: an action and its result.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// What is done.
+    /// Title that names the action.
     pub title: String,
-    /// What comes of it.
+    /// Lines of the result.
     pub lines: Vec<Line>,
 }
 
@@ -60,7 +61,8 @@ impl Step {
     }
 }
 
-/// Derives one statement of a source that has no errors; nothing if it has no statement of that name.
+/// Derives one statement of a source that has no errors; `None` if it has no statement of that
+/// name.
 ///
 /// ```
 /// use forms_core::derivation::derive;
@@ -96,7 +98,7 @@ pub fn derive(source: &Source, name: &str) -> Option<Derivation> {
     Some(Derivation { name: name.to_owned(), verdict, ok, steps })
 }
 
-/// The statements that follow from the warps of a source.
+/// Returns the statements that follow from the warps of a source.
 fn claims_of_warps(file: &File, theory: &Theory) -> Vec<Item> {
     let claims = |item: &Item| {
         let ItemKind::Warp(warp) = &item.kind else { return Vec::new() };
@@ -106,7 +108,7 @@ fn claims_of_warps(file: &File, theory: &Theory) -> Vec<Item> {
     file.items.iter().flat_map(claims).collect()
 }
 
-/// The item of a statement.
+/// Returns the item of a statement.
 fn claim<'a>(file: &'a File, wanted: &str) -> Option<&'a ItemKind> {
     let kinds = file.items.iter().map(|item| &item.kind);
     kinds.into_iter().find(|kind| matches!(kind, ItemKind::Statement { name, .. } if name.text == wanted))

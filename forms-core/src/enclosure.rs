@@ -1,4 +1,4 @@
-//! Rigorous enclosures of real numbers, by which signs are decided and witnesses checked.
+//! Rigorous enclosures of real numbers, which decide signs and check witnesses.
 //!
 //! ```text
 //! a pool's expressions ─┐
@@ -6,10 +6,10 @@
 //!                                     ├ an exact rational, while it stays short
 //!                                     └ [lower, upper]·2⁻ᵖ, every operation rounded outward
 //! ```
-//! Before that, ranges in machine words decide what a glance can decide.
+//! Ranges in machine words come first and decide the easy cases.
 //!
-//! The true value always lies in the enclosure; a higher precision p makes the enclosure narrower. Nothing
-//! here is computed in floating point; `f64` appears only where a result leaves the module.
+//! The true value always lies in the enclosure; a higher precision p makes the enclosure narrower.
+//! Nothing here is computed in floating point; `f64` appears only where a result leaves the module.
 
 mod arithmetic;
 mod bounds;

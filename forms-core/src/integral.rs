@@ -1,16 +1,16 @@
-//! Definite integrals over one range: an antiderivative, checked, and its values at the ends.
+//! Definite integrals over one range: a verified antiderivative, and its values at the ends.
 //!
 //! ```text
 //! integrand ─ normal form under the conditions ─┬─ polynomial and waves of one frequency ─▶ moments
 //!                                               └─ search: partial fractions, exponentials, roots, substitution,
-//!                                                     parts, derivatives of what unknown functions occur in
+//!                                                     parts, derivatives of expressions in unknown functions
 //!                                                     ─▶ A(x) ─ A′ = f? ─ continuous on [a, b]? ─▶ A(b) − A(a)
 //!           |q| ─▶ pieces between the zeros of q
 //!           unknown functions, no derivative ─▶ products ─▶ primitives Φ(b) − Φ(a)
 //! ```
-//! The search may do what it likes: nothing is believed of an antiderivative but what its derivative and its
-//! continuity show. Continuous on the closed range and differentiable inside, with A′ = f, it gives the integral, the
-//! improper one too.
+//! The search need not be rigorous: an antiderivative is accepted only by its derivative and its
+//! continuity. If it is continuous on the closed range and differentiable inside, with A′ = f, it
+//! gives the integral, also an improper one.
 
 mod bernstein;
 mod ends;
@@ -39,7 +39,7 @@ use crate::assume::{Assumptions, Cases};
 use crate::expression::{Condition, Expr, Pool};
 use crate::normal::{Fraction, Tower, Trigonometry, normalise};
 
-/// Why there is no antiderivative, in words.
+/// Reason why there is no antiderivative, in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Failure(pub(crate) String);
 
@@ -55,8 +55,8 @@ impl From<&str> for Failure {
     }
 }
 
-/// The normal form where the conditions hold; roots in it must have one sign only, and none of a sine or cosine may be
-/// left.
+/// Returns the normal form where the conditions hold. Roots in it must have a single sign, and no
+/// root of a sine or cosine is allowed to remain.
 fn normal_form(
     pool: &mut Pool,
     tower: &mut Tower,
@@ -73,7 +73,8 @@ fn normal_form(
     Ok(normal)
 }
 
-/// The expression through its normal form, in which powers of a root have met; as it is if it has none.
+/// Returns the expression through its normal form, in which powers of a root are combined;
+/// unchanged if it has no normal form.
 fn tidied(pool: &mut Pool, expression: Expr, conditions: &[Condition]) -> Expr {
     let mut tower = Tower::new(Trigonometry::Circle);
     match normal_form(pool, &mut tower, expression, conditions) {
@@ -82,7 +83,7 @@ fn tidied(pool: &mut Pool, expression: Expr, conditions: &[Condition]) -> Expr {
     }
 }
 
-/// The normal form, perhaps in half-angle tangents.
+/// Returns the normal form, possibly in half-angle tangents.
 fn any_normal_form(
     pool: &mut Pool,
     tower: &mut Tower,

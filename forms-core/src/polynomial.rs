@@ -6,11 +6,12 @@
 //!                    ▼
 //!                 sorted monomials + coefficients, on the narrowest layout and the lowest rung
 //! ```
-//! Layout and rung are functions of the value, so equality and hashing compare what is stored. Variables are
-//! numbers from 0; terms are ordered lexicographically with variable 0 the greatest, the leading term first.
-//! A term takes room for every variable up to the polynomial's last, so variables are best numbered densely.
-//! Exponents reach 2³¹ − 1; callers that fear more, or more terms than fit in memory, ask
-//! [`Polynomial::product_size_bound`] and [`Polynomial::exponent_bound`] before they multiply.
+//! Layout and rung are functions of the value, so equality and hashing compare the stored data.
+//! Variables are numbers from 0; terms are ordered lexicographically with variable 0 the greatest,
+//! the leading term first. A term takes space for every variable up to the polynomial's last, so
+//! variables are best numbered densely. Exponents reach 2³¹ − 1. Callers that expect larger
+//! exponents, or more terms than fit in memory, call [`Polynomial::product_size_bound`] and
+//! [`Polynomial::exponent_bound`] before they multiply.
 
 mod arithmetic;
 mod basis;
@@ -40,7 +41,7 @@ use std::fmt;
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Polynomial {
     layout: Layout,
-    /// `layout.words` words a term, in decreasing order.
+    /// Packed monomials, `layout.words` words per term, in decreasing order.
     monomials: Vec<u64>,
     coefficients: Coefficients,
 }
@@ -60,7 +61,7 @@ impl Polynomial {
         Self::integer(1)
     }
 
-    /// An integer.
+    /// Returns an integer as a polynomial.
     pub fn integer(number: i64) -> Self {
         if number == 0 {
             return Self::zero();
@@ -69,17 +70,17 @@ impl Polynomial {
         Polynomial { layout: Layout::CONSTANT, monomials: Vec::new(), coefficients }
     }
 
-    /// An integer of any size.
+    /// Returns an integer of any size as a polynomial.
     pub fn constant(number: BigInt) -> Self {
         Self::from_terms([(Vec::new(), number)])
     }
 
-    /// The variable with this number.
+    /// Returns the variable with this number.
     pub fn variable(index: u32) -> Self {
         Self::monomial_of(&[(index, 1)])
     }
 
-    /// ∏ xᵢ^eᵢ over different variables, with exponents above 0.
+    /// Returns ∏ xᵢ^eᵢ over different variables, with exponents above 0.
     ///
     /// # Panics
     /// If an exponent is beyond 2³¹ − 1.
@@ -108,12 +109,12 @@ impl Polynomial {
         self.layout.words == 0
     }
 
-    /// The value of a constant.
+    /// Returns the value of a constant.
     pub fn as_constant(&self) -> Option<BigInt> {
         self.is_constant().then(|| self.leading_coefficient())
     }
 
-    /// The value of a constant other than 0 that fits 64 bits.
+    /// Returns the value of a constant other than 0 that fits in 64 bits.
     fn as_small_constant(&self) -> Option<i64> {
         match &self.coefficients {
             Coefficients::Small(numbers) if self.is_constant() => numbers.first().copied(),
@@ -121,17 +122,17 @@ impl Polynomial {
         }
     }
 
-    /// The number of terms.
+    /// Returns the number of terms.
     pub fn term_count(&self) -> usize {
         self.coefficients.len()
     }
 
-    /// The number of 64-bit words of its coefficients, at least one for each term.
+    /// Returns the number of 64-bit words of its coefficients, at least one for each term.
     pub(crate) fn word_count(&self) -> u64 {
         self.coefficients.word_count()
     }
 
-    /// The coefficient of the leading term; 0 for 0.
+    /// Returns the coefficient of the leading term; 0 for 0.
     pub fn leading_coefficient(&self) -> BigInt {
         if self.is_zero() { BigInt::zero() } else { self.coefficients.get(0) }
     }
@@ -141,7 +142,7 @@ impl Polynomial {
         !self.is_zero() && self.coefficients.is_negative(0)
     }
 
-    /// The greatest exponent of a variable; 0 for 0.
+    /// Returns the greatest exponent of a variable; 0 for 0.
     pub fn degree(&self, variable: u32) -> u32 {
         let Some((word, shift)) = self.layout.field(variable) else { return 0 };
         let mask = self.layout.mask();
@@ -149,7 +150,7 @@ impl Polynomial {
         exponents.max().unwrap_or(0) as u32
     }
 
-    /// The greatest sum of a term's exponents; 0 for 0, `u32::MAX` where it is beyond.
+    /// Returns the greatest sum of a term's exponents; 0 for 0, and `u32::MAX` if it is larger.
     pub fn total_degree(&self) -> u32 {
         let degrees = (0..self.term_count()).map(|term| {
             let exponents = self.layout.unpack(self.monomial(term));
@@ -158,7 +159,7 @@ impl Polynomial {
         u32::try_from(degrees.max().unwrap_or(0)).unwrap_or(u32::MAX)
     }
 
-    /// A bound of every exponent, which is exact from 2¹⁵ on and costs nothing below.
+    /// Returns a bound on every exponent, which is exact from 2¹⁵ on and costs nothing below.
     pub fn exponent_bound(&self) -> u32 {
         if self.layout.bits < 32 {
             return (1 << (self.layout.bits - 1)) - 1;
@@ -166,12 +167,12 @@ impl Polynomial {
         self.degrees().into_iter().max().unwrap_or(0)
     }
 
-    /// The 64-bit words of the longest coefficient, at least 1.
+    /// Returns the number of 64-bit words of the longest coefficient, at least 1.
     pub fn coefficient_words(&self) -> u64 {
         self.coefficients.words()
     }
 
-    /// The variables that occur, in increasing order.
+    /// Returns the variables that occur, in increasing order.
     pub fn variables(&self) -> Vec<u32> {
         let mut union = vec![0; self.layout.words];
         for term in 0..self.term_count() {
@@ -187,13 +188,13 @@ impl Polynomial {
         self.degree(variable) != 0
     }
 
-    /// The packed monomial of a term.
+    /// Returns the packed monomial of a term.
     #[inline(always)]
     fn monomial(&self, term: usize) -> &[u64] {
         &self.monomials[term * self.layout.words..(term + 1) * self.layout.words]
     }
 
-    /// The greatest exponent of each field of the layout.
+    /// Returns the greatest exponent of each field of the layout.
     fn degrees(&self) -> Vec<u32> {
         let mut degrees = vec![0; self.layout.fields()];
         let (bits, mask) = (self.layout.bits, self.layout.mask());

@@ -1,4 +1,5 @@
-//! Closed but not exact: whether a closed form has a potential on its domain, and if not, the cycle that shows it.
+//! Closed but not exact: whether a closed form has a potential on its domain, and if not, the cycle
+//! that shows it.
 //!
 //! ```text
 //! form ─ d w == 0 ─▶ closed
@@ -7,10 +8,11 @@
 //!       a hole       ─▶ cycle ─ integral ─▶ period ─┬─ 0 ─▶ a potential
 //!                                                   └─ c ─▶ none; one off a cut
 //! ```
-//! By Poincaré's lemma every closed form on a star-shaped domain is exact. ℝⁿ without a linear subspace of codimension m
-//! contracts onto the sphere Sᵐ⁻¹ around it; a closed form of degree m − 1 ≥ 1 is exact there if its integral over that
-//! sphere is zero, and a closed form of any other degree ≥ 1 is exact (de Rham's theorem). Whatever is reported is a
-//! statement of the language, decided as any other.
+//! By Poincaré's lemma every closed form on a star-shaped domain is exact. ℝⁿ without a linear
+//! subspace of codimension m contracts onto the sphere Sᵐ⁻¹ around it; a closed form of degree m −
+//! 1 ≥ 1 is exact there if its integral over that sphere is zero, and a closed form of any other
+//! degree ≥ 1 is exact (de Rham's theorem). Everything that is reported is a statement of the
+//! language, decided like any other statement.
 
 mod cycle;
 mod potential;
@@ -28,16 +30,16 @@ use crate::syntax::Source;
 use session::Session;
 use shape::{Hole, Shape};
 
-/// A form under study.
+/// The form to study.
 struct Study {
     name: String,
     form: Form<Expr>,
     chart: usize,
-    /// The domain: the chart's conditions, and where the form is defined.
+    /// The domain: the chart's conditions, and the conditions under which the form is defined.
     conditions: Vec<Condition>,
 }
 
-/// What is known of the potentials of a form in a source without errors.
+/// Reports the potentials of a form in a source without errors.
 ///
 /// ```
 /// use forms_core::syntax::Source;
@@ -48,7 +50,7 @@ struct Study {
 /// ```
 ///
 /// # Errors
-/// If there is no form of that name, or no one chart that it lives on.
+/// If there is no form of that name, or no unique chart for it.
 pub fn topology(source: &Source, name: &str) -> Result<Report, String> {
     let session = Session::new(source)?;
     let study = study(&session, name)?;
@@ -111,7 +113,7 @@ fn around(session: &Session, study: &Study, hole: &Hole, report: &mut Report) {
     }
 }
 
-/// The form of that name and the chart it lives on.
+/// Returns the form of that name and its chart.
 fn study(session: &Session, name: &str) -> Result<Study, String> {
     let theory = &session.theory;
     let (form, domain) = match theory.named(name) {
@@ -145,7 +147,7 @@ fn study(session: &Session, name: &str) -> Result<Study, String> {
     }
 }
 
-/// What is studied: degree, chart and domain.
+/// Describes the form: degree, chart and domain.
 fn introduction(session: &Session, study: &Study, conditions: &[String]) -> String {
     let theory = &session.theory;
     let chart = &theory.charts[study.chart];
@@ -173,7 +175,8 @@ impl Report {
         self.lines.push(Line::Item(item.to_owned()));
     }
 
-    /// A proved statement with the conditions it needs beyond those of the domain.
+    /// Adds a proved statement with the conditions it needs in addition to the conditions of the
+    /// domain.
     fn proved(&mut self, statement: &str, beyond: &[String]) {
         self.lines.push(Line::Proved { statement: statement.to_owned(), beyond: beyond.to_vec() });
     }

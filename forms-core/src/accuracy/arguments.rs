@@ -1,17 +1,17 @@
-//! Arguments of each regime, drawn before it is known whether they lie in the domain.
+//! Arguments of each regime, drawn before the test whether they lie in the domain.
 
 use super::edges::Edges;
 use super::ordinal::Width;
 use super::regime::Regime;
 use crate::random::SplitMix;
 
-/// Typical sizes reach from 2⁻ⁿ to 2ⁿ.
+/// Typical sizes lie between 2⁻ⁿ and 2ⁿ.
 const TYPICAL_EXPONENT: i32 = 6;
 
-/// Powers of two at which zeros of the formula's parts are looked between.
+/// Exponents of the powers of two between which zeros of the formula's parts are searched for.
 const GRID_EXPONENTS: std::ops::RangeInclusive<i32> = -24..=24;
 
-/// A sequence of arguments of one kernel, the same for the same seed.
+/// A deterministic sequence of arguments of one kernel: the same seed gives the same arguments.
 pub(super) struct Arguments<'a> {
     pub(super) edges: &'a Edges,
     pub(super) width: Width,
@@ -19,7 +19,7 @@ pub(super) struct Arguments<'a> {
 }
 
 impl Arguments<'_> {
-    /// The next arguments of a regime; none where the kernel has no such regime.
+    /// Returns the next arguments of a regime; `None` if the kernel has no such regime.
     pub(super) fn next(&mut self, regime: Regime) -> Option<Vec<f64>> {
         let drawn = match regime {
             Regime::Typical => self.typical(),
@@ -34,7 +34,7 @@ impl Arguments<'_> {
         Some(drawn.into_iter().map(|value| self.width.round(value)).collect())
     }
 
-    /// In [0, 1).
+    /// Returns a random number in [0, 1).
     fn unit(&mut self) -> f64 {
         (self.random.next() >> 11) as f64 * 2f64.powi(-53)
     }
@@ -51,7 +51,7 @@ impl Arguments<'_> {
         if self.coin() { 1.0 } else { -1.0 }
     }
 
-    /// 2ˣ with x between two numbers
+    /// Returns 2ˣ with a random x between two numbers.
     fn power_of_two(&mut self, from: f64, to: f64) -> f64 {
         (from + (to - from) * self.unit()).exp2()
     }
@@ -60,7 +60,8 @@ impl Arguments<'_> {
         (0..self.edges.ranges.len()).map(|argument| self.typical_value(argument)).collect()
     }
 
-    /// Evenly over a short range; else of moderate size, counted from an end where zero is not in the range.
+    /// Draws a value uniformly over a short range; otherwise of moderate size, measured from an end
+    /// of the range if the range does not contain zero.
     fn typical_value(&mut self, argument: usize) -> f64 {
         let size = self.power_of_two(-f64::from(TYPICAL_EXPONENT), f64::from(TYPICAL_EXPONENT));
         let (lower, upper) = self.edges.ranges[argument];
@@ -92,13 +93,14 @@ impl Arguments<'_> {
         ranges.into_iter().map(draw).collect()
     }
 
-    /// How far from a hard place: from half its size to below one unit in its last place.
+    /// Returns a distance from a hard place: from half its size to below one unit in its last
+    /// place.
     fn distance(&mut self, size: f64) -> f64 {
         let places = f64::from(self.width.mantissa() + 4);
         size * self.power_of_two(-places, -1.0)
     }
 
-    /// One argument or several close to an end of their range.
+    /// Draws a point with one or several arguments close to an end of their range.
     fn at_an_end(
         &mut self,
         end: impl Fn(&(Option<f64>, Option<f64>)) -> Option<f64>,
@@ -120,7 +122,8 @@ impl Arguments<'_> {
         Some(point)
     }
 
-    /// The arguments of groups close to each other, or moved away from zero together.
+    /// Draws a point where the arguments of groups are close to each other, or are moved away from
+    /// zero together.
     fn coincident(&mut self) -> Option<Vec<f64>> {
         if self.edges.groups.is_empty() {
             return None;
@@ -147,7 +150,7 @@ impl Arguments<'_> {
         Some(point)
     }
 
-    /// One argument close to where a part of the formula vanishes.
+    /// Draws a point with one argument close to a zero of a part of the formula.
     fn singular(&mut self) -> Option<Vec<f64>> {
         if self.edges.parts() == 0 || self.edges.ranges.is_empty() {
             return None;
@@ -165,7 +168,8 @@ impl Arguments<'_> {
         Some(point)
     }
 
-    /// Powers of two of both signs and zero, as far as the argument's range goes, in order.
+    /// Returns powers of two of both signs and zero, within the argument's range, in ascending
+    /// order.
     fn grid(&mut self, argument: usize) -> Vec<f64> {
         let (lower, upper) = self.edges.ranges[argument];
         let shift = self.power_of_two(0.0, 1.0);
@@ -181,7 +185,8 @@ impl Arguments<'_> {
         grid
     }
 
-    /// Some arguments multiplied by a large or a small number, where their range lets them.
+    /// Draws a point with some arguments multiplied by a large or a small number, if their range
+    /// allows it.
     fn scaled(&mut self, direction: i32) -> Option<Vec<f64>> {
         let can_grow = |range: &(Option<f64>, Option<f64>)| match direction {
             1 => range.0.is_none() || range.1.is_none(),
@@ -195,7 +200,8 @@ impl Arguments<'_> {
         let mut point = self.typical();
         let reach = f64::from(self.width.largest_exponent() - TYPICAL_EXPONENT);
         let from = f64::from(TYPICAL_EXPONENT);
-        // half of the time up to the fourth root of the range, where squares and products are still in it
+        // in half of the draws only up to the fourth root of the range, where squares and products
+        // stay in range
         let reach = if self.coin() { reach / 4.0 } else { reach };
         let factor = self.power_of_two(from, reach);
         let factor = if direction > 0 { factor } else { factor.recip() };

@@ -1,4 +1,4 @@
-//! Edges: the ends of the arguments' ranges, and what of a formula vanishes inside them.
+//! Edges: the ends of the arguments' ranges, and the parts of a formula that vanish inside them.
 
 use crate::decide::simple_bounds;
 use crate::expression::{Condition, Expr, Node, Operation, Pool, Symbol};
@@ -6,15 +6,15 @@ use crate::kernel::{KernelSource, Program, lower, nearest_f64};
 use crate::resolve::Kernel;
 use rustc_hash::FxHashSet;
 
-/// More parts of a formula than this are not watched.
+/// Limit on the number of tracked parts of a formula.
 const MOST_PARTS: usize = 200;
 
-/// The steps by which a zero between two numbers is closed in.
+/// Number of steps that close in on a zero between two numbers.
 const CLOSING_STEPS: usize = 90;
 
-/// What is known of the places where a kernel is hard.
+/// Places where a kernel is hard to compute accurately.
 pub(super) struct Edges {
-    /// The least and the greatest value of each argument, where the domain says.
+    /// The least and the greatest value of each argument, if the domain bounds it.
     pub(super) ranges: Vec<(Option<f64>, Option<f64>)>,
     /// Groups of arguments that are subtracted from each other.
     pub(super) groups: Vec<Vec<usize>>,
@@ -32,13 +32,13 @@ impl Edges {
         Edges { ranges, groups, vanishing: lower(pool, &source).ok() }
     }
 
-    /// How many parts are watched.
+    /// Returns the number of tracked parts.
     pub(super) fn parts(&self) -> usize {
         self.vanishing.as_ref().map_or(0, |program| program.outputs().len())
     }
 
-    /// A value of one argument at which a part vanishes or comes close to it, the others as they are; looked for
-    /// between neighbours of a grid.
+    /// Returns a value of one argument at which a part vanishes or comes close to zero, with the
+    /// other arguments unchanged. The value is searched for between neighbours of a grid.
     pub(super) fn zero(&self, part: usize, argument: usize, point: &[f64], grid: &[f64]) -> Option<f64> {
         let program = self.vanishing.as_ref()?;
         let mut point = point.to_vec();
@@ -63,7 +63,8 @@ impl Edges {
     }
 }
 
-/// The least and the greatest value of each argument of a kernel, where its domain bounds that argument by numbers.
+/// Returns the least and the greatest value of each argument of a kernel, where its domain bounds
+/// that argument by numbers.
 pub fn ranges(pool: &Pool, kernel: &Kernel) -> Vec<(Option<f64>, Option<f64>)> {
     let bounds = simple_bounds(pool, &kernel.domain);
     let range = |argument: &Symbol| {
@@ -74,7 +75,7 @@ pub fn ranges(pool: &Pool, kernel: &Kernel) -> Vec<(Option<f64>, Option<f64>)> {
     kernel.arguments.iter().map(range).collect()
 }
 
-/// Where a function changes its sign between two numbers.
+/// Returns the place where a function changes its sign between two numbers, by bisection.
 fn sign_change(value: &mut impl FnMut(f64) -> f64, mut a: f64, mut b: f64, at_a: f64) -> f64 {
     for _ in 0..CLOSING_STEPS {
         let middle = a + (b - a) / 2.0;
@@ -87,7 +88,8 @@ fn sign_change(value: &mut impl FnMut(f64) -> f64, mut a: f64, mut b: f64, at_a:
     a
 }
 
-/// Where a function's size is least between two numbers, by thirds.
+/// Returns the place where the magnitude of a function is least between two numbers, by ternary
+/// search.
 fn least_size(value: &mut impl FnMut(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
     for _ in 0..CLOSING_STEPS {
         let third = (b - a) / 3.0;
@@ -97,7 +99,8 @@ fn least_size(value: &mut impl FnMut(f64) -> f64, mut a: f64, mut b: f64) -> f64
     a + (b - a) / 2.0
 }
 
-/// Arguments of which functions are subtracted from each other or compared, joined where they share one.
+/// Returns groups of arguments with functions that are subtracted from each other or
+/// compared; groups that share an argument are joined.
 fn groups(pool: &Pool, kernel: &Kernel) -> Vec<Vec<usize>> {
     let argument = |expression: Expr| match pool.symbols_in(&[expression])[..] {
         [symbol] => kernel.arguments.iter().position(|&known| known == symbol),
@@ -127,7 +130,8 @@ fn groups(pool: &Pool, kernel: &Kernel) -> Vec<Vec<usize>> {
     (0..group.len()).map(members).filter(|members| members.len() > 1).collect()
 }
 
-/// Divisors, radicands, arguments of logarithms and their distance from 1, sums, and the margins of the domain.
+/// Returns divisors, radicands, arguments of logarithms and their distance from 1, sums, and the
+/// margins of the domain.
 fn vanishing_parts(pool: &mut Pool, kernel: &Kernel) -> Vec<Expr> {
     let margins: Vec<Expr> =
         kernel.domain.iter().map(|Condition { left, right, .. }| pool.subtract(*left, *right)).collect();

@@ -1,4 +1,5 @@
-//! Formats: what a real number is rounded to, where an enclosure leaves no doubt.
+//! Number formats, and the rounding of a real number to them where an enclosure determines the
+//! result.
 
 use crate::enclosure::Enclosure;
 use crate::expression::Rational;
@@ -7,34 +8,34 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed, Zero};
 
-/// What a value is wanted in.
+/// Requested format of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Format {
     /// The nearest `f32`.
     Single,
     /// The nearest `f64`.
     Double,
-    /// The nearest `f64`, and the nearest `f64` of what that leaves: about 32 digits.
+    /// The nearest `f64`, and the nearest `f64` to the remainder: about 32 digits.
     DoubleDouble,
-    /// So many significant decimal digits.
+    /// This number of significant decimal digits.
     Digits(u32),
 }
 
 /// A value rounded to the nearest in a format, ties to even.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Rounded {
-    /// Of [`Format::Single`].
+    /// A value in [`Format::Single`].
     Single(f32),
-    /// Of [`Format::Double`].
+    /// A value in [`Format::Double`].
     Double(f64),
-    /// Of [`Format::DoubleDouble`]: the value is the sum.
+    /// A value in [`Format::DoubleDouble`]: the sum of both numbers.
     DoubleDouble(f64, f64),
-    /// Of [`Format::Digits`], such as `-1.25e-3`.
+    /// A value in [`Format::Digits`], such as `-1.25e-3`.
     Digits(String),
 }
 
 impl Format {
-    /// A number, rounded.
+    /// Returns a number rounded to this format.
     pub fn of(self, value: &Rational) -> Rounded {
         let (n, d) = (value.numer(), value.denom());
         match self {
@@ -48,7 +49,7 @@ impl Format {
         }
     }
 
-    /// The rounded value, if every number of the enclosure is rounded to it.
+    /// Returns the rounded value, if every number of the enclosure is rounded to it.
     pub(super) fn round(self, enclosure: &Enclosure) -> Option<Rounded> {
         let (lower, upper, denominator) = enclosure.ends();
         let common = |format: Binary| {
@@ -73,13 +74,13 @@ impl Format {
     }
 }
 
-/// The nearest `f64` to n/d − high.
+/// Returns the nearest `f64` to n/d − high.
 fn rest(n: &BigInt, d: &BigInt, high: f64) -> f64 {
     let Some((high_n, high_d)) = Rational::from_float(high).map(Rational::into_raw) else { return 0.0 };
     nearest(&(n * &high_d - high_n * d), &(d * high_d), DOUBLE)
 }
 
-/// n/d to so many significant digits, ties to even: `1.2345e-6`.
+/// Returns n/d to `count` significant digits, ties to even: `1.2345e-6`.
 fn decimal(n: &BigInt, d: &BigInt, count: u32) -> String {
     if n.is_zero() {
         return "0".to_string();

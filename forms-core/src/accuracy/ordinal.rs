@@ -1,6 +1,6 @@
-//! Floating-point numbers counted: how many lie between two of them.
+//! Ordinals of floating-point numbers, which count the numbers between two of them.
 
-/// The numbers that arguments are taken from and results are compared in.
+/// Floating-point format of arguments and of the comparison of results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Width {
     /// `f32`
@@ -10,7 +10,7 @@ pub enum Width {
 }
 
 impl Width {
-    /// How many bits a number has: what a result that is not a number loses.
+    /// Returns the number of bits of a number, which is the loss of a result that is not a number.
     pub fn bits(self) -> f64 {
         match self {
             Width::Single => 32.0,
@@ -18,7 +18,7 @@ impl Width {
         }
     }
 
-    /// The digits of a mantissa.
+    /// Returns the number of digits of the mantissa.
     pub(super) fn mantissa(self) -> i32 {
         match self {
             Width::Single => f32::MANTISSA_DIGITS as i32,
@@ -26,7 +26,7 @@ impl Width {
         }
     }
 
-    /// Powers of two of normal numbers reach from −n to n.
+    /// Returns n such that powers of two from −n to n are normal numbers.
     pub(super) fn largest_exponent(self) -> i32 {
         match self {
             Width::Single => f32::MAX_EXP - 2,
@@ -34,7 +34,7 @@ impl Width {
         }
     }
 
-    /// The nearest number of this width.
+    /// Returns the nearest number of this width.
     pub fn round(self, value: f64) -> f64 {
         match self {
             Width::Single => f64::from(value as f32),
@@ -42,7 +42,7 @@ impl Width {
         }
     }
 
-    /// The number's place among all in order, with 0 at zero.
+    /// Returns the position of a number in the order of all numbers, with 0 at zero.
     pub(crate) fn ordinal(self, value: f64) -> i64 {
         let magnitude = match self {
             Width::Single => i64::from((value as f32).abs().to_bits()),
@@ -51,7 +51,7 @@ impl Width {
         if value.is_sign_negative() { -magnitude } else { magnitude }
     }
 
-    /// The number at a place.
+    /// Returns the number at a position.
     pub(crate) fn at(self, ordinal: i64) -> f64 {
         let magnitude = match self {
             Width::Single => f64::from(f32::from_bits(ordinal.unsigned_abs() as u32)),
@@ -60,7 +60,7 @@ impl Width {
         if ordinal < 0 { -magnitude } else { magnitude }
     }
 
-    /// The largest finite number.
+    /// Returns the largest finite number.
     pub(super) fn largest(self) -> f64 {
         match self {
             Width::Single => f64::from(f32::MAX),
@@ -68,7 +68,7 @@ impl Width {
         }
     }
 
-    /// How far apart neighbours are at a value: the unit in the last place.
+    /// Returns the distance between neighbours at a value: the unit in the last place (ulp).
     pub(super) fn unit(self, value: f64) -> f64 {
         let rounded = self.round(value.abs()).min(self.largest());
         let next = self.ordinal(rounded) + 1;
@@ -79,7 +79,8 @@ impl Width {
         }
     }
 
-    /// log₂(1 + the numbers from one to the other); all bits where the computed one is not a number.
+    /// Returns log₂(1 + the number of steps from one number to the other); all bits if the computed
+    /// one is not a number.
     pub fn bits_between(self, computed: f64, exact: f64) -> f64 {
         if computed.is_nan() {
             return self.bits();

@@ -1,19 +1,20 @@
-//! Regimes: the kinds of arguments that errors are looked at apart for.
+//! Regimes: kinds of arguments whose errors are reported separately.
 
 /// A kind of arguments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Regime {
-    /// Moderate sizes: from about 1/64 to 64 where the domain allows, evenly over it where it is bounded.
+    /// Moderate sizes: from about 1/64 to 64 where the domain allows, uniform over a bounded
+    /// domain.
     Typical,
-    /// Every number of the domain as likely as every other, so all powers of two alike.
+    /// Every number of the domain is equally likely, so all powers of two are too.
     Everywhere,
     /// Close to the lower end of the range of an argument.
     LowerEdge,
     /// Close to the upper end of the range of an argument.
     UpperEdge,
-    /// Arguments that are subtracted from each other close together, or all far from zero.
+    /// Arguments that are subtracted from each other are close together, or all far from zero.
     Coincident,
-    /// Close to where a part of the formula vanishes: a divisor, a radicand, a sum whose terms cancel.
+    /// Close to a zero of a part of the formula: a divisor, a radicand, a sum whose terms cancel.
     Singular,
     /// Arguments of large size.
     Large,
@@ -22,7 +23,7 @@ pub enum Regime {
 }
 
 impl Regime {
-    /// All of them, the typical one first.
+    /// All regimes, the typical one first.
     pub const ALL: [Regime; 8] = [
         Regime::Typical,
         Regime::Everywhere,
@@ -34,7 +35,7 @@ impl Regime {
         Regime::Small,
     ];
 
-    /// Its name.
+    /// Returns the name of the regime.
     pub fn name(self) -> &'static str {
         match self {
             Regime::Typical => "typical",

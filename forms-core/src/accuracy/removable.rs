@@ -1,9 +1,10 @@
-//! Removable singularities: points of a kernel's domain at which what it is computed by has no value, though it tends
-//! to one there.
+//! Removable singularities: points of a kernel's domain at which the computed form of the kernel
+//! has no value, but has a limit.
 //!
-//! Looked for where they are in practice: one argument at 0, 1, −1 or an end of its range, or equal to another that it
-//! is subtracted from, the others anywhere. What is found is told to the kernel's author; that nothing is found proves
-//! nothing. Kernels with quadratures are not looked at.
+//! They are searched for in the usual places: one argument at 0, 1, −1 or an end of its range, or
+//! equal to another argument from which it is subtracted, with the others anywhere. Findings are
+//! reported to the kernel's author; the absence of findings proves nothing. Kernels with
+//! quadratures are skipped.
 
 use super::arguments::Arguments;
 use super::edges::Edges;
@@ -17,19 +18,20 @@ use crate::random::SplitMix;
 use crate::resolve::Kernel;
 use forms_math::{Real, Wide};
 
-/// Points that have to agree.
+/// Number of points that have to agree.
 const POINTS: usize = 3;
 
-/// Candidates looked at for them.
+/// Number of candidates tried for these points.
 const CANDIDATES: usize = 24;
 
-/// How far from the singularity values are compared, as powers of two.
+/// Distances from the singularity at which values are compared, as powers of two.
 const NEARNESS: [i32; 2] = [-60, -120];
 
-/// How well they have to agree, relative to their size.
+/// Largest difference between agreeing values, relative to their size.
 const AGREEMENT: f64 = 1e-12;
 
-/// Where the form that a kernel is computed by has a removable singularity in its declared domain: `g = 0`, `a = b`.
+/// Returns the places in a kernel's declared domain where its computed form has a removable
+/// singularity: `g = 0`, `a = b`.
 pub fn removable_singularities(pool: &Pool, kernel: &Kernel) -> Vec<String> {
     let form = if kernel.computed.is_empty() { &kernel.outputs } else { &kernel.computed };
     let source = KernelSource {
@@ -38,7 +40,7 @@ pub fn removable_singularities(pool: &Pool, kernel: &Kernel) -> Vec<String> {
         ..KernelSource::default()
     };
     let Ok(program) = lower(pool, &source) else { return Vec::new() };
-    // an integral in hundreds of bits takes seconds, and there would be hundreds of them
+    // an integral to hundreds of bits takes seconds, and hundreds of them would be needed
     let is_quadrature = |part: &Expr| matches!(pool.node(*part), Node::Jet { .. });
     if pool.reachable(form).iter().any(is_quadrature) {
         return Vec::new();
@@ -57,13 +59,13 @@ pub fn removable_singularities(pool: &Pool, kernel: &Kernel) -> Vec<String> {
     found
 }
 
-/// Typical arguments, whether in the domain or not.
+/// Returns typical arguments, inside or outside the domain.
 fn points(edges: &Edges) -> Vec<Vec<f64>> {
     let mut arguments = Arguments { edges, width: Width::Single, random: SplitMix(0) };
     (0..CANDIDATES).filter_map(|_| arguments.next(Regime::Typical)).collect()
 }
 
-/// A value that an argument is put at.
+/// A value at which an argument is placed.
 #[derive(Clone, Copy)]
 enum Place {
     Number(f64),
@@ -89,7 +91,8 @@ struct Looking<'a> {
 }
 
 impl Looking<'_> {
-    /// Whether the form has no value at this place but the same limit from both sides, at several points.
+    /// Whether the form has no value at this place but the same limit from both sides, at several
+    /// points.
     fn is_removable(&self, argument: usize, place: Place) -> bool {
         let mut agreeing = 0;
         for point in &self.points {
@@ -99,7 +102,7 @@ impl Looking<'_> {
             };
             let mut at = point.clone();
             at[argument] = value;
-            // a value in floating point means that nothing is wrong there
+            // a finite value in floating point means that this place is no problem
             if self.program.interpret(&at).iter().all(|value| value.is_finite()) {
                 return false;
             }
@@ -119,7 +122,7 @@ impl Looking<'_> {
         agreeing > 0
     }
 
-    /// Whether every output has a value; nothing outside the domain.
+    /// Whether every output has a value; `None` outside the domain.
     fn has_value(&self, at: &[f64]) -> Option<bool> {
         let numbers: Option<Vec<Rational>> = at.iter().map(|&value| Rational::from_float(value)).collect();
         let point: Vec<(Symbol, Rational)> = self.kernel.arguments.iter().copied().zip(numbers?).collect();
@@ -131,7 +134,7 @@ impl Looking<'_> {
         Some(!values.contains(&Value::Undefined))
     }
 
-    /// Whether the values beside the place, at two distances on each side that there is, are the same.
+    /// Whether the values next to the place, at two distances on each existing side, are the same.
     fn limits_agree(&self, at: &[f64], argument: usize) -> bool {
         let interpreter = self.program.interpreter::<Wide<16>>();
         let beside = NEARNESS.iter().flat_map(|&nearness| [1.0, -1.0].map(|sign| sign * 2f64.powi(nearness)));
@@ -147,7 +150,7 @@ impl Looking<'_> {
             let known: Vec<f64> =
                 values.iter().map(|value| value[output]).filter(|v| v.is_finite()).collect();
             let size = known.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
-            // at an end of the domain there is one side only
+            // at an end of the domain only one side exists
             known.len() >= NEARNESS.len() && known.iter().all(|v| (v - known[0]).abs() <= AGREEMENT * size)
         })
     }

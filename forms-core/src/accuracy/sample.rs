@@ -1,4 +1,4 @@
-//! Samples: arguments in the domain with the values a kernel has there.
+//! Samples: arguments in the domain with the values of a kernel at them.
 
 use super::arguments::Arguments;
 use super::edges::Edges;
@@ -12,21 +12,23 @@ use crate::random::SplitMix;
 use crate::resolve::Kernel;
 use crate::syntax::ast::Relation;
 
-/// Candidates looked at for each sample wanted.
+/// Number of candidates tried for each requested sample.
 const CANDIDATES: usize = 24;
 
-/// Values that need more binary places than this are no samples: squares of the least numbers have about 2200.
+/// Values that need more binary places than this are not used as samples: squares of the least
+/// numbers have about 2200.
 const MOST_PLACES: u32 = 2500;
 
-/// How often a candidate outside the domain is moved half-way to a sample that was inside.
+/// Number of times that a candidate outside the domain is moved half-way to a sample inside it.
 const PULLS: usize = 6;
 
-/// Arguments, and the value of each output, to about 32 digits; none where an output has no certain value.
+/// Arguments with the value of each output, to about 32 digits; `None` where an output has no
+/// certain value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
     /// One number for each argument of the kernel.
     pub arguments: Vec<f64>,
-    /// Each value as the sum of the nearest `f64` and what that leaves.
+    /// Each value as the sum of the nearest `f64` and the `f64` nearest to the remainder.
     pub values: Vec<Option<(f64, f64)>>,
 }
 
@@ -35,15 +37,18 @@ pub struct Sample {
 pub struct Samples {
     /// The regime.
     pub regime: Regime,
-    /// In the order in which they were drawn; fewer than asked for where the domain leaves few.
+    /// The samples in the order in which they were drawn; fewer than requested where the domain
+    /// leaves few.
     pub samples: Vec<Sample>,
-    /// Candidates inside the domain of which no precision that was tried gave a certain value.
+    /// Number of candidates inside the domain for which no tried precision gave a certain value.
     pub undecided: usize,
 }
 
-/// Samples of a kernel: so many of each regime that it has, with arguments of that width.
+/// Returns samples of a kernel: `count` for each regime that it has, with arguments of the given
+/// width.
 ///
-/// A value that is no finite number of the width is left out, and so are points at which the formula is not defined.
+/// A value that is not a finite number of the width is omitted, and so are points at which the
+/// formula is not defined.
 pub fn sample(
     pool: &Pool,
     kernel: &Kernel,
@@ -66,7 +71,8 @@ pub fn sample(
     drawn.filter(|samples| !samples.samples.is_empty()).collect()
 }
 
-/// The samples at given arguments: those in the domain at which some output has a certain value.
+/// Returns the samples at given arguments, if they lie in the domain and some output has a certain
+/// value.
 pub(crate) fn sample_at(pool: &Pool, kernel: &Kernel, width: Width, points: &[Vec<f64>]) -> Vec<Sample> {
     let edges = Edges::of(&mut pool.clone(), kernel);
     let truth = Truth::new(pool, &kernel.outputs, &kernel.domain).up_to(MOST_PLACES);
@@ -108,7 +114,8 @@ impl Drawing<'_> {
         found
     }
 
-    /// The sample at these arguments, if they are in the domain and some output has a certain value.
+    /// Returns the sample at these arguments, if they are in the domain and some output has a
+    /// certain value.
     fn sample(&self, arguments: &[f64]) -> Option<Sample> {
         let numbers: Option<Vec<Rational>> =
             arguments.iter().map(|&value| Rational::from_float(value)).collect();
@@ -122,7 +129,7 @@ impl Drawing<'_> {
         is_known.then(|| Sample { arguments: arguments.to_vec(), values })
     }
 
-    /// The arguments, moved into the domain if they can be, also as an exact point.
+    /// Returns the arguments, moved into the domain if possible, together with the exact point.
     fn within(&self, mut arguments: Vec<f64>) -> Option<(Vec<f64>, Point)> {
         for _ in 0..=PULLS {
             if self.seems_inside(&arguments) {
@@ -141,7 +148,7 @@ impl Drawing<'_> {
         None
     }
 
-    /// Whether floating point finds the conditions met: a glance that saves exact arithmetic.
+    /// Whether the conditions hold in floating point: a quick check that saves exact arithmetic.
     fn seems_inside(&self, arguments: &[f64]) -> bool {
         if !arguments.iter().all(|value| value.is_finite()) {
             return false;
@@ -156,7 +163,7 @@ impl Drawing<'_> {
         })
     }
 
-    /// The value, if it is a finite number of the width.
+    /// Returns the value, if it is a finite number of the width.
     fn representable(&self, value: Value) -> Option<(f64, f64)> {
         match value {
             Value::Known(Rounded::DoubleDouble(high, low)) => {

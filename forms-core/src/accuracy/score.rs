@@ -1,4 +1,4 @@
-//! Scores: how far computed values are from the true ones, over the samples of each regime.
+//! Scores: errors of computed values against the true ones, over the samples of each regime.
 
 use super::ordinal::Width;
 use super::regime::Regime;
@@ -9,14 +9,14 @@ use super::sample::{Sample, Samples};
 pub struct Statistics {
     /// The mean.
     pub mean: f64,
-    /// What 99 of 100 errors do not exceed.
+    /// The 99th percentile: 99 of 100 errors do not exceed it.
     pub percentile: f64,
     /// The maximum.
     pub maximum: f64,
 }
 
 impl Statistics {
-    /// Of these errors.
+    /// Returns the statistics of these errors.
     pub fn of(mut errors: Vec<f64>) -> Self {
         if errors.is_empty() {
             return Self::default();
@@ -34,18 +34,20 @@ impl Statistics {
 pub struct Score {
     /// The regime.
     pub regime: Regime,
-    /// How many points were scored.
+    /// Number of scored points.
     pub points: usize,
-    /// Bits lost: log₂(1 + the floating-point numbers between the computed and the correctly rounded value).
+    /// Bits lost: log₂(1 + the number of floating-point steps between the computed and the
+    /// correctly rounded value).
     pub bits: Statistics,
-    /// Errors in units of the last place of the true value.
+    /// Errors in ulps of the true value.
     pub ulps: Statistics,
     /// Arguments at which most bits are lost.
     pub worst: Vec<f64>,
 }
 
 impl Score {
-    /// The errors of what `computed` gives at the arguments of each sample: of several outputs the worst counts.
+    /// Returns the errors of the results of `computed` at the arguments of each sample; for several
+    /// outputs, the worst error counts.
     pub fn of(samples: &Samples, width: Width, mut computed: impl FnMut(&[f64]) -> Vec<f64>) -> Self {
         Self::by(samples, |sample| {
             let results = computed(&sample.arguments);
@@ -55,8 +57,9 @@ impl Score {
         })
     }
 
-    /// The errors of results in double-double arithmetic, as sums of two numbers. A bit lost is a doubling of the
-    /// error beyond 2⁻¹⁰⁶ of the value, and a unit of the last place is 2⁻¹⁰⁵ of it.
+    /// Returns the errors of results in double-double arithmetic, given as sums of two numbers.
+    /// Each bit lost is a doubling of the error beyond 2⁻¹⁰⁶ of the value, and an ulp is 2⁻¹⁰⁵ of
+    /// the value.
     pub fn of_double_double(samples: &Samples, mut computed: impl FnMut(&[f64]) -> Vec<(f64, f64)>) -> Self {
         Self::by(samples, |sample| {
             let results = computed(&sample.arguments);
@@ -82,19 +85,19 @@ fn worst_of(errors: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
     errors.fold((0.0, 0.0), |worst, error| (worst.0.max(error.0), worst.1.max(error.1)))
 }
 
-/// Bits lost at one sample: of several outputs the worst counts.
+/// Returns the bits lost at one sample; for several outputs, the worst loss counts.
 pub(crate) fn bits_lost(width: Width, sample: &Sample, computed: &[f64]) -> f64 {
     let pairs = sample.values.iter().zip(computed);
     pairs.filter_map(|(exact, got)| Some(bits(width, *got, (*exact)?))).fold(0.0, f64::max)
 }
 
-/// Bits lost against the correctly rounded value.
+/// Returns the bits lost against the correctly rounded value.
 fn bits(width: Width, computed: f64, exact: (f64, f64)) -> f64 {
     width.bits_between(computed, rounded(width, exact))
 }
 
-/// The nearest number to high + low, where high is the nearest `f64` of it: a tie of the wider number is broken by
-/// what is left.
+/// Returns the number nearest to high + low, where high is the `f64` nearest to this sum; if high
+/// is a tie, the sign of low breaks it.
 fn rounded(width: Width, (high, low): (f64, f64)) -> f64 {
     let nearest = width.round(high);
     if width == Width::Double || low == 0.0 || nearest == high {
@@ -106,7 +109,7 @@ fn rounded(width: Width, (high, low): (f64, f64)) -> f64 {
     if is_tie && other_is_nearer { other } else { nearest }
 }
 
-/// |computed − exact| in units of the last place of the exact value.
+/// Returns |computed − exact| in ulps of the exact value.
 fn ulps(width: Width, computed: f64, (high, low): (f64, f64)) -> f64 {
     let difference = (computed - high) - low;
     if difference.is_nan() { f64::INFINITY } else { difference.abs() / width.unit(high) }

@@ -1,4 +1,5 @@
-//! Sheets: what each arithmetic and each form of a kernel loses, on typical arguments and in each hard regime.
+//! Accuracy sheets: the errors of each arithmetic and each form of a kernel, on typical arguments
+//! and in each hard regime.
 
 use super::ordinal::Width;
 use super::regime::Regime;
@@ -15,13 +16,13 @@ use forms_math::{DoubleDouble, Lane32, Lane64, Real};
 pub struct Variant {
     /// The arithmetic.
     pub arithmetic: Arithmetic,
-    /// Whether it is computed by the stable form, or else as the formula is written.
+    /// Whether the stable form is computed, and not the formula as written.
     pub stable: bool,
-    /// Whether whole columns are computed by the lanes of vectors.
+    /// Whether whole columns are computed in the lanes of vectors.
     pub batch: bool,
 }
 
-/// The numbers a kernel is computed in.
+/// The arithmetic in which a kernel is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Arithmetic {
     /// `f32`
@@ -33,7 +34,8 @@ pub enum Arithmetic {
 }
 
 impl Variant {
-    /// Every way there is. Double-double has no lanes, and is worth its time for the stable form only.
+    /// All variants. Double-double arithmetic has no lanes, and is worth its time only for the
+    /// stable form.
     pub const ALL: [Variant; 9] = {
         const fn of(arithmetic: Arithmetic, stable: bool, batch: bool) -> Variant {
             Variant { arithmetic, stable, batch }
@@ -51,7 +53,7 @@ impl Variant {
         ]
     };
 
-    /// `f64 stable batch`
+    /// Returns the name of the variant, such as `f64 stable batch`.
     pub fn name(self) -> String {
         let mut name = match self.arithmetic {
             Arithmetic::Single => "f32",
@@ -68,7 +70,7 @@ impl Variant {
         name
     }
 
-    /// The numbers that arguments are taken from.
+    /// Returns the width of the arguments.
     pub fn width(self) -> Width {
         if self.arithmetic == Arithmetic::Single { Width::Single } else { Width::Double }
     }
@@ -84,18 +86,18 @@ pub struct Line {
 }
 
 impl Line {
-    /// The scores of the regimes that are not typical.
+    /// Returns the scores of all regimes except the typical one.
     pub fn hard(&self) -> impl Iterator<Item = &Score> {
         self.scores.iter().filter(|score| score.regime != Regime::Typical)
     }
 
-    /// The score on typical arguments.
+    /// Returns the score on typical arguments.
     pub fn typical(&self) -> Option<&Score> {
         self.scores.iter().find(|score| score.regime == Regime::Typical)
     }
 }
 
-/// The errors of a kernel in every variant, with so many samples of each regime.
+/// Returns the errors of a kernel in every variant, with `count` samples of each regime.
 pub fn sheet(pool: &Pool, kernel: &Kernel, generated: &Generated, count: usize, seed: u64) -> Vec<Line> {
     let samples = |width| sample(pool, kernel, width, &Regime::ALL, count, seed);
     let (single, double) = (samples(Width::Single), samples(Width::Double));
@@ -117,7 +119,7 @@ fn scores(program: &Program, within: Option<f64>, variant: Variant, samples: &[S
     let double = program.interpreter::<f64>();
     let in_single = |arguments: &[f64]| converted(arguments, |arguments: &[f32]| single.values(arguments));
     let in_double = |arguments: &[f64]| match within {
-        // what is promised is kept by as much precision as that takes
+        // the promised accuracy is kept by as much precision as it needs
         Some(within) => program.interpret_within(arguments, within),
         None => double.values(arguments),
     };
@@ -141,7 +143,8 @@ fn scores(program: &Program, within: Option<f64>, variant: Variant, samples: &[S
     }
 }
 
-/// Of double-doubles alone, or of those that a kernel with a promise has.
+/// Returns the scores of plain double-double arithmetic or, for a kernel with a promised accuracy,
+/// of its own double-double evaluation.
 fn double_double_scores(program: &Program, promised: bool, samples: &[Samples]) -> Vec<Score> {
     let wide = program.interpreter::<DoubleDouble>();
     let computed = |arguments: &[f64]| {
@@ -156,13 +159,13 @@ fn double_double_scores(program: &Program, promised: bool, samples: &[Samples]) 
     samples.iter().map(|regime| Score::of_double_double(regime, computed)).collect()
 }
 
-/// The results of another arithmetic at the same arguments.
+/// Returns the results of another arithmetic at the same arguments.
 fn converted<T: Real>(arguments: &[f64], compute: impl Fn(&[T]) -> Vec<T>) -> Vec<f64> {
     let arguments: Vec<T> = arguments.iter().map(|&value| T::from_f64(value)).collect();
     compute(&arguments).into_iter().map(T::to_f64).collect()
 }
 
-/// What batches do: a row in which lanes gave up is computed by single numbers.
+/// Applies the rule of batches: a row whose lanes gave up is computed again with single numbers.
 fn without_nan(lanes: Vec<f64>, single: impl Fn() -> Vec<f64>) -> Vec<f64> {
     if lanes.iter().any(|value| value.is_nan()) { single() } else { lanes }
 }

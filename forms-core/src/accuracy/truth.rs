@@ -1,8 +1,9 @@
-//! Truth: the values of expressions at exact points, certain to the digits asked for.
+//! True values of expressions at exact points, certain to the requested digits.
 //!
-//! The expressions are enclosed at rising precision until every number of an enclosure is rounded to the same one. An
-//! enclosure of a number that lies on the boundary of two roundings never decides: such a number, exactly zero for
-//! example, is known where the arithmetic of short rationals gives it, or where it is proved.
+//! The expressions are enclosed at rising precision until every number of an enclosure is rounded
+//! to the same value. An enclosure of a number on the boundary of two roundings never decides: such
+//! a number, for example exactly zero, is known if the arithmetic of short rationals gives it, or
+//! if it is proved.
 
 use super::format::{Format, Rounded};
 use crate::decide::{Effort, Equations, Finding};
@@ -11,47 +12,50 @@ use crate::expression::{Condition, Expr, Node, Pool, Rational, Substitution, Sym
 use num_bigint::BigInt;
 use num_traits::Zero;
 
-/// The binary places that are tried, one after the other. The last hold the square of the least `f64` to 53 bits.
+/// The binary places that are tried, one after the other. The last one holds the square of the
+/// least `f64` to 53 bits.
 const PRECISIONS: [u32; 9] = [112, 208, 296, 592, 1200, 2500, 5000, 10_000, 20_000];
 
-/// From here on it is asked whether a value that is not yet certain is exactly what its enclosure surrounds.
+/// Precision at which a proof is tried that a value that is not yet certain is exactly the number
+/// its enclosure suggests.
 const PROVED_FROM: u32 = 2500;
 
-/// Conditions are decided up to here.
+/// Highest precision at which conditions are decided.
 const DECIDED_TO: u32 = 592;
 
-/// Integrals are known to some sixty digits: more places than these find no more of them.
+/// Highest precision for integrals: they are known to some sixty digits, and more places do not
+/// improve them.
 const INTEGRALS_TO: u32 = 592;
 
-/// What is spent on such a proof.
+/// Budget for such a proof.
 const EFFORT: Effort = Effort { work: 20_000, candidates: 2, points: 1 };
 
-/// What is known of the value of an expression at a point.
+/// Known value of an expression at a point.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// It is this, rounded.
+    /// The value, rounded.
     Known(Rounded),
     /// The point is outside the domain.
     Undefined,
-    /// Something on the way to it is beyond 2^16384, which is not computed.
+    /// An intermediate result is beyond 2^16384, which is not computed.
     TooLarge,
     /// Nothing is certain at the highest precision that is tried.
     Undecided,
 }
 
-/// Expressions to be evaluated where conditions hold.
+/// Expressions to evaluate where conditions hold.
 pub struct Truth<'a> {
     pool: &'a Pool,
     outputs: usize,
     /// The outputs, then both sides of each condition.
     expressions: Vec<Expr>,
     conditions: &'a [Condition],
-    /// Precisions beyond are not tried.
+    /// The highest precision that is tried.
     highest: u32,
 }
 
 impl<'a> Truth<'a> {
-    /// The values of these expressions of one pool where these conditions hold.
+    /// Creates the evaluation of these expressions of one pool where these conditions hold.
     pub fn new(pool: &'a Pool, outputs: &[Expr], conditions: &'a [Condition]) -> Self {
         let sides = conditions.iter().flat_map(|condition| [condition.left, condition.right]);
         let expressions = outputs.iter().copied().chain(sides).collect();
@@ -61,13 +65,13 @@ impl<'a> Truth<'a> {
         Truth { pool, outputs: outputs.len(), expressions, conditions, highest }
     }
 
-    /// The same, undecided where more than so many binary places are needed.
+    /// Limits the precision: a value is undecided if it needs more than `places` binary places.
     #[must_use]
     pub fn up_to(self, places: u32) -> Self {
         Truth { highest: places.min(self.highest), ..self }
     }
 
-    /// The values at a point, correctly rounded.
+    /// Returns the values at a point, correctly rounded.
     pub fn at(&self, point: &[(Symbol, Rational)], format: Format) -> Vec<Value> {
         let mut values = vec![None; self.outputs];
         let mut inside = self.conditions.is_empty();
@@ -101,7 +105,7 @@ impl<'a> Truth<'a> {
         values.into_iter().map(known).collect()
     }
 
-    /// Whether the point meets every condition, where that is certain.
+    /// Whether the point meets every condition; `None` if that is not certain.
     pub fn admits(&self, point: &[(Symbol, Rational)]) -> Option<bool> {
         if self.conditions.is_empty() {
             return Some(true);
@@ -113,7 +117,7 @@ impl<'a> Truth<'a> {
             .find_map(|&places| sides.is_inside(&sides.enclosures(point, Precision(places))))
     }
 
-    /// Enclosures of all expressions at a point.
+    /// Returns enclosures of all expressions at a point.
     fn enclosures(
         &self,
         point: &[(Symbol, Rational)],
@@ -126,7 +130,7 @@ impl<'a> Truth<'a> {
         enclose_of_kernel(self.pool, &self.expressions, &value, precision)
     }
 
-    /// Whether every condition holds; a side that is nowhere defined fails it.
+    /// Whether every condition holds; a condition with an undefined side fails.
     fn is_inside(&self, enclosures: &[Result<Enclosure, Undecided>]) -> Option<bool> {
         let sides = enclosures[self.outputs..].chunks_exact(2);
         let mut all = Some(true);
@@ -145,7 +149,7 @@ impl<'a> Truth<'a> {
         all
     }
 
-    /// The value that an enclosure surrounds, if it is proved to be the shortest number in it.
+    /// Returns the value in an enclosure, if a proof shows that it is the shortest number in it.
     fn proved(
         &self,
         place: usize,
@@ -170,7 +174,8 @@ impl<'a> Truth<'a> {
     }
 }
 
-/// Zero, or the number of fewest binary digits, if an enclosure surrounds one of less than half its places.
+/// Returns zero, or the number with the fewest binary digits, if an enclosure contains one with
+/// less than half its places.
 fn shortest(enclosure: &Enclosure) -> Option<Rational> {
     if enclosure.contains_zero() {
         return Some(Rational::zero());

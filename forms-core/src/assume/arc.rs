@@ -1,4 +1,5 @@
-//! Where sums of inverse trigonometric functions lie: principal values, narrowed by the signs of arguments.
+//! Ranges of sums of inverse trigonometric functions: principal values, narrowed by the signs of
+//! the arguments.
 
 use super::facts::Facts;
 use super::range::{End, Range};
@@ -9,7 +10,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 impl Facts {
-    /// Where a rational combination of inverse functions, of quantities and of π lies.
+    /// Returns the range of a rational combination of inverse functions, of quantities and of π.
     pub(crate) fn range(&self, tower: &mut Tower, angle: &Fraction) -> Result<Range, Obstacle> {
         let mut range = Range::of_pi((0, 1, false), (0, 1, false));
         let mut rest = Vec::new();
@@ -26,7 +27,8 @@ impl Facts {
         Ok(range.add(&self.range_of_terms(tower.pi(), rest)))
     }
 
-    /// Where Σ c m lies: by conditions, else term by term by the bounds of single generators.
+    /// Returns the range of Σ c m: from conditions, or else term by term from the bounds of single
+    /// generators.
     fn range_of_terms(&self, pi: Option<u32>, terms: Vec<(Vec<(u32, u32)>, BigRational)>) -> Range {
         let known = self.ranges.of(pi, terms.clone());
         if known.lower.is_some() && known.upper.is_some() {
@@ -46,8 +48,9 @@ impl Facts {
         Range { lower: known.lower.or(apart.lower), upper: known.upper.or(apart.upper) }
     }
 
-    /// atan q ∈ (−π/2, π/2), asin q ∈ [−π/2, π/2], acos q ∈ [0, π], atan2(y, x) ∈ (−π, π) off its cut, each in
-    /// the part that the signs of its arguments leave.
+    /// Returns the principal range of an inverse function: atan q ∈ (−π/2, π/2), asin q ∈ [−π/2,
+    /// π/2], acos q ∈ [0, π], atan2(y, x) ∈ (−π, π) off its branch cut, each restricted by the
+    /// signs of its arguments.
     fn principal_values(&self, tower: &Tower, operation: Operation, arguments: &[Fraction]) -> Range {
         use Sign::{Negative, Positive};
         let signs: Vec<Option<Sign>> = arguments.iter().map(|q| self.sign_of_fraction(tower, q)).collect();
@@ -76,7 +79,7 @@ impl Facts {
         }
     }
 
-    /// The sign of a fraction from those of its factors, if they can be shown.
+    /// Returns the sign of a fraction from the signs of its factors, if they can be shown.
     pub(super) fn sign_of_fraction(&self, tower: &Tower, q: &Fraction) -> Option<Sign> {
         let mut negative = self.is_negative(q.numerator())?;
         for (polynomial, exponent) in tower.factors_of(q) {
@@ -87,7 +90,8 @@ impl Facts {
         Some(if negative { Sign::Negative } else { Sign::Positive })
     }
 
-    /// Whether a polynomial is ≤ 0, or ≥ 0: a product of variables times a rest.
+    /// Whether a polynomial is ≤ 0 (true) or ≥ 0 (false), as a whole or as a product of variables
+    /// and a remaining factor.
     fn is_negative(&self, polynomial: &Polynomial) -> Option<bool> {
         let of = |polynomial: &Polynomial| self.sign_of(polynomial).map(|sign| sign == Sign::Negative);
         if let Some(known) = of(polynomial) {
@@ -113,7 +117,7 @@ mod tests {
     use crate::syntax::ast::Relation;
     use std::cmp::Ordering;
 
-    /// Inverse functions of the signs of their arguments, and their values as parts of π.
+    /// Signs of the arguments of inverse functions, and their values as fractions of π.
     const VALUES: &[(Operation, &[i64], (i64, i64))] = &[
         (Operation::Atan, &[1], (1, 4)),
         (Operation::Atan, &[-1], (-1, 4)),
@@ -130,7 +134,7 @@ mod tests {
         (Operation::Atan2, &[-1, 0], (-1, 2)),
     ];
 
-    /// The range of an inverse function of variables, some of which have known signs.
+    /// Returns the range of an inverse function of variables, some of which have known signs.
     fn range_of(operation: Operation, signs: &[Option<i64>]) -> Range {
         let mut pool = Pool::new();
         let arguments: Vec<_> = (0..signs.len())

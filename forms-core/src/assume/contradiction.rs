@@ -1,21 +1,23 @@
-//! Contradictions: conditions that nothing meets, shown by the nature of what they compare or by each other.
+//! Contradictions: conditions that no point meets, shown by the form of the compared sides or by
+//! combining conditions.
 
 use super::{Assumptions, Facts};
 use crate::expression::{Condition, Pool};
 use crate::normal::{Fraction, Sign, Tower, Trigonometry, normalise};
 use crate::syntax::ast::Relation;
 
-/// Why no point meets some conditions.
+/// Reason why no point meets some conditions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Contradiction {
-    /// Nothing meets this one.
+    /// No point meets this condition.
     Alone(Condition),
-    /// Bounds leave no value to some generator, or inequalities no point.
+    /// Bounds leave no value for some generator, or inequalities leave no point.
     Together,
 }
 
 impl Assumptions {
-    /// A contradiction that is seen without telling cases apart, also at the half turns of angles.
+    /// Returns a contradiction that is found without a case split, also at the half turns of
+    /// angles.
     pub(crate) fn contradiction(&self, pool: &Pool) -> Option<Contradiction> {
         let mut tower = Tower::new(Trigonometry::HalfAngle);
         let found = self.contradiction_in(pool, &mut tower)?;
@@ -33,7 +35,7 @@ impl Assumptions {
         is_whole.then_some(if same { found } else { Contradiction::Together })
     }
 
-    /// A contradiction where the normal forms of a tower hold.
+    /// Returns a contradiction that holds where the normal forms of a tower hold.
     fn contradiction_in(&self, pool: &Pool, tower: &mut Tower) -> Option<Contradiction> {
         let known = self.unconditional(pool, tower);
         let mut facts = Facts::of(tower);
@@ -50,7 +52,8 @@ impl Assumptions {
         facts.contradiction().then_some(Contradiction::Together)
     }
 
-    /// The conditions whose sides differ by a normal form that depends on no open sign.
+    /// Returns the conditions for which the difference of the sides has a normal form without open
+    /// signs.
     fn unconditional(&self, pool: &Pool, tower: &mut Tower) -> Vec<(Condition, Fraction)> {
         let mut known = Vec::new();
         for (&condition, &side) in self.conditions.iter().zip(&self.sides) {

@@ -1,24 +1,26 @@
-//! Where a function is not zero: at points that lie dense among all.
+//! Functions that are not zero on a dense set of points.
 //!
-//! **Lemma.** Let N be built from numbers and variables by + − · /, whole powers and exp, sin, cos, tan, sinh, cosh and
-//! tanh. If N is defined and not zero at one point, then in every open set of points at which it is defined there are some
-//! at which it is not zero.
+//! **Lemma.** Let N be built from numbers and variables by + − · /, integer powers and exp, sin,
+//! cos, tan, sinh, cosh and tanh. If N is defined and not zero at one point, then every open set of
+//! points at which it is defined contains points at which it is not zero.
 //!
-//! N has one value at each complex point at which it is defined. These points are all but poles, which are zeros of
-//! holomorphic functions and leave what remains connected, by induction over the operations. Holomorphic there, N would be
-//! zero everywhere if it were on an open set, real or complex. Without its hypotheses the lemma fails: |x| − x is not zero
-//! at −1 and zero for all x > 0, as are √(x²) − x and atan x + atan(1/x) − π/2.
+//! N has one value at each complex point at which it is defined. These are all points except the
+//! poles. The poles are zeros of holomorphic functions, so that the remaining set is connected, by
+//! induction over the operations. N is holomorphic on it; if N were zero on an open set, real or
+//! complex, it would be zero everywhere. Without its hypotheses the lemma fails: |x| − x is not
+//! zero at −1 and zero for all x > 0, as are √(x²) − x and atan x + atan(1/x) − π/2.
 
 use crate::enclosure::{Precision, enclose_number};
 use crate::expression::{Expr, Node, Operation, Pool, Substitution};
 
-/// Points that are tried; at each of them a function that is zero nowhere dense may be zero all the same.
+/// Number of points that are tried; a function that is zero nowhere dense may still be zero at a
+/// single one of them.
 const POINTS: i64 = 4;
 
 const PRECISION: Precision = Precision(128);
 
-/// Whether an expression is known to be zero in no open set of the points at which it is defined: a product is if its
-/// factors are.
+/// Whether an expression is known to be zero on no open set of points at which it is defined; for a
+/// product this holds if it holds for its factors.
 pub(crate) fn is_not_zero_densely(pool: &mut Pool, expression: Expr) -> bool {
     let factors = pool.factors_that_may_vanish(expression);
     factors.into_iter().all(|factor| match *pool.node(factor) {
@@ -61,7 +63,7 @@ fn is_somewhere_not_zero(pool: &mut Pool, expression: Expr) -> bool {
     (1..=POINTS).any(|number| {
         let mut point = Substitution::default();
         for (place, &symbol) in symbols.iter().enumerate() {
-            // unequal coordinates that no simple relation binds
+            // unequal coordinates without a simple relation between them
             let place = place as i64;
             point.insert(symbol, pool.ratio(number + 3 * place * place, 7 + 2 * place));
         }

@@ -1,4 +1,5 @@
-//! Facts: what conditions and the nature of functions say of generators, as bounds and inequalities.
+//! Facts: bounds and inequalities of generators that follow from conditions and from the properties
+//! of functions.
 
 use super::linear::{Inequality, contradict};
 use super::range::Ranges;
@@ -11,20 +12,20 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
 
-/// More logarithms than this are not compared with each other.
+/// Largest number of logarithms that are compared with each other.
 const MOST_ORDERED: usize = 6;
 
-/// Decimal digits to which the root of a number is enclosed.
+/// Number of decimal digits to which the root of a number is enclosed.
 const DIGITS_OF_ROOTS: usize = 12;
 
-/// ρⁿ = f
+/// A root ρ with ρⁿ = f.
 #[derive(Clone, Debug)]
 pub(super) struct Root {
     pub(super) order: u32,
     pub(super) radicand: Polynomial,
 }
 
-/// Bounds of generators by numbers, inequalities between them, and the radicands of roots.
+/// Numeric bounds of generators, inequalities between generators, and the radicands of roots.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Facts {
     pub(super) lower: FxHashMap<u32, BigRational>,
@@ -37,7 +38,8 @@ pub(crate) struct Facts {
 }
 
 impl Facts {
-    /// What holds of every generator by its nature: roots and exponentials are positive.
+    /// Returns the facts that hold for every generator by its kind: roots and exponentials are
+    /// positive.
     pub(crate) fn of(tower: &Tower) -> Self {
         let mut facts = Facts::default();
         facts.learn_nature(tower);
@@ -81,7 +83,8 @@ impl Facts {
         }
     }
 
-    /// The values that functions take: asin and atan within ±π/2 < 11/7, acos from 0 to π < 22/7, erf within ±1, Eₙ > 0.
+    /// Learns the ranges of functions: asin and atan within ±π/2 < 11/7, acos from 0 to π < 22/7,
+    /// erf within ±1, Eₙ > 0.
     fn learn_values(&mut self, variable: u32, operation: Operation) {
         let number = |p: i64, q: i64| BigRational::new(p.into(), q.into());
         let (lower, upper) = match operation {
@@ -96,7 +99,7 @@ impl Facts {
         upper.into_iter().for_each(|upper| self.at_most(variable, upper));
     }
 
-    /// asin, atan and erf have the signs of their arguments.
+    /// Learns that asin, atan and erf have the signs of their arguments.
     fn learn_odd_function(&mut self, tower: &Tower, variable: u32, argument: &Fraction) {
         match self.sign_of_fraction(tower, argument) {
             Some(Sign::Positive) => self.at_least(variable, BigRational::zero()),
@@ -105,7 +108,8 @@ impl Facts {
         }
     }
 
-    /// The root of a number lies between two decimals, that of anything else is bound by its radicand.
+    /// Learns about a root: the root of a number lies between two decimals; every root is related
+    /// to its radicand.
     fn learn_root(&mut self, variable: u32, order: u32, radicand: &Polynomial) {
         if let Some(number) = radicand.as_constant() {
             let scale = num_traits::pow(BigInt::from(10), DIGITS_OF_ROOTS);
@@ -116,7 +120,8 @@ impl Facts {
         self.roots.insert(variable, Root { order, radicand: radicand.clone() });
     }
 
-    /// Learns from `difference relation 0` as an inequality, as a bound of one generator by a number, as a range of an angle.
+    /// Learns `difference relation 0` as an inequality, as a numeric bound of one generator, and as
+    /// a range of an angle.
     pub(crate) fn learn(&mut self, tower: &Tower, difference: &Fraction, relation: Relation) {
         self.ranges.learn(tower.pi(), difference, relation);
         let Some(difference) = difference.as_polynomial() else { return };
@@ -143,7 +148,7 @@ impl Facts {
         }
     }
 
-    /// Learns of functions what follows from the signs of their arguments.
+    /// Learns the facts about functions that follow from the signs of their arguments.
     pub(crate) fn learn_functions(&mut self, tower: &Tower) {
         self.learn_nature(tower);
         for variable in 0..tower.generator_count() {
@@ -165,7 +170,7 @@ impl Facts {
         self.learn_order(tower);
     }
 
-    /// log g ≥ log h where g ≥ h ≥ 0
+    /// Learns log g ≥ log h where g ≥ h ≥ 0.
     fn learn_order(&mut self, tower: &Tower) {
         let logarithms: Vec<(u32, &Polynomial)> = (0..tower.generator_count())
             .filter_map(|v| match tower.generator(v) {
@@ -188,8 +193,8 @@ impl Facts {
         }
     }
 
-    /// A half-angle tangent keeps between the tangents of the ends of its angle, as far as these stay between two
-    /// poles; where the angle is nearer to a pole than to a zero, t² ≥ 1.
+    /// Learns that a half-angle tangent lies between the tangents of the ends of its angle, if
+    /// these lie between two poles; where the angle is nearer to a pole than to a zero, t² ≥ 1.
     fn learn_half_tangent(&mut self, tower: &Tower, variable: u32, unit: &Unit) {
         let Some(monomial) = unit.as_monomial() else { return };
         let part = BigRational::new(1.into(), (2 * unit.divisor()).into());
@@ -203,7 +208,7 @@ impl Facts {
         upper.into_iter().for_each(|upper| self.at_most(variable, upper));
     }
 
-    /// exp u ≥ 1 where u ≥ 0, exp u ≤ 1 where u ≤ 0
+    /// Learns exp u ≥ 1 where u ≥ 0, and exp u ≤ 1 where u ≤ 0.
     fn learn_exponential(&mut self, tower: &Tower, variable: u32) {
         match tower.sign_of_exponent(variable).and_then(|exponent| self.sign_of(&exponent)) {
             Some(Sign::Positive) => self.at_least(variable, BigRational::one()),
@@ -212,7 +217,7 @@ impl Facts {
         }
     }
 
-    /// log g ≥ 0 where g ≥ 1, log |g| ≤ 0 where 0 ≤ g ≤ 1
+    /// Learns log g ≥ 0 where g ≥ 1, and log |g| ≤ 0 where 0 ≤ g ≤ 1.
     fn learn_logarithm(&mut self, variable: u32, argument: &Polynomial) {
         let above_one = argument.sub(&Polynomial::one());
         if self.never_negative(&above_one) {
@@ -222,7 +227,7 @@ impl Facts {
         }
     }
 
-    /// Whether the bounds leave no value for a generator, or the inequalities no point.
+    /// Whether the bounds leave no value for a generator, or the inequalities leave no point.
     pub(crate) fn contradiction(&self) -> bool {
         let empty = |(variable, lower): (&u32, &BigRational)| {
             self.upper.get(variable).is_some_and(|upper| lower > upper)
@@ -247,7 +252,7 @@ impl Facts {
         !facts.contradiction() && !facts.fixed_values_contradict()
     }
 
-    /// Whether no point is left where a polynomial is zero.
+    /// Whether the facts exclude every point at which a polynomial is zero.
     pub(crate) fn excludes_zero(&self, tower: &Tower, polynomial: &Polynomial) -> bool {
         let mut facts = self.clone();
         for relation in [Relation::GreaterEqual, Relation::LessEqual] {
@@ -256,7 +261,8 @@ impl Facts {
         facts.contradiction() || facts.fixed_values_contradict()
     }
 
-    /// Whether an inequality fails once generators with one value left have it.
+    /// Whether an inequality fails after the substitution of generators that have only one possible
+    /// value.
     fn fixed_values_contradict(&self) -> bool {
         let fixed = |variable: u32| {
             let value = self.lower.get(&variable)?;
@@ -281,7 +287,7 @@ impl Facts {
         })
     }
 
-    /// The inequalities, the bounds of what occurs in them among them.
+    /// Returns the inequalities, including the bounds of the generators that occur in them.
     pub(super) fn known(&self) -> Vec<Inequality> {
         let mut known = self.inequalities.clone();
         let mut variables: Vec<u32> =
@@ -299,7 +305,8 @@ impl Facts {
         known
     }
 
-    /// The sign of a monomial of squares and variables whose bounds tell theirs.
+    /// Returns the sign of a monomial of squares and of variables whose bounds determine their
+    /// signs.
     pub(super) fn sign_of_monomial(&self, monomial: &[(u32, u32)]) -> Option<Sign> {
         let mut negative = false;
         for (variable, _) in monomial.iter().filter(|(_, exponent)| exponent % 2 == 1) {
@@ -312,7 +319,7 @@ impl Facts {
         Some(if negative { Sign::Negative } else { Sign::Positive })
     }
 
-    /// The bounds known of a generator, from below and from above.
+    /// Returns the known bounds of a generator, from below and from above.
     pub(crate) fn bounds(&self, variable: u32) -> (Option<&BigRational>, Option<&BigRational>) {
         (self.lower.get(&variable), self.upper.get(&variable))
     }

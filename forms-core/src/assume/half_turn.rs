@@ -1,4 +1,4 @@
-//! Half turns: the signs of sine and cosine where an angle keeps within one.
+//! Half turns: the signs of sine and cosine of an angle that stays within a half turn.
 
 use super::range::{End, PRECISION, Range};
 use crate::enclosure::Enclosure;
@@ -10,17 +10,19 @@ use num_traits::Zero;
 use std::cmp::Ordering;
 
 impl Range {
-    /// Whether the sine of what lies here is never negative or never positive, and whether never zero.
+    /// Returns the sign of the sine on this range: whether the sine is never negative (true) or
+    /// never positive (false), and whether it is never zero.
     pub(crate) fn sign_of_sine(&self) -> Option<(bool, bool)> {
         self.sign_between_multiples((0, 1))
     }
 
-    /// The same for the cosine.
+    /// Returns the sign of the cosine on this range, in the same form.
     pub(crate) fn sign_of_cosine(&self) -> Option<(bool, bool)> {
         self.sign_between_multiples((1, 2))
     }
 
-    /// The ends in parts of π, where they are multiples of π/4 or π/6 and at most half a turn apart.
+    /// Returns the ends as fractions of π, if they are multiples of π/4 or π/6 and at most half a
+    /// turn apart.
     pub(crate) fn within_half_a_turn(&self) -> Option<(Rational, Rational)> {
         let (lower, upper) = (self.lower.as_ref()?, self.upper.as_ref()?);
         let is_simple = |end: &End| {
@@ -31,7 +33,8 @@ impl Range {
             .then(|| (lower.turns.clone(), upper.turns.clone()))
     }
 
-    /// The sign of sin(x + (p/q)π): that of (−1)ᵐ where x + (p/q)π lies between mπ and (m + 1)π.
+    /// Returns the sign of sin(x + (p/q)π), which is the sign of (−1)ᵐ where x + (p/q)π lies
+    /// between mπ and (m + 1)π.
     fn sign_between_multiples(&self, (p, q): (i64, i64)) -> Option<(bool, bool)> {
         let (lower, upper) = (self.lower.as_ref()?, self.upper.as_ref()?);
         let shift = End::of_pi(p, q, false);

@@ -1,11 +1,13 @@
-//! Linear certificates: a polynomial as a combination of known inequalities with positive coefficients.
+//! Linear certificates: a polynomial as a combination of known inequalities with positive
+//! coefficients.
 //!
 //! ```text
 //! p = Σ λᵢ cᵢ + Σ μⱼ σⱼ mⱼ + λ₀,   λ, μ ≥ 0        shows p ≥ 0 wherever every cᵢ ≥ 0
-//! 0 = Σ λᵢ cᵢ + Σ μⱼ σⱼ mⱼ + λ₀,   Σ λ > 0         over strict cᵢ > 0 and λ₀: nothing meets them
+//! 0 = Σ λᵢ cᵢ + Σ μⱼ σⱼ mⱼ + λ₀,   Σ λ > 0         over strict cᵢ > 0 and λ₀: no point meets them
 //! ```
-//! The mⱼ are monomials of a known sign σⱼ. Both are linear programs in λ and μ, with one equation for each
-//! monomial, solved exactly (Farkas' lemma says that nothing is missed among combinations of this kind).
+//! The mⱼ are monomials of a known sign σⱼ. Both are linear programs in λ and μ, with one equation
+//! for each monomial, solved exactly (by Farkas' lemma the search is complete among combinations of
+//! this kind).
 
 use crate::normal::Sign;
 use crate::polynomial::Polynomial;
@@ -18,10 +20,10 @@ use std::collections::BTreeMap;
 const MOST_ROWS: usize = 48;
 const MOST_COLUMNS: usize = 96;
 
-/// Steps of the simplex method before it is given up.
+/// Limit on the steps of the simplex method.
 const MOST_PIVOTS: usize = 400;
 
-/// c ≥ 0, or c > 0
+/// An inequality c ≥ 0, or c > 0 if it is strict.
 #[derive(Clone, Debug)]
 pub(super) struct Inequality {
     pub(super) polynomial: Polynomial,
@@ -36,7 +38,7 @@ impl Inequality {
 
 type Monomial = Vec<(u32, u32)>;
 
-/// Whether p ≥ 0 follows.
+/// Whether p ≥ 0 follows from the known inequalities.
 pub(super) fn follows(
     target: &Polynomial,
     known: &[Inequality],
@@ -61,7 +63,7 @@ pub(super) fn contradict(known: &[Inequality], sign_of: impl Fn(&Monomial) -> Op
     program.solvable(&zero, Some(&strict))
 }
 
-/// The columns of a program: inequalities first, then 1, then monomials of a known sign.
+/// A linear program. Its columns are the inequalities, then 1, then the monomials of a known sign.
 struct Program {
     rows: Vec<Monomial>,
     columns: Vec<BTreeMap<usize, BigRational>>,
@@ -93,7 +95,8 @@ impl Program {
         Program { rows, columns }
     }
 
-    /// Whether the target is such a combination; `strict` asks that the strict inequalities and 1 have the sum 1.
+    /// Whether the target is such a combination; `strict` requires that the coefficients of the
+    /// strict inequalities and of 1 add up to 1.
     fn solvable(&self, target: &Polynomial, strict: Option<&[bool]>) -> bool {
         if self.rows.len() > MOST_ROWS || self.columns.len() > MOST_COLUMNS {
             return false;
@@ -122,8 +125,8 @@ impl Program {
     }
 }
 
-/// The program without the unknowns that have to be zero, as they stand with one sign in an equation whose right
-/// side is zero; nothing if a right side is out of reach.
+/// Returns the program without the unknowns that have to be zero because they occur with one sign
+/// in an equation whose right side is zero; `None` if a right side cannot be reached.
 fn presolved(mut table: Vec<Vec<BigRational>>) -> Option<Vec<Vec<BigRational>>> {
     let width = table.first().map_or(0, |row| row.len() - 1);
     let mut kept = vec![true; width];
@@ -162,8 +165,8 @@ fn presolved(mut table: Vec<Vec<BigRational>>) -> Option<Vec<Vec<BigRational>>> 
     Some(table)
 }
 
-/// Whether A x = b has a solution with x ≥ 0; the last column is b. The simplex method minimises the sum of what
-/// the equations lack, by Bland's rule.
+/// Whether A x = b has a solution with x ≥ 0; the last column is b. The simplex method minimises
+/// the sum of the residuals of the equations, with Bland's rule.
 fn has_solution(mut table: Vec<Vec<BigRational>>) -> bool {
     let Some(width) = table.first().map(|row| row.len() - 1) else { return true };
     for row in &mut table {
@@ -242,7 +245,7 @@ mod tests {
 
     #[test]
     fn monomials_of_known_sign_may_be_added() {
-        // 1 − x² − y² ≥ 0 shows 1 − x² ≥ 0, and not 1 − 2x² ≥ 0
+        // 1 − x² − y² ≥ 0 shows 1 − x² ≥ 0, but not 1 − 2x² ≥ 0
         let square = |v: u32| Polynomial::variable(v).square();
         let disk = Polynomial::one().sub(&square(0)).sub(&square(1));
         let known = [Inequality { polynomial: disk, strict: false }];

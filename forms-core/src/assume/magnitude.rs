@@ -1,17 +1,18 @@
-//! What conditions on magnitudes say without them: |u| ≤ b is u ≤ b and −u ≤ b, and |u| is u where another condition
-//! says u ≥ 0. So does u² ≤ b², which is |u| ≤ b.
+//! Conditions on magnitudes, rewritten without magnitudes: |u| ≤ b is u ≤ b and −u ≤ b, and |u| is
+//! u where another condition states u ≥ 0. The same holds for u² ≤ b², which is |u| ≤ b.
 //!
-//! A condition whose normal form depends on an open sign is left out; what it says beside that sign is not.
+//! A condition whose normal form depends on an open sign is left out; its consequences without that
+//! sign are not.
 
 use crate::expression::{Condition, Expr, Node, Operation, Pool};
 use crate::syntax::ast::Relation;
 use num_traits::{Signed, Zero};
 use rustc_hash::FxHashMap;
 
-/// Sums of more magnitudes are left as they are: every one of them doubles the number of conditions.
+/// Sums of more magnitudes are not rewritten: each magnitude doubles the number of conditions.
 const MOST_MAGNITUDES: usize = 3;
 
-/// Conditions that follow from the given ones, with fewer magnitudes.
+/// Returns conditions that follow from the given ones, with fewer magnitudes.
 pub(super) fn consequences(pool: &mut Pool, conditions: &[Condition]) -> Vec<Condition> {
     let has_magnitude = |pool: &Pool, condition: &Condition| {
         let parts = pool.reachable(&[condition.left, condition.right]);
@@ -36,7 +37,7 @@ pub(super) fn consequences(pool: &mut Pool, conditions: &[Condition]) -> Vec<Con
     found
 }
 
-/// Of u² ≤ c with a number c the conditions u ≤ √c and −u ≤ √c.
+/// Returns the conditions u ≤ √c and −u ≤ √c for u² ≤ c with a number c.
 fn roots_of_square(pool: &mut Pool, condition: &Condition) -> Vec<Condition> {
     let (less, more, relation) = match condition.relation {
         Relation::Less | Relation::LessEqual => (condition.left, condition.right, condition.relation),
@@ -52,7 +53,7 @@ fn roots_of_square(pool: &mut Pool, condition: &Condition) -> Vec<Condition> {
     [u, minus].map(|left| Condition { left, relation, right: bound }).to_vec()
 }
 
-/// |u| and ±u where the condition says of u on which side of zero it is.
+/// Returns |u| and ±u if the condition states on which side of zero u is.
 fn magnitude_of_signed(pool: &mut Pool, condition: &Condition) -> Option<(Expr, Expr)> {
     let is_zero = |side: Expr| pool.as_number(side).is_some_and(Zero::is_zero);
     let above = matches!(condition.relation, Relation::Greater | Relation::GreaterEqual);
@@ -66,7 +67,7 @@ fn magnitude_of_signed(pool: &mut Pool, condition: &Condition) -> Option<(Expr, 
     Some((magnitude, if is_positive { u } else { pool.negate(u) }))
 }
 
-/// Of Σ cᵢ|uᵢ| + rest ≤ 0 with positive numbers cᵢ the conditions Σ ±cᵢuᵢ + rest ≤ 0.
+/// Returns the conditions Σ ±cᵢuᵢ + rest ≤ 0 for Σ cᵢ|uᵢ| + rest ≤ 0 with positive numbers cᵢ.
 fn both_signs(pool: &mut Pool, condition: &Condition) -> Vec<Condition> {
     let (less, more, relation) = match condition.relation {
         Relation::Less | Relation::LessEqual => (condition.left, condition.right, condition.relation),
@@ -106,7 +107,7 @@ fn signed_sum(pool: &mut Pool, sum: Expr, summand: Expr, negative: bool) -> Expr
     if negative { pool.subtract(sum, summand) } else { pool.add(sum, summand) }
 }
 
-/// Of |u| or a positive multiple of it |u| and u.
+/// Returns |u| and u for |u| or a positive multiple of it.
 fn inside_magnitude(pool: &Pool, summand: Expr) -> Option<(Expr, Expr)> {
     let is_positive = |factor: Expr| pool.as_number(factor).is_some_and(Signed::is_positive);
     match pool.node(summand) {
@@ -124,7 +125,7 @@ mod tests {
     use crate::resolve::resolve;
     use crate::syntax::read;
 
-    /// The consequences of the conditions of a chart.
+    /// Returns the consequences of the conditions of a chart.
     fn of(conditions: &str) -> Vec<String> {
         let (file, errors) = read(&format!("chart R2(x, y) where {conditions};"));
         assert!(errors.is_empty());

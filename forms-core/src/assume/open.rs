@@ -1,21 +1,23 @@
-//! Open domains: where the points that meet some conditions have neighbourhoods of such points.
+//! Open domains: each point that meets the conditions has a neighbourhood of such points.
 //!
-//! **Lemma.** Let every condition be `<`, `>` or `!=` between functions that are continuous where they are defined, but for
-//! conditions a ≤ b that hold wherever some of those without roots and arcs of their own do, or beside which another says
-//! a ≠ b. Then the points that meet all
-//! conditions form an open set.
+//! **Lemma.** Let every condition be `<`, `>` or `!=` between functions that are continuous where
+//! they are defined. Conditions a ≤ b are allowed if a ≤ b follows from some of the former
+//! conditions that contain no roots or inverse trigonometric functions, or if another condition
+//! states a ≠ b. Then the points that meet all conditions form an open set.
 //!
-//! A point p of the set has a neighbourhood in which each operation is defined, by induction over its operands: a divisor
-//! that is not zero at p, or an argument of a logarithm that is positive there, stays so nearby; and a radicand is not
-//! negative wherever certain conditions hold, which are open and hold near p. Without its hypotheses the lemma fails:
-//! `x <= 0, x >= 0` leaves a point, and so does the domain of √(−x²).
+//! A point p of the set has a neighbourhood in which each operation is defined, by induction over
+//! its operands: a divisor that is not zero at p, or an argument of a logarithm that is positive
+//! there, stays so nearby; and a radicand is not negative wherever certain conditions hold, which
+//! are open and hold near p. Without its hypotheses the lemma fails: `x <= 0, x >= 0` leaves a
+//! point, and so does the domain of √(−x²).
 
 use super::is_at_most;
 use crate::expression::{Condition, Expr, Node, Operation, Pool};
 use crate::syntax::ast::Relation;
 
-/// Whether the points that meet the conditions are known to form an open set, on which some expressions are continuous.
-/// The conditions under which these and the sides of conditions are defined are to be among the conditions.
+/// Whether the points that meet the conditions are known to form an open set on which some
+/// expressions are continuous. `conditions` has to include the conditions under which these
+/// expressions and the sides of the conditions are defined.
 pub(crate) fn is_open(pool: &mut Pool, conditions: &[Condition], expressions: &[Expr]) -> bool {
     let (strict, weak): (Vec<Condition>, Vec<Condition>) = conditions.iter().partition(|c| is_strict(c));
     let sides = conditions.iter().flat_map(|condition| [condition.left, condition.right]);
@@ -40,7 +42,8 @@ fn is_strict(condition: &Condition) -> bool {
     !matches!(condition.relation, Relation::GreaterEqual | Relation::LessEqual)
 }
 
-/// Whether no operation of the condition is defined on a set with a border of its own.
+/// Whether every operation of the condition is defined on an open set, without boundary points of
+/// its own.
 fn is_defined_on_an_open_set(pool: &Pool, condition: &Condition) -> bool {
     pool.reachable(&[condition.left, condition.right]).into_iter().all(|part| match pool.node(part) {
         Node::Power(_, exponent) => exponent.is_integer(),
@@ -52,7 +55,8 @@ fn is_defined_on_an_open_set(pool: &Pool, condition: &Condition) -> bool {
     })
 }
 
-/// Whether one may be defined and not continuous, as a choice or an integral by quadrature may be.
+/// Whether an expression may be defined but not continuous, as is possible for a choice or an
+/// integral by quadrature.
 fn may_jump(pool: &Pool, expressions: &[Expr]) -> bool {
     pool.reachable(expressions).into_iter().any(|part| match pool.node(part) {
         Node::Select { .. } => true,

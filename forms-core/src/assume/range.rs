@@ -1,10 +1,11 @@
-//! Ranges: between which numbers a + bπ an angle lies wherever the conditions hold.
+//! Ranges of angles, with ends a + bπ, wherever the conditions hold.
 //!
 //! ```text
 //! conditions ─ linear in quantities ─▶ bounds of a combination ─┐
 //! inverse functions ─ principal values, signs of arguments ─────┴─▶ range of their sum
 //! ```
-//! Ends are exact, a + bπ with rational a and b, so that ±π itself is told apart from what is near it.
+//! Ends are exact, a + bπ with rational a and b, so that ±π itself is distinguished from nearby
+//! numbers.
 
 use crate::enclosure::{Enclosure, Precision};
 use crate::expression::Rational;
@@ -14,16 +15,16 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
 
-/// Bits to which ends are compared and tangents are enclosed.
+/// Precision in bits with which ends are compared and tangents are enclosed.
 pub(super) const PRECISION: Precision = Precision(128);
 
-/// Bits of an end's tangent.
+/// Precision in bits of an end's tangent.
 const TANGENT_PRECISION: Precision = Precision(32);
 
-/// The product of generators that a term is a multiple of; π is one of them.
+/// The product of generators in a term; π is one of the generators.
 type Monomial = Vec<(u32, u32)>;
 
-/// a + bπ, which belongs to the range unless it is open there.
+/// An end a + bπ of a range; it belongs to the range unless the end is open.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct End {
     pub(super) rational: BigRational,
@@ -31,7 +32,7 @@ pub(crate) struct End {
     pub(super) open: bool,
 }
 
-/// What lies between two ends; one that is missing is infinite.
+/// The numbers between two ends; a missing end is infinite.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Range {
     pub(crate) lower: Option<End>,
@@ -39,12 +40,12 @@ pub(crate) struct Range {
 }
 
 impl End {
-    /// (p/q)π
+    /// The end (p/q)π.
     pub(super) fn of_pi(p: i64, q: i64, open: bool) -> Self {
         End { rational: BigRational::zero(), turns: BigRational::new(p.into(), q.into()), open }
     }
 
-    /// A number that belongs to the range.
+    /// A rational end that belongs to the range.
     pub(super) fn number(rational: &BigRational) -> Self {
         End { rational: rational.clone(), turns: BigRational::zero(), open: false }
     }
@@ -66,7 +67,8 @@ impl End {
         Enclosure::exact(&self.rational, precision).add(&turns)
     }
 
-    /// How it compares to another number, where that is certain; openness aside.
+    /// Compares the number with another one, if the order is certain; ignores whether the ends are
+    /// open.
     pub(super) fn compare(&self, other: &End) -> Option<Ordering> {
         let difference = self.add(&other.scaled(&-BigRational::from_integer(1.into())));
         if difference.rational.is_zero() {
@@ -82,7 +84,7 @@ impl End {
 }
 
 impl Range {
-    /// From (p/q)π to (r/s)π, the ends open or not.
+    /// Range from (p/q)π to (r/s)π, with open or closed ends.
     pub(crate) fn of_pi(lower: (i64, i64, bool), upper: (i64, i64, bool)) -> Self {
         Range {
             lower: Some(End::of_pi(lower.0, lower.1, lower.2)),
@@ -90,26 +92,26 @@ impl Range {
         }
     }
 
-    /// The one number a + bπ.
+    /// Range that contains only the number a + bπ.
     fn only(rational: &BigRational, turns: &BigRational) -> Self {
         let end = End { rational: rational.clone(), turns: turns.clone(), open: false };
         Range { lower: Some(end.clone()), upper: Some(end) }
     }
 
-    /// Where x + y lies.
+    /// Returns the range of x + y.
     pub(crate) fn add(&self, other: &Range) -> Range {
         let sum = |a: &Option<End>, b: &Option<End>| Some(a.as_ref()?.add(b.as_ref()?));
         Range { lower: sum(&self.lower, &other.lower), upper: sum(&self.upper, &other.upper) }
     }
 
-    /// Where q x lies.
+    /// Returns the range of q x.
     pub(crate) fn scaled(&self, by: &BigRational) -> Range {
         let scale = |end: &Option<End>| end.as_ref().map(|end| end.scaled(by));
         let (lower, upper) = (scale(&self.lower), scale(&self.upper));
         if by.is_negative() { Range { lower: upper, upper: lower } } else { Range { lower, upper } }
     }
 
-    /// The range of x − kπ − (p/q)π with the integer k that brings its middle nearest to 0.
+    /// Returns the range of x − kπ − (p/q)π with the integer k that brings its middle nearest to 0.
     pub(crate) fn modulo_pi(&self, (p, q): (i64, i64)) -> Range {
         let (Some(lower), Some(upper)) = (&self.lower, &self.upper) else { return self.clone() };
         let shift = BigRational::new(p.into(), q.into());
@@ -138,7 +140,7 @@ impl Range {
         self.scaled(&half).modulo_pi((0, 1)).is_within(1, 2)
     }
 
-    /// Numbers that tan x keeps between, as far as x stays between −π/2 and π/2.
+    /// Returns bounds of tan x, if x stays between −π/2 and π/2.
     pub(crate) fn tangents(&self) -> (Option<Rational>, Option<Rational>) {
         let quarter = |sign: i64| End::of_pi(sign, 2, true);
         let above = |end: &Option<End>| {
@@ -171,7 +173,7 @@ impl Range {
     }
 }
 
-/// tan of an end that is not a pole, exact at multiples of π/4.
+/// Returns the tangent of an end that is not a pole, exact at multiples of π/4.
 fn tangent(end: &End) -> Option<Enclosure> {
     let quarters = &end.turns * BigRational::from_integer(4.into());
     if end.rational.is_zero()
@@ -184,7 +186,7 @@ fn tangent(end: &End) -> Option<Enclosure> {
     if is_pole { None } else { end.enclosure(TANGENT_PRECISION).tan().ok() }
 }
 
-/// Σ c m + a + bπ with monomials m.
+/// A linear combination Σ c m + a + bπ of monomials m.
 #[derive(Clone, Debug, Default)]
 struct Linear {
     terms: Vec<(Monomial, BigRational)>,
@@ -207,16 +209,16 @@ impl Linear {
     }
 }
 
-/// What the conditions say of rational combinations of quantities.
+/// Bounds of rational combinations of quantities that follow from the conditions.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ranges {
-    /// Combinations that are positive, or, if the flag is not set, not negative.
+    /// Combinations that are positive, or only not negative if the flag is not set.
     known: Vec<(Linear, bool)>,
 }
 
 impl Ranges {
-    /// Learns `difference relation 0`, for a difference that is a polynomial over a positive number. `pi` says which
-    /// generator is π, if one is.
+    /// Learns `difference relation 0`, for a difference that is a polynomial over a positive
+    /// number. `pi` is the generator π, if it is one of the generators.
     pub(crate) fn learn(&mut self, pi: Option<u32>, difference: &Fraction, relation: Relation) {
         let Some(polynomial) = difference.as_polynomial() else { return };
         let sign: i64 = match relation {
@@ -232,7 +234,7 @@ impl Ranges {
         }
     }
 
-    /// Where a rational combination of quantities lies.
+    /// Returns the range of a rational combination of quantities.
     pub(crate) fn of(
         &self,
         pi: Option<u32>,
@@ -243,7 +245,8 @@ impl Ranges {
         constant.add(&self.of_terms(pi, &linear.terms))
     }
 
-    /// By a condition on the whole combination, else term by term.
+    /// Returns the range of a combination from a condition on the whole combination, or else term
+    /// by term.
     fn of_terms(&self, pi: Option<u32>, terms: &[(Monomial, BigRational)]) -> Range {
         if terms.is_empty() {
             return Range::only(&BigRational::zero(), &BigRational::zero());
@@ -265,7 +268,8 @@ impl Ranges {
         range
     }
 
-    /// For a condition a m + b s + k > 0 with a bound of s: m > −(b s + k)/a, or < for negative a.
+    /// Returns the range of a monomial m from conditions a m + b s + k > 0 with a bound of s: m >
+    /// −(b s + k)/a, or < for negative a.
     fn through_others(&self, (monomial, coefficient): &(Monomial, BigRational)) -> Range {
         let mut range = Range::default();
         for (known, open) in &self.known {
@@ -285,7 +289,8 @@ impl Ranges {
         range
     }
 
-    /// For a condition λ(Σ c m) + k > 0: Σ c m > −k/λ, or < for negative λ.
+    /// Returns the range of Σ c m from conditions λ(Σ c m) + k > 0: Σ c m > −k/λ, or < for negative
+    /// λ.
     fn of_conditions(&self, terms: &[(Monomial, BigRational)]) -> Range {
         let mut range = Range::default();
         for (known, open) in &self.known {
@@ -302,7 +307,7 @@ impl Ranges {
         range
     }
 
-    /// π Σ c m where the sum lies between numbers.
+    /// Returns the range of π Σ c m where the sum has rational bounds.
     fn without_pi(&self, pi: u32, terms: &[(Monomial, BigRational)]) -> Range {
         let divided = |(monomial, c): &(Monomial, BigRational)| {
             let place = monomial.iter().position(|factor| *factor == (pi, 1))?;
@@ -334,7 +339,7 @@ mod tests {
         BigRational::new(p.into(), q.into())
     }
 
-    /// 0 is π, 1 and 2 are variables; 0 < v₁ < π, 0 < v₂ < 1
+    /// Ranges with 0 < v₁ < π and 0 < v₂ < 1, where generator 0 is π, and 1 and 2 are variables.
     fn ranges() -> Ranges {
         let mut ranges = Ranges::default();
         let (pi, v, w) = (Polynomial::variable(0), Polynomial::variable(1), Polynomial::variable(2));

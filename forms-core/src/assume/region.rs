@@ -1,12 +1,12 @@
-//! The cases a proof has to go through: the signs of radicand factors that the assumptions leave open.
+//! Cases of a proof: the signs of radicand factors that the assumptions leave open.
 //!
-//! A stratum gives every factor a sign −, 0 or +. Those that meet all constraints cover every point the
-//! statement speaks of; a case (no sign 0) is needed if it meets the constraints itself, or if some stratum on
-//! its border does and lies on the border of no other case that is gone through.
+//! A stratum gives every factor a sign −, 0 or +. The strata that meet all constraints cover every
+//! point of the statement. A case (no sign 0) is needed if it meets the constraints itself, or if
+//! some stratum on its boundary does and lies on the boundary of no other needed case.
 
 use crate::normal::{Sign, SignConstraint};
 
-/// More factors than this have too many strata.
+/// Largest number of factors; more factors have too many strata.
 pub(crate) const MOST_FACTORS: usize = 8;
 
 /// A product of factors that is positive, or not negative.
@@ -16,7 +16,7 @@ pub(crate) struct Constraint {
     pub(crate) strict: bool,
 }
 
-/// The factors whose signs matter, and what is known of each.
+/// The factors whose signs matter, with the known signs and constraints.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Region {
     pub(crate) factors: Vec<(usize, Option<Sign>)>,
@@ -26,23 +26,23 @@ pub(crate) struct Region {
 /// A sign for every factor.
 pub(crate) type Case = Vec<(usize, Sign)>;
 
-/// Why there are no cases.
+/// Reason why there are no cases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum NoCases {
     /// No point meets the constraints.
     Empty,
-    /// There would be too many.
+    /// There would be too many cases.
     TooMany,
 }
 
 impl Constraint {
-    /// The constraint that nothing meets.
+    /// The constraint that no point meets.
     pub(crate) fn impossible() -> Self {
         let product = SignConstraint { negative: true, odd: Vec::new(), other: Vec::new() };
         Constraint { product, strict: true }
     }
 
-    /// g ≠ 0
+    /// The constraint g ≠ 0.
     pub(crate) fn not_zero(base: usize) -> Self {
         let product = SignConstraint { negative: false, odd: Vec::new(), other: vec![base] };
         Constraint { product, strict: true }
@@ -50,8 +50,8 @@ impl Constraint {
 }
 
 impl Region {
-    /// The cases, each a sign for every factor. A border without a case of its own counts only if it is possible, of a
-    /// thorough answer every case.
+    /// Returns the cases, each a sign for every factor. A stratum on a boundary without a case of
+    /// its own counts only if it is possible; if `thorough`, the same holds for every case.
     pub(crate) fn cases(
         &self,
         is_possible: impl Fn(&[(usize, i8)]) -> bool,
@@ -85,7 +85,7 @@ impl Region {
         Ok(cases.into_iter().map(|signs| self.named(&signs)).collect())
     }
 
-    /// Every choice of signs that the known ones allow.
+    /// Returns every choice of signs that the known signs allow.
     fn strata(&self) -> Vec<Vec<i8>> {
         let mut strata: Vec<Vec<i8>> = vec![vec![]];
         for (_, known) in &self.factors {
@@ -119,7 +119,7 @@ impl Region {
         })
     }
 
-    /// A case on whose border the stratum lies.
+    /// Returns a case on whose boundary the stratum lies.
     fn beside(&self, border: &[i8]) -> Vec<i8> {
         self.factors
             .iter()
@@ -141,7 +141,7 @@ impl Region {
     }
 }
 
-/// Whether the stratum lies on the border of the case.
+/// Whether the stratum lies on the boundary of the case.
 fn touches(case: &[i8], border: &[i8]) -> bool {
     case.iter().zip(border).all(|(&sign, &at_border)| at_border == 0 || at_border == sign)
 }
@@ -176,7 +176,7 @@ mod tests {
 
     #[test]
     fn a_border_that_belongs_to_no_case_brings_its_own() {
-        // x ≥ 0 and x y ≥ 0 hold at x = 0, y < 0, which is on the border of no case with x, y > 0
+        // x ≥ 0 and x y ≥ 0 hold at x = 0, y < 0, which is on the boundary of no case with x, y > 0
         let constraints = vec![product(&[0], false), product(&[0, 1], false)];
         let region = Region { factors: vec![(0, None), (1, None)], constraints };
         assert_eq!(signs(&region), [[1, -1], [1, 1]]);

@@ -1,8 +1,9 @@
-//! Signs of polynomials, proved: by bounds of the generators, by terms that cannot be negative, by squares, by
-//! combinations of what is known, by norms.
+//! Signs of polynomials, proved: by bounds of the generators, by terms that cannot be negative, by
+//! squares, by combinations of known inequalities, by norms.
 //!
-//! Never sampled. An answer σ means σ·g ≥ 0 wherever the assumptions hold. With a root ρ of f,
-//! A + Bρ ≥ 0 follows from A, B ≥ 0, from A ≥ 0 and A² − B² f ≥ 0, and from B ≥ 0 and A² − B² f ≤ 0.
+//! Signs are never sampled. An answer σ means σ·g ≥ 0 wherever the assumptions hold. With a root ρ
+//! of f, A + Bρ ≥ 0 follows from A, B ≥ 0, from A ≥ 0 and A² − B² f ≥ 0, and from B ≥ 0 and A² − B²
+//! f ≤ 0.
 
 use super::facts::Facts;
 use super::linear::{Inequality, follows};
@@ -12,23 +13,23 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-/// A polynomial with more variables than this is not tried as a sum of squares.
+/// Largest number of variables of a polynomial that is tried as a sum of squares.
 const MOST_SQUARES: usize = 12;
 
-/// Moving bounds to zero multiplies terms; beyond this degree it is not tried.
+/// Highest degree at which bounds are moved to zero, which multiplies the number of terms.
 const HIGHEST_DEGREE: u32 = 12;
 
-/// Polynomials of more terms are not written as combinations, taken apart by roots, or factored.
+/// Polynomials with more terms are not written as combinations, decomposed by roots, or factored.
 const MOST_TERMS: usize = 40;
 
-/// Of more inequalities no products are formed.
+/// Largest number of inequalities of which products are formed.
 const MOST_MULTIPLIED: usize = 8;
 
-/// How many roots a sign may be traced through.
+/// Largest number of nested roots through which a sign is traced.
 const MOST_ROOTS: u32 = 4;
 
 impl Facts {
-    /// The sign of a polynomial, if it can be shown.
+    /// Returns the sign of a polynomial, if it can be shown.
     pub(crate) fn sign_of(&self, polynomial: &Polynomial) -> Option<Sign> {
         if self.never_negative(polynomial) {
             return Some(Sign::Positive);
@@ -39,7 +40,8 @@ impl Facts {
         None
     }
 
-    /// Whether a polynomial keeps away from zero: g − c ≥ 0 or −g − c ≥ 0 for its constant term ±c, c > 0.
+    /// Whether a polynomial is bounded away from zero: g − c ≥ 0 or −g − c ≥ 0 for its constant
+    /// term ±c, c > 0.
     pub(crate) fn never_zero(&self, polynomial: &Polynomial) -> bool {
         let constant = polynomial.terms().find(|(monomial, _)| monomial.is_empty()).map(|(_, c)| c);
         constant.is_some_and(|constant| {
@@ -68,7 +70,7 @@ impl Facts {
                 || self.factors_show(polynomial, roots))
     }
 
-    /// b exp u − c exp v ≥ 0 where b ≥ c > 0 and u ≥ v, with products of exponentials
+    /// Whether b exp u − c exp v ≥ 0 because b ≥ c > 0 and u ≥ v, with products of exponentials.
     fn exponents_show(&self, polynomial: &Polynomial, roots: u32) -> bool {
         let mut terms: Vec<(Vec<(u32, u32)>, BigInt)> = polynomial.terms().collect();
         terms.sort_by(|a, b| b.1.cmp(&a.1));
@@ -88,7 +90,8 @@ impl Facts {
         self.never_negative_through(&u.sub(&v), roots - 1)
     }
 
-    /// Whether known inequalities, or for a target of higher degree also products of two, add up to it.
+    /// Whether the polynomial is a combination of known inequalities or, for a polynomial of higher
+    /// degree, also of products of two of them.
     fn is_combination(&self, polynomial: &Polynomial) -> bool {
         if self.inequalities.is_empty() {
             return false;
@@ -115,8 +118,8 @@ impl Facts {
         follows(polynomial, &known, |monomial| self.sign_of_monomial(monomial))
     }
 
-    /// p = λc + q with c known not to be negative, a number λ ≥ 0 and q a sum of squares, for the λ that the constant terms
-    /// suggest: 1 − 2xy = (1 − x² − y²) + (x − y)².
+    /// Whether p = λc + q with c known not to be negative, a number λ ≥ 0 and q a sum of squares,
+    /// for the λ that the constant terms suggest: 1 − 2xy = (1 − x² − y²) + (x − y)².
     fn is_square_beside_known(&self, polynomial: &Polynomial) -> bool {
         let constant = |p: &Polynomial| p.terms().find(|(monomial, _)| monomial.is_empty()).map(|(_, c)| c);
         self.inequalities.iter().any(|Inequality { polynomial: known, .. }| {
@@ -129,7 +132,8 @@ impl Facts {
         })
     }
 
-    /// A + Bρᵏ ≥ 0 with ρ²ᵏ = f: both parts are, or the larger one is, as the norm tells.
+    /// Whether A + Bρᵏ ≥ 0 with ρ²ᵏ = f: both parts are ≥ 0, or the larger one is, as the norm
+    /// shows.
     fn norm_shows(&self, polynomial: &Polynomial, roots: u32) -> bool {
         let last = polynomial.variables().into_iter().rev().find_map(|v| Some((v, self.roots.get(&v)?)));
         let Some((variable, root)) = last.filter(|_| roots > 0) else { return false };
@@ -150,7 +154,7 @@ impl Facts {
         norm.term_count() <= MOST_TERMS && (above && shown(&norm) || rising && shown(&norm.neg()))
     }
 
-    /// The polynomial with powers of roots replaced by their radicands.
+    /// Returns the polynomial with powers of roots replaced by their radicands.
     fn reduced(&self, polynomial: Polynomial) -> Polynomial {
         let mut reduced = polynomial;
         for variable in reduced.variables().into_iter().rev() {
@@ -166,7 +170,8 @@ impl Facts {
         reduced
     }
 
-    /// Squares do not matter, and the other factors have signs whose product is positive.
+    /// Whether the signs of the factors of odd multiplicity have a positive product; even powers do
+    /// not matter.
     fn factors_show(&self, polynomial: &Polynomial, roots: u32) -> bool {
         if polynomial.total_degree() < 3 && polynomial.monomial_content().is_empty() {
             return false; // a square among these is semidefinite
@@ -199,8 +204,9 @@ impl Facts {
         terms_never_negative(moved, |v| self.lower.contains_key(&v) || self.upper.contains_key(&v))
     }
 
-    /// Bounded variables replaced by ones that are only known to be positive:
-    /// v = l + w, v = u − w, or v = (l + u w)/(1 + w), times (1 + w)^deg. Free ones must occur evenly.
+    /// Replaces bounded variables by variables that are only known to be positive: v = l + w, v = u
+    /// − w, or v = (l + u w)/(1 + w), times (1 + w)^deg. Variables without bounds must occur in
+    /// even powers.
     fn moved_to_zero(&self, polynomial: &Polynomial) -> Option<Polynomial> {
         if polynomial.total_degree() > HIGHEST_DEGREE {
             return None;
@@ -226,7 +232,8 @@ fn terms_never_negative(polynomial: &Polynomial, positive: impl Fn(u32) -> bool)
     })
 }
 
-/// Substitutes v = from ± w, or v = (from + to·w)/(1 + w), and clears denominators by positive factors.
+/// Substitutes v = from ± w, or v = (from + to·w)/(1 + w), and clears denominators by positive
+/// factors.
 fn moebius(
     polynomial: &Polynomial,
     variable: u32,
@@ -259,7 +266,8 @@ fn moebius(
     )
 }
 
-/// Whether a polynomial of degree 2 is a sum of squares: its symmetric matrix has only non-negative pivots.
+/// Whether a polynomial of degree 2 is a sum of squares: its symmetric matrix has only non-negative
+/// pivots.
 fn is_positive_semidefinite(polynomial: &Polynomial) -> bool {
     let variables = polynomial.variables();
     if polynomial.total_degree() > 2 || variables.len() > MOST_SQUARES {

@@ -1,8 +1,8 @@
-//! What conditions say of the strata that normal forms leave out: whether an angle is ever at a half turn, and whether a
-//! divisor is ever zero.
+//! Conditions on the strata that normal forms leave out: whether an angle is ever at a half turn,
+//! and whether a divisor is ever zero.
 //!
-//! A tower for the stratum itself, or conditions that are read everywhere, answer; a normal form that leaves the stratum
-//! out would beg the question.
+//! The answer comes from a tower for the stratum itself, or from conditions whose normal forms hold
+//! everywhere; a normal form that leaves the stratum out would be circular.
 
 use super::region::Constraint;
 use super::{Assumptions, Knowledge, MOST_PASSES};
@@ -11,7 +11,7 @@ use crate::normal::{Fraction, Obstacle, Tower, normalise};
 use crate::polynomial::Polynomial;
 
 impl Assumptions {
-    /// Whether an angle in a tower keeps away from every odd multiple of π where the conditions hold.
+    /// Whether an angle in a tower avoids every odd multiple of π where the conditions hold.
     pub(crate) fn avoids_half_turns(
         &self,
         tower: &mut Tower,
@@ -25,8 +25,9 @@ impl Assumptions {
         Ok(false)
     }
 
-    /// Whether a polynomial of a tower vanishes at no point that meets the conditions. Only conditions that a clone of
-    /// the tower reads everywhere are asked, since the zeros may be where it does not read the others.
+    /// Whether a polynomial of a tower vanishes at no point that meets the conditions. Only
+    /// conditions whose normal forms in a clone of the tower hold everywhere are used: the zeros
+    /// may lie where the other normal forms do not hold.
     pub(crate) fn keep_from_zero(
         &self,
         tower: &Tower,
@@ -51,8 +52,8 @@ impl Assumptions {
 }
 
 impl Knowledge {
-    /// Whether no factor of a polynomial can be zero: by a strict constraint that it occurs in, or since that it is zero
-    /// contradicts what is known.
+    /// Whether no factor of a polynomial can be zero: because it occurs in a strict constraint, or
+    /// because a zero contradicts the known facts.
     fn excludes_zeros(&self, tower: &Tower, polynomial: &Polynomial) -> bool {
         let (_, factors) = polynomial.square_free();
         factors.iter().all(|(factor, _)| {

@@ -1,6 +1,7 @@
-//! Basis forms dx₁∧…∧dxₖ as sets of coordinates, with the sign of putting a product in order.
+//! Basis forms dx₁∧…∧dxₖ as sets of coordinates, with the sign of the permutation that sorts a
+//! product.
 
-/// How many coordinates one file may declare.
+/// Largest number of coordinates that one file can declare.
 pub const MAXIMUM_COORDINATES: usize = 128;
 
 /// A coordinate by its number in the file, below [`MAXIMUM_COORDINATES`].
@@ -24,12 +25,12 @@ impl Blade {
     /// The empty product, 1.
     pub const SCALAR: Blade = Blade(0);
 
-    /// dx
+    /// Returns the differential dx of a coordinate.
     pub fn of(coordinate: Coordinate) -> Self {
         Blade(1 << coordinate.0)
     }
 
-    /// How many differentials it is the product of.
+    /// Returns the number of differentials in the product.
     pub fn degree(self) -> u32 {
         self.0.count_ones()
     }
@@ -39,7 +40,7 @@ impl Blade {
         self.0 >> coordinate.0 & 1 == 1
     }
 
-    /// Its coordinates in ascending order.
+    /// Returns its coordinates in ascending order.
     pub fn coordinates(self) -> impl Iterator<Item = Coordinate> {
         let mut rest = self.0;
         std::iter::from_fn(move || {
@@ -51,7 +52,7 @@ impl Blade {
         })
     }
 
-    /// The product in ascending order and its sign, or nothing if a differential occurs twice.
+    /// Returns the product in ascending order and its sign; `None` if a differential occurs twice.
     pub fn wedge(self, other: Blade) -> Option<(Blade, i8)> {
         if self.0 & other.0 != 0 {
             return None;
@@ -59,7 +60,8 @@ impl Blade {
         Some((Blade(self.0 | other.0), self.sign_before(other)))
     }
 
-    /// dx ⌟ in the first slot: the blade without dx, and (−1)^(number of factors before it).
+    /// Contracts dx ⌟ in the first slot: returns the blade without dx, and (−1)^(number of factors
+    /// before it).
     pub fn without(self, coordinate: Coordinate) -> Option<(Blade, i8)> {
         if !self.contains(coordinate) {
             return None;
@@ -69,7 +71,7 @@ impl Blade {
         Some((Blade(self.0 & !(1 << coordinate.0)), sign))
     }
 
-    /// The differentials of `whole` that are not its factors.
+    /// Returns the differentials of `whole` that are not its factors.
     pub fn complement_in(self, whole: Blade) -> Blade {
         Blade(whole.0 & !self.0)
     }

@@ -1,4 +1,4 @@
-//! What the calculus asks of its coefficients: a commutative ring with commuting partial derivatives.
+//! Coefficients of the calculus: a commutative ring with commuting partial derivatives.
 
 use super::blade::Coordinate;
 use super::metric::Quotients;
@@ -9,10 +9,11 @@ pub type Product<'a, S> = (i8, &'a S, &'a S);
 
 /// A commutative ring with one derivation for each coordinate.
 ///
-/// Zero may be hidden (a structured expression need not know that it vanishes); [`Coefficients::is_zero`]
-/// answers yes only where it is certain, and the calculus uses it only to leave terms out.
+/// Zero may be hidden (a structured expression need not be recognised as zero);
+/// [`Coefficients::is_zero`] returns true only where this is certain, and the calculus uses it only
+/// to omit terms.
 pub trait Coefficients {
-    /// An element.
+    /// Type of the elements.
     type Scalar: Clone;
 
     /// 0
@@ -30,7 +31,7 @@ pub trait Coefficients {
     /// ∂a/∂x
     fn derivative(&mut self, a: &Self::Scalar, by: Coordinate) -> Self::Scalar;
 
-    /// Σ ±a b, where a ring that can is faster than by single products.
+    /// Σ ±a b; a ring can override it if this is faster than single products.
     fn sum_of_products(&mut self, terms: &[Product<'_, Self::Scalar>]) -> Self::Scalar {
         let mut sum = self.zero();
         for &(sign, a, b) in terms {
@@ -41,12 +42,12 @@ pub trait Coefficients {
         sum
     }
 
-    /// One Σ ±a b for each group, where a ring that can computes them side by side.
+    /// One Σ ±a b for each group; a ring can override it to compute the groups in parallel.
     fn sums_of_products(&mut self, groups: &[Vec<Product<'_, Self::Scalar>>]) -> Vec<Self::Scalar> {
         groups.iter().map(|group| self.sum_of_products(group)).collect()
     }
 
-    /// Σ ±∂a/∂x, where a ring that can is faster than by single derivatives.
+    /// Σ ±∂a/∂x; a ring can override it if this is faster than single derivatives.
     fn sum_of_derivatives(&mut self, terms: &[(i8, &Self::Scalar, Coordinate)]) -> Self::Scalar {
         let mut partials = Vec::with_capacity(terms.len());
         for &(sign, a, by) in terms {
@@ -71,7 +72,7 @@ pub trait Coefficients {
 
 /// Structured expressions as coefficients; `coordinates` gives each coordinate's variable.
 pub struct Structured<'a> {
-    /// The pool the expressions live in.
+    /// The pool of the expressions.
     pub pool: &'a mut Pool,
     /// The variable of each coordinate, by its number.
     pub coordinates: &'a [Symbol],

@@ -20,7 +20,8 @@ pub struct Contribution<'a, S> {
     pub sign: i8,
 }
 
-/// The terms of the exterior derivative along the given coordinates, whether or not they vanish.
+/// Returns the terms of the exterior derivative along the given coordinates, whether or not they
+/// vanish.
 pub fn contributions<'a, S: Clone>(
     w: &'a Form<S>,
     along: &'a [Coordinate],
@@ -33,10 +34,12 @@ pub fn contributions<'a, S: Clone>(
     })
 }
 
-/// Signed coefficients with the coordinates they are differentiated by, by the basis form they belong to.
+/// Signed coefficients with the coordinates by which they are differentiated, grouped by basis
+/// form.
 type Groups<'a, S> = BTreeMap<Blade, Vec<(i8, &'a S, Coordinate)>>;
 
-/// The exterior derivative along the given coordinates: all of them for d, one chart's for `d[chart]`.
+/// Returns the exterior derivative along the given coordinates: all of them for d, one chart's for
+/// `d[chart]`.
 pub fn exterior_derivative<R: Coefficients>(
     ring: &mut R,
     w: &Form<R::Scalar>,

@@ -4,7 +4,7 @@ use super::blade::Coordinate;
 use super::coefficient::Coefficients;
 use std::collections::BTreeMap;
 
-/// A vector field by its components; those known to vanish are left out.
+/// A vector field by its components; components known to vanish are omitted.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Field<S> {
     components: BTreeMap<Coordinate, S>,
@@ -25,7 +25,7 @@ impl<S: Clone> Field<S> {
         field
     }
 
-    /// The components that are not known to vanish.
+    /// Returns the components that are not known to vanish.
     pub fn components(&self) -> impl Iterator<Item = (Coordinate, &S)> {
         self.components.iter().map(|(coordinate, value)| (*coordinate, value))
     }
@@ -52,7 +52,7 @@ impl<S: Clone> Field<S> {
         sum
     }
 
-    /// The field with every component replaced; those that vanish go.
+    /// Returns the field with every component replaced; components that vanish are dropped.
     pub fn map<T: Clone, R: Coefficients<Scalar = T>>(
         &self,
         ring: &mut R,

@@ -4,7 +4,7 @@ use super::blade::{Blade, Coordinate};
 use super::coefficient::{Coefficients, Product};
 use std::collections::BTreeMap;
 
-/// Signed products of coefficients, grouped by the basis form they belong to.
+/// Signed products of coefficients, grouped by basis form.
 pub(super) type Products<'a, S> = BTreeMap<Blade, Vec<Product<'a, S>>>;
 
 /// A k-form Σ w_I dx_I, its blades in ascending order. The zero form keeps its degree.
@@ -15,17 +15,17 @@ pub struct Form<S> {
 }
 
 impl<S: Clone> Form<S> {
-    /// The zero form of that degree.
+    /// Returns the zero form of a degree.
     pub fn zero(degree: u32) -> Self {
         Form { degree, terms: Vec::new() }
     }
 
-    /// A scalar as a 0-form.
+    /// Returns a scalar as a 0-form.
     pub fn scalar(ring: &impl Coefficients<Scalar = S>, value: S) -> Self {
         Self::monomial(ring, Blade::SCALAR, value)
     }
 
-    /// One coefficient times one basis form.
+    /// Returns one coefficient times one basis form.
     pub fn monomial(ring: &impl Coefficients<Scalar = S>, blade: Blade, value: S) -> Self {
         let terms = if ring.is_zero(&value) { vec![] } else { vec![(blade, value)] };
         Form { degree: blade.degree(), terms }
@@ -37,14 +37,15 @@ impl<S: Clone> Form<S> {
         Form { degree: 1, terms: vec![(Blade::of(coordinate), one)] }
     }
 
-    /// A form from its coefficients; blades of another degree do not belong here.
+    /// Creates a form from its coefficients; all blades must have the given degree.
     pub fn from_terms(degree: u32, terms: impl IntoIterator<Item = (Blade, S)>) -> Self {
         let ordered: BTreeMap<Blade, S> = terms.into_iter().collect();
         debug_assert!(ordered.keys().all(|blade| blade.degree() == degree));
         Form { degree, terms: ordered.into_iter().collect() }
     }
 
-    /// A form whose coefficients are sums of products; those that vanish are left out.
+    /// Creates a form whose coefficients are sums of products; coefficients that vanish are
+    /// omitted.
     pub(super) fn from_products<R: Coefficients<Scalar = S>>(
         ring: &mut R,
         degree: u32,
@@ -70,27 +71,27 @@ impl<S: Clone> Form<S> {
         Form::monomial(ring, blade, signed)
     }
 
-    /// k of a k-form.
+    /// Returns the degree k of a k-form.
     pub fn degree(&self) -> u32 {
         self.degree
     }
 
-    /// The coefficients that are not known to vanish.
+    /// Returns the coefficients that are not known to vanish.
     pub fn terms(&self) -> &[(Blade, S)] {
         &self.terms
     }
 
-    /// The coefficient of one basis form, if any.
+    /// Returns the coefficient of one basis form, if any.
     pub fn coefficient(&self, blade: Blade) -> Option<&S> {
         self.terms.binary_search_by_key(&blade, |term| term.0).ok().map(|place| &self.terms[place].1)
     }
 
-    /// Whether no coefficient is left.
+    /// Whether the form has no coefficients.
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
 
-    /// The form with every coefficient replaced; those that vanish go.
+    /// Returns the form with every coefficient replaced; coefficients that vanish are dropped.
     pub fn map<T: Clone, R: Coefficients<Scalar = T>>(
         &self,
         ring: &mut R,
@@ -106,7 +107,7 @@ impl<S: Clone> Form<S> {
         Form { degree: self.degree, terms }
     }
 
-    /// The sum of two forms of one degree.
+    /// Returns the sum of two forms of the same degree.
     pub fn add(&self, ring: &mut impl Coefficients<Scalar = S>, other: &Form<S>) -> Form<S> {
         debug_assert_eq!(self.degree, other.degree);
         let mut terms = Vec::with_capacity(self.terms.len() + other.terms.len());

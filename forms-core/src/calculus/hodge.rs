@@ -1,8 +1,8 @@
 //! The Hodge star, the volume form, the codifferential and the Laplacian of forms.
 //!
-//! By Jacobi's identity for complementary minors a ∧ ⋆b = ⟨a, b⟩ vol says
-//! ⋆dx_I = (s/√|g|) ε(I, Iᶜ) Σ_J det(gᵢⱼ; i ∈ Iᶜ, j ∈ J) dx_J: the complement of I with its indices lowered. No
-//! inverse is needed, and no division but the one by √|g|.
+//! By Jacobi's identity for complementary minors, a ∧ ⋆b = ⟨a, b⟩ vol gives ⋆dx_I = (s/√|g|) ε(I,
+//! Iᶜ) Σ_J det(gᵢⱼ; i ∈ Iᶜ, j ∈ J) dx_J: the complement of I with its indices lowered. This needs
+//! no inverse, and no division except by √|g|.
 
 use super::coefficient::Coefficients;
 use super::exterior::exterior_derivative;
@@ -24,7 +24,7 @@ pub fn hodge<R: Quotients>(ring: &mut R, metric: &Metric<R::Scalar>, w: &Form<R:
     star.scale(ring, &factor)
 }
 
-/// √|g| s ⋆w, which is polynomial in the entries of g: ⋆w without its root.
+/// √|g| s ⋆w, which is polynomial in the entries of g: ⋆w without its square root.
 fn bare_star<R: Coefficients>(
     ring: &mut R,
     metric: &Metric<R::Scalar>,
@@ -42,7 +42,8 @@ fn bare_star<R: Coefficients>(
 
 /// δw = s (−1)^(n(k+1)+1) ⋆d⋆w of a form of degree k ≥ 1.
 ///
-/// With ⋆ = (s/√|g|) L the roots and the sign s drop out: s ⋆d⋆w = (1/det g) L(dLw − d(det g)/(2 det g) ∧ Lw).
+/// With ⋆ = (s/√|g|) L the roots and the sign s cancel: s ⋆d⋆w = (1/det g) L(dLw − d(det g)/(2 det
+/// g) ∧ Lw).
 pub fn codifferential<R: Quotients>(
     ring: &mut R,
     metric: &Metric<R::Scalar>,
@@ -81,7 +82,7 @@ pub(super) fn half_logarithmic_derivative<R: Quotients>(
     sum
 }
 
-/// Δw = dδw + δdw; on functions of Euclidean space minus the sum of the second derivatives.
+/// Δw = dδw + δdw; for functions on Euclidean space, minus the sum of the second derivatives.
 pub fn laplacian<R: Quotients>(
     ring: &mut R,
     metric: &Metric<R::Scalar>,

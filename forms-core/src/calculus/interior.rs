@@ -1,11 +1,11 @@
-//! The interior product, into the first slot, and the value of a form on fields.
+//! The interior product, which fills the first slot, and the value of a form on fields.
 
 use super::blade::Blade;
 use super::coefficient::Coefficients;
 use super::field::Field;
 use super::form::{Form, Products};
 
-/// i_X w: i_X(dx₁∧…∧dxₖ) = Σⱼ (−1)^(j−1) Xʲ dx₁∧…(without dxⱼ)…∧dxₖ; of a function it is 0.
+/// i_X w: i_X(dx₁∧…∧dxₖ) = Σⱼ (−1)^(j−1) Xʲ dx₁∧…(without dxⱼ)…∧dxₖ; it is 0 for a function.
 pub fn interior<R: Coefficients>(ring: &mut R, x: &Field<R::Scalar>, w: &Form<R::Scalar>) -> Form<R::Scalar> {
     let mut products: Products<R::Scalar> = Products::new();
     for (blade, value) in w.terms() {
@@ -18,7 +18,7 @@ pub fn interior<R: Coefficients>(ring: &mut R, x: &Field<R::Scalar>, w: &Form<R:
     Form::from_products(ring, w.degree().saturating_sub(1), products)
 }
 
-/// w(X₁, …, Xₖ) = i_Xₖ … i_X₁ w, for as many fields as the form has degrees.
+/// w(X₁, …, Xₖ) = i_Xₖ … i_X₁ w, with one field for each degree of the form.
 pub fn pairing<R: Coefficients>(
     ring: &mut R,
     w: &Form<R::Scalar>,

@@ -1,5 +1,5 @@
-//! The Lie derivative, from its definition by components rather than from Cartan's formula, which then is a
-//! law that tests both.
+//! The Lie derivative, from its definition by components and not from Cartan's formula, so that
+//! this formula is a law that tests both.
 
 use super::blade::{Blade, Coordinate};
 use super::coefficient::Coefficients;
@@ -12,8 +12,8 @@ pub fn lie_of_scalar<R: Coefficients>(ring: &mut R, x: &Field<R::Scalar>, f: &R:
     derivative_along(ring, x, f)
 }
 
-/// L_X is a derivation of the wedge product with L_X dxⁱ = dXⁱ:
-/// L_X(w dx_I) = X(w) dx_I + w Σⱼ dx_i₁∧…∧dX^iⱼ∧…∧dx_iₖ.
+/// L_X w as a derivation of the wedge product with L_X dxⁱ = dXⁱ: L_X(w dx_I) = X(w) dx_I + w Σⱼ
+/// dx_i₁∧…∧dX^iⱼ∧…∧dx_iₖ.
 pub fn lie_of_form<R: Coefficients>(
     ring: &mut R,
     x: &Field<R::Scalar>,

@@ -1,8 +1,9 @@
-//! Metrics g = Σ gᵢⱼ dxⁱ dxʲ on a chart: the map that lowers indices, the determinant and the inverse.
+//! Metrics g = Σ gᵢⱼ dxⁱ dxʲ on a chart: the map that lowers indices, the determinant and the
+//! inverse.
 //!
-//! The determinant of some rows and columns is the coefficient of the wedge product of these rows, so that minors
-//! are computed by the wedge product, without division and each once. Coordinates that the metric does not couple
-//! form blocks; the determinant is the product over the blocks.
+//! The determinant of some rows and columns is a coefficient of the wedge product of these rows.
+//! Minors are therefore computed by the wedge product, without division and each once. Coordinates
+//! that the metric does not couple form blocks; the determinant is the product over the blocks.
 
 use super::blade::{Blade, Coordinate};
 use super::coefficient::Coefficients;
@@ -10,7 +11,7 @@ use super::form::Form;
 use super::pullback::{Pullback, pullback};
 use std::collections::BTreeMap;
 
-/// Coefficients that can be divided and have roots of their magnitudes.
+/// Coefficients that support division and roots of magnitudes.
 pub trait Quotients: Coefficients {
     /// a / b
     fn divide(&mut self, a: &Self::Scalar, b: &Self::Scalar) -> Self::Scalar;
@@ -18,11 +19,11 @@ pub trait Quotients: Coefficients {
     fn magnitude(&mut self, a: &Self::Scalar) -> (Self::Scalar, Self::Scalar);
 }
 
-/// A metric, indefinite ones included, with what its operations share.
+/// A metric, possibly indefinite, with the quantities that its operations share.
 #[derive(Clone, Debug)]
 pub struct Metric<S> {
     coordinates: Vec<Coordinate>,
-    /// 1 if the chart's order is an even permutation of the order of the numbers, else −1.
+    /// 1 if the chart's order is an even permutation of the numerical order, else −1.
     orientation: i8,
     entries: BTreeMap<(Coordinate, Coordinate), S>,
     lowering: Pullback<S>,
@@ -40,7 +41,8 @@ struct Block<S> {
 }
 
 impl<S: Clone> Metric<S> {
-    /// The metric with these entries gᵢⱼ (i ≤ j; what is left out is zero), oriented by the order of the coordinates.
+    /// Creates the metric with these entries gᵢⱼ (i ≤ j; missing entries are zero), oriented by the
+    /// order of the coordinates.
     pub fn new<R: Quotients<Scalar = S>>(
         ring: &mut R,
         order: &[Coordinate],
@@ -77,22 +79,22 @@ impl<S: Clone> Metric<S> {
         }
     }
 
-    /// The size of the largest block that metrics with these entries have.
+    /// Returns the size of the largest block of metrics with these entries.
     pub fn largest_block(order: &[Coordinate], upper: &BTreeMap<(Coordinate, Coordinate), S>) -> u32 {
         coupled(order, upper).into_iter().map(Blade::degree).max().unwrap_or(0)
     }
 
-    /// The coordinates of its chart, in the order of their numbers.
+    /// Returns the coordinates of its chart, in numerical order.
     pub fn coordinates(&self) -> &[Coordinate] {
         &self.coordinates
     }
 
-    /// The entries gᵢⱼ that are not known to vanish.
+    /// Returns the entries gᵢⱼ that are not known to vanish.
     pub fn entries(&self) -> &BTreeMap<(Coordinate, Coordinate), S> {
         &self.entries
     }
 
-    /// n
+    /// Returns the dimension n.
     pub fn dimension(&self) -> u32 {
         self.coordinates.len() as u32
     }
@@ -102,7 +104,7 @@ impl<S: Clone> Metric<S> {
         &self.determinant
     }
 
-    /// The determinants of the blocks, whose product is det g.
+    /// Returns the determinants of the blocks, whose product is det g.
     pub fn block_determinants(&self) -> impl Iterator<Item = &S> {
         self.blocks.iter().map(|block| &block.determinant)
     }
@@ -117,22 +119,23 @@ impl<S: Clone> Metric<S> {
         &self.sign
     }
 
-    /// The chart's orientation: of dx₁∧…∧dxₙ in the order of the numbers.
+    /// Returns the chart's orientation: the sign of dx₁∧…∧dxₙ in numerical order.
     pub(super) fn orientation(&self) -> i8 {
         self.orientation
     }
 
-    /// The product of all differentials.
+    /// Returns the product of all differentials.
     pub(super) fn top(&self) -> Blade {
         union(self.coordinates.iter().copied())
     }
 
-    /// Lowers every index: the blade dx_I stands for ∂_I, whose image is ∧ Σⱼ gᵢⱼ dxʲ.
+    /// Lowers every index: the blade dx_I stands for ∂_I, which is mapped to ∧ Σⱼ gᵢⱼ dxʲ.
     pub(super) fn lower<R: Coefficients<Scalar = S>>(&self, ring: &mut R, v: &Form<S>) -> Form<S> {
         pullback(ring, &self.lowering, v, |_, value| value.clone())
     }
 
-    /// The row gⁱʲ of the inverse: cofactors over the determinant, both of the block of i.
+    /// Returns the row gⁱʲ of the inverse: cofactors divided by the determinant, both of the block
+    /// of i.
     pub(super) fn inverse_row<R: Quotients<Scalar = S>>(
         &self,
         ring: &mut R,
@@ -159,7 +162,7 @@ fn row<S: Clone>(entries: &BTreeMap<(Coordinate, Coordinate), S>, i: Coordinate)
     Form::from_terms(1, terms.map(|((_, j), value)| (Blade::of(*j), value.clone())))
 }
 
-/// The determinant of the submatrix with these rows and columns.
+/// Returns the determinant of the submatrix with these rows and columns.
 fn minor<R: Coefficients>(
     ring: &mut R,
     lowering: &Pullback<R::Scalar>,
@@ -172,7 +175,7 @@ fn minor<R: Coefficients>(
     image.coefficient(columns).cloned().unwrap_or_else(|| ring.zero())
 }
 
-/// The connected components of the coordinates, two being joined by an entry.
+/// Returns the connected components of the coordinates, where an entry joins two coordinates.
 fn coupled<S>(coordinates: &[Coordinate], entries: &BTreeMap<(Coordinate, Coordinate), S>) -> Vec<Blade> {
     let mut blocks: Vec<Blade> = coordinates.iter().map(|&i| Blade::of(i)).collect();
     for &(i, j) in entries.keys() {
@@ -187,13 +190,13 @@ fn coupled<S>(coordinates: &[Coordinate], entries: &BTreeMap<(Coordinate, Coordi
     blocks
 }
 
-/// The blade of a set of coordinates.
+/// Returns the blade of a set of coordinates.
 fn union(coordinates: impl IntoIterator<Item = Coordinate>) -> Blade {
     let differentials = coordinates.into_iter().map(Blade::of);
     differentials.fold(Blade::SCALAR, |all, next| all.wedge(next).map_or(all, |(blade, _)| blade))
 }
 
-/// The sign of the permutation that puts the coordinates in the order of their numbers.
+/// Returns the sign of the permutation that puts the coordinates in numerical order.
 fn parity(order: &[Coordinate]) -> i8 {
     let mut product = (Blade::SCALAR, 1);
     for &coordinate in order {

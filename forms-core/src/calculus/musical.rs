@@ -53,7 +53,8 @@ pub fn inner_of_fields<R: Coefficients>(
     sum
 }
 
-/// ⟨a, b⟩ = Σ a_I det(gⁱʲ; i ∈ I, j ∈ J) b_J of two k-forms, so that ⟨dx∧dy, dx∧dy⟩ = 1 in Euclidean space.
+/// ⟨a, b⟩ = Σ a_I det(gⁱʲ; i ∈ I, j ∈ J) b_J of two k-forms, so that ⟨dx∧dy, dx∧dy⟩ = 1 in
+/// Euclidean space.
 pub fn inner_of_forms<R: Quotients>(
     ring: &mut R,
     metric: &Metric<R::Scalar>,

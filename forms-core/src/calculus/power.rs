@@ -1,13 +1,13 @@
 //! Powers wᵐ = w∧…∧w.
 //!
-//! For w = Σ w_I dx_I of even degree the terms commute, so wᵐ meets every set {I₁, …, I_m} of disjoint blades in m!
-//! orders with one value: wᵐ = m! γ_m(w), where the divided power γ_m(w) takes each set once. With the blade of the
-//! least coordinate of a set in front this is
+//! For w = Σ w_I dx_I of even degree the terms commute, so every set {I₁, …, I_m} of disjoint
+//! blades occurs in wᵐ in m! orders with the same value: wᵐ = m! γ_m(w), where the divided power
+//! γ_m(w) contains each set once. With the blade of the least coordinate of a set in front this is
 //! ```text
 //! γ_m(w) = Σ_{min I < min J} w_I γ_{m−1}(w)_J dx_I∧dx_J,
 //! ```
-//! for the top power of a 2-form the expansion of its Pfaffian by the first row. For ω⁶ of the generic 2-form in R¹² it
-//! takes 26 000 products of terms; squaring takes 300 000.
+//! for the top power of a 2-form the expansion of its Pfaffian by the first row. For ω⁶ of the
+//! generic 2-form in R¹² this takes 26 000 products of terms; squaring takes 300 000.
 
 use super::blade::{Blade, Coordinate};
 use super::coefficient::Coefficients;
@@ -68,7 +68,7 @@ fn divided_power<R: Coefficients>(ring: &mut R, w: &Form<R::Scalar>, exponent: u
     let mut least: Vec<Coordinate> = w.terms().iter().filter_map(|term| lowest(term.0)).collect();
     least.sort_unstable();
     least.dedup();
-    // The blades put in front later bring as many different least coordinates below this one.
+    // Each blade that is later put in front needs a different least coordinate below this one.
     let leaves_room = |blade: Blade, later: u32| {
         let below = least.partition_point(|&coordinate| Some(coordinate) < lowest(blade));
         below >= later as usize

@@ -7,15 +7,16 @@ use super::form::Form;
 use super::wedge::wedge;
 use std::collections::BTreeMap;
 
-/// A map prepared for pulling back: the differentials dFᵢ of its components along the source's coordinates.
-/// A coordinate that is not one of the target's stays what it is.
+/// A map prepared for pullbacks: the differentials dFᵢ of its components along the source's
+/// coordinates. Coordinates that do not belong to the target stay unchanged.
 #[derive(Clone, Debug)]
 pub struct Pullback<S> {
     differentials: BTreeMap<Coordinate, Form<S>>,
 }
 
 impl<S: Clone> Pullback<S> {
-    /// The map that sends the source's coordinates to `components`, one for each target coordinate.
+    /// Creates the pullback by the map that sends the source's coordinates to `components`, one for
+    /// each target coordinate.
     pub fn new<R: Coefficients<Scalar = S>>(
         ring: &mut R,
         components: &[(Coordinate, S)],
@@ -31,7 +32,7 @@ impl<S: Clone> Pullback<S> {
         Pullback { differentials }
     }
 
-    /// The map that sends each of these differentials to a 1-form and is extended to products.
+    /// Creates the map that sends each of these differentials to a 1-form, extended to products.
     pub(super) fn linear(images: impl IntoIterator<Item = (Coordinate, Form<S>)>) -> Self {
         Pullback { differentials: images.into_iter().collect() }
     }
@@ -44,7 +45,7 @@ impl<S: Clone> Pullback<S> {
     }
 }
 
-/// F*w; `compose` gives the composition of a coefficient with the map.
+/// F*w; `compose` returns the composition of a coefficient with the map.
 pub fn pullback<R: Coefficients>(
     ring: &mut R,
     map: &Pullback<R::Scalar>,
@@ -62,7 +63,7 @@ pub fn pullback<R: Coefficients>(
     sum
 }
 
-/// dF_i₁∧…∧dF_iₖ, the image of each tail of a blade computed once.
+/// dF_i₁∧…∧dF_iₖ, where the image of each tail of a blade is computed once.
 fn image_of_blade<R: Coefficients>(
     ring: &mut R,
     map: &Pullback<R::Scalar>,

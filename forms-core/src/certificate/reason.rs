@@ -1,8 +1,9 @@
-//! Reasons for signs: a polynomial written so that it is seen not to be negative.
+//! Reasons for signs: a polynomial written in a form that shows that it is not negative.
 //!
-//! A sum of positive terms is its own reason. A quadratic form is a sum of squares, by completing them one after
-//! the other. Between bounds l ≤ v ≤ u a polynomial Σ cₖ wᵏ/(1 + w)ⁿ in w = (v − l)/(u − v) is
-//! Σ cₖ (v − l)ᵏ (u − v)ⁿ⁻ᵏ/(u − l)ⁿ, which shows its sign if no cₖ is negative.
+//! A sum of positive terms is its own reason. A quadratic form is written as a sum of squares, by
+//! completing the squares one after the other. Between bounds l ≤ v ≤ u a polynomial Σ cₖ wᵏ/(1 +
+//! w)ⁿ in w = (v − l)/(u − v) is Σ cₖ (v − l)ᵏ (u − v)ⁿ⁻ᵏ/(u − l)ⁿ, which shows its sign if no cₖ
+//! is negative.
 
 use crate::assume::Facts;
 use crate::expression::Rational;
@@ -10,7 +11,7 @@ use crate::polynomial::Polynomial;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
-/// A polynomial of higher degree is not written by distances from bounds.
+/// Highest degree of a polynomial that is written in distances from bounds.
 const HIGHEST_DEGREE: u32 = 12;
 
 /// Writes a polynomial as a reason that it is not negative; `name` writes a generator.
@@ -26,7 +27,7 @@ pub(super) fn reason(polynomial: &Polynomial, facts: &Facts, name: &dyn Fn(u32) 
     squares(polynomial, name).or_else(|| distances(polynomial, facts, name))
 }
 
-/// c ∏ partᵏ, and whether each part is known not to be negative
+/// c ∏ partᵏ, with a flag for each part that is known not to be negative.
 struct Term {
     c: Rational,
     parts: Vec<(String, u32, bool)>,
@@ -53,7 +54,7 @@ fn sum(terms: &[Term]) -> String {
     terms.iter().map(product).collect::<Vec<_>>().join(" + ")
 }
 
-/// Σ dₖ (yₖ + Σ lⱼ yⱼ)² for a polynomial of degree 2, the last y being 1
+/// Writes a polynomial of degree 2 as Σ dₖ (yₖ + Σ lⱼ yⱼ)², where the last y is 1.
 fn squares(polynomial: &Polynomial, name: &dyn Fn(u32) -> String) -> Option<String> {
     if polynomial.total_degree() > 2 {
         return None;
@@ -98,7 +99,7 @@ fn squares(polynomial: &Polynomial, name: &dyn Fn(u32) -> String) -> Option<Stri
     Some(sum(&terms))
 }
 
-/// A polynomial by the distances of its generators from their bounds.
+/// Writes a polynomial in the distances of its generators from their bounds.
 fn distances(polynomial: &Polynomial, facts: &Facts, name: &dyn Fn(u32) -> String) -> Option<String> {
     if polynomial.total_degree() > HIGHEST_DEGREE {
         return None;
@@ -147,8 +148,8 @@ fn distances(polynomial: &Polynomial, facts: &Facts, name: &dyn Fn(u32) -> Strin
     Some(sum(&all))
 }
 
-/// The coefficients of p(from ± w), or of (1 + w)ⁿ p((from + to w)/(1 + w)), by powers of w, each a polynomial
-/// in the other generators times a number.
+/// Returns the coefficients of p(from ± w), or of (1 + w)ⁿ p((from + to w)/(1 + w)), by powers of
+/// w; each is a polynomial in the other generators times a number.
 fn moved(
     polynomial: &Polynomial,
     v: u32,

@@ -1,4 +1,5 @@
-//! A proof as lines: at each step the bases and units it uses, each after what it is written with.
+//! Writer of proofs as lines: each step lists the bases and units it uses, each after its
+//! constituents.
 
 use super::Observer;
 use super::reason::reason;
@@ -9,48 +10,48 @@ use crate::polynomial::Polynomial;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fmt::Write;
 
-/// Writes what it is told.
+/// Writes the observed proof as lines.
 pub(super) struct Writer {
     pool: Pool,
     lines: String,
-    /// What could not be written.
+    /// Part of the proof that could not be written.
     gap: Option<String>,
-    /// For bases in the cases around this place: why they have their signs.
+    /// Signs of bases with their reasons, for the cases that enclose the present place.
     reasons: Reasons,
     splits: Vec<Split>,
 }
 
-/// Why bases have their signs.
+/// Signs of bases with their reasons.
 type Reasons = FxHashMap<usize, (Sign, String)>;
 
-/// A split around the present place.
+/// A split that encloses the present place.
 struct Split {
-    /// Whether it was left out because its only case is certain.
+    /// Whether the split is omitted because its only case is certain.
     left_out: bool,
-    /// The reasons known before it, and those known in each of its cases.
+    /// Reasons known before the split, and reasons known in each of its cases.
     outer: Reasons,
     inner: Reasons,
 }
 
-/// What one step of the proof has declared.
+/// Declarations of one step of the proof.
 #[derive(Default)]
 struct Declared {
     bases: Vec<usize>,
     seen: FxHashSet<u32>,
-    /// The bases whose roots do not occur.
+    /// Bases whose roots do not occur.
     rootless: FxHashSet<usize>,
-    /// The bases whose logarithms occur.
+    /// Bases whose logarithms occur.
     logarithmic: FxHashSet<usize>,
 }
 
 impl Writer {
-    /// A writer with the expressions of the theory.
+    /// Creates a writer with the expressions of the theory.
     pub(super) fn new(pool: Pool) -> Self {
         let (lines, reasons) = (String::new(), FxHashMap::default());
         Writer { pool, lines, gap: None, reasons, splits: Vec::new() }
     }
 
-    /// The lines, or what could not be written.
+    /// Returns the lines, or the part of the proof that could not be written.
     pub(super) fn finish(self) -> Result<String, String> {
         self.gap.map_or(Ok(self.lines), Err)
     }
@@ -80,7 +81,7 @@ impl Writer {
         }
     }
 
-    /// Declares what a generator is, after what it is written with.
+    /// Declares a generator, after the generators in its definition.
     fn declare(&mut self, tower: &Tower, variable: u32, declared: &mut Declared) {
         if !declared.seen.insert(variable) {
             return;
@@ -141,7 +142,7 @@ impl Writer {
         }
     }
 
-    /// Notes why bases have the signs that are known of them.
+    /// Records the reasons for the known signs of bases.
     fn find_reasons(&mut self, tower: &Tower, factors: &[usize], facts: &Facts) {
         for &number in factors {
             let polynomial = tower.base(number).polynomial.clone();

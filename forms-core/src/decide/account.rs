@@ -1,7 +1,9 @@
-//! How a proof went, so that a reader can check it: the cases, the tower of each, and what cancelled.
+//! Account of a proof by normal forms, for a reader to check: its cases, the tower of extensions of
+//! each case, and the cancellation in each component.
 //!
-//! A component is a sum of what the calculus put there. Over one denominator its summands are numerators in the
-//! generators of the tower, and the proof is that the numerators add up to the zero polynomial.
+//! A component is a sum of the terms that the calculus produced. Over a common denominator its
+//! summands are numerators in the generators of the tower, and the proof is that the numerators add
+//! up to the zero polynomial.
 
 use super::problem::{Component, Problem};
 use super::proof::settled_cases;
@@ -11,20 +13,20 @@ use crate::normal::{Fraction, Generator, Obstacle, Sign, Tower, Trigonometry, no
 use crate::resolve::{Statement, Theory};
 use std::collections::BTreeSet;
 
-/// A component of more summands is shown as its two sides.
+/// Components with more summands are shown as their two sides.
 const MOST_SUMMANDS: usize = 12;
 
 /// A proof by normal forms, case by case.
 #[derive(Clone, Debug)]
 pub struct Account {
-    /// Together they cover every point of the statement.
+    /// Sign cases that together cover every point of the statement.
     pub cases: Vec<Case>,
 }
 
-/// What was computed where some factors of radicands have given signs.
+/// Cancellation under given signs of some factors of radicands.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// The factors with their signs; none if no sign mattered.
+    /// The factors with their signs; empty if no sign mattered.
     pub signs: Vec<(Expr, Sign)>,
     /// The generators that occur.
     pub generators: Vec<Bound>,
@@ -32,31 +34,32 @@ pub struct Case {
     pub components: Vec<Cancellation>,
 }
 
-/// A generator ρ and, where a relation ρⁿ = f binds it, n and f.
+/// A generator ρ and, where a relation ρⁿ = f defines it, n and f.
 #[derive(Clone, Debug)]
 pub struct Bound {
     /// ρ
     pub generator: Expr,
     /// n and f
     pub relation: Option<(u32, Expr)>,
-    /// For ρ = tan(u/2), which sin u and cos u are rational in: u
+    /// u, for ρ = tan(u/2), in which sin u and cos u are rational.
     pub half_angle: Option<Expr>,
 }
 
 /// The summands of left − right of one component, over one denominator.
 #[derive(Clone, Debug)]
 pub struct Cancellation {
-    /// `dx^dy`, `@x`, or nothing for a scalar.
+    /// Name of the component: `dx^dy`, `@x`, or empty for a scalar.
     pub component: String,
-    /// The summands as the calculus left them.
+    /// The summands as the calculus produced them.
     pub summands: Vec<Expr>,
     /// The numerators of the summands; their sum is zero.
     pub numerators: Vec<Expr>,
-    /// What they are over.
+    /// The common denominator.
     pub denominator: Expr,
 }
 
-/// The account of a proof by normal forms; nothing if that does not prove the statement.
+/// Returns the account of a proof by normal forms; `None` if normal forms do not prove the
+/// statement.
 pub fn account(theory: &mut Theory, statement: &Statement) -> Option<Account> {
     let problem = Problem::new(theory, statement);
     let frame = translation::frame(&theory.pool, &problem.differences());
@@ -92,7 +95,7 @@ fn case(
     Ok(Case { signs, generators, components })
 }
 
-/// Nothing if a summand by itself depends on a sign that the sum does not depend on.
+/// Returns `None` if a single summand depends on a sign on which the sum does not depend.
 fn cancellation(
     pool: &mut Pool,
     tower: &mut Tower,
@@ -121,7 +124,8 @@ fn cancellation(
     Ok(Some(Cancellation { component: component.label.clone(), summands, numerators, denominator }))
 }
 
-/// A generator that a reader has to be told of: one that is no variable, unknown function or π by itself.
+/// Describes a generator for the reader; `None` for a variable, an unknown function or π, which
+/// need no explanation.
 fn bound(pool: &mut Pool, tower: &Tower, variable: u32) -> Option<Bound> {
     let (_, generator, relation) = tower.generators().nth(variable as usize)?;
     let relation = relation.map(|(order, value)| (order, value.clone()));

@@ -5,11 +5,12 @@
 //!    sin D = 0 and cos D = 1, algebraically   ─▶ D is a multiple of 2π at every point
 //!    −2π < D < 2π, from principal values      ─▶ the multiple is 0
 //! ```
-//! The sine and cosine of an inverse function are algebraic in its argument, so the first step is an identity
-//! between normal forms; the second is exact arithmetic with ends a + bπ. Neither needs continuity, so the argument
-//! holds on regions of any shape: atan x + atan 1/x = π/2 is proved for x > 0, and for x < 0, where cos D = −1, it
-//! is not. This is the addition theorem with the branch accounted for, as in Abramowitz and Stegun, 4.4.34.
-//! Where D is no such combination, relations between its inverse functions are looked for first.
+//! The sine and cosine of an inverse function are algebraic in its argument, so the first step is
+//! an identity between normal forms; the second is exact arithmetic with ends a + bπ. Neither needs
+//! continuity, so the argument holds on regions of any shape: atan x + atan 1/x = π/2 is proved for
+//! x > 0, but not for x < 0, where cos D = −1. This is the addition theorem with the branch
+//! accounted for, as in Abramowitz and Stegun, 4.4.34. If D is not such a combination, relations
+//! between its inverse functions are searched for first.
 
 use super::problem::Problem;
 use super::proof::{Outcome, Task, Turn, prove_full_turn, prove_zero};
@@ -24,8 +25,8 @@ pub(super) fn occur_in(pool: &Pool, expressions: &[Expr]) -> bool {
     pool.reachable(expressions).into_iter().any(is_arc)
 }
 
-/// The angles of a proof: each vanishes since its sine is 0, its cosine is 1, and it lies within (−2π, 2π). None
-/// if that does not prove the statement, or if normal forms do without.
+/// Returns the angles of a proof: each vanishes because its sine is 0, its cosine is 1, and it lies
+/// within (−2π, 2π). Empty if this does not prove the statement, or if normal forms alone prove it.
 pub fn vanishing_angles(theory: &mut Theory, statement: &Statement) -> Vec<Expr> {
     let problem = Problem::new(theory, statement);
     let task = Task { problem: &problem, work: WORK_LIMIT };
@@ -34,7 +35,8 @@ pub fn vanishing_angles(theory: &mut Theory, statement: &Statement) -> Vec<Expr>
     if outcome == Outcome::Zero { shown } else { vec![] }
 }
 
-/// Tries to prove that the expressions vanish, those with inverse functions in them as angles, which are noted.
+/// Tries to prove that the expressions vanish. Those with inverse functions are proved as angles,
+/// which are appended to `shown`.
 pub(super) fn prove(pool: &mut Pool, task: Task, differences: &[Expr], shown: &mut Vec<Expr>) -> Outcome {
     for &difference in differences {
         let outcome = prove_difference(pool, task, difference, shown);
@@ -52,7 +54,7 @@ pub(super) fn prove(pool: &mut Pool, task: Task, differences: &[Expr], shown: &m
     Outcome::Zero
 }
 
-/// By normal form, else as an angle.
+/// Tries to prove that a difference vanishes, by its normal form or else as an angle.
 fn prove_difference(pool: &mut Pool, task: Task, difference: Expr, shown: &mut Vec<Expr>) -> Outcome {
     match prove_zero(pool, task.problem, vec![difference], task.work) {
         Outcome::NotZero | Outcome::Outside(_) => prove_component(pool, task, difference, shown),
@@ -71,8 +73,8 @@ fn prove_component(pool: &mut Pool, task: Task, difference: Expr, shown: &mut Ve
     Outcome::Zero
 }
 
-/// Tries to prove that an angle D vanishes: as it is, with the signs of all arguments told apart, and twice it, whose
-/// sine and cosine have fewer roots in them.
+/// Tries to prove that an angle D vanishes. It tries D, and 2D, whose sine and cosine contain fewer
+/// roots; first without, then with a case split on the signs of all arguments.
 pub(super) fn prove_angle(pool: &mut Pool, task: Task, angle: Expr, shown: &mut Vec<Expr>) -> Outcome {
     let two = pool.integer(2);
     let twice = pool.multiply(two, angle);
@@ -101,7 +103,8 @@ fn arguments_of_arcs(pool: &Pool, angle: Expr) -> Vec<Expr> {
     pool.reachable(&[angle]).into_iter().flat_map(arguments).collect()
 }
 
-/// Combinations with integers at the inverse functions, whose vanishing makes the expression vanish.
+/// Returns combinations of inverse functions with integer coefficients; if they all vanish, the
+/// expression vanishes.
 fn angles_in(pool: &mut Pool, difference: Expr) -> Result<Option<Vec<Expr>>, Obstacle> {
     let mut tower = Tower::new(Trigonometry::Circle);
     let prepared = normalise(&mut tower, pool, &[difference])?;
@@ -119,7 +122,7 @@ fn angles_in(pool: &mut Pool, difference: Expr) -> Result<Option<Vec<Expr>>, Obs
     Ok(Some(combinations.iter().map(|combination| tower.raise(pool, combination)).collect()))
 }
 
-/// The number that a quotient is, if it is one.
+/// Returns the quotient a/b if it is a number.
 fn quotient(tower: &mut Tower, a: &Fraction, b: &Fraction) -> Result<Option<Rational>, Obstacle> {
     let inverse = tower.inverse(b)?;
     Ok(tower.multiply(a, &inverse)?.as_number())

@@ -1,4 +1,5 @@
-//! Conditions that nothing meets: a statement under them speaks of no point and is an error.
+//! Contradictory conditions: a statement whose conditions no point meets is vacuous, which is an
+//! error.
 
 use super::problem::Problem;
 use super::proof::{Outcome, prove_zero};
@@ -6,8 +7,9 @@ use crate::assume::{Assumptions, Contradiction};
 use crate::expression::Pool;
 use crate::normal::WORK_LIMIT;
 
-/// Why no point meets the assumptions, if that can be shown: by a condition that fails by its nature, by bounds
-/// that leave no value, or since in every case of the open signs some condition fails.
+/// Returns the reason why no point meets the assumptions, if that can be shown: a condition that is
+/// false by its form, bounds that leave no value, or a condition that fails in every case of the
+/// open signs.
 pub(super) fn contradiction(pool: &mut Pool, problem: &Problem) -> Option<String> {
     match Assumptions::new(pool, &problem.assumptions).contradiction(pool) {
         Some(Contradiction::Alone(condition)) => {

@@ -1,10 +1,11 @@
-//! Conditions that are equations: d ≤ 0 where d ≥ 0 holds anyway.
+//! Conditions that amount to equations: d ≤ 0 where d ≥ 0 holds anyway.
 //!
 //! ```text
-//! d <= 0, d >= 0  ─▶  d = 0  ─▶  some factor e of d is 0  ─ solved ─▶  the problem with the solution in place
+//! d <= 0, d >= 0  ─▶  d = 0  ─▶  some factor e of d is 0  ─ solved ─▶  the problem with the solution substituted
 //! ```
-//! A factor is solved for a variable in which it is linear, or else for a function in it, as sin x is 1 where 1 − sin x is 0.
-//! Each point of the statement has one of the factors zero, so it is enough to prove what is left for each of them.
+//! A factor is solved for a variable in which it is linear, or else for a function in which it is
+//! linear: 1 − sin x = 0 gives sin x = 1. At each point of the statement one of the factors is
+//! zero, so it is enough to prove the remaining problem for each of them.
 
 use super::problem::Problem;
 use super::proof::{Outcome, by_normal_forms};
@@ -15,7 +16,7 @@ use crate::syntax::ast::Relation;
 use num_traits::One;
 use rustc_hash::FxHashMap;
 
-/// Tries to prove a problem by the equations among its conditions, where there was no proof.
+/// Tries to prove a problem through the equations among its conditions, if there is no proof yet.
 pub(super) fn by_equations(pool: &mut Pool, problem: &Problem, work: u64, outcome: Outcome) -> Outcome {
     if !outcome.is_open() {
         return outcome;
@@ -34,7 +35,8 @@ pub(super) fn by_equations(pool: &mut Pool, problem: &Problem, work: u64, outcom
     outcome
 }
 
-/// The difference d of a condition d ≤ 0, if d ≥ 0 follows from the others or by its nature.
+/// Returns the difference d of a condition d ≤ 0, if d ≥ 0 follows from the other conditions or
+/// from the form of d.
 fn equation(pool: &mut Pool, problem: &Problem, place: usize) -> Option<Expr> {
     let Condition { left, relation, right } = problem.assumptions[place];
     let (smaller, larger) = match relation {
@@ -47,7 +49,7 @@ fn equation(pool: &mut Pool, problem: &Problem, place: usize) -> Option<Expr> {
     is_at_most(pool, larger, smaller, &others).then(|| pool.subtract(smaller, larger))
 }
 
-/// The problem where a factor is zero; nothing where it is not solved.
+/// Returns the problem where a factor is zero; `None` if the factor cannot be solved.
 fn on(pool: &mut Pool, problem: &Problem, factor: Expr) -> Option<Problem> {
     let equations = vanishing_together(pool, factor);
     if let Some(stratum) = Stratum::of(pool, problem, &equations) {
@@ -58,7 +60,8 @@ fn on(pool: &mut Pool, problem: &Problem, factor: Expr) -> Option<Problem> {
     Some(mapped(pool, problem, |pool, expression| pool.replace(expression, &images)))
 }
 
-/// A function in an equation that is linear in it, with its value; a sine or cosine of ±1 makes the other one 0.
+/// Solves an equation for a function in which it is linear and returns the function with its value.
+/// A sine or cosine of ±1 makes the other one 0.
 fn function_of(pool: &mut Pool, equation: Expr) -> Option<Vec<(Expr, Expr)>> {
     for part in pool.reachable(&[equation]) {
         let Node::Apply(operation, of) = pool.node(part).clone() else { continue };

@@ -1,4 +1,4 @@
-//! What can be found out about equations: points first, then the normal form, then more points.
+//! Decision procedure for equations: points first, then the normal form, then more points.
 
 use super::empty;
 use super::equation::by_equations;
@@ -12,44 +12,47 @@ use super::verdict::Witness;
 use super::witness::{Difference, Found, Search};
 use crate::expression::{Condition, Expr, Pool};
 
-/// Candidate points looked at before the normal form is computed, and how many good ones are enough.
+/// Number of candidate points tried before the normal form is computed, and number of valid points
+/// that are enough.
 const FIRST_CANDIDATES: usize = 24;
 const FIRST_POINTS: usize = 1;
 
-/// Good points looked at after normal forms that are not zero: to prove equations of angles costs more than points.
+/// Valid points tried after normal forms that are not zero: proofs of equations between angles cost
+/// more than points.
 const POINTS_BEFORE_ANGLES: usize = 6;
 
-/// How much may be spent on one problem, in steps.
+/// Budget for one problem, in steps.
 #[derive(Clone, Copy)]
 pub(crate) struct Effort {
-    /// Products of terms of the normal forms.
+    /// Limit on the products of terms in the normal forms.
     pub(crate) work: u64,
-    /// Candidate points looked at before giving up.
+    /// Candidate points tried before giving up.
     pub(crate) candidates: usize,
-    /// How many good points make it hopeless to look for a difference.
+    /// Number of valid points after which a difference is no longer expected.
     pub(crate) points: usize,
 }
 
 impl Effort {
-    /// For what its author wants to know.
+    /// Budget for a statement that its author wants decided.
     pub(crate) const STATEMENT: Effort =
         Effort { work: crate::normal::WORK_LIMIT, candidates: 600, points: 40 };
 
-    /// So many times the work.
+    /// Multiplies the work limit by a factor.
     pub(crate) fn times(self, factor: u32) -> Effort {
         Effort { work: self.work.saturating_mul(factor.into()), ..self }
     }
 }
 
-/// What was found.
+/// Result of the decision procedure.
 pub(crate) enum Finding {
-    /// Every equation holds wherever its sides are defined and the conditions hold; so many such points were seen.
+    /// Every equation holds wherever its sides are defined and the conditions hold; `points` is the
+    /// number of such points that were seen.
     Equal { points: usize },
-    /// One fails at an exact point.
+    /// One of the equations fails at an exact point.
     Different(Witness),
-    /// They speak of no point.
+    /// The equations are vacuous: no point meets their conditions, for the given reason.
     Empty(String),
-    /// Neither was shown; the sides agree, as far as they are certain, at so many points.
+    /// Neither was shown; at `points` points the sides agree, to the digits that are certain.
     Unknown { reason: String, points: usize },
 }
 
@@ -57,19 +60,19 @@ pub(crate) enum Finding {
 pub(crate) struct Equations<'a> {
     /// Left and right sides.
     pub(crate) sides: &'a [(Expr, Expr)],
-    /// The points spoken of satisfy these.
+    /// Conditions on the points at which the equations are to hold.
     pub(crate) conditions: &'a [Condition],
 }
 
 impl Equations<'_> {
-    /// What can be found out wherever both sides are defined.
+    /// Decides the equations wherever both sides are defined.
     pub(crate) fn decide(&self, pool: &mut Pool, effort: Effort) -> Finding {
         let problem = Problem::of_scalars(pool, self.sides, self.conditions);
         find(pool, &problem, effort)
     }
 }
 
-/// Why no point meets these conditions, if that can be shown.
+/// Returns the reason why no point meets these conditions, if that can be shown.
 pub(crate) fn contradiction(pool: &mut Pool, conditions: &[Condition]) -> Option<String> {
     let problem = Problem::of_scalars(pool, &[], conditions);
     empty::contradiction(pool, &problem)
@@ -120,14 +123,14 @@ pub(super) fn find(pool: &mut Pool, problem: &Problem, effort: Effort) -> Findin
     survey.finding(pool, problem, outcome)
 }
 
-/// What looking at points has shown so far.
+/// State of the search for points.
 struct Survey {
     points: usize,
     enough: usize,
     difference: Option<Difference>,
-    /// What points are looked for of, where it is not the problem itself.
+    /// Instances that are searched for points instead of the problem itself.
     instances: Option<Vec<Instance>>,
-    /// Whether thin strata were looked at.
+    /// Whether thin strata were searched.
     saw_strata: bool,
 }
 
@@ -138,7 +141,8 @@ impl Default for Survey {
 }
 
 impl Survey {
-    /// What follows from an outcome of normal forms and from the points that were looked at.
+    /// Returns the finding that follows from the outcome of the normal forms and from the points
+    /// that were tried.
     fn finding(self, pool: &mut Pool, problem: &Problem, outcome: Outcome) -> Finding {
         let points = self.points;
         if let Some(difference) = &self.difference {
@@ -155,7 +159,7 @@ impl Survey {
         }
     }
 
-    /// Looks at points on thin strata, once.
+    /// Tries points on thin strata, once.
     fn look_at_strata(&mut self, pool: &mut Pool, problem: &Problem) {
         if self.instances.is_none() && !std::mem::replace(&mut self.saw_strata, true) {
             let seen = special::look(pool, problem);
@@ -164,7 +168,7 @@ impl Survey {
         }
     }
 
-    /// Looks at candidates from one position on; gives the position to go on from.
+    /// Tries candidates from a position on and returns the position at which to continue.
     fn look(&mut self, pool: &Pool, problem: &Problem, from: u32, candidates: usize) -> u32 {
         let Some(instances) = self.instances.take() else {
             return self.look_at(pool, (problem, true), from, candidates);

@@ -1,10 +1,10 @@
-//! Instances: problems with integrals of unknown functions, polynomials in the place of the functions.
+//! Instances of problems with integrals of unknown functions: polynomials replace the functions.
 //!
 //! ```text
 //! f, g, Φ = ∫ f g  ─▶  f = 1 + 2s + …, g = 3 + s + …  ─▶  Φ integrated exactly
 //! ```
-//! The values of an unknown function and those of its integrals are not independent (∫ f² is not negative), so
-//! they are not chosen one by one: a refutation names the functions.
+//! The values of an unknown function and the values of its integrals are not independent (∫ f² is
+//! not negative), so they are not chosen one by one: a refutation names the functions.
 
 use super::problem::{Component, Problem};
 use crate::expression::{Condition, Expr, FunctionId, Node, Pool, Substitution};
@@ -12,24 +12,24 @@ use crate::integral::Region;
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 
-/// The choice of functions that is looked at first, and those where it told nothing.
+/// Choices of functions: the first one, and the ones that are tried when the first decides nothing.
 pub(super) const FIRST_CHOICE: Range<u64> = 0..1;
 pub(super) const MORE_CHOICES: Range<u64> = 1..3;
 
-/// Functions of more variables get polynomials of fewer terms.
+/// Functions of more variables are replaced by polynomials with fewer terms.
 const FEW_VARIABLES: usize = 2;
 
-/// A problem to look for points of.
+/// A problem to search for points.
 pub(super) struct Instance {
     pub(super) problem: Problem,
-    /// What was put in the place of unknown functions.
+    /// Unknown functions with the polynomials that replace them.
     pub(super) functions: Vec<(String, String)>,
     /// Whether a point at which the sides differ refutes the statement.
     pub(super) refutes: bool,
 }
 
-/// The instances of a problem in which functions stand for integrals. Nothing where there is no such function: then
-/// values and derivatives at the points are all that matters.
+/// Returns the instances of a problem in which functions stand for integrals. `None` if there is no
+/// such function: then only values and derivatives at the points matter.
 pub(super) fn instances(pool: &mut Pool, problem: &Problem, choices: Range<u64>) -> Option<Vec<Instance>> {
     let mut expressions = problem.differences();
     let conditions = problem.assumptions.iter().flat_map(|c| [c.left, c.right]);
@@ -40,7 +40,8 @@ pub(super) fn instances(pool: &mut Pool, problem: &Problem, choices: Range<u64>)
     }
     let mut found: Vec<Instance> = choices.filter_map(|choice| instance(pool, problem, choice)).collect();
     if found.is_empty() && !in_conditions {
-        // the conditions say nothing of integrals, so a point that meets them is one, whatever the integrals are
+        // the conditions contain no integrals, so a point that meets them is valid whatever the
+        // integrals are
         let problem = copied(problem, |expression| expression);
         found.push(Instance { problem, functions: vec![], refutes: false });
     }
@@ -95,12 +96,13 @@ fn copied(problem: &Problem, image: impl Fn(Expr) -> Expr) -> Problem {
 struct Functions {
     choice: u64,
     known: FxHashMap<FunctionId, Expr>,
-    /// Under which the integrals have their values.
+    /// Conditions under which the integrals have their values.
     conditions: Vec<Condition>,
 }
 
 impl Functions {
-    /// The expressions with the chosen functions in place; nothing where an integral of them is not known.
+    /// Returns the expressions with the chosen functions substituted; `None` if one of their
+    /// integrals is not known.
     fn all(&mut self, pool: &mut Pool, expressions: &[Expr]) -> Option<Vec<Expr>> {
         let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
         for expression in pool.reachable(expressions) {
@@ -121,7 +123,7 @@ impl Functions {
         Some(expressions.iter().map(|expression| images[expression]).collect())
     }
 
-    /// A derivative of the polynomial that stands for a function.
+    /// Returns a derivative of the polynomial that replaces a function.
     fn value(&mut self, pool: &mut Pool, function: FunctionId, orders: &[u32], places: &[Expr]) -> Expr {
         let symbols = pool.function(function).arguments.clone();
         let mut value = match self.known.get(&function) {
@@ -139,9 +141,10 @@ impl Functions {
         pool.substitute(value, &values)
     }
 
-    /// c + Σ (cᵢxᵢ + cᵢ′xᵢ²) + Σ cᵢⱼxᵢxⱼ with small coefficients, for one variable c″x⁴ beside: no rule of quadrature for
-    /// few points is exact for all of these. For many variables only neighbours are
-    /// multiplied, and none in the first choice.
+    /// Returns c + Σ (cᵢxᵢ + cᵢ′xᵢ²) + Σ cᵢⱼxᵢxⱼ with small coefficients, and for one variable also
+    /// c″x⁴: no quadrature rule with few points is exact for all of these. With more than
+    /// `FEW_VARIABLES` variables there are no squares, only neighbours are multiplied, and in the
+    /// first choice not even these.
     fn polynomial(&self, pool: &mut Pool, function: FunctionId) -> Expr {
         let symbols = pool.function(function).arguments.clone();
         let variables: Vec<Expr> = symbols.iter().map(|&symbol| pool.symbol(symbol)).collect();
@@ -169,7 +172,7 @@ impl Functions {
         sum
     }
 
-    /// The integral that a primitive stands for.
+    /// Returns the integral that a primitive stands for.
     fn integral(
         &mut self,
         pool: &mut Pool,

@@ -3,8 +3,8 @@
 //! ```text
 //! acos(αv + β)/d in a sine or cosine ─▶ v = (cos(dw) − β)/α, 0 ≤ dw ≤ π: acos(αv + β) is dw, its part w
 //! ```
-//! Every v has its w, w = acos(αv + β)/d, so what holds for all w holds for all v. In the same way asin with
-//! −π/2 ≤ dw ≤ π/2 and atan with −π/2 < dw < π/2.
+//! Every v has its w, w = acos(αv + β)/d, so a statement that holds for all w holds for all v. The
+//! same is done for asin with −π/2 ≤ dw ≤ π/2 and for atan with −π/2 < dw < π/2.
 
 use super::problem::{Component, Problem};
 use crate::assume::vanishes;
@@ -16,17 +16,18 @@ use num_integer::Integer;
 use num_traits::{One, Zero};
 use rustc_hash::FxHashMap;
 
-/// Smaller parts are left alone.
+/// Largest odd denominator of a part; smaller parts are not replaced.
 const SMALLEST_PART: u32 = 15;
 
-/// An inverse function that occurs in parts, and into how many it is divided.
+/// An inverse function that occurs in parts, with the number of parts.
 struct Parted {
     operation: Operation,
     argument: Expr,
     parts: BigInt,
 }
 
-/// The problem with a variable replaced so that an inverse function in parts is a multiple of another variable.
+/// Returns the problem with a variable replaced such that an inverse function that occurs in parts
+/// becomes a multiple of a new variable.
 pub(super) fn with_whole_parts(pool: &mut Pool, problem: &Problem) -> Option<Problem> {
     let parted = first_parted(pool, &problem.differences())?;
     let (variable, slope, offset) = linear(pool, parted.argument)?;
@@ -60,7 +61,8 @@ pub(super) fn with_whole_parts(pool: &mut Pool, problem: &Problem) -> Option<Pro
     Some(Problem { components, identical: vec![], assumptions, stated: problem.stated })
 }
 
-/// The first inverse function whose odd part occurs in the angle of a sine, cosine or tangent.
+/// Returns the first inverse function whose odd part occurs in the angle of a sine, cosine or
+/// tangent.
 fn first_parted(pool: &mut Pool, expressions: &[Expr]) -> Option<Parted> {
     let mut found: Option<Parted> = None;
     for part in pool.reachable(expressions) {
@@ -93,7 +95,7 @@ fn first_parted(pool: &mut Pool, expressions: &[Expr]) -> Option<Parted> {
     found
 }
 
-/// v, α and β of an expression αv + β with a number α.
+/// Returns v, α and β of an expression αv + β with a number α.
 fn linear(pool: &mut Pool, expression: Expr) -> Option<(Symbol, Rational, Expr)> {
     for symbol in pool.symbols_in(&[expression]) {
         let mut tower = Tower::new(Trigonometry::Circle);
@@ -115,7 +117,8 @@ fn linear(pool: &mut Pool, expression: Expr) -> Option<(Symbol, Rational, Expr)>
     None
 }
 
-/// What the inverse function takes to an angle, and the angles it gives.
+/// Returns the value that the inverse function maps to an angle, and the principal range of the
+/// angle as conditions.
 fn principal(pool: &mut Pool, operation: Operation, angle: Expr) -> Option<(Expr, [Condition; 2])> {
     let (pi, zero, half, minus_half) = (pool.pi(), pool.integer(0), pool.ratio(1, 2), pool.ratio(-1, 2));
     let (right, left) = (pool.multiply(half, pi), pool.multiply(minus_half, pi));
@@ -131,7 +134,7 @@ fn principal(pool: &mut Pool, operation: Operation, angle: Expr) -> Option<(Expr
     Some((wave, bounds))
 }
 
-/// The expression with the inverse function of a wave replaced by its angle.
+/// Replaces the inverse function of a trigonometric value by its angle in an expression.
 fn with_angle(pool: &mut Pool, expression: Expr, (operation, wave): (Operation, Expr), angle: Expr) -> Expr {
     let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
     for part in pool.reachable(&[expression]) {

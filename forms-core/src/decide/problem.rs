@@ -1,4 +1,5 @@
-//! A statement taken apart: one difference a component, and the conditions its points satisfy.
+//! A statement decomposed into one difference per component and the conditions that its points
+//! satisfy.
 
 use crate::calculus::Blade;
 use crate::expression::{Condition, Expr, Pool};
@@ -8,22 +9,22 @@ use std::collections::BTreeMap;
 /// One component of an equation.
 #[derive(Clone, Debug)]
 pub(super) struct Component {
-    /// `dx^dy`, `@x`, or nothing for a scalar.
+    /// Name of the component: `dx^dy`, `@x`, or empty for a scalar.
     pub(super) label: String,
     pub(super) left: Expr,
     pub(super) right: Expr,
     pub(super) difference: Expr,
 }
 
-/// What is to be decided.
+/// Equations to decide, with their assumptions.
 pub(super) struct Problem {
     /// The components whose sides are not the same expression.
     pub(super) components: Vec<Component>,
     /// The common sides of the other components.
     pub(super) identical: Vec<Expr>,
-    /// The `where`s, then where both sides are defined.
+    /// The `where` conditions, then the conditions under which both sides are defined.
     pub(super) assumptions: Vec<Condition>,
-    /// How many of the assumptions come from a `where`.
+    /// Number of assumptions that come from a `where`.
     pub(super) stated: usize,
 }
 
@@ -33,7 +34,8 @@ impl Problem {
         Problem::of_components(&mut theory.pool, sides, &statement.conditions, &statement.domain)
     }
 
-    /// Equations between scalars, wherever both sides are defined and the conditions hold.
+    /// Creates the problem of scalar equations, wherever both sides are defined and the conditions
+    /// hold.
     pub(super) fn of_scalars(pool: &mut Pool, sides: &[(Expr, Expr)], conditions: &[Condition]) -> Self {
         let mut expressions: Vec<Expr> = conditions.iter().flat_map(|c| [c.left, c.right]).collect();
         expressions.extend(sides.iter().flat_map(|&(left, right)| [left, right]));
@@ -73,7 +75,7 @@ impl Problem {
     }
 }
 
-/// The components of two values side by side; what one side lacks is zero.
+/// Pairs the components of two values; a component that one side lacks is zero.
 fn paired(theory: &mut Theory, left: &Value, right: &Value) -> Vec<(String, Expr, Expr)> {
     let zero = theory.pool.integer(0);
     let mut sides: BTreeMap<(Blade, String), [Expr; 2]> = BTreeMap::new();

@@ -1,4 +1,5 @@
-//! The proof: every difference has the normal form zero, in every case of the signs that matter.
+//! Proof by normal forms: every difference has the normal form zero, in every case of the signs
+//! that matter.
 
 use super::angle;
 use super::part::with_whole_parts;
@@ -11,30 +12,30 @@ use crate::certificate::Observer;
 use crate::expression::{Condition, Expr, Pool};
 use crate::normal::{Drift, Fraction, Obstacle, Sign, Tower, Trigonometry, normalise};
 
-/// What the normal forms say.
+/// Outcome of a proof by normal forms.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Outcome {
     /// Every difference is zero in every case.
     Zero,
-    /// Some difference is not zero in some case; that case may still hold no point.
+    /// Some difference is not zero in some case; that case may still contain no point.
     NotZero,
-    /// No normal form.
+    /// There is no normal form, for the given reason.
     Outside(String),
-    /// No point meets the assumptions.
+    /// No point meets the assumptions, for the given reason.
     Empty(String),
 }
 
 impl Outcome {
-    /// Whether another way may still prove it.
+    /// Whether another method may still prove the problem.
     pub(super) fn is_open(&self) -> bool {
         matches!(self, Outcome::NotZero | Outcome::Outside(_))
     }
 }
 
-/// More cases than this are not gone through.
+/// Limit on the number of cases.
 const MOST_CASES: usize = 512;
 
-/// What is to be proved of: a problem, and the products of terms that one normal form may cost.
+/// A problem to prove, and the limit on the products of terms in one normal form.
 #[derive(Clone, Copy)]
 pub(super) struct Task<'a> {
     pub(super) problem: &'a Problem,
@@ -49,7 +50,7 @@ pub(super) fn by_normal_forms(pool: &mut Pool, problem: &Problem, work: u64) -> 
     prove_zero(pool, problem, problem.differences(), work)
 }
 
-/// Tries to prove it of angles, where the normal forms gave another outcome than zero.
+/// Tries to prove the problem as equations between angles, if the normal forms do not decide it.
 pub(super) fn as_angles(pool: &mut Pool, problem: &Problem, work: u64, outcome: Outcome) -> Outcome {
     let differences = problem.differences();
     if !outcome.is_open() || !angle::occur_in(pool, &differences) {
@@ -61,7 +62,8 @@ pub(super) fn as_angles(pool: &mut Pool, problem: &Problem, work: u64, outcome: 
     }
 }
 
-/// Tries to prove it with parts of inverse functions as variables, where there was no proof.
+/// Tries to prove the problem with parts of inverse functions as variables, if there is no proof
+/// yet.
 pub(super) fn as_parts(pool: &mut Pool, problem: &Problem, work: u64, outcome: Outcome) -> Outcome {
     if !outcome.is_open() || !angle::occur_in(pool, &problem.differences()) {
         return outcome;
@@ -79,19 +81,22 @@ pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Ex
     prove_in_all_cases(pool, Task { problem, work }, differences, None)
 }
 
-/// An angle that has to keep within (−2π, 2π), and expressions whose signs are told apart for that.
+/// An angle that has to stay within (−2π, 2π), and expressions whose signs are distinguished for
+/// that.
 #[derive(Clone)]
 pub(super) struct Turn {
     pub(super) angle: Expr,
     pub(super) signs: Vec<Expr>,
 }
 
-/// The same, and that an angle keeps within a turn either way.
+/// Tries to prove that the expressions vanish and that an angle stays within a full turn in either
+/// direction.
 pub(super) fn prove_full_turn(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn: Turn) -> Outcome {
     prove_in_all_cases(pool, task, differences, Some(turn))
 }
 
-/// With the stated conditions, then with what they say of sines and cosines.
+/// Tries a proof under the stated conditions, then also under the signs of sines and cosines that
+/// they imply.
 fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn: Option<Turn>) -> Outcome {
     let stated = &task.problem.assumptions;
     let given = Given { conditions: stated, work: task.work, depth: strata::DEEPEST };
@@ -110,9 +115,10 @@ fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn:
     }
 }
 
-/// First in the frame of the translations that change no difference. Bounds of single variables say less in it: where
-/// it left several cases and no proof, the expressions are looked at as they stand, unless the work was too much; after
-/// that with fewer cases, at the price of asking of each whether it can be.
+/// Tries a proof in the frame of the translations that change no difference. Bounds of single
+/// variables say less in that frame: if it leaves several cases and no proof, the expressions are
+/// tried as they stand, unless the work limit was exceeded. The last attempt has fewer cases, at
+/// the cost of testing whether each one is possible.
 pub(super) fn prove_under(
     pool: &mut Pool,
     given: Given,
@@ -136,12 +142,12 @@ pub(super) fn prove_under(
     outcome
 }
 
-/// What was found in one frame.
+/// Result of the proof in one frame.
 struct Explored {
     outcome: Outcome,
-    /// Whether several cases were told apart.
+    /// Whether several cases were distinguished.
     several: bool,
-    /// Whether the normal forms settled it but for strata that were not.
+    /// Whether the normal forms decided the goal except on strata that remain open.
     in_doubt: bool,
 }
 
@@ -165,7 +171,8 @@ fn explored(
     Explored { in_doubt: outcome.is_open(), outcome, several }
 }
 
-/// What is to be shown: that all differences vanish wherever the assumptions hold, and that an angle keeps within a turn.
+/// Goal of a proof: all differences vanish wherever the assumptions hold, and an angle stays within
+/// a full turn.
 pub(super) struct Goal<'a> {
     pub(super) assumptions: &'a Assumptions,
     pub(super) differences: &'a [Expr],
@@ -173,7 +180,8 @@ pub(super) struct Goal<'a> {
 }
 
 impl Goal<'_> {
-    /// The outcome in one tower, which holds where its normal forms do, and whether several cases were told apart.
+    /// Returns the outcome in one tower, which holds wherever the normal forms of the tower do, and
+    /// whether several cases were distinguished.
     pub(super) fn explored(&self, pool: &mut Pool, tower: &mut Tower) -> (Outcome, bool) {
         let differences = self.differences.to_vec();
         let mut proof = Proof::new(pool, tower, self.assumptions.clone(), differences, self.turn.cloned());
@@ -202,8 +210,8 @@ fn outcome_of(pool: &mut Pool, explored: Result<Outcome, Obstacle>, tower: &Towe
 
 const OUTSIDE: &str = "outside the class that is decided";
 
-/// The cases in which the normal forms are zero, by the signs that tell them apart; nothing if that is no proof.
-/// An observer is told how it goes.
+/// Returns the cases in which the normal forms are zero, each given by its signs; `None` if they
+/// are not a proof. The steps are reported to an observer.
 pub(super) fn settled_cases<'a>(
     pool: &'a mut Pool,
     problem: &Problem,
@@ -227,10 +235,10 @@ struct Proof<'a> {
     turn: Option<Turn>,
     assumptions: Assumptions,
     cases: usize,
-    /// The signs of the cases in which everything is zero.
+    /// Signs of the cases in which everything is zero.
     settled: Vec<Vec<(usize, Sign)>>,
     observer: Option<&'a mut (dyn Observer + 'a)>,
-    /// Whether there was more than one case to tell apart at a time.
+    /// Whether a split had more than one case.
     several: bool,
 }
 
@@ -246,7 +254,7 @@ impl<'a> Proof<'a> {
         Proof { pool, tower, differences, turn, assumptions, cases, settled, observer, several }
     }
 
-    /// Decides where the given signs hold, going through the cases of those that are open.
+    /// Decides the goal under the given signs by splitting into the cases of the open signs.
     fn explore(&mut self, given: &[(usize, Sign)]) -> Result<Outcome, Obstacle> {
         self.cases += 1;
         match self.settle(given) {
@@ -299,7 +307,7 @@ impl<'a> Proof<'a> {
         }
     }
 
-    /// Tells whoever writes the proof down what the cases rest on.
+    /// Reports to the observer the facts on which the cases rest.
     fn observe_split(
         &mut self,
         given: &[(usize, Sign)],
@@ -312,7 +320,8 @@ impl<'a> Proof<'a> {
         Ok(())
     }
 
-    /// The filter first, then the exact normal forms; nothing where they depend on an open sign.
+    /// Applies the filter first, then the exact normal forms; `None` if they depend on an open
+    /// sign.
     fn settle(&mut self, given: &[(usize, Sign)]) -> Result<Option<Outcome>, Obstacle> {
         self.tower.fix_signs(given);
         let prepared = normalise(self.tower, self.pool, &self.expressions())?;
@@ -334,7 +343,7 @@ impl<'a> Proof<'a> {
         Ok(range.is_within(2, 1))
     }
 
-    /// The differences, then what else has to have known signs.
+    /// Returns the differences, then the other expressions whose signs must be known.
     fn expressions(&self) -> Vec<Expr> {
         let signs = self.turn.iter().flat_map(|turn| &turn.signs);
         self.differences.iter().chain(signs).copied().collect()

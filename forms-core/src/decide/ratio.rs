@@ -1,7 +1,8 @@
-//! Sides of a false equation that differ by a simple factor: 2, −1, π, sin θ, cos θ/r², a Jacobian.
+//! Simple factors by which the sides of a false equation differ: 2, −1, π, sin θ, cos θ/r², a
+//! Jacobian.
 //!
-//! The factor c = left/right is read off one component, and told only if left − c·right has the normal form zero
-//! in every component.
+//! The factor c = left/right is read off one component, and is reported only if left − c·right has
+//! the normal form zero in every component.
 
 use super::problem::Problem;
 use super::proof::{Outcome, prove_zero};
@@ -13,21 +14,21 @@ use crate::normal::WORK_LIMIT;
 use crate::resolve::{Map, Theory};
 use num_traits::{One, Zero};
 
-/// A factor of more nodes is not looked at.
+/// Factors with more nodes are skipped.
 const LARGEST_FACTOR: usize = 64;
 
-/// A factor of more parts is no hint for a reader.
+/// A factor with more parts is no hint for a reader.
 const MOST_PARTS: usize = 4;
 
-/// Jacobians of maps between more coordinates are not compared with.
+/// The factor is not compared with Jacobians of maps between more coordinates.
 const LARGEST_DIMENSION: usize = 4;
 
-/// What one side is of the other: left = factor · right.
+/// Factor between the sides: left = factor · right.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Ratio {
     /// The factor in the language's notation.
     pub factor: String,
-    /// The map whose Jacobian it is, up to a number.
+    /// The map whose Jacobian, or its reciprocal, is the factor up to a number.
     pub jacobian_of: Option<String>,
 }
 
@@ -45,7 +46,7 @@ impl std::fmt::Display for Ratio {
     }
 }
 
-/// The factor by which the two sides differ, if there is a simple one.
+/// Returns the factor by which the two sides differ, if there is a simple one.
 pub(super) fn ratio(theory: &mut Theory, problem: &Problem) -> Option<Ratio> {
     let pool = &mut theory.pool;
     let pair = problem.components.iter().find(|c| !pool.is_zero(c.left) && !pool.is_zero(c.right))?;
@@ -73,7 +74,8 @@ pub(super) fn ratio(theory: &mut Theory, problem: &Problem) -> Option<Ratio> {
     Some(Ratio { factor: pool.text(factor), jacobian_of })
 }
 
-/// Whether a factor is a product of a few powers of what people forget: 2, π, sin θ, cos θ/r², 1/√(u² + v² + h²).
+/// Whether a factor is a product of a few powers of commonly forgotten factors: 2, π, sin θ, cos
+/// θ/r², 1/√(u² + v² + h²).
 fn is_simple(pool: &Pool, factor: Expr) -> bool {
     let mut parts = 0;
     let mut pending = vec![factor];
@@ -93,7 +95,7 @@ fn is_simple(pool: &Pool, factor: Expr) -> bool {
     parts <= MOST_PARTS
 }
 
-/// Whether a sum is one of squares and numbers.
+/// Whether a sum consists of even powers and numbers.
 fn is_norm(pool: &Pool, sum: Expr) -> bool {
     match pool.node(sum) {
         Node::Add(a, b) => is_norm(pool, *a) && is_norm(pool, *b),
@@ -103,12 +105,13 @@ fn is_norm(pool: &Pool, sum: Expr) -> bool {
     }
 }
 
-/// Whether a factor contains an unknown function: then it is no factor that somebody forgot.
+/// Whether a factor contains an unknown function: then it is not a forgotten factor.
 fn has_unknown(pool: &Pool, factor: Expr) -> bool {
     pool.reachable(&[factor]).into_iter().any(|part| matches!(pool.node(part), Node::Jet { .. }))
 }
 
-/// The map whose Jacobian is a number times the factor; numbers themselves are no Jacobians.
+/// Returns the map whose Jacobian, or its reciprocal, is a number times the factor; numbers
+/// themselves are not Jacobians.
 fn jacobian(theory: &mut Theory, problem: &Problem, factor: Expr) -> Option<String> {
     let symbols = theory.pool.symbols_in(&[factor]);
     if symbols.is_empty() {
@@ -130,7 +133,8 @@ fn jacobian(theory: &mut Theory, problem: &Problem, factor: Expr) -> Option<Stri
     None
 }
 
-/// √Σ_I (F*dx_I)² over the basis forms of the source's degree, which is √det(JᵀJ); F*(dx₁∧…∧dxₙ) if there is one.
+/// Returns √Σ_I (F*dx_I)² over the basis forms of the source's degree, which is √det(JᵀJ);
+/// F*(dx₁∧…∧dxₙ) if there is only one.
 fn jacobian_of(theory: &mut Theory, map: &Map) -> Option<Expr> {
     let source = theory.charts[map.source].coordinates.clone();
     let target = theory.charts[map.target].coordinates.clone();
@@ -160,7 +164,7 @@ fn jacobian_of(theory: &mut Theory, map: &Map) -> Option<Expr> {
     }
 }
 
-/// The basis forms of a degree in ascending order.
+/// Returns the basis forms of a degree in ascending order.
 fn basis_forms(coordinates: &[Coordinate], degree: usize) -> Vec<Blade> {
     let mut all = vec![Blade::SCALAR];
     for &coordinate in coordinates {

@@ -1,12 +1,14 @@
-//! Relations between inverse trigonometric functions: m α + n β = (k/12)π, found at a point and proved.
+//! Relations between inverse trigonometric functions: m α + n β = (k/12)π, found at a point and
+//! proved.
 //!
 //! ```text
 //! arcs ─ values at one point ─▶ candidates ─ proved as angles ─▶ β replaced by ((k/12)π − m α)/n
 //! ```
-//! α is another inverse function or an angle whose sine, cosine or tangent is in the argument of β: asin(sin x) is
-//! x, or π − x, as the conditions on x say.
+//! α is another inverse function or an angle whose sine, cosine or tangent occurs in the argument
+//! of β: asin(sin x) is x, or π − x, depending on the conditions on x.
 //!
-//! The values only propose; nothing is replaced that has not been proved wherever the conditions hold.
+//! The values only suggest candidates; a replacement is made only if it is proved wherever the
+//! conditions hold.
 
 use super::angle::prove_angle;
 use super::problem::Problem;
@@ -16,16 +18,16 @@ use crate::enclosure::{Enclosure, Precision, enclose};
 use crate::expression::{Expr, Node, Operation, Pool, Rational};
 use crate::normal::is_arc;
 
-/// Relations are looked for between at most so many functions.
+/// Largest number of inverse functions between which relations are searched for.
 const MOST_ARCS: usize = 8;
 
-/// Of so many angles at most the sums and differences are looked at.
+/// Largest number of angles whose sums and differences are also tried.
 const MOST_COMBINED: usize = 3;
 
-/// Points that are looked at for one at which all functions have values.
+/// Points tried in the search for one at which all functions have values.
 const POINTS: u32 = 64;
 
-/// Of the work that one normal form may cost, a candidate may take this part: most are wrong.
+/// Divisor of the work limit for the proof of one candidate: most candidates are wrong.
 const SHARE: u64 = 16;
 
 const PRECISION: Precision = Precision(96);
@@ -33,10 +35,10 @@ const PRECISION: Precision = Precision(96);
 /// The multiples m, n of a relation; the second function is replaced, so n is 1 or −1.
 const MULTIPLES: &[(i64, i64)] = &[(1, 1), (1, -1), (2, 1), (2, -1), (3, 1), (3, -1)];
 
-/// The part of π that the right side is a multiple of.
+/// The right side of a relation is a multiple of π divided by this.
 const PARTS: i64 = 12;
 
-/// The expression with inverse functions that depend on others replaced.
+/// Replaces the inverse functions in an expression that depend on others.
 pub(super) fn eliminated(pool: &mut Pool, task: Task, expression: Expr, shown: &mut Vec<Expr>) -> Expr {
     let mut arcs = arcs_in(pool, expression);
     if arcs.len() > MOST_ARCS {
@@ -71,7 +73,8 @@ fn arcs_in(pool: &Pool, expression: Expr) -> Vec<Expr> {
     pool.reachable(&[expression]).into_iter().filter(is_arc).collect()
 }
 
-/// What sines, cosines and tangents within expressions are of, then the sums and differences of two of them.
+/// Returns the arguments of sines, cosines and tangents within expressions, then the sums and
+/// differences of two of them.
 fn angles_in(pool: &mut Pool, expressions: &[Expr]) -> Vec<Expr> {
     let angle = |part: Expr| match pool.node(part) {
         Node::Apply(Operation::Sin | Operation::Cos | Operation::Tan, of) => Some(of[0]),
@@ -94,7 +97,7 @@ fn angles_in(pool: &mut Pool, expressions: &[Expr]) -> Vec<Expr> {
     angles
 }
 
-/// What a function is by one of the others, or as a part of π.
+/// Returns an inverse function in terms of one of the others, or as a fraction of π.
 fn replacement(
     pool: &mut Pool,
     task: Task,
@@ -113,7 +116,7 @@ fn replacement(
             let scaled = |q: &Rational, value: &Enclosure| Enclosure::exact(q, PRECISION).mul(value);
             let sum = scaled(&m, other_value).add(&scaled(&n, value));
             let Some(angle) = part_of_pi(pool, &sum) else { continue };
-            // n α = (k/12)π − m β
+            // n β = (k/12)π − m α with n² = 1, where β is the arc and α the other
             let (m, n) = (pool.number(m), pool.number(n));
             let multiple = pool.multiply(m, *other);
             let difference = pool.subtract(angle, multiple);
@@ -132,7 +135,7 @@ fn holds(pool: &mut Pool, task: Task, arc: Expr, candidate: Expr, shown: &mut Ve
     prove_angle(pool, task, angle, shown) == Outcome::Zero
 }
 
-/// (k/12)π, if a value may be one.
+/// Returns (k/12)π, if the value may equal it.
 fn part_of_pi(pool: &mut Pool, value: &Enclosure) -> Option<Expr> {
     let parts = Enclosure::integer(PARTS, PRECISION).mul(value).div(&Enclosure::pi(PRECISION)).ok()?;
     let whole = parts.lower().round();
@@ -144,7 +147,7 @@ fn part_of_pi(pool: &mut Pool, value: &Enclosure) -> Option<Expr> {
     Some(pool.multiply(part, pi))
 }
 
-/// The values of the functions at a point that meets the conditions.
+/// Returns the values of the functions at a point that meets the conditions.
 fn values_at_a_point(pool: &Pool, problem: &Problem, arcs: &[Expr]) -> Option<Vec<Enclosure>> {
     let mut expressions: Vec<Expr> =
         problem.assumptions.iter().flat_map(|condition| [condition.left, condition.right]).collect();

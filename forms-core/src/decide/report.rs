@@ -1,4 +1,5 @@
-//! Verdicts in the user's notation: the conditions a theorem rests on, what is left of a false equation.
+//! Verdicts in the user's notation: the conditions on which a theorem rests, and the remaining
+//! difference of a false equation.
 
 use super::problem::Problem;
 use super::verdict::{Theorem, Witness};
@@ -9,18 +10,18 @@ use crate::normal::{Fraction, Normalised, Sign, Tower, Trigonometry, normalise};
 use crate::syntax::ast::Relation;
 use num_traits::Zero;
 
-/// Products of terms that a simplification for the eye may cost; a proof may cost more.
+/// Limit on the products of terms in a simplification for display; a proof may cost more.
 const SIMPLIFICATION_WORK: u64 = 20_000;
 
-/// Signs within signs (√(|x| − 1)) deeper than this are not told apart for the eye.
+/// Depth of signs within signs (√(|x| − 1)) up to which they are distinguished for display.
 const DEEPEST_SIGN: usize = 8;
 
-/// The theorem that the problem's equations are.
+/// Returns the theorem that the problem's equations state.
 pub(super) fn theorem(pool: &mut Pool, problem: &Problem) -> Theorem {
     Theorem { conditions: texts(pool, problem) }
 }
 
-/// The point at which one of them fails.
+/// Returns the point at which one of the equations fails.
 pub(super) fn witness(pool: &mut Pool, problem: &Problem, difference: &Difference) -> Witness {
     let component = &problem.components[difference.component];
     let simple = simplified(pool, component.difference);
@@ -35,7 +36,8 @@ pub(super) fn witness(pool: &mut Pool, problem: &Problem, difference: &Differenc
     }
 }
 
-/// The expression through its normal form, or itself where it has none that reads better.
+/// Returns the expression through its normal form, or the expression itself if no normal form reads
+/// better.
 pub(crate) fn simplified(pool: &mut Pool, expression: Expr) -> Expr {
     let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(SIMPLIFICATION_WORK);
     let Ok(prepared) = normalise(&mut tower, pool, &[expression]) else { return expression };
@@ -50,8 +52,9 @@ pub(crate) fn simplified(pool: &mut Pool, expression: Expr) -> Expr {
     }
 }
 
-/// The same where conditions hold, as far as they leave one case of the signs that matter. They are asked only where
-/// the expression by itself is not simplified, since that costs more.
+/// Returns the expression simplified where conditions hold, if they leave one case of the signs
+/// that matter. The conditions are used only if the expression alone is not simplified, since they
+/// cost more.
 pub fn simplified_where(pool: &mut Pool, conditions: &[Condition], expression: Expr) -> Expr {
     let simple = simplified(pool, expression);
     if simple != expression {
@@ -71,7 +74,8 @@ pub fn simplified_where(pool: &mut Pool, conditions: &[Condition], expression: E
     }
 }
 
-/// The normal form with all signs that the expression depends on fixed, if the conditions leave no choice.
+/// Returns the normal form with all signs that the expression depends on fixed, if the conditions
+/// determine them.
 fn in_only_case(
     pool: &Pool,
     tower: &mut Tower,
@@ -95,18 +99,20 @@ fn in_only_case(
     None
 }
 
-/// Whether an expression is continuous on an open set of points, so that what equals it beside some equals it there.
+/// Whether an expression is continuous on an open set of points: an expression that equals it
+/// outside of exceptional points then equals it at these as well.
 fn holds_as_a_limit(pool: &mut Pool, conditions: &[Condition], expression: Expr) -> bool {
     let all: Vec<Condition> = conditions.iter().copied().chain(pool.domain(&[expression])).collect();
     is_open(pool, &all, &[expression])
 }
 
-/// Whether nothing is written by half angles, which nobody wrote.
+/// Whether the fraction contains no half-angle tangents, which the user did not write.
 fn is_readable(tower: &Tower, fraction: &Fraction) -> bool {
     tower.trigonometry() == Trigonometry::Circle || !tower.mentions_trigonometry(fraction)
 }
 
-/// Whether every radicand factor whose sign was needed is positive by its nature or as the whole radicand.
+/// Whether every radicand factor whose sign was needed is positive by its form or as the whole
+/// radicand.
 fn signs_are_known(tower: &Tower) -> bool {
     let facts = Facts::of(tower);
     tower
@@ -115,7 +121,7 @@ fn signs_are_known(tower: &Tower) -> bool {
         .all(|(_, base)| facts.sign_of(&base.polynomial) == Some(Sign::Positive))
 }
 
-/// What is assumed.
+/// Returns the conditions that are assumed.
 pub(super) fn conditions(pool: &mut Pool, problem: &Problem) -> Vec<Condition> {
     told(pool, problem).into_iter().map(|(condition, _)| condition).collect()
 }
@@ -124,7 +130,8 @@ fn texts(pool: &mut Pool, problem: &Problem) -> Vec<String> {
     told(pool, problem).into_iter().map(|(_, text)| text).collect()
 }
 
-/// Every stated condition, then where the sides are defined as far as that says more; with their texts.
+/// Returns every stated condition, then the conditions under which the sides are defined, if they
+/// say more; each with its text.
 fn told(pool: &mut Pool, problem: &Problem) -> Vec<(Condition, String)> {
     let (stated, domain) = problem.assumptions.split_at(problem.stated);
     let mut told: Vec<(Condition, String)> = Vec::new();
@@ -154,7 +161,8 @@ fn told(pool: &mut Pool, problem: &Problem) -> Vec<(Condition, String)> {
     told
 }
 
-/// The expression a condition speaks of, without powers around it, and whether it excludes zero.
+/// Returns the expression that a condition restricts, without powers around it, and whether the
+/// condition excludes zero.
 fn core(pool: &mut Pool, condition: &Condition) -> (Expr, bool) {
     let strict = !matches!(condition.relation, Relation::GreaterEqual | Relation::LessEqual);
     let difference = if pool.as_number(condition.right).is_some_and(Zero::is_zero) {
@@ -171,7 +179,8 @@ fn core(pool: &mut Pool, condition: &Condition) -> (Expr, bool) {
     (essence, strict)
 }
 
-/// Whether an expression is seen to be never negative (or never zero) from how it is written.
+/// Whether the form of an expression shows that it is never negative (or, if `strict`, never zero
+/// either).
 fn holds_by_nature(pool: &Pool, expression: Expr, strict: bool) -> bool {
     pool.nature(expression) >= if strict { Nature::Positive } else { Nature::NotNegative }
 }

@@ -1,4 +1,4 @@
-//! Candidate points: small exact numbers first, inside the simple bounds that conditions give.
+//! Candidate points: small exact numbers first, within the simple bounds that conditions give.
 
 use crate::enclosure::{Enclosure, Precision, enclose_number};
 use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational, Symbol};
@@ -9,21 +9,21 @@ use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
 
-/// How long a chain of variables a < b < c … passes its bounds on.
+/// Length of a chain of variables a < b < c … along which bounds propagate.
 const CHAIN: usize = 4;
 
-/// Bits of the bounds.
+/// Precision of the bounds, in bits.
 const PRECISION: Precision = Precision(192);
 
-/// Bounds of one variable by numbers; either may be missing.
+/// Numeric bounds of one variable; either can be missing.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bounds {
     pub(crate) lower: Option<Rational>,
     pub(crate) upper: Option<Rational>,
 }
 
-/// What conditions on a x + c say of each variable x, with c any expression of numbers: `x < c`, `0 < 1 - 2*x`,
-/// `abs(x) < c`.
+/// Returns the bounds of each variable x that follow from conditions on a x + c, with c any
+/// constant expression: `x < c`, `0 < 1 - 2*x`, `abs(x) < c`.
 pub(crate) fn simple_bounds(pool: &Pool, conditions: &[Condition]) -> FxHashMap<Symbol, Bounds> {
     let mut bounds: FxHashMap<Symbol, Bounds> = FxHashMap::default();
     for condition in conditions {
@@ -39,7 +39,8 @@ pub(crate) fn simple_bounds(pool: &Pool, conditions: &[Condition]) -> FxHashMap<
     bounds
 }
 
-/// The sides as factor and expression: |q| < c says q < c and −q < c.
+/// Returns the sides, each as factor and expression, without a magnitude: |q| < c means q < c and
+/// −q < c.
 fn without_magnitude(pool: &Pool, condition: &Condition) -> Vec<(Side, Relation, Side)> {
     let (one, minus) = (Rational::one(), -Rational::one());
     let mirrored = condition.relation.mirrored();
@@ -78,7 +79,8 @@ fn restrict(
     }
 }
 
-/// For a < b every upper bound of b is one of a, and every lower bound of a is one of b.
+/// Propagates bounds: for a < b every upper bound of b is one of a, and every lower bound of a is
+/// one of b.
 fn pass_on(pool: &Pool, condition: &Condition, bounds: &mut FxHashMap<Symbol, Bounds>) {
     let (Node::Symbol(left), Node::Symbol(right)) = (pool.node(condition.left), pool.node(condition.right))
     else {
@@ -97,10 +99,10 @@ fn pass_on(pool: &Pool, condition: &Condition, bounds: &mut FxHashMap<Symbol, Bo
     above.lower = above.lower.take().into_iter().chain(lower).max();
 }
 
-/// Operations within operations that a linear expression is recognised through.
+/// Nesting depth of operations up to which a linear expression is recognised.
 const DEEPEST: u32 = 8;
 
-/// a x + c; with a = 0 and no x for a number.
+/// A linear expression a x + c; for a number, a = 0 and there is no x.
 struct Linear {
     symbol: Option<Symbol>,
     slope: Rational,
@@ -108,7 +110,7 @@ struct Linear {
 }
 
 impl Linear {
-    /// How an expression depends on its only variable, if that is seen at once.
+    /// Returns the dependence of an expression on its only variable, if its form shows it directly.
     fn of(pool: &Pool, expression: Expr, depth: u32) -> Option<Linear> {
         let depth = depth.checked_sub(1)?;
         match pool.node(expression) {
@@ -138,7 +140,7 @@ impl Linear {
         Some(Linear { symbol: None, slope: Rational::zero(), constant: value })
     }
 
-    /// The sum, if it is of one variable.
+    /// Returns the sum, if it contains at most one variable.
     fn add(&self, other: &Linear) -> Option<Linear> {
         let symbol = match (self.symbol, other.symbol) {
             (Some(own), Some(other)) if own != other => return None,
@@ -174,12 +176,13 @@ impl Bounds {
         }
     }
 
-    /// One end of the range, if it has one.
+    /// Returns one end of the range, if it has one.
     fn end(&self) -> Option<Rational> {
         self.lower.as_ref().or(self.upper.as_ref()).cloned()
     }
 
-    /// A number within the bounds and close to one of them, the closer the smaller the free one is.
+    /// Returns a number within the bounds and close to one of them; the smaller the free number,
+    /// the closer.
     fn place_close(&self, free: Rational) -> Rational {
         if self.lower.is_none() && self.upper.is_none() {
             return free;
@@ -206,7 +209,7 @@ impl Bounds {
         }
     }
 
-    /// A number within the bounds, from one that knows none.
+    /// Returns a number within the bounds, derived from a free number that ignores them.
     fn place(&self, free: Rational) -> Rational {
         let half = Rational::new(1.into(), 2.into());
         match (&self.lower, &self.upper) {
@@ -217,7 +220,8 @@ impl Bounds {
             (None, Some(upper)) => short(&(upper - free.abs() - half)),
             (Some(lower), Some(upper)) if *lower < free && free < *upper => free,
             (Some(lower), Some(upper)) => {
-                // 0 < w/(1 + w) < 1 for every w > 0, nearer to the end that the sign tells
+                // 0 < w/(1 + w) < 1 for every w > 0; the sign of the free number selects the nearer
+                // end
                 let w = free.abs() + half;
                 let above = if free.is_negative() { Rational::one() } else { w.clone() };
                 let share = above / (Rational::one() + &w);
@@ -227,13 +231,14 @@ impl Bounds {
     }
 }
 
-/// Denominators that a bound is looked for with.
+/// Largest denominator of a bound that is recognised as a simple number.
 const LARGEST_DENOMINATOR: u32 = 64;
 
-/// The digits of a continued fraction with such a denominator: it is at least the Fibonacci number of that order.
+/// Limit on the terms of a continued fraction with such a denominator: the denominator is at least
+/// the Fibonacci number of that order.
 const MOST_DIGITS: u32 = 12;
 
-/// The number with the smallest denominator that an enclosure may stand for, if that is small.
+/// Returns the number with the smallest denominator in an enclosure, if that denominator is small.
 fn short_within(enclosure: &Enclosure) -> Option<Rational> {
     let found = match enclosure.as_exact() {
         Some(value) => Some(value.clone()),
@@ -242,8 +247,9 @@ fn short_within(enclosure: &Enclosure) -> Option<Rational> {
     found.filter(|value| *value.denom() <= LARGEST_DENOMINATOR.into())
 }
 
-/// The number with the smallest denominator from a/b to c/d, by the continued fraction that their ends share, if it has
-/// no more digits: ⌊x⌋ + 1/y with the simplest y between the reciprocals of what is left.
+/// Returns the number with the smallest denominator from a/b to c/d, by the continued fraction that
+/// the ends share, if it has at most `digits` terms: ⌊x⌋ + 1/y with the simplest y between the
+/// reciprocals of the remainders.
 fn simplest((a, b): (BigInt, BigInt), (c, d): (BigInt, BigInt), digits: u32) -> Option<Rational> {
     let (whole, rest) = a.div_mod_floor(&b);
     if rest.is_zero() {
@@ -257,7 +263,7 @@ fn simplest((a, b): (BigInt, BigInt), (c, d): (BigInt, BigInt), digits: u32) -> 
     Some(Rational::from_integer(whole) + inner.recip())
 }
 
-/// A number nearby with a short denominator.
+/// Returns a nearby number with a short denominator.
 fn short(value: &Rational) -> Rational {
     let scale = Rational::from_integer(8.into());
     (value * &scale).round() / scale
@@ -275,16 +281,16 @@ fn short_between(value: &Rational, lower: &Rational, upper: &Rational) -> Ration
     value.clone()
 }
 
-/// A fixed sequence of small exact numbers, the same for the same input.
+/// A deterministic sequence of small exact numbers: the same input gives the same numbers.
 #[derive(Clone, Debug)]
 pub(super) struct Sequence(SplitMix);
 
-/// Numbers people can check by hand, the first ones the most often used.
+/// Numbers that are easy to check by hand, the most frequently used ones first.
 const SIMPLE: &[(i64, i64)] =
     &[(1, 1), (2, 1), (1, 2), (3, 1), (-1, 1), (3, 2), (-2, 1), (1, 3), (5, 1), (0, 1)];
 
-/// From one round on, of so many rounds one tries small numbers, close to the bounds: what holds for x > 0 fails
-/// between −1/10 and 0, if anywhere, where a condition says x > −1/10.
+/// First round that tries small numbers close to the bounds, and the period of these rounds. With a
+/// condition x > −1/10, a statement that holds for x > 0 fails, if anywhere, between −1/10 and 0.
 const FIRST_CLOSE: u32 = 24;
 const CLOSE: u32 = 2;
 
@@ -297,7 +303,7 @@ impl Sequence {
         Sequence(SplitMix(seed))
     }
 
-    /// The next number: from the simple ones at first, then more and more varied.
+    /// Returns the next number: one of the simple ones at first, then more and more varied.
     pub(super) fn number(&mut self, round: u32) -> Rational {
         let random = self.0.next();
         if round < 8 || random.is_multiple_of(4) {
@@ -313,7 +319,7 @@ impl Sequence {
         if is_close(round) && numerator > denominator { number.recip() } else { number }
     }
 
-    /// Values for the variables, within their bounds.
+    /// Returns values for the variables, within their bounds.
     pub(super) fn point(
         &mut self,
         symbols: &[Symbol],
@@ -325,7 +331,7 @@ impl Sequence {
             .map(|symbol| {
                 let free = self.number(round);
                 let value = match bounds.get(symbol) {
-                    // a bound may belong to the range; the condition itself says so
+                    // a bound may belong to the range; the condition itself decides
                     Some(bounds) if free.is_zero() && round % 2 == 1 => bounds.end().unwrap_or(free),
                     Some(bounds) if is_close(round) => bounds.place_close(free),
                     Some(bounds) => bounds.place(free),
@@ -337,7 +343,8 @@ impl Sequence {
     }
 }
 
-/// The value of an unknown function's derivative at one place: small, and not 0 at first.
+/// Returns the value of an unknown function's derivative at one place: small, and not 0 in the
+/// first rounds.
 pub(super) fn jet_value(seed: u64, number: usize, round: u32, bounds: Option<&Bounds>) -> Rational {
     let mut sequence = Sequence::new(seed ^ (number as u64 + 1).wrapping_mul(0xd6e8_feb8_6659_fd93));
     let mut value = sequence.number(round);

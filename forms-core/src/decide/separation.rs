@@ -1,15 +1,18 @@
-//! Equality of algebraic numbers: by a bound that separates zero from the others, and one enclosure.
+//! Equality of algebraic numbers by a separation bound, which separates zero from all other numbers
+//! of their kind, and one enclosure.
 //!
-//! An expression in numbers, roots, and sines and cosines of rational multiples of π is U/L with algebraic integers U and
-//! L. Let every conjugate of U be at most 2ᵘ and every conjugate of L at most 2ˡ in size, and D be the degree of a field
-//! that holds both. The norm of U is an integer, so U = 0 or
+//! An expression in numbers, roots, and sines and cosines of rational multiples of π is U/L with
+//! algebraic integers U and L. Let every conjugate of U be at most 2ᵘ and every conjugate of L at
+//! most 2ˡ in size, and let D be the degree of a field that contains both. The norm of U is an
+//! integer, so U = 0 or
 //!
 //! ```text
 //! |U| ≥ 2^−(D−1)u,   |U/L| ≥ 2^−(l + (D−1)u)
 //! ```
-//! An enclosure within that bound is one of zero. The bounds u and l follow the operations: this is the BFMSS bound of
-//! Burnikel, Funke, Mehlhorn, Schirra and Schmitt, *A Separation Bound for Real Algebraic Expressions* (ESA 2001). It needs
-//! no field to be built, so it decides nested roots of numbers that no normal form is known for.
+//! A number whose enclosure lies within that bound is zero. The bounds u and l follow the
+//! operations: this is the BFMSS bound of Burnikel, Funke, Mehlhorn, Schirra and Schmitt, *A
+//! Separation Bound for Real Algebraic Expressions* (ESA 2001). It does not construct a field, so
+//! it decides nested roots of numbers for which no normal form is known.
 
 use super::problem::Problem;
 use super::proof::Outcome;
@@ -23,23 +26,24 @@ use num_rational::Ratio;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use rustc_hash::FxHashMap;
 
-/// Bounds that need more binary places are not reached for.
+/// Limit on the binary places of a bound.
 const MOST_PLACES: u64 = 30_000;
 
 /// Binary places beyond those of the bound, for the widths that operations add.
 const SPARE_PLACES: [u64; 3] = [64, 256, 1024];
 
-/// More parts of a circle are not looked at.
+/// Limit on the number of parts of a circle.
 const MOST_PARTS: u64 = 1 << 20;
 
-/// The binary logarithms, rounded up, of what the conjugates of U and L are at most.
+/// Bounds on the conjugates of U and L: their binary logarithms, rounded up.
 #[derive(Clone, Copy)]
 struct Conjugates {
     above: u64,
     below: u64,
 }
 
-/// A number shown to be zero: its size is below 2⁻ⁿ, and a number of its kind that is not zero is at least that.
+/// A number shown to be zero: its size is below 2⁻ⁿ, and every nonzero number of its kind has at
+/// least this size.
 #[derive(Clone, Copy, Debug)]
 pub struct Separated {
     /// The number.
@@ -48,13 +52,14 @@ pub struct Separated {
     pub places: u64,
 }
 
-/// The differences of a proof that they are algebraic numbers and zero; none if that does not prove the statement.
+/// Returns the differences of a proof that shows that they are algebraic numbers and zero; empty if
+/// this does not prove the statement.
 pub fn separated(theory: &mut Theory, statement: &Statement) -> Vec<Separated> {
     let problem = Problem::new(theory, statement);
     all_separated(&theory.pool, &problem).unwrap_or_default()
 }
 
-/// Tries to prove it of numbers, where nothing else gave the outcome zero.
+/// Tries to prove the problem by separation bounds of numbers, if there is no proof yet.
 pub(super) fn as_numbers(pool: &Pool, problem: &Problem, outcome: Outcome) -> Outcome {
     if outcome.is_open() && all_separated(pool, problem).is_some() { Outcome::Zero } else { outcome }
 }
@@ -82,7 +87,8 @@ fn is_within(pool: &Pool, number: Expr, places: u64) -> bool {
     false
 }
 
-/// n such that the number is zero or at least 2⁻ⁿ in size; nothing if it is not known to be algebraic.
+/// Returns n such that the number is zero or at least 2⁻ⁿ in size; `None` if it is not known to be
+/// algebraic.
 fn least_size(pool: &Pool, number: Expr) -> Option<u64> {
     let mut field = Field::default();
     for part in pool.reachable(&[number]) {
@@ -97,19 +103,20 @@ fn least_size(pool: &Pool, number: Expr) -> Option<u64> {
     below.checked_add((field.degree()? - 1).checked_mul(above)?)
 }
 
-/// What is known of the parts of an expression, and the field they lie in.
+/// Known bounds of the parts of an expression, and the field that contains the parts.
 #[derive(Default)]
 struct Field {
     numbers: FxHashMap<Expr, Conjugates>,
-    /// Rational multiples of π, as these rational numbers.
+    /// Angles that are rational multiples of π, with their rational factors.
     angles: FxHashMap<Expr, Rational>,
-    /// Radicands with the orders of their roots; a rational one stands for its prime factors.
+    /// Radicands with the orders of their roots; a rational one is represented by its prime
+    /// factors.
     roots: FxHashMap<Radicand, u64>,
-    /// N of the cosines 2 cos(2π/N) that sines and cosines are polynomials in.
+    /// N of the cosine 2 cos(2π/N) in which the sines and cosines are polynomials.
     circle: u64,
 }
 
-/// What a root is of.
+/// Radicand of a root.
 #[derive(PartialEq, Eq, Hash)]
 enum Radicand {
     Factor(BigInt),
@@ -117,7 +124,7 @@ enum Radicand {
 }
 
 impl Field {
-    /// No more than φ(N)/2 times the orders of the roots.
+    /// Returns an upper bound on the degree of the field: φ(N)/2 times the orders of the roots.
     fn degree(&self) -> Option<u64> {
         let of_cosines = if self.circle > 2 { totient(self.circle) / 2 } else { 1 };
         self.roots.values().try_fold(of_cosines, |degree, order| degree.checked_mul(*order))
@@ -165,7 +172,7 @@ impl Field {
         }
     }
 
-    /// The rules of the bound; what they need is adjoined to the field.
+    /// Applies the rules of the bound, and adjoins to the field the numbers that they need.
     fn conjugates(&mut self, pool: &Pool, node: &Node) -> Option<Conjugates> {
         let of = |part: &Expr| self.numbers.get(part).copied();
         match node {
@@ -221,7 +228,8 @@ impl Conjugates {
         Some(Conjugates { above: self.above.checked_mul(n)?, below: self.below.checked_mul(n)? })
     }
 
-    /// (U/L)^(1/n) is (U Lⁿ⁻¹)^(1/n)/L and U/(Uⁿ⁻¹ L)^(1/n): the first where L is the smaller.
+    /// (U/L)^(1/n) is (U Lⁿ⁻¹)^(1/n)/L and U/(Uⁿ⁻¹ L)^(1/n): the first is used where L has the
+    /// smaller bound.
     fn root(self, n: u64) -> Option<Self> {
         if self.above < self.below {
             return Some(self.inverse().root(n)?.inverse());
@@ -264,7 +272,8 @@ mod tests {
         pool.power(radicand, num_rational::Ratio::new(1, order))
     }
 
-    /// Best approximations p/q of a number that a root is of come as near as a separation bound lets them.
+    /// Returns best approximations p/q of a number: for a root they come as close to it as a
+    /// separation bound allows.
     fn convergents(value: f64) -> Vec<(i64, i64)> {
         let (mut found, mut rest) = (vec![(1, 0)], value);
         let mut last = (0, 1);

@@ -1,8 +1,9 @@
-//! The prover by itself, without the points that refute: it proves no false statement, and contradicts no conditions
-//! that some point meets.
+//! Soundness of the prover alone, without the points that refute: it proves no false statement, and
+//! finds no contradiction in conditions that some point meets.
 //!
-//! A false statement is mostly refuted before its normal forms are asked, which hides what they would say of it. Each rule
-//! about signs, ranges and roots has a statement here that it would prove if it went a step too far.
+//! Most false statements are refuted before their normal forms are computed, which hides the
+//! outcome of the normal forms. Each rule about signs, ranges and roots has a statement here that
+//! it would prove if it went a step too far.
 
 use super::empty;
 use super::problem::Problem;
@@ -12,10 +13,11 @@ use crate::syntax::ast::Claim;
 use crate::syntax::read;
 use std::path::Path;
 
-/// Products of terms that one normal form may take here.
+/// Limit on the products of terms in one normal form.
 const WORK: u64 = 2_000_000;
 
-/// False each, at points that are easily missed or only where a condition ends.
+/// False statements that fail only at points that are easily missed, or only at the boundary of a
+/// condition.
 const FALSE: &[&str] = &[
     // exp u − c exp v with c > 1, where u ≥ v
     "abs(exp(x) - 2) == exp(x) - 2 where x >= 0",
@@ -25,7 +27,7 @@ const FALSE: &[&str] = &[
     // A + Bρ with A² > B²f, A of any sign
     "abs(x + sqrt(n)) == x + sqrt(n) where x**2 > n",
     "abs(x - sqrt(n)) == x - sqrt(n) where x**2 > n",
-    // no factor is zero that is zero at one point
+    // a factor that is zero at one point cannot be divided out
     "abs(y) == y where x >= 0, (x - 1)**2*y >= 0",
     "abs(y) == y where x >= 0, x*y >= 0",
     "abs(y) == y where x**2*y >= 0",
@@ -50,7 +52,7 @@ const FALSE: &[&str] = &[
     // thirds of an inverse function are not the function
     "cos(acos(x)/3) == x",
     "sin(atan(x)/3) == x/sqrt(1 + x**2)",
-    // points at which cos u = -1, of which half-angle tangents know nothing
+    // points at which cos u = -1, where half-angle tangents say nothing
     "abs(y) == -y where (1 + cos(x))*y <= 0, abs(1 + cos(x)) >= 0",
     "abs(y)*(2 + cos(x)) == -y*abs(2 + cos(x)) where (1 + cos(x))*y <= 0",
     "abs(y) == -y where (1 + cos(x + z))*y <= 0, abs(cos(x + z)) >= 0",
@@ -60,29 +62,29 @@ const FALSE: &[&str] = &[
     "abs(y) == -y where (1 + cos(g))*y <= 0, abs(cos(g)) >= 0",
     "abs(cos(x)) == cos(x) where cos(x) <= -1",
     "sqrt(2 + cos(x)) == 2 where sqrt(1 + cos(x)) <= 0",
-    // half of acos(-1), the sine of which is not that of half the angle by a quotient
+    // half of acos(-1), whose sine is not given by the quotient for the sine of half an angle
     "cos(acos(x)/2) + sin(acos(x)/2) == sqrt((1 + x)/2) where x <= -1",
     "sin(acos(x)/4) == sqrt((1 + x)/2) where x <= -1",
-    // zeros of what nested radicals and exponents are divided by
+    // zeros of the divisors in nested radicals and exponents
     "sqrt(x + 2*sqrt(x*y) + y) + abs(z) == sqrt(x) + sqrt(y) - z where x*z <= 0, y >= 0",
     "abs(z) == -z where (sqrt(x + 2*sqrt(x*y) + y) - sqrt(y))*z <= 0, y >= 0, x >= 0",
     "exp(1/(x + sqrt(x**2 + 2*y))) + abs(z) == exp(1/(2*x)) - z where y**2*z <= 0, y**2 <= 0, x > 0",
-    // strata apart, beside nested radicals that are taken apart and without any
+    // isolated strata, next to nested radicals that are denested and without any
     "sqrt(3 + 2*sqrt(2)) + abs(y) == 1 + sqrt(2) + y where x >= 0, x*y >= 0",
     "sqrt(x + 1 + 2*sqrt(x)) + abs(y) == 1 + sqrt(x) + y where x*y >= 0",
-    // nested radicals whose norms are no squares, or have the other root
+    // nested radicals whose norms are not squares, or that equal the other square root
     "sqrt(3 - 2*sqrt(2)) == 1 - sqrt(2)",
     "sqrt(2 + sqrt(3)) == (1 + sqrt(3))/2",
     "sqrt(x + 1 - 2*sqrt(x)) == 1 - sqrt(x)",
     "sqrt(x + 1 + 2*sqrt(x) + x**(1/4)) == 1 + sqrt(x)",
     "sqrt(2*x + 2*sqrt(x**2 - 1)) == sqrt(x + 1) - sqrt(x - 1)",
-    // angles without their turns, the derivatives of which are constant
+    // angles that lose full turns, with constant derivatives
     "cos(x)*y == y where atan(tan(x))**2 <= 0",
     "x*y == 0 where atan(tan(x))**2 <= 0",
     "x*y == 0 where atan2(sin(x), cos(x))**2 <= 0",
     "(x - 1)*y == 0 where (atan(tan(x)) - 1)**2 <= 0",
     "x*y == 0 where abs(acos(cos(x))) <= 0",
-    // a derivative where there is none
+    // a derivative at points where it does not exist
     "diff(abs(x), x) == 0 where x**2 <= 0",
     "diff(sqrt(x**2 + y**2), x) == 0 where x**2 + y**2 <= 0",
     // places that differ
@@ -97,7 +99,7 @@ const FALSE: &[&str] = &[
     "exp(1/(x + sqrt(x**2 + 2*y))) == exp((sqrt(x**2 + 2*y) - x)/y) where y > 0",
 ];
 
-/// Each list of conditions is met by a point.
+/// Lists of conditions, each met by some point.
 const POSSIBLE: &[&str] = &[
     "x >= y, y >= x",
     "x >= 0, x <= 0",

@@ -1,10 +1,12 @@
-//! Points on thin strata: where a condition is an equation, or an angle is a multiple of a quarter turn.
+//! Points on thin strata: where a condition is an equation, or an angle is a multiple of a quarter
+//! turn.
 //!
 //! ```text
-//! weak conditions, angles ─▶ equations e = 0 ─ solved for a variable ─▶ s = v ─▶ the problem with v in the place of s
+//! weak conditions, angles ─▶ equations e = 0 ─ solved for a variable ─▶ s = v ─▶ the problem with v substituted for s
 //! ```
-//! Random points miss such strata, and an enclosure of cos π says nothing of 1 + cos π <= 0. With v in the place of s each
-//! side is brought to its normal form, which is exact, so that the search for points decides such conditions.
+//! Random points miss such strata, and an enclosure of cos π does not decide 1 + cos π <= 0. With v
+//! substituted for s each side is brought to its normal form, which is exact, so that the search
+//! for points decides such conditions.
 
 use super::problem::{Component, Problem};
 use super::report::simplified;
@@ -14,13 +16,13 @@ use crate::expression::{Condition, Expr, Nature, Node, Operation, Pool, Rational
 use crate::syntax::ast::Relation;
 use rustc_hash::FxHashMap;
 
-/// Strata beyond these are not looked at.
+/// Limit on the number of strata.
 const MOST_STRATA: usize = 48;
 
-/// Candidate points looked at on each.
+/// Candidate points tried on each stratum.
 const CANDIDATES: usize = 8;
 
-/// Extrema are looked for of conditions of no more variables.
+/// Extrema are searched for only for conditions with at most this number of variables.
 const MOST_VARIABLES: usize = 4;
 
 const PRECISION: Precision = Precision(128);
@@ -28,16 +30,16 @@ const PRECISION: Precision = Precision(128);
 /// Angles in quarter turns, the poles of half-angle tangents first.
 const QUARTERS: &[i64] = &[2, 0, 1, -1, -2, 3, 4, 6, -6];
 
-/// What was seen on thin strata.
+/// Result of the search on thin strata.
 #[derive(Default)]
 pub(super) struct Seen {
-    /// At how many points everything holds and no difference is certain.
+    /// Number of points at which everything holds and no difference is certain.
     pub(super) points: usize,
     /// A point at which the sides differ.
     pub(super) difference: Option<Difference>,
 }
 
-/// Looks at points on the strata of a problem.
+/// Tries points on the strata of a problem.
 pub(super) fn look(pool: &mut Pool, problem: &Problem) -> Seen {
     let mut seen = Seen::default();
     for equation in equations(pool, problem).into_iter().take(MOST_STRATA) {
@@ -60,8 +62,8 @@ pub(super) fn look(pool: &mut Pool, problem: &Problem) -> Seen {
     seen
 }
 
-/// Lists of expressions that vanish together: squares of a sum, factors of weak conditions, and distances of angles from
-/// quarter turns.
+/// Returns lists of expressions that vanish together: squares of a sum, factors of weak conditions,
+/// and distances of angles from quarter turns.
 fn equations(pool: &mut Pool, problem: &Problem) -> Vec<Vec<Expr>> {
     let mut found: Vec<Vec<Expr>> = Vec::new();
     let mut add = |equation: Vec<Expr>| {
@@ -90,8 +92,8 @@ fn equations(pool: &mut Pool, problem: &Problem) -> Vec<Vec<Expr>> {
     found
 }
 
-/// Equations of points inside narrow domains far from the origin: the argument of an inverse function is 0 or ±1/2, or a
-/// condition is at its extremum.
+/// Returns equations of points inside narrow domains far from the origin: the argument of an
+/// inverse function is 0 or ±1/2, or a condition is at its extremum.
 fn interiors(pool: &mut Pool, problem: &Problem) -> Vec<Vec<Expr>> {
     let mut found = Vec::new();
     for part in pool.reachable(&sides(problem)) {
@@ -113,13 +115,14 @@ fn interiors(pool: &mut Pool, problem: &Problem) -> Vec<Vec<Expr>> {
     found
 }
 
-/// The sides of the components and of the conditions.
+/// Returns the sides of the components and of the conditions.
 fn sides(problem: &Problem) -> Vec<Expr> {
     let sides = problem.components.iter().flat_map(|c| [c.left, c.right]);
     sides.chain(problem.assumptions.iter().flat_map(|c| [c.left, c.right])).collect()
 }
 
-/// What has to vanish for a factor to: both parts of a sum of squares or magnitudes, what a magnitude is of.
+/// Returns the expressions that have to vanish for a factor to vanish: both parts of a sum of
+/// squares or magnitudes, and the argument of a magnitude.
 pub(super) fn vanishing_together(pool: &Pool, factor: Expr) -> Vec<Expr> {
     match pool.node(factor) {
         Node::Add(a, b) if pool.nature(*a) != Nature::Open && pool.nature(*b) != Nature::Open => {
@@ -131,7 +134,7 @@ pub(super) fn vanishing_together(pool: &Pool, factor: Expr) -> Vec<Expr> {
     }
 }
 
-/// What the sines, cosines and tangents of a problem are of.
+/// Returns the arguments of the sines, cosines and tangents of a problem.
 fn angles(pool: &Pool, problem: &Problem) -> Vec<Expr> {
     let mut angles: Vec<Expr> = Vec::new();
     for part in pool.reachable(&sides(problem)) {
@@ -144,14 +147,15 @@ fn angles(pool: &Pool, problem: &Problem) -> Vec<Expr> {
     angles
 }
 
-/// A problem with expressions in the place of variables.
+/// A problem with expressions substituted for variables.
 pub(super) struct Stratum {
     pub(super) problem: Problem,
     values: Vec<(Symbol, Expr)>,
 }
 
 impl Stratum {
-    /// The stratum on which expressions vanish; nothing where one is not solved for a variable.
+    /// Returns the stratum on which expressions vanish; `None` if one of them cannot be solved for
+    /// a variable.
     pub(super) fn of(pool: &mut Pool, problem: &Problem, equations: &[Expr]) -> Option<Stratum> {
         let mut values: Vec<(Symbol, Expr)> = Vec::new();
         for &equation in equations {
@@ -172,8 +176,8 @@ impl Stratum {
         Some(Stratum { problem, values })
     }
 
-    /// The difference with the values of the variables that were solved for. A variable that is left nowhere in the
-    /// problem may have any value.
+    /// Adds the values of the solved variables to the point of a difference. A variable that no
+    /// longer occurs in the problem can have any value.
     fn located(&self, pool: &mut Pool, mut difference: Difference) -> Difference {
         for &(symbol, value) in &self.values {
             let mut places = Substitution::default();
@@ -194,7 +198,7 @@ impl Stratum {
     }
 }
 
-/// The problem with an image of each side, through its normal form.
+/// Maps each side of the problem and brings the image to its normal form.
 pub(super) fn mapped(pool: &mut Pool, problem: &Problem, image: impl Fn(&mut Pool, Expr) -> Expr) -> Problem {
     let mut image = |expression: Expr| {
         let image = image(pool, expression);
@@ -214,8 +218,9 @@ pub(super) fn mapped(pool: &mut Pool, problem: &Problem, image: impl Fn(&mut Poo
     Problem { components, identical, assumptions, stated: problem.stated }
 }
 
-/// s and v where e = 0 says s = v: e is linear in s as it is written, with a slope that is a number and not zero. A
-/// derivative alone says too little: that of atan(tan s) is 1, and it is zero at all multiples of π.
+/// Returns s and v if e = 0 means s = v: e is linear in s as it is written, and its slope is a
+/// nonzero number. The derivative alone is not enough: the derivative of atan(tan s) is 1, but the
+/// expression is zero at all multiples of π.
 pub(super) fn solved(pool: &mut Pool, equation: Expr) -> Option<(Symbol, Expr)> {
     for symbol in pool.symbols_in(&[equation]) {
         if !is_linear(pool, equation, symbol) {
@@ -237,8 +242,9 @@ pub(super) fn solved(pool: &mut Pool, equation: Expr) -> Option<(Symbol, Expr)> 
     None
 }
 
-/// Whether an expression is a sum of multiples of a symbol by others and of what does without it: its degree in the symbol,
-/// each shared part looked at once, is at most 1. Whatever is no sum or product of it has degree 2.
+/// Whether an expression is a sum of terms without a symbol and of multiples of it by such terms:
+/// its degree in the symbol, computed once for each shared part, is at most 1. Any other operation
+/// on the symbol counts as degree 2.
 fn is_linear(pool: &Pool, expression: Expr, symbol: Symbol) -> bool {
     let mut degrees: FxHashMap<Expr, u32> = FxHashMap::default();
     for part in pool.reachable(&[expression]) {
@@ -266,7 +272,7 @@ mod tests {
     use crate::resolve::{Value, resolve};
     use crate::syntax::read;
 
-    /// The value that e = 0 gives a variable.
+    /// Returns the value that e = 0 gives a variable.
     fn solution_of(equation: &str) -> Option<String> {
         let (file, errors) = read(&format!("chart L(x, y, z); let e = {equation};"));
         assert!(errors.is_empty(), "{equation}");

@@ -1,17 +1,19 @@
-//! The strata at which normal forms say nothing, each decided by itself.
+//! Strata on which normal forms say nothing, each decided separately.
 //!
 //! ```text
-//! normal forms ─▶ zero, or no point, wherever they hold ─┬─ they hold everywhere ──────────────────▶ the same
-//!                                                        ├─ the points form an open set ───────────▶ the same, as a limit
-//!                                                        └─ else: cos u = −1 ─ sin u = 0 in its place ─┐ zero, or no
-//!                                                                 N = 0 ─── kept from zero, or solved ─┴ point, in each
+//! normal forms ─▶ zero, or no point, where they hold ─┬─ they hold everywhere ──────────────────▶ the same
+//!                                                     ├─ the points form an open set ───────────▶ the same, as a limit
+//!                                                     └─ else: cos u = −1 ─ sin u = 0 in its place ─┐ zero, or no
+//!                                                              N = 0 ─── kept from zero, or solved ─┴ point, in each
 //! ```
-//! **Lemma** (limits). Let the points that meet all conditions, those under which the differences are defined among them,
-//! be an open set, on which the differences are continuous. If they vanish off a set without interior points, they vanish.
+//! **Lemma** (limits). Let the points that meet all conditions, including those under which the
+//! differences are defined, form an open set on which the differences are continuous. If the
+//! differences vanish outside of a set without interior points, they vanish.
 //!
-//! Openness is needed: of `(1 + cos(x))*y <= 0` the points with cos x = −1 and y > 0 are limits of no others, and there
-//! |y| = −y fails, which holds at all others. Where it is not known, the angles of every choice of units are put at a half
-//! turn; the variable itself stays free, so that more is shown than is needed.
+//! Openness is needed: with `(1 + cos(x))*y <= 0` the points with cos x = −1 and y > 0 are not
+//! limits of other points, and |y| = −y fails there, but holds at all others. If openness is not
+//! known, the angles of every choice of units are put at a half turn; the variable itself stays
+//! free, so that more is shown than is needed.
 
 use super::proof::{Goal, Outcome, Turn, prove_under};
 use crate::assume::is_open;
@@ -22,12 +24,13 @@ use crate::polynomial::Polynomial;
 use num_bigint::BigInt;
 use num_traits::Signed;
 
-/// Equations N = 0 are solved within each other at most so often.
+/// Nesting depth up to which equations N = 0 are solved within each other.
 pub(super) const DEEPEST: u32 = 3;
 
 const PRECISION: Precision = Precision(128);
 
-/// How a proof may go on: its conditions, its work, and how many equations were solved already.
+/// Context of a proof: its conditions, its work limit, and the number of nested equations it can
+/// still solve.
 #[derive(Clone, Copy)]
 pub(super) struct Given<'a> {
     pub(super) conditions: &'a [Condition],
@@ -35,7 +38,8 @@ pub(super) struct Given<'a> {
     pub(super) depth: u32,
 }
 
-/// The outcome at every point, from one that holds wherever the normal forms of a tower do.
+/// Returns the outcome at every point, from an outcome that holds wherever the normal forms of a
+/// tower do.
 pub(super) fn everywhere(
     pool: &mut Pool,
     goal: &Goal,
@@ -57,7 +61,7 @@ pub(super) fn everywhere(
     at_half_turns(pool, goal, given, tower, outcome)
 }
 
-/// Whether the points form an open set, and what the normal forms leave out is thin.
+/// Whether the points form an open set, and the set that the normal forms leave out is thin.
 fn holds_as_a_limit(pool: &mut Pool, goal: &Goal, conditions: &[Condition], tower: &Tower) -> bool {
     let is_thin = tower.poles().iter().all(|unit| tower.is_never_constant(unit))
         && tower.excluded().iter().all(|polynomial| tower.vanishes_on_a_thin_set(polynomial));
@@ -71,7 +75,7 @@ fn holds_as_a_limit(pool: &mut Pool, goal: &Goal, conditions: &[Condition], towe
     is_open(pool, &all, &spoken_of)
 }
 
-/// The outcome with the points at which some units are at a half turn.
+/// Extends the outcome to the points at which some units are at a half turn.
 fn at_half_turns(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, mut outcome: Outcome) -> Outcome {
     if outcome.is_open() {
         return outcome;
@@ -100,7 +104,7 @@ fn at_half_turns(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, mut 
     outcome
 }
 
-/// Whether one of the units is known to keep away from its half turns.
+/// Whether one of the units is known to avoid its half turns.
 fn is_avoided(pool: &Pool, goal: &Goal, stratum: &mut Tower, units: &[Unit]) -> bool {
     units.iter().any(|unit| {
         let angle = stratum.angle_of(unit);
@@ -108,7 +112,7 @@ fn is_avoided(pool: &Pool, goal: &Goal, stratum: &mut Tower, units: &[Unit]) -> 
     })
 }
 
-/// Whether a unit is a number that is no odd multiple of π for certain.
+/// Whether a unit is a number that is certainly not an odd multiple of π.
 fn is_no_half_turn(pool: &mut Pool, tower: &Tower, unit: &Unit) -> bool {
     let angle = tower.raise_unit(pool, unit);
     let cosine = pool.apply(Operation::Cos, &[angle]);
@@ -121,7 +125,7 @@ fn is_certainly_not_zero(pool: &Pool, number: Expr) -> bool {
     enclose_number(pool, number, PRECISION).is_ok_and(|value| value.is_positive() || value.is_negative())
 }
 
-/// The outcome with the zeros of what a tower divided by.
+/// Extends the outcome to the zeros of the divisors of a tower.
 fn with_zeros(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, mut outcome: Outcome) -> Outcome {
     for polynomial in tower.excluded() {
         let (_, factors) = polynomial.square_free();
@@ -141,7 +145,7 @@ fn with_zeros(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, mut out
     outcome
 }
 
-/// The outcome where a polynomial vanishes, by solving it for a variable.
+/// Returns the outcome where a polynomial vanishes, by solving the polynomial for a variable.
 fn at_zeros(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, factor: &Polynomial) -> Outcome {
     let unsolved = || Outcome::Outside("nested radicals at points that lie apart".into());
     let Some(depth) = given.depth.checked_sub(1) else { return unsolved() };
@@ -162,7 +166,8 @@ fn at_zeros(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, factor: &
     outcome
 }
 
-/// All solutions of a polynomial equation for one variable: a v + r = 0 with a number a, or a v² + b v + c = 0 with numbers.
+/// Returns all solutions of a polynomial equation for one variable: a v + r = 0 with a number a, or
+/// a v² + b v + c = 0 with numbers.
 fn solutions(pool: &mut Pool, tower: &Tower, factor: &Polynomial) -> Option<Vec<Substitution>> {
     if tower.has_frame() {
         return None;
@@ -194,7 +199,7 @@ fn solutions(pool: &mut Pool, tower: &Tower, factor: &Polynomial) -> Option<Vec<
     })
 }
 
-/// (−b ± √(b² − 4ac))/(2a), as far as they are real.
+/// Returns the roots (−b ± √(b² − 4ac))/(2a) if they are real.
 fn roots_of_quadratic(pool: &mut Pool, a: &BigInt, b: &BigInt, c: &BigInt) -> Vec<Expr> {
     let discriminant: BigInt = b * b - a * c * 4;
     if discriminant.is_negative() {
@@ -206,7 +211,7 @@ fn roots_of_quadratic(pool: &mut Pool, a: &BigInt, b: &BigInt, c: &BigInt) -> Ve
     vec![pool.add(middle, reach), pool.subtract(middle, reach)]
 }
 
-/// The outcome on two sets of points together.
+/// Combines the outcomes on two sets of points.
 fn together(a: Outcome, b: Outcome) -> Outcome {
     match (a, b) {
         (failure, _) if failure.is_open() => failure,

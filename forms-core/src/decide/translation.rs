@@ -1,13 +1,15 @@
-//! Translations that change nothing, and the frame that moves with them.
+//! Translations that change no expression, and the frame that moves with them.
 //!
 //! ```text
 //! expressions ─ their largest linear parts ─▶ rows ─ row echelon form ─▶ pivots, free variables
 //! ```
-//! Expressions depend on their variables through their largest linear parts, Σ m_s s + constant, alone. Whatever
-//! direction v has m·v = 0 for all of them is a translation that changes no expression: one for each variable f
-//! without a pivot, with v_f = 1. In the frame s = s′ + Σ v_s f no linear part holds f.
+//! Expressions depend on their variables only through their largest linear parts, Σ m_s s +
+//! constant. A direction v with m·v = 0 for every linear part is a translation that changes no
+//! expression: there is one for each variable f without a pivot, with v_f = 1. No linear part
+//! contains f in the frame s = s′ + Σ v_s f.
 //!
-//! Coordinates are left without a pivot where there is a choice, so that parameters become relative to them.
+//! Where there is a choice, coordinates are left without a pivot, so that parameters become
+//! relative to them.
 
 use crate::expression::{Expr, Node, Pool, Rational, Symbol, SymbolKind};
 use crate::normal::Drift;
@@ -15,17 +17,18 @@ use num_traits::{One, ToPrimitive, Zero};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
 
-/// Σ m_s s, the constant left out.
+/// Σ m_s s, without the constant.
 type Linear = BTreeMap<Column, Rational>;
 
-/// A variable, coordinates last.
+/// A variable; coordinates sort last.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 struct Column {
     is_coordinate: bool,
     symbol: Symbol,
 }
 
-/// The frame that moves with the translations that leave the expressions as they are; no drifts if there are none.
+/// Returns the frame that moves with the translations that change no expression; empty if there are
+/// none.
 pub(super) fn frame(pool: &Pool, expressions: &[Expr]) -> Vec<Drift> {
     let parts = pool.reachable(expressions);
     if every_variable_is_bare(pool, &parts) {
@@ -43,8 +46,8 @@ pub(super) fn frame(pool: &Pool, expressions: &[Expr]) -> Vec<Drift> {
     echelon.drifts()
 }
 
-/// Whether every variable by itself is what some operation other than a sum or a multiple is applied to, so that no
-/// translation is left.
+/// Whether every variable alone is an operand of some operation other than a sum or a multiple, so
+/// that no translation remains.
 fn every_variable_is_bare(pool: &Pool, parts: &[Expr]) -> bool {
     let is_number = |operand: &Expr| pool.as_number(*operand).is_some();
     let mut bare: FxHashSet<Symbol> = FxHashSet::default();
@@ -65,7 +68,8 @@ fn every_variable_is_bare(pool: &Pool, parts: &[Expr]) -> bool {
     bare.len() == variables
 }
 
-/// The linear parts that an operation other than a sum or a multiple is applied to, or that are expressions.
+/// Returns the linear parts that are operands of an operation other than a sum or a multiple, or
+/// that are whole expressions.
 fn linear_parts(pool: &Pool, expressions: &[Expr], parts: Vec<Expr>) -> Vec<Linear> {
     let mut known: FxHashMap<Expr, Linear> = FxHashMap::default();
     let mut largest: Vec<Expr> = Vec::new();
@@ -116,7 +120,7 @@ fn scaled(part: &Linear, number: &Rational) -> Linear {
     sum
 }
 
-/// sum + number·part
+/// Adds number·part to a sum.
 fn add_multiple(sum: &mut Linear, number: &Rational, part: &Linear) {
     for (column, coefficient) in part {
         let entry = sum.entry(*column).or_insert_with(Rational::zero);
@@ -127,7 +131,8 @@ fn add_multiple(sum: &mut Linear, number: &Rational, part: &Linear) {
     }
 }
 
-/// Rows whose first entry is 1 in a column, their pivot, where all other rows have 0.
+/// Rows in reduced echelon form: the first entry of a row is 1, in its pivot column, where all
+/// other rows have 0.
 #[derive(Default)]
 struct Echelon {
     rows: BTreeMap<Column, Linear>,
@@ -151,7 +156,8 @@ impl Echelon {
         self.rows.insert(pivot, row);
     }
 
-    /// v_s = −m_sf for the row of the pivot s. A variable with which another moves by a fraction stays as it is.
+    /// Returns the drifts v_s = −m_sf for the row of the pivot s. A variable with which another
+    /// moves by a fraction is left as it is.
     fn drifts(&self) -> Vec<Drift> {
         let mut drifts = Vec::new();
         let mut fractional = Vec::new();
@@ -186,7 +192,7 @@ mod tests {
         (pool, [a, b, x, y])
     }
 
-    /// The expression with every moved variable s replaced by s + Σ v f.
+    /// Returns the expression with every moved variable s replaced by s + Σ v f.
     fn moved(pool: &mut Pool, expression: Expr, drifts: &[Drift]) -> Expr {
         let mut values = Substitution::default();
         for drift in drifts {

@@ -1,29 +1,29 @@
-//! The three answers, and the error of a statement that speaks of no point.
+//! The three verdicts, and the error of a vacuous statement, whose conditions no point meets.
 
 use super::ratio::Ratio;
 use crate::syntax::ast::Claim;
 use std::fmt;
 
-/// What is known of an equation.
+/// Verdict on an equation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// It holds at every point it speaks of.
+    /// The equation holds at every point that meets its conditions.
     Proved(Theorem),
-    /// It fails at an exact point that meets every condition.
+    /// The equation fails at an exact point that meets every condition.
     Refuted(Witness),
     /// Neither was shown.
     Unknown {
-        /// What stood in the way.
+        /// The obstacle to a decision.
         reason: String,
     },
-    /// It speaks of no point, so it is no statement.
+    /// The statement is vacuous: no point meets its conditions, so it is an error.
     Empty {
-        /// Why there is none.
+        /// Reason why there is no such point.
         reason: String,
     },
 }
 
-/// A proved equation with what it assumed.
+/// A proved equation with its assumptions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Theorem {
     /// The conditions, in the language's notation.
@@ -43,14 +43,14 @@ pub struct Witness {
     pub left: String,
     /// The value of the right side there.
     pub right: String,
-    /// What is left of left − right, simplified, in the language's notation.
+    /// The difference left − right, simplified, in the language's notation.
     pub difference: String,
     /// The factor by which the sides differ, if it is a simple one.
     pub ratio: Option<Ratio>,
 }
 
 impl Verdict {
-    /// `proved`, `refuted`, `unknown` or `empty`.
+    /// Returns `proved`, `refuted`, `unknown` or `empty`.
     pub fn name(&self) -> &'static str {
         match self {
             Verdict::Proved(_) => "proved",
@@ -60,17 +60,17 @@ impl Verdict {
         }
     }
 
-    /// Whether it is as the statement claims.
+    /// Whether the verdict agrees with the claim of the statement.
     pub fn bears_out(&self, claim: Claim) -> bool {
         matches!((claim, self), (Claim::Prove, Verdict::Proved(_)) | (Claim::Refute, Verdict::Refuted(_)))
     }
 }
 
-/// The most characters of a value that [`Witness::few_digits`] keeps.
+/// Largest number of characters of a value that [`Witness::few_digits`] keeps.
 const FIGURES: usize = 12;
 
 impl Witness {
-    /// Both values by their first figures: `0.2182178…`; a shorter value as it is.
+    /// Returns both values cut to their first figures: `0.2182178…`; a shorter value is unchanged.
     pub fn few_digits(&self) -> [String; 2] {
         [&self.left, &self.right].map(|value| match value.char_indices().nth(FIGURES) {
             Some((end, _)) => format!("{}…", &value[..end]),

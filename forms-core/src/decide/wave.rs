@@ -1,19 +1,21 @@
-//! What the conditions say of sines and cosines: the signs that the ranges of their angles give them.
+//! Trigonometric signs: the signs of sines and cosines that follow from the ranges of their angles
+//! under the conditions.
 //!
 //! ```text
-//! α ≤ A ≤ β, β − α ≤ π  ─▶  sin(A − α) ≥ 0,  sin(β − A) ≥ 0;   sin A, cos A of one sign where A keeps within half a turn
+//! α ≤ A ≤ β, β − α ≤ π  ─▶  sin(A − α) ≥ 0,  sin(β − A) ≥ 0;   sin A, cos A of one sign where A stays in a half turn
 //! ```
-//! They are conditions on points like those that are stated, and are looked at where the stated ones leave a sign open.
+//! They are conditions on points like the stated ones, and are used where the stated ones leave a
+//! sign open.
 
 use super::angle::occur_in;
 use crate::assume::range_of;
 use crate::expression::{Condition, Expr, Node, Operation, Pool};
 use crate::syntax::ast::Relation;
 
-/// Angles beyond these are left alone.
+/// Limit on the number of angles; further ones are skipped.
 const MOST_ANGLES: usize = 6;
 
-/// The signs that follow for the sines, cosines and tangents in expressions.
+/// Returns the signs that follow for the sines and cosines of the angles in expressions.
 pub(super) fn signs_of_waves(pool: &mut Pool, expressions: &[Expr], given: &[Condition]) -> Vec<Condition> {
     let mut angles: Vec<Expr> = Vec::new();
     for part in pool.reachable(expressions) {
@@ -51,7 +53,7 @@ pub(super) fn signs_of_waves(pool: &mut Pool, expressions: &[Expr], given: &[Con
     found
 }
 
-/// The terms of a multiple of a sum in which no inverse function occurs.
+/// Returns the terms of a multiple of a sum that contain no inverse function.
 fn without_arcs(pool: &mut Pool, angle: Expr) -> Expr {
     if !occur_in(pool, &[angle]) {
         return angle;
@@ -70,7 +72,7 @@ fn without_arcs(pool: &mut Pool, angle: Expr) -> Expr {
     }
 }
 
-/// wave ≥ 0 or wave ≤ 0
+/// Returns the condition wave ≥ 0 or wave ≤ 0.
 fn signed(pool: &mut Pool, wave: Expr, positive: bool) -> Condition {
     let relation = if positive { Relation::GreaterEqual } else { Relation::LessEqual };
     Condition { left: wave, relation, right: pool.integer(0) }

@@ -1,4 +1,5 @@
-//! The search for points: candidates are exact, conditions and sides are enclosed until they are certain.
+//! Search for points: candidates are exact, and conditions and sides are enclosed until they are
+//! certain.
 
 use super::problem::Problem;
 use super::sample::{Bounds, Sequence, jet_value, simple_bounds};
@@ -9,10 +10,10 @@ use rustc_hash::FxHashMap;
 /// Bits of numerator and denominator up to which an exact value is written in full.
 const LONGEST_EXACT: u64 = 256;
 
-/// Bits of the enclosures, tried in turn.
+/// Precisions of the enclosures in bits, tried in turn.
 const PRECISIONS: [u32; 3] = [80, 256, 1024];
 
-/// What a candidate point turned out to be.
+/// Result of evaluating a candidate point.
 pub(super) enum Found {
     /// Some condition fails, a side is not defined, or nothing is certain.
     NoPoint,
@@ -54,12 +55,12 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// How many candidates come before the next one.
+    /// Returns the number of candidates before the next one.
     pub(super) fn position(&self) -> u32 {
         self.round
     }
 
-    /// The next candidate with its seed.
+    /// Returns the next candidate with its seed.
     fn candidate(&mut self) -> (FxHashMap<Symbol, Rational>, u64) {
         let seed = u64::from(self.round).wrapping_mul(0xa076_1d64_78bd_642f) + 1;
         let point = Sequence::new(seed).point(&self.symbols, &self.bounds, self.round);
@@ -67,8 +68,8 @@ impl<'a> Search<'a> {
         (point, seed)
     }
 
-    /// Whether some of the next candidates is certainly a point at which everything holds and is defined, and at
-    /// which no difference is certain, as far as machine words tell.
+    /// Whether one of the next candidates is certainly a point at which everything holds and is
+    /// defined, and at which no difference is certain, according to machine words.
     pub(super) fn sees_agreement(&mut self, candidates: usize) -> bool {
         for _ in 0..candidates {
             let (point, _) = self.candidate();
@@ -81,7 +82,7 @@ impl<'a> Search<'a> {
         false
     }
 
-    /// Whether the sides may agree at a point; nothing where some condition fails.
+    /// Whether the sides may agree at a point; `None` if some condition fails.
     fn glance(&self, point: &FxHashMap<Symbol, Rational>) -> Result<Option<bool>, Undecided> {
         let expressions = self.expressions();
         let values = word_ranges(self.pool, &expressions, |symbol| {
@@ -98,13 +99,14 @@ impl<'a> Search<'a> {
         Ok(Some(sides.chunks(2).all(|pair| pair[0].intersects(pair[1]))))
     }
 
-    /// Both sides of every condition, then of every component.
+    /// Returns both sides of every condition, then of every component.
     fn expressions(&self) -> Vec<Expr> {
         let conditions = self.problem.assumptions.iter().flat_map(|c| [c.left, c.right]);
         conditions.chain(self.problem.components.iter().flat_map(|c| [c.left, c.right])).collect()
     }
 
-    /// Looks at the next candidate. Where there is but one, no other will show a small difference.
+    /// Evaluates the next candidate. If there is only one candidate, all precisions are tried,
+    /// since no other candidate can show a small difference.
     pub(super) fn next(&mut self) -> Found {
         let (point, seed) = self.candidate();
         let mut found = Found::NoPoint;
@@ -119,7 +121,7 @@ impl<'a> Search<'a> {
         found
     }
 
-    /// Values at a point: `Unknown` asks for a higher precision.
+    /// Evaluates the conditions and sides at a point: `Unknown` asks for a higher precision.
     fn look(
         &self,
         point: &FxHashMap<Symbol, Rational>,
@@ -160,7 +162,8 @@ impl<'a> Search<'a> {
         Ok(Found::Agrees)
     }
 
-    /// The point as names and exact values, the unknown functions as far as they were asked for.
+    /// Returns the point as names and exact values, with the values of unknown functions that were
+    /// needed.
     fn named(&self, point: &FxHashMap<Symbol, Rational>, jets: &Jets) -> Vec<(String, String)> {
         let mut named: Vec<(String, String)> = self
             .symbols
@@ -173,7 +176,7 @@ impl<'a> Search<'a> {
         named
     }
 
-    /// `diff(f, x)`, with the place where it is taken if that is not the point itself.
+    /// Returns `diff(f, x)`, with the place where it is evaluated if that is not the point itself.
     fn jet_name(&self, jet: &Jet, point: &FxHashMap<Symbol, Rational>) -> String {
         let unknown = self.pool.function(jet.function);
         let by: Vec<&str> = unknown
@@ -199,7 +202,8 @@ impl<'a> Search<'a> {
     }
 }
 
-/// An exact value in full as long as it can be read, any other to the digits that are certain.
+/// Returns an exact value in full if it is short enough to read, and any other value to the digits
+/// that are certain.
 fn value_text(value: &Enclosure) -> String {
     match value.as_exact() {
         Some(exact) if exact.numer().bits() + exact.denom().bits() <= LONGEST_EXACT => exact.to_string(),
@@ -207,7 +211,7 @@ fn value_text(value: &Enclosure) -> String {
     }
 }
 
-/// Conditions on a function's own value, such as n > 0.
+/// Returns the bounds from conditions on a function's own value, such as n > 0.
 fn jet_bounds(pool: &Pool, problem: &Problem) -> FxHashMap<FunctionId, Bounds> {
     let mut bounds: FxHashMap<FunctionId, Bounds> = FxHashMap::default();
     for condition in &problem.assumptions {
@@ -230,13 +234,13 @@ struct Jet {
     value: Rational,
 }
 
-/// Values given to unknown functions and their derivatives: one for each place they are taken at.
+/// Values assigned to unknown functions and their derivatives, one for each place of evaluation.
 struct Jets<'a> {
     seed: u64,
     round: u32,
     bounds: &'a FxHashMap<FunctionId, Bounds>,
     known: Vec<Jet>,
-    /// A place may be one of two that have different values.
+    /// Whether a place may coincide with two places that have different values.
     mixed: bool,
 }
 
@@ -286,8 +290,8 @@ impl Jets<'_> {
     }
 }
 
-/// Whether two places may be one. They may still be different ones: to give these the same values is no mistake, as
-/// some smooth function takes them.
+/// Whether two places may be the same. They may still be different: the same value at both is
+/// correct, since some smooth function takes it.
 fn may_be_the_same_place(a: &[Enclosure], b: &[Enclosure]) -> bool {
     a.iter().zip(b).all(|(a, b)| a.intersects(b))
 }

@@ -1,4 +1,5 @@
-//! What each operation of the calculus gives, innermost first; the exterior derivative term by term.
+//! Results of the operations of the calculus, innermost first; the exterior derivative term by
+//! term.
 
 use super::definitions::{expressions, parts};
 use super::scribe::{Formula, Scribe};
@@ -9,10 +10,11 @@ use crate::notation::latex_of_name;
 use crate::resolve::{Named, Value};
 use crate::syntax::ast::{Argument, Binary, Expr, ExprKind, ItemKind};
 
-/// More terms of a derivative than this are not listed one by one.
+/// Largest number of terms of a derivative that are listed one by one.
 const MOST_TERMS: usize = 24;
 
-/// The operations in the items a statement rests on, then those in the statement.
+/// Returns the step that lists the operations in the items on which a statement rests, then those
+/// in the statement.
 pub(super) fn step(scribe: &mut Scribe, items: &[&ItemKind], claim: &ItemKind) -> Option<Step> {
     let mut operations: Vec<&Expr> = Vec::new();
     for item in items.iter().copied().chain([claim]) {
@@ -35,7 +37,7 @@ pub(super) fn step(scribe: &mut Scribe, items: &[&ItemKind], claim: &ItemKind) -
     (!lines.is_empty()).then(|| Step::new("What the calculus gives", lines))
 }
 
-/// Wedge products and calls of the calculus, innermost first.
+/// Collects wedge products and calls of the calculus, innermost first.
 fn collect<'a>(expression: &'a Expr, found: &mut Vec<&'a Expr>) {
     parts(expression).into_iter().for_each(|part| collect(part, found));
     let is_operation = match &*expression.kind {
@@ -48,7 +50,7 @@ fn collect<'a>(expression: &'a Expr, found: &mut Vec<&'a Expr>) {
     }
 }
 
-/// Whether a function is one of the calculus, not one of the op table.
+/// Whether a function belongs to the calculus and not to the table of operations.
 fn is_calculus(name: &str) -> bool {
     name != "sqrt" && Operation::named(name).is_none() && crate::syntax::words::FUNCTIONS.contains(&name)
 }
@@ -60,7 +62,7 @@ fn has_calculus(expression: &Expr) -> bool {
     })
 }
 
-/// d(w) = Σ ∂w_I/∂xᵢ dxᵢ∧dx_I, a line for each contribution that is not zero.
+/// Returns the lines of d(w) = Σ ∂w_I/∂xᵢ dxᵢ∧dx_I, one for each nonzero contribution.
 fn terms_of_derivative(scribe: &mut Scribe, operation: &Expr) -> Vec<Line> {
     let ExprKind::Call { function, index, arguments } = &*operation.kind else { return vec![] };
     let [Argument::Value(argument)] = arguments.as_slice() else { return vec![] };
@@ -82,7 +84,7 @@ fn terms_of_derivative(scribe: &mut Scribe, operation: &Expr) -> Vec<Line> {
         .collect()
 }
 
-/// The coordinates a derivative is taken along: one chart's, or all.
+/// Returns the coordinates along which a derivative is taken: those of one chart, or all.
 fn along(scribe: &Scribe, index: Option<&Expr>) -> Vec<Coordinate> {
     if let Some(ExprKind::Name(name)) = index.map(|index| &*index.kind)
         && let Some(Named::Chart(number)) = scribe.theory.named(name)
@@ -95,7 +97,7 @@ fn along(scribe: &Scribe, index: Option<&Expr>) -> Vec<Coordinate> {
 /// xᵢ, dx_I, w_I, dx_J and ±∂w_I/∂xᵢ of a contribution.
 type Derivative = (Coordinate, Blade, Scalar, Blade, Scalar);
 
-/// The contributions that are not zero.
+/// Returns the nonzero contributions.
 fn derivatives(scribe: &mut Scribe, form: &Form<Scalar>, along: &[Coordinate]) -> Vec<Derivative> {
     let mut found = Vec::new();
     for part in contributions(form, along) {
@@ -109,7 +111,7 @@ fn derivatives(scribe: &mut Scribe, form: &Form<Scalar>, along: &[Coordinate]) -
     found
 }
 
-/// `diff(f, x)*dx^dy^dz`, ∂f/∂x dx∧dy∧dz
+/// Formula `diff(f, x)*dx^dy^dz`, ∂f/∂x dx∧dy∧dz.
 fn partial(scribe: &mut Scribe, coordinate: Coordinate, coefficient: Scalar, blade: Blade) -> Formula {
     let name = scribe.theory.coordinate_name(coordinate).to_owned();
     let function = scribe.scalar(coefficient);

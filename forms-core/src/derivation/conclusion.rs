@@ -1,4 +1,4 @@
-//! What is claimed, and what has come of it.
+//! First and last step of a derivation: the claim, and the verdict on it.
 
 use super::scribe::{APART, Formula, Scribe};
 use super::{Line, Step};
@@ -7,7 +7,7 @@ use crate::notation::{latex_of_condition, latex_of_name};
 use crate::resolve::Statement;
 use crate::syntax::ast::{Claim, ItemKind};
 
-/// The equation as it was written, with its own conditions.
+/// Returns the step that shows the equation as it was written, with its own conditions.
 pub(super) fn claim(scribe: &Scribe, claim: &ItemKind) -> Step {
     let ItemKind::Statement { claim, left, right, conditions, .. } = claim else {
         return Step::new("The claim", vec![]);
@@ -74,7 +74,8 @@ fn conditions(scribe: &mut Scribe, statement: &Statement) -> Vec<Line> {
     conditions.iter().map(|condition| Line::Formula(scribe.condition(condition))).collect()
 }
 
-/// A variable with its value; the value of an unknown function or its derivative is told in the language.
+/// Formula of a variable with its value; an unknown function or its derivative is named in the
+/// language's notation.
 pub(crate) fn assignment(name: &str, value: &str) -> Formula {
     let plain = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     let set = if plain { latex_of_name(name) } else { format!("\\texttt{{{}}}", name.replace('_', "\\_")) };
@@ -85,7 +86,7 @@ fn side(which: &str, value: &str) -> Formula {
     Formula::new(format!("{which} = {value}"), format!("\\text{{{which}}} = {}", digits(value)))
 }
 
-/// A value in LaTeX: `1/2` as a fraction, `3.14…` with its dots.
+/// Returns a value in LaTeX: `1/2` as a fraction, `3.14…` with its dots.
 pub(crate) fn digits(value: &str) -> String {
     let (sign, magnitude) = value.strip_prefix('-').map_or(("", value), |rest| ("-", rest));
     match magnitude.split_once('/') {

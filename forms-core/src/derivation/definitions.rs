@@ -1,4 +1,5 @@
-//! What the names in a statement stand for: the items it rests on, directly or through others.
+//! Definitions of the names in a statement: the items on which it rests, directly or through
+//! others.
 
 use super::scribe::{Formula, Scribe};
 use super::{Line, Step};
@@ -6,7 +7,7 @@ use crate::notation::latex_of_name;
 use crate::syntax::ast::{Argument, Condition, Expr, ExprKind, File, ItemKind};
 use std::collections::BTreeSet;
 
-/// The items of a file that a statement rests on, in the order of the file.
+/// Returns the items of a file on which a statement rests, in the order of the file.
 pub(super) fn needed<'a>(file: &'a File, claim: &ItemKind) -> Vec<&'a ItemKind> {
     let mut wanted: BTreeSet<String> = BTreeSet::new();
     expressions(claim).into_iter().for_each(|expression| names(expression, &mut wanted));
@@ -21,7 +22,7 @@ pub(super) fn needed<'a>(file: &'a File, claim: &ItemKind) -> Vec<&'a ItemKind> 
     found
 }
 
-/// One line for each.
+/// Returns the step of the definitions, with one line for each item.
 pub(super) fn step(scribe: &Scribe, items: &[&ItemKind]) -> Option<Step> {
     let lines: Vec<Line> = items.iter().filter_map(|item| line(scribe, item)).map(Line::Formula).collect();
     (!lines.is_empty()).then(|| Step::new("What the names stand for", lines))
@@ -50,7 +51,7 @@ fn line(scribe: &Scribe, item: &ItemKind) -> Option<Formula> {
     }
 }
 
-/// The name of an item that has a value.
+/// Returns the name of an item that has a value.
 pub(super) fn name(item: &ItemKind) -> Option<&str> {
     match item {
         ItemKind::Let { name, .. }
@@ -62,7 +63,7 @@ pub(super) fn name(item: &ItemKind) -> Option<&str> {
     }
 }
 
-/// The expressions an item is written with.
+/// Returns the expressions in the definition of an item.
 pub(super) fn expressions(item: &ItemKind) -> Vec<&Expr> {
     match item {
         ItemKind::Let { value, .. }
@@ -81,7 +82,7 @@ fn sides(condition: &Condition) -> impl Iterator<Item = &Expr> {
     std::iter::once(&condition.first).chain(condition.rest.iter().map(|(_, side)| side))
 }
 
-/// The parts of an expression, in the order in which they are evaluated.
+/// Returns the parts of an expression, in the order in which they are evaluated.
 pub(super) fn parts(expression: &Expr) -> Vec<&Expr> {
     match &*expression.kind {
         ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Basis(_) => vec![],

@@ -1,4 +1,4 @@
-//! The proof: the generators of each case, and the numerators that cancel.
+//! Steps of a proof: the generators of each case, and the numerators that cancel.
 
 use super::scribe::{Formula, Scribe};
 use super::{Line, Step};
@@ -7,13 +7,14 @@ use crate::expression::{Expr, Operation};
 use crate::normal::Sign;
 use crate::resolve::Statement;
 
-/// Numerators of more characters together stand on lines of their own.
+/// Numerators with more characters in total are put on separate lines.
 const LONGEST_SUM: usize = 160;
 
-/// Numerators with a longer one among them are told by their number.
+/// If a numerator is longer than this, only the number of numerators is given.
 const LONGEST_NUMERATOR: usize = 400;
 
-/// A step for each case of a proof by normal forms, or for each number or angle that vanishes.
+/// Returns a step for each case of a proof by normal forms, or for each number or angle that
+/// vanishes.
 pub(super) fn steps(scribe: &mut Scribe, statement: &Statement) -> Vec<Step> {
     let Some(account) = account(scribe.theory, statement) else {
         let numbers = separated(scribe.theory, statement);
@@ -28,7 +29,7 @@ pub(super) fn steps(scribe: &mut Scribe, statement: &Statement) -> Vec<Step> {
     cases.map(|(number, case)| step(scribe, case, several.then_some(number + 1))).collect()
 }
 
-/// sin D = 0, cos D = 1, −2π < D < 2π
+/// Step for an angle that vanishes: sin D = 0, cos D = 1, −2π < D < 2π.
 fn vanishing(scribe: &mut Scribe, angle: Expr) -> Step {
     let pool = &mut scribe.theory.pool;
     let (sine, cosine) = (pool.apply(Operation::Sin, &[angle]), pool.apply(Operation::Cos, &[angle]));
@@ -52,7 +53,7 @@ fn vanishing(scribe: &mut Scribe, angle: Expr) -> Step {
     Step::new("Left minus right, as an angle", lines)
 }
 
-/// |D| < 2⁻ⁿ, and D = 0 or |D| ≥ 2⁻ⁿ
+/// Step for a number that vanishes by its separation bound: |D| < 2⁻ⁿ, and D = 0 or |D| ≥ 2⁻ⁿ.
 fn within_separation(scribe: &mut Scribe, separated: &Separated) -> Step {
     let number = scribe.plain(separated.number);
     let places = separated.places;
@@ -107,7 +108,8 @@ fn signed(scribe: &mut Scribe, factor: crate::expression::Expr, sign: Sign) -> F
     }
 }
 
-/// ρ, and ρⁿ = f where that binds it; of a half angle what the sine is in it.
+/// Returns a generator ρ, with ρⁿ = f if that relation defines it; for a half-angle tangent, the
+/// sine in terms of it.
 fn relation(scribe: &mut Scribe, bound: &Bound) -> Vec<Line> {
     let generator = scribe.plain(bound.generator);
     let formula = match (&bound.relation, bound.half_angle) {
@@ -134,7 +136,8 @@ fn relation(scribe: &mut Scribe, bound: &Bound) -> Vec<Line> {
     vec![Line::Formula(formula)]
 }
 
-/// The numerators over one denominator, and that their sum is zero: in one formula, or a line for each.
+/// Returns the numerators over one denominator and the fact that their sum is zero: in one formula,
+/// or with a line for each numerator.
 fn cancellation(scribe: &mut Scribe, component: &Cancellation) -> Vec<Line> {
     let numerators: Vec<Formula> = component.numerators.iter().map(|&n| scribe.plain(n)).collect();
     let denominator = scribe.plain(component.denominator);

@@ -1,12 +1,12 @@
-//! A derivation as text and as a LaTeX document.
+//! Rendering of a derivation as text and as a LaTeX document.
 
 use super::{Derivation, Line};
 
-/// How far a formula stands in from the margin in text.
+/// Indentation of a formula in text.
 const INDENT: &str = "    ";
 
 impl Derivation {
-    /// As text: numbered steps, formulas set in.
+    /// Returns the derivation as text: numbered steps with indented formulas.
     pub fn text(&self) -> String {
         let mut text = format!("{}\n", self.name);
         for (number, step) in self.steps.iter().enumerate() {
@@ -21,7 +21,8 @@ impl Derivation {
         text
     }
 
-    /// As a LaTeX document that compiles by itself; it needs `amsmath`, `amssymb`, `graphicx` and `geometry`.
+    /// Returns the derivation as a complete LaTeX document; it needs `amsmath`, `amssymb`,
+    /// `graphicx` and `geometry`.
     pub fn latex(&self) -> String {
         let mut latex = String::from(
             "\\documentclass{article}\n\\usepackage{amsmath,amssymb,graphicx}\n\
@@ -48,7 +49,7 @@ impl Derivation {
     }
 }
 
-/// Words with the characters that LaTeX gives a meaning to written as themselves.
+/// Escapes the characters that have a meaning in LaTeX.
 fn escaped(words: &str) -> String {
     let mut text = String::new();
     for c in words.chars() {

@@ -1,4 +1,4 @@
-//! The scribe: values and source expressions as formulas, in both notations at once.
+//! The scribe writes values and source expressions as formulas, in both notations at once.
 
 use crate::calculus::{Blade, Form};
 use crate::expression::{Condition, Expr};
@@ -7,19 +7,19 @@ use crate::resolve::{Theory, Trace, Value};
 use crate::syntax::Source;
 use crate::syntax::ast::{self, Binary, ExprKind};
 
-/// A value that takes more characters is told by its size.
+/// A value that takes more characters is represented by its size.
 const LONGEST: usize = 600;
 
 /// A formula in the language's notation and in LaTeX.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Formula {
-    /// As the language writes it, with `=` for equality.
+    /// The formula in the language's notation, with `=` for equality.
     pub text: String,
-    /// As it is typeset.
+    /// The formula in LaTeX.
     pub latex: String,
 }
 
-/// Between formulas that stand side by side.
+/// Separator between formulas on one line.
 pub(super) const APART: &str = ",\\quad ";
 
 impl Formula {
@@ -27,12 +27,12 @@ impl Formula {
         Formula { text: text.into(), latex: latex.into() }
     }
 
-    /// a = b
+    /// Returns the formula a = b.
     pub(super) fn equals(self, right: Formula) -> Self {
         Formula::new(format!("{} = {}", self.text, right.text), format!("{} = {}", self.latex, right.latex))
     }
 
-    /// The formulas one after the other, parted by commas and, where they are typeset, by what is given.
+    /// Joins formulas with commas, and in LaTeX with the given separator.
     pub(super) fn list(formulas: &[Formula], between: &str) -> Self {
         let join = |part: fn(&Formula) -> &str, between: &str| {
             formulas.iter().map(part).collect::<Vec<_>>().join(between)
@@ -46,17 +46,18 @@ pub(super) struct Scribe<'a> {
     pub(super) source: &'a Source,
     pub(super) theory: &'a mut Theory,
     pub(super) trace: &'a Trace,
-    /// What holds at the points of the statement.
+    /// Conditions that hold at the points of the statement.
     pub(super) assumptions: &'a [Condition],
 }
 
 impl Scribe<'_> {
-    /// An expression as its author wrote it, on one line.
+    /// Returns an expression as its author wrote it, on one line.
     pub(super) fn written(&self, expression: &ast::Expr) -> Formula {
         Formula::new(self.text_as_written(expression), latex_as_written(self.theory, expression))
     }
 
-    /// The text of an expression in its source; what has no place there, as the claims of a warp, is put together.
+    /// Returns the text of an expression in its source. The text of an expression without a place
+    /// in the source, such as a claim of a warp, is assembled.
     fn text_as_written(&self, expression: &ast::Expr) -> String {
         let of = |part: &ast::Expr| self.text_as_written(part);
         let factor = |part: &ast::Expr| match &*part.kind {
@@ -87,7 +88,7 @@ impl Scribe<'_> {
         }
     }
 
-    /// A value, simplified as the statement's conditions allow.
+    /// Returns a value, simplified under the statement's conditions.
     pub(super) fn value(&mut self, value: &Value) -> Formula {
         let simple = simplify(self.theory, self.assumptions, value);
         let written = text(self.theory, &simple);
@@ -99,18 +100,18 @@ impl Scribe<'_> {
         Formula::new(written, latex(self.theory, &simple))
     }
 
-    /// A scalar, simplified.
+    /// Returns a scalar, simplified.
     pub(super) fn scalar(&mut self, scalar: Expr) -> Formula {
         self.value(&Value::Scalar(scalar))
     }
 
-    /// A scalar as it stands.
+    /// Returns a scalar without simplification.
     pub(super) fn plain(&mut self, scalar: Expr) -> Formula {
         let value = Value::Scalar(scalar);
         Formula::new(text(self.theory, &value), latex(self.theory, &value))
     }
 
-    /// A coefficient before its basis form.
+    /// Returns a coefficient with its basis form.
     pub(super) fn term(&mut self, coefficient: Expr, blade: Blade) -> Formula {
         if blade == Blade::SCALAR {
             return self.scalar(coefficient);
@@ -118,7 +119,7 @@ impl Scribe<'_> {
         self.value(&Value::Form(Form::from_terms(blade.degree(), [(blade, coefficient)])))
     }
 
-    /// A condition as it stands.
+    /// Returns a condition without simplification.
     pub(super) fn condition(&mut self, condition: &Condition) -> Formula {
         let [left, right] = [condition.left, condition.right].map(|side| self.plain(side));
         Formula::new(
@@ -127,7 +128,7 @@ impl Scribe<'_> {
         )
     }
 
-    /// What an expression of the source was evaluated to.
+    /// Returns the value to which an expression of the source was evaluated.
     pub(super) fn value_of(&self, expression: &ast::Expr) -> Option<Value> {
         self.trace.get(&expression.span).cloned()
     }

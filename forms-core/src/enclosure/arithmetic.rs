@@ -29,7 +29,7 @@ impl Enclosure {
         })
     }
 
-    /// a b; exactly 0 where a factor is, whatever the other may be
+    /// a b; exactly 0 if a factor is exactly 0, whatever the other factor is
     pub fn mul(&self, other: &Enclosure) -> Enclosure {
         let precision = self.common_precision(other);
         match (&self.0, &other.0) {

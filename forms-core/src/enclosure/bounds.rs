@@ -1,4 +1,5 @@
-//! Enclosures: what is known of a real number, and what follows from it for certain.
+//! Enclosures: the known bounds of a real number, and the conclusions that certainly follow from
+//! them.
 
 use super::range::Range;
 use crate::expression::Rational;
@@ -7,18 +8,18 @@ use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
 
-/// How many binary places after the point a range has.
+/// Number of binary places of a range after the point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Precision(pub u32);
 
-/// Why there is no enclosure.
+/// Reason why there is no enclosure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Undecided {
-    /// Not real anywhere in the enclosures given: no precision helps.
+    /// The value is not real anywhere in the given enclosures: no precision helps.
     Undefined,
-    /// Too large to be worth computing, at this precision and any other.
+    /// The value is too large to be worth computing, at this precision and any other.
     TooLarge,
-    /// Not decided at this precision.
+    /// The value is not decided at this precision.
     Unknown,
 }
 
@@ -26,40 +27,40 @@ pub enum Undecided {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Enclosure(pub(super) Value);
 
-/// Exact as long as numerator and denominator stay short.
+/// Value of an enclosure, exact as long as numerator and denominator stay short.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Value {
     Exact(Rational, u32),
     Range(Range),
 }
 
-/// The length in bits up to which an exact value is kept, at precision p.
+/// Returns the length in bits up to which an exact value is kept, at precision p.
 pub(super) fn exact_bits(precision: u32) -> u64 {
     4 * u64::from(precision).max(16)
 }
 
 impl Enclosure {
-    /// A rational number.
+    /// Encloses a rational number.
     pub fn exact(value: &Rational, precision: Precision) -> Self {
         Enclosure::from_rational(value.clone(), precision.0)
     }
 
-    /// An integer.
+    /// Encloses an integer.
     pub fn integer(value: i64, precision: Precision) -> Self {
         Enclosure::from_rational(Rational::from_integer(value.into()), precision.0)
     }
 
-    /// Every number from the smaller to the larger of two.
+    /// Encloses every number from the smaller to the larger of two.
     pub fn between(a: &Rational, b: &Rational, precision: Precision) -> Self {
         Enclosure::exact(a, precision).hull(&Enclosure::exact(b, precision))
     }
 
-    /// π
+    /// Encloses π.
     pub fn pi(precision: Precision) -> Self {
         Enclosure::from_range(super::constants::pi(precision.0))
     }
 
-    /// A rational number, rounded outward if it has become long.
+    /// Encloses a rational number, rounded outward if it has become long.
     pub(super) fn from_rational(value: Rational, precision: u32) -> Self {
         if value.numer().bits().max(value.denom().bits()) <= exact_bits(precision) {
             Enclosure(Value::Exact(value, precision))
@@ -68,7 +69,7 @@ impl Enclosure {
         }
     }
 
-    /// A range, exact if its ends coincide.
+    /// Encloses a range, exactly if its ends coincide.
     pub(super) fn from_range(range: Range) -> Self {
         if range.lower != range.upper || range.lower.bits() > exact_bits(range.precision) {
             return Enclosure(Value::Range(range));
@@ -77,7 +78,7 @@ impl Enclosure {
         Enclosure(Value::Exact(value, range.precision))
     }
 
-    /// The narrowest range around it at some precision.
+    /// Returns the narrowest range around the enclosure at some precision.
     pub(super) fn to_range(&self, precision: u32) -> Range {
         match &self.0 {
             Value::Exact(value, _) => Range::rational(value, precision),
@@ -85,7 +86,7 @@ impl Enclosure {
         }
     }
 
-    /// The precision it is computed with.
+    /// Returns the precision with which the enclosure is computed.
     pub fn precision(&self) -> Precision {
         match &self.0 {
             Value::Exact(_, precision) => Precision(*precision),
@@ -93,7 +94,7 @@ impl Enclosure {
         }
     }
 
-    /// The same enclosure for use at another precision; a lower one rounds outward.
+    /// Returns the same enclosure for use at another precision; a lower precision rounds outward.
     pub fn at(&self, precision: Precision) -> Self {
         match &self.0 {
             Value::Exact(value, _) => Enclosure::from_rational(value.clone(), precision.0),
@@ -101,7 +102,7 @@ impl Enclosure {
         }
     }
 
-    /// The value, if it is known exactly.
+    /// Returns the value, if it is known exactly.
     pub fn as_exact(&self) -> Option<&Rational> {
         match &self.0 {
             Value::Exact(value, _) => Some(value),
@@ -119,7 +120,7 @@ impl Enclosure {
         self.as_exact().is_some_and(|known| known.is_integer() && *known.numer() == BigInt::from(value))
     }
 
-    /// The lower end.
+    /// Returns the lower end.
     pub fn lower(&self) -> Rational {
         match &self.0 {
             Value::Exact(value, _) => value.clone(),
@@ -127,7 +128,7 @@ impl Enclosure {
         }
     }
 
-    /// The upper end.
+    /// Returns the upper end.
     pub fn upper(&self) -> Rational {
         match &self.0 {
             Value::Exact(value, _) => value.clone(),
@@ -135,7 +136,8 @@ impl Enclosure {
         }
     }
 
-    /// The lower and the upper end as quotients over one denominator above zero, not in lowest terms.
+    /// Returns the lower and the upper end as numerators over one positive denominator, which comes
+    /// last; not in lowest terms.
     pub(crate) fn ends(&self) -> (BigInt, BigInt, BigInt) {
         match &self.0 {
             Value::Exact(value, _) => (value.numer().clone(), value.numer().clone(), value.denom().clone()),
@@ -150,7 +152,7 @@ impl Enclosure {
         self.upper() - self.lower()
     }
 
-    /// n with |x| < 2ⁿ throughout.
+    /// Returns n with |x| < 2ⁿ throughout.
     pub(super) fn magnitude_bits(&self) -> u64 {
         match &self.0 {
             Value::Exact(value, _) => (value.numer().bits() + 1).saturating_sub(value.denom().bits()),
@@ -158,7 +160,7 @@ impl Enclosure {
         }
     }
 
-    /// n with |x| ≥ 2ⁿ⁻¹ throughout, or 0.
+    /// Returns n with |x| ≥ 2ⁿ⁻¹ throughout, or 0.
     pub(super) fn least_magnitude_bits(&self) -> u64 {
         match &self.0 {
             Value::Exact(value, _) => value.numer().bits().saturating_sub(value.denom().bits()),
@@ -221,12 +223,12 @@ impl Enclosure {
         self.lower() <= other.lower() && other.upper() <= self.upper()
     }
 
-    /// Whether some number is in both, so that the values may be equal.
+    /// Whether both contain a common number, so that the values may be equal.
     pub fn intersects(&self, other: &Enclosure) -> bool {
         self.sub(other).contains_zero()
     }
 
-    /// The narrowest enclosure of both.
+    /// Returns the narrowest enclosure of both.
     pub fn hull(&self, other: &Enclosure) -> Enclosure {
         if self.is_exact() && self.as_exact() == other.as_exact() {
             return self.clone();
@@ -235,7 +237,7 @@ impl Enclosure {
         Enclosure::from_range(self.to_range(precision).hull(other.to_range(precision)))
     }
 
-    /// Whether the relation holds, where that is certain.
+    /// Whether the relation holds; `None` if that is not certain.
     pub fn decide(&self, relation: Relation, other: &Enclosure) -> Option<bool> {
         let difference = self.sub(other);
         let possible = [

@@ -1,4 +1,4 @@
-//! Sine, cosine and tangent, by the quarter turn the argument lies in.
+//! Sine, cosine and tangent, by the quarter turn in which the argument lies.
 
 use super::bounds::{Enclosure, Undecided, Value};
 use super::constants::pi;
@@ -9,10 +9,10 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed, ToPrimitive};
 
-/// Angles beyond 2⁴⁰⁹⁶ are not reduced: their sine is somewhere in [−1, 1].
+/// Angles beyond 2⁴⁰⁹⁶ are not reduced: their sine is enclosed by [−1, 1].
 const LARGEST_ANGLE_BITS: u64 = 4096;
 
-/// Places that absorb the rounding of a computation of a few hundred steps.
+/// Guard places that absorb the rounding of a computation of a few hundred steps.
 const GUARD: u32 = 16;
 
 impl Enclosure {
@@ -32,7 +32,7 @@ impl Enclosure {
         self.wave(1)
     }
 
-    /// tan a; unknown where the enclosure may hold a pole, an odd multiple of π/2
+    /// tan a; unknown where the enclosure may contain a pole, an odd multiple of π/2
     pub fn tan(&self) -> Result<Enclosure, Undecided> {
         if self.is_zero() {
             return Ok(self.clone());
@@ -72,8 +72,8 @@ fn whole_wave(precision: u32) -> Range {
     Range::integer(-1, precision).hull(Range::integer(1, precision))
 }
 
-/// {sin(x + turns·π/2)}: about the midpoint m of a narrow range by |sin x − sin m| ≤ |x − m|, else the hull
-/// of the values at both ends and of the extrema between them.
+/// Encloses {sin(x + turns·π/2)}: for a narrow range about its midpoint m, by |sin x − sin m| ≤ |x
+/// − m|, otherwise by the hull of the values at both ends and of the extrema between them.
 fn sine_of_range(range: &Range, turns: u32) -> Range {
     if let Some((middle, radius)) = range.narrow_ball() {
         return sine(&middle, turns).widened(&radius);
@@ -92,9 +92,10 @@ fn sine_of_range(range: &Range, turns: u32) -> Range {
     image
 }
 
-/// The multiples j·π/2 that may lie in the range, as j mod 4; none stands for all of them.
+/// Returns the multiples j·π/2 that may lie in the range, as j mod 4; `None` stands for all of
+/// them.
 ///
-/// These are the j with ⌊lower/(π/2)⌋ < j ≤ ⌊upper/(π/2)⌋, each quotient taken with the end of the
+/// These are the j with ⌊lower/(π/2)⌋ < j ≤ ⌊upper/(π/2)⌋, where each quotient uses the end of the
 /// enclosure of π/2 that keeps more of them.
 fn quarter_turns(range: &Range) -> Option<Vec<u32>> {
     let precision = range.precision + range.magnitude_bits() as u32 + GUARD;
@@ -113,7 +114,7 @@ fn quadrant(j: &BigInt) -> u32 {
     j.mod_floor(&BigInt::from(4)).to_u32().expect("a remainder by 4 is below 4")
 }
 
-/// x = j·π/2 + r with |r| < 1, as (j mod 4, r)
+/// Returns (j mod 4, r) for x = j·π/2 + r with |r| < 1.
 fn reduced(x: &Range) -> (u32, Range) {
     let precision = x.precision + x.magnitude_bits() as u32 + GUARD;
     let half_pi = pi(precision).halved(1);
@@ -123,7 +124,8 @@ fn reduced(x: &Range) -> (u32, Range) {
     (quadrant(&j), r.rescaled(x.precision + GUARD))
 }
 
-/// sin(x + turns·π/2): with x = j·π/2 + r it is sin r, cos r, −sin r, −cos r for j + turns = 0, 1, 2, 3 mod 4
+/// sin(x + turns·π/2): with x = j·π/2 + r it is sin r, cos r, −sin r, −cos r for j + turns = 0, 1,
+/// 2, 3 mod 4
 fn sine(x: &Range, turns: u32) -> Range {
     let (j, r) = reduced(x);
     let value = match (j + turns) % 4 {

@@ -1,4 +1,5 @@
-//! π and log 2, from series of reciprocals of integers, and Euler’s γ from the exponential integral.
+//! π and log 2, from series of reciprocals of integers, and Euler’s γ from the exponential
+//! integral.
 
 use super::exponential::logarithm_of;
 use super::exponential_integral::{entire_part, lost_to_terms, negligible_from};
@@ -7,14 +8,15 @@ use super::series::odd_reciprocals;
 use num_bigint::BigInt;
 use std::sync::OnceLock;
 
-/// The precisions at which the constants are computed once for all: one that is nearly always enough, as the
-/// second costs a millisecond. The others serve numbers near the ends of the range of `f64`.
+/// Precisions at which the constants are computed once and kept. The first one is nearly always
+/// enough, and the second costs a millisecond. The others serve numbers near the ends of the range
+/// of `f64`.
 const KEPT: [u32; 4] = [320, 1280, 2560, 5120];
 
 /// A constant at each of these precisions.
 type Kept = [OnceLock<Range>; KEPT.len()];
 
-/// Places that absorb the rounding of a few thousand terms.
+/// Guard places that absorb the rounding of a few thousand terms.
 const GUARD: u32 = 24;
 
 /// Machin: π = 16 arctan(1/5) − 4 arctan(1/239)

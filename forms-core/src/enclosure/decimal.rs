@@ -1,4 +1,4 @@
-//! Enclosures as they leave the module: decimal digits and `f64` bounds.
+//! Output of enclosures: decimal digits and `f64` bounds.
 
 use super::bounds::Enclosure;
 use crate::expression::Rational;
@@ -7,7 +7,8 @@ use num_integer::Integer;
 use num_traits::{Signed, ToPrimitive, Zero};
 
 impl Enclosure {
-    /// As many decimal places as are certain after rounding to them, or the ends where not even one digit is.
+    /// Returns the value with all decimal places that are certain after rounding, or the two ends
+    /// if no digit is certain.
     pub fn digits(&self) -> String {
         let places = self.precision().0 * 3 / 10;
         if let Some(digits) = (0..=places).rev().find_map(|places| self.rounded(places)) {
@@ -17,7 +18,7 @@ impl Enclosure {
         format!("[{}, {}]", end(self.lower().floor()), end(self.upper().ceil()))
     }
 
-    /// The value rounded to so many decimal places, if the rounding is certain.
+    /// Returns the value rounded to `places` decimal places, if the rounding is certain.
     pub fn rounded(&self, places: u32) -> Option<String> {
         let scale = BigInt::from(10).pow(places);
         let nearest = |value: Rational| (value * &scale).round().to_integer();
@@ -25,7 +26,7 @@ impl Enclosure {
         (lower == upper).then(|| point_inserted(&lower, places as usize))
     }
 
-    /// The nearest `f64` values below and above, infinite beyond the finite ones.
+    /// Returns the nearest `f64` values below and above, infinite beyond the finite ones.
     pub fn to_f64_range(&self) -> (f64, f64) {
         (float_below(&self.lower()), -float_below(&-self.upper()))
     }
@@ -45,7 +46,8 @@ fn without_trailing_zeros(digits: String) -> String {
     digits.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// The largest `f64` that is not above the value: m·2ᵉ with ⌊|m|⌋ of 53 bits, or fewer for subnormal numbers.
+/// Returns the largest `f64` that is not above the value: m·2ᵉ with ⌊|m|⌋ of 53 bits, or fewer for
+/// subnormal numbers.
 fn float_below(value: &Rational) -> f64 {
     if value.is_zero() {
         return 0.0;

@@ -9,7 +9,7 @@ use crate::expression::Rational;
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 
-/// Places that absorb the rounding of a few hundred steps.
+/// Guard places that absorb the rounding of a few hundred steps.
 const GUARD: u32 = 32;
 
 /// Angles beyond 2⁴⁰⁹⁶ are not reduced.
@@ -44,8 +44,8 @@ impl Enclosure {
     }
 }
 
-/// Li₂(x) = Σ xᵏ/k² for |x| ≤ ½, π²/6 − log x log(1 − x) − Li₂(1 − x) above, and
-/// −Li₂(x/(x − 1)) − ½ log²(1 − x) below
+/// Li₂(x) = Σ xᵏ/k² for |x| ≤ ½; π²/6 − log x log(1 − x) − Li₂(1 − x) for x > ½; −Li₂(x/(x − 1)) −
+/// ½ log²(1 − x) for x < −½
 fn dilogarithm(x: &Enclosure) -> Result<Enclosure, Undecided> {
     let precision = x.precision();
     let (one, half) = (Enclosure::integer(1, precision), Rational::new(1.into(), 2.into()));
@@ -69,14 +69,14 @@ fn dilogarithm(x: &Enclosure) -> Result<Enclosure, Undecided> {
     Ok(Enclosure::from_range(sum))
 }
 
-/// |Cl₂| is at most Cl₂(π/3) = 1.0149…
+/// Returns a range of all values of Cl₂: |Cl₂| is at most Cl₂(π/3) = 1.0149…
 fn whole_clausen(precision: u32) -> Range {
     let largest = Range::quotient(&BigInt::from(1015), &BigInt::from(1000), precision);
     largest.negate().hull(largest)
 }
 
-/// {Cl₂(x)}: about the midpoint of a narrow range, else the hull of the values at both ends and of the extrema
-/// between them, at ±π/3 and whole turns from there.
+/// Encloses {Cl₂(x)}: for a narrow range about its midpoint, otherwise by the hull of the values at
+/// both ends and of the extrema between them, at ±π/3 and whole turns from there.
 fn clausen_of_range(x: &Range) -> Range {
     if x.narrow_ball().is_some() {
         return clausen_function(x);
@@ -98,7 +98,7 @@ fn floor(x: &BigInt, precision: u32) -> BigInt {
     (x >> precision) << precision
 }
 
-/// Cl₂ of an angle brought into [−π, π], about the midpoint of what is known of it.
+/// Returns Cl₂ of an angle reduced to [−π, π], evaluated about the midpoint of its range.
 fn clausen_function(x: &Range) -> Range {
     let precision = x.precision + x.magnitude_bits() as u32 + GUARD;
     let turn = pi(precision).doubled(1);
@@ -119,20 +119,23 @@ fn clausen_function(x: &Range) -> Range {
     value.widened(&reach).rescaled(x.precision)
 }
 
-/// What |Cl₂(x) − Cl₂(y)| is at most for |x − y| ≤ δ, in units of 2⁻ᵖ; nothing for δ above ¼.
+/// Returns an upper bound of |Cl₂(x) − Cl₂(y)| for |x − y| ≤ δ, in units of 2⁻ᵖ; `None` for δ above
+/// ¼.
 ///
-/// It is an integral of |log|2 sin(t/2)|| over a length δ, which is largest around t = 0, where
-/// 2 sin(t/2) ≥ 0.99 t: at most δ (1.01 + log(2/δ)). For 2⁻ᵇ⁻¹ ≤ δ < 2⁻ᵇ that is below δ (b + 4).
+/// The difference is an integral of |log|2 sin(t/2)|| over a length δ, which is largest around t =
+/// 0, where 2 sin(t/2) ≥ 0.99 t: at most δ (1.01 + log(2/δ)). For 2⁻ᵇ⁻¹ ≤ δ < 2⁻ᵇ that is below δ
+/// (b + 4).
 fn modulus_of_continuity(delta: &BigInt, precision: u32) -> Option<BigInt> {
     let places = u64::from(precision).checked_sub(delta.bits()).filter(|&places| places >= 2)?;
     Some(delta * (places + 4))
 }
 
-/// Cl₂(θ) = θ (1 − log θ) + Σ Tₙ θ²ⁿ⁺¹/(4ⁿ (4ⁿ − 1) (2n + 1)!) for θ up to 2π/3, and
-/// Cl₂(π − θ) = θ log 2 − Σ Tₙ θ²ⁿ⁺¹/(4ⁿ (2n + 1)!) for θ below π/3, with the tangent numbers Tₙ.
+/// Cl₂(θ) = θ (1 − log θ) + Σ Tₙ θ²ⁿ⁺¹/(4ⁿ (4ⁿ − 1) (2n + 1)!) for θ up to 2π/3, and Cl₂(π − θ) = θ
+/// log 2 − Σ Tₙ θ²ⁿ⁺¹/(4ⁿ (2n + 1)!) for θ below π/3, with the tangent numbers Tₙ.
 ///
-/// The n-th term of the first sum is ζ(2n) θ (θ/2π)²ⁿ/(n (2n + 1)), and the second has (θ/π)²ⁿ at most in its place.
-/// So both are bounded by 2·2.2·8⁻ⁿ/3, and what follows the N-th by 2·8⁻ᴺ.
+/// The n-th term of the first sum is ζ(2n) θ (θ/2π)²ⁿ/(n (2n + 1)); in the second sum (θ/2π)²ⁿ is
+/// replaced by at most (θ/π)²ⁿ. So the terms of both are bounded by 2·2.2·8⁻ⁿ/3, and the remainder
+/// after the N-th term by 2·8⁻ᴺ.
 fn clausen_of_angle(angle: &Range) -> Range {
     let precision = angle.precision;
     let half_turn = pi(precision);
@@ -158,7 +161,8 @@ fn clausen_of_angle(angle: &Range) -> Range {
     theta.multiply(&factor).add(&sum)
 }
 
-/// The tangent numbers T₁, T₂, … = 1, 2, 16, 272, …, the derivatives of odd order of the tangent at 0.
+/// Returns the tangent numbers T₁, T₂, … = 1, 2, 16, 272, …, the derivatives of odd order of the
+/// tangent at 0.
 fn tangent_numbers(count: usize) -> Vec<BigInt> {
     let mut numbers = vec![BigInt::from(1); count];
     for n in 1..count {

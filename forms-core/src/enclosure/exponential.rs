@@ -8,15 +8,15 @@ use num_bigint::BigInt;
 use num_integer::{Integer, Roots};
 use num_traits::{Signed, ToPrimitive};
 
-/// Arguments of exp up to 2¹¹ are computed; beyond, the result would have more than 2900 bits, and a search that
-/// looks at hundreds of such values would last for minutes.
+/// Arguments of exp up to 2¹¹ are computed. Beyond that the result would have more than 2900 bits,
+/// and a search that evaluates hundreds of such values would take minutes.
 const LARGEST_EXPONENT_BITS: u64 = 11;
 
-/// Places that absorb the rounding of a computation of a few hundred steps.
+/// Guard places that absorb the rounding of a computation of a few hundred steps.
 const GUARD: u32 = 16;
 
 impl Enclosure {
-    /// eᵃ; unknown where the result is absurdly large
+    /// eᵃ; undecided where the result may be absurdly large
     pub fn exp(&self) -> Result<Enclosure, Undecided> {
         if self.is_zero() {
             return Ok(Enclosure::integer(1, self.precision()));
@@ -81,7 +81,8 @@ impl Enclosure {
         self.increasing(GUARD, hyperbolic_tangent)
     }
 
-    /// The guard under which eᵃ < 2ⁿ is as exact as if it were below 1: log₂ e < 3/2, so n = ⌈3a/2⌉ will do.
+    /// Returns the guard places with which eᵃ < 2ⁿ is as accurate as if it were below 1: log₂ e <
+    /// 3/2, so n = ⌈3a/2⌉ is enough.
     fn growth(&self) -> Result<u32, Undecided> {
         if self.is_nonpositive() {
             return Ok(GUARD);
@@ -117,7 +118,7 @@ fn exponential(x: &Range) -> Range {
     scaled.rescaled(x.precision)
 }
 
-/// The integer nearest to a/b, for b > 0
+/// Returns the integer nearest to a/b, for b > 0.
 pub(super) fn rounded_quotient(a: &BigInt, b: &BigInt) -> BigInt {
     let doubled: BigInt = a * 2 + b;
     doubled.div_floor(&(b * 2))

@@ -8,15 +8,16 @@ use crate::expression::Rational;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 
-/// Places that absorb the rounding of a few thousand steps and of factors below 2¹².
+/// Guard places that absorb the rounding of a few thousand steps and of factors below 2¹².
 const GUARD: u32 = 48;
 
-/// An integer above p log 2: e⁻ˣ < 2⁻ᵖ for larger x.
+/// Returns an integer above p log 2: e⁻ˣ < 2⁻ᵖ for larger x.
 pub(super) fn negligible_from(precision: u32) -> u32 {
     7 * precision / 10 + 2
 }
 
-/// The places that a sum of size 1 loses to terms of a series as large as eᵃ: log₂ e < 3/2.
+/// Returns the number of places that a sum of size 1 loses if its terms are as large as eᵃ: log₂ e
+/// < 3/2.
 pub(super) fn lost_to_terms(a: u32) -> u32 {
     3 * a / 2 + 1
 }
@@ -70,7 +71,8 @@ impl Enclosure {
         }
     }
 
-    /// {f(x)} for a decreasing f with 0 < f(x) < e⁻ˣ for x ≥ 1, which is given by its values at points.
+    /// Returns {f(x)} for a decreasing f with 0 < f(x) < e⁻ˣ for x ≥ 1, given by its values at
+    /// points.
     fn decaying(
         &self,
         value: impl Fn(&Enclosure) -> Result<Enclosure, Undecided>,
@@ -85,7 +87,8 @@ impl Enclosure {
         })
     }
 
-    /// The hull of the values at both ends, which are computed with `guard` places more.
+    /// Returns the hull of the values at both ends, which are computed with `guard` additional
+    /// places.
     pub(super) fn through_ends(
         &self,
         guard: u32,

@@ -7,13 +7,14 @@ use crate::steps;
 use num_rational::Ratio;
 use rustc_hash::FxHashMap;
 
-/// Numbers beyond 2^(this) are not carried further: repeated squaring would not end.
+/// Numbers beyond 2^(this) are not computed further: repeated squaring would not end.
 const LARGEST_BITS: u64 = 1 << 14;
 
 type Decided = Result<Enclosure, Undecided>;
 
 impl Enclosure {
-    /// A function of the op table at its arguments; unknown if their number is wrong.
+    /// Applies a function of the table of operations to its arguments; unknown if their number is
+    /// wrong.
     pub fn apply(operation: Operation, arguments: &[Enclosure]) -> Result<Enclosure, Undecided> {
         match (operation, arguments) {
             (Operation::Sin, [a]) => Ok(a.sin()),
@@ -42,11 +43,12 @@ impl Enclosure {
     }
 }
 
-/// The values of expressions where the variables have these values and the unknown functions these jets.
+/// Encloses expressions at given values of the variables and given jets of the unknown functions.
 ///
-/// `jets` gives a partial derivative of an unknown function by its orders and the values of its arguments. A
-/// value that is not given is unknown, but for quadratures, which are integrals of what is known; what is computed from something undefined is undefined. Where a
-/// condition is not decided, the result encloses both branches.
+/// `jets` returns a partial derivative of an unknown function from its orders and the values of its
+/// arguments. A value that is not given is unknown, except for quadratures, which are integrals of
+/// known integrands. A result computed from an undefined value is undefined. Where a condition is
+/// not decided, the result encloses both branches.
 pub fn enclose(
     pool: &Pool,
     expressions: &[Expr],
@@ -57,7 +59,8 @@ pub fn enclose(
     enclose_with((pool, expressions), values, jets, precision, |_| None)
 }
 
-/// The values that a kernel has of expressions: on the cut of `atan2` too, which statements leave out.
+/// Encloses expressions with the values that a kernel computes: also on the branch cut of `atan2`,
+/// which statements exclude.
 pub(crate) fn enclose_of_kernel(
     pool: &Pool,
     expressions: &[Expr],
@@ -69,7 +72,7 @@ pub(crate) fn enclose_of_kernel(
     enclose_with((pool, expressions), values, &mut |_, _, _| None, precision, on_the_cut)
 }
 
-/// The same, with values of `atan2` where it has none otherwise.
+/// Encloses expressions, with values of `atan2` where it has none otherwise.
 fn enclose_with(
     (pool, expressions): (&Pool, &[Expr]),
     values: &impl Fn(Symbol) -> Option<Enclosure>,
@@ -99,12 +102,12 @@ fn enclose_with(
     expressions.iter().map(|expression| known[expression].clone()).collect()
 }
 
-/// The value of an expression without variables and unknown functions.
+/// Encloses the value of an expression without variables and unknown functions.
 pub(crate) fn enclose_number(pool: &Pool, number: Expr, precision: Precision) -> Decided {
     enclose(pool, &[number], &|_| None, &mut |_, _, _| None, precision).remove(0)
 }
 
-/// Refuses what has become too large to compute with.
+/// Rejects values that have become too large to compute with.
 fn bounded(value: Enclosure) -> Decided {
     if value.magnitude_bits() <= LARGEST_BITS {
         return Ok(value);
@@ -113,7 +116,7 @@ fn bounded(value: Enclosure) -> Decided {
     Err(if certain { Undecided::TooLarge } else { Undecided::Unknown })
 }
 
-/// The values of several operands, or the worst of what stands in the way.
+/// Returns the values of several operands, or the most serious reason why one is missing.
 fn all(operands: &[Expr], known: &FxHashMap<Expr, Decided>) -> Result<Vec<Enclosure>, Undecided> {
     if let Some(worst) = operands.iter().filter_map(|operand| known[operand].as_ref().err()).min() {
         return Err(*worst);
@@ -150,7 +153,7 @@ fn evaluate(node: &Node, known: &FxHashMap<Expr, Decided>, precision: Precision)
     }
 }
 
-/// One of two values, it is not known which.
+/// Encloses the result of a choice whose condition is not decided.
 fn either(a: &Decided, b: &Decided) -> Decided {
     match (a, b) {
         (Ok(a), Ok(b)) => Ok(a.hull(b)),

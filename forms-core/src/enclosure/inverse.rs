@@ -7,10 +7,10 @@ use super::series::odd_reciprocals;
 use num_bigint::BigInt;
 use num_traits::One;
 
-/// Places that absorb the rounding of a computation of a few hundred steps.
+/// Guard places that absorb the rounding of a computation of a few hundred steps.
 const GUARD: u32 = 16;
 
-/// How often the angle is halved before the series: tan(π/4/2³) < 1/10.
+/// Number of times that the angle is halved before the series: tan(π/4/2³) < 1/10.
 const HALVINGS: u32 = 3;
 
 impl Enclosure {
@@ -43,7 +43,7 @@ impl Enclosure {
         Ok(complement)
     }
 
-    /// The angle of the point (x, y), in (−π, π), off the cut y = 0, x ≤ 0.
+    /// The angle of the point (x, y), in (−π, π), off the branch cut y = 0, x ≤ 0.
     ///
     /// arctan(y/x) for x > 0, ±π/2 − arctan(x/y) for ±y > 0
     pub fn atan2(y: &Enclosure, x: &Enclosure) -> Result<Enclosure, Undecided> {
@@ -88,7 +88,8 @@ fn arc_tangent(x: &Range) -> Range {
     angle.rescaled(x.precision)
 }
 
-/// arctan t = 2 arctan(t/(1 + √(1 + t²))) as often as agreed, then Σ (−1)ᵏ t²ᵏ⁺¹/(2k+1), for |t| about 1 or less
+/// arctan t = 2 arctan(t/(1 + √(1 + t²))), applied [`HALVINGS`] times, then Σ (−1)ᵏ t²ᵏ⁺¹/(2k+1),
+/// for |t| about 1 or less
 fn arc_tangent_of_slope(t: &Range) -> Range {
     let one = Range::integer(1, t.precision);
     let mut t = t.clone();
@@ -99,7 +100,8 @@ fn arc_tangent_of_slope(t: &Range) -> Range {
     odd_reciprocals(t, &ratio).doubled(HALVINGS)
 }
 
-/// arcsin x = 2 arctan(x/(1 + √(1 − x²))). An error ε in x² may grow to √ε, hence the doubled precision.
+/// arcsin x = 2 arctan(x/(1 + √(1 − x²))). An error ε in x² can grow to √ε, hence the doubled
+/// precision.
 fn arc_sine(x: &Range) -> Range {
     let one = Range::integer(1, x.precision);
     let cosine = one.subtract(&x.square()).sqrt();

@@ -8,13 +8,13 @@ use num_integer::Integer;
 use num_rational::Ratio;
 use num_traits::{One, Signed, Zero};
 
-/// No intermediate integer of a power is longer than this many bits.
+/// Limit on the length in bits of the intermediate integers of a power.
 const LONGEST_POWER_BITS: u64 = 1 << 18;
 
-/// The precision at which a power is first looked at.
+/// The precision at which a power is first estimated.
 const ROUGH_PRECISION: u32 = 64;
 
-/// Roots of a higher degree are taken through the logarithm.
+/// Roots of a higher degree are computed by the logarithm.
 const LARGEST_DEGREE: u64 = 64;
 
 /// |a/b| with small a and b, and whether a/b is negative.
@@ -68,7 +68,7 @@ impl Enclosure {
         (part(-&range.lower), part(range.upper.clone()))
     }
 
-    /// aʳ for a ≥ 0, or a > 0 if r < 0: monotone, so the ends decide
+    /// aʳ for a ≥ 0, or a > 0 if r < 0: monotone, so the values at the ends are sufficient
     fn nonnegative_power(&self, exponent: Ratio<i64>) -> Result<Enclosure, Undecided> {
         let precision = self.precision().0;
         let short = Exponent {
@@ -95,7 +95,8 @@ impl Enclosure {
         }
     }
 
-    /// aʳ = e^(r log a), at a low precision first: that shows whether the power is too large or rounds to zero.
+    /// aʳ = e^(r log a), at a low precision first, which shows whether the power is too large or
+    /// rounds to zero.
     fn power_by_logarithm(&self, exponent: Ratio<i64>) -> Result<Enclosure, Undecided> {
         if !self.is_positive() {
             return Err(Undecided::Unknown);
@@ -113,7 +114,7 @@ impl Enclosure {
     }
 }
 
-/// The power itself, if it is rational and short.
+/// Returns the exact power, if it is rational and short.
 fn exact_power(value: &Rational, exponent: Exponent, longest: u64) -> Option<Rational> {
     let Exponent { numerator, degree, inverted } = exponent;
     if value.is_zero() || value.is_one() {
@@ -137,7 +138,7 @@ fn exact_root(n: &BigInt, degree: u32) -> Option<BigInt> {
     (root.pow(degree) == *n).then_some(root)
 }
 
-/// (n/d)^(a/b)·2ᵖ = (nᵃ 2ᵇᵖ/dᵃ)^(1/b), rounded down and up; none if the integers become too long
+/// (n/d)^(a/b)·2ᵖ = (nᵃ 2ᵇᵖ/dᵃ)^(1/b), rounded down and up; `None` if the integers become too long
 fn power_of_quotient(n: &BigInt, d: &BigInt, exponent: Exponent, precision: u32) -> Option<Range> {
     let Exponent { numerator: a, degree: b, inverted } = exponent;
     let length = n.bits().max(d.bits()).checked_mul(a)?.checked_add(b.checked_mul(precision.into())?)?;

@@ -1,10 +1,12 @@
-//! Enclosures of definite integrals, by Taylor polynomials on intervals that are halved until the remainders are small.
+//! Enclosures of definite integrals, by Taylor polynomials on intervals that are halved until the
+//! remainders are small.
 //!
 //! ```text
 //! ∫ f over [m − h, m + h] ∈ Σ fₖ(m) 2hᵏ⁺¹/(k + 1) + fₙ([m − h, m + h])·2hⁿ⁺¹/(n + 1)      k < n even
 //! ```
-//! with fₖ(x) the k-th Taylor coefficient of f at x. The remainder holds the integral of f − Σ fₖ(m)(x − m)ᵏ by Taylor's
-//! theorem, and the odd powers vanish. An integrand with a singularity at an end stays undecided.
+//! with fₖ(x) the k-th Taylor coefficient of f at x. The remainder contains the integral of f − Σ
+//! fₖ(m)(x − m)ᵏ by Taylor's theorem, and the odd powers vanish. An integrand with a singularity at
+//! an end stays undecided.
 
 use super::bounds::{Enclosure, Precision, Undecided};
 use super::taylor::{Series, Taylor};
@@ -12,23 +14,23 @@ use crate::expression::{FunctionId, Pool, Quadrature, Rational, Symbol};
 use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
 
-/// Places that absorb the rounding of a few hundred intervals.
+/// Guard places that absorb the rounding of a few hundred intervals.
 const GUARD: u32 = 32;
 
-/// More intervals than this are not looked at.
+/// Limit on the number of intervals.
 const MOST_INTERVALS: usize = 200;
 
-/// Places to which an integral is computed at most: what agrees with something else to 50 digits does so for a reason,
-/// which is for a proof to find, and the work grows with the third power.
+/// Largest number of places to which an integral is computed. An agreement to 50 digits has a
+/// reason that a proof has to find, and the work grows with the third power of the places.
 const MOST_PLACES: u32 = 208;
 
-/// Integrands smaller than 2⁻ⁿ have fewer digits.
+/// Integrands smaller than 2⁻ⁿ are computed to fewer digits.
 const MOST_SMALLER: i32 = 1024;
 
-/// Where the integrand is looked at for its size, in eighths of the range.
+/// Places at which the size of the integrand is estimated, in eighths of the range.
 const LOOKED_AT: [i64; 4] = [1, 3, 5, 7];
 
-/// A quadrature at its arguments; nothing for another function.
+/// Encloses a quadrature at its arguments; `None` for another function.
 pub(super) fn quadrature(
     pool: &Pool,
     function: FunctionId,
@@ -39,7 +41,8 @@ pub(super) fn quadrature(
     let [from, to, parameters @ ..] = arguments else { return Some(Err(Undecided::Unknown)) };
     let places = precision.0.min(MOST_PLACES);
     let working = Precision(places + GUARD);
-    // even, and about what makes the order squared times the intervals, which shrink as 2^(-places/order), least
+    // even, and close to the order that minimises its square times the number of intervals, which
+    // shrink as 2^(-places/order)
     let order = 8 + 2 * (places as usize / 8);
     let integral = |working: Precision| Integral {
         pool,
@@ -50,14 +53,14 @@ pub(super) fn quadrature(
         order,
         precision: working,
     };
-    // places are counted from the point: a small integrand needs more of them
+    // places are counted from the binary point: a small integrand needs more of them
     let size = integral(working).size();
     let smaller = (-size).clamp(0, MOST_SMALLER) as u32;
     let value = integral(Precision(working.0 + smaller)).enclosed(size, places);
     Some(value.map(|value| value.at(precision)))
 }
 
-/// ∫ f(from + length·x)·length dx over 0 ≤ x ≤ 1
+/// The integral ∫ f(from + length·x)·length dx over 0 ≤ x ≤ 1.
 struct Integral<'a> {
     pool: &'a Pool,
     quadrature: &'a Quadrature,
@@ -69,7 +72,8 @@ struct Integral<'a> {
 }
 
 impl Integral<'_> {
-    /// The integral of a function of size 2ˢ to so many places of that.
+    /// Encloses the integral of a function of size 2ˢ to `places` binary places relative to that
+    /// size.
     fn enclosed(&self, size: i32, places: u32) -> Result<Enclosure, Undecided> {
         let tolerance = Rational::from_integer(2.into()).pow(size - places as i32);
         let mut sum = Enclosure::integer(0, self.precision);
@@ -95,8 +99,8 @@ impl Integral<'_> {
         Ok(sum.mul(&self.length))
     }
 
-    /// The power of two of about the size of the integrand, which the tolerance is relative to. What it is changes the
-    /// work and not the truth of an enclosure.
+    /// Returns the exponent of a power of two of about the size of the integrand, to which the
+    /// tolerance is relative. Its value affects the work but not the validity of an enclosure.
     fn size(&self) -> i32 {
         let at = |eighths: i64| {
             let place = Rational::new(eighths.into(), 8.into());
@@ -107,7 +111,8 @@ impl Integral<'_> {
         largest.map_or(0, |largest| largest.numer().bits() as i32 - largest.denom().bits() as i32)
     }
 
-    /// The integral of the polynomial over an interval, and what the remainder adds.
+    /// Returns the integral of the polynomial over an interval, and the contribution of the
+    /// remainder.
     fn on(&self, lower: &Rational, upper: &Rational) -> Result<(Enclosure, Enclosure), Undecided> {
         let two = Rational::from_integer(2.into());
         let (middle, half) = ((lower + upper) / &two, (upper - lower) / &two);
@@ -129,12 +134,12 @@ impl Integral<'_> {
         Ok((part, remainder))
     }
 
-    /// The Taylor coefficients of f(from + length·x) about a point or over an interval.
+    /// Returns the Taylor coefficients of f(from + length·x) about a point or over an interval.
     fn coefficients(&self, place: Enclosure) -> Result<Series, Undecided> {
         self.expanded(place, self.order)
     }
 
-    /// Those up to an order.
+    /// Returns the Taylor coefficients up to an order.
     fn expanded(&self, place: Enclosure, order: usize) -> Result<Series, Undecided> {
         let Quadrature { integrand, variable, parameters } = self.quadrature;
         let mut values: FxHashMap<Symbol, Series> = FxHashMap::default();

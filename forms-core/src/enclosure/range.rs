@@ -34,7 +34,7 @@ impl Range {
         Range::new(scaled.clone(), scaled, precision)
     }
 
-    /// The narrowest range around a/b.
+    /// Returns the narrowest range around a/b.
     pub(super) fn quotient(a: &BigInt, b: &BigInt, precision: u32) -> Self {
         let scaled = a << precision;
         Range::new(scaled.div_floor(b), Integer::div_ceil(&scaled, b), precision)
@@ -44,7 +44,7 @@ impl Range {
         Range::quotient(value.numer(), value.denom(), precision)
     }
 
-    /// The same range at another precision, exactly if it is higher.
+    /// Returns the same range at another precision, exactly if it is higher.
     pub(super) fn rescaled(&self, precision: u32) -> Self {
         if precision >= self.precision {
             let shift = precision - self.precision;
@@ -64,19 +64,20 @@ impl Range {
         Range::new(self.upper.clone(), self.upper.clone(), self.precision)
     }
 
-    /// The narrowest range around both.
+    /// Returns the narrowest range around both.
     pub(super) fn hull(self, other: Range) -> Self {
         debug_assert_eq!(self.precision, other.precision);
         Range::new(self.lower.min(other.lower), self.upper.max(other.upper), self.precision)
     }
 
-    /// The part within [−1, 1], for a range that meets it.
+    /// Returns the part within [−1, 1], for a range that meets it.
     pub(super) fn within_unit(self) -> Self {
         let one = BigInt::one() << self.precision;
         Range::new(self.lower.max(-&one), self.upper.min(one), self.precision)
     }
 
-    /// Midpoint and radius, if the radius is below half the places and so of no weight beside the midpoint.
+    /// Returns midpoint and radius, if the radius has less than half the places and so is
+    /// negligible compared with the midpoint.
     pub(super) fn narrow_ball(&self) -> Option<(Range, BigInt)> {
         let middle: BigInt = (&self.lower + &self.upper) >> 1;
         let radius = &self.upper - &middle;
@@ -88,7 +89,7 @@ impl Range {
         !self.lower.is_positive() && !self.upper.is_negative()
     }
 
-    /// The largest absolute value, in units of 2⁻ᵖ.
+    /// Returns the largest absolute value, in units of 2⁻ᵖ.
     pub(super) fn magnitude(&self) -> BigInt {
         self.lower.abs().max(self.upper.abs())
     }
@@ -98,12 +99,12 @@ impl Range {
         self.lower.bits() <= 1 && self.upper.bits() <= 1
     }
 
-    /// n with |x| < 2ⁿ throughout.
+    /// Returns n with |x| < 2ⁿ throughout.
     pub(super) fn magnitude_bits(&self) -> u64 {
         self.lower.bits().max(self.upper.bits()).saturating_sub(u64::from(self.precision))
     }
 
-    /// Both ends moved outward by some units of 2⁻ᵖ.
+    /// Moves both ends outward by some units of 2⁻ᵖ.
     pub(super) fn widened(self, units: &BigInt) -> Self {
         Range::new(self.lower - units, self.upper + units, self.precision)
     }
@@ -207,7 +208,7 @@ fn floor_quotient(a: &BigInt, n: u64) -> BigInt {
     if a.is_negative() && &truncated * n != *a { truncated - 1 } else { truncated }
 }
 
-/// The least and the largest product, chosen by the signs of the ends.
+/// Returns the least and the largest product, chosen by the signs of the ends.
 fn product_ends(a: &Range, b: &Range) -> (BigInt, BigInt) {
     let pick = |nonnegative: bool, yes, no| if nonnegative { yes } else { no };
     let (b_lower, b_upper) = (!b.lower.is_negative(), !b.upper.is_negative());

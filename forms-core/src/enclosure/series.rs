@@ -1,26 +1,28 @@
-//! Power series of ranges with a rigorous remainder, and monotone functions through their ends.
+//! Power series of ranges with a rigorous remainder, and monotone functions evaluated at their
+//! ends.
 
 use super::bounds::{Enclosure, Value};
 use super::range::Range;
 use num_bigint::BigInt;
 
-/// What the next power and the current term of a series are divided by.
+/// Divisors of the next power and of the current term of a series.
 pub(super) struct Divisors {
-    /// Of the power that follows the k-th.
+    /// Divisor of the power that follows the k-th.
     pub(super) step: u64,
-    /// Of the k-th power, to give the k-th term.
+    /// Divisor of the k-th power that gives the k-th term.
     pub(super) term: u64,
 }
 
-/// Σ aₖ with aₖ = bₖ/termₖ and bₖ₊₁ = bₖ·ratio/stepₖ, for |ratio|/stepₖ ≤ ½.
+/// Returns Σ aₖ with aₖ = bₖ/termₖ and bₖ₊₁ = bₖ·ratio/stepₖ, for |ratio|/stepₖ ≤ ½.
 ///
-/// Rounding is carried by the arithmetic of ranges. Summing stops before the first |bₙ| ≤ 2⁻ᵖ, and what is
-/// left out is |aₙ + aₙ₊₁ + …| ≤ |bₙ|·(1 + ½ + ¼ + …) = 2|bₙ| ≤ 2·2⁻ᵖ.
+/// Rounding is covered by the arithmetic of ranges. Summation stops before the first |bₙ| ≤ 2⁻ᵖ,
+/// and the omitted terms are |aₙ + aₙ₊₁ + …| ≤ |bₙ|·(1 + ½ + ¼ + …) = 2|bₙ| ≤ 2·2⁻ᵖ.
 pub(super) fn series(first: Range, ratio: &Range, divisors: impl Fn(u64) -> Divisors) -> Range {
     sum_of(first, ratio, divisors, |_| true)
 }
 
-/// The same for a ratio of any size and steps that grow: no end before |ratio|/stepₖ ≤ ½ from there on.
+/// Returns the same sum for a ratio of any size and steps that grow: summation does not stop before
+/// |ratio|/stepₖ ≤ ½ holds from there on.
 pub(super) fn entire_series(first: Range, ratio: &Range, divisors: impl Fn(u64) -> Divisors) -> Range {
     let (doubled, precision) = (ratio.magnitude() << 1, ratio.precision);
     let shrinks = |step: u64| doubled <= BigInt::from(step) << precision;
@@ -52,13 +54,15 @@ fn sum_of(
     sum.widened(&2.into())
 }
 
-/// Σ ratioᵏ·first/(2k+1), which is artanh z for ratio = z² and arctan z for ratio = −z², with first = z
+/// Σ ratioᵏ·first/(2k+1), which is artanh z for ratio = z² and arctan z for ratio = −z², with first
+/// = z
 pub(super) fn odd_reciprocals(first: Range, ratio: &Range) -> Range {
     series(first, ratio, |k| Divisors { step: 1, term: 2 * k + 1 })
 }
 
 impl Enclosure {
-    /// {f(x)} for an increasing f, which is given as its image of narrow ranges with `guard` places more.
+    /// Returns {f(x)} for an increasing f, given as its image of narrow ranges with `guard`
+    /// additional places.
     pub(super) fn increasing(&self, guard: u32, image: impl Fn(&Range) -> Range) -> Enclosure {
         let precision = self.precision().0;
         let working = precision + guard;
@@ -77,7 +81,7 @@ impl Enclosure {
 mod tests {
     use super::*;
 
-    /// Every term is exact here, so the enclosure of 2 hangs on the remainder alone.
+    /// Every term is exact here, so the enclosure of 2 depends on the remainder alone.
     #[test]
     fn the_remainder_of_the_geometric_series_is_enclosed_to_the_last_unit() {
         let half = Range::integer(1, 20).halved(1);

@@ -1,10 +1,11 @@
-//! Taylor coefficients of expressions over an interval, by which integrals are enclosed.
+//! Taylor coefficients of expressions over an interval, used to enclose integrals.
 //!
 //! ```text
 //! x = x₀ + x₁ε + …  ─ operands before results ─▶ f(x) = f₀ + f₁ε + … + fₙεⁿ, each fₖ an enclosure
 //! ```
-//! Where x₀ is an interval, fₖ holds the k-th Taylor coefficient at every point of it. A function with derivative g has
-//! k fₖ = Σ j xⱼ gₖ₋ⱼ; for eˣ, sin x and powers that is a recurrence, for the others g is computed first.
+//! If x₀ is an interval, fₖ contains the k-th Taylor coefficient at each of its points. A function
+//! with derivative g has k fₖ = Σ j xⱼ gₖ₋ⱼ; for eˣ, sin x and powers that is a recurrence, for the
+//! others g is computed first.
 
 use super::bounds::{Enclosure, Precision, Undecided};
 use crate::expression::{Expr, Node, Operation, Pool, Rational, Symbol};
@@ -18,7 +19,7 @@ pub(super) type Series = Vec<Enclosure>;
 
 type Expanded = Result<Series, Undecided>;
 
-/// What an expression is expanded with: n + 1 coefficients for each variable.
+/// Context of an expansion: n + 1 coefficients for each variable.
 pub(super) struct Taylor<'a> {
     pub(super) pool: &'a Pool,
     pub(super) values: &'a FxHashMap<Symbol, Series>,
@@ -27,7 +28,8 @@ pub(super) struct Taylor<'a> {
 }
 
 impl Taylor<'_> {
-    /// The coefficients of an expression; unknown where a choice is not certain or an integral or function is inside.
+    /// Returns the coefficients of an expression; unknown if a choice is not certain or the
+    /// expression contains an integral or an unknown function.
     pub(super) fn of(&self, expression: Expr) -> Expanded {
         let mut known: FxHashMap<Expr, Series> = FxHashMap::default();
         for part in self.pool.reachable(&[expression]) {
@@ -40,7 +42,7 @@ impl Taylor<'_> {
         known.remove(&expression).ok_or(Undecided::Unknown)
     }
 
-    /// The steps of a node: products of series are sums of products of numbers.
+    /// Returns the steps of a node: products of series are sums of products of numbers.
     fn cost(&self, node: &Node) -> u64 {
         let terms = self.order as u64 + 1;
         let one = steps::of_arithmetic(self.precision.0);
@@ -103,7 +105,8 @@ impl Taylor<'_> {
         a.iter().map(|coefficient| coefficient.mul(&factor)).collect()
     }
 
-    /// p₀ = x₀ʳ, k x₀ pₖ = Σ (r j − (k − j)) xⱼ pₖ₋ⱼ for j ≥ 1; a positive integer power by products, as x₀ may be 0.
+    /// p₀ = x₀ʳ, k x₀ pₖ = Σ (r j − (k − j)) xⱼ pₖ₋ⱼ for j ≥ 1; a positive integer power by
+    /// products, since x₀ may be 0.
     fn power(&self, x: &Series, exponent: Ratio<i64>) -> Expanded {
         if exponent.is_integer() && exponent.is_positive() {
             let times = u32::try_from(*exponent.numer()).map_err(|_| Undecided::Unknown)?;
@@ -133,7 +136,7 @@ impl Taylor<'_> {
         power
     }
 
-    /// f₀, and k fₖ = Σ j xⱼ gₖ₋ⱼ
+    /// Returns the series with f₀ and k fₖ = Σ j xⱼ gₖ₋ⱼ.
     fn integrated(&self, first: Enclosure, x: &Series, slope: &Series) -> Expanded {
         let mut series = vec![first];
         for k in 1..=self.order {
@@ -215,7 +218,7 @@ impl Taylor<'_> {
         }
     }
 
-    /// The derivative of a function, as the op table states it.
+    /// Returns the derivative of a function according to the table of operations.
     fn slope(&self, operation: Operation, x: &Series) -> Expanded {
         let one = self.constant(self.integer(1));
         let half = Ratio::new(-1, 2);
@@ -249,7 +252,7 @@ impl Taylor<'_> {
         }
     }
 
-    /// The angle of (x, y): its derivative is (x y′ − y x′)/(x² + y²).
+    /// Returns the angle of (x, y), whose derivative is (x y′ − y x′)/(x² + y²).
     fn angle(&self, y: &Series, x: &Series) -> Expanded {
         let norm = sum(&self.product(x, x), &self.product(y, y));
         let inverse = self.power(&norm, Ratio::from_integer(-1))?;

@@ -1,4 +1,5 @@
-//! What an enclosure promises: known digits, containment laws, the edges of domains, the shared graph.
+//! Guarantees of an enclosure: known digits, containment laws, the edges of domains, the shared
+//! graph.
 
 mod digits;
 mod domain;

@@ -1,8 +1,10 @@
-//! Ranges in machine words: a first look at values, a hundred times cheaper than enclosures of any precision.
+//! Ranges in machine words: a first estimate of values, a hundred times cheaper than enclosures of
+//! any precision.
 //!
-//! A range is [lower, upper]·2⁻³⁰ in integers, every operation rounded outward, so what it says is certain. What
-//! does not fit, and every function beyond arithmetic and square roots, is [`Undecided::Unknown`]: whoever asks
-//! goes on with [`enclose`](super::enclose).
+//! A range is [lower, upper]·2⁻³⁰ in integers, with every operation rounded outward, so its
+//! conclusions are certain. Numbers that do not fit, and every function beyond arithmetic and
+//! square roots, give [`Undecided::Unknown`]: the caller continues with
+//! [`enclose`](super::enclose).
 
 use super::bounds::Undecided;
 use crate::expression::{Expr, Node, Operation, Pool, Rational, Symbol};
@@ -15,7 +17,7 @@ use num_traits::{Signed, ToPrimitive};
 /// Binary places after the point.
 const PLACES: u32 = 30;
 
-/// 1
+/// The number 1.
 const UNIT: i64 = 1 << PLACES;
 
 /// A closed interval that contains a real number.
@@ -27,7 +29,7 @@ pub(crate) struct WordRange {
 
 type Decided = Result<WordRange, Undecided>;
 
-/// A range whose ends fit.
+/// Returns a range if its ends fit in machine words.
 fn fitting(lower: i128, upper: i128) -> Decided {
     match (i64::try_from(lower), i64::try_from(upper)) {
         (Ok(lower), Ok(upper)) => Ok(WordRange { lower, upper }),
@@ -41,7 +43,7 @@ fn ceiling(a: i128, b: i128) -> i128 {
 }
 
 impl WordRange {
-    /// The narrowest range around p/q.
+    /// Returns the narrowest range around p/q.
     pub(crate) fn rational(value: &Rational) -> Decided {
         let (lower, upper) = match (value.numer().to_i64(), value.denom().to_i64()) {
             (Some(p), Some(q)) => {
@@ -70,12 +72,12 @@ impl WordRange {
         self.lower <= 0 && self.upper >= 0
     }
 
-    /// Whether some number is in both.
+    /// Whether both contain a common number.
     pub(crate) fn intersects(self, other: Self) -> bool {
         self.lower <= other.upper && other.lower <= self.upper
     }
 
-    /// Whether the relation holds, where that is certain.
+    /// Whether the relation holds; `None` if that is not certain.
     pub(crate) fn decide(self, relation: Relation, other: Self) -> Option<bool> {
         let (holds, fails) = match relation {
             Relation::Less => (self.upper < other.lower, self.lower >= other.upper),
@@ -146,7 +148,7 @@ impl WordRange {
         fitting(scaled(self.lower).isqrt() as i128, upper as i128)
     }
 
-    /// xⁿ for n ≥ 0 by repeated squaring; of |x| where n is even, so that no end is lost about 0.
+    /// xⁿ for n ≥ 0 by repeated squaring; for even n of |x|, so that no width is added around 0.
     fn integer_power(self, n: u64) -> Decided {
         let mut square = if n.is_multiple_of(2) { self.magnitude()? } else { self };
         let (mut rest, mut power) = (n, WordRange::one());
@@ -174,7 +176,8 @@ impl WordRange {
     }
 }
 
-/// The ranges of expressions where the variables have these values; no answer where one is not arithmetic.
+/// Returns the ranges of expressions at given values of the variables; undecided if an expression
+/// is not arithmetic.
 pub(crate) fn word_ranges(
     pool: &Pool,
     expressions: &[Expr],

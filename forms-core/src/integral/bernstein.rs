@@ -1,8 +1,8 @@
-//! Signs of polynomials over a box, from what is known of parameters.
+//! Signs of polynomials over a box, from known conditions on parameters.
 //!
-//! A polynomial Σ βᵢ C(n,i) τⁱ(1−τ)ⁿ⁻ⁱ lies between the least and the greatest βᵢ for 0 ≤ τ ≤ 1, and its values at 0 and
-//! 1 are β₀ and βₙ. A polynomial in parameters is looked at term by term, known conditions taken out as factors or
-//! taken away as multiples.
+//! A polynomial Σ βᵢ C(n,i) τⁱ(1−τ)ⁿ⁻ⁱ lies between the least and the greatest βᵢ for 0 ≤ τ ≤ 1,
+//! and its values at 0 and 1 are β₀ and βₙ. A polynomial in parameters is examined term by term,
+//! after known conditions are divided out as factors or subtracted as multiples.
 
 use super::signs::{KnownSign, Strictness};
 use crate::normal::{Fraction, Generator, Tower};
@@ -13,16 +13,17 @@ use num_integer::{Integer, binomial};
 use num_traits::Signed;
 use std::cell::Cell;
 
-/// How often the range is halved for a polynomial.
+/// Number of times that the range of a polynomial is halved.
 const MOST_HALVINGS: u32 = 6;
 
-/// How many signs of polynomials one question may lead to.
+/// Limit on the signs of polynomials that are computed for one query.
 const MOST_QUESTIONS: u32 = 1000;
 
-/// How often a known condition is subtracted from a polynomial in search of terms of one sign.
+/// Number of times that a known condition is subtracted from a polynomial in the search for terms
+/// of one sign.
 const MOST_REWRITES: u32 = 3;
 
-/// The variables that run over [0, 1], and those among them that stand for sines and cosines.
+/// The variables that run over [0, 1], and the ones among them that stand for sines and cosines.
 pub(super) struct UnitBox {
     pub(super) sides: Vec<u32>,
     pub(super) circular: Vec<u32>,
@@ -32,12 +33,12 @@ pub(super) struct UnitBox {
 #[derive(Default)]
 pub(super) struct Knowledge {
     facts: Vec<(Polynomial, Strictness)>,
-    /// How many signs of polynomials have been asked for.
+    /// Number of signs of polynomials that were requested.
     questions: Cell<u32>,
 }
 
 impl Knowledge {
-    /// Learns from `difference relation 0`.
+    /// Learns the condition `difference relation 0`.
     pub(super) fn learn(&mut self, tower: &Tower, difference: &Fraction, relation: Relation) {
         let Some(polynomial) = difference.as_polynomial().filter(|p| p.as_constant().is_none()) else {
             return;
@@ -47,7 +48,7 @@ impl Knowledge {
             Relation::GreaterEqual => (polynomial.clone(), Strictness::Weak),
             Relation::Less => (polynomial.neg(), Strictness::Strict),
             Relation::LessEqual => (polynomial.neg(), Strictness::Weak),
-            // q ≠ 0 and q ≥ 0 is q > 0
+            // q ≠ 0 and q ≥ 0 give q > 0
             Relation::NotEqual => {
                 match self.polynomial_sign(tower, polynomial, &UnitBox { sides: vec![], circular: vec![] }) {
                     Some((true, _)) => (polynomial.clone(), Strictness::Strict),
@@ -59,7 +60,7 @@ impl Knowledge {
         self.facts.push((polynomial, strictness));
     }
 
-    /// The sign of an element where the sides run over [0, 1].
+    /// Returns the sign of an element where the sides run over [0, 1].
     pub(super) fn sign_of_fraction(
         &self,
         tower: &Tower,
@@ -71,7 +72,7 @@ impl Knowledge {
         }
         let mut sign = self.polynomial_sign(tower, value.numerator(), sides)?;
         for (factor, exponent) in tower.factors_of(value) {
-            // what is divided by is not zero, or the value is not defined
+            // a divisor is not zero, or the value is not defined
             let (positive, strictness) = if exponent % 2 == 0 {
                 let own = self.polynomial_sign(tower, factor, sides);
                 (true, own.map_or(Strictness::Weak, |sign| sign.1))
@@ -83,7 +84,7 @@ impl Knowledge {
         Some(sign)
     }
 
-    /// The sign of a polynomial where the sides run over [0, 1].
+    /// Returns the sign of a polynomial where the sides run over [0, 1].
     fn polynomial_sign(&self, tower: &Tower, polynomial: &Polynomial, sides: &UnitBox) -> Option<KnownSign> {
         self.questions.set(self.questions.get() + 1);
         if self.questions.get() > MOST_QUESTIONS {
@@ -96,7 +97,8 @@ impl Knowledge {
         self.sign_with_root(tower, polynomial, sides).or(plain)
     }
 
-    /// The sign of α + βρ with ρ² = g: where |α| and |β|ρ differ, that of the larger one.
+    /// Returns the sign of α + βρ with ρ² = g: where |α| and |β|ρ differ, the sign of the larger
+    /// one.
     fn sign_with_root(&self, tower: &Tower, polynomial: &Polynomial, sides: &UnitBox) -> Option<KnownSign> {
         let root =
             polynomial.variables().into_iter().rev().find(|&v| {
@@ -161,7 +163,7 @@ impl Knowledge {
         (first.0 == second.0).then_some((first.0, first.1.min(second.1)))
     }
 
-    /// The sign of a polynomial in parameters.
+    /// Returns the sign of a polynomial in parameters.
     fn sign_of_constant(&self, tower: &Tower, polynomial: &Polynomial) -> Option<KnownSign> {
         if polynomial.is_zero() {
             return None;
@@ -183,7 +185,8 @@ impl Knowledge {
         Some((sign.0 == own.0, sign.1.min(own.1)))
     }
 
-    /// Whether every term is not negative, perhaps once multiples of known conditions are taken away.
+    /// Whether every term is not negative, if necessary after multiples of known conditions are
+    /// subtracted.
     fn terms_sign(&self, tower: &Tower, polynomial: &Polynomial, rewrites: u32) -> Option<Strictness> {
         let mut best = Strictness::Weak;
         let mut negative = None;
@@ -208,7 +211,8 @@ impl Knowledge {
         })
     }
 
-    /// A number s > 0 and a multiple of a fact, by a monomial that is not negative, that has s times the given term.
+    /// Returns a number s > 0 and a multiple of a fact, by a monomial that is not negative, that
+    /// contains s times the given term.
     fn multiple_with(
         &self,
         tower: &Tower,
@@ -258,7 +262,8 @@ impl Knowledge {
             let mut parts = fact.coefficients_in(variable).into_iter().filter(|_| linear);
             let slope = parts.find(|part| part.0 == 1)?.1.as_constant()?;
             let constant = fact.sub(&itself.scale(&slope)).as_constant()?;
-            // s v + c ≥ 0: v ≥ −c/s for s > 0, which says v ≥ 0 if c ≤ 0; v ≤ c/|s| for s < 0, likewise
+            // s v + c ≥ 0 gives v ≥ −c/s for s > 0, so v ≥ 0 if c ≤ 0; for s < 0 in the same way v
+            // ≤ c/|s|, so v ≤ 0 if c ≤ 0
             match constant.sign() {
                 num_bigint::Sign::Plus => None,
                 num_bigint::Sign::NoSign => Some((slope.is_positive(), *strictness)),
@@ -270,14 +275,15 @@ impl Knowledge {
 }
 
 impl UnitBox {
-    /// The box without one side.
+    /// Returns the box without one side.
     fn after(&self, side: u32) -> UnitBox {
         let sides = self.sides.iter().copied().filter(|other| *other != side).collect();
         UnitBox { sides, circular: self.circular.clone() }
     }
 }
 
-/// A polynomial in c with −1 ≤ c ≤ 1 as one in σ over [0, 1]: c² = σ where only even powers occur, else c = 2σ − 1.
+/// Rewrites a polynomial in c with −1 ≤ c ≤ 1 as a polynomial in σ over [0, 1]: c² = σ if only even
+/// powers occur, otherwise c = 2σ − 1.
 fn from_circle(polynomial: &Polynomial, variable: u32) -> Polynomial {
     let parts = polynomial.coefficients_in(variable);
     let is_even = parts.iter().all(|(exponent, _)| exponent % 2 == 0);
@@ -289,7 +295,7 @@ fn from_circle(polynomial: &Polynomial, variable: u32) -> Polynomial {
     })
 }
 
-/// The polynomial with ρ² replaced by its radicand for every square root in it.
+/// Replaces ρ² in the polynomial by its radicand, for every square root ρ.
 fn without_squares(tower: &Tower, polynomial: Polynomial) -> Polynomial {
     let mut rest = polynomial;
     for variable in rest.variables().into_iter().rev() {
@@ -314,7 +320,8 @@ fn monomial_quotient(m: &[(u32, u32)], n: &[(u32, u32)]) -> Option<Vec<(u32, u32
     Some(quotient)
 }
 
-/// The coefficients in Bernstein's basis times a positive number: βᵢ = Σⱼ C(i,j)/C(n,j) cⱼ.
+/// Returns the coefficients in the Bernstein basis times a positive number: βᵢ = Σⱼ C(i,j)/C(n,j)
+/// cⱼ.
 fn bernstein(polynomial: &Polynomial, variable: u32) -> Vec<Polynomial> {
     let n = polynomial.degree(variable);
     let parts = polynomial.coefficients_in(variable);
@@ -330,7 +337,7 @@ fn bernstein(polynomial: &Polynomial, variable: u32) -> Vec<Polynomial> {
         .collect()
 }
 
-/// De Casteljau: the coefficients on both halves, times 2ⁿ.
+/// De Casteljau's algorithm: the coefficients on both halves, times 2ⁿ.
 fn halves(coefficients: &[Polynomial]) -> (Vec<Polynomial>, Vec<Polynomial>) {
     let n = coefficients.len() - 1;
     let (mut left, mut right) = (Vec::new(), Vec::new());

@@ -1,4 +1,5 @@
-//! The values of an antiderivative at the ends of the range, inverse functions of special values in π.
+//! Values of an antiderivative at the ends of the range, with inverse functions of special values
+//! expressed in π.
 
 use super::normal_form;
 use super::signs::Region;
@@ -18,7 +19,7 @@ const SINES: &[Special] =
     &[((0, 1), (0, 1)), ((1, 4), (1, 6)), ((1, 2), (1, 4)), ((3, 4), (1, 3)), ((1, 1), (1, 2))];
 
 impl Region {
-    /// The expression at one value of the variable.
+    /// Returns the expression at one value of the variable.
     pub(super) fn value_at(&self, pool: &mut Pool, expression: Expr, variable: Symbol, place: Expr) -> Expr {
         let values: Substitution = [(variable, place)].into_iter().collect();
         let value = pool.substitute(expression, &values);
@@ -39,7 +40,7 @@ impl Region {
         pool.replace(value, &known)
     }
 
-    /// tan(rπ) for the multiples of π in the table.
+    /// Returns tan(rπ) for the multiples of π in the table.
     fn special_tangent(&self, pool: &mut Pool, q: Expr) -> Option<Expr> {
         let pi = pool.pi();
         let turns = pool.divide(q, pi);

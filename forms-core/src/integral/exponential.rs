@@ -1,6 +1,8 @@
-//! Products of powers, exponentials and waves: ∫ xᵏ e^(λx) cos(ωx) and ∫ xᵏ e^(λx) sin(ωx).
+//! Products of powers, exponentials and sines or cosines: ∫ xᵏ e^(λx) cos(ωx) and ∫ xᵏ e^(λx)
+//! sin(ωx).
 //!
-//! With μ = λ + iω: ∫ xᵏ e^(μx) = e^(μx) Σⱼ (−1)ʲ k!/(k−j)! xᵏ⁻ʲ/μʲ⁺¹, and 1/μ = (λ − iω)/(λ² + ω²).
+//! With μ = λ + iω: ∫ xᵏ e^(μx) = e^(μx) Σⱼ (−1)ʲ k!/(k−j)! xᵏ⁻ʲ/μʲ⁺¹, and 1/μ = (λ − iω)/(λ² +
+//! ω²).
 
 use super::Failure;
 use super::moments::HIGHEST_POWER;
@@ -9,7 +11,7 @@ use crate::expression::{Expr, Operation};
 use crate::normal::{Fraction, Generator, Tower};
 use crate::polynomial::Polynomial;
 
-/// The most waves that a product of sines and cosines is written as.
+/// Limit on the number of waves into which a product of sines and cosines is expanded.
 const MOST_WAVES: usize = 256;
 
 /// coefficient · cos(ωx) or sin(ωx)
@@ -30,7 +32,7 @@ struct Moment {
 type Computed<T> = Result<T, Failure>;
 
 impl Search<'_> {
-    /// An antiderivative of a sum of such products, if the integrand is one.
+    /// Returns an antiderivative of a sum of such products, if the integrand is one.
     pub(super) fn exponential(&mut self, integrand: &mut Integrand) -> Computed<Option<Expr>> {
         let generators = integrand.generators.clone();
         let x = integrand.tower.variable_number(integrand.symbol);
@@ -59,7 +61,7 @@ impl Search<'_> {
         Ok(Some(sum))
     }
 
-    /// coefficient · ∫ xᵏ e^(λx) cos(ωx)
+    /// coefficient · ∫ xᵏ e^(λx) cos(ωx), or sin(ωx)
     fn moment(&mut self, integrand: &mut Integrand, moment: &Moment) -> Computed<Expr> {
         let Moment { power, growth, wave } = moment;
         let power = *power;
@@ -121,7 +123,7 @@ impl Search<'_> {
     }
 }
 
-/// One product of powers of the generators as a sum of moments.
+/// Expands one product of powers of the generators into a sum of moments.
 fn product(
     tower: &mut Tower,
     generators: &[u32],
@@ -157,7 +159,8 @@ fn product(
     Ok(Some(waves.into_iter().map(|wave| Moment { power, growth: growth.clone(), wave }).collect()))
 }
 
-/// Adds a moment to those of its kind, so that what cancels leaves no frequency to divide by.
+/// Adds a moment to the moments of its kind, so that cancelled terms leave no frequency to divide
+/// by.
 fn gather(tower: &mut Tower, moments: &mut Vec<Moment>, moment: Moment) -> Computed<()> {
     let alike = |known: &&mut Moment| {
         known.power == moment.power
@@ -174,7 +177,7 @@ fn gather(tower: &mut Tower, moments: &mut Vec<Moment>, moment: Moment) -> Compu
     Ok(())
 }
 
-/// The slope κ of an exponential or wave of κx; 1 for x itself.
+/// Returns the slope κ of an exponential, sine or cosine of κx; 1 for x itself.
 fn slope(tower: &mut Tower, generator: u32, x: u32) -> Option<Fraction> {
     if generator == x {
         return Some(Fraction::one());
@@ -204,7 +207,8 @@ fn inverse(tower: &mut Tower, growth: &Fraction, frequency: &Fraction) -> Comput
     Ok((re, im))
 }
 
-/// 2 cos a cos b = cos(a−b) + cos(a+b) and its like.
+/// Multiplies waves by a sine or cosine: 2 cos a cos b = cos(a−b) + cos(a+b) and similar
+/// identities.
 fn multiplied(
     tower: &mut Tower,
     waves: Vec<Wave>,

@@ -1,4 +1,5 @@
-//! Rational functions of one sine and cosine: t = tan(u/2), and back through the poles of the tangent.
+//! Rational functions of one sine and cosine: the substitution t = tan(u/2), and the way back
+//! without the poles of the tangent.
 
 use super::Failure;
 use super::rational::{Part, Rational};
@@ -8,7 +9,8 @@ use crate::normal::{Fraction, Generator};
 use crate::polynomial::Polynomial;
 
 impl Search<'_> {
-    /// t = tan(u/2): cos u = (1 − t²)/(1 + t²), sin u = 2t/(1 + t²), for rational functions of one sine and cosine.
+    /// Substitutes t = tan(u/2): cos u = (1 − t²)/(1 + t²), sin u = 2t/(1 + t²), for rational
+    /// functions of one sine and cosine.
     pub(super) fn by_half_tangent(&mut self, integrand: &mut Integrand) -> Result<Option<Expr>, Failure> {
         let tower = &mut *integrand.tower;
         let x = tower.variable_number(integrand.symbol);
@@ -65,14 +67,15 @@ impl Search<'_> {
         Ok(Some(sum))
     }
 
-    /// atan((k t + m)/b) with t = tan u, without the poles of the tangent. With w = sin u + (m/k) cos u it is u, and the
-    /// angle from (cos u, sin u) to (cos u, w), and the angle from there to (b cos u, k w):
+    /// Rewrites atan((k t + m)/b) with t = tan u, without the poles of the tangent. It is the sum
+    /// of three angles, where w = sin u + (m/k) cos u: u, the angle from (cos u, sin u) to (cos u,
+    /// w), and the angle from there to (b cos u, k w):
     ///
     /// ```text
     /// u + atan((w − sin u) cos u/(cos²u + w sin u)) + atan((k − b) w cos u/(b cos²u + k w²)),   k b > 0
     /// ```
-    /// The first denominator has no zero where |m| < 2|k|, the second none at all. That this is continuous, and has the
-    /// right derivative, is shown of the antiderivative as a whole.
+    /// The first denominator has no zero where |m| < 2|k|, the second none at all. Continuity and
+    /// the right derivative are verified for the antiderivative as a whole.
     fn as_turning(&mut self, part: &Part, y: Symbol, u: Expr) -> Option<Expr> {
         let &Part::ArcTangent(coefficient, above, b) = part else { return None };
         let pool = &mut *self.pool;
@@ -99,7 +102,7 @@ impl Search<'_> {
     }
 }
 
-/// The angle from one point of the plane to another, less than a quarter turn.
+/// Returns the angle from one point of the plane to another, less than a quarter turn.
 fn angle_between(pool: &mut Pool, (x, y): (Expr, Expr), (x_to, y_to): (Expr, Expr)) -> Expr {
     let [xx, yy, xy, yx] = [(x, x_to), (y, y_to), (x, y_to), (y, x_to)].map(|(a, b)| pool.multiply(a, b));
     let (dot, cross) = (pool.add(xx, yy), pool.subtract(xy, yx));

@@ -18,7 +18,8 @@ pub(super) enum Harmonic {
     },
 }
 
-/// cosᵖu sin^q u by repeated use of 2 cos a cos b = cos(a+b) + cos(a−b) and its like.
+/// Expands cosᵖu sin^q u by repeated use of 2 cos a cos b = cos(a+b) + cos(a−b) and similar
+/// identities.
 pub(super) fn products_to_sums(cosines: u32, sines: u32) -> Vec<(Harmonic, Rational)> {
     let one = Rational::from_integer(1.into());
     let mut sum: BTreeMap<Harmonic, Rational> = BTreeMap::from([(Harmonic::Constant, one)]);

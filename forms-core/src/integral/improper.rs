@@ -1,8 +1,9 @@
-//! Antiderivatives with logarithms that have no value somewhere on the range, but a limit.
+//! Antiderivatives with logarithms that have no value somewhere on the range, but have a limit
+//! there.
 //!
-//! Let A = Σ Aₖ (log q)ᵏ with q ≥ 0 all over the range. Where q vanishes, so does √q (log q)ᵏ; if Aₖ/√q is continuous for
-//! every k ≥ 1, the terms with logarithms tend to 0 there, and A is extended continuously by A₀. ∫₀¹ log x dx is such an
-//! integral, with A = x log x − x.
+//! Let A = Σ Aₖ (log q)ᵏ with q ≥ 0 all over the range. Where q tends to 0, so does √q (log q)ᵏ; if
+//! Aₖ/√q is continuous for every k ≥ 1, the terms with logarithms tend to 0 there, and A is
+//! extended continuously by A₀. ∫₀¹ log x dx is such an integral, with A = x log x − x.
 
 use super::signs::Region;
 use super::{Failure, tidied};
@@ -13,7 +14,8 @@ use crate::expression::{Condition, Expr, Node, Operation, Pool, Substitution, Sy
 const HIGHEST_POWER: usize = 4;
 
 impl Region {
-    /// That an antiderivative, or its extension, is continuous over the closed range; what is assumed of parameters.
+    /// Shows that an antiderivative, or its extension, is continuous over the closed range, and
+    /// returns the conditions that this assumes of parameters.
     pub(super) fn where_extended(
         &self,
         pool: &mut Pool,
@@ -31,7 +33,7 @@ impl Region {
         plain
     }
 
-    /// The same by powers of log q.
+    /// Shows the same by powers of log q.
     fn where_terms_extended(
         &self,
         pool: &mut Pool,
@@ -50,7 +52,8 @@ impl Region {
         Some(conditions)
     }
 
-    /// The value of an antiderivative at an end of the range, its limit where a logarithm has none.
+    /// Returns the value of an antiderivative at an end of the range, or its limit where a
+    /// logarithm has no value.
     pub(super) fn limit_at(
         &self,
         pool: &mut Pool,
@@ -70,7 +73,7 @@ impl Region {
         self.value_at(pool, antiderivative, variable, place)
     }
 
-    /// The arguments of logarithms that are not negative over the range, and may vanish.
+    /// Returns the arguments of logarithms that are not negative over the range, and may vanish.
     fn logarithms_with_limits(&self, pool: &mut Pool, antiderivative: Expr, variable: Symbol) -> Vec<Expr> {
         let all = logarithms(pool, antiderivative, variable);
         all.into_iter().filter(|&q| self.sign(pool, q).is_some_and(|sign| sign.0)).collect()
@@ -85,7 +88,8 @@ fn logarithms(pool: &Pool, expression: Expr, variable: Symbol) -> Vec<Expr> {
     pool.reachable(&[expression]).into_iter().filter_map(argument).collect()
 }
 
-/// A₀, A₁, … of A = Σ Aₖ (log q)ᵏ, if it is that: Aₖ = A⁽ᵏ⁾(0)/k! with A as a function of log q.
+/// Returns A₀, A₁, … of A = Σ Aₖ (log q)ᵏ, if the expression has this form: Aₖ = A⁽ᵏ⁾(0)/k! with A
+/// as a function of log q.
 fn by_logarithm(pool: &mut Pool, expression: Expr, q: Expr) -> Option<Vec<Expr>> {
     let symbol = pool.declare_symbol("l", SymbolKind::Local);
     let value = pool.symbol(symbol);

@@ -1,4 +1,4 @@
-//! Integrals by moments: ∫ xᵏ h(mκx) dx, each once, and ∫₀¹ tᵖ dt.
+//! Integrals by moments: ∫ xᵏ h(mκx) dx, each computed once, and ∫₀¹ tᵖ dt.
 
 use super::harmonic::{Harmonic, products_to_sums};
 use super::{Failure, normal_form};
@@ -11,8 +11,8 @@ use rustc_hash::FxHashMap;
 /// The highest power of a sine, cosine or variable that is integrated.
 pub(super) const HIGHEST_POWER: u32 = 64;
 
-/// The integral of Σ c xᵏ cosᵖ(κx) sin^q(κx) from one bound to another, where the integrand is of that kind, and an
-/// antiderivative.
+/// Returns the integral of Σ c xᵏ cosᵖ(κx) sin^q(κx) from one bound to another, if the integrand is
+/// of that kind, and an antiderivative.
 pub(super) fn by_moments(
     pool: &mut Pool,
     tower: &mut Tower,
@@ -46,13 +46,13 @@ pub(super) fn by_moments(
     Ok((integral, antiderivative))
 }
 
-/// ∫ xᵏ h(mκx) dx over one range, each moment once.
+/// The moments ∫ xᵏ h(mκx) dx over one range, each computed once.
 struct Range<'a> {
     pool: &'a mut Pool,
     variable: Symbol,
     bounds: (Expr, Expr),
     frequency: Expr,
-    /// Each with its antiderivative.
+    /// Each moment with its antiderivative.
     moments: FxHashMap<(u32, Harmonic), (Expr, Expr)>,
 }
 
@@ -72,7 +72,8 @@ impl Range<'_> {
         moment
     }
 
-    /// xᵏ⁺¹/(k+1); xᵏ sin(ωx)/ω − k/ω ∫xᵏ⁻¹ sin(ωx); −xᵏ cos(ωx)/ω + k/ω ∫xᵏ⁻¹ cos(ωx), with ω = mκ.
+    /// xᵏ⁺¹/(k+1); xᵏ sin(ωx)/ω − k/ω ∫xᵏ⁻¹ sin(ωx); −xᵏ cos(ωx)/ω + k/ω ∫xᵏ⁻¹ cos(ωx), with ω =
+    /// mκ.
     fn antiderivative(&mut self, power: u32, harmonic: Harmonic) -> Expr {
         let x = self.pool.symbol(self.variable);
         let Harmonic::Wave { multiple, is_sine } = harmonic else {
@@ -102,10 +103,11 @@ impl Range<'_> {
     }
 }
 
-/// Σ c/(p + 1) for an integrand Σ c tᵖ, where it is one: ∫₀¹ tᵖ dt, and for p < −1 its finite part.
+/// Returns Σ c/(p + 1) for an integrand Σ c tᵖ, if it has this form: ∫₀¹ tᵖ dt, and for p < −1 its
+/// finite part.
 ///
 /// # Errors
-/// Where a term has p = −1.
+/// If a term has p = −1.
 pub(crate) fn power_integral(
     pool: &mut Pool,
     integrand: Expr,

@@ -1,5 +1,5 @@
-//! Partial integration: ∫ (u + v Lⁿ) = S Lⁿ + ∫ (u − n S Lⁿ⁻¹ L′) with S = ∫ v, for L a logarithm or inverse function and u of
-//! lower degree in it.
+//! Integration by parts: ∫ (u + v Lⁿ) = S Lⁿ + ∫ (u − n S Lⁿ⁻¹ L′) with S = ∫ v, for L a logarithm
+//! or inverse function and u of lower degree in it.
 
 use super::Failure;
 use super::search::{Integrand, Search};
@@ -10,7 +10,8 @@ use crate::normal::Generator;
 const HIGHEST_POWER: i32 = 3;
 
 impl Search<'_> {
-    /// An antiderivative, if the integrand is a polynomial in a logarithm or inverse function.
+    /// Returns an antiderivative, if the integrand is a polynomial in a logarithm or inverse
+    /// function.
     pub(super) fn by_parts(
         &mut self,
         integrand: &mut Integrand,

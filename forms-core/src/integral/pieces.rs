@@ -1,11 +1,12 @@
-//! Integrands with absolute values: the range in pieces on which each has one sign.
+//! Integrands with absolute values: the range is split into pieces on which each absolute value has
+//! one sign.
 //!
 //! ```text
 //! |q| ─ zeros of q, exact ─▶ a ≤ r₁ ≤ … ≤ b ─ the sign between two zeros is that at their middle ─▶ ±q on each piece
 //! ```
-//! All zeros of q are known: it is a product of linear and quadratic polynomials and of c + k sin(κx + δ) and
-//! c + k cos(κx + δ). So q has one sign between neighbours. An absolute value that does not depend on the variable is
-//! a constant for the integral.
+//! All zeros of q are known: it is a product of linear and quadratic polynomials and of c + k
+//! sin(κx + δ) and c + k cos(κx + δ). So q has one sign between neighbouring zeros. An absolute
+//! value that does not depend on the variable is a constant for the integral.
 
 use super::range::Integral;
 use super::signs::{Region, Strictness};
@@ -21,17 +22,18 @@ use num_traits::ToPrimitive;
 use rustc_hash::FxHashMap;
 use std::cmp::Ordering;
 
-/// More zeros of one function are not looked at.
+/// Limit on the number of zeros of one function.
 const MOST_ZEROS: i64 = 64;
 
-/// Bits to which places are compared.
+/// Precision in bits of the comparison of places.
 const PRECISION: Precision = Precision(128);
 
-/// A magnitude as it is written and what it is of.
+/// A magnitude as it is written, and its argument.
 type Magnitude = (Expr, Expr);
 
 impl Region {
-    /// The integral over the innermost range where magnitudes occur whose signs are open; nothing where none do.
+    /// Returns the integral over the innermost range if magnitudes with open signs occur; `None` if
+    /// none occur.
     pub(super) fn by_pieces(&self, pool: &mut Pool, integrand: Expr) -> Result<Option<Integral>, String> {
         let Some((&(variable, from, to), outer)) = self.ranges.split_last() else { return Ok(None) };
         let (moving, still): (Vec<Magnitude>, Vec<Magnitude>) = magnitudes(pool, integrand)
@@ -71,7 +73,8 @@ impl Region {
         Ok(Some(total))
     }
 
-    /// Magnitudes that do not depend on the variable stand for numbers that are not negative.
+    /// Returns the integral with the magnitudes that do not depend on the variable replaced by
+    /// nonnegative constants.
     fn with_constants(
         &self,
         pool: &mut Pool,
@@ -94,7 +97,7 @@ impl Region {
         Ok(Integral { value, conditions, antiderivative: None })
     }
 
-    /// The integral between two neighbouring zeros, with the sign of every magnitude there.
+    /// Returns the integral between two neighbouring zeros, with the sign of every magnitude there.
     fn piece(
         &self,
         pool: &mut Pool,
@@ -129,7 +132,7 @@ impl Region {
         Region { ranges, conditions }.integral(pool, signed)
     }
 
-    /// Puts a place between the ends in order, unless it lies outside.
+    /// Inserts a place between the ends in order, unless it lies outside.
     fn insert(&self, pool: &mut Pool, places: &mut Vec<Expr>, place: Expr) -> Result<(), String> {
         for number in 0..places.len() {
             match self.order(pool, place, places[number]) {
@@ -147,7 +150,7 @@ impl Region {
         Ok(())
     }
 
-    /// How two numbers compare wherever the conditions hold; less and greater do not exclude equal.
+    /// Compares two numbers wherever the conditions hold; less and greater do not exclude equality.
     fn order(&self, pool: &mut Pool, a: Expr, b: Expr) -> Option<Ordering> {
         let difference = pool.subtract(a, b);
         let mut tower = Tower::new(Trigonometry::Circle);
@@ -173,7 +176,7 @@ impl Region {
         Some(if sign.0 { Ordering::Greater } else { Ordering::Less })
     }
 
-    /// All zeros of a function of the innermost variable over its range.
+    /// Returns all zeros of a function of the innermost variable over its range.
     fn zeros(&self, pool: &mut Pool, function: Expr) -> Result<Vec<Expr>, Failure> {
         let Some(&(variable, ..)) = self.ranges.last() else { return Ok(vec![]) };
         if !pool.symbols_in(&[function]).contains(&variable) || self.sign(pool, function).is_some() {
@@ -193,7 +196,8 @@ impl Region {
         }
     }
 
-    /// The zeros of the factors of a rational function; nothing if it is none.
+    /// Returns the zeros of the factors of a rational function; `None` if the function is not
+    /// rational.
     fn zeros_of_polynomial(
         &self,
         pool: &mut Pool,
@@ -298,7 +302,7 @@ impl Region {
         self.repeated(pool, first, phase, frequency).ok_or_else(|| fails(pool))
     }
 
-    /// (α + 2πk − δ)/κ over the range, for the angles α.
+    /// Returns (α + 2πk − δ)/κ over the range, for the angles α.
     fn repeated(
         &self,
         pool: &mut Pool,
@@ -336,7 +340,7 @@ impl Region {
         Some(zeros)
     }
 
-    /// β and α of αx + β, if it is linear and α is not zero.
+    /// Returns β and α of αx + β, if the function is linear and α is not zero.
     fn linear(&self, pool: &mut Pool, function: Expr, x: Symbol) -> Result<Option<[Expr; 2]>, Failure> {
         let mut tower = Tower::new(Trigonometry::Circle);
         let normal = normal_form(pool, &mut tower, function, &self.conditions)?;
@@ -369,7 +373,7 @@ fn not_ordered(pool: &Pool, a: Expr, b: Expr) -> String {
     format!("it is not known which of `{}` and `{}` is larger", pool.text(a), pool.text(b))
 }
 
-/// |q| and √(q²) in an expression, those inside others first.
+/// Returns |q| and √(q²) in an expression, inner ones before outer ones.
 fn magnitudes(pool: &Pool, expression: Expr) -> Vec<Magnitude> {
     let magnitude = |part: Expr| match pool.node(part) {
         Node::Apply(Operation::Abs, q) => Some((part, q[0])),
@@ -382,7 +386,7 @@ fn magnitudes(pool: &Pool, expression: Expr) -> Vec<Magnitude> {
     pool.reachable(&[expression]).into_iter().filter_map(magnitude).collect()
 }
 
-/// The one sine or cosine that depends on the variable.
+/// Returns the sine or cosine that depends on the variable, if there is only one.
 fn only_wave(pool: &Pool, function: Expr, variable: Symbol) -> Option<(Operation, Expr)> {
     let wave = |part: Expr| match pool.node(part) {
         Node::Apply(operation @ (Operation::Sin | Operation::Cos), q)

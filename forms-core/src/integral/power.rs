@@ -14,19 +14,20 @@ use crate::normal::{Fraction, Generator, Tower, Trigonometry};
 use crate::syntax::ast::Relation;
 use rustc_hash::FxHashMap;
 
-/// Higher powers of the variable beside the symbolic one are not expanded.
+/// Highest power of the variable next to the symbolic power that is expanded.
 const HIGHEST_POWER: i32 = 32;
 
-/// The linear function that is raised: g or −g, whichever is positive, and its slope.
+/// The linear function that is raised to a power: g or −g, whichever is positive, and its slope.
 struct Base {
     positive: Expr,
     slope: Expr,
-    /// Its value where the variable is zero, if that is not zero itself.
+    /// The value of the function at zero, if that is not zero itself.
     offset: Option<Expr>,
 }
 
 impl Search<'_> {
-    /// An antiderivative of a sum of products of a power of the variable and symbolic powers of one linear function.
+    /// Returns an antiderivative of a sum of products of a power of the variable and symbolic
+    /// powers of one linear function.
     pub(super) fn symbolic_power(&mut self, integrand: &mut Integrand) -> Result<Option<Expr>, Failure> {
         let x = integrand.tower.variable_number(integrand.symbol);
         let mut generators = vec![x];
@@ -124,7 +125,8 @@ impl Search<'_> {
     }
 }
 
-/// The base and ν of exp(ν log|g|), if a generator is one whose ν does not depend on the variable.
+/// Returns the base and ν of exp(ν log|g|), if the generator has this form and ν does not depend on
+/// the variable.
 fn power_of(tower: &mut Tower, generator: u32, symbol: Symbol) -> Option<(usize, Fraction)> {
     let argument = tower.argument(generator)?;
     let moving = tower.generators_in(&argument, symbol);
@@ -137,7 +139,7 @@ fn power_of(tower: &mut Tower, generator: u32, symbol: Symbol) -> Option<(usize,
     }
 }
 
-/// g^μ as it is written, exp(μ log g), with μ and g.
+/// Returns μ and g of a power g^μ as it is written, exp(μ log g).
 fn as_power(pool: &Pool, part: Expr) -> Option<(Expr, Expr)> {
     let Node::Apply(Operation::Exp, argument) = pool.node(part) else { return None };
     let Node::Multiply(exponent, logarithm) = pool.node(argument[0]) else { return None };
@@ -146,7 +148,8 @@ fn as_power(pool: &Pool, part: Expr) -> Option<(Expr, Expr)> {
 }
 
 impl Region {
-    /// What has to be continuous for an expression to be: powers g^μ with g ≥ 0 and μ > 0 are where g and μ are.
+    /// Returns the expressions whose continuity implies the continuity of an expression: a power
+    /// g^μ with g ≥ 0 and μ > 0 is continuous where g and μ are.
     pub(super) fn without_powers(&self, pool: &mut Pool, expression: Expr) -> Vec<Expr> {
         let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
         let mut parts = Vec::new();
@@ -163,7 +166,8 @@ impl Region {
         parts
     }
 
-    /// The value of an antiderivative with g^μ = 0 where g = 0, and g > 0 as a condition where that is not known.
+    /// Returns the value of an antiderivative with g^μ = 0 where g = 0, and g > 0 as a condition
+    /// where that is not known.
     pub(super) fn with_powers_of_zero(
         &self,
         pool: &mut Pool,

@@ -1,10 +1,12 @@
-//! Integrals of unknown functions that are no derivatives: sums of products, each with its primitive.
+//! Integrals of unknown functions that are not derivatives: sums of products, each with its
+//! primitive.
 //!
 //! ```text
 //! f = DG + Σ cᵢ fᵢ + e,   ∫ f = G + Σ cᵢ Φᵢ + ∫ e,   fᵢ a product of unknown functions and of others, cᵢ free of x
 //! ```
-//! The reduction to G + … leaves no derivative of the last function in a product, so that integrals which partial
-//! integration carries into each other end as the same sum. e has no unknown function of x in it.
+//! The reduction to G + … leaves no derivative of the last function in a product, so that integrals
+//! that integration by parts transforms into each other end as the same sum. e contains no unknown
+//! function of x.
 
 use super::range::Integral;
 use super::search::{DEPTH, Search};
@@ -14,20 +16,21 @@ use crate::expression::{Condition, Expr, Node, Pool, Substitution, Symbol, Symbo
 use crate::normal::{Tower, Trigonometry};
 use rustc_hash::FxHashMap;
 
-/// How many products one integrand may come apart into.
+/// Limit on the number of products into which one integrand is decomposed.
 const MOST_PRODUCTS: usize = 256;
 
-/// An integrand without its parts that have an antiderivative.
+/// An integrand decomposed into an antiderivative and the remaining terms.
 struct Apart {
     antiderivative: Expr,
     /// The products that have primitives.
     products: Vec<Expr>,
-    /// What has no unknown function in it.
+    /// The terms without unknown functions.
     elementary: Expr,
 }
 
 impl Region {
-    /// The integral over the innermost range by primitives; nothing where no unknown function of its variable occurs.
+    /// Returns the integral over the innermost range by primitives; `None` if no unknown function
+    /// of its variable occurs.
     pub(super) fn by_primitives(&self, pool: &mut Pool, integrand: Expr) -> Result<Option<Integral>, String> {
         let Some(&(variable, from, to)) = self.ranges.last() else { return Ok(None) };
         let mut search = Search { pool, region: self };
@@ -50,7 +53,7 @@ impl Region {
 }
 
 impl Search<'_> {
-    /// The parts of an integrand, each reduced for itself.
+    /// Decomposes an integrand into parts, each reduced separately.
     fn apart(&mut self, integrand: Expr, symbol: Symbol, conditions: &[Condition]) -> Result<Apart, Failure> {
         let zero = self.pool.integer(0);
         let mut apart = Apart { antiderivative: zero, products: vec![], elementary: zero };
@@ -86,8 +89,8 @@ impl Search<'_> {
         Ok(apart)
     }
 
-    /// The primitive of a product. With y for the first place that an unknown function is taken at, if it has the
-    /// product as a function of y times dy: ∫ f(g(x)) g′(x) dx = Φ(g(x)).
+    /// Returns the primitive of a product. Let y be the first argument at which an unknown function
+    /// is evaluated; if the product is a function of y times dy, then ∫ f(g(x)) g′(x) dx = Φ(g(x)).
     fn primitive(
         &mut self,
         product: Expr,
@@ -115,8 +118,8 @@ impl Search<'_> {
         Ok(self.pool.substitute(sum, &values))
     }
 
-    /// A tower in which the variable comes first and all others in the order of their declaration, so that products
-    /// are written in the same way whatever they come from.
+    /// Creates a tower in which the variable comes first and all others follow in the order of
+    /// their declaration, so that products are written in the same way whatever their origin.
     fn tower_with(&self, variable: Symbol, expression: Expr) -> Tower {
         let mut tower = Tower::new(Trigonometry::Circle);
         tower.variable_number(variable);
@@ -126,7 +129,8 @@ impl Search<'_> {
         tower
     }
 
-    /// Where the first unknown function is taken along the variable, if it is not the variable itself.
+    /// Returns the argument of the first unknown function that depends on the variable, if it is
+    /// not the variable itself.
     fn first_place(&mut self, product: Expr, symbol: Symbol) -> Option<Expr> {
         let variable = self.pool.symbol(symbol);
         let moves = |pool: &Pool, argument: Expr| pool.symbols_in(&[argument]).contains(&symbol);
@@ -141,7 +145,8 @@ impl Search<'_> {
         (first.1 != variable).then_some(first.1)
     }
 
-    /// f/g′ by y = g(x): by x = (y − β)/α where g = αx + β, else where only g occurs.
+    /// Returns f/g′ in terms of y = g(x): by x = (y − β)/α if g = αx + β, otherwise if only g
+    /// occurs.
     fn by_place(
         &mut self,
         product: Expr,
@@ -169,7 +174,7 @@ impl Search<'_> {
         (!self.pool.symbols_in(&[replaced]).contains(&symbol)).then_some(replaced)
     }
 
-    /// The expression in normal form, if that is free of the variable and no zero.
+    /// Returns the expression in normal form, if it is free of the variable and not zero.
     fn without(&mut self, expression: Expr, symbol: Symbol, conditions: &[Condition]) -> Option<Expr> {
         let mut tower = Tower::new(Trigonometry::Circle);
         let normal = normal_form(self.pool, &mut tower, expression, conditions).ok()?;

@@ -1,8 +1,10 @@
-//! Integrands with one root of a linear or quadratic polynomial: substitutions that make them rational.
+//! Integrands with one root of a linear or quadratic polynomial: substitutions that make them
+//! rational.
 //!
-//! ρⁿ = ax + b: x = (ρⁿ − b)/a. For ρ² = q = a s² + C, with s the distance from the vertex, an integrand R(s)ρ is split
-//! into an odd part s O(s²)ρ, rational in y = ρ since s ds = ρ dρ/a, and an even part E(s²)ρ, rational in y = s/ρ since
-//! s² = Cy²/(1 − ay²), ρ² = C/(1 − ay²) and ds = ρ³ dy/C.
+//! For ρⁿ = ax + b: x = (ρⁿ − b)/a. For ρ² = q = a s² + C, with s the distance from the vertex, an
+//! integrand R(s)ρ is split into an odd part s O(s²)ρ, rational in y = ρ since s ds = ρ dρ/a, and
+//! an even part E(s²)ρ, rational in y = s/ρ since s² = Cy²/(1 − ay²), ρ² = C/(1 − ay²) and ds = ρ³
+//! dy/C.
 
 use super::rational::{Part, Rational};
 use super::search::{Integrand, Search};
@@ -13,7 +15,7 @@ use crate::polynomial::Polynomial;
 
 type Computed<T> = Result<T, Failure>;
 
-/// ρ² = a s² + C with s = x + shift, and the root as an expression.
+/// A root with ρ² = a s² + C, s = x + shift, and the root as an expression.
 struct Quadratic {
     a: Fraction,
     c: Fraction,
@@ -22,8 +24,8 @@ struct Quadratic {
 }
 
 impl Search<'_> {
-    /// An antiderivative, if one root of a linear or quadratic polynomial is all that is not rational; two square roots
-    /// of linear polynomials count as one where they occur together.
+    /// Returns an antiderivative, if the only irrational part is one root of a linear or quadratic
+    /// polynomial. Two square roots of linear polynomials count as one if they occur only together.
     pub(super) fn radical(&mut self, integrand: &mut Integrand) -> Computed<Option<Expr>> {
         let roots = integrand.such_that(|generator| matches!(generator, Generator::Root { .. }));
         let x = integrand.tower.variable_number(integrand.symbol);
@@ -56,7 +58,8 @@ impl Search<'_> {
         }
     }
 
-    /// ρ₁ⁱρ₂ʲ with odd i and j is (ρ₁ρ₂)ᵖ times powers of the radicands, p the smaller of them.
+    /// Rewrites ρ₁ⁱρ₂ʲ with odd i and j as (ρ₁ρ₂)ᵖ times powers of the radicands, with p the
+    /// smaller of i and j.
     fn under_two(
         &mut self,
         integrand: &mut Integrand,
@@ -116,7 +119,7 @@ impl Search<'_> {
         self.pool.substitute(expression, &values)
     }
 
-    /// Σ Rₖ(x) ρᵏ dx, each coefficient free of roots of the variable.
+    /// ∫ Σ Rₖ(x) ρᵏ dx, with each coefficient free of roots of the variable.
     fn under_quadratic(
         &mut self,
         integrand: &mut Integrand,
@@ -197,7 +200,8 @@ impl Search<'_> {
         Ok(self.pool.add(odd, even))
     }
 
-    /// The even part in y = s/ρ: its rational part without the quotient, atan(√−a s/ρ) as asin(√(−a/C) s).
+    /// Integrates the even part in y = s/ρ: its rational part without the quotient, and atan(√−a
+    /// s/ρ) as asin(√(−a/C) s).
     fn even_part(
         &mut self,
         integrand: &mut Integrand,
@@ -265,7 +269,8 @@ impl Search<'_> {
     }
 }
 
-/// E and O with R(s) = E(s²) + s O(s²), both as functions of the variable in the place of s².
+/// Returns E and O with R(s) = E(s²) + s O(s²), both as functions of the variable, which replaces
+/// s².
 fn even_and_odd(tower: &mut Tower, rational: &Fraction, x: u32) -> Computed<(Fraction, Fraction)> {
     let function = tower.rational_function(rational, x)?;
     let mut numerator = function.numerator;
@@ -275,7 +280,7 @@ fn even_and_odd(tower: &mut Tower, rational: &Fraction, x: u32) -> Computed<(Fra
         let power = tower.univariate_power(factor, *exponent)?;
         below = tower.univariate_product(&below, &power)?;
         if !is_even {
-            // times D(−s), above and below
+            // multiplied by D(−s), above and below
             let mirrored = mirrored(tower, &power);
             numerator = tower.univariate_product(&numerator, &mirrored)?;
             below = tower.univariate_product(&below, &mirrored)?;

@@ -1,4 +1,5 @@
-//! From an antiderivative to the integral: the check of its derivative, its continuity over the range, its ends.
+//! Definite integrals from antiderivatives: the check of the derivative, the continuity over the
+//! range, and the values at the ends.
 
 use super::moments::by_moments;
 use super::search::Search;
@@ -12,18 +13,19 @@ use rustc_hash::FxHashMap;
 /// An integral and the conditions on parameters under which it has this value.
 #[derive(Clone, Debug)]
 pub(crate) struct Integral {
-    /// Its value.
+    /// The value of the integral.
     pub(crate) value: Expr,
-    /// What has to hold of parameters.
+    /// Conditions on the parameters.
     pub(crate) conditions: Vec<Condition>,
-    /// One antiderivative for the whole range, if there is one.
+    /// An antiderivative for the whole range, if there is one.
     pub(crate) antiderivative: Option<Expr>,
 }
 
 impl Region {
-    /// The first of some conditions that is not known to hold all over the ranges; those that are known join what is
-    /// assumed. Borders, and that something is not zero, are left to the continuity of the antiderivative, which says
-    /// nothing of an unknown function: where one occurs, conditions have to hold on the closed ranges.
+    /// Returns the first of some conditions that is not known to hold all over the ranges; the
+    /// known ones are added to the assumptions. Boundaries, and conditions that something is not
+    /// zero, are left to the continuity of the antiderivative. This gives no information about an
+    /// unknown function: where one occurs, conditions have to hold on the closed ranges.
     pub(crate) fn unmet(
         &mut self,
         pool: &mut Pool,
@@ -35,7 +37,8 @@ impl Region {
         self.first_unmet(pool, conditions, strictness)
     }
 
-    /// The same, on the borders of the ranges too if that is strict.
+    /// Returns the first of some conditions that is not known to hold over the ranges, including
+    /// their boundaries if `strictness` is strict.
     pub(crate) fn first_unmet(
         &mut self,
         pool: &mut Pool,
@@ -65,23 +68,24 @@ impl Region {
         None
     }
 
-    /// Whether an unknown function is taken at places that depend on a variable of a range.
+    /// Whether an unknown function is evaluated at arguments that depend on a variable of a range.
     fn has_unknowns(&self, pool: &Pool, expression: Expr) -> bool {
         let is_unknown =
             |part: &Expr| matches!(pool.node(*part), Node::Jet { .. }) && self.varies(pool, *part);
         pool.reachable(&[expression]).iter().any(is_unknown)
     }
 
-    /// Leaves the innermost range, once it has been integrated over, and what is assumed of its variable.
+    /// Removes the innermost range, after the integration over it, together with the assumptions on
+    /// its variable.
     pub(crate) fn forget_innermost(&mut self, pool: &Pool) {
         let Some((symbol, ..)) = self.ranges.pop() else { return };
         self.conditions.retain(|c| !pool.symbols_in(&[c.left, c.right]).contains(&symbol));
     }
 
-    /// The integral over the innermost range.
+    /// Returns the integral over the innermost range.
     ///
     /// # Errors
-    /// Says in words why it cannot be integrated.
+    /// The reason why it cannot be integrated, in words.
     pub(crate) fn integral(&self, pool: &mut Pool, integrand: Expr) -> Result<Integral, String> {
         let Some(&(variable, from, to)) = self.ranges.last() else {
             return Ok(Integral { value: integrand, conditions: vec![], antiderivative: None });
@@ -119,7 +123,7 @@ impl Region {
         if whole.is_ok() || !has_waves(pool, integrand, variable) {
             return whole;
         }
-        // tan(u/2) has a pole at u = π: about the middle of each half of a period it has none
+        // tan(u/2) has a pole at u = π, but none about the middle of each half of a period
         let half = pool.ratio(1, 2);
         let sum = pool.add(from, to);
         let middle = pool.multiply(half, sum);
@@ -132,7 +136,7 @@ impl Region {
         Ok(total)
     }
 
-    /// The integral over a part of the range, with the variable counted from the middle.
+    /// Returns the integral over a part of the range, with the variable measured from the middle.
     fn centred(
         &self,
         pool: &mut Pool,
@@ -160,7 +164,7 @@ impl Region {
         region.evaluated(pool, shifted)
     }
 
-    /// A(b) − A(a) for an antiderivative that is found, right and continuous.
+    /// Returns A(b) − A(a) if an antiderivative A is found and verified to be right and continuous.
     fn evaluated(&self, pool: &mut Pool, integrand: Expr) -> Result<Integral, Failure> {
         let Some(&(variable, from, to)) = self.ranges.last() else {
             return Err("there is no range".into());
@@ -183,7 +187,7 @@ impl Region {
         Ok(Integral { value, conditions, antiderivative: Some(antiderivative) })
     }
 
-    /// log|q| as log q or log(−q), by the sign of q over the range.
+    /// Replaces log|q| by log q or log(−q), by the sign of q over the range.
     fn without_magnitudes(
         &self,
         pool: &mut Pool,
@@ -214,8 +218,8 @@ impl Region {
         self.ranges.iter().any(|range| symbols.contains(&range.0))
     }
 
-    /// That every part of an antiderivative is defined and continuous over the closed range. What does not depend on
-    /// the variable becomes a condition.
+    /// Shows that every part of an antiderivative is defined and continuous over the closed range.
+    /// A requirement that does not depend on the variable becomes a condition and is returned.
     pub(super) fn where_continuous(
         &self,
         pool: &mut Pool,
@@ -252,7 +256,7 @@ impl Region {
     }
 }
 
-/// What stands in the way of continuity.
+/// Returns the failure that a condition of continuity is not known to hold.
 fn not_known(pool: &Pool, left: Expr, relation: Relation, variable: Symbol) -> Failure {
     let claim = match relation {
         Relation::GreaterEqual => "is not negative",
@@ -279,7 +283,7 @@ pub(super) fn is_antiderivative(
     Ok(is_zero && (tower.holds_everywhere() || tower.leaves_out_single_values_of(variable)))
 }
 
-/// log|q| as log q, which has the same derivative q′/q.
+/// Replaces log|q| by log q, which has the same derivative q′/q.
 fn without_magnitudes_in_logarithms(pool: &mut Pool, expression: Expr) -> Expr {
     let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
     for part in pool.reachable(&[expression]) {
@@ -291,7 +295,7 @@ fn without_magnitudes_in_logarithms(pool: &mut Pool, expression: Expr) -> Expr {
     pool.replace(expression, &images)
 }
 
-/// What has to hold for one operation to be defined, and with that continuous.
+/// Returns the condition under which one operation is defined, and therefore continuous.
 fn needs(pool: &mut Pool, part: Expr) -> Option<Condition> {
     match pool.node(part).clone() {
         Node::Divide(_, divisor) => pool.quotient_domain(divisor),

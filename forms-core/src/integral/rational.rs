@@ -1,8 +1,9 @@
-//! Antiderivatives of rational functions of one variable, by partial fractions over the field of the other ones.
+//! Antiderivatives of rational functions of one variable, by partial fractions over the field of
+//! the other variables.
 //!
-//! ∫ c/(ax+b)ʲ is a logarithm or a power. For p = ax²+bx+c with δ = 4ac − b²
-//! ∫ p′/p = log|p|, ∫ 1/p = (2/√δ) atan((2ax+b)/√δ) for δ > 0 and with ε = √−δ (1/ε) log|(2ax+b−ε)/(2ax+b+ε)| for
-//! δ < 0, and ∫ 1/pʲ⁺¹ = (2ax+b)/(jδ pʲ) + (2a(2j−1)/(jδ)) ∫ 1/pʲ.
+//! ∫ c/(ax+b)ʲ is a logarithm or a power. For p = ax²+bx+c with δ = 4ac − b²: ∫ p′/p = log|p|; ∫
+//! 1/p = (2/√δ) atan((2ax+b)/√δ) for δ > 0, and (1/ε) log|(2ax+b−ε)/(2ax+b+ε)| with ε = √−δ for δ <
+//! 0; and ∫ 1/pʲ⁺¹ = (2ax+b)/(jδ pʲ) + (2a(2j−1)/(jδ)) ∫ 1/pʲ.
 
 use super::Failure;
 use super::signs::{Region, Strictness};
@@ -14,7 +15,8 @@ use num_traits::Signed;
 /// The largest power of one factor in a denominator.
 const HIGHEST_POWER: u32 = 24;
 
-/// Numbers up to this one are tried as divisors of the end coefficients of a polynomial that may have rational roots.
+/// Largest number that is tried as a divisor of the end coefficients of a polynomial that may have
+/// rational roots.
 const LARGEST_DIVISOR: i64 = 1000;
 
 /// A part of an antiderivative.
@@ -56,7 +58,7 @@ pub(super) struct Rational<'a> {
 type Computed<T> = Result<T, Failure>;
 
 impl Rational<'_> {
-    /// The parts of an antiderivative of an element that is rational in the variable.
+    /// Returns the parts of an antiderivative of an element that is rational in the variable.
     pub(super) fn antiderivative(&mut self, integrand: &Fraction) -> Computed<Vec<Part>> {
         let variable = self.tower.variable_number(self.symbol);
         let function = self.tower.rational_function(integrand, variable)?;
@@ -117,7 +119,7 @@ impl Rational<'_> {
         sum
     }
 
-    /// ∫ d/pʲ with deg d < deg p ≤ 2
+    /// ∫ d/pʲ with deg d < deg p, by the degree of p
     fn simple_fraction(
         &mut self,
         digit: &Univariate,
@@ -136,7 +138,7 @@ impl Rational<'_> {
         }
     }
 
-    /// ∫ c p′/pʲ is known for p of any degree.
+    /// ∫ c p′/pʲ, which is known for p of any degree
     fn over_higher_degree(
         &mut self,
         digit: &Univariate,
@@ -255,7 +257,7 @@ impl Rational<'_> {
         }
     }
 
-    /// √a, without a root sign where a is a square of something positive.
+    /// Returns √a, without a root sign if a is the square of a positive element.
     fn root_of(&mut self, a: &Fraction) -> Expr {
         if let Some(root) = self.tower.exact_root(a) {
             let root = self.tower.raise(self.pool, &root);
@@ -269,7 +271,8 @@ impl Rational<'_> {
         self.pool.sqrt(value)
     }
 
-    /// Every factor of the denominator of degree 1 or 2, as far as rational roots and square discriminants go.
+    /// Factors the denominator into factors of degree 1 or 2, where rational roots and square
+    /// discriminants allow it.
     fn factored(&mut self, function: RationalFunction) -> Computed<RationalFunction> {
         let mut denominator = Vec::new();
         let mut rest = function.denominator;
@@ -288,7 +291,7 @@ impl Rational<'_> {
         Ok(RationalFunction { numerator: function.numerator, denominator })
     }
 
-    /// a (x − r)(x − s) where b² − 4ac is a square.
+    /// Factors a polynomial of degree 2 as a (x − r)(x − s) if b² − 4ac is a square.
     fn split_quadratic(&mut self, p: &Univariate) -> Computed<Option<(Univariate, Univariate)>> {
         let (a, b, c) = (p.coefficient(2), p.coefficient(1), p.coefficient(0));
         let ac = self.tower.multiply(&a, &c)?;
@@ -305,7 +308,7 @@ impl Rational<'_> {
         Ok(Some((linear, other)))
     }
 
-    /// A polynomial with rational coefficients that has a rational root.
+    /// Splits off a rational root of a polynomial with rational coefficients.
     fn split_by_root(&mut self, p: &Univariate) -> Computed<Option<(Univariate, Univariate)>> {
         let numbers: Option<Vec<_>> = p.coefficients().iter().map(Fraction::as_number).collect();
         let Some(numbers) = numbers else { return Ok(None) };
@@ -331,7 +334,8 @@ impl Rational<'_> {
         Ok(None)
     }
 
-    /// a x⁴ + b x² + c: two factors in x², or with q = √(c/a) and r = √(2q − b/a) the factors x² ± rx + q.
+    /// Factors a x⁴ + b x² + c: two factors in x², or with q = √(c/a) and r = √(2q − b/a) the
+    /// factors x² ± rx + q.
     fn split_biquadratic(&mut self, p: &Univariate) -> Computed<Option<(Univariate, Univariate)>> {
         let even = p.degree() == 4 && p.coefficient(1).is_zero() && p.coefficient(3).is_zero();
         if !even {

@@ -1,4 +1,5 @@
-//! The search for an antiderivative: which method fits what depends on the variable.
+//! Search for an antiderivative: selects the method that fits the generators that depend on the
+//! variable.
 
 use super::rational::Rational;
 use super::signs::Region;
@@ -6,10 +7,10 @@ use super::{Failure, normal_form};
 use crate::expression::{Condition, Expr, Pool, Symbol};
 use crate::normal::{Fraction, Generator, Tower, Trigonometry};
 
-/// How many substitutions and partial integrations may follow each other.
+/// Limit on nested substitutions and integrations by parts.
 pub(super) const DEPTH: u32 = 4;
 
-/// The search of one integral.
+/// The search for one antiderivative.
 pub(super) struct Search<'a> {
     pub(super) pool: &'a mut Pool,
     pub(super) region: &'a Region,
@@ -27,14 +28,14 @@ pub(super) struct Integrand<'a> {
 }
 
 impl Integrand<'_> {
-    /// The generators that satisfy a test.
+    /// Returns the generators that satisfy a test.
     pub(super) fn such_that(&self, test: impl Fn(&Generator) -> bool) -> Vec<u32> {
         self.generators.iter().copied().filter(|&g| test(self.tower.generator(g))).collect()
     }
 }
 
 impl Search<'_> {
-    /// An expression whose derivative the integrand may be; whoever uses it checks.
+    /// Returns an expression whose derivative may be the integrand; the caller has to check it.
     pub(super) fn antiderivative(
         &mut self,
         expression: Expr,
@@ -95,7 +96,7 @@ impl Search<'_> {
         format!("no antiderivative of `{}` with respect to `{name}` is known", self.pool.text(text)).into()
     }
 
-    /// A rational function of the variable.
+    /// Integrates a rational function of the variable.
     pub(super) fn rational(
         &mut self,
         tower: &mut Tower,

@@ -1,5 +1,6 @@
-//! Signs over the range of an integral, proved: the variables of the ranges run over [0, 1], the parameters have the signs
-//! that the conditions give. What is not polynomial is enclosed on smaller and smaller boxes.
+//! Signs over the range of an integral, proved: the variables of the ranges run over [0, 1], and
+//! the parameters have the signs that the conditions give. Expressions that are not polynomial are
+//! enclosed on smaller and smaller boxes.
 
 use super::bernstein::{Knowledge, UnitBox};
 use super::normal_form;
@@ -10,22 +11,22 @@ use crate::normal::{Generator, Tower, Trigonometry};
 use crate::syntax::ast::Relation;
 use num_traits::Zero;
 
-/// How many boxes are looked at for what is not polynomial.
+/// Limit on the boxes on which an expression that is not polynomial is enclosed.
 const MOST_BOXES: usize = 400;
 
 /// Whether a sign excludes zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Strictness {
-    /// Zero may occur.
+    /// Zero is possible.
     Weak,
-    /// It does not.
+    /// Zero is excluded.
     Strict,
 }
 
 /// A sign and whether it excludes zero: (true, _) is positive.
 pub(super) type KnownSign = (bool, Strictness);
 
-/// The ranges, outermost first, and what is assumed of everything else.
+/// The ranges, outermost first, and the assumptions on everything else.
 #[derive(Clone)]
 pub(crate) struct Region {
     /// Variable, lower and upper bound.
@@ -34,7 +35,7 @@ pub(crate) struct Region {
 }
 
 impl Region {
-    /// The sign that an expression has all over the ranges.
+    /// Returns the sign that an expression has all over the ranges.
     pub(super) fn sign(&self, pool: &mut Pool, q: Expr) -> Option<KnownSign> {
         let negated = pool.negate(q);
         let mut seen = None;
@@ -63,7 +64,7 @@ impl Region {
         })
     }
 
-    /// The expression with x = a + (b − a) τ for every range, and the variables τ.
+    /// Returns the expression with x = a + (b − a) τ for every range, and the variables τ.
     fn on_box(&self, pool: &mut Pool, q: Expr) -> (Expr, Vec<Symbol>) {
         let (mut value, mut sides) = (q, Vec::new());
         for (symbol, from, to) in self.ranges.iter().rev() {
@@ -115,7 +116,8 @@ impl Region {
 }
 
 impl Region {
-    /// The strict sign of an expression by enclosures on boxes that cover the sides and the bounds of the parameters.
+    /// Returns the strict sign of an expression by enclosures on boxes that cover the sides and the
+    /// bounds of the parameters.
     fn enclosed_sign(&self, pool: &Pool, q: Expr, sides: &[Symbol]) -> Option<KnownSign> {
         let symbols = pool.symbols_in(&[q]);
         let mut whole = Vec::new();
@@ -151,7 +153,7 @@ impl Region {
         sign.map(|positive| (positive, Strictness::Strict))
     }
 
-    /// Numbers that conditions put a parameter between.
+    /// Returns the numbers between which conditions confine a parameter.
     fn numeric_bounds(&self, pool: &Pool, symbol: Symbol) -> Option<(Rational, Rational)> {
         let (mut lower, mut upper) = (None, None);
         for condition in &self.conditions {
@@ -176,7 +178,7 @@ impl Region {
     }
 }
 
-/// The two halves of a box along its longest side.
+/// Returns the two halves of a box along its longest side.
 fn halved(part: Vec<(Rational, Rational)>) -> Option<[Vec<(Rational, Rational)>; 2]> {
     let length = |side: &(Rational, Rational)| &side.1 - &side.0;
     let place = (0..part.len()).max_by_key(|&place| length(&part[place]))?;

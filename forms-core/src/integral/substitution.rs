@@ -1,4 +1,5 @@
-//! Substitutions: ∫ h(g(x)) g′(x) dx = H(g(x)), with g a cosine, sine, exponential or square that occurs.
+//! Substitutions: ∫ h(g(x)) g′(x) dx = H(g(x)), with g a cosine, sine, exponential or square that
+//! occurs.
 
 use super::range::is_antiderivative;
 use super::search::{Integrand, Search};
@@ -10,7 +11,8 @@ use crate::syntax::ast::Relation;
 use rustc_hash::FxHashMap;
 
 impl Search<'_> {
-    /// An antiderivative by the first substitution that removes the variable and leads to one.
+    /// Returns an antiderivative by the first substitution that removes the variable and leads to
+    /// an antiderivative.
     pub(super) fn by_substitution(
         &mut self,
         integrand: &mut Integrand,
@@ -67,7 +69,7 @@ impl Search<'_> {
         Some(self.pool.substitute(found, &values))
     }
 
-    /// What stands for g, and for the cosine where g is the sine of the same angle.
+    /// Returns the replacements of g and, if g is a sine, of the cosine of the same angle.
     fn images(
         &mut self,
         integrand: &mut Integrand,
@@ -88,7 +90,8 @@ impl Search<'_> {
         images
     }
 
-    /// The expression in normal form with the images in place, if that frees it from the variable.
+    /// Returns the expression in normal form with the images substituted, if that frees it from the
+    /// variable.
     fn in_terms_of(
         &mut self,
         expression: Expr,
@@ -114,7 +117,8 @@ impl Search<'_> {
             .collect()
     }
 
-    /// y = cos u or sin u of an expression as it is written, with the other one √(1 − y²), for roots of sines and cosines.
+    /// Substitutes y = cos u or sin u in an expression as it is written, with √(1 − y²) for the
+    /// other function, for roots of sines and cosines.
     pub(super) fn through_circle(
         &mut self,
         expression: Expr,
@@ -141,7 +145,8 @@ impl Search<'_> {
         })
     }
 
-    /// The same for y = f(u) with the cofunction √(1 − y²), one of sine and cosine each.
+    /// Substitutes y = f(u), with the cofunction √(1 − y²), where one of the two is the sine and
+    /// the other the cosine.
     fn with_cofunction(
         &mut self,
         expression: Expr,
@@ -181,7 +186,8 @@ impl Search<'_> {
         Some(self.pool.substitute(found, &values))
     }
 
-    /// y = x²: f/2x must be even. It is looked at for x > 0, which decides it for x < 0.
+    /// Substitutes y = x²: f/2x must be even. The case x > 0 is examined, which decides the case x
+    /// < 0.
     fn through_square(&mut self, integrand: &mut Integrand, depth: u32) -> Option<Expr> {
         let x = self.pool.symbol(integrand.symbol);
         let y = self.pool.declare_symbol("y", SymbolKind::Local);

@@ -1,15 +1,18 @@
-//! Integrands with unknown functions in them that are derivatives of an expression: the fundamental theorem.
+//! Integrands with unknown functions that are derivatives of an expression: the fundamental
+//! theorem.
 //!
-//! Let u stand for an unknown function along the variable x. A derivative DG is linear in the highest derivative u⁽ⁿ⁾ in
-//! it, n ≥ 1, and the coefficient is ∂G/∂u⁽ⁿ⁻¹⁾:
+//! Let u stand for an unknown function along the variable x. A derivative DG is linear in its
+//! highest derivative u⁽ⁿ⁾, n ≥ 1, and the coefficient is ∂G/∂u⁽ⁿ⁻¹⁾:
 //!
 //! ```text
 //! f = A u⁽ⁿ⁾ + B,   G₀ = ∫ A du⁽ⁿ⁻¹⁾,   f − DG₀ has lower derivatives of u
 //! ```
-//! So the reduction ends: with an integrand free of unknown functions, or with one that is no derivative. This is the
-//! reduction of Boulier, Lemaire, Regensburger and Rosenkranz, On the Integration of Differential Fractions (ISSAC 2013),
-//! with the partial derivatives of a function of several arguments, f(a(x), b(x), …), ranked by total order and then
-//! lexicographically: D f = a′ f₁ + b′ f₂ + … is led by the derivative by the first argument that moves.
+//! So the reduction ends, either with an integrand free of unknown functions or with one that is
+//! not a derivative. This is the reduction of Boulier, Lemaire, Regensburger and Rosenkranz, On the
+//! Integration of Differential Fractions (ISSAC 2013), with the partial derivatives of a function
+//! of several arguments, f(a(x), b(x), …), ranked by total order and then lexicographically: the
+//! leading term of D f = a′ f₁ + b′ f₂ + … is the derivative by the first argument that depends on
+//! x.
 
 use super::search::{Integrand, Search};
 use super::{Failure, normal_form};
@@ -18,14 +21,15 @@ use crate::normal::{Generator, Tower, Trigonometry};
 use crate::polynomial::Polynomial;
 use rustc_hash::FxHashMap;
 
-/// How many derivatives are reduced in one integrand.
+/// Limit on the number of derivatives that are reduced in one integrand.
 const MOST_REDUCTIONS: u32 = 64;
 
-/// Where a derivative stands among those of one integrand; the class, then the total order and the orders by the
-/// arguments that depend on the variable.
+/// Rank of a derivative among the derivatives of one integrand: the class, then the total order and
+/// the orders by the arguments that depend on the variable.
 type Rank = (Class, u32, Vec<u32>);
 
-/// What is one unknown function along the variable: the function, where it is taken, the orders by the other arguments.
+/// Identity of one unknown function along the variable: the function, its arguments, and the orders
+/// by the other arguments.
 type Class = (FunctionId, Vec<Expr>, Vec<u32>);
 
 /// A derivative of an unknown function that depends on the variable.
@@ -40,7 +44,7 @@ struct Derivative {
 }
 
 impl Search<'_> {
-    /// An antiderivative where unknown functions of the variable occur; nothing where none do.
+    /// Returns an antiderivative if unknown functions of the variable occur; `None` if none occur.
     pub(super) fn by_unknown_functions(
         &mut self,
         integrand: &mut Integrand,
@@ -58,7 +62,7 @@ impl Search<'_> {
         Ok(Some(self.pool.add(found, last)))
     }
 
-    /// Whether an unknown function is taken at places that depend on the variable.
+    /// Whether an unknown function is evaluated at arguments that depend on the variable.
     pub(super) fn has_unknowns(&self, expression: Expr, symbol: Symbol) -> bool {
         self.pool.reachable(&[expression]).into_iter().any(|part| {
             matches!(self.pool.node(part), Node::Jet { .. })
@@ -66,7 +70,7 @@ impl Search<'_> {
         })
     }
 
-    /// G and f − DG, reduced as long as the highest derivative gets lower.
+    /// Returns G and f − DG, reduced as long as the highest derivative gets lower.
     pub(super) fn reduced(
         &mut self,
         integrand: Expr,
@@ -99,7 +103,7 @@ impl Search<'_> {
         Err(format!("it has more than {MOST_REDUCTIONS} derivatives of unknown functions").into())
     }
 
-    /// ∫ A du⁽ⁿ⁻¹⁾ for the leading derivative u⁽ⁿ⁾, if the integrand may be a derivative.
+    /// Returns ∫ A du⁽ⁿ⁻¹⁾ for the leading derivative u⁽ⁿ⁾, if the integrand may be a derivative.
     fn reduction(&mut self, integrand: &mut Integrand, leading: &Derivative, depth: u32) -> Option<Expr> {
         let terms = integrand.tower.laurent_terms(&integrand.normal, &[leading.generator])?;
         if leading.orders[leading.first] == 0 || terms.iter().any(|(powers, _)| !(0..=1).contains(&powers[0]))
@@ -133,7 +137,8 @@ impl Search<'_> {
         Some(self.pool.substitute(found, &back))
     }
 
-    /// Whether derivatives of the same function occur that are not below the leading one's antiderivative.
+    /// Whether a derivative of the same function occurs whose total order is not below the order of
+    /// the leading derivative.
     fn outranks(&mut self, share: Expr, leading: &Derivative, integrand: &Integrand) -> bool {
         let (class, total, _) = &leading.rank;
         self.pool.reachable(&[share]).into_iter().any(|part| {
@@ -142,7 +147,7 @@ impl Search<'_> {
         })
     }
 
-    /// The derivative of the highest rank.
+    /// Returns the derivative of the highest rank.
     fn leading(&mut self, integrand: &Integrand) -> Option<Derivative> {
         let jets = integrand.such_that(|generator| matches!(generator, Generator::Jet { .. }));
         let mut found: Vec<Derivative> = Vec::new();
@@ -153,7 +158,8 @@ impl Search<'_> {
         found.into_iter().max_by(|a, b| a.rank.cmp(&b.rank))
     }
 
-    /// The derivative of an unknown function that an expression is, if it depends on the variable.
+    /// Returns the expression as a derivative of an unknown function, if it is one and depends on
+    /// the variable.
     fn derivative_at(&self, written: Expr, generator: u32, integrand: &Integrand) -> Option<Derivative> {
         let Node::Jet { function, orders, arguments } = self.pool.node(written) else { return None };
         let moves = |argument: &Expr| self.pool.symbols_in(&[*argument]).contains(&integrand.symbol);

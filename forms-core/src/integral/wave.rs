@@ -1,11 +1,12 @@
-//! Signs of sines and cosines over the range: by where their angles lie.
+//! Signs of sines and cosines over the range, from the ranges of their angles.
 
 use super::signs::{KnownSign, Region, Strictness};
 use crate::assume::range_of;
 use crate::expression::{Expr, Node, Operation, Pool};
 
 impl Region {
-    /// The sign of a product with a sine or cosine in it, if those of all factors are known.
+    /// Returns the sign of a product that contains a sine or cosine, if the signs of all factors
+    /// are known.
     pub(super) fn sign_of_waves(&self, pool: &mut Pool, q: Expr) -> Option<KnownSign> {
         match *pool.node(q) {
             Node::Apply(operation @ (Operation::Sin | Operation::Cos), ref arguments) => {

@@ -1,4 +1,4 @@
-//! Sums, differences and integer multiples: merges of sorted terms.
+//! Sums, differences and integer multiples, by merging sorted terms.
 
 use super::Polynomial;
 use super::coefficient::{Coefficient, Coefficients, Rung, on_rung};
@@ -8,7 +8,7 @@ use num_bigint::BigInt;
 use num_traits::{One, ToPrimitive, Zero};
 use std::cmp::Ordering;
 
-/// The steps of one term of a sum, its memory included.
+/// Steps for one term of a sum, including its memory.
 const STEPS_OF_TERM: u64 = 4;
 
 impl Polynomial {
@@ -30,7 +30,8 @@ impl Polynomial {
 
     /// −f
     pub fn neg(&self) -> Self {
-        // −(−2⁶³) leaves its rung and 2⁶³ enters another one by its sign: scaling settles that.
+        // −(−2⁶³) does not fit its rung, and the negation of 2⁶³ fits a lower one: scaling handles
+        // both.
         self.scale_small(-1)
     }
 
@@ -83,7 +84,7 @@ impl Polynomial {
 /// Packed terms in decreasing order.
 type Terms<'a, C> = (&'a [u64], &'a [C]);
 
-/// The sum or difference of packed terms.
+/// Returns the sum or difference of packed terms.
 fn merge<C: Coefficient>(
     layout: Layout,
     left: Terms<'_, C>,
@@ -185,7 +186,7 @@ impl Coefficients {
         match (self, divisor.to_i64()) {
             (_, Some(1)) => self.clone(),
             (Coefficients::Small(numbers), Some(divisor)) => {
-                // −2⁶³/(−1) is met nowhere: contents are positive.
+                // −2⁶³/(−1) does not occur: contents are positive.
                 Coefficients::Small(numbers.iter().map(|number| number / divisor).collect())
             }
             _ => BigInt::settle(BigInt::view(self).iter().map(|number| number / divisor).collect()),

@@ -1,13 +1,14 @@
-//! Coprime bases: polynomials in, pairwise coprime square-free polynomials out, over which all of them factor.
+//! Coprime bases: pairwise coprime square-free polynomials over which all given polynomials factor.
 
 use super::Polynomial;
 use num_bigint::BigInt;
 
-/// Pairwise coprime, square-free, primitive polynomials with positive leading coefficients such that every
-/// input is a constant times a product of their powers. Zeros and constants contribute nothing.
+/// Returns pairwise coprime, square-free, primitive polynomials with positive leading coefficients
+/// such that every input is a constant times a product of their powers. Zeros and constants
+/// contribute nothing.
 ///
-/// Where a [`Polynomial::gcd`] on the way is not the greatest, some may share factors or hide squares; the
-/// inputs are products of their powers in any case.
+/// If an intermediate [`Polynomial::gcd`] is not the greatest common divisor, some of them may
+/// share factors or contain squares; the inputs are still products of their powers.
 pub fn coprime_basis(polynomials: &[Polynomial]) -> Vec<Polynomial> {
     let mut basis = Vec::new();
     for polynomial in polynomials {
@@ -18,7 +19,8 @@ pub fn coprime_basis(polynomials: &[Polynomial]) -> Vec<Polynomial> {
     basis
 }
 
-/// Adds a square-free polynomial: gcd(f, bᵢ) = g splits bᵢ into g and bᵢ/g and leaves f/g to go on.
+/// Adds a square-free polynomial f: g = gcd(f, bᵢ) splits bᵢ into g and bᵢ/g, and f/g is refined
+/// further.
 fn refine(basis: &mut Vec<Polynomial>, polynomial: Polynomial) {
     let mut rest = polynomial;
     let mut index = 0;
@@ -41,7 +43,8 @@ fn refine(basis: &mut Vec<Polynomial>, polynomial: Polynomial) {
 }
 
 impl Polynomial {
-    /// f = c ∏ bᵢ^eᵢ over a basis: the constant and the exponents, where f factors so. 0 does not.
+    /// Factors f = c ∏ bᵢ^eᵢ over a basis: returns the constant and the exponents if f has such a
+    /// factorisation; 0 has none.
     pub fn factor_over(&self, basis: &[Polynomial]) -> Option<(BigInt, Vec<u32>)> {
         if self.is_zero() {
             return None;

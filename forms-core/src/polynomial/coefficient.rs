@@ -1,8 +1,8 @@
-//! Coefficients on a ladder: `i64` where every one fits, else `i128`, else `BigInt`.
+//! Coefficients on a ladder of number types: `i64` if all of them fit, else `i128`, else `BigInt`.
 //!
-//! The rung of a result is chosen before it is computed, from bounds, so that the loops on the two lower
-//! rungs need no checks; afterwards the result steps down as far as it goes, which makes the rung a function
-//! of the value.
+//! The rung of a result is chosen from bounds before the result is computed, so that the loops on
+//! the two lower rungs need no checks. Afterwards the result moves down to the lowest rung that
+//! holds it, which makes the rung a function of the value.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -26,7 +26,8 @@ pub(super) enum Rung {
 }
 
 impl Rung {
-    /// The lowest rung whose numbers reach `bound` in absolute value; `None` is beyond 128 bits.
+    /// Returns the lowest rung whose numbers reach `bound` in absolute value; `None` stands for a
+    /// bound beyond 128 bits.
     pub(super) fn for_bound(bound: Option<u128>) -> Rung {
         match bound {
             Some(bound) if bound <= i64::MAX as u128 => Rung::Small,
@@ -67,23 +68,24 @@ pub(super) trait Coefficient: Clone + PartialEq + From<i64> + 'static {
     fn times(&self, other: &Self) -> Self;
     /// self += a·b
     fn add_product(&mut self, a: &Self, b: &Self);
-    /// The quotient where it is exact.
+    /// Returns the quotient if it is exact.
     fn divided_by(&self, divisor: &Self) -> Option<Self>;
-    /// The absolute value, on the machine rungs.
+    /// Returns the absolute value, on the machine rungs.
     fn size(&self) -> Option<u128>;
-    /// Whether the type holds every number to this bound.
+    /// Whether the type holds every number up to this bound.
     fn holds(bound: Option<u128>) -> bool;
-    /// The coefficients as numbers of this type; they must fit, which the bound of the result ensures.
+    /// Returns the coefficients as numbers of this type; they must fit, which the bound of the
+    /// result ensures.
     fn view(coefficients: &Coefficients) -> Cow<'_, [Self]>;
-    /// The numbers as machine words, on the lowest rung.
+    /// Returns the numbers as machine words, on the lowest rung.
     fn words(_: &[Self]) -> Option<&[i64]> {
         None
     }
-    /// The same to be written to.
+    /// Returns the numbers as mutable machine words, on the lowest rung.
     fn words_mut(_: &mut [Self]) -> Option<&mut [i64]> {
         None
     }
-    /// The coefficients on the lowest rung that holds them.
+    /// Returns the coefficients on the lowest rung that holds them.
     fn settle(numbers: Vec<Self>) -> Coefficients;
 }
 
@@ -225,7 +227,8 @@ impl Coefficient for BigInt {
     }
 }
 
-/// The largest absolute value of a polynomial's coefficients and their sum; `None` is beyond 128 bits.
+/// The largest absolute value of a polynomial's coefficients, and the sum of the absolute values;
+/// `None` is beyond 128 bits.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Norms {
     pub(super) largest: Option<u128>,
@@ -233,7 +236,7 @@ pub(super) struct Norms {
 }
 
 impl Norms {
-    /// A bound of the coefficients of f·g: the lesser of max|f|·‖g‖₁ and max|g|·‖f‖₁.
+    /// Returns a bound on the coefficients of f·g: the lesser of max|f|·‖g‖₁ and max|g|·‖f‖₁.
     pub(super) fn of_product(f: Norms, g: Norms) -> Option<u128> {
         let narrow =
             |norms: Norms| Some((u64::try_from(norms.largest?).ok()?, u64::try_from(norms.sum?).ok()?));
@@ -259,7 +262,7 @@ impl Coefficients {
         }
     }
 
-    /// The number of 64-bit words, at least one for each coefficient.
+    /// Returns the number of 64-bit words, at least one for each coefficient.
     pub(super) fn word_count(&self) -> u64 {
         match self {
             Coefficients::Big(numbers) => numbers.iter().map(|number| number.bits() / 64 + 1).sum(),
@@ -275,7 +278,7 @@ impl Coefficients {
         }
     }
 
-    /// The coefficient at a position.
+    /// Returns the coefficient at a position.
     pub(super) fn get(&self, index: usize) -> BigInt {
         match self {
             Coefficients::Small(numbers) => BigInt::from(numbers[index]),
@@ -301,7 +304,7 @@ impl Coefficients {
         }
     }
 
-    /// The 64-bit words of the longest coefficient, at least 1.
+    /// Returns the number of 64-bit words of the longest coefficient, at least 1.
     pub(super) fn words(&self) -> u64 {
         match self {
             Coefficients::Small(_) => 1,

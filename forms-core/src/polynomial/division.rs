@@ -1,7 +1,7 @@
-//! Exact division: the quotient where there is one, a quick `None` where there is not.
+//! Exact division: the quotient if there is one, or quickly `None`.
 //!
 //! ```text
-//! degrees, outermost terms, an image in one variable ─ deny cheaply
+//! degrees, outermost terms, an image in one variable ─ reject cheaply
 //! long division: rest in a hash table, its monomials on a heap; on each rung while
 //! max|f| + max|q|·‖g‖₁, which bounds every coefficient of every rest, fits it
 //! ```
@@ -16,21 +16,21 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
 
-/// Steps of a division for each term, or each word of the coefficients, of what is divided.
+/// Steps of a division for each term, or each word of the coefficients, of the dividend.
 const STEPS_OF_WORD: u64 = 8;
 
-/// How a division on one rung ended.
+/// Outcome of a division on one rung.
 pub(super) enum Outcome {
-    /// It goes through with this quotient.
+    /// The division is exact, with this quotient.
     Quotient(Polynomial),
-    /// It does not go through.
+    /// The division is not exact.
     Remainder,
-    /// The numbers may leave the rung.
+    /// The numbers may not fit the rung.
     Beyond,
 }
 
 impl Polynomial {
-    /// The quotient f/g where g divides f over ℤ. Nothing is divided by 0.
+    /// Returns the quotient f/g if g divides f over ℤ. Division by 0 gives `None`.
     pub fn divide_exact(&self, divisor: &Self) -> Option<Self> {
         if divisor.is_zero() {
             return None;
@@ -66,7 +66,8 @@ impl Polynomial {
         }
     }
 
-    /// f/g for leading terms that differ by a number: that number is the quotient or there is none.
+    /// Divides f/g for leading terms with the same monomial: the quotient is a number, or there is
+    /// none.
     fn divide_by_multiple(&self, divisor: &Self) -> Option<Self> {
         if self.monomials != divisor.monomials {
             return None;
@@ -83,7 +84,7 @@ impl Polynomial {
         if let (Coefficients::Small(numbers), Some(divisor)) = (&self.coefficients, divisor.to_i64()) {
             let quotients: Option<Vec<i64>> =
                 numbers.iter().map(|number| number.divided_by(&divisor)).collect();
-            // The quotient −2⁶³/(−1) is one rung higher.
+            // The quotient −2⁶³/(−1) needs the next rung.
             if divisor != -1 {
                 return Some(Self::settle(self.layout, self.monomials.clone(), quotients?));
             }
@@ -99,7 +100,8 @@ impl Polynomial {
         Some(Self::settle(self.layout, self.monomials.clone(), quotients))
     }
 
-    /// What a divisor must satisfy: its degrees, leading and last terms, and an image of it.
+    /// Tests necessary conditions for a divisor: its degrees, its leading and last terms, and an
+    /// image.
     fn may_be_divisible_by(&self, divisor: &Self) -> bool {
         let layout = self.layout.join(divisor.layout);
         let (left, right) = (self.monomials_on(layout), divisor.monomials_on(layout));
@@ -122,7 +124,8 @@ impl Polynomial {
             }
         }
         let Some((main, degree)) = main else { return true };
-        // Quotients of a few terms are found out as quickly as images, unless they may have many after all.
+        // Quotients of a few terms are computed as quickly as images, unless they may have many
+        // terms after all.
         let few = self.term_count() < 2 * divisor.term_count() && degree <= LONGEST_QUOTIENT;
         if few || u64::from(degree) * u64::from(theirs[main as usize]) > LONGEST_IMAGE {
             return true;
@@ -170,10 +173,10 @@ impl Polynomial {
     }
 }
 
-/// Divisions of images that take more products cost more than they save.
+/// Limit on the products in a division of images; longer ones cost more than they save.
 const LONGEST_IMAGE: u64 = 1 << 22;
 
-/// Sparse polynomials of a higher degree may have quotients of many terms.
+/// Sparse polynomials of a higher degree may have quotients with many terms.
 const LONGEST_QUOTIENT: u32 = 1 << 6;
 
 /// Whether the monomial b divides a: no field of the difference borrows into its guard.

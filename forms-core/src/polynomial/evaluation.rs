@@ -1,11 +1,12 @@
-//! Values at points: modulo 2⁶¹ − 1, over the integers, or in any ring the caller brings.
+//! Values at points: modulo 2⁶¹ − 1, over the integers, or in any ring that the caller supplies.
 
 use super::{Polynomial, modular};
 use num_bigint::BigInt;
 use std::ops::{Add, Mul};
 
 impl Polynomial {
-    /// The value modulo 2⁶¹ − 1 where variable i has the value `point[i]`; variables beyond the point are 0.
+    /// Returns the value modulo 2⁶¹ − 1 where variable i has the value `point[i]`; variables beyond
+    /// the point are 0.
     pub fn evaluate_modular(&self, point: &[u64]) -> u64 {
         let mut sum = 0;
         for term in 0..self.term_count() {
@@ -19,7 +20,8 @@ impl Polynomial {
         sum
     }
 
-    /// The value where variable i has the value `point[i]`; variables beyond the point are 0.
+    /// Returns the value where variable i has the value `point[i]`; variables beyond the point are
+    /// 0.
     pub fn evaluate(&self, point: &[BigInt]) -> BigInt {
         let mut sum = BigInt::ZERO;
         for (monomial, coefficient) in self.terms() {
@@ -32,8 +34,9 @@ impl Polynomial {
         sum
     }
 
-    /// The value in any ring: `integer` embeds a coefficient, `value` gives a variable's value. Powers are
-    /// built by repeated squaring and terms added in order, the leading term first.
+    /// Returns the value in any ring: `integer` embeds a coefficient, `value` returns a variable's
+    /// value. Powers are built by repeated squaring, and terms are added in order, the leading term
+    /// first.
     pub fn evaluate_with<T>(&self, integer: impl Fn(&BigInt) -> T, value: impl Fn(u32) -> T) -> T
     where
         T: Clone + Add<Output = T> + Mul<Output = T>,

@@ -1,5 +1,5 @@
-//! Greatest common divisors: contents first, then a cheap proof of coprimality by images, then interpolation,
-//! then remainders as long as they stay small.
+//! Greatest common divisors: contents first, then a cheap proof of coprimality by images, then
+//! interpolation, then remainder sequences as long as they stay small.
 
 use super::Polynomial;
 use super::image::{self, coordinate};
@@ -7,17 +7,19 @@ use super::interpolation::gcd_by_interpolation;
 use crate::steps;
 use num_integer::Integer;
 
-/// Products of terms, weighted by the words of their coefficients, that a remainder sequence may take.
+/// Limit on the products of terms, weighted by the words of their coefficients, in a remainder
+/// sequence.
 const REMAINDER_WORK: u64 = 1 << 20;
 
-/// The largest product of the degrees of two images of which the gcd is computed.
+/// The largest product of the degrees of two images whose gcd is computed.
 const LONGEST_IMAGES: u64 = 1 << 24;
 
 impl Polynomial {
-    /// The greatest common divisor over ℤ with positive leading coefficient; gcd(f, 0) = ±f.
+    /// Returns the greatest common divisor over ℤ with positive leading coefficient; gcd(f, 0) =
+    /// ±f.
     ///
-    /// Where that takes too much work (large dense inputs whose gcd is not found from images), or no steps are left, it is a
-    /// common divisor that need not be the greatest.
+    /// If this takes too much work (large dense inputs whose gcd is not found from images), or no
+    /// steps remain, the result is a common divisor that need not be the greatest.
     pub fn gcd(&self, other: &Self) -> Self {
         if self.is_zero() || other.is_zero() {
             let rest = if self.is_zero() { other } else { self };
@@ -29,14 +31,14 @@ impl Polynomial {
         common.multiply_by_monomial(&monomials).scale(&content)
     }
 
-    /// f without its integer content, its monomial content and its sign.
+    /// Returns f without its integer content, its monomial content and its sign.
     fn without_contents(&self) -> Self {
         let primitive = self.primitive_part();
         primitive.divide_by_monomial(&primitive.monomial_content()).expect("its own content divides")
     }
 }
 
-/// The gcd of two monomials.
+/// Returns the gcd of two monomials.
 fn common_monomial(left: &[(u32, u32)], right: &[(u32, u32)]) -> Vec<(u32, u32)> {
     let mut common = Vec::new();
     for &(variable, exponent) in left {
@@ -47,7 +49,8 @@ fn common_monomial(left: &[(u32, u32)], right: &[(u32, u32)]) -> Vec<(u32, u32)>
     common
 }
 
-/// The gcd of polynomials without integer or monomial content, with positive leading coefficients.
+/// Returns the gcd of polynomials without integer or monomial content, with positive leading
+/// coefficients.
 fn gcd_of_primitive(f: &Polynomial, g: &Polynomial) -> Polynomial {
     if f == g {
         return f.clone();
@@ -55,7 +58,7 @@ fn gcd_of_primitive(f: &Polynomial, g: &Polynomial) -> Polynomial {
     if f.is_constant() || g.is_constant() || steps::are_spent() {
         return Polynomial::one();
     }
-    // A variable of one of them only: the gcd divides every coefficient of its powers.
+    // A variable that occurs in only one of them: the gcd divides every coefficient of its powers.
     let (f_variables, g_variables) = (f.variables(), g.variables());
     if let Some(&variable) = f_variables.iter().find(|variable| !g_variables.contains(variable)) {
         return gcd_with_coefficients(g, f, variable);
@@ -81,7 +84,7 @@ fn gcd_of_primitive(f: &Polynomial, g: &Polynomial) -> Polynomial {
     gcd_by_interpolation(f, g, &f_variables, &degrees).unwrap_or_else(|| gcd_by_remainders(f, g))
 }
 
-/// gcd(f, coefficients of g in a variable that f does not contain).
+/// Returns gcd(f, coefficients of g in a variable that f does not contain).
 fn gcd_with_coefficients(f: &Polynomial, g: &Polynomial, variable: u32) -> Polynomial {
     let mut common = f.clone();
     let mut parts = g.coefficients_in(variable);
@@ -95,7 +98,7 @@ fn gcd_with_coefficients(f: &Polynomial, g: &Polynomial, variable: u32) -> Polyn
     common
 }
 
-/// The content of f as a polynomial in one variable: the gcd of its coefficients.
+/// Returns the content of f as a polynomial in one variable: the gcd of its coefficients.
 pub(super) fn content_in(f: &Polynomial, variable: u32) -> Polynomial {
     let mut parts = f.coefficients_in(variable);
     parts.sort_by_key(|(_, part)| part.term_count());
@@ -109,14 +112,15 @@ pub(super) fn content_in(f: &Polynomial, variable: u32) -> Polynomial {
     content
 }
 
-/// For each variable a bound of the gcd's degree: the degree of the gcd of images at a point modulo p, which
-/// the gcd's image divides. `None` where a leading coefficient vanishes in both images.
+/// Returns for each variable a bound on the gcd's degree: the degree of the gcd of images at a
+/// point modulo p, which the gcd's image divides. `None` if the leading coefficient vanishes in
+/// both images.
 fn common_degrees(f: &Polynomial, g: &Polynomial, variables: &[u32]) -> Option<Vec<u32>> {
     let mut degrees = Vec::with_capacity(variables.len());
     for &variable in variables {
         let value = |other| coordinate(u64::from(other));
         let (left, right) = (f.image(variable, value), g.image(variable, value));
-        // One leading coefficient that survives keeps the degree of every factor.
+        // If one leading coefficient does not vanish, every factor keeps its degree.
         let survives = |image: &image::Image, full: u32| image.len() == full as usize + 1;
         if !survives(&left, f.degree(variable)) && !survives(&right, g.degree(variable)) {
             return None;
@@ -133,8 +137,8 @@ fn images_are_short(f: &Polynomial, g: &Polynomial, variables: &[u32]) -> bool {
     })
 }
 
-/// The primitive remainder sequence in the variable of least degree, contents apart. Where remainders swell
-/// beyond the limit, only the contents are compared.
+/// Computes the primitive remainder sequence in the variable of least degree, with contents
+/// separate. If remainders grow beyond the limit, only the contents are compared.
 fn gcd_by_remainders(f: &Polynomial, g: &Polynomial) -> Polynomial {
     let variables = f.variables();
     let degree = |&&variable: &&u32| f.degree(variable).min(g.degree(variable));
@@ -163,7 +167,7 @@ fn gcd_by_remainders(f: &Polynomial, g: &Polynomial) -> Polynomial {
     }
 }
 
-/// lc(g)ᵏ f mod g in the main variable; `None` where it takes more than the work left.
+/// Returns lc(g)ᵏ f mod g in the main variable; `None` if it takes more than the remaining work.
 fn pseudo_remainder(f: &Polynomial, g: &Polynomial, main: u32, work: &mut u64) -> Option<Polynomial> {
     let degree = g.degree(main);
     let leading = g.coefficients_in(main).swap_remove(0).1;

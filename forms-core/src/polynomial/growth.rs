@@ -1,13 +1,14 @@
-//! How many terms a power has at least and at most, known before it is multiplied out.
+//! Lower and upper bounds on the number of terms of a power, known before it is multiplied out.
 //!
-//! Let F have d + 1 terms whose exponents m₀, …, m_d are affinely independent. The monomials of (c₀m₀ + … + c_d m_d)ⁿ are
-//! the sums Σ kᵢmᵢ with Σ kᵢ = n, all different, and there are C(n + d, d) of them. They all occur in Fⁿ if F has no other
-//! terms, or if all coefficients of F have one sign, so that nothing cancels.
+//! Let F have d + 1 terms whose exponents m₀, …, m_d are affinely independent. The monomials of
+//! (c₀m₀ + … + c_d m_d)ⁿ are the sums Σ kᵢmᵢ with Σ kᵢ = n; they are all different, and there are
+//! C(n + d, d) of them. They all occur in Fⁿ if F has no other terms, or if all coefficients of F
+//! have one sign, so that nothing cancels.
 
 use super::Polynomial;
 
 impl Polynomial {
-    /// A lower bound of the number of terms of a·fⁿ; 1 where none is known.
+    /// Returns a lower bound on the number of terms of a·fⁿ; 1 if none is known.
     pub(crate) fn least_terms_with_power(&self, f: &Self, n: u64) -> u64 {
         let independent = f.independent_terms();
         let nothing_cancels = self.has_one_sign() && f.has_one_sign();
@@ -15,7 +16,7 @@ impl Polynomial {
         if known { binomial(n, independent.saturating_sub(1) as u64) } else { 1 }
     }
 
-    /// An upper bound of the number of terms of a·fⁿ: the number of products of terms.
+    /// Returns an upper bound on the number of terms of a·fⁿ: the number of products of terms.
     pub(crate) fn most_terms_with_power(&self, f: &Self, n: u64) -> u64 {
         let power = (f.term_count() as u64).saturating_pow(u32::try_from(n).unwrap_or(u32::MAX));
         power.saturating_mul(self.term_count() as u64)
@@ -26,8 +27,9 @@ impl Polynomial {
         (1..self.term_count()).all(|term| self.coefficients.is_negative(term) == self.is_negative())
     }
 
-    /// The number of terms, from the least one on, that have a variable which none before has: each of their
-    /// exponents is affinely independent of those before.
+    /// Returns the number of terms, starting from the least one, that contain a variable that no
+    /// earlier term contains: the exponents of each such term are affinely independent of the
+    /// earlier ones.
     fn independent_terms(&self) -> usize {
         let mut seen = vec![0; self.layout.fields()];
         let mut independent = 0;
@@ -42,7 +44,7 @@ impl Polynomial {
     }
 }
 
-/// C(n + d, d), or `u64::MAX` where it is beyond.
+/// Returns C(n + d, d), or `u64::MAX` if it is larger.
 fn binomial(n: u64, d: u64) -> u64 {
     let mut value: u128 = 1;
     for k in 1..=u128::from(d) {
@@ -63,7 +65,7 @@ mod tests {
         Polynomial::variable(index)
     }
 
-    /// The terms of a·fⁿ, multiplied out, beside the bound.
+    /// Returns the number of terms of a·fⁿ, multiplied out, and the bound.
     fn terms_and_bound(a: &Polynomial, f: &Polynomial, n: u32) -> (u64, u64) {
         (a.mul(&f.pow(n)).term_count() as u64, a.least_terms_with_power(f, n.into()))
     }

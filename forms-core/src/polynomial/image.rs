@@ -1,16 +1,16 @@
-//! Univariate images modulo p = 2⁶¹ − 1: all variables but one at a point. What images deny is denied; what
-//! they suggest must be proved.
+//! Univariate images modulo p = 2⁶¹ − 1: all variables but one are evaluated at a point. A negative
+//! answer from images is certain; a positive one must be proved.
 
 use super::{Polynomial, modular};
 use crate::steps;
 
-/// Steps of taking a term, or one word of a long coefficient, to its image.
+/// Steps to map a term, or one word of a long coefficient, to its image.
 const STEPS_OF_WORD: u64 = 16;
 
-/// A polynomial in one variable modulo p, from the constant term, without leading zeros.
+/// A polynomial in one variable modulo p, starting with the constant term, without leading zeros.
 pub(super) type Image = Vec<u64>;
 
-/// A fixed, well mixed coordinate for each variable.
+/// Returns a fixed, well-mixed coordinate for each variable.
 pub(super) fn coordinate(variable: u64) -> u64 {
     let mut mixed = (variable + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -19,7 +19,7 @@ pub(super) fn coordinate(variable: u64) -> u64 {
 }
 
 impl Polynomial {
-    /// The image in one variable where every other variable v has the value `value(v)`.
+    /// Returns the image in one variable where every other variable v has the value `value(v)`.
     pub(super) fn image(&self, variable: u32, value: impl Fn(u32) -> u64) -> Image {
         steps::spend(STEPS_OF_WORD * self.word_count());
         let mut image = Vec::new();
@@ -52,14 +52,14 @@ impl Polynomial {
     }
 }
 
-/// Takes leading zeros away.
+/// Removes leading zeros.
 fn trim(image: &mut Image) {
     while image.last() == Some(&0) {
         image.pop();
     }
 }
 
-/// f becomes f mod g, for g ≠ 0.
+/// Replaces f by f mod g, for g ≠ 0.
 fn reduce_by(f: &mut Image, g: &Image) {
     let Some(inverse) = g.last().and_then(|&leading| modular::inverse(leading)) else { return };
     while f.len() >= g.len() {
@@ -81,7 +81,7 @@ pub(super) fn divides(g: &Image, mut f: Image) -> bool {
     f.is_empty()
 }
 
-/// The monic gcd by Euclid's algorithm.
+/// Returns the monic gcd by Euclid's algorithm.
 pub(super) fn gcd(mut f: Image, mut g: Image) -> Image {
     while !g.is_empty() {
         reduce_by(&mut f, &g);

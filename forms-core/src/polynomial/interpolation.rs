@@ -1,8 +1,9 @@
-//! The gcd from its images: univariate gcds modulo p = 2⁶¹ − 1 on a grid of points, interpolated along each
-//! axis, lifted to ℤ and proved by division.
+//! Gcds from images: univariate gcds modulo p = 2⁶¹ − 1 on a grid of points, interpolated along
+//! each axis, lifted to ℤ and proved by division.
 //!
-//! With x the main variable and γ = gcd(lcₓ f, lcₓ g), each image is made monic and multiplied by the value
-//! of γ; then they are the images of one polynomial H = (γ/lcₓ G)·G, of which the gcd G is the primitive part.
+//! With x the main variable and γ = gcd(lcₓ f, lcₓ g), each image is made monic and multiplied by
+//! the value of γ. The results are the images of one polynomial H = (γ/lcₓ G)·G, and the gcd G is
+//! the primitive part of H.
 
 use super::gcd::content_in;
 use super::image::{self, Image, coordinate};
@@ -10,12 +11,13 @@ use super::{Polynomial, modular};
 use crate::steps;
 use num_bigint::BigInt;
 
-/// The most points of a grid.
+/// Limit on the points of a grid.
 const MOST_POINTS: usize = 1 << 14;
 
-/// The gcd of f and g, of which no variable's degree is beyond `degrees`; `None` where the grid is too large,
-/// a point unlucky or a coefficient of H beyond p/2. What is answered divides f and g and has the greatest
-/// degree in x that a common factor can have, so it is their gcd up to a content that the parts lack.
+/// Returns the gcd of f and g, whose degrees in the variables are at most `degrees`; `None` if the
+/// grid is too large, a point is unlucky or a coefficient of H is beyond p/2. The result divides f
+/// and g and has the greatest degree in x that a common factor can have, so it is their gcd up to a
+/// content, which the primitive parts lack.
 pub(super) fn gcd_by_interpolation(
     f: &Polynomial,
     g: &Polynomial,
@@ -49,7 +51,8 @@ pub(super) fn gcd_by_interpolation(
     Some(primitive.mul(&f_content.gcd(&g_content)).primitive_part())
 }
 
-/// The variable whose leading coefficients have the fewest terms, since γ enters every image.
+/// Returns the variable whose leading coefficients have the fewest terms, since γ enters every
+/// image.
 fn main_variable(f: &Polynomial, g: &Polynomial, variables: &[u32]) -> u32 {
     let mut best = (usize::MAX, 0);
     for &variable in variables {
@@ -59,8 +62,9 @@ fn main_variable(f: &Polynomial, g: &Polynomial, variables: &[u32]) -> u32 {
     best.1
 }
 
-/// Points (c₁ + i₁, c₂ + i₂, …), an axis for each variable but x; values are stored with the last axis
-/// fastest, and `height` numbers, the coefficients of powers of x, at each point.
+/// A grid of points (c₁ + i₁, c₂ + i₂, …), with an axis for each variable except x. Values are
+/// stored with the last axis fastest, and with `height` numbers, the coefficients of powers of x,
+/// at each point.
 struct Grid {
     axes: Vec<(u32, usize)>,
     points: usize,
@@ -68,12 +72,12 @@ struct Grid {
 }
 
 impl Grid {
-    /// The value of a variable at a number along its axis.
+    /// Returns the value of a variable at a number along its axis.
     fn value(variable: u32, number: usize) -> u64 {
         modular::add(coordinate(u64::from(variable) + (1 << 32)), number as u64)
     }
 
-    /// γ times the monic gcd of the images at each point.
+    /// Returns γ times the monic gcd of the images at each point.
     fn sample(&self, f: &Polynomial, g: &Polynomial, gamma: &Polynomial, main: u32) -> Option<Vec<u64>> {
         let last = self.axes.iter().map(|axis| axis.0).chain([main]).max()?;
         let mut point = vec![0; last as usize + 1];
@@ -98,7 +102,7 @@ impl Grid {
         Some(values)
     }
 
-    /// Turns values into coefficients, axis by axis.
+    /// Converts values into coefficients, axis by axis.
     fn interpolate(&self, values: &mut [u64]) {
         let mut stride = self.height;
         for &(variable, count) in self.axes.iter().rev() {
@@ -119,7 +123,8 @@ impl Grid {
         }
     }
 
-    /// The polynomial with these coefficients, each the residue of least absolute value.
+    /// Returns the polynomial with these coefficients, each lifted to the residue of least absolute
+    /// value.
     fn lift(&self, values: &[u64], main: u32) -> Polynomial {
         let mut terms = Vec::new();
         for (index, &value) in values.iter().enumerate().filter(|&(_, &value)| value != 0) {
@@ -137,8 +142,8 @@ impl Grid {
     }
 }
 
-/// Values at c, c + 1, c + 2, … become coefficients: divided differences, then Horner's rule on
-/// a₀ + (x − c)(a₁ + (x − c − 1)(a₂ + …)).
+/// Converts values at c, c + 1, c + 2, … into coefficients: divided differences, then Horner's rule
+/// on a₀ + (x − c)(a₁ + (x − c − 1)(a₂ + …)).
 fn newton(first: u64, line: &mut [u64]) {
     let count = line.len();
     for order in 1..count {

@@ -7,7 +7,7 @@ use num_traits::ToPrimitive;
 /// p = 2⁶¹ − 1.
 pub const PRIME: u64 = (1 << 61) - 1;
 
-/// The residue of any word.
+/// Returns the residue of any word.
 #[inline]
 pub fn reduce(number: u64) -> u64 {
     let folded = (number & PRIME) + (number >> 61);
@@ -61,7 +61,8 @@ pub fn inverse(a: u64) -> Option<u64> {
     (a != 0).then(|| pow(a, PRIME - 2))
 }
 
-/// A square root where a is a residue: p ≡ 3 (mod 4), so it is a^((p+1)/4) = a^(2⁵⁹).
+/// Returns a square root if a is a quadratic residue: p ≡ 3 (mod 4), so it is a^((p+1)/4) =
+/// a^(2⁵⁹).
 pub fn sqrt(a: u64) -> Option<u64> {
     let mut root = a;
     for _ in 0..59 {
@@ -70,14 +71,14 @@ pub fn sqrt(a: u64) -> Option<u64> {
     (mul(root, root) == a).then_some(root)
 }
 
-/// The residue of a signed word.
+/// Returns the residue of a signed word.
 #[inline]
 pub fn from_i64(number: i64) -> u64 {
     let size = reduce(number.unsigned_abs());
     if number < 0 { neg(size) } else { size }
 }
 
-/// The residue of a signed double word.
+/// Returns the residue of a signed double word.
 pub fn from_i128(number: i128) -> u64 {
     let size = number.unsigned_abs();
     let low = reduce(size as u64 & PRIME);
@@ -87,7 +88,7 @@ pub fn from_i128(number: i128) -> u64 {
     if number < 0 { neg(residue) } else { residue }
 }
 
-/// The residue of an integer.
+/// Returns the residue of an integer.
 pub fn from_integer(number: &BigInt) -> u64 {
     if let Some(word) = number.to_i64() {
         return from_i64(word);

@@ -1,32 +1,33 @@
-//! Monomials packed into words: ∏ xᵢ^eᵢ is the concatenation of e₀, e₁, …, the first variable on top.
+//! Monomials packed into words: ∏ xᵢ^eᵢ is the concatenation of e₀, e₁, …, the first variable on
+//! top.
 //!
 //! ```text
-//! word 0  │0 e₀│0 e₁│ … │0 e₁₅│      bits = 4: 16 variables a word, exponents to 7
+//! word 0  │0 e₀│0 e₁│ … │0 e₁₅│      bits = 4: 16 variables per word, exponents to 7
 //! word 1  │0 e₁₆│ …                  the top bit of each field is a guard and stays 0
 //! ```
-//! Adding words multiplies monomials, comparing words compares them lexicographically (x₀ > x₁ > …), and a
-//! difference borrows into a guard bit exactly when the division does not go through. A wider layout
-//! appends words or doubles the fields; neither changes the order of terms.
+//! Adding words multiplies monomials, and comparing words compares them lexicographically, with
+//! x₀ > x₁ > …. A difference borrows into a guard bit exactly if the division is not possible. A
+//! wider layout appends words or doubles the fields; neither changes the order of terms.
 
 use std::cmp::Ordering;
 
-/// How exponents lie in words: the bits of a field and the words of a monomial.
+/// Layout of exponents in words: the bits of a field and the words of a monomial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Layout {
-    /// Bits of a field, guard included: 4, 8, 16 or 32.
+    /// Bits of a field, including its guard: 4, 8, 16 or 32.
     pub(super) bits: u32,
     /// Words of a monomial; 0 for constants.
     pub(super) words: usize,
 }
 
-/// The largest exponent any layout holds.
+/// The largest exponent that any layout holds.
 pub(super) const LARGEST_EXPONENT: u32 = (1 << 31) - 1;
 
 impl Layout {
     /// The layout of constants.
     pub(super) const CONSTANT: Layout = Layout { bits: 4, words: 0 };
 
-    /// The narrowest layout for variables below `variables` and exponents to `exponent`.
+    /// Returns the narrowest layout for variables below `variables` and exponents up to `exponent`.
     ///
     /// # Panics
     /// If the exponent is beyond 2³¹ − 1.
@@ -39,28 +40,28 @@ impl Layout {
         Layout { bits, words: (variables as usize).div_ceil(64 / bits as usize) }
     }
 
-    /// The narrowest layout into which monomials of both widen.
+    /// Returns the narrowest layout to which monomials of both layouts can be widened.
     pub(super) fn join(self, other: Layout) -> Layout {
         let bits = self.bits.max(other.bits);
         Layout { bits, words: self.words_at(bits).max(other.words_at(bits)) }
     }
 
-    /// The words that this layout's monomials take once fields have `bits` bits.
+    /// Returns the number of words that this layout's monomials take if fields have `bits` bits.
     pub(super) fn words_at(self, bits: u32) -> usize {
         self.words * (bits / self.bits) as usize
     }
 
-    /// Fields in a word.
+    /// Returns the number of fields in a word.
     pub(super) fn per_word(self) -> usize {
         64 / self.bits as usize
     }
 
-    /// The number of variables that have a field.
+    /// Returns the number of variables that have a field.
     pub(super) fn fields(self) -> usize {
         self.words * self.per_word()
     }
 
-    /// The word and the shift of a variable's field, where it has one.
+    /// Returns the word and the shift of a variable's field, if it has one.
     pub(super) fn field(self, variable: u32) -> Option<(usize, u32)> {
         let per_word = self.per_word();
         let word = variable as usize / per_word;
@@ -68,12 +69,12 @@ impl Layout {
         (word < self.words).then_some((word, 64 - self.bits * (place + 1)))
     }
 
-    /// The mask of a field that is shifted to the bottom.
+    /// Returns the mask of a field that is shifted to the bottom.
     pub(super) fn mask(self) -> u64 {
         (1 << self.bits) - 1
     }
 
-    /// The exponent of `variable` in a packed monomial.
+    /// Returns the exponent of `variable` in a packed monomial.
     pub(super) fn exponent(self, monomial: &[u64], variable: u32) -> u32 {
         match self.field(variable) {
             Some((word, shift)) => (monomial[word] >> shift & self.mask()) as u32,
@@ -81,13 +82,13 @@ impl Layout {
         }
     }
 
-    /// The guard bit of every field of a word.
+    /// Returns the guard bits of all fields of a word.
     pub(super) fn guards(self) -> u64 {
         // 0x…0101 with ones `bits` apart, moved to the top of each field.
         (u64::MAX / self.mask()) << (self.bits - 1)
     }
 
-    /// Appends a monomial to packed ones; exponents of a repeated variable add up.
+    /// Appends a monomial to packed ones; exponents of a repeated variable are added.
     pub(super) fn pack(self, exponents: &[(u32, u32)], packed: &mut Vec<u64>) {
         let start = packed.len();
         packed.resize(start + self.words, 0);
@@ -98,7 +99,7 @@ impl Layout {
         }
     }
 
-    /// The variables of a packed monomial with their exponents, in increasing order.
+    /// Returns the variables of a packed monomial with their exponents, in increasing order.
     pub(super) fn unpack(self, monomial: &[u64]) -> Vec<(u32, u32)> {
         let mut exponents = Vec::new();
         for (index, &word) in monomial.iter().enumerate() {
@@ -114,7 +115,7 @@ impl Layout {
         exponents
     }
 
-    /// Packed monomials of this layout, repacked into `wider`.
+    /// Returns packed monomials of this layout, repacked into `wider`.
     pub(super) fn widen(self, monomials: &[u64], terms: usize, wider: Layout) -> Vec<u64> {
         let mut result = Vec::with_capacity(terms * wider.words);
         let copies = (wider.bits / self.bits) as usize;
@@ -132,7 +133,7 @@ impl Layout {
         result
     }
 
-    /// Packed monomials of this layout with the words cut to `words`.
+    /// Returns packed monomials of this layout, each cut to `words` words.
     pub(super) fn crop(self, monomials: &[u64], terms: usize, words: usize) -> Vec<u64> {
         let mut result = Vec::with_capacity(terms * words);
         for term in 0..terms {
@@ -141,7 +142,8 @@ impl Layout {
         result
     }
 
-    /// Packed monomials of this layout, repacked into fields of half the size, the words cut to `words`.
+    /// Returns packed monomials of this layout, repacked into fields of half the size and cut to
+    /// `words` words.
     pub(super) fn halve(self, monomials: &[u64], terms: usize, words: usize) -> Vec<u64> {
         let mut result = Vec::with_capacity(terms * words);
         for term in 0..terms {
@@ -156,12 +158,13 @@ impl Layout {
     }
 }
 
-/// The fields number `part`·(64/wider) and on of a word, each widened from `bits` to `wider` bits.
+/// Returns the fields of a word from number `part`·(64/wider) on, each widened from `bits` to
+/// `wider` bits.
 fn spread(word: u64, bits: u32, wider: u32, part: usize) -> u64 {
     let mut bits = bits;
     let mut word = word;
     let mut part = part as u32;
-    // Each round doubles the fields of the half that contains what is asked for.
+    // Each round doubles the fields of the half that contains the requested part.
     while bits < wider {
         let copies = wider / bits;
         let upper = part < copies / 2;

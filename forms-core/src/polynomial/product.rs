@@ -1,4 +1,4 @@
-//! Products: Σ sₖ aₖ bₖ into one accumulator.
+//! Products: Σ sₖ aₖ bₖ in one accumulator.
 //!
 //! ```text
 //! operands ─ bounds: rung, layout, box of exponents ─▶ one term times many: shifted, in order already
@@ -28,12 +28,12 @@ use reach::Reach;
 use std::borrow::Cow;
 use std::cmp::Ordering;
 
-/// Two numbers of so many words together have a product that needs no allocation.
+/// Total number of words of two numbers up to which their product needs no allocation.
 const MOST_WORDS_IN_PLACE: u64 = 2;
-/// The steps of a product that needs one, with its place in the sum.
+/// Steps of a product that needs an allocation, including its place in the sum.
 const STEPS_OF_ALLOCATION: u64 = 12;
 
-/// One sₖ aₖ bₖ as callers give it.
+/// One product sₖ aₖ bₖ as callers supply it.
 type Term<'a> = (i64, &'a Polynomial, &'a Polynomial);
 
 /// Packed terms on the layout and the rung of the result.
@@ -42,7 +42,7 @@ struct Operand<'a, C: Coefficient> {
     numbers: Cow<'a, [C]>,
 }
 
-/// One sₖ aₖ bₖ on the layout and the rung of the result.
+/// One product sₖ aₖ bₖ on the layout and the rung of the result.
 struct Pair<'a, C: Coefficient> {
     factor: C,
     left: Operand<'a, C>,
@@ -98,8 +98,8 @@ impl Polynomial {
         result
     }
 
-    /// A bound of the number of terms of f·g: the lesser of the number of pairs of terms and the size of the
-    /// box of exponents ∏ (1 + degᵢ f + degᵢ g).
+    /// Returns a bound on the number of terms of f·g: the lesser of the number of pairs of terms
+    /// and the size of the box of exponents ∏ (1 + degᵢ f + degᵢ g).
     pub fn product_size_bound(&self, other: &Self) -> usize {
         let pairs = self.term_count().saturating_mul(other.term_count());
         let (left, right) = (self.degrees(), other.degrees());
@@ -111,8 +111,9 @@ impl Polynomial {
         pairs.min(size)
     }
 
-    /// The steps of f·g: one for each pair of terms, and where numbers have to be allocated one for each pair of their
-    /// words besides; one for each word of the monomials, which are read before.
+    /// Returns the steps of f·g. Each pair of terms takes one step or, if numbers have to be
+    /// allocated, one step for each pair of their words and [`STEPS_OF_ALLOCATION`] steps. Each
+    /// word of the monomials, which are read first, takes one step.
     pub(crate) fn steps_of_product(&self, other: &Self) -> u64 {
         let (terms, other_terms) = (self.term_count() as u64, other.term_count() as u64);
         let read = (terms + other_terms).saturating_mul(self.layout.words.max(other.layout.words) as u64);
@@ -125,7 +126,7 @@ impl Polynomial {
         pairs.saturating_mul(each).saturating_add(read)
     }
 
-    /// Σ sₖ aₖ bₖ, collected in one accumulator.
+    /// Returns Σ sₖ aₖ bₖ, collected in one accumulator.
     ///
     /// # Panics
     /// If an exponent of a product is beyond 2³¹ − 1.
@@ -135,8 +136,8 @@ impl Polynomial {
         on_rung!(product_rung(terms), C => accumulate::<C>(&reach, terms))
     }
 
-    /// Whether Σ sₖ aₖ bₖ = 0. The leading and the last terms, which need no other products, answer most
-    /// often; otherwise everything is accumulated but nothing sorted.
+    /// Whether Σ sₖ aₖ bₖ = 0. The leading and the last terms, which need no other products, decide
+    /// in most cases; otherwise everything is accumulated but nothing is sorted.
     ///
     /// # Panics
     /// If an exponent of a product is beyond 2³¹ − 1.
@@ -203,7 +204,7 @@ fn accumulate<C: Coefficient>(reach: &Reach, terms: &[Term<'_>]) -> Polynomial {
     }
 }
 
-/// The number of products of terms.
+/// Returns the number of products of terms.
 fn count_products(terms: &[Term<'_>]) -> usize {
     let mut products = 0usize;
     for &(_, a, b) in terms {
@@ -212,7 +213,7 @@ fn count_products(terms: &[Term<'_>]) -> usize {
     products
 }
 
-/// c·m·f for a single term c·m: the order of terms stays.
+/// Returns c·m·f for a single term c·m; the order of terms stays the same.
 fn shifted<C: Coefficient>(
     layout: Layout,
     factor: &C,
@@ -232,8 +233,8 @@ fn shifted<C: Coefficient>(
     Polynomial::settle(layout, monomials, numbers)
 }
 
-/// Whether the leading terms (or the last ones) of the products cancel: no other product of terms reaches the
-/// greatest (least) monomial among them.
+/// Whether the leading terms (or the last ones) of the products cancel: no other product of terms
+/// reaches the greatest (least) monomial among them.
 fn outermost_cancels<C: Coefficient>(layout: Layout, pairs: &[Pair<'_, C>], last: bool) -> bool {
     let words = layout.words;
     let mut outermost: Vec<u64> = Vec::new();
@@ -258,7 +259,8 @@ fn outermost_cancels<C: Coefficient>(layout: Layout, pairs: &[Pair<'_, C>], last
     sum.is_zero()
 }
 
-/// The lowest rung that holds every coefficient of the sum: Σ |sₖ| min(max|aₖ|·‖bₖ‖₁, max|bₖ|·‖aₖ‖₁).
+/// Returns the lowest rung that holds every coefficient of the sum: Σ |sₖ| min(max|aₖ|·‖bₖ‖₁,
+/// max|bₖ|·‖aₖ‖₁).
 fn product_rung(terms: &[Term<'_>]) -> Rung {
     let mut bound = Some(0u128);
     for &(factor, a, b) in terms {

@@ -1,4 +1,5 @@
-//! Square-free factorisation: f = c ∏ fᵢ^mᵢ with the fᵢ square-free, primitive and pairwise coprime.
+//! Square-free factorisation: f = c ∏ fᵢ^mᵢ with the fᵢ square-free, primitive and pairwise
+//! coprime.
 
 use super::Polynomial;
 use super::gcd::content_in;
@@ -6,11 +7,12 @@ use num_bigint::BigInt;
 use num_traits::One;
 
 impl Polynomial {
-    /// The content with the sign of the leading coefficient, and coprime square-free primitive factors with
-    /// their multiplicities; a variable that divides is a factor of its own. 0 has the content 0.
+    /// Returns the content with the sign of the leading coefficient, and coprime square-free
+    /// primitive factors with their multiplicities; a variable that divides the polynomial is a
+    /// factor of its own. 0 has the content 0.
     ///
-    /// Where a [`Polynomial::gcd`] on the way is not the greatest, a factor may hide a square; the product of
-    /// all powers is the polynomial in any case.
+    /// If an intermediate [`Polynomial::gcd`] is not the greatest common divisor, a factor may
+    /// contain a square; the product of all powers is still the polynomial.
     pub fn square_free(&self) -> (BigInt, Vec<(Polynomial, u32)>) {
         let mut content = self.content();
         if self.is_negative() {
@@ -28,8 +30,9 @@ impl Polynomial {
     }
 }
 
-/// Splits the content in one variable off and goes on with it; the part that is primitive in the variable
-/// goes through Yun's algorithm, of which the answer is checked since a gcd need not be the greatest.
+/// Splits off the content in one variable and continues with it. The part that is primitive in the
+/// variable is factored by Yun's algorithm, whose result is verified since a gcd need not be the
+/// greatest.
 fn split(f: Polynomial, factors: &mut Vec<(Polynomial, u32)>) {
     let mut rest = f;
     while !rest.is_constant() {
@@ -48,7 +51,8 @@ fn split(f: Polynomial, factors: &mut Vec<(Polynomial, u32)>) {
     }
 }
 
-/// Yun: with f = ∏ aᵢ^i, g = gcd(f, f′), b = f/g, d = f′/g − b′, each aᵢ = gcd(b, d), then b/aᵢ, d/aᵢ − b′.
+/// Yun's algorithm: with f = ∏ aᵢ^i, g = gcd(f, f′), b = f/g, d = f′/g − b′, each aᵢ = gcd(b, d),
+/// then b/aᵢ, d/aᵢ − b′.
 fn yun(f: &Polynomial, main: u32) -> Vec<(Polynomial, u32)> {
     let mut factors = Vec::new();
     let derivative = f.derivative(main);

@@ -1,4 +1,5 @@
-//! Terms in and out: from exponents and integers to packed, sorted, settled polynomials and back.
+//! Conversion of terms: from exponents and integers to packed, sorted polynomials on their
+//! narrowest layout, and back.
 
 use super::coefficient::{Coefficient, Coefficients};
 use super::monomial::{Layout, compare};
@@ -6,7 +7,8 @@ use super::{Polynomial, modular};
 use num_bigint::BigInt;
 
 impl Polynomial {
-    /// The sum of terms, each a list of (variable, exponent) and a coefficient, in any order.
+    /// Returns the sum of terms, each a list of (variable, exponent) and a coefficient, in any
+    /// order.
     ///
     /// # Panics
     /// If an exponent is beyond 2³¹ − 1.
@@ -33,13 +35,14 @@ impl Polynomial {
         Self::from_unsorted(layout, &monomials, &coefficients)
     }
 
-    /// The terms, leading term first: (variable, exponent) in increasing order of variables, coefficient.
+    /// Returns the terms, leading term first: (variable, exponent) in increasing order of
+    /// variables, and the coefficient.
     pub fn terms(&self) -> impl Iterator<Item = (Vec<(u32, u32)>, BigInt)> + '_ {
         (0..self.term_count())
             .map(|term| (self.layout.unpack(self.monomial(term)), self.coefficients.get(term)))
     }
 
-    /// The sum of packed terms in any order.
+    /// Returns the sum of packed terms in any order.
     pub(super) fn from_unsorted<C: Coefficient>(
         layout: Layout,
         monomials: &[u64],
@@ -68,14 +71,15 @@ impl Polynomial {
         Self::settle(layout, sorted, sums)
     }
 
-    /// The polynomial of packed terms in decreasing order without zeros, on its narrowest layout.
+    /// Creates the polynomial of packed terms in decreasing order without zeros, on its narrowest
+    /// layout.
     pub(super) fn settle<C: Coefficient>(layout: Layout, monomials: Vec<u64>, coefficients: Vec<C>) -> Self {
         let mut polynomial = Polynomial { layout, monomials, coefficients: C::settle(coefficients) };
         polynomial.narrow();
         polynomial
     }
 
-    /// Goes to the narrowest layout.
+    /// Repacks the polynomial to its narrowest layout.
     pub(super) fn narrow(&mut self) {
         while self.layout.bits > 4 && self.fits_half_fields() {
             let words = self.layout.words.div_ceil(2);
@@ -90,15 +94,15 @@ impl Polynomial {
         }
     }
 
-    /// Whether every exponent fits a field of half the bits, guard included.
+    /// Whether every exponent fits a field of half the bits, including its guard.
     fn fits_half_fields(&self) -> bool {
         let fields = u64::MAX / self.layout.mask();
         let low = fields * ((1 << (self.layout.bits / 2 - 1)) - 1);
         self.monomials.iter().all(|word| word & !low == 0)
     }
 
-    /// The bitwise union of one word of every monomial: in each field a bound of the exponents.
-    /// Beyond the layout's words it is 0.
+    /// Returns the bitwise union of one word of every monomial: a bound on the exponents in each
+    /// field. It is 0 beyond the layout's words.
     pub(super) fn union_of_word(&self, word: usize) -> u64 {
         let mut union = 0;
         let mut index = if word < self.layout.words { word } else { self.monomials.len() };
@@ -109,13 +113,13 @@ impl Polynomial {
         union
     }
 
-    /// The bitwise union of the monomials on a layout at least as wide.
+    /// Returns the bitwise union of the monomials on a layout at least as wide.
     pub(super) fn union_on(&self, layout: Layout) -> Vec<u64> {
         let union: Vec<u64> = (0..self.layout.words).map(|word| self.union_of_word(word)).collect();
         self.layout.widen(&union, 1, layout)
     }
 
-    /// The words up to the last one that is not zero everywhere.
+    /// Returns the number of words up to the last one that is not zero everywhere.
     fn used_words(&self) -> usize {
         let mut words = self.layout.words;
         while words > 0 && (0..self.term_count()).all(|term| self.monomial(term)[words - 1] == 0) {
@@ -124,7 +128,7 @@ impl Polynomial {
         words
     }
 
-    /// The packed monomials on a layout at least as wide.
+    /// Returns the packed monomials on a layout at least as wide.
     pub(super) fn monomials_on(&self, layout: Layout) -> std::borrow::Cow<'_, [u64]> {
         if layout == self.layout {
             std::borrow::Cow::Borrowed(&self.monomials)
@@ -133,7 +137,7 @@ impl Polynomial {
         }
     }
 
-    /// The coefficient of a term modulo 2⁶¹ − 1.
+    /// Returns the coefficient of a term modulo 2⁶¹ − 1.
     pub(super) fn residue(&self, term: usize) -> u64 {
         match &self.coefficients {
             Coefficients::Small(numbers) => modular::from_i64(numbers[term]),

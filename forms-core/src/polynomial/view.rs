@@ -1,4 +1,5 @@
-//! Rearrangements: derivatives, substitution, and the polynomial as one in some of its variables.
+//! Rearrangements: derivatives, substitution, and the polynomial as a polynomial in some of its
+//! variables.
 
 use super::Polynomial;
 use super::coefficient::{Coefficient, Coefficients, Rung, on_rung};
@@ -9,7 +10,7 @@ use num_traits::{One, Signed};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
-/// The steps of a common divisor for each pair of words of the two numbers.
+/// Steps of a gcd for each pair of words of the two numbers.
 const STEPS_OF_GCD: u64 = 16;
 
 impl Polynomial {
@@ -41,7 +42,7 @@ impl Polynomial {
         Self::settle(self.layout, monomials, derived)
     }
 
-    /// The positive greatest common divisor of the coefficients; 0 for 0.
+    /// Returns the positive greatest common divisor of the coefficients; 0 for 0.
     pub fn content(&self) -> BigInt {
         if let Coefficients::Small(numbers) = &self.coefficients {
             let mut content = 0;
@@ -60,7 +61,8 @@ impl Polynomial {
                     .saturating_mul(content.bits() / 64 + 1)
                     .saturating_mul(coefficient.bits() / 64 + 1),
             );
-            // the remainder first: a gcd of numbers of unequal lengths takes as many steps as the longer has bits
+            // the remainder first: the number of steps of a gcd of numbers of unequal lengths is
+            // the bit length of the longer one
             content = if content == BigInt::ZERO {
                 coefficient.abs()
             } else {
@@ -73,7 +75,7 @@ impl Polynomial {
         content
     }
 
-    /// f divided by its content and by the sign of its leading coefficient; 0 for 0.
+    /// Returns f divided by its content and by the sign of its leading coefficient; 0 for 0.
     pub fn primitive_part(&self) -> Self {
         if self.is_zero() {
             return Self::zero();
@@ -86,14 +88,14 @@ impl Polynomial {
         if positive.is_negative() { positive.neg() } else { positive }
     }
 
-    /// The greatest power of a variable that divides every term; 0 for 0.
+    /// Returns the exponent of the greatest power of a variable that divides every term; 0 for 0.
     pub fn least_exponent(&self, variable: u32) -> u32 {
         let exponents =
             (0..self.term_count()).map(|term| self.layout.exponent(self.monomial(term), variable));
         exponents.min().unwrap_or(0)
     }
 
-    /// The greatest monomial that divides every term; 1 for 0.
+    /// Returns the greatest monomial that divides every term; 1 for 0.
     pub fn monomial_content(&self) -> Vec<(u32, u32)> {
         let mut common: Option<Vec<(u32, u32)>> = None;
         for term in 0..self.term_count() {
@@ -120,7 +122,7 @@ impl Polynomial {
             .unwrap_or_else(|| self.mul(&Self::from_terms([(monomial.to_vec(), BigInt::from(1))])))
     }
 
-    /// f·m on the layout of f, where every exponent stays below its guard.
+    /// Returns f·m on the layout of f, if every exponent stays below its guard.
     fn shifted_in_place(&self, monomial: &[(u32, u32)]) -> Option<Self> {
         let mut monomials = self.monomials.clone();
         for &(variable, exponent) in monomial {
@@ -136,7 +138,7 @@ impl Polynomial {
         Some(Polynomial { layout: self.layout, monomials, coefficients: self.coefficients.clone() })
     }
 
-    /// f/m, where m divides every term.
+    /// Returns f/m, if m divides every term.
     pub fn divide_by_monomial(&self, monomial: &[(u32, u32)]) -> Option<Self> {
         let mut monomials = self.monomials.clone();
         for &(variable, exponent) in monomial {
@@ -158,13 +160,14 @@ impl Polynomial {
         Some(quotient)
     }
 
-    /// f as a polynomial in one variable: its powers with their coefficients, highest power first.
+    /// Returns f as a polynomial in one variable: its powers with their coefficients, highest power
+    /// first.
     pub fn coefficients_in(&self, variable: u32) -> Vec<(u32, Polynomial)> {
         let parts = self.split_by(&[variable]);
         parts.into_iter().map(|(exponents, part)| (exponents[0], part)).collect()
     }
 
-    /// f as a polynomial in some variables: the exponents of these (in the order given) with their
+    /// Returns f as a polynomial in some variables: their exponents (in the given order) with the
     /// coefficients, in decreasing lexicographic order of the exponents.
     pub fn split_by(&self, variables: &[u32]) -> Vec<(Vec<u32>, Polynomial)> {
         on_rung!(self.coefficients.rung(), C => self.split_on_rung::<C>(variables))
@@ -195,8 +198,8 @@ impl Polynomial {
             .collect()
     }
 
-    /// f as Σ Aₖ ∏ (xᵢ^nᵢ)^kᵢ with every Aₖ of a degree below nᵢ in xᵢ: each k with its Aₖ. Within one k all terms
-    /// are divided by the same monomial, so they stay in order.
+    /// Returns f as Σ Aₖ ∏ (xᵢ^nᵢ)^kᵢ, where every Aₖ has a degree below nᵢ in xᵢ: each k with its
+    /// Aₖ. For one k all terms are divided by the same monomial, so they stay in order.
     pub fn split_by_powers(&self, powers: &[(u32, u32)]) -> Vec<(Vec<u32>, Polynomial)> {
         on_rung!(self.coefficients.rung(), C => self.split_powers_on_rung::<C>(powers))
     }
@@ -233,7 +236,7 @@ impl Polynomial {
         groups.into_iter().map(settled).collect()
     }
 
-    /// f with a polynomial in the place of a variable, by Horner's rule.
+    /// Substitutes a polynomial for a variable of f, by Horner's rule.
     ///
     /// # Panics
     /// If an exponent of the result is beyond 2³¹ − 1.

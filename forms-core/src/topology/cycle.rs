@@ -1,7 +1,8 @@
 //! The cycle around a hole and the integral of a form over it.
 //!
-//! Sᵐ⁻¹ by angles: x₁ = cos θ₁ … read from the last coordinate, which carries the pole, so that S² in (x, y, z) is
-//! (sin θ cos φ, sin θ sin φ, cos θ), oriented outwards.
+//! The sphere Sᵐ⁻¹ is parametrised by angles: x₁ = cos θ₁ … read from the last coordinate, which
+//! carries the pole, so that S² in (x, y, z) is (sin θ cos φ, sin θ sin φ, cos θ), oriented
+//! outwards.
 
 use super::Study;
 use super::report::Report;
@@ -12,7 +13,8 @@ use crate::expression::{Condition, Expr, Pool, Rational, Substitution, Symbol};
 use crate::resolve::{Named, Value};
 use num_traits::{One, Zero};
 
-/// Tells the cycle and the period; gives the period in the language, nothing if it could not be found.
+/// Reports the cycle and the period; returns the period in the language's notation, or `None` if it
+/// could not be found.
 pub(super) fn period(session: &Session, study: &Study, hole: &Hole, report: &mut Report) -> Option<String> {
     let angles: Vec<String> =
         (1..hole.coordinates.len()).map(|number| session.fresh(&format!("t{number}"))).collect();
@@ -66,7 +68,7 @@ pub(super) fn period(session: &Session, study: &Study, hole: &Hole, report: &mut
     is_settled(session, &items, &period, report).then_some(period)
 }
 
-/// Whether the period is known to be zero or known not to be.
+/// Whether the period is known to be zero or known to be nonzero.
 fn is_settled(session: &Session, items: &str, period: &str, report: &mut Report) -> bool {
     let settled =
         period == "0" || matches!(session.decide(items, &format!("{period} == 0")), Ok(Verdict::Refuted(_)));
@@ -76,8 +78,8 @@ fn is_settled(session: &Session, items: &str, period: &str, report: &mut Report)
     settled
 }
 
-/// A point on the unit sphere by angles: cos t₁ for the last coordinate, then sin t₁ cos t₂ …, the first two carry the
-/// last angle as cosine and sine.
+/// Returns a point on the unit sphere by angles: cos t₁ for the last coordinate, then sin t₁ cos t₂
+/// …; the first two coordinates contain the cosine and sine of the last angle.
 fn directions(angles: &[String]) -> Vec<String> {
     let m = angles.len() + 1;
     let mut parts = vec![String::new(); m];
@@ -101,8 +103,9 @@ fn component(hole: &Hole, place: usize, direction: &str) -> String {
     if centre.is_zero() { scaled } else { format!("{centre} + {scaled}") }
 }
 
-/// Where a coordinate stays that does not go around the hole: at a number that meets the conditions on it alone. The
-/// sphere may be moved along it without a change of the period.
+/// Returns the fixed value of a coordinate that does not go around the hole: a number that meets
+/// the conditions on this coordinate alone. Moving the sphere along the coordinate does not change
+/// the period.
 fn resting(session: &Session, study: &Study, symbol: Symbol) -> String {
     let mut pool = session.theory.pool.clone();
     let of_it = |c: &&Condition| session.theory.pool.symbols_in(&[c.left, c.right]) == [symbol];
@@ -125,7 +128,7 @@ fn resting(session: &Session, study: &Study, symbol: Symbol) -> String {
     found.unwrap_or(&candidates[0]).to_string()
 }
 
-/// The value of a scalar expression, simplified, in the language.
+/// Returns the value of a scalar expression, simplified, in the language's notation.
 pub(super) fn value(session: &Session, items: &str, expression: &str) -> Result<String, String> {
     let name = session.fresh("value");
     let mut theory = session.extended(&format!("{items}\nlet {name} = {expression};"))?;

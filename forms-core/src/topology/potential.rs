@@ -1,9 +1,10 @@
-//! Potentials: candidates from the homotopy operator, each proved before it is told.
+//! Potentials: candidates from the homotopy operator, each proved before it is reported.
 //!
-//! Around a point of the plane the form dθ = (x dy − y dx)/(x² + y²) has period 2π, and around a point of space the
-//! solid-angle form β has period 4π. A closed form with period c is therefore c/2π dθ, or c/4π β, plus one that has a
-//! potential. Off a cut, θ = atan2(y, x) is a potential of dθ, and (x dy − y dx)/(r(r + z)) one of β: it fails only on the
-//! half line x = y = 0, z ≤ 0, the Dirac string.
+//! Around a point of the plane the form dθ = (x dy − y dx)/(x² + y²) has period 2π, and around a
+//! point of space the solid-angle form β has period 4π. A closed form with period c is therefore
+//! c/2π dθ, or c/4π β, plus a form that has a potential. Off a cut, θ = atan2(y, x) is a potential
+//! of dθ, and (x dy − y dx)/(r(r + z)) is a potential of β: it fails only on the half line x = y =
+//! 0, z ≤ 0, the Dirac string.
 
 use super::Study;
 use super::cycle::value;
@@ -14,7 +15,7 @@ use crate::decide::Verdict;
 use crate::expression::{Rational, Symbol};
 use num_traits::Zero;
 
-/// Tells a potential on the whole domain, if one is found.
+/// Reports a potential on the whole domain, if one is found.
 pub(super) fn on_the_domain(session: &Session, study: &Study, hole: Option<&Hole>, report: &mut Report) {
     let mut candidates = vec![homotopy(session, study, &study.name)];
     candidates.extend(hole.and_then(|hole| logarithm(session, study, hole)));
@@ -24,8 +25,9 @@ pub(super) fn on_the_domain(session: &Session, study: &Study, hole: Option<&Hole
     }
 }
 
-/// c log r plus what the homotopy operator gives for the rest, with c = i_E w for the dilation E around the hole: on a
-/// 1-form of weight 0 that operator has nothing to divide by.
+/// Returns c log r plus the result of the homotopy operator for the remaining form, with c = i_E w
+/// for the dilation E around the hole: for a 1-form of weight 0 the operator alone would have to
+/// divide by zero.
 fn logarithm(session: &Session, study: &Study, hole: &Hole) -> Option<String> {
     if study.form.degree() != 1 {
         return None;
@@ -46,7 +48,7 @@ fn logarithm(session: &Session, study: &Study, hole: &Hole) -> Option<String> {
     Some(format!("{logarithm} + {}", homotopy(session, study, &format!("({} - d({logarithm}))", study.name))))
 }
 
-/// Tells a potential off a cut, for a form with a period.
+/// Reports a potential off a cut, for a form with a period.
 pub(super) fn off_a_cut(session: &Session, study: &Study, hole: &Hole, period: &str, report: &mut Report) {
     let Some(standard) = Standard::around(session, study, hole) else {
         report.say("a potential off a cut was not looked for in this dimension");
@@ -71,7 +73,7 @@ fn homotopy(session: &Session, study: &Study, form: &str) -> String {
     format!("potential[{}]({form})", session.theory.charts[study.chart].name)
 }
 
-/// Tells the first candidate that is proved to be a potential.
+/// Reports the first candidate that is proved to be a potential.
 fn tell(
     session: &Session,
     study: &Study,
@@ -88,7 +90,7 @@ fn tell(
         if let Ok(Verdict::Proved(theorem)) = session.decide(&item, &statement) {
             let given: Vec<String> =
                 study.conditions.iter().map(|known| known.text(&session.theory.pool)).collect();
-            // Off a cut the statement itself says where.
+            // Off a cut, the statement itself contains the condition.
             let mut beyond = if condition.is_empty() { theorem.conditions } else { Vec::new() };
             beyond.retain(|needed| !given.contains(needed));
             report.item(&item);
@@ -102,7 +104,7 @@ fn tell(
     false
 }
 
-/// A named value, simplified, in the language.
+/// Returns a named value, simplified, in the language's notation.
 fn written_out(session: &Session, item: &str, name: &str) -> Option<String> {
     let mut theory = session.extended(item).ok()?;
     let crate::resolve::Named::Object(number) = *theory.named(name)? else { return None };
@@ -111,7 +113,7 @@ fn written_out(session: &Session, item: &str, name: &str) -> Option<String> {
     Some(crate::notation::text(&theory, &simple))
 }
 
-/// The closed form that every other with a period is compared with.
+/// The closed form with which every other form with a period is compared.
 struct Standard {
     form: String,
     period: &'static str,

@@ -1,11 +1,11 @@
-//! What is found of a form: sentences, items of the language, and statements that were proved.
+//! Report on a form: sentences, items of the language, and statements that were proved.
 
 use std::fmt;
 
 /// The lines of a report, in the order of the argument.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    /// Each is a sentence, an item or a proved statement.
+    /// The lines; each is a sentence, an item or a proved statement.
     pub lines: Vec<Line>,
 }
 
@@ -14,13 +14,13 @@ pub struct Report {
 pub enum Line {
     /// A sentence.
     Words(String),
-    /// A declaration in the language, to be pasted behind the file.
+    /// A declaration in the language, to be appended to the file.
     Item(String),
-    /// A statement in the language, proved behind the file and the items above it.
+    /// A statement in the language, proved after the file and the items above it.
     Proved {
         /// The statement.
         statement: String,
-        /// What it needs beyond the conditions of the form's domain.
+        /// Conditions it needs in addition to the conditions of the form's domain.
         beyond: Vec<String>,
     },
 }

@@ -1,4 +1,4 @@
-//! A file with more items behind it: what is asked of it is asked in the language.
+//! A file with appended items: every query about it is written in the language.
 
 use crate::check::read_theory;
 use crate::decide::{Verdict, decide};
@@ -6,7 +6,7 @@ use crate::resolve::Theory;
 use crate::syntax::Source;
 use crate::syntax::words::reserved;
 
-/// A source without errors, and what it declares.
+/// A source without errors, and its declarations.
 pub(super) struct Session {
     text: String,
     pub(super) theory: Theory,
@@ -21,7 +21,8 @@ impl Session {
         }
     }
 
-    /// Decides an equation behind the file and some items; the error is the first one found in them.
+    /// Decides an equation after the file and some appended items; the error is the first one found
+    /// in them.
     pub(super) fn decide(&self, items: &str, equation: &str) -> Result<Verdict, String> {
         let name = self.fresh("asked");
         let mut theory = self.extended(&format!("{items}\nprove {name}: {equation};"))?;
@@ -30,13 +31,13 @@ impl Session {
         Ok(decide(&mut theory, &statement))
     }
 
-    /// What the file declares with some items behind it.
+    /// Returns the theory of the file with some appended items.
     pub(super) fn extended(&self, items: &str) -> Result<Theory, String> {
         let (theory, errors) = read_theory(&format!("{}\n{items}", self.text));
         errors.into_iter().next().map_or(Ok(theory), |error| Err(error.message))
     }
 
-    /// A name that is not taken: the one wished for, or that with a number.
+    /// Returns a name that is not taken: the given one, or the given one with a number appended.
     pub(super) fn fresh(&self, wished: &str) -> String {
         let is_free = |name: &String| {
             let differential = format!("d{name}");

@@ -1,7 +1,8 @@
-//! The shape of a domain, read off its conditions: convex, or convex around one hole.
+//! The shape of a domain, recognised from its conditions: convex, or convex around one hole.
 //!
-//! Affine inequalities and c − Σ aᵢ(xᵢ − pᵢ)² > 0 with aᵢ > 0 cut out convex sets. Σ aᵢ(xᵢ − pᵢ)² > c with c ≥ 0 takes a ball
-//! out of the space of some coordinates, which from far away is the point p: the rest contracts onto a sphere.
+//! Affine inequalities and c − Σ aᵢ(xᵢ − pᵢ)² > 0 with aᵢ > 0 define convex sets. Σ aᵢ(xᵢ − pᵢ)² >
+//! c with aᵢ > 0 and c ≥ 0 removes a ball, which from far away is the point p, from the space of
+//! some coordinates: the remaining set contracts onto a sphere.
 
 use super::session::Session;
 use crate::expression::{Condition, Expr, Node, Pool, Rational, Symbol, SymbolKind};
@@ -13,44 +14,44 @@ use num_rational::Ratio;
 use num_traits::{Signed, Zero};
 use std::collections::BTreeMap;
 
-/// What a domain is like, up to deformation.
+/// The shape of a domain, up to deformation.
 pub(super) enum Shape {
-    /// Like a point.
+    /// Contractible to a point.
     Contractible,
-    /// Like a sphere around a hole.
+    /// Contractible to a sphere around a hole.
     Around(Hole),
-    /// Not recognised, and why.
+    /// Not recognised, with the reason.
     Unknown(String),
 }
 
-/// What is left out: Σ (xᵢ − pᵢ)² ≤ c.
+/// The removed set Σ aᵢ(xᵢ − pᵢ)² ≤ c.
 pub(super) struct Hole {
     /// The coordinates xᵢ with the numbers pᵢ.
     pub(super) coordinates: Vec<(Symbol, Rational)>,
-    /// The left-out points in words.
+    /// The removed points in words.
     pub(super) place: String,
-    /// A radius that is outside of the hole, in the language.
+    /// The radius of a sphere outside the hole, in the language's notation.
     pub(super) radius: String,
 }
 
 impl Hole {
-    /// Whether no more than a point of the space of its coordinates is left out.
+    /// Whether only a point of the space of its coordinates is removed.
     fn is_point(&self) -> bool {
         self.radius == "1"
     }
 }
 
-/// What one condition does to the domain.
+/// Effect of one condition on the domain.
 enum Cut {
-    /// It holds everywhere.
+    /// The condition holds everywhere.
     Nothing,
-    /// It leaves a convex set.
+    /// The condition leaves a convex set.
     Convex,
-    /// It takes a ball or a point out.
+    /// The condition removes a ball or a point.
     Hole(Hole),
 }
 
-/// The shape of the set where some conditions hold.
+/// Returns the shape of the set where some conditions hold.
 pub(super) fn shape(session: &Session, conditions: &[Condition]) -> Shape {
     let mut theory = session.theory.clone();
     let (mut holes, mut convex): (Vec<Hole>, Vec<Condition>) = (Vec::new(), Vec::new());
@@ -85,9 +86,10 @@ pub(super) fn shape(session: &Session, conditions: &[Condition]) -> Shape {
     }
 }
 
-/// Whether the convex conditions do not touch the coordinates of the hole, or hold strictly at its centre; if one
-/// does not hold there, nothing is left out but what was outside or on the border, and the rest contracts to a point.
-/// A hole that is larger than its centre may reach the bounds, so it has to be free of them.
+/// Whether the convex conditions do not involve the coordinates of the hole, or hold strictly at
+/// its centre. If one of them fails there, the hole removes only points that were outside or on the
+/// boundary, and the domain contracts to a point. A hole that is larger than its centre may reach
+/// the bounds, so its coordinates have to be free of them.
 fn centre_is_inside(pool: &mut Pool, convex: &[Condition], hole: &Hole) -> Option<bool> {
     let own: Vec<Symbol> = hole.coordinates.iter().map(|entry| entry.0).collect();
     for condition in convex {
@@ -100,7 +102,7 @@ fn centre_is_inside(pool: &mut Pool, convex: &[Condition], hole: &Hole) -> Optio
         }
         let at: crate::expression::Substitution =
             hole.coordinates.iter().map(|(symbol, value)| (*symbol, pool.number(value.clone()))).collect();
-        // At the border of a closed condition the centre is no inner point either.
+        // On the boundary of a closed condition the centre is not an interior point either.
         let strict = match condition.relation {
             Relation::LessEqual => Relation::Less,
             Relation::GreaterEqual => Relation::Greater,
@@ -122,7 +124,7 @@ fn cut(theory: &mut Theory, condition: &Condition) -> Option<Cut> {
     } else {
         pool.subtract(condition.right, condition.left)
     };
-    // A power is zero where its base is.
+    // A power is zero exactly where its base is.
     while let (Relation::NotEqual, Node::Power(base, _)) = (condition.relation, pool.node(side)) {
         side = *base;
     }
@@ -140,17 +142,19 @@ fn cut(theory: &mut Theory, condition: &Condition) -> Option<Cut> {
     Some(if hole.is_point() && holds_everywhere { Cut::Nothing } else { Cut::Hole(hole) })
 }
 
-/// Σ aᵢxᵢ² + Σ bᵢxᵢ + constant, numbers aᵢ and bᵢ, in the coordinates; the constant may have parameters.
+/// A quadratic polynomial Σ aᵢxᵢ² + Σ bᵢxᵢ + constant in the coordinates, with numbers aᵢ and bᵢ;
+/// the constant may contain parameters.
 struct Quadratic {
     squares: BTreeMap<Symbol, Rational>,
     linear: BTreeMap<Symbol, Rational>,
     constant: Constant,
 }
 
-/// What is left without coordinates.
+/// The terms without coordinates.
 struct Constant {
     number: Rational,
-    /// −constant − number as a sum of squares of parameters, if there is more than the number.
+    /// −constant − number as a sum of squares of parameters, if there are terms other than the
+    /// number.
     negated_squares: Option<Expr>,
 }
 
@@ -201,7 +205,7 @@ impl Quadratic {
         (concave || is_sum_of_squares).then_some(found)
     }
 
-    /// The hole of Σ aᵢ(xᵢ − pᵢ)² > c with aᵢ = a > 0 and c ≥ 0.
+    /// Returns the hole of Σ aᵢ(xᵢ − pᵢ)² > c with aᵢ > 0 and c ≥ 0.
     fn hole(&self, theory: &Theory, relation: Relation) -> Option<Hole> {
         let positive = self.squares.values().all(Signed::is_positive);
         if !positive || self.linear.keys().any(|x| !self.squares.contains_key(x)) {

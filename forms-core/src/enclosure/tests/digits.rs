@@ -5,7 +5,7 @@ use crate::enclosure::{Enclosure, Precision};
 use crate::expression::{Operation, TABLE};
 use num_rational::Ratio;
 
-/// Enough for forty decimal places, since 2⁻¹⁴⁰ < 10⁻⁴².
+/// Precision sufficient for forty decimal places, since 2⁻¹⁴⁰ < 10⁻⁴².
 const P: Precision = Precision(140);
 
 /// Numerator and denominator.

@@ -1,4 +1,4 @@
-//! Where values are undefined, unknown or exact.
+//! Undefined, unknown and exact values.
 
 use super::{at, exact, interval, number};
 use crate::enclosure::{Enclosure, Precision, Undecided};

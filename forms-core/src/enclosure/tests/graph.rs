@@ -111,7 +111,7 @@ fn repeated_squaring_ends() {
 
 #[test]
 fn a_difference_that_is_not_zero_is_seen_once_the_precision_suffices() {
-    // e^(π√163) is an integer to twelve places, and yet none.
+    // e^(π√163) agrees with an integer to twelve places, but is not an integer.
     let mut pool = Pool::new();
     let (pi, number, integer) = (pool.pi(), pool.integer(163), pool.integer(262_537_412_640_768_744));
     let root = pool.sqrt(number);

@@ -1,4 +1,5 @@
-//! Containment: a point of the box goes to a point of the image, and identities of analysis hold within width.
+//! Containment: a point of the box is mapped to a point of the image, and identities of analysis
+//! hold within the width.
 
 use super::{at, exact, unit};
 use crate::enclosure::{Enclosure, Precision, Undecided};
@@ -8,15 +9,17 @@ use num_rational::Ratio;
 use num_traits::One;
 use proptest::prelude::*;
 
-/// Boxes are computed at a low precision and points at a high one, so that the truth is sharp beside the box.
+/// Boxes are computed at a low precision and points at a high one, so that the true value is sharp
+/// compared with the box.
 const LOW: Precision = Precision(48);
 const HIGH: Precision = Precision(192);
 
 type Decided = Result<Enclosure, Undecided>;
 type Function<'a> = &'a dyn Fn(&[Enclosure]) -> Decided;
 
-/// x ∈ X ⇒ f(x) ∈ f(X): a box with an image contains only points with values, and those lie in the image.
-/// A box that is undefined contains only undefined points, one that is too large none with a value.
+/// x ∈ X ⇒ f(x) ∈ f(X): a box with an image contains only points with values, and these lie in the
+/// image. An undefined box contains only undefined points, and a box that is too large contains no
+/// point with a value.
 fn respects_inclusion(boxed: Function, truth: Function, ends: &[[Rational; 2]], share: &Rational) -> bool {
     let boxes: Vec<Enclosure> = ends.iter().map(|[a, b]| Enclosure::between(a, b, LOW)).collect();
     let points: Vec<Enclosure> =
@@ -97,7 +100,7 @@ fn images_of_boxes_contain_images_of_points() {
     }
 }
 
-/// The largest interval inside with ends n·2⁻²⁰: rounding in the wrong direction.
+/// Returns the largest interval inside with ends n·2⁻²⁰, which is rounding in the wrong direction.
 fn rounded_inward(value: Enclosure) -> Enclosure {
     let scale = Rational::from_integer(BigInt::one() << 20);
     let lower = (value.lower() * &scale).ceil() / &scale;
@@ -116,7 +119,7 @@ fn rounding_inward_is_rejected() {
     }
 }
 
-/// f at the ends of the box only, as if it were monotone.
+/// Evaluates f at the ends of the box only, as if it were monotone.
 fn ends_only(f: Function, q: &[Enclosure]) -> Decided {
     let end = |value: fn(&Enclosure) -> Rational| -> Vec<Enclosure> {
         q.iter().map(|side| Enclosure::exact(&value(side), LOW)).collect()

@@ -1,4 +1,4 @@
-//! Ranges in machine words: they hold the exact value, and decide nothing that is not so.
+//! Ranges in machine words: they contain the exact value, and every decision is true.
 
 use super::exact;
 use crate::enclosure::{Undecided, WordRange, word_ranges};
@@ -21,7 +21,7 @@ fn at(pool: &Pool, expression: Expr, p: &Rational) -> Result<WordRange, Undecide
     word_ranges(pool, &[expression], |_| WordRange::rational(p)).map(|ranges| ranges[0])
 }
 
-/// Whether the range allows this value: neither side of it is certain.
+/// Whether the range allows this value: it is not certain that the range lies on one side of it.
 fn allows(range: WordRange, value: &Rational) -> bool {
     let value = WordRange::rational(value).unwrap();
     range.intersects(value) && range.decide(Relation::NotEqual, value) != Some(true)

@@ -1,12 +1,13 @@
-//! Products in a box of exponents: a term's place is its mixed-radix number, so places add as monomials
-//! multiply.
+//! Dense products in a box of exponents: a term's place is its mixed-radix number, so places are
+//! added where monomials are multiplied.
 //!
 //! ```text
 //! place = Σ eᵥ ∏_{w > v} radix_w = high · size + low        radixᵥ = 1 + max over k of (degᵥ aₖ + degᵥ bₖ)
 //! ```
-//! All products with one sum of the high parts fall into one block of `size` places, which stays in the
-//! cache; blocks are filled and read out in decreasing order, so the result comes out sorted. Terms with
-//! consecutive places are runs, and the inner loop adds a multiple of a run to consecutive places.
+//! All products with the same sum of the high parts fall into one block of `size` places, which
+//! stays in the cache. Blocks are filled and read out in decreasing order, so the result is sorted.
+//! Terms with consecutive places form runs, and the inner loop adds a multiple of a run to
+//! consecutive places.
 
 use super::lanes::{self, Padded, Scattered};
 use super::reach::Reach;
@@ -16,24 +17,27 @@ use crate::polynomial::coefficient::Coefficient;
 use crate::polynomial::monomial::Layout;
 use std::ops::Range;
 
-/// The most places in a block: 32 KiB of 64-bit numbers, the nearest cache.
+/// Largest number of places in a block: 32 KiB of 64-bit numbers, the size of the nearest cache.
 const BLOCK: usize = 1 << 12;
-/// The most places of the box for each product of terms: below, clearing and reading costs less than hashing.
+/// Largest number of places of the box per product of terms: up to it, clearing and reading cost
+/// less than hashing.
 const ROOM: usize = 8;
 
-/// The most values of a run that the inner loop takes at a time.
+/// Largest number of values of a run that the inner loop processes at a time.
 const STEP: usize = 8;
 
-/// Whether a box may be full enough, as far as the number of variables tells: each at least doubles it.
+/// Whether a box may be full enough, judged by the number of variables: each variable at least
+/// doubles the box.
 pub(super) fn may_fit(reach: &Reach, products: usize) -> bool {
     let variables = reach.operands.unpack(&reach.bounds).len();
     products.saturating_mul(ROOM).checked_shr(variables as u32).is_some_and(|room| room > 0)
 }
 
-/// The variables that occur with their radices, the first variable first, and how they part into blocks.
+/// The variables that occur, with their radices, the first variable first, and their division into
+/// blocks.
 pub(super) struct Box {
     axes: Vec<Axis>,
-    /// Places of a block.
+    /// Number of places of a block.
     size: usize,
     /// Number of blocks.
     blocks: usize,
@@ -46,7 +50,8 @@ struct Axis {
     radix: usize,
 }
 
-/// Terms of an operand with consecutive places: the lowest place in its block, and where their numbers lie.
+/// Terms of an operand with consecutive places: the lowest place in its block, and the range of
+/// their numbers.
 pub(super) struct Run {
     pub(super) low: usize,
     pub(super) start: usize,
@@ -58,7 +63,7 @@ pub(super) struct Image<C> {
     /// Numbers in increasing order of places.
     pub(super) numbers: Vec<C>,
     pub(super) runs: Vec<Run>,
-    /// In increasing order of the high part.
+    /// Groups in increasing order of the high part.
     pub(super) groups: Vec<Group>,
 }
 
@@ -69,16 +74,16 @@ pub(super) struct Group {
     pub(super) terms: Range<usize>,
 }
 
-/// One sₖ aₖ bₖ by places, the factor in the left operand.
+/// One product sₖ aₖ bₖ arranged by places, with the factor in the left operand.
 struct Images<C> {
     left: Image<C>,
     right: Image<C>,
-    /// The same for multiplications four at a time, where these apply.
+    /// The operands arranged for multiplications four at a time, if these apply.
     lanes: Option<(Scattered, Padded)>,
 }
 
 impl<C: Coefficient> Image<C> {
-    /// Orders the runs of each group by their lengths.
+    /// Sorts the runs of each group by their lengths.
     fn sort_by_length(&mut self) {
         for group in &self.groups {
             self.runs[group.runs.clone()].sort_by_key(|run| std::cmp::Reverse(run.end - run.start));
@@ -87,7 +92,7 @@ impl<C: Coefficient> Image<C> {
 }
 
 impl Box {
-    /// The box of all products, where it is full enough to be worth its places.
+    /// Returns the box of all products, if it is full enough to be worth its places.
     pub(super) fn around<C: Coefficient>(
         layout: Layout,
         pairs: &[Pair<'_, C>],
@@ -149,7 +154,7 @@ impl Box {
         Images { left, right: self.image(layout, &pair.right, &C::from(1), STEP), lanes: None }
     }
 
-    /// The runs of an operand, cut at a length, the longest of each group first.
+    /// Returns the runs of an operand, cut at a length, with the longest of each group first.
     fn image<C: Coefficient>(
         &self,
         layout: Layout,
@@ -185,7 +190,7 @@ impl Box {
         image
     }
 
-    /// Reads a block out from the top and clears it.
+    /// Reads out a block from the top and clears it.
     fn read<C: Coefficient>(
         &self,
         layout: Layout,
@@ -194,7 +199,7 @@ impl Box {
         monomials: &mut Vec<u64>,
         numbers: &mut Vec<C>,
     ) {
-        // Along a row just the last exponent differs.
+        // Only the last exponent differs along a row.
         let (row, shift, word) = match self.axes.last() {
             Some(axis) => (axis.radix, axis.shift, axis.word),
             None => (1, 0, 0),
@@ -220,7 +225,7 @@ impl Box {
         }
     }
 
-    /// The monomial at a place.
+    /// Writes the monomial at a place.
     fn unplace(&self, place: usize, monomial: &mut [u64]) {
         monomial.fill(0);
         let mut rest = place;
@@ -231,7 +236,8 @@ impl Box {
     }
 }
 
-/// The variables that occur, with their radices; `None` where the box has more than `limit` places.
+/// Returns the variables that occur, with their radices; `None` if the box has more than `limit`
+/// places.
 fn axes_of<C: Coefficient>(layout: Layout, pairs: &[Pair<'_, C>], limit: usize) -> Option<Vec<Axis>> {
     let mut axes = Vec::new();
     let mut size = 1usize;
@@ -282,11 +288,12 @@ fn degree<C: Coefficient>(layout: Layout, axis: &Axis, operand: &Operand<'_, C>)
 }
 
 impl<C: Coefficient> Images<C> {
-    /// Adds the products whose high parts sum to `high`; answers whether there are any.
+    /// Adds the products whose high parts sum to `high`; returns whether there are any.
     fn add_block(&self, block: &mut [C], high: usize) -> bool {
         let mut touched = false;
         let (left, right) = (&self.left.groups, &self.right.groups);
-        // The partners of the fewer groups are looked up: a factor of two terms has two groups, and the other one thousands.
+        // The side with fewer groups is iterated and its partners are looked up: a factor of two
+        // terms has two groups, the other one thousands.
         let from_left = left.len() <= right.len();
         let (few, many) = if from_left { (left, right) } else { (right, left) };
         for group in few.iter().take_while(|group| group.high <= high) {
@@ -310,7 +317,7 @@ impl<C: Coefficient> Images<C> {
             for b in &self.right.runs[b.runs.clone()] {
                 let target = &mut block[a.low + b.low..];
                 let factors = &self.right.numbers[b.start..b.end];
-                // Runs come by length, which keeps the branch predictable.
+                // Runs are sorted by length, which keeps the branch predictable.
                 match factors.len() {
                     1 => add_run::<1, C>(target, numbers, factors),
                     2 => add_run::<2, C>(target, numbers, factors),
@@ -326,8 +333,8 @@ impl<C: Coefficient> Images<C> {
     }
 }
 
-/// target[i + j] += a[i]·b[j] for the N values of b: their open sums slide along the target, so that each
-/// place is read and written once for all of them.
+/// target[i + j] += a[i]·b[j] for the N values of b: their partial sums slide along the target, so
+/// that each place is read and written once for all values of b.
 #[inline(always)]
 fn add_run<const N: usize, C: Coefficient>(target: &mut [C], a: &[C], b: &[C]) {
     let Some(b) = b.first_chunk::<N>() else { return };

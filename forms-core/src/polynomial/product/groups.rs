@@ -1,16 +1,16 @@
-//! Many sums of products that do not depend on each other: one for each basis form of a wedge product.
+//! Many independent sums of products: one for each basis form of a wedge product.
 
 use super::super::Polynomial;
 #[cfg(feature = "rayon")]
 use rayon::prelude::*;
 
-/// From this many products of terms on, several processors share the sums: some hundred microseconds of work, against
-/// some ten to wake a thread.
+/// Number of products of terms from which several processors share the sums: it is some hundred
+/// microseconds of work, compared with some ten to wake a thread.
 #[cfg(feature = "rayon")]
 const SHARED: usize = 1 << 15;
 
 impl Polynomial {
-    /// Σ sₖ aₖ bₖ of each group, the same whether or not processors share the work.
+    /// Returns Σ sₖ aₖ bₖ of each group, the same whether or not processors share the work.
     ///
     /// # Panics
     /// If an exponent of a product is beyond 2³¹ − 1.

@@ -1,4 +1,4 @@
-//! Products of a few terms: each goes straight to its place in the result.
+//! Products of a few terms: each one is inserted directly at its place in the result.
 
 use super::Pair;
 use crate::polynomial::Polynomial;
@@ -6,7 +6,8 @@ use crate::polynomial::coefficient::Coefficient;
 use crate::polynomial::monomial::{Layout, compare};
 use std::cmp::Ordering;
 
-/// The most products of terms for which shifting the result's tail beats hashing and sorting.
+/// Largest number of products of terms for which shifting the result's tail is faster than hashing
+/// and sorting.
 pub(super) const FEW: usize = 48;
 
 /// Σ sₖ aₖ bₖ
@@ -30,19 +31,20 @@ pub(super) fn sum<C: Coefficient>(layout: Layout, pairs: &[Pair<'_, C>], product
     Polynomial::settle(layout, monomials, numbers)
 }
 
-/// Terms in decreasing order; sums that became zero stay.
+/// Terms in decreasing order; sums that became zero are kept.
 struct Sorted<C> {
     monomials: Vec<u64>,
     numbers: Vec<C>,
-    /// Room for the monomial under way.
+    /// Buffer for the current monomial.
     product: Vec<u64>,
 }
 
 impl<C: Coefficient> Sorted<C> {
-    /// Adds s·a·b; the width 0 stands for any.
+    /// Adds s·a·b; a width of 0 stands for any width.
     fn add_pair<const WIDTH: usize>(&mut self, pair: &Pair<'_, C>, words: usize) {
         let words = if WIDTH == 0 { words } else { WIDTH };
-        // Few long rows: the products of one decrease, so the search goes on where the last one ended.
+        // Few long rows: the products of a row decrease, so the search continues where the last one
+        // ended.
         let swap = pair.left.numbers.len() > pair.right.numbers.len();
         let (a, b) = if swap { (&pair.right, &pair.left) } else { (&pair.left, &pair.right) };
         for i in 0..a.numbers.len() {
@@ -56,7 +58,7 @@ impl<C: Coefficient> Sorted<C> {
         }
     }
 
-    /// Adds c·m·n at its place from `place` on, and answers the place.
+    /// Adds c·m·n at its place, searched from `place` on, and returns the place.
     #[inline(always)]
     fn add_term<const WIDTH: usize>(
         &mut self,

@@ -1,12 +1,12 @@
-//! Products by hashing on keys: the exponents of the variables that occur, each as narrow as the sum allows,
-//! in one word or two.
+//! Products by hashing on keys. A key packs the exponents of the variables that occur into one or
+//! two words, each exponent as narrow as the sum allows.
 //!
 //! ```text
 //! Σ sₖ aₖ bₖ ─ fields ─▶ keys of aₖ, bₖ ─ add ─▶ table of keys and sums ─ sort ─▶ unpack
 //! ```
-//! No field carries into the next and earlier variables lie higher, so keys add and compare as monomials do.
-//! A sum over products of many linear forms takes one bit a variable, where the layouts of its operands
-//! differ and take several words.
+//! No field carries into the next, and earlier variables have higher fields, so keys are added and
+//! compared as monomials are. A sum over products of many linear forms takes one bit per variable,
+//! where the layouts of its operands differ and take several words.
 
 use super::reach::Reach;
 use super::{Term, count_products};
@@ -14,25 +14,25 @@ use crate::polynomial::Polynomial;
 use crate::polynomial::coefficient::Coefficient;
 use crate::polynomial::monomial::Layout;
 
-/// The bits of the longest key.
+/// Largest number of bits of a key.
 const LONGEST: u32 = u128::BITS;
 
-/// The most places to begin with: beyond, the table grows as terms arrive.
+/// Largest initial number of places; beyond it, the table grows as terms arrive.
 const FIRST_PLACES: usize = 1 << 14;
 
 /// A packed monomial.
 pub(super) trait Key: Copy + Ord {
     const ONE: Self;
-    /// exponent · 2^shift
+    /// Returns exponent · 2^shift.
     fn field(exponent: u64, shift: u32) -> Self;
     fn plus(self, other: Self) -> Self;
-    /// The lowest bit that is set, where one is.
+    /// Returns the lowest bit that is set, if any.
     fn lowest(self) -> Option<u32>;
-    /// The exponent in a field.
+    /// Returns the exponent in a field.
     fn exponent(self, field: &Field) -> u64;
-    /// The key with a field cleared.
+    /// Returns the key with a field cleared.
     fn without(self, field: &Field) -> Self;
-    /// Well mixed in the upper bits.
+    /// Returns a hash that is well mixed in the upper bits.
     fn hash(self) -> u64;
 }
 
@@ -87,7 +87,7 @@ pub(super) struct Field {
 
 /// The fields of keys.
 pub(super) struct Fields {
-    /// In increasing order of shifts.
+    /// Fields in increasing order of shifts.
     fields: Vec<Field>,
     /// The shift of each variable's field.
     shifts: Vec<u32>,
@@ -95,7 +95,7 @@ pub(super) struct Fields {
 }
 
 impl Fields {
-    /// Fields as wide as the exponents reach; `None` where keys would be too long.
+    /// Creates fields as wide as the exponents require; `None` if keys would be too long.
     pub(super) fn holding(reach: &Reach) -> Option<Fields> {
         let exponents = reach.operands.unpack(&reach.bounds);
         let mut fields = Fields { fields: Vec::new(), shifts: vec![0; reach.operands.fields()], bits: 0 };
@@ -111,7 +111,7 @@ impl Fields {
         Some(fields)
     }
 
-    /// Σ sₖ aₖ bₖ on a layout that holds every product.
+    /// Returns Σ sₖ aₖ bₖ on a layout that holds every product.
     pub(super) fn sum<C: Coefficient>(&self, layout: Layout, terms: &[Term<'_>]) -> Polynomial {
         if self.bits <= u64::BITS {
             Table::<u64, C>::sum(self, terms).into_polynomial(self, layout)
@@ -129,7 +129,7 @@ impl Fields {
         }
     }
 
-    /// The keys of a polynomial's monomials.
+    /// Writes the keys of a polynomial's monomials.
     fn pack<K: Key>(&self, polynomial: &Polynomial, keys: &mut Vec<K>) {
         let layout = polynomial.layout;
         let (bits, per_word, mask) = (layout.bits, layout.per_word(), layout.mask());
@@ -156,7 +156,7 @@ impl Fields {
         }
     }
 
-    /// For each bit of a key the packed place of its field: field, word and shift in a layout.
+    /// Returns for each bit of a key its field and the field's word and shift in a layout.
     fn owners(&self, layout: Layout) -> Vec<(Field, usize, u32)> {
         let mut owners = Vec::with_capacity(self.bits as usize);
         for field in &self.fields {
@@ -172,7 +172,7 @@ struct Table<K, C> {
     entries: Vec<(K, C)>,
     /// Position + 1 of a key at the first free place after its hash; 0 is free.
     places: Vec<u32>,
-    /// The bits of a hash below those that give the place.
+    /// The number of bits of a hash below the bits that give the place.
     shift: u32,
 }
 
@@ -186,7 +186,8 @@ impl<K: Key, C: Coefficient> Table<K, C> {
         };
         let (mut left, mut right) = (Vec::new(), Vec::new());
         for &(factor, f, g) in terms {
-            // The short operand outside: its coefficient is scaled once for each run through the long one.
+            // The short operand is in the outer loop: its coefficient is scaled once for each pass
+            // through the long one.
             let (f, g) = if f.term_count() <= g.term_count() { (f, g) } else { (g, f) };
             fields.pack(f, &mut left);
             fields.pack(g, &mut right);
@@ -227,7 +228,7 @@ impl<K: Key, C: Coefficient> Table<K, C> {
         }
     }
 
-    /// Doubles the places.
+    /// Doubles the number of places.
     #[cold]
     fn grow(&mut self) {
         let mask = 2 * self.places.len() - 1;
@@ -246,7 +247,7 @@ impl<K: Key, C: Coefficient> Table<K, C> {
         self.entries.iter().all(|(_, number)| number.is_zero())
     }
 
-    /// The sums that are not zero, sorted.
+    /// Returns the nonzero sums, sorted.
     fn into_polynomial(mut self, fields: &Fields, layout: Layout) -> Polynomial {
         self.entries.retain(|(_, number)| !number.is_zero());
         self.entries.sort_unstable_by_key(|&(key, _)| std::cmp::Reverse(key));

@@ -1,25 +1,27 @@
-//! Dense products four at a time, where every number fits 32 bits and the processor has AVX2.
+//! Dense products four at a time, if every number fits in 32 bits and the processor has AVX2.
 //!
 //! ```text
 //! block[place(a) + place(b) ..] += a · b₀ b₁ b₂ b₃ │ b₄ … b₁₅        one vector multiplication for four products
 //! ```
-//! A 64-bit product takes several vector multiplications, a product of two 32-bit numbers takes one. The values b of a
-//! run are padded with zeros to whole vectors; the terms a are taken in an order in which neighbours' targets are
-//! whole vectors apart, since a vector that was written in part by each of two others is slow to read back.
-//! f(f+1) with f = (1+x+y+z+t)¹⁵ takes half the instructions of single products.
+//! A 64-bit product takes several vector multiplications; a product of two 32-bit numbers takes
+//! one. The values b of a run are padded with zeros to whole vectors. The terms a are processed in
+//! an order in which the targets of neighbours are whole vectors apart, since a vector that was
+//! written in part by each of two others is slow to read back. f(f+1) with f = (1+x+y+z+t)¹⁵ takes
+//! half the instructions of single products.
 
 use super::dense::Image;
 use crate::polynomial::coefficient::Coefficient;
 use std::ops::Range;
 
-/// Numbers in a vector.
+/// Number of values in a vector.
 const LANES: usize = 4;
-/// The most values of a run: four vectors stay in registers.
+/// Largest number of values of a run: four vectors stay in registers.
 pub(super) const LONGEST: usize = 4 * LANES;
-/// The least mean length of runs at which vectors that are not full pay.
+/// Least mean length of runs for which partly filled vectors are worth their cost.
 const MEAN: usize = 2;
 
-/// Terms by their places in a block, neighbours by whole vectors apart, and by whole runs where that can be.
+/// Terms by their places in a block; neighbours are whole vectors apart, and whole runs apart where
+/// possible.
 pub(super) struct Scattered {
     terms: Vec<(u32, i32)>,
 }
@@ -32,7 +34,8 @@ pub(super) struct Padded {
 }
 
 impl Scattered {
-    /// The terms of an image, group by group; `None` where a number or a place is beyond 32 bits.
+    /// Returns the terms of an image, group by group; `None` if a number or a place is beyond 32
+    /// bits.
     pub(super) fn of<C: Coefficient>(image: &Image<C>) -> Option<Scattered> {
         let numbers = C::words(&image.numbers)?;
         let mut terms = Vec::with_capacity(numbers.len());
@@ -51,8 +54,8 @@ impl Scattered {
 }
 
 impl Padded {
-    /// The runs of an image, which are no longer than [`LONGEST`]; `None` where a number is beyond 32 bits or most
-    /// runs are too short.
+    /// Returns the runs of an image, which are no longer than [`LONGEST`]; `None` if a number is
+    /// beyond 32 bits or most runs are too short.
     pub(super) fn of<C: Coefficient>(image: &Image<C>) -> Option<Padded> {
         let numbers = C::words(&image.numbers)?;
         if numbers.iter().any(|&number| i32::try_from(number).is_err())
@@ -72,7 +75,7 @@ impl Padded {
     }
 }
 
-/// Whether the processor multiplies vectors.
+/// Whether the processor supports the vector multiplication.
 pub(super) fn available() -> bool {
     #[cfg(target_arch = "x86_64")]
     return std::arch::is_x86_feature_detected!("avx2");
@@ -80,16 +83,18 @@ pub(super) fn available() -> bool {
     false
 }
 
-/// Adds the products of some terms and some runs to a block that has room for a run beyond its places.
+/// Adds the products of some terms and some runs to a block that has room for a run beyond its
+/// places.
 ///
 /// # Panics
-/// Where it is not [`available`].
+/// If the vector multiplication is not [`available`].
 pub(super) fn add(block: &mut [i64], left: (&Scattered, Range<usize>), right: (&Padded, Range<usize>)) {
     assert!(available(), "there is no other way here to multiply vectors");
     let terms = &left.0.terms[left.1];
     let (runs, values) = (&right.0.runs[right.1], &right.0.values[..]);
     #[cfg(target_arch = "x86_64")]
-    // SAFETY: the processor has AVX2, as the assertion has just found; nothing else is asked of a caller.
+    // SAFETY: the processor has AVX2, as the assertion has verified; the call has no other
+    // precondition.
     unsafe {
         avx2::add_runs(block, terms, runs, values);
     }
@@ -105,7 +110,8 @@ mod avx2 {
         _mm256_setzero_si256, _mm256_storeu_si256,
     };
 
-    /// Every run (place, place in `values`, vectors) times every term (place, number).
+    /// Adds the product of every run (place, place in `values`, vectors) and every term (place,
+    /// number).
     #[target_feature(enable = "avx2")]
     pub(super) fn add_runs(
         block: &mut [i64],
@@ -148,14 +154,15 @@ mod avx2 {
     #[target_feature(enable = "avx2")]
     #[inline]
     fn load(numbers: &[i64; LANES]) -> __m256i {
-        // SAFETY: four 64-bit numbers are the 256 bits read, and the load asks for no alignment.
+        // SAFETY: four 64-bit numbers are the 256 bits read, and the load requires no alignment.
         unsafe { _mm256_loadu_si256(numbers.as_ptr().cast()) }
     }
 
     #[target_feature(enable = "avx2")]
     #[inline]
     fn store(numbers: &mut [i64; LANES], vector: __m256i) {
-        // SAFETY: four 64-bit numbers are the 256 bits written, and the store asks for no alignment.
+        // SAFETY: four 64-bit numbers are the 256 bits written, and the store requires no
+        // alignment.
         unsafe { _mm256_storeu_si256(numbers.as_mut_ptr().cast(), vector) }
     }
 }

@@ -1,16 +1,17 @@
-//! The exponents that products reach: a bitwise bound of each, and the layout that holds them.
+//! The exponents that products reach: a bitwise bound on each exponent, and the layout that holds
+//! them.
 
 use super::Term;
 use crate::polynomial::Polynomial;
 use crate::polynomial::monomial::{LARGEST_EXPONENT, Layout};
 
-/// What the monomials of Σ sₖ aₖ bₖ need.
+/// Space that the monomials of Σ sₖ aₖ bₖ need.
 pub(super) struct Reach {
     /// The narrowest layout on which no product carries from one field into the next.
     pub(super) layout: Layout,
-    /// The layout of the operands, on which `bounds` lie: as wide, or half as wide.
+    /// The layout of the operands and of `bounds`: as wide, or half as wide.
     pub(super) operands: Layout,
-    /// In each field the union of bounds of the products' exponents.
+    /// The union of the bounds on the products' exponents, in each field.
     pub(super) bounds: Vec<u64>,
 }
 

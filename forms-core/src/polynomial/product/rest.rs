@@ -1,21 +1,24 @@
-//! The rest of a long division: sums in a hash table, the monomials on a heap with the greatest on top.
+//! The rest of a long division: sums in a hash table, and the monomials on a heap with the greatest
+//! on top.
 
 use super::sparse::Table;
 use crate::polynomial::coefficient::Coefficient;
 use crate::polynomial::monomial::{Layout, compare};
 
-/// What is left of a dividend.
+/// The rest of a dividend.
 pub(in crate::polynomial) struct Rest<C> {
     table: Table<C>,
-    /// First word and position in the table of each monomial that was not popped; a binary heap.
+    /// A binary heap with the first word and the position in the table of each monomial that was
+    /// not popped.
     heap: Vec<(u64, u32)>,
-    /// Guards of the fields, to see an exponent leave the layout.
+    /// Guards of the fields, to detect an exponent that leaves the layout.
     guards: u64,
     leading: Vec<u64>,
 }
 
 impl<C: Coefficient> Rest<C> {
-    /// The dividend, its terms in decreasing order: that is a heap.
+    /// Creates the rest from the dividend, whose terms are in decreasing order and therefore form a
+    /// heap.
     pub(in crate::polynomial) fn new(layout: Layout, monomials: &[u64], numbers: &[C]) -> Self {
         let table = Table::of_terms(layout, monomials, numbers);
         let mut heap = Vec::with_capacity(numbers.len());
@@ -25,7 +28,7 @@ impl<C: Coefficient> Rest<C> {
         Rest { table, heap, guards: layout.guards(), leading: vec![0; layout.words] }
     }
 
-    /// Takes the leading term off: answers its number and keeps its monomial.
+    /// Removes the leading term: returns its number and keeps its monomial.
     pub(in crate::polynomial) fn pop(&mut self) -> Option<C> {
         while let Some(&(_, position)) = self.heap.first() {
             let last = self.heap.pop()?;
@@ -41,12 +44,13 @@ impl<C: Coefficient> Rest<C> {
         None
     }
 
-    /// The monomial popped last.
+    /// Returns the monomial popped last.
     pub(in crate::polynomial) fn leading(&self) -> &[u64] {
         &self.leading
     }
 
-    /// Subtracts c·m·g but for its leading term; answers whether all exponents stayed in the layout.
+    /// Subtracts c·m·g except for its leading term; returns whether all exponents stayed in the
+    /// layout.
     pub(in crate::polynomial) fn subtract(
         &mut self,
         m: &[u64],

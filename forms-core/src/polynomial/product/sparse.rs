@@ -1,23 +1,24 @@
-//! Products by hashing where keys would be too long: packed monomials in the order of their arrival, found again through a table of positions,
-//! sorted once at the end.
+//! Products by hashing where keys would be too long: packed monomials in the order of their
+//! arrival, found by a table of positions and sorted once at the end.
 
 use super::{Operand, Pair};
 use crate::polynomial::Polynomial;
 use crate::polynomial::coefficient::Coefficient;
 use crate::polynomial::monomial::{Layout, compare};
 
-/// Monomials with their sums. The last `words` words of `monomials` are room for the next one.
+/// Monomials with their sums. The last `words` words of `monomials` are a buffer for the next one.
 pub(super) struct Table<C> {
     words: usize,
     monomials: Vec<u64>,
     numbers: Vec<C>,
-    /// Position + 1 of a monomial at the first free place after its hash; 0 is free. A power of two long.
+    /// Position + 1 of a monomial at the first free place after its hash; 0 is free. The length is
+    /// a power of two.
     places: Vec<u32>,
-    /// Room for the hashes of an operand.
+    /// Buffer for the hashes of an operand.
     hashes: Vec<u64>,
 }
 
-/// The most places to begin with: beyond, the table grows as terms arrive.
+/// Largest initial number of places; beyond it, the table grows as terms arrive.
 const FIRST_PLACES: usize = 1 << 14;
 
 impl<C: Coefficient> Table<C> {
@@ -38,7 +39,8 @@ impl<C: Coefficient> Table<C> {
         };
         table.monomials.resize(layout.words, 0);
         for pair in pairs {
-            // The short operand outside: its coefficient is scaled once for each run through the long one.
+            // The short operand is in the outer loop: its coefficient is scaled once for each pass
+            // through the long one.
             let swap = pair.left.numbers.len() > pair.right.numbers.len();
             let (a, b) = if swap { (&pair.right, &pair.left) } else { (&pair.left, &pair.right) };
             table.add_pair(&pair.factor, a, b);
@@ -96,7 +98,7 @@ impl<C: Coefficient> Table<C> {
         }
     }
 
-    /// The sum of terms with different monomials, at positions in their order.
+    /// Creates the sum of terms with different monomials, at positions in their order.
     pub(super) fn of_terms(layout: Layout, monomials: &[u64], numbers: &[C]) -> Self {
         let places = (4 * numbers.len() + 16).next_power_of_two();
         let mut table = Table {
@@ -111,7 +113,7 @@ impl<C: Coefficient> Table<C> {
         table
     }
 
-    /// Adds a·b·m·n and answers the position where the monomial is new.
+    /// Adds a·b·m·n and returns the position if the monomial is new.
     pub(super) fn add_term(&mut self, m: &[u64], n: &[u64], a: &C, b: &C) -> Option<usize> {
         let words = self.words;
         let next = self.numbers.len();
@@ -138,17 +140,17 @@ impl<C: Coefficient> Table<C> {
         Some(next)
     }
 
-    /// The monomial at a position.
+    /// Returns the monomial at a position.
     pub(super) fn monomial(&self, position: usize) -> &[u64] {
         &self.monomials[position * self.words..(position + 1) * self.words]
     }
 
-    /// The sum at a position, which becomes zero.
+    /// Returns the sum at a position and sets it to zero.
     pub(super) fn take(&mut self, position: usize) -> C {
         std::mem::replace(&mut self.numbers[position], C::zero())
     }
 
-    /// Doubles the places.
+    /// Doubles the number of places.
     #[cold]
     fn grow(&mut self) {
         let mask = 2 * self.places.len() - 1;
@@ -169,7 +171,7 @@ impl<C: Coefficient> Table<C> {
         self.numbers.iter().all(C::is_zero)
     }
 
-    /// The sums that are not zero, sorted.
+    /// Returns the nonzero sums, sorted.
     pub(super) fn into_polynomial(self, layout: Layout) -> Polynomial {
         let words = self.words;
         let mut order: Vec<(u64, u32)> = Vec::with_capacity(self.numbers.len());
@@ -198,7 +200,8 @@ impl<C: Coefficient> Table<C> {
     }
 }
 
-/// Σ wordₖ·Kᵏ⁺¹ modulo 2⁶⁴ with K odd: linear, so the hash of a product of monomials is the sum of theirs.
+/// Σ wordₖ·Kᵏ⁺¹ modulo 2⁶⁴ with K odd. It is linear, so the hash of a product of monomials is the
+/// sum of their hashes.
 #[inline(always)]
 fn linear_hash(monomial: &[u64]) -> u64 {
     let mut hash = 0u64;
@@ -208,7 +211,8 @@ fn linear_hash(monomial: &[u64]) -> u64 {
     hash
 }
 
-/// Folds the double-width product with an odd constant, so that every bit of the word reaches the low bits.
+/// Folds the double-width product with an odd constant, so that every bit of the word reaches the
+/// low bits.
 #[inline(always)]
 fn mix(word: u64) -> u64 {
     let product = u128::from(word) * 0x9e37_79b9_7f4a_7c15;
