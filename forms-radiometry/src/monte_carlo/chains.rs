@@ -1,12 +1,16 @@
-//! Chains: sequences of flat mirrors in which luminaires are seen, so that a vertex can look for these images of them, too.
+//! Mirror chains: sequences of flat mirrors in which emitters are seen, so that next-event
+//! estimation at a vertex can sample these images of the emitters, too.
 //!
 //! ```text
 //! flat mirrors ─▶ planes ─ one after the other, the brightest first ─▶ chains
-//! vertex x, planes 1 … k ─▶ x' = Mₖ … M₁ x ─▶ a direction ω' from x' to a luminaire ─▶ M₁ … Mₖ ω', the direction from x
+//! vertex x, planes 1 … k ─▶ x' = Mₖ … M₁ x ─▶ direction ω' from x' to an emitter
+//!                                         ─▶ direction M₁ … Mₖ ω' from x
 //! ```
-//! Mᵢ is the reflection at plane i, x − 2 ((x − a)·n) n of points. It keeps angles: a direction from x has the density that its image has from
-//! x', and a path that was reflected by the planes is weighed as if it came straight from x'. Whether mirrors are where they are needed, and
-//! whether anything else is in the way, only the ray tells. What no chain finds is found by chance.
+//! Mᵢ is the reflection at plane i, x − 2 ((x − a)·n) n for points. It preserves angles: a
+//! direction from x has the same density as its image from x', and a path that the planes reflected
+//! gets the MIS weight of an unreflected path from x'. Only tracing the ray shows whether the
+//! mirrors lie where the chain needs them and whether an occluder is in the way. Light that no
+//! chain covers is found by path sampling alone.
 
 use super::choice::Sought;
 use super::luminaires::extent;
@@ -15,32 +19,34 @@ use crate::geometry::{Met, Plane, Vector, Wall};
 use crate::sampling::chosen;
 use crate::scene::{MaterialKind, Scene};
 
-/// The most chains.
+/// Maximum number of chains with mirrors, and of planes.
 const MOST: usize = 64;
-/// Chains that leave less than this part of the tolerance of the light are not listed.
+/// Chains that leave less of the light than this fraction of the tolerance are not listed.
 const FAINT: f64 = 1e-3;
-/// Planes whose normals and places differ by less than this, beside the extent of the mirrors, are one.
+/// Planes are merged if their normals differ by less than this, and their positions by less than
+/// this relative to the extent of the walls.
 const SAME: f64 = 1e-10;
 
-/// The chains of a world.
+/// The mirror chains of a world.
 pub(super) struct Chains {
     planes: Vec<Mirrors>,
-    /// By wall its plane, if it is a flat mirror.
+    /// For each wall its plane, if it is a flat mirror.
     of_walls: Vec<Option<usize>>,
-    /// The first is that without a mirror.
+    /// All chains; the first one has no mirror.
     all: Vec<Chain>,
-    /// The chance of each chain and of all before it.
+    /// Cumulative selection probabilities of the chains.
     chances: Vec<f64>,
-    /// The largest part of the light of a luminaire that comes in a way which is not listed.
+    /// Largest fraction of an emitter's light that arrives along a specular path that is not
+    /// listed.
     left_out: f64,
 }
 
-/// The mirrors of a plane.
+/// The mirrors in one plane.
 struct Mirrors {
     plane: Plane,
-    /// The corners of all of them.
+    /// Corners of all these mirrors.
     corners: Vec<Vector>,
-    /// The largest part of the light that one of them reflects in any band.
+    /// Largest reflectance of any of these mirrors in any band.
     reflectance: f64,
     two_sided: bool,
 }
@@ -52,19 +58,20 @@ pub(super) struct Step {
     is_front: bool,
 }
 
-/// The steps of a ray from a receiver.
+/// Sequence of mirror planes along a ray from a receiver.
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
     pub(super) steps: Vec<Step>,
-    /// The part of the light that is left in the end, at most.
+    /// Upper bound on the fraction of the light that remains after all mirrors.
     left: f64,
-    /// How likely it is chosen; not at all where no luminaire can be seen in it.
+    /// Selection probability; 0 if no emitter can be seen in the chain.
     pub(super) chance: f64,
-    /// What it becomes by one step more.
+    /// The chains that are one step longer: the step, and the index of the chain.
     longer: Vec<(Step, usize)>,
 }
 
-/// The corners of mirrors as they are seen from behind the last one of a chain, and their planes, whose normals point to where a ray goes on.
+/// Mirrors of a chain as they are seen in its last mirror: the corners of each image, and its
+/// plane, whose normal points to the side on which a ray continues.
 type Windows = Vec<(Vec<Vector>, Plane)>;
 
 impl Chains {
@@ -101,7 +108,8 @@ impl Chains {
         chains
     }
 
-    /// The plane of a wall that is a flat mirror. What other smooth walls do is found by chance.
+    /// Returns the plane of a wall that is a flat mirror. The light of other specular walls is
+    /// found by path sampling alone.
     fn plane(&mut self, scene: &Scene, wall: &Wall, sheet: &Sheet, extent: f64) -> Option<usize> {
         let surface = &scene.surfaces[sheet.surface];
         let reflectance = match &scene.materials[surface.material].kind {
@@ -111,7 +119,7 @@ impl Chains {
                 return None;
             }
             MaterialKind::Mirror { reflectance } => reflectance.iter().copied().fold(0.0, f64::max),
-            // a metal reflects most at a grazing angle: all
+            // the reflectance of a metal is largest at grazing incidence: 1
             MaterialKind::Conductor { .. } => 1.0,
         };
         let place = wall.plane().and_then(|plane| self.place(plane, extent));
@@ -126,7 +134,7 @@ impl Chains {
         Some(place)
     }
 
-    /// The place of a plane among all, to which it is added if it is new and they are not too many.
+    /// Returns the index of a plane. A new plane is added unless there are too many.
     fn place(&mut self, plane: Plane, extent: f64) -> Option<usize> {
         let is_same = |mirrors: &Mirrors| {
             (mirrors.plane.normal - plane.normal).length() < SAME
@@ -140,7 +148,7 @@ impl Chains {
         known
     }
 
-    /// Lists the chains that a ray can go through, the brightest first.
+    /// Lists the chains that a ray can pass through, the brightest first.
     fn list(&mut self, luminaires: &[Vec<Vector>], least: f64) {
         let mut open: Vec<(usize, Windows)> = vec![(0, Vec::new())];
         while let Some(brightest) = self.brightest(&open) {
@@ -164,21 +172,22 @@ impl Chains {
         }
     }
 
-    /// Which of these chains leaves most light.
+    /// Returns the position of the chain that leaves most light.
     fn brightest(&self, open: &[(usize, Windows)]) -> Option<usize> {
         let left = |place: &usize| self.all[open[*place].0].left;
         (0..open.len()).max_by(|a, b| left(a).total_cmp(&left(b)).then(b.cmp(a)))
     }
 
-    /// All planes, and the sides of them that reflect.
+    /// Returns a step for each reflecting side of each plane.
     fn steps(&self) -> Vec<Step> {
         let sides = |plane: usize| [true, false].map(|is_front| Step { plane, is_front });
         let reflects = |step: &Step| step.is_front || self.planes[step.plane].two_sided;
         (0..self.planes.len()).flat_map(sides).filter(reflects).collect()
     }
 
-    /// What a ray passes through with a step more; nothing if none can: of the new mirror something has to be beyond all others, and of these
-    /// something before it.
+    /// Returns the windows of a chain extended by one step, or `None` if no ray can pass through
+    /// it: part of the new mirror has to lie beyond every earlier window, and part of every earlier
+    /// window in front of the new mirror.
     fn through(&self, windows: &Windows, step: Step) -> Option<Windows> {
         let mirrors = &self.planes[step.plane];
         let own = self.facing(step);
@@ -195,78 +204,84 @@ impl Chains {
         Some(windows.iter().map(mirrored).chain([(mirrors.corners.clone(), own)]).collect())
     }
 
-    /// The plane of a step, with its normal to the side at which a ray arrives, and goes on.
+    /// Returns the plane of a step, with its normal on the side at which a ray arrives and
+    /// continues.
     fn facing(&self, step: Step) -> Plane {
         self.planes[step.plane].plane.facing(step.is_front)
     }
 
-    /// The largest part of the light of a luminaire that comes in a way which is not listed.
+    /// Returns the largest fraction of an emitter's light that arrives along a specular path that
+    /// is not listed.
     pub(super) fn left_out(&self) -> f64 {
         self.left_out
     }
 
-    /// A chain by a number from 0 to 1; none if there is none.
+    /// Selects a chain by a number from 0 to 1; `None` if no chain can be selected.
     pub(super) fn choose(&self, number: f64) -> Option<&Chain> {
         chosen(&self.chances, number).map(|place| &self.all[place]).filter(|chain| chain.chance > 0.0)
     }
 
-    /// Whether a ray from a point can begin a chain.
+    /// Whether a ray from a point can start a chain: the point lies in front of the first mirror.
     pub(super) fn is_before(&self, chain: &Chain, point: Vector) -> bool {
         chain.steps.first().is_some_and(|&step| self.facing(step).distance(point) > 0.0)
     }
 
-    /// Where a point seems to be for what it sees in a chain.
+    /// Returns the image of a point, from which the emitters in a chain are seen without mirrors:
+    /// x' = Mₖ … M₁ x.
     pub(super) fn image(&self, chain: &Chain, point: Vector) -> Vector {
         chain.steps.iter().fold(point, |point, step| self.planes[step.plane].plane.mirrored(point))
     }
 
-    /// Where luminaires are looked for, as a chain shows it.
+    /// Returns the mirror image, by a chain, of the point or segment for which emitters are
+    /// selected.
     pub(super) fn sought(&self, chain: &Chain, sought: Sought) -> Sought {
         chain.steps.iter().fold(sought, |sought, step| sought.mirrored(self.planes[step.plane].plane))
     }
 
-    /// Where a point seems to be that is seen in a chain.
+    /// Returns the virtual position of a point that is seen in a chain.
     pub(super) fn seen(&self, chain: &Chain, point: Vector) -> Vector {
         chain.steps.iter().rev().fold(point, |point, step| self.planes[step.plane].plane.mirrored(point))
     }
 
-    /// The direction in which something is seen in a chain that is in this direction from the image of the point.
+    /// Returns the direction in which a chain shows an object that lies in `direction` from the
+    /// image of the receiver point.
     pub(super) fn seen_along(&self, chain: &Chain, direction: Vector) -> Vector {
         let turned = |way: Vector, step: &Step| way.mirrored(self.planes[step.plane].plane.normal);
         let along = chain.steps.iter().rev().fold(direction, turned);
         along.unit().unwrap_or(along)
     }
 
-    /// Whether a wall is where this step has to be.
+    /// Whether the wall that a ray hit lies in the plane and on the side of this step.
     pub(super) fn is_at(&self, step: Step, met: &Met) -> bool {
         self.of_walls[met.wall] == Some(step.plane) && met.is_front == step.is_front
     }
 
-    /// The chain that a path has gone through after one more mirror, and the plane of that.
+    /// Returns the chain of a path after one more mirror, and the plane of this mirror.
     pub(super) fn after(&self, chain: usize, met: &Met) -> Option<(usize, Plane)> {
         let step = Step { plane: self.of_walls[met.wall]?, is_front: met.is_front };
         let (_, longer) = self.all[chain].longer.iter().find(|(next, _)| *next == step)?;
         Some((*longer, self.planes[step.plane].plane))
     }
 
-    /// How likely it is that a chain is chosen; luminaires straight ahead are looked for in any case.
+    /// Returns the selection probability of a chain. It is 1 without mirrors, since directly
+    /// visible emitters are always sampled.
     pub(super) fn chance(&self, chain: usize) -> f64 {
         if chain == 0 { 1.0 } else { self.all[chain].chance }
     }
 
-    /// Whether no luminaire can be seen in any.
+    /// Whether no emitter can be seen in any chain.
     pub(super) fn are_none(&self) -> bool {
         self.chances.last().is_none_or(|&sum| sum == 0.0)
     }
 }
 
-/// Whether any of these corners is beyond a plane, by more than rounding.
+/// Whether any of these corners lies beyond a plane by more than rounding.
 fn reaches(plane: Plane, corners: &[Vector]) -> bool {
     let farthest = corners.iter().map(|&corner| (corner - plane.point).length()).fold(0.0, f64::max);
     corners.iter().any(|&corner| plane.distance(corner) > SAME * farthest)
 }
 
-/// Whether light is bent or reflected at the boundary of two media, in any band.
+/// Whether the boundary of two media refracts or reflects light in any band.
 fn bends(scene: &Scene, sheet: &Sheet) -> bool {
     let index = |is_front: bool, band: usize| {
         sheet.filling(is_front).map_or(1.0, |medium| scene.media[medium].index[band])

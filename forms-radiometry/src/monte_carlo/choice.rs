@@ -1,35 +1,40 @@
-//! Choice: which of several lights a place looks for: each as likely as the irradiance that it may bring there.
+//! Light selection: chooses the light source that is sampled from a point, with a probability
+//! proportional to the irradiance that it can contribute there.
 //!
 //! ```text
 //! lights ─ halved across the longest axis ─▶ about √n groups
-//! place ─▶ a group by S cos θ/max(d², r²) + E ─▶ a light of it by the same
+//! point ─▶ a group by S cos θ/max(d², r²) + E ─▶ a light of the group by the same weight
 //! ```
-//! S is the intensity, or the radiance times the area, d how far the middle is, r the radius around it, and θ the least angle that anything within
-//! has at a surface; E is the irradiance of lights that are far away. A flat light brings nothing to what is behind it. So a weak lamp that is near is found beside the sun, and a sample is
+//! S is the intensity, or the radiance times the area; d is the distance of the centre; r is the
+//! radius of the bounding sphere; θ is the smallest angle to the surface normal of anything within
+//! that sphere; E is the irradiance of distant lights. A flat emitter contributes nothing to points
+//! behind it. A weak lamp nearby is therefore sampled even next to the sun, and a single sample is
 //! hardly ever worth more than all lights together.
 //!
-//! Source: A. Conty Estevez, C. Kulla, Importance sampling of many lights with adaptive tree splitting (2018), for weights of groups.
+//! Source: A. Conty Estevez, C. Kulla, Importance sampling of many lights with adaptive tree
+//! splitting (2018), for weights of groups.
 
 use crate::geometry::{Plane, Vector};
 
-/// Of no more lights each is a group.
+/// Up to this number of lights, each light is a group of its own.
 const FEW: usize = 64;
 
-/// What is known of a light, or of a group of them.
+/// Selection data of a light, or of a group of lights.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Weight {
-    /// The intensity of what is near, or the radiance times the area.
+    /// Intensity of point lights, or radiance times area of emitters.
     pub(super) strength: f64,
     pub(super) middle: Vector,
     pub(super) radius: f64,
-    /// The irradiance of what is far away, and the direction to it if that is one.
+    /// Irradiance of distant lights, and the direction to the light if there is only one.
     pub(super) far: f64,
     pub(super) direction: Option<Vector>,
-    /// The plane before which it shines, if it shines to one side.
+    /// The plane in front of which the light shines, if it shines to one side.
     pub(super) before: Option<Plane>,
 }
 
-/// Where light is looked for: on a segment, whose ends are one place where it is a point, and before a plane there if this has a normal.
+/// Point or segment for which lights are selected. The ends of the segment coincide for a point. If
+/// there is a normal, light arrives only on its side.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sought {
     pub(super) from: Vector,
@@ -46,14 +51,14 @@ impl Sought {
         Self { from, to, normal: None }
     }
 
-    /// Its mirror image.
+    /// Returns the mirror image of the point or segment.
     pub(super) fn mirrored(self, plane: Plane) -> Self {
         let [from, to] = [self.from, self.to].map(|place| plane.mirrored(place));
         Self { from, to, normal: self.normal.map(|normal| normal.mirrored(plane.normal)) }
     }
 }
 
-/// A choice among lights.
+/// Selection among lights.
 pub(super) struct Choice {
     lights: Vec<Weight>,
     groups: Vec<Group>,
@@ -76,7 +81,7 @@ impl Choice {
         choice
     }
 
-    /// Divides lights into so many groups.
+    /// Divides lights into this number of groups.
     fn divide(&mut self, mut lights: Vec<usize>, groups: usize) {
         if groups <= 1 {
             if !lights.is_empty() {
@@ -102,7 +107,8 @@ impl Choice {
         self.divide(rest, groups - half);
     }
 
-    /// A light by a number from 0 to 1, and how likely it is; none where there is none, or none brings anything.
+    /// Selects a light by a number from 0 to 1 and returns its probability. `None` if there is no
+    /// light, or none contributes.
     pub(super) fn choose(&self, sought: Sought, number: f64) -> Option<(usize, f64)> {
         if self.lights.len() == 1 {
             return Some((0, 1.0));
@@ -114,7 +120,7 @@ impl Choice {
         Some((lights[place], of_group * of_light))
     }
 
-    /// How likely a light is chosen.
+    /// Returns the probability that a light is selected.
     pub(super) fn chance(&self, sought: Sought, light: usize) -> f64 {
         if self.lights.len() == 1 {
             return 1.0;
@@ -128,7 +134,7 @@ impl Choice {
 }
 
 impl Weight {
-    /// What is known of several lights together; of one all that is known of it.
+    /// Returns the combined data of several lights; the data of a single light is kept as it is.
     pub(super) fn together<'w>(lights: impl Iterator<Item = &'w Self> + Clone) -> Self {
         let mut all = lights.clone();
         if let (Some(one), None) = (all.next(), all.next()) {
@@ -148,7 +154,7 @@ impl Weight {
         }
     }
 
-    /// The irradiance that it may bring.
+    /// Returns the irradiance that the light or group can contribute.
     fn at(&self, Sought { from, to, normal }: Sought) -> f64 {
         let far = match (self.direction, normal) {
             (Some(direction), Some(normal)) => normal.dot(direction).max(0.0) * self.far,
@@ -163,14 +169,15 @@ impl Weight {
             if squared > 0.0 { ((self.middle - from).dot(along) / squared).clamp(0.0, 1.0) } else { 0.0 };
         let way = self.middle - (from + part * along);
         let least = way.dot(way).max(self.radius * self.radius).max(f64::MIN_POSITIVE);
-        // the largest cosine of anything within the radius
+        // the largest cosine of anything within the bounding sphere
         let cosine =
             normal.map_or(1.0, |normal| ((normal.dot(way) + self.radius) / least.sqrt()).clamp(0.0, 1.0));
         far + cosine * self.strength / least
     }
 }
 
-/// The place of the part in which a number from 0 to 1 lies, where in it, and the part itself.
+/// Selects an entry by a number from 0 to 1, in proportion to the weights. Returns its index, the
+/// position of the number within the entry, and its probability.
 fn divided(weights: impl Iterator<Item = f64> + Clone, number: f64) -> Option<(usize, f64, f64)> {
     let all: f64 = weights.clone().sum();
     let along = number * all;
@@ -202,7 +209,7 @@ mod tests {
 
     const SUN: Weight = Weight { far: 500.0, ..lamp(0.0, [0.0; 3]) };
 
-    /// Many lamps of all strengths on a screw, and the sun.
+    /// Many lamps of all strengths along a helix, and the sun.
     fn many(count: usize) -> Choice {
         let lamp = |i: usize| {
             let turn = i as f64;

@@ -1,9 +1,12 @@
-//! Endless media: those around a whole scene that scatter and absorb nothing, in which a path that has got out never ends.
+//! Unbounded media: scattering, non-absorbing media around a whole scene, in which a path that has
+//! escaped never ends.
 //!
 //! ```text
-//! questions ─ paths, as long as they last ─▶ one of them turned beyond all walls: it comes back with a chance below one, and ends with none
+//! estimands ─ paths, as long as they last ─▶ one is scattered outside all walls:
+//!                                      it returns with probability < 1, and nothing can end it
 //! ```
-//! Light in such a medium has an answer, and each path of it takes a number of turns whose mean is infinite.
+//! Radiance in such a medium is well defined, but the number of events of a path has an infinite
+//! mean.
 
 use super::lattice::Lattice;
 use super::optics::MediumOptics;
@@ -17,11 +20,12 @@ use crate::sampling::{Samples, key};
 use crate::scene::SceneError;
 use rayon::prelude::*;
 
-/// How many paths are followed, and for how many turns.
+/// Number of test paths, and the maximum number of events of each.
 const PATHS: usize = 1024;
 const TURNS: u32 = 1024;
 
-/// The medium in which paths from the questions of a scene never end, if there is one.
+/// Returns an error for the medium in which paths from the estimands of a scene never end, if there
+/// is one.
 pub(crate) fn endless(
     world: &World,
     questions: impl FnOnce() -> Vec<Question>,
@@ -54,7 +58,7 @@ pub(crate) fn endless(
 }
 
 impl Search<'_> {
-    /// Whether a path from a question is scattered beyond all walls by a medium without end.
+    /// Whether a path from an estimand is scattered outside all walls by an unbounded medium.
     fn gets_out(&self, question: &Question, samples: &mut Samples) -> bool {
         let Some(mut ray) = self.begun(question, samples) else { return false };
         for _ in 0..TURNS {
@@ -67,7 +71,7 @@ impl Search<'_> {
         false
     }
 
-    /// The first ray of a path.
+    /// Returns the first ray of a path.
     fn begun(&self, question: &Question, samples: &mut Samples) -> Option<Ray> {
         let (start, direction) = match question.begin(self.world, samples)? {
             Begin::Sight { start, direction } => (start, direction),
@@ -79,7 +83,8 @@ impl Search<'_> {
         Some(Ray { start, direction, filling: self.world.medium_at(start, direction) })
     }
 
-    /// Follows a path to where it is turned next; what is lost of it decides at random whether it ends.
+    /// Traces a path to its next event. The fraction of the light lost there is the probability
+    /// that the path ends.
     fn scattered_or_met(&self, ray: &mut Ray, samples: &mut Samples) -> Turn {
         let medium = self.optics.medium(ray.filling);
         let met = self.world.walls.first(ray.start, ray.direction, f64::INFINITY);
@@ -88,7 +93,7 @@ impl Search<'_> {
             let distance = free_flight_sample(extinction, samples.one());
             if met.is_none_or(|met| distance < met.distance) {
                 self.scatter(ray, distance, samples);
-                // only one that absorbs nothing is reached by what is scattered for ever
+                // light can be scattered forever only in a medium that absorbs nothing
                 let is_beyond = medium.is_conservative() && !self.world.walls.surround(ray.start.position);
                 return match samples.one() * extinction < scattering {
                     true if is_beyond => Turn::Beyond,
@@ -103,8 +108,10 @@ impl Search<'_> {
 }
 
 impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
-    /// Whether the path has got out to where a medium without end scatters it for ever. A scene of which more than a thousandth of the paths
-    /// do has been refused: of what comes back from there so little is lost that it is nothing beside the spread of what is found.
+    /// Whether the path has escaped to where an unbounded medium scatters it forever. A scene in
+    /// which this happens to more than a thousandth of the paths has been rejected. The light that
+    /// is lost by ending such a path is therefore negligible compared with the statistical error of
+    /// the result.
     pub(super) fn is_endless(&self, path: &Path<N>, medium: &MediumOptics<N>) -> bool {
         self.limits.scatterings.is_none()
             && medium.is_conservative()
@@ -113,10 +120,10 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     }
 }
 
-/// What becomes of a path.
+/// Outcome of one event of a path.
 enum Turn {
     On,
     End,
-    /// It was scattered beyond all walls, and nothing ends it.
+    /// The path was scattered outside all walls, and nothing ends it.
     Beyond,
 }

@@ -1,14 +1,15 @@
-//! Expansion: the radiance along a ray that meets nothing but smooth walls, luminaires and what is black is a sum of a few terms, and needs no
-//! samples.
+//! Specular expansion: the radiance along a ray that meets only smooth walls, emitters and black
+//! surfaces is a sum of a few terms, and needs no samples.
 //!
 //! ```text
-//! ray ─▶ wall ─┬─ what it emits, times what is left
-//!              ├─ mirror, metal ─▶ one ray            what is left of a ray is 1 at first, and is multiplied by ρ or R, 1 − R, e^(−σ d)
+//! ray ─▶ wall ─┬─ emitted radiance × throughput     the throughput is 1 at first,
+//!              ├─ mirror, metal ─▶ one ray          and is multiplied by ρ or R, 1 − R, e^(−σ d)
 //!              └─ boundary ─▶ two rays
 //! ```
-//! Rays of which hardly anything is left are given up: that and the brightest radiance that there can be bound the error. What a wall emits and
-//! what it reflects add up, L ≤ Lₑ + ρ L, so that no L/n² is above the largest Lₑ/(n² (1 − ρ)) of a wall; at boundaries L/n² is a mean of both
-//! sides.
+//! Rays with negligible throughput are dropped. Their throughput times an upper bound on the
+//! radiance bounds the error. The emitted and the reflected radiance of a wall add up,
+//! L ≤ Lₑ + ρ L, so that no L/n² exceeds the largest Lₑ/(n² (1 − ρ)) of a wall; at boundaries L/n²
+//! is a mean of the values on both sides.
 
 use super::boundary::Passage;
 use super::lattice::Lattice;
@@ -19,12 +20,12 @@ use super::refraction::passages;
 use crate::geometry::{Met, Start, Vector};
 use crate::scene::{Filling, MaterialKind};
 
-/// The most rays; an expansion into more is not begun with.
+/// Maximum number of rays; an expansion that needs more is abandoned.
 const MOST: usize = 1 << 14;
-/// The part of the tolerance that what is given up may have.
+/// Throughput below which a ray is dropped, as a fraction of the tolerance.
 const GIVEN_UP: f64 = 1e-3;
 
-/// A ray and what is left of it.
+/// A ray and its throughput.
 struct Ray<const N: usize> {
     start: Start,
     direction: Vector,
@@ -33,14 +34,15 @@ struct Ray<const N: usize> {
     is_straight: bool,
 }
 
-/// For each band a sum, and what may be missing.
+/// For each band the sum, and the throughput of the dropped rays.
 struct Terms<const N: usize> {
     sum: [f64; N],
     missing: [f64; N],
 }
 
 impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
-    /// The radiance along a ray in each band, with its error; none where light is scattered or reflected by a diffuse surface on the way.
+    /// Returns the radiance along a ray in each band, with its error. `None` if a medium or a
+    /// diffuse surface on the way scatters or reflects light.
     pub(super) fn expansion(&self, start: Start, direction: Vector) -> Option<Vec<[f64; 2]>> {
         let brightest = self.brightest()?;
         let filling = self.world.medium_at(start, direction);
@@ -59,7 +61,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         Some((0..count).map(|band| [terms.sum[band], brightest[band] * terms.missing[band]]).collect())
     }
 
-    /// For each band what no radiance is above; none where walls that emit light reflect or transmit all of some light.
+    /// Returns an upper bound on the radiance in each band. `None` if an emitting wall can reflect
+    /// or transmit light completely.
     fn brightest(&self) -> Option<[f64; N]> {
         let mut brightest = self.optics.outside;
         for (surface, radiance) in
@@ -83,7 +86,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         Some(scaled((most / least).powi(2), &brightest))
     }
 
-    /// Adds what a ray meets, and the rays that go on from there.
+    /// Adds the radiance from the wall that a ray hits, and queues the rays that continue from
+    /// there.
     fn expand(&self, ray: Ray<N>, least: f64, terms: &mut Terms<N>, waiting: &mut Vec<Ray<N>>) -> Option<()> {
         let counts = self.limits.direct || !ray.is_straight;
         let medium = self.optics.medium(ray.filling);
@@ -120,7 +124,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         Some(())
     }
 
-    /// The rays that go on from a wall: the factor, whether they stay on their side, the direction, and whether nothing happens to them.
+    /// Returns the rays that continue from a wall: the factor, whether the ray stays on its side,
+    /// the direction, and whether the ray passes unchanged.
     #[expect(clippy::type_complexity, reason = "a list of few fields that is taken apart at once")]
     fn rays_from(
         &self,

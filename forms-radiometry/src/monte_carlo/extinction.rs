@@ -1,4 +1,5 @@
-//! Where extinction is all, or nearly all, that happens to light, so that it can be computed.
+//! Scenes in which light undergoes only extinction, or almost only extinction, so that the answer
+//! can be computed analytically.
 
 use super::optics::MediumOptics;
 use super::path::Limits;
@@ -6,14 +7,14 @@ use crate::extinction::left;
 use crate::scene::{MaterialKind, Medium, Scene, Surface};
 
 impl<const N: usize> MediumOptics<N> {
-    /// What is left after a distance, which may be without end.
+    /// Returns the transmittance over a distance, which can be infinite.
     pub(super) fn transmittance(&self, distance: f64) -> [f64; N] {
         self.extinction.map(|extinction| left(extinction, distance))
     }
 }
 
-/// The extinction in each band where that is all that happens to light: it is scattered by nothing, and as [`unturned`] says. None where lights do
-/// not count.
+/// Returns the extinction in each band if light undergoes nothing else: no medium scatters it, and
+/// the conditions of [`unturned`] hold. `None` if direct light does not count.
 pub(crate) fn extinction_alone(scene: &Scene, limits: &Limits) -> Option<Vec<f64>> {
     let medium = &scene.media[scene.ambient.medium?];
     let is_scattered =
@@ -21,20 +22,21 @@ pub(crate) fn extinction_alone(scene: &Scene, limits: &Limits) -> Option<Vec<f64
     (limits.direct && !is_scattered).then(|| unturned(scene, limits)).flatten()
 }
 
-/// The medium and its extinction in each band where a single scattering is asked for, the only lights are points and far away, and all else is as
-/// [`unturned`] says.
+/// Returns the medium and its extinction in each band if single scattering is requested, all light
+/// sources are point or distant lights, and the conditions of [`unturned`] hold.
 pub(crate) fn scattering_once<'s>(scene: &'s Scene, limits: &Limits) -> Option<(&'s Medium, Vec<f64>)> {
     let medium = &scene.media[scene.ambient.medium?];
     let is_scattered =
         limits.scatterings == Some(1) && medium.scattering.iter().any(|&scattering| scattering > 0.0);
     let is_alone = limits.direct && is_scattered && !scene.surfaces.iter().any(Surface::emits);
-    // surfaces that are seen reflect to the eye, whatever is asked for
+    // directly visible surfaces reflect towards the eye, whatever the limit on reflections
     let limits = Limits { reflections: None, ..*limits };
     is_alone.then(|| unturned(scene, &limits)).flatten().map(|extinction| (medium, extinction))
 }
 
-/// The extinction in each band where one medium is everywhere, and no surface reflects or bends light, or only some orders are asked for, and none
-/// of these. None where nothing is taken away, or light comes from outside through a medium that lets it pass.
+/// Returns the extinction in each band if one medium fills the scene and no surface reflects or
+/// refracts light; diffuse reflection is allowed if the limits exclude it. `None` if there is no
+/// extinction in any band, or if ambient radiance enters in a band without extinction.
 fn unturned(scene: &Scene, limits: &Limits) -> Option<Vec<f64>> {
     let medium = &scene.media[scene.ambient.medium?];
     let is_black = |surface: &Surface| match &scene.materials[surface.material].kind {

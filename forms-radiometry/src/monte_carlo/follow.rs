@@ -1,4 +1,5 @@
-//! Following: a question and a number become one sample: the light of one path, in the sums of what is asked for.
+//! Path driver: an estimand and the random numbers of one sample become the light of one path,
+//! which is added to the sums of the estimand.
 
 use super::choice::Sought;
 use super::lattice::Lattice;
@@ -9,15 +10,16 @@ use super::vertex::{Law, Vertex};
 use crate::geometry::{Start, Vector};
 use crate::sampling::Draws;
 
-/// What follows paths for a group of bands.
+/// Path tracer for a group of bands.
 pub(crate) trait Follow: Sync {
-    /// The first of the bands, and how many there are.
+    /// Returns the first band and the number of bands.
     fn bands(&self) -> [usize; 2];
 
-    /// What answers a question without samples, for each band with its error, if anything does.
+    /// Returns the value of an estimand without samples, with its error in each band, if it can be
+    /// expanded.
     fn expanded(&self, question: &Question) -> Option<Vec<[f64; 2]>>;
 
-    /// Adds what a sample finds of a question.
+    /// Adds one sample of an estimand to the sums.
     fn sample(&self, question: &Question, draws: &mut Draws, sums: &mut Sums);
 }
 
@@ -58,7 +60,7 @@ impl<L: Lattice, const N: usize> Follow for Tracer<'_, L, N> {
 }
 
 impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
-    /// A path that goes out from here.
+    /// Returns a new path with this start and direction.
     fn begin(&self, start: Start, direction: Vector) -> Path<N> {
         Path {
             start,
@@ -79,7 +81,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         }
     }
 
-    /// What a receiver gets, straight and by a path.
+    /// Adds the light that a receiver gets: direct light, and the light of one path.
     fn receive(
         &self,
         (start, normal, is_same): (Start, Option<Vector>, bool),

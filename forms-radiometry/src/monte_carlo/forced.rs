@@ -1,8 +1,9 @@
-//! Forcing: where nothing goes on from the wall that a ray meets in a medium, the path is scattered before that for certain.
+//! Forced collisions: if a path in a medium cannot continue from the wall that its ray hits, it is
+//! forced to scatter before that wall.
 //!
 //! ```text
-//! segment ─▶ wall that only emits ─┬─ what it emits times e^(−σ d), added at once
-//!                                  └─ a flight that is scattered, times 1 − e^(−σ d)
+//! segment ─▶ wall that only emits ─┬─ emitted radiance times e^(−σ d), added immediately
+//!                                  └─ a forced collision, times 1 − e^(−σ d)
 //! ```
 
 use super::lattice::Lattice;
@@ -14,9 +15,11 @@ use crate::sampling::Samples;
 use crate::scene::MaterialKind;
 
 impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
-    /// A flight over the segment up to what the path meets. Where nothing goes on from there, what the segment lets pass is added at once, and
-    /// the flight is one that is scattered: so no path ends by chance. That makes paths longer, and is worth it as long as their numbers lie
-    /// evenly, so that errors of what is smooth cancel.
+    /// Samples a free flight over the segment up to the next wall. If the path cannot continue from
+    /// there, the light that the segment transmits is added immediately and the flight is a forced
+    /// collision, so that no path ends by chance. Forced collisions make paths longer. They pay off
+    /// as long as the samples are of low discrepancy, so that the errors of a smooth integrand
+    /// cancel.
     pub(super) fn flight(
         &self,
         path: &Path<N>,
@@ -35,7 +38,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         medium.flight_within(length, self.count(), samples)
     }
 
-    /// Whether a path can go on from a wall.
+    /// Whether a path can continue from a wall.
     pub(super) fn goes_on_from(&self, path: &Path<N>, met: &Met) -> bool {
         let is_bright = self.world.is_bright(met.wall, met.is_front);
         match self.world.material(met.wall) {

@@ -1,5 +1,5 @@
-//! Light of images: what flat walls make of lights without extent, and flat mirrors of luminaires, is gathered at vertices, and scattered
-//! by media.
+//! Image light: the light of the images of point and distant lights in flat walls, and of emitters
+//! in flat mirrors, is gathered at vertices and scattered by media.
 
 use super::chains::Chain;
 use super::choice::Sought;
@@ -12,7 +12,7 @@ use super::vertex::Vertex;
 use crate::geometry::Vector;
 use crate::sampling::{Draws, Samples};
 
-/// A luminaire that is looked for in a chain of mirrors, and how likely these two are chosen.
+/// An emitter that is sampled through a chain of mirrors, and the probability of selecting both.
 struct Mirrored<'w> {
     chain: &'w Chain,
     luminaire: &'w Luminaire,
@@ -20,7 +20,8 @@ struct Mirrored<'w> {
 }
 
 impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
-    /// What comes from images to a vertex, whose weight the path has by now; with the direction that it comes from.
+    /// Adds the light of images at a vertex, with the direction that it comes from. The throughput
+    /// of the path already includes the weight of the vertex.
     pub(super) fn by_images(
         &self,
         path: &Path<N>,
@@ -29,7 +30,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         add: &mut impl FnMut(Vector, &[f64; N], f64),
     ) {
         if L::MIRROR || L::REFRACTION {
-            // what a receiver, or the first thing that a ray meets, gets of them is the same for all its samples
+            // the light of the images at a receiver, or at the first wall that a ray hits, is the
+            // same for all samples
             for image in self.images.choose(draws.light.one(), path.is_straight) {
                 self.imaged(path, vertex, image, add);
             }
@@ -41,7 +43,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         }
     }
 
-    /// What a segment scatters of the light of images.
+    /// Adds the light of images that a segment scatters.
     pub(super) fn imaged_segment(
         &self,
         (path, sought): (&Path<N>, Sought),
@@ -68,7 +70,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         }
     }
 
-    /// What comes from an image of a light to a vertex.
+    /// Adds the light of one image of a light at a vertex.
     fn imaged(
         &self,
         path: &Path<N>,
@@ -82,7 +84,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         add(coming.direction, &scaled(1.0 / chance, &value), path.way + coming.way);
     }
 
-    /// A luminaire that is looked for in mirrors, if any is.
+    /// Selects a chain of mirrors and an emitter to sample through it, if there are any.
     fn mirrored(&self, sought: Sought, samples: &mut Samples) -> Option<Mirrored<'_>> {
         let chains = &self.world.chains;
         if !L::MIRROR || chains.are_none() {
@@ -93,7 +95,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         Some(Mirrored { chain, luminaire, chance: chain.chance * chance })
     }
 
-    /// A direction from a point to a luminaire in mirrors.
+    /// Samples a direction from a point to an emitter seen in mirrors.
     fn towards(&self, mirrored: &Mirrored<'_>, from: Vector, square: [f64; 2]) -> Option<Towards> {
         let (chains, chain) = (&self.world.chains, mirrored.chain);
         if !chains.is_before(chain, from) {

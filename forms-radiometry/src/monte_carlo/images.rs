@@ -1,12 +1,14 @@
-//! Images: what flat mirrors and flat boundaries of media make of lights without extent, which no path from a receiver would find.
+//! Image sources: the images of point and distant lights in flat mirrors and flat boundaries of
+//! media, which no path from a receiver would find.
 //!
 //! ```text
-//! light ─ reflected or bent by one flat wall after the other, while enough of it is left ─▶ images
-//! vertex, image ─▶ the one ray between them, if it meets these walls and no others ─▶ light, as from a light
+//! light ─ reflected or refracted by flat walls in turn, while enough of it remains ─▶ images
+//! vertex, image ─▶ the one ray between them, if it meets these walls and no others ─▶ light
 //! ```
-//! A point light at p has its image in a plane mirror at p − 2 ((p − a)·n) n. Parallel light stays parallel at a flat boundary, reflected or bent;
-//! beyond it a beam is wider or narrower by its cosine: E₂ = (1 − R) E₁ cos θ₁/cos θ₂. Light that a wall turns goes on to another one only
-//! where that lies on its way.
+//! The image of a point light at p in a plane mirror lies at p − 2 ((p − a)·n) n. Parallel light
+//! stays parallel when a flat boundary reflects or refracts it; beyond the boundary a beam is wider
+//! or narrower by the ratio of the cosines: E₂ = (1 − R) E₁ cos θ₁/cos θ₂. Light from one wall
+//! continues to another one only where that wall lies in its beam.
 
 use super::boundary::Passage;
 use super::mirror::reflected;
@@ -17,36 +19,39 @@ use crate::geometry::{Met, Plane, Start, Vector, Wall, split};
 use crate::sampling::chosen;
 use crate::scene::{Filling, LightKind, MaterialKind};
 
-/// The most images; of more than these a scene is refused.
+/// Maximum number of images; a scene with more is rejected.
 const MOST: usize = 4096;
-/// So many images are all looked at; of more one is chosen.
+/// Up to this number of images, all are evaluated; of more, one is selected.
 const FEW: usize = 16;
-/// Images that have less than this part of the tolerance of their light are left out.
+/// Images that are weaker, relative to their light, than this fraction of the tolerance are
+/// omitted.
 const FAINT: f64 = 1e-3;
-/// What all that are left out have together, as part of the tolerance: a few of each of the last that are not.
+/// Total light of the omitted images as a fraction of the tolerance: a few of them follow from each
+/// of the last listed images.
 pub(crate) const LEFT_OUT: f64 = 1e-2;
 
-/// The images of all lights in a scene.
+/// Image sources of all lights in a scene.
 pub(super) struct Images<const N: usize> {
     all: Vec<Image<N>>,
     chances: Vec<f64>,
-    /// Whether there are more than could be listed.
+    /// Whether there are more images than can be listed.
     pub(super) is_cut: bool,
 }
 
-/// An image of a light.
+/// Image of a light.
 #[derive(Clone, Debug)]
 pub(super) struct Image<const N: usize> {
     place: Place,
-    /// What is left of the intensity or irradiance; of a point light in metals, where that depends on the angle, at most.
+    /// Remaining intensity or irradiance; for a point light in metals, where it depends on the
+    /// angle, an upper bound.
     light: [f64; N],
-    /// The walls, as a ray from a receiver meets them.
+    /// The walls, in the order in which a ray from a receiver meets them.
     steps: Vec<Step>,
-    /// How likely it is chosen.
+    /// Selection probability.
     chance: f64,
 }
 
-/// Where an image is.
+/// Position of an image.
 #[derive(Clone, Copy, Debug)]
 enum Place {
     Point(Vector),
@@ -54,7 +59,7 @@ enum Place {
     Far(Vector),
 }
 
-/// What a wall does with the light of an image.
+/// Interaction of the light of an image with a wall.
 #[derive(Clone, Copy, Debug)]
 struct Step {
     wall: usize,
@@ -63,24 +68,24 @@ struct Step {
     is_bent: bool,
 }
 
-/// A light on its way from wall to wall.
+/// Light on its way from wall to wall.
 #[derive(Clone, Debug)]
 struct Sent<const N: usize> {
     place: Place,
     light: [f64; N],
     filling: Filling,
     steps: Vec<Step>,
-    /// The part of the last wall that it meets; before the first one nothing.
+    /// The lit part of the last wall; empty before the first wall.
     lit: Vec<Vector>,
 }
 
-/// What comes from an image to a place.
+/// Light of an image at a point.
 pub(super) struct Coming<const N: usize> {
-    /// The direction that it comes from.
+    /// The direction that the light comes from.
     pub(super) direction: Vector,
-    /// For each band the irradiance of what faces it.
+    /// Irradiance in each band at normal incidence.
     pub(super) irradiance: [f64; N],
-    /// The optical length.
+    /// Optical path length.
     pub(super) way: f64,
 }
 
@@ -115,7 +120,7 @@ impl<const N: usize> Images<N> {
         images
     }
 
-    /// Adds the images that smooth walls make of a light, and of its images, the strongest first.
+    /// Adds the images of a light, and of its images, in smooth walls, depth first.
     fn add_images(&mut self, world: &World, optics: &Optics<N>, smooth: &[usize], sent: Sent<N>, least: f64) {
         let mut waiting = vec![sent];
         while let Some(sent) = waiting.pop() {
@@ -138,7 +143,8 @@ impl<const N: usize> Images<N> {
         }
     }
 
-    /// All images where they are few or all are asked for, else one of them by a number from 0 to 1; each with how likely it is taken.
+    /// Returns all images if they are few or all are requested, otherwise one of them selected by a
+    /// number from 0 to 1; each with its probability.
     pub(super) fn choose(&self, number: f64, asks_for_all: bool) -> impl Iterator<Item = (&Image<N>, f64)> {
         let are_few = asks_for_all || self.all.len() <= FEW;
         let one = chosen(&self.chances, number).filter(|_| !are_few);
@@ -147,7 +153,7 @@ impl<const N: usize> Images<N> {
     }
 }
 
-/// Whether a wall reflects or bends light in one direction only.
+/// Whether a wall reflects or refracts light into single directions only.
 fn is_smooth<const N: usize>(world: &World, optics: &Optics<N>, wall: usize) -> bool {
     match world.material(wall) {
         MaterialKind::Diffuse { .. } => false,
@@ -160,7 +166,7 @@ fn is_smooth<const N: usize>(world: &World, optics: &Optics<N>, wall: usize) -> 
 }
 
 impl<const N: usize> Sent<N> {
-    /// What a wall makes of the light that arrives at one of its sides.
+    /// Returns the light that a wall reflects and refracts from one of its sides.
     fn after(&self, world: &World, optics: &Optics<N>, wall: usize, is_front: bool) -> Vec<Self> {
         let Some(plane) = world.walls.get(wall).plane() else { return Vec::new() };
         let Plane { point, normal } = plane.facing(is_front);
@@ -181,7 +187,7 @@ impl<const N: usize> Sent<N> {
         let medium = optics.medium(self.filling);
         let next = |place: Place, light: [f64; N], is_bent: bool| {
             let mut steps = self.steps.clone();
-            // light that was bent goes on from the other side, where a ray from a receiver arrives
+            // refracted light continues on the other side, where a ray from a receiver arrives
             steps.push(Step { wall, is_front: is_front != is_bent, is_bent });
             let filling = if is_bent { sheet.filling(!is_front) } else { self.filling };
             Self { place, light, filling, steps, lit: lit.clone() }
@@ -190,7 +196,7 @@ impl<const N: usize> Sent<N> {
         match self.place {
             Place::Point(position) if !is_boundary && world.is_bright(wall, is_front) => {
                 let image = plane.mirrored(position);
-                // a metal reflects most at a grazing angle: all
+                // the reflectance of a metal is largest at grazing incidence: 1
                 let factor = if let MaterialKind::Mirror { .. } = material {
                     optics.reflectances[sheet.surface]
                 } else {
@@ -230,8 +236,10 @@ impl<const N: usize> Sent<N> {
 }
 
 impl<const N: usize> Sent<N> {
-    /// The part of a wall that the light reaches from the last one, if nothing stands in between: what of the last one is before the wall and
-    /// in the cone of rays over it, moved on along these rays. `point` and `normal` are those of the side at which it arrives.
+    /// Returns the part of a wall that the light reaches from the last wall, without regard to
+    /// occluders. The lit part of the last wall is clipped to the half-space in front of this wall
+    /// and to the cone of rays over it, and then projected along these rays. `point` and `normal`
+    /// belong to the side at which the light arrives.
     fn lit_on(&self, wall: &Wall, point: Vector, normal: Vector) -> Vec<Vector> {
         let outline = wall.corners();
         if self.steps.is_empty() {
@@ -255,7 +263,7 @@ impl<const N: usize> Sent<N> {
         lit.into_iter().map(moved).collect()
     }
 
-    /// The direction of the light's ray through a point.
+    /// Returns the direction of the light's ray through a point.
     fn ray_through(&self, through: Vector) -> Vector {
         match self.place {
             Place::Point(position) => through - position,
@@ -265,7 +273,7 @@ impl<const N: usize> Sent<N> {
 }
 
 impl<const N: usize> Image<N> {
-    /// Where it seems to be; none if it is far away.
+    /// Returns the position of the image; `None` if it is distant.
     pub(super) fn point(&self) -> Option<Vector> {
         match self.place {
             Place::Point(position) => Some(position),
@@ -273,7 +281,7 @@ impl<const N: usize> Image<N> {
         }
     }
 
-    /// What comes from the image to a place in a medium; none where something else is in the way.
+    /// Returns the light of the image at a point in a medium; `None` if an occluder is in the way.
     pub(super) fn coming(
         &self,
         world: &World,
@@ -327,7 +335,7 @@ struct Ray<const N: usize> {
 }
 
 impl<const N: usize> Ray<N> {
-    /// Goes through a medium to what it meets, or to the light.
+    /// Passes through a medium up to the wall that the ray hits, or to the light.
     fn passes(&mut self, medium: &MediumOptics<N>, met: Option<&Met>) {
         let length = met.map_or(self.left, |met| met.distance);
         self.factor = times(&self.factor, &medium.transmittance(length));
@@ -335,8 +343,9 @@ impl<const N: usize> Ray<N> {
         self.left -= length;
     }
 
-    /// Is reflected or bent, as it has to be. What boundaries leave of parallel light is in the image already; a metal's part of a point
-    /// light is known here.
+    /// Reflects or refracts the ray as the step requires. The factors of boundaries for parallel
+    /// light are already part of the image; the reflectance of a metal for a point light is known
+    /// only here.
     fn turns(
         &mut self,
         world: &World,

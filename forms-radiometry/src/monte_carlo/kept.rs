@@ -1,15 +1,16 @@
-//! Replicates that are kept: their sums are handed out to be written down, and taken back.
+//! Checkpoints of replicates: their sums are handed out to be saved, and restored.
 
 use super::replicates::{Replicates, Sum};
 
-/// The sums of each replicate that was kept, and what its samples missed.
+/// The sums of each replicate in a checkpoint, and the contributions that its samples lost to
+/// occlusion.
 pub(crate) type KeptSums = Vec<Option<(Vec<Sum>, Vec<f64>)>>;
 
-/// The same, to be written down.
+/// The same, borrowed to be saved.
 pub(crate) type WrittenSums<'s> = Vec<Option<(&'s [Sum], &'s [f64])>>;
 
 impl Replicates {
-    /// The sums of the replicates that are meant; nothing without samples.
+    /// Returns the sums of the selected replicates; empty without samples.
     pub(crate) fn kept(&self, is_meant: impl Fn(usize) -> bool) -> WrittenSums<'_> {
         if self.samples == 0 {
             return Vec::new();
@@ -18,8 +19,8 @@ impl Replicates {
         self.of.iter().map(|sums| (&sums.sums[..], &sums.missed[..])).enumerate().map(of_one).collect()
     }
 
-    /// Takes the sums of so many samples of the replicates that are meant; whether they are there and are as many as this question
-    /// has.
+    /// Restores the sums of `samples` samples of the selected replicates. Returns whether they are
+    /// all present and match this estimand in number.
     #[must_use]
     pub(crate) fn restore(&mut self, samples: u32, sums: KeptSums, is_meant: impl Fn(usize) -> bool) -> bool {
         if samples == 0 {

@@ -1,4 +1,5 @@
-//! The kernels of paths: the effects of a scene decide by one table which kernels its paths run.
+//! Kernels of path tracing: one table maps the effects of a scene to the kernels that its paths
+//! run.
 
 use super::lattice::Effects;
 use crate::kernels::{
@@ -11,7 +12,8 @@ use crate::kernels::{
 use crate::radiosity::UsedKernel;
 use crate::scene::{MaterialKind, Receiver, ReceiverKind, Scene, Shape};
 
-/// The kernels that the paths of a scene run, and those by which what some receivers get is computed.
+/// Returns the kernels that the paths of a scene run, and those that evaluate the analytic
+/// receivers.
 pub(crate) fn kernels(scene: &Scene, is_computed: &dyn Fn(&Receiver) -> bool) -> Vec<UsedKernel> {
     let effects = Effects::of(scene);
     let materials = || scene.surfaces.iter().map(|surface| &scene.materials[surface.material].kind);

@@ -1,7 +1,9 @@
-//! The lattice of effects: what a scene does not contain is not in the code that follows its paths.
+//! Specialisations by effects: the path tracer of a scene contains no code for effects that the
+//! scene lacks.
 //!
-//! A member of the lattice is a type, and its effects are constants of it. Every member is compiled ahead of time, and a scene takes its
-//! own from a table when it is loaded.
+//! A specialisation is a type, a member of the lattice, and its effects are constants of that type.
+//! Every member is compiled ahead of time, and a scene takes its own from a table when it is
+//! loaded.
 
 use super::follow::Follow;
 use super::images::Images;
@@ -13,7 +15,7 @@ use crate::scene::{Filling, MaterialKind, Scene};
 use std::marker::PhantomData;
 use std::ops::BitOr;
 
-/// Which effects the code has.
+/// Effects that a specialisation contains.
 pub(super) trait Lattice: Sync + Send {
     const ABSORPTION: bool;
     const SCATTERING: bool;
@@ -53,7 +55,8 @@ pub(crate) struct Effects {
 }
 
 impl Effects {
-    /// Those of a scene: of the materials that surfaces have, and of the media that are somewhere.
+    /// Returns the effects of a scene: those of the materials of its surfaces, and of the media
+    /// that fill any part of it.
     pub(crate) fn of(scene: &Scene) -> Self {
         let materials = || scene.surfaces.iter().map(|surface| &scene.materials[surface.material].kind);
         let inside = materials().filter_map(|kind| match kind {
@@ -78,7 +81,8 @@ impl Effects {
             mirror: materials()
                 .any(|kind| matches!(kind, MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. })),
             refraction,
-            // also of one medium everywhere: metals in it reflect by their index over its own, and light takes n d/c
+            // also for one medium everywhere: metals in it reflect by their index relative to the
+            // medium, and light takes the time n d/c
             dispersion: media().any(|medium| has_spread(&medium.index)),
             time: scene.receivers.iter().any(|receiver| receiver.time.is_some()),
         }
@@ -88,7 +92,7 @@ impl Effects {
 impl BitOr for Effects {
     type Output = Self;
 
-    /// Those of either.
+    /// Returns the effects of either.
     fn bitor(self, other: Self) -> Self {
         Self {
             absorption: self.absorption | other.absorption,
@@ -101,7 +105,7 @@ impl BitOr for Effects {
     }
 }
 
-/// What follows paths in a world, for each group of bands that share them.
+/// Returns the path tracers of a world, one for each group of bands that share paths.
 pub(crate) fn follower<'w>(
     world: &'w World<'w>,
     effects: Effects,
@@ -114,8 +118,8 @@ pub(crate) fn follower<'w>(
     groups(world.scene, effects).into_iter().map(member).collect()
 }
 
-/// The first band and the number of bands of each group that shares its paths: neighbours that scatter alike, and with dispersion every band
-/// by itself.
+/// Returns the first band and the number of bands of each group that shares its paths: neighbouring
+/// bands that scatter alike. With dispersion each band is a group of its own.
 fn groups(scene: &Scene, effects: Effects) -> Vec<[usize; 2]> {
     let mut groups: Vec<[usize; 2]> = Vec::new();
     for band in 0..scene.band_count() {
@@ -130,8 +134,9 @@ fn groups(scene: &Scene, effects: Effects) -> Vec<[usize; 2]> {
     groups
 }
 
-/// Whether paths that are scattered by the law of one band are as likely in another. If not, each scattering would multiply the weight in one of
-/// them by more than 1, and after many of them hardly any path would carry all of the light.
+/// Whether paths sampled by the scattering law of one band are equally likely in another band. If
+/// they are not, each scattering multiplies the throughput in one of the bands by more than 1, and
+/// after many scatterings very few paths carry all of the light.
 fn scatter_alike(scene: &Scene, one: usize, other: usize) -> bool {
     let mut scattering =
         scene.media.iter().filter(|medium| medium.scattering.iter().any(|&scattering| scattering > 0.0));
@@ -141,14 +146,14 @@ fn scatter_alike(scene: &Scene, one: usize, other: usize) -> bool {
     })
 }
 
-/// Whether the images of lights in flat walls are more than can be listed.
+/// Whether the lights have more image sources in flat walls than can be listed.
 pub(crate) fn has_too_many_images(world: &World) -> bool {
     let scene = world.scene;
     !scene.lights.is_empty()
         && (0..scene.band_count()).any(|band| Images::of(world, &Optics::<1>::of(scene, band, 1)).is_cut)
 }
 
-/// The member of the lattice that has these effects.
+/// Returns the path tracer that is specialised for these effects.
 fn member<'w, const N: usize>(
     world: &'w World<'w>,
     effects: Effects,

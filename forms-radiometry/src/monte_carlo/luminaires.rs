@@ -1,14 +1,16 @@
-//! Luminaires: what emits light becomes directions in which light comes straight from it.
+//! Light sources: samples directions from which direct light arrives, with their densities.
 //!
 //! ```text
 //! triangle   uniform over its solid angle            disk   uniform over its area
-//! sphere     uniform over the cone that it fills, seen from outside; uniform over its area from inside
-//! point, distant light: the one direction that there is
+//! sphere     outside, uniform over the cone that it subtends; inside, uniform over its area
+//! point, distant light: the only possible direction
 //! ```
-//! Which luminaire is taken is a [choice](super::choice) by what each may bring; of points and distant lights all are where they are few. Densities
-//! are of solid angle, and are what a direction has that was found in another way.
+//! The light source is [selected](super::choice) by the irradiance that each can contribute; point
+//! and distant lights are all sampled if they are few. Densities are per solid angle, and can also
+//! be evaluated for directions that another technique found.
 //!
-//! A luminaire that is [`near`](super::near) is found by chance, and is not looked for: its density is zero there.
+//! A light source that is [`near`](super::near) is found by path sampling alone: there it is not
+//! sampled, and its density is zero.
 
 use super::choice::{Choice, Sought, Weight};
 use super::near::Near;
@@ -25,34 +27,34 @@ use crate::scene::{LightKind, Scene};
 use std::f64::consts::PI;
 use std::ops::Range;
 
-/// So many points and distant lights are all looked for; of more one is chosen.
+/// Up to this number of point and distant lights, all are sampled; of more, one is selected.
 const FEW_BEAMS: usize = 16;
 
-/// All luminaires of a scene.
+/// All light sources of a scene.
 pub(super) struct Luminaires {
-    /// Those that are walls.
+    /// Emitting walls.
     walls: Vec<Luminaire>,
     choice_of_walls: Choice,
-    /// Those that are points or far away.
+    /// Point and distant lights.
     beams: Vec<Luminaire>,
     choice_of_beams: Choice,
-    /// The part of the power of each of all these and of those before it.
+    /// Cumulative fractions of the total power, over the emitting walls and then the beams.
     powers: Vec<f64>,
-    /// The luminaires of each wall.
+    /// The light sources of each wall.
     of_walls: Vec<Range<usize>>,
-    /// By wall the points from which its luminaires are not looked for.
+    /// For each wall the points from which its light sources are not sampled.
     near: Vec<Option<Near>>,
-    /// What is known of all together.
+    /// Selection data of all light sources together.
     all: Weight,
 }
 
-/// Something that emits light.
+/// A light source.
 pub(super) struct Luminaire {
     pub(super) source: Source,
     form: Form,
 }
 
-/// Where the optical numbers of a luminaire are.
+/// Index of the optical data of a light source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Source {
     /// A wall of this index, of this surface.
@@ -71,17 +73,17 @@ enum Form {
     Distant(Vector),
 }
 
-/// A direction to a luminaire.
+/// A sampled direction to a light source.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Towards {
     pub(super) source: Source,
     pub(super) direction: Vector,
-    /// How far it is, if it is a point; without end else.
+    /// Distance of a point light; infinite otherwise.
     pub(super) reach: f64,
-    /// The density of the direction, of which the choice of the luminaire is part; of a beam the reciprocal of what its intensity or
-    /// irradiance is multiplied by.
+    /// Density of the direction, including the probability of selecting the light source. For a
+    /// beam, the reciprocal of the factor that multiplies its intensity or irradiance.
     pub(super) density: f64,
-    /// How likely the luminaire was chosen.
+    /// Probability with which the light source was selected.
     pub(super) chance: f64,
 }
 
@@ -132,18 +134,19 @@ impl Luminaires {
         Self { walls, choice_of_walls, beams, choice_of_beams, powers, of_walls, near, all }
     }
 
-    /// Whether a ray can meet any.
+    /// Whether a ray can hit any light source.
     pub(super) fn are_met(&self) -> bool {
         !self.walls.is_empty()
     }
 
-    /// Where luminaires are looked for along a segment: as far as any is abreast of it.
+    /// Returns the part of a segment for which light sources are selected: beyond it no light
+    /// source lies abreast of the segment.
     pub(super) fn sought_along(&self, from: Vector, direction: Vector, length: f64) -> Sought {
         let farthest = (from - self.all.middle).length() + self.all.radius;
         Sought::along(from, from + length.min(farthest) * direction)
     }
 
-    /// A wall that is looked for, if any is, and how likely it was chosen.
+    /// Selects an emitting wall to sample, if there is any, and returns its probability.
     pub(super) fn wall(&self, sought: Sought, samples: &mut Samples) -> Option<(&Luminaire, f64)> {
         if self.walls.is_empty() {
             return None;
@@ -155,7 +158,7 @@ impl Luminaires {
         (!is_near).then_some((luminaire, chance))
     }
 
-    /// The beams that are looked for, each with how likely it was chosen: all where they are few.
+    /// Returns the beams to sample, each with its selection probability: all beams if they are few.
     pub(super) fn beams<'l>(
         &'l self,
         sought: Sought,
@@ -167,12 +170,13 @@ impl Luminaires {
         all.iter().map(|beam| (beam, 1.0)).chain(one.map(|(place, chance)| (&self.beams[place], chance)))
     }
 
-    /// Whether the luminaires of a wall are not looked for from a point.
+    /// Whether the light sources of a wall are not sampled from a point.
     fn is_near(&self, wall: usize, from: Vector) -> bool {
         self.near[wall].as_ref().is_some_and(|near| near.holds(from))
     }
 
-    /// The surface of a luminaire by a number from 0 to 1, each as likely as its part of the power; none where that is a beam.
+    /// Selects a light source by a number from 0 to 1, in proportion to its power, and returns its
+    /// surface; `None` for a beam.
     pub(super) fn emitting(&self, number: f64) -> Option<usize> {
         match self.walls.get(chosen(&self.powers, number)?)?.source {
             Source::Wall { surface, .. } => Some(surface),
@@ -180,8 +184,8 @@ impl Luminaires {
         }
     }
 
-    /// The density that a direction from a point to the wall that it meets has among those that [`wall`](Self::wall) and
-    /// [`towards`](Luminaire::towards) take.
+    /// Returns the density with which [`wall`](Self::wall) and [`towards`](Luminaire::towards)
+    /// sample the direction from a point to the wall that it hits.
     pub(super) fn density(&self, sought: Sought, from: Vector, direction: Vector, met: &Met) -> f64 {
         if self.is_near(met.wall, sought.from) {
             return 0.0;
@@ -195,8 +199,8 @@ impl Luminaires {
 }
 
 impl Luminaire {
-    /// A direction from a point, by a point of the unit square, where the luminaire was chosen with this chance. None where it cannot be
-    /// seen from there.
+    /// Returns a direction from a point, by a point of the unit square, for a light source that was
+    /// selected with this probability. `None` if the light source cannot be seen from there.
     pub(super) fn towards(&self, from: Vector, square: [f64; 2], chance: f64) -> Option<Towards> {
         let (direction, reach, density) = self.form.towards(from, square)?;
         let is_found = density > 0.0 && density.is_finite();
@@ -204,7 +208,7 @@ impl Luminaire {
         is_found.then_some(Towards { source: self.source, direction, reach, density, chance })
     }
 
-    /// A point of it, by a point of the unit square; none if it is far away.
+    /// Returns a point of the light source, by a point of the unit square; `None` if it is distant.
     pub(super) fn point(&self, square: [f64; 2]) -> Option<Vector> {
         match self.form {
             Form::Point(position) => Some(position),
@@ -215,7 +219,7 @@ impl Luminaire {
 }
 
 impl Form {
-    /// Its weight where its radiance, intensity or irradiance is this.
+    /// Returns the selection data for this radiance, intensity or irradiance.
     fn weight(&self, value: f64) -> Weight {
         let near = |area: f64, middle: Vector, radius: f64| Weight {
             strength: value * area,
@@ -249,7 +253,7 @@ impl Form {
         }
     }
 
-    /// A point that is uniform over the area, and the normal there.
+    /// Returns a point that is uniform over the area, and the normal there.
     fn point(&self, [u, v]: [f64; 2]) -> (Vector, Vector) {
         match *self {
             Self::Triangle([a, b, c]) => {
@@ -270,7 +274,7 @@ impl Form {
         }
     }
 
-    /// A direction to it, how far it is if it is a point, and the density.
+    /// Returns a direction to the form, its distance if it is a point, and the density.
     fn towards(&self, from: Vector, square: [f64; 2]) -> Option<(Vector, f64, f64)> {
         match *self {
             Self::Point(position) => {
@@ -301,7 +305,7 @@ impl Form {
         }
     }
 
-    /// The density of directions that are uniform over the area.
+    /// Returns the density of directions to points that are uniform over the area.
     fn density_of_area(&self, squared: f64, cosine: f64) -> f64 {
         measure_solid_angle_to_area(squared, cosine) / self.area()
     }
@@ -322,11 +326,11 @@ impl Form {
     }
 }
 
-/// The front of a surface, of which points are taken that are uniform over its area.
+/// Front of a surface, from which points are sampled uniformly over the area.
 pub(super) struct Front {
-    /// The wall, the form and the unit normal if it is flat.
+    /// The wall, the form, and the unit normal if the form is flat.
     pieces: Vec<(usize, Form, Option<Vector>)>,
-    /// The area of each piece and of all before it.
+    /// Cumulative areas of the pieces.
     areas: Vec<f64>,
 }
 
@@ -348,7 +352,7 @@ impl Front {
         Self { pieces, areas }
     }
 
-    /// A point: the wall, the place, and the unit normal there.
+    /// Samples a point: the wall, the position, and the unit normal there.
     pub(super) fn point(&self, samples: &mut Samples) -> Option<(usize, Vector, Vector)> {
         let along = samples.one() * self.areas.last()?;
         let (wall, form, normal) = &self.pieces[chosen(&self.areas, along)?];
@@ -361,7 +365,7 @@ impl Front {
     }
 }
 
-/// The forms of a wall: a polygon is a fan of triangles.
+/// Returns the forms of a wall: a polygon becomes a fan of triangles.
 fn forms(wall: &Wall) -> Vec<Form> {
     match wall {
         Wall::Polygon { vertices, .. } => {
@@ -378,7 +382,8 @@ fn triangle_density([a, b, c]: [Vector; 3], direction: Vector) -> f64 {
     spherical_triangle_pdf(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, x, y, z)
 }
 
-/// From outside of a sphere the direction to its centre, and what the cosine of its limb lacks of 1: with s = R/d, s²/(1 + √(1 − s²)).
+/// Returns, from outside a sphere, the direction to its centre, and 1 minus the cosine of its
+/// angular radius: s²/(1 + √(1 − s²)) with s = R/d.
 fn outside(sphere: &Sphere, from: Vector) -> Option<(Vector, f64)> {
     let way = sphere.center - from;
     let distance = way.length();
@@ -387,12 +392,12 @@ fn outside(sphere: &Sphere, from: Vector) -> Option<(Vector, f64)> {
     (sine < 1.0).then(|| way.unit().map(|axis| (axis, squared / (1.0 + (1.0 - squared).sqrt())))).flatten()
 }
 
-/// The density in a cone does not depend on the direction.
+/// Returns the density in a cone, which does not depend on the direction.
 fn cone_density(height: f64) -> f64 {
     uniform_cone_pdf(height, 0.0, 0.0, 1.0)
 }
 
-/// A length that the scene extends over.
+/// Returns a length over which the scene extends.
 pub(super) fn extent(walls: &[Wall]) -> f64 {
     let corners: Vec<Vector> = walls.iter().flat_map(Wall::corners).collect();
     let Some(&first) = corners.first() else { return 1.0 };

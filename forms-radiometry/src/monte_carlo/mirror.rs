@@ -1,4 +1,4 @@
-//! Mirrors and metals: a ray is reflected, times ρ or Fresnel's R.
+//! Mirrors and metals: a ray is reflected, times ρ or the Fresnel reflectance R.
 
 use super::boundary::{Passage, mirrored};
 use super::optics::{MediumOptics, Optics};
@@ -6,7 +6,8 @@ use super::warps::fresnel_conductor;
 use crate::geometry::Vector;
 use crate::scene::MaterialKind;
 
-/// Reflection by a mirror or a metal in front of which is this medium; `normal` points to the ray.
+/// Returns the reflection by a mirror or metal with this medium in front of it; `normal` points to
+/// the side of the ray.
 pub(super) fn reflected<const N: usize>(
     material: &MaterialKind,
     optics: &Optics<N>,

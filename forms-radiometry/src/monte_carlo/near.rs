@@ -1,18 +1,22 @@
-//! Nearness: where a luminaire fills so many directions that light from it is found by chance.
+//! Near field: points from which a light source fills a large part of all directions, so that path
+//! sampling finds its light.
 //!
 //! ```text
-//! flat     it holds a disk about the foot of the point's perpendicular, of a radius as large as the point's height or larger:
-//!          a part of (1 − 1/√2)/2 = 0.146 of all directions leads to that
+//! flat     it contains a disk about the foot of the point's perpendicular, whose radius is at
+//!          least the point's height: (1 − 1/√2)/2 = 0.146 of all directions, or more, lead to it
 //! sphere   the point is inside
 //! ```
-//! There it is not looked for: a direction to it costs more than what it adds to what directions by the law of a vertex find. Any rule would do
-//! that says the same of a point whenever it is asked, since weights of what is found rest on it.
+//! From such points the light source is not sampled by next-event estimation: a direction to it
+//! costs more than it adds to the light that directions sampled by the law of a vertex find. Any
+//! rule would do, as long as it always gives the same result for the same point, since the MIS
+//! weights depend on it.
 
 use crate::geometry::{Disk, Sphere, Vector, Wall};
 
-/// The points near a luminaire.
+/// The points near a light source.
 pub(super) enum Near {
-    /// A point of the plane and its unit normal, and for each edge a point of it and the unit normal in the plane that points to the inside.
+    /// A point of the plane and its unit normal; for each edge, a point of it and the unit normal
+    /// in the plane that points inwards.
     Polygon {
         plane: [Vector; 2],
         edges: Vec<[Vector; 2]>,
@@ -35,7 +39,7 @@ impl Near {
         }
     }
 
-    /// Whether a point is one of them.
+    /// Whether a point is near.
     pub(super) fn holds(&self, point: Vector) -> bool {
         match self {
             Self::Polygon { plane: [origin, normal], edges } => {

@@ -1,10 +1,13 @@
-//! Next-event estimation: from a vertex of a path a luminaire is looked for, and what it brings is weighed against finding it by chance.
+//! Next-event estimation: samples a light source from a vertex of a path, and weights its
+//! contribution against path sampling by multiple importance sampling.
 //!
 //! ```text
-//! vertex ─▶ a luminaire, a direction to it ─┬─ nothing in between ─▶ radiance × law × what media leave, by the power heuristic
-//! segment in a medium ─▶ a point of it ─▶ ┘ └─ hidden ─▶ the largest value that was missed
+//! vertex, or a point of a segment in a medium ─▶ a light source, a direction to it
+//!     ├─ visible ─▶ radiance × law × transmittance × weight by the power heuristic
+//!     └─ occluded ─▶ the largest contribution that was lost
 //! ```
-//! Source: E. Veach, L. Guibas, Optimally combining sampling techniques for Monte Carlo rendering (1995).
+//! Source: E. Veach, L. Guibas, Optimally combining sampling techniques for Monte Carlo rendering
+//! (1995).
 
 use super::chains::Step;
 use super::lattice::Lattice;
@@ -17,10 +20,11 @@ use crate::geometry::{Start, Vector};
 use crate::sampling::Draws;
 use crate::scene::MaterialKind;
 
-/// A luminaire that is a point is reached where nothing is met before this part of the way.
+/// A point light is reached if the ray hits nothing before this fraction of its distance.
 const REACHED: f64 = 1.0 - 1e-12;
 
-/// The part of two ways to find the same light that one of them has: the power heuristic.
+/// Returns the MIS weight (power heuristic, β = 2) of a technique with density `own` against one
+/// with density `other`.
 pub(super) fn part(own: f64, other: f64) -> f64 {
     if own.is_infinite() {
         return 1.0;
@@ -30,7 +34,8 @@ pub(super) fn part(own: f64, other: f64) -> f64 {
 }
 
 impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
-    /// What a segment scatters to its start of the light that comes straight from luminaires.
+    /// Adds the light from light sources that a segment scatters towards its start, both direct and
+    /// from images.
     pub(super) fn lit_segment(
         &self,
         path: &Path<N>,
@@ -54,7 +59,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         }
     }
 
-    /// What comes straight from luminaires to a vertex, whose weight the path has by now; with the direction that it comes from.
+    /// Adds the direct light from light sources at a vertex, with the direction that it comes from.
+    /// The throughput of the path already includes the weight of the vertex.
     pub(super) fn straight(
         &self,
         path: &Path<N>,
@@ -76,7 +82,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         }
     }
 
-    /// Adds what a luminaire brings to a vertex by these mirrors, or notes what it would have brought.
+    /// Adds the contribution of a light source at a vertex by these mirrors, or records it as lost
+    /// to occlusion.
     pub(super) fn lit(
         &self,
         path: &Path<N>,
@@ -101,13 +108,13 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         if !reached.is_hidden {
             add(towards.direction, &value, reached.way);
         } else if !(path.is_same && towards.chance == 1.0 && matches!(towards.source, Source::Beam(_))) {
-            // a beam that is hidden from one place is hidden from all samples there
+            // a beam that is occluded at one place is occluded for all samples there
             miss(hidden, &value);
         }
     }
 
-    /// What is on the way from a vertex to a luminaire; none where that is not met, or is dark from this side. A mirror that is not where it has
-    /// to be counts as something in the way.
+    /// Traces a ray from a vertex to a light source. `None` if the ray misses the light source or
+    /// hits its dark side. A mirror that is not where the chain needs it counts as an occluder.
     fn reached(
         &self,
         path: &Path<N>,
@@ -161,17 +168,17 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     }
 }
 
-/// Notes what a sample missed.
+/// Records the contribution that a sample lost to occlusion.
 fn miss<const N: usize>(hidden: &mut [f64], values: &[f64; N]) {
     hidden.iter_mut().zip(values).for_each(|(hidden, &value)| *hidden = hidden.max(value));
 }
 
-/// What is on the way from a vertex to a luminaire.
+/// Result of tracing a ray from a vertex to a light source.
 struct Reached<const N: usize> {
-    /// What media and mirrors leave of light.
+    /// Transmittance of the media times reflectance of the mirrors.
     left: [f64; N],
-    /// The optical length.
+    /// Optical path length.
     way: f64,
-    /// Whether something stands in between.
+    /// Whether an occluder is in the way.
     is_hidden: bool,
 }

@@ -1,17 +1,18 @@
-//! Optics: the optical numbers of a scene in a group of bands that share their paths.
+//! Optics: the optical data of a scene in a group of bands that share their paths.
 
 use crate::scene::{Filling, LightKind, MaterialKind, Scene};
 
-/// The optical numbers of N bands, the last of which may stand for none and are zero.
+/// Optical data of N bands. The last bands can be unused; they are zero.
 pub(super) struct Optics<const N: usize> {
     media: Vec<MediumOptics<N>>,
-    /// By surface: what it emits, and how much of the light its material reflects, if that is a number.
+    /// For each surface: the emitted radiance, and the reflectance of its material if that is a
+    /// number.
     pub(super) radiances: Vec<[f64; N]>,
     pub(super) reflectances: Vec<[f64; N]>,
-    /// By light: intensity or irradiance.
+    /// For each light: intensity or irradiance.
     pub(super) beams: Vec<[f64; N]>,
     pub(super) outside: [f64; N],
-    /// The first band, and how many there are.
+    /// The first band, and the number of bands.
     pub(super) bands: [usize; 2],
 }
 
@@ -21,7 +22,7 @@ pub(super) struct MediumOptics<const N: usize> {
     pub(super) scattering: [f64; N],
     pub(super) extinction: [f64; N],
     pub(super) asymmetry: [f64; N],
-    /// The refractive index, which bands that share their paths have in common.
+    /// Refractive index, common to all bands that share their paths.
     pub(super) index: f64,
 }
 
@@ -32,7 +33,7 @@ impl<const N: usize> MediumOptics<N> {
         self.scattering.iter().any(|&scattering| scattering > 0.0)
     }
 
-    /// Whether in some band it scatters and absorbs nothing.
+    /// Whether the medium scatters without absorption in some band.
     pub(super) fn is_conservative(&self) -> bool {
         let mut both = self.scattering.iter().zip(&self.extinction);
         both.any(|(&scattering, &extinction)| scattering > 0.0 && scattering == extinction)
@@ -40,7 +41,7 @@ impl<const N: usize> MediumOptics<N> {
 }
 
 impl<const N: usize> Optics<N> {
-    /// The bands from the first on, of which there are at most N.
+    /// Returns the optical data of `count` bands from `first` on; there are at most N.
     pub(super) fn of(scene: &Scene, first: usize, count: usize) -> Self {
         let group = |values: &[f64]| {
             std::array::from_fn(|band| if band < count { values[first + band] } else { 0.0 })
@@ -78,19 +79,19 @@ impl<const N: usize> Optics<N> {
         filling.map_or(MediumOptics::VACUUM, |medium| self.media[medium])
     }
 
-    /// The least and the largest refractive index, of vacuum and all media.
+    /// Returns the smallest and the largest refractive index of vacuum and all media.
     pub(super) fn indices(&self) -> [f64; 2] {
         let indices = self.media.iter().map(|medium| medium.index);
         indices.fold([1.0, 1.0], |[least, most]: [f64; 2], index| [least.min(index), most.max(index)])
     }
 
-    /// Whether nothing bends or reflects light between two media.
+    /// Whether light passes between two media without refraction or reflection.
     pub(super) fn is_clear(&self, one: Filling, other: Filling) -> bool {
         self.medium(one).index == self.medium(other).index
     }
 }
 
-/// The product, band by band.
+/// Returns the product, band by band.
 pub(super) fn times<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
     std::array::from_fn(|band| a[band] * b[band])
 }
@@ -99,7 +100,7 @@ pub(super) fn scaled<const N: usize>(factor: f64, a: &[f64; N]) -> [f64; N] {
     a.map(|value| factor * value)
 }
 
-/// The mean of so many bands.
+/// Returns the mean of the first `count` bands.
 pub(super) fn mean<const N: usize>(values: &[f64; N], count: usize) -> f64 {
     values[..count].iter().sum::<f64>() / count as f64
 }

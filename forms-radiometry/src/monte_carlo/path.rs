@@ -1,14 +1,16 @@
-//! Paths: a ray and what it would bring become contributions, from vertex to vertex.
+//! Path tracing: a ray and its throughput become contributions, from vertex to vertex.
 //!
 //! ```text
-//! ray ─▶ next wall ─┬─ light that the medium scatters into the segment, from luminaires      (scattering)
-//!                   ├─ scattered before it ─▶ a vertex in the medium                          (scattering)
-//!                   └─ wall ─▶ what it emits, weighed against what was found at the last vertex
-//!                          ├─ diffuse ─▶ light from luminaires, and a vertex on the wall
+//! ray ─▶ next wall ─┬─ light of light sources that the medium scatters on the segment (scattering)
+//!                   ├─ scattered before it ─▶ a vertex in the medium                  (scattering)
+//!                   └─ wall ─▶ emitted radiance, with the MIS weight against next-event estimation
+//!                          │   at the last vertex
+//!                          ├─ diffuse ─▶ light from light sources, and a vertex on the wall
 //!                          └─ mirror, metal, boundary ─▶ a ray
 //! ```
-//! Weights of paths never grow: where one has become small, the path ends at random, and goes on with the weight of the limit. So
-//! no path counts more than the first ones of its kind, and the variance is finite wherever the sum of all orders is.
+//! Throughput never grows: where it has become small, Russian roulette ends the path or continues
+//! it with the throughput of the threshold. So no path counts more than the first ones of its kind,
+//! and the variance is finite wherever the sum of all orders is.
 
 use super::boundary::Passage;
 use super::choice::Sought;
@@ -27,23 +29,24 @@ use crate::sampling::{Draws, Random, Samples};
 use crate::scene::{Filling, MaterialKind};
 use std::marker::PhantomData;
 
-/// Paths of less weight than this end at random. The smaller it is, the longer paths are, and the less their lengths spread what they find.
+/// Russian roulette starts below this throughput. A smaller value makes paths longer, and reduces
+/// the variance that comes from their random lengths.
 const FAINT: f64 = 0.1;
-/// A path that has been reflected or bent so often without being spread is caught where light from luminaires cannot get either: else the
-/// scene would have been refused.
+/// Maximum number of consecutive specular events. A path that reaches it is caught where light from
+/// light sources cannot get either; otherwise the scene would have been rejected.
 const CAUGHT: u32 = 4096;
 
-/// How often light is reflected by diffuse surfaces and scattered by media at most, and what counts. A surface that is seen along a ray reflects
-/// to the eye besides.
+/// Maximum number of diffuse reflections and of scatterings by media, and whether direct light
+/// counts. A surface that is seen along a ray reflects once more, towards the eye.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits {
     pub(crate) reflections: Option<u32>,
     pub(crate) scatterings: Option<u32>,
-    /// Whether light that comes straight from luminaires to a receiver counts.
+    /// Whether direct light from light sources to a receiver counts.
     pub(crate) direct: bool,
 }
 
-/// Follows paths with the effects of a lattice's member.
+/// Path tracer, specialised for the effects of a member of the lattice.
 pub(super) struct Tracer<'w, L, const N: usize> {
     pub(super) world: &'w World<'w>,
     pub(super) optics: Optics<N>,
@@ -52,32 +55,34 @@ pub(super) struct Tracer<'w, L, const N: usize> {
     pub(super) effects: PhantomData<L>,
 }
 
-/// A path on its way.
+/// State of a path.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Path<const N: usize> {
     pub(super) start: Start,
     pub(super) direction: Vector,
     pub(super) filling: Filling,
     pub(super) throughput: [f64; N],
-    /// The optical length so far, the integral of the index.
+    /// Optical path length so far, the integral of the index.
     pub(super) way: f64,
-    /// The last vertex, as the mirrors since then show it, and the density that the direction had there; without end where a luminaire could not
-    /// have been found from there.
+    /// The last vertex, as the mirrors since then show it, and the density of the direction there.
+    /// The density is infinite if next-event estimation could not have found the light source from
+    /// that vertex.
     pub(super) vertex: Vector,
     pub(super) density: f64,
-    /// Where luminaires were looked for from the last vertex: there, or along the segment on which it is; as mirrors show it.
+    /// Point or segment for which light sources were selected at the last vertex: the vertex, or
+    /// the segment on which it lies; as mirrors show it.
     pub(super) sought: Sought,
     /// The chain of these mirrors.
     pub(super) chain: usize,
     pub(super) reflections: u32,
-    /// How often diffuse surfaces may reflect it at most.
+    /// Maximum number of diffuse reflections.
     pub(super) most: Option<u32>,
     pub(super) scatterings: u32,
-    /// How often it was reflected or bent since it was spread last.
+    /// Number of specular events since the last vertex.
     pub(super) turns: u32,
-    /// Whether nothing has happened to the light yet.
+    /// Whether the light has not been reflected, refracted or scattered yet.
     pub(super) is_straight: bool,
-    /// Whether all samples of the question went the same way so far.
+    /// Whether all samples of the estimand have followed the same path so far.
     pub(super) is_same: bool,
 }
 
@@ -86,7 +91,7 @@ pub(super) fn may_go_on(count: u32, most: Option<u32>) -> bool {
 }
 
 impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
-    /// How many bands there are.
+    /// Returns the number of bands.
     pub(super) fn count(&self) -> usize {
         if N == 1 { 1 } else { self.optics.bands[1] }
     }
@@ -95,12 +100,14 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         self.optics.medium(filling)
     }
 
-    /// The optical length of a way after a distance more; where nobody asks for the time it stays what it was.
+    /// Returns the optical path length after a further distance. It stays unchanged if no receiver
+    /// is time-resolved.
     pub(super) fn longer(&self, way: f64, medium: &MediumOptics<N>, distance: f64) -> f64 {
         if L::TIME { longer(way, medium, distance) } else { way }
     }
 
-    /// Follows a path to its end, and adds what it finds: a value for each band, and the optical length.
+    /// Traces a path to its end, and adds its contributions: a value for each band, and the optical
+    /// path length.
     pub(super) fn follow(&self, mut path: Path<N>, draws: &mut Draws, add: &mut impl FnMut(&[f64; N], f64)) {
         loop {
             let met = self.world.walls.first(path.start, path.direction, f64::INFINITY);
@@ -134,7 +141,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         }
     }
 
-    /// Adds what comes from where a segment ends to a path that got there.
+    /// Adds the light from the end of a segment to a path that reached it.
     pub(super) fn arrives(
         &self,
         path: &mut Path<N>,
@@ -150,7 +157,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         }
     }
 
-    /// What a wall emits to the path.
+    /// Adds the light that a wall emits into the path.
     fn emitted(&self, path: &Path<N>, met: &Met, add: &mut impl FnMut(&[f64; N], f64)) {
         let radiance = &self.optics.radiances[self.world.sheets[met.wall].surface];
         let is_lit = largest(radiance) > 0.0 && self.world.is_bright(met.wall, met.is_front);
@@ -166,7 +173,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         add(&scaled(part, &times(&path.throughput, radiance)), path.way);
     }
 
-    /// What the wall does with the path; whether it goes on.
+    /// Applies the interaction of the wall to the path; returns whether the path continues.
     fn interacts(
         &self,
         path: &mut Path<N>,
@@ -201,7 +208,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         false
     }
 
-    /// Sends the path on from a smooth surface; whether it can still get away.
+    /// Continues the path from a smooth surface; returns whether the path can still escape.
     fn passes(&self, path: &mut Path<N>, met: &Met, passage: Passage<N>) -> bool {
         let (direction, throughput, stays) = passage.applied(&path.throughput);
         (path.direction, path.throughput) = (direction, throughput);
@@ -218,7 +225,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         path.turns < CAUGHT
     }
 
-    /// Crosses the boundary of two media, or is reflected there.
+    /// Crosses the boundary of two media, or is reflected there; returns whether the path
+    /// continues.
     fn crosses(
         &self,
         path: &mut Path<N>,
@@ -241,7 +249,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         true
     }
 
-    /// Ends a path of little weight at random, and gives the others the weight of those that ended.
+    /// Plays Russian roulette with a path of small throughput; survivors get the throughput of the
+    /// threshold.
     fn goes_on(&self, path: &mut Path<N>, chance: &mut Random) -> bool {
         let weight = largest(&path.throughput);
         if weight >= FAINT {
@@ -252,7 +261,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         weight > 0.0 && chance.next() < part
     }
 
-    /// Lets a path go on from a vertex by its law.
+    /// Continues a path from a vertex in a direction sampled by the law of the vertex.
     pub(super) fn leaves(&self, path: &mut Path<N>, vertex: &Vertex<N>, samples: &mut Samples) {
         let direction = vertex.law.direction(self.count(), samples);
         let (weights, density) = vertex.law.weights(direction, self.count());
@@ -280,14 +289,15 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         path.sought = sought;
     }
 
-    /// The vertex at a distance along the path.
+    /// Returns the vertex at a distance along the path.
     fn scattering(&self, path: &Path<N>, medium: &MediumOptics<N>, distance: f64) -> Vertex<N> {
         let position = path.start.position + distance * path.direction;
         let law = Law::Phase { forward: path.direction, asymmetry: medium.asymmetry };
         Vertex { start: self.world.walls.start_free(position), law }
     }
 
-    /// A point of a segment at which light is looked for, and the path as far as there.
+    /// Samples a point of a segment from which light sources are sampled, and returns the path up
+    /// to that point.
     pub(super) fn lit_point(
         &self,
         path: &Path<N>,

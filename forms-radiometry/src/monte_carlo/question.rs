@@ -1,4 +1,4 @@
-//! Questions: what a receiver asks for, of which every sample takes a part.
+//! Estimands: the quantities that receivers request; each sample evaluates a part of one.
 
 use super::world::World;
 use crate::camera::Camera;
@@ -6,49 +6,50 @@ use crate::geometry::{Start, Vector};
 use crate::sampling::Samples;
 use std::f64::consts::PI;
 
-/// The parts along each side of a pixel between which rays tell what is seen.
+/// Number of parts along each side of a pixel. Rays through their corners determine the visible
+/// surfaces.
 const PARTS: usize = 4;
 
-/// What is asked for.
+/// An estimand.
 #[derive(Clone, Debug)]
 pub(crate) enum Question {
-    /// The irradiance at a point whose unit normal is this.
+    /// Irradiance at a point with this unit normal.
     Plane { position: Vector, normal: Vector },
-    /// The fluence rate at a point, and the three components of vector irradiance.
+    /// Fluence rate at a point, and the three components of the vector irradiance.
     Sphere { position: Vector },
-    /// The mean irradiance of the front of a surface.
+    /// Mean irradiance of the front of a surface.
     Surface { surface: usize },
-    /// The radiance that arrives from a direction.
+    /// Radiance that arrives from a direction.
     Sight { origin: Vector, direction: Vector },
-    /// The mean radiance over a pixel of a camera, in column and row from the upper left.
+    /// Mean radiance over a pixel of a camera, in column and row from the upper left.
     Pixel { camera: Camera, pixel: [usize; 2] },
 }
 
-/// What rays meet first.
+/// First hits of one or several rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Seen {
-    /// Whether any of it emits light.
+    /// Whether any first hit emits light.
     pub(crate) is_emitter: bool,
-    /// The surface that all of them meet, or that they meet none; of rays that meet several there is no one.
+    /// The surface that all rays hit, or `None` if all rays miss; an error if the rays differ.
     pub(crate) surface: Result<Option<usize>, Several>,
 }
 
-/// Rays that meet several surfaces, or one and none.
+/// Rays that hit several surfaces, or that partly hit and partly miss.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Several;
 
 impl Seen {
-    /// What no ray meets.
+    /// First hits of rays that all miss.
     pub(crate) const NOTHING: Self = Self { is_emitter: false, surface: Ok(None) };
 
-    /// What is seen by rays that see one and rays that see the other.
+    /// Combines the first hits of two sets of rays.
     fn with(self, other: Self) -> Self {
         let surface = if self.surface == other.surface { self.surface } else { Err(Several) };
         Self { is_emitter: self.is_emitter || other.is_emitter, surface }
     }
 }
 
-/// The begin of a path.
+/// Start of a path.
 pub(super) enum Begin {
     /// At a receiver with this unit normal, or with none.
     Receiver { start: Start, normal: Option<Vector> },
@@ -57,12 +58,13 @@ pub(super) enum Begin {
 }
 
 impl Question {
-    /// How many numbers answer it.
+    /// Returns the number of values of the estimand.
     pub(crate) fn numbers(&self) -> usize {
         if matches!(self, Self::Sphere { .. }) { 4 } else { 1 }
     }
 
-    /// The largest number that light brings of which no radiance, or value of a sample, is above this.
+    /// Returns the largest value for light whose radiance, or value of a sample, is nowhere above
+    /// this.
     pub(crate) fn largest(&self, radiance: f64) -> f64 {
         match self {
             Self::Plane { .. } | Self::Surface { .. } => PI * radiance,
@@ -71,12 +73,13 @@ impl Question {
         }
     }
 
-    /// Whether all samples begin at one place, along a ray in one direction.
+    /// Whether all samples start at one place, and along a ray in one direction.
     pub(super) fn is_of_one_place(&self) -> bool {
         matches!(self, Self::Plane { .. } | Self::Sphere { .. } | Self::Sight { .. })
     }
 
-    /// What is seen directly along a ray, or in a pixel by rays through the corners of parts of it.
+    /// Returns the first hit along a ray, or in a pixel the first hits of rays through the corners
+    /// of its parts.
     pub(crate) fn seen(&self, world: &World) -> Seen {
         let seen = |origin: Vector, direction: Vector| world.seen(world.walls.start_at(origin), direction);
         match self {
@@ -96,7 +99,8 @@ impl Question {
         }
     }
 
-    /// What the numbers are multiplied by, for light that comes from a direction: a receiver integrates over a law of density one.
+    /// Calls `each` with the index and the factor of each value, for light that comes from a
+    /// direction. A receiver integrates over a directional density that is normalised to one.
     pub(super) fn measure(&self, direction: Vector, each: &mut impl FnMut(usize, f64)) {
         match self {
             Self::Plane { .. } | Self::Surface { .. } => each(0, PI),
@@ -109,7 +113,7 @@ impl Question {
         }
     }
 
-    /// A part of what is asked for.
+    /// Samples the start of a path: a part of the estimand.
     pub(super) fn begin(&self, world: &World, samples: &mut Samples) -> Option<Begin> {
         let walls = &world.walls;
         match self {

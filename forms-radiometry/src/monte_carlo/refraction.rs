@@ -1,10 +1,10 @@
-//! Refraction: what becomes of a ray at the smooth boundary of two media.
+//! Refraction: reflection or transmission of a ray at the smooth boundary of two media.
 //!
 //! ```text
-//! with the chance R reflected, else bent: n₁ sin θ₁ = n₂ sin θ₂
+//! with probability R reflected, otherwise refracted: n₁ sin θ₁ = n₂ sin θ₂
 //! ```
-//! Seen backwards a ray that gets from index n₁ into n₂ brings radiance from there: L₁ = L₂ n₁²/n₂². The chance takes the place of
-//! the factors R and 1 − R.
+//! Paths are traced backwards: a ray that passes from index n₁ into n₂ carries radiance from there,
+//! L₁ = L₂ n₁²/n₂². The probability replaces the factors R and 1 − R.
 
 use super::boundary::{Passage, mirrored};
 use super::optics::MediumOptics;
@@ -12,8 +12,9 @@ use super::warps::fresnel_dielectric;
 use crate::geometry::Vector;
 use crate::kernels::basic_radiance;
 
-/// What can happen at the boundary from one medium to another, each with its part of the light: reflection, and passage where there is
-/// any; `normal` points to the ray.
+/// Returns the possible outcomes at the boundary from one medium to another, each with its fraction
+/// of the light: reflection, and refraction if there is any; `normal` points to the side of the
+/// ray.
 pub(super) fn passages<const N: usize>(
     [from, to]: [&MediumOptics<N>; 2],
     direction: Vector,
@@ -22,7 +23,7 @@ pub(super) fn passages<const N: usize>(
     let cosine = (-normal.dot(direction)).clamp(0.0, 1.0);
     let relative = to.index / from.index;
     let reflectance = fresnel_dielectric(relative, cosine);
-    // by Snell's law; what is left under the root is positive where not all is reflected
+    // by Snell's law; the radicand is positive unless the reflection is total
     let radicand = (relative - 1.0) * (relative + 1.0) + cosine * cosine;
     let bent = (radicand > 0.0 && reflectance < 1.0)
         .then(|| (direction + (cosine - radicand.sqrt()) * normal).unit())
@@ -33,7 +34,7 @@ pub(super) fn passages<const N: usize>(
     [Some((part, Passage::Reflected(mirrored(direction, normal), [1.0; N]))), passed]
 }
 
-/// What happens there, by a number from 0 to 1.
+/// Selects one of the outcomes at the boundary by a number from 0 to 1.
 pub(super) fn refracted<const N: usize>(
     media: [&MediumOptics<N>; 2],
     direction: Vector,

@@ -1,10 +1,13 @@
-//! Replicates: a question is answered by independent replicates of one point set; their means tell the answer and its standard error.
+//! Replicates: an estimand is evaluated by independent replicates of one point set; their means
+//! give the value and its standard error.
 //!
 //! ```text
-//! value = Σ mᵣ/R          σ² = Σ (mᵣ − value)²/(R (R − 1))          mᵣ the mean of n samples of replicate r
+//! value = Σ mᵣ/R     σ² = Σ (mᵣ − value)²/(R (R − 1))     mᵣ the mean of n samples of replicate r
 //! ```
-//! Within a replicate samples lie more evenly than random ones, which their spread shows only between replicates. The number of samples
-//! doubles from round to round; all sums are taken in one order, so that the answer does not depend on threads.
+//! This is randomized quasi-Monte Carlo: the samples within a replicate are of low discrepancy, so
+//! that only the spread between replicates shows their error. The number of samples doubles from
+//! round to round. All sums are accumulated in a fixed order, so that the result does not depend on
+//! threads.
 
 use super::follow::Follow;
 use super::question::Question;
@@ -12,10 +15,10 @@ use crate::sampling::{Draws, key};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// Replicates of a number, and of a pixel or a cell.
+/// Number of replicates of a single value, and of a pixel or a cell.
 pub(crate) const REPLICATES: usize = 32;
 
-/// A sum with what its rounding left out: Neumaier's (1974).
+/// Sum with its compensated rounding error: Neumaier (1974).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Sum {
     sum: f64,
@@ -35,7 +38,7 @@ impl Sum {
     }
 }
 
-/// The bins of time that light falls into, by its optical length.
+/// Time bins of light, by optical path length.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bins {
     pub(crate) start: f64,
@@ -47,7 +50,8 @@ pub(crate) struct Bins {
 #[derive(Clone, Debug)]
 pub(crate) struct Sums {
     pub(super) sums: Vec<Sum>,
-    /// For each band the largest value that a sample missed, since something hid a luminaire.
+    /// For each band the largest contribution that a sample lost because a light source was
+    /// occluded.
     pub(super) missed: Vec<f64>,
     bands: usize,
     bins: Option<Bins>,
@@ -59,14 +63,14 @@ impl Sums {
         Self { sums: vec![Sum::default(); numbers * bands * count], missed: vec![0.0; bands], bands, bins }
     }
 
-    /// The bin of light that took this optical length; none if it is in no bin.
+    /// Returns the bin of light with this optical path length; `None` if it is in no bin.
     pub(super) fn bin(&self, way: f64) -> Option<usize> {
         let Some(Bins { start, width, count }) = self.bins else { return Some(0) };
         let place = ((way - start) / width).floor();
         (place >= 0.0 && place < count as f64).then_some(place as usize)
     }
 
-    /// Notes what a sample missed in a band.
+    /// Records a contribution that a sample lost to occlusion in a band.
     pub(super) fn miss(&mut self, band: usize, value: f64) {
         self.missed[band] = self.missed[band].max(value);
     }
@@ -77,22 +81,22 @@ impl Sums {
     }
 }
 
-/// The replicates of a question.
+/// The replicates of an estimand.
 #[derive(Clone, Debug)]
 pub(crate) struct Replicates {
     key: u64,
     pub(super) of: Vec<Sums>,
-    /// How many samples each replicate has.
+    /// Number of samples of each replicate.
     pub(crate) samples: u32,
 }
 
 impl Replicates {
-    /// Replicates without samples, of a question that this key names.
+    /// Creates replicates without samples, for an estimand that this key identifies.
     pub(crate) fn new(key: u64, question: &Question, bands: usize, bins: Option<Bins>) -> Self {
         Self { key, of: vec![Sums::new(question.numbers(), bands, bins); REPLICATES], samples: 0 }
     }
 
-    /// Adds samples up to so many, to the replicates that are meant.
+    /// Adds samples to the selected replicates, up to the number `to`.
     pub(crate) fn extend(
         &mut self,
         to: u32,
@@ -115,29 +119,29 @@ impl Replicates {
         self.samples = to;
     }
 
-    /// How many samples all replicates have.
+    /// Returns the number of samples of all replicates together.
     pub(crate) fn count(&self) -> f64 {
         self.of.len() as f64 * f64::from(self.samples)
     }
 
-    /// How many values there are: numbers, bands and bins.
+    /// Returns the number of values: numbers, bands and bins.
     pub(crate) fn len(&self) -> usize {
         self.of[0].sums.len()
     }
 
-    /// The largest value that a sample missed in the band of a value.
+    /// Returns the largest contribution that a sample lost to occlusion in the band of a value.
     pub(crate) fn missed(&self, place: usize) -> f64 {
         let band = self.band(place);
         self.of.iter().map(|sums| sums.missed[band]).fold(0.0, f64::max)
     }
 
-    /// The band of a value.
+    /// Returns the band of a value.
     pub(crate) fn band(&self, place: usize) -> usize {
         let Sums { bands, bins, .. } = &self.of[0];
         place / bins.map_or(1, |bins| bins.count) % bands
     }
 
-    /// A value, and its standard error by the spread of the replicates.
+    /// Returns a value, and its standard error from the spread of the replicates.
     pub(crate) fn found(&self, place: usize) -> [f64; 2] {
         let mean = |sums: &Sums| sums.sums[place].value() / f64::from(self.samples);
         let count = self.of.len() as f64;
@@ -151,13 +155,13 @@ impl Replicates {
 mod tests {
     use super::*;
 
-    /// Samples of each replicate where there are 2³⁰ in all.
+    /// Number of samples of each replicate for 2³⁰ samples in total.
     const SAMPLES: u64 = 1 << 25;
     const DIGITS: u32 = 52;
 
     #[test]
     fn a_sum_of_all_samples_that_are_ever_taken_keeps_its_digits() {
-        // whole numbers, of which 128 bits hold the sum
+        // integers whose sum fits in 128 bits
         let numbers = || (0..SAMPLES).map(|index| key(1, index) >> (64 - DIGITS));
         let small = |number: f64| number / (1_u64 << DIGITS) as f64;
         let exact = small(numbers().map(u128::from).sum::<u128>() as f64);

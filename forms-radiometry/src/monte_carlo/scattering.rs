@@ -1,13 +1,17 @@
-//! Scattering along a ray: where light is scattered, and where light that is scattered once is looked for.
+//! Scattering along a ray: samples where light is scattered, and where singly scattered light from
+//! light sources is evaluated.
 //!
 //! ```text
 //! free flight     t with the density σ e^(−σ t); beyond the end of the segment light passes
-//! within          the same of what is scattered before that: t with the density σ e^(−σ t)/(1 − e^(−σ d))
-//! lit point       t with half the density of free flight within the segment, and half that of the angle at a luminaire
+//! within          a forced collision before that: t with the density σ e^(−σ t)/(1 − e^(−σ d))
+//! lit point       t with half the density of free flight within the segment, and half the
+//!                 equiangular density at a light source
 //! ```
-//! Bands have extinctions of their own: the distance is taken by one of them at random, and its density is the mean of all.
+//! Bands have different extinctions: one of them, selected at random, gives the distance, and the
+//! density is the mean over all bands.
 //!
-//! Source: C. Kulla, M. Fajardo, Importance sampling techniques for path tracing in participating media (2012).
+//! Source: C. Kulla, M. Fajardo, Importance sampling techniques for path tracing in participating
+//! media (2012).
 
 use super::optics::{MediumOptics, mean, scaled};
 use super::vertex::one_of;
@@ -16,23 +20,24 @@ use crate::extinction::lost;
 use crate::geometry::Vector;
 use crate::sampling::Samples;
 
-/// Optical thickness beyond which nothing is left: e^−45 is 3e−20.
+/// Optical thickness beyond which no light remains: e^−45 is 3e−20.
 const OPAQUE: f64 = 45.0;
-/// The least distance of a luminaire from a ray beside the length of the segment, below which the angle at it says nothing.
+/// Minimum distance of a light source from a ray, relative to the length of the segment; below it
+/// the equiangular density is not used.
 const LEAST_HEIGHT: f64 = 1e-12;
 
-/// What a flight through a medium ends with.
+/// Outcome of a flight through a medium.
 pub(super) enum Flight<const N: usize> {
-    /// Scattered at this distance, with this factor: scattering, transmittance, over the density.
+    /// Scattered at this distance, with this factor: scattering × transmittance / density.
     Scattered(f64, [f64; N]),
-    /// At the end of the segment, with this factor.
+    /// Reached the end of the segment, with this factor.
     Passed([f64; N]),
-    /// With nothing: none ends so.
+    /// A forced collision that has probability zero.
     Nothing,
 }
 
 impl<const N: usize> MediumOptics<N> {
-    /// A flight over a segment.
+    /// Samples a free flight over a segment.
     pub(super) fn flight(&self, length: f64, count: usize, samples: &mut Samples) -> Flight<N> {
         let chosen = self.extinction[one_of(count, samples)];
         let number = samples.one();
@@ -45,7 +50,8 @@ impl<const N: usize> MediumOptics<N> {
         Flight::Passed(left.map(|left| left / chance))
     }
 
-    /// One of the flights over a segment that are scattered, with the factor of all of them: their part of all flights is 1 − e^(−σ d).
+    /// Samples a forced collision within a segment. Its factor includes the fraction of all flights
+    /// that are scattered there, 1 − e^(−σ d).
     pub(super) fn flight_within(&self, length: f64, count: usize, samples: &mut Samples) -> Flight<N> {
         let within = self.extinction.map(|extinction| lost(extinction, length));
         let part = mean(&within, count);
@@ -57,7 +63,7 @@ impl<const N: usize> MediumOptics<N> {
         Flight::Scattered(distance, scaled(part, &self.scattered(distance, count)))
     }
 
-    /// What is scattered at a distance, over the density of distances of free flight there.
+    /// Returns scattering times transmittance at a distance, over the density of free flight there.
     fn scattered(&self, distance: f64, count: usize) -> [f64; N] {
         let left = self.transmittance(distance);
         let densities: [f64; N] = std::array::from_fn(|band| self.extinction[band] * left[band]);
@@ -65,8 +71,9 @@ impl<const N: usize> MediumOptics<N> {
         std::array::from_fn(|band| self.scattering[band] * left[band] / density)
     }
 
-    /// A distance along a segment at which light from a point is looked for, and for each band σₛ times what is left of light on the way
-    /// there, over the density. `pivot` is where the light is thought to come from, if it comes from near.
+    /// Samples a distance along a segment at which light from a point is evaluated. Returns with
+    /// it, for each band, σₛ times the transmittance up to there, over the density. `pivot` is the
+    /// assumed origin of the light, if it is not distant.
     pub(super) fn lit_point(
         &self,
         [origin, direction]: [Vector; 2],
@@ -82,7 +89,7 @@ impl<const N: usize> MediumOptics<N> {
             return None;
         }
         let angle = pivot.and_then(|pivot| Angle::at(pivot, [origin, direction], length));
-        // the number tells which distribution, and then a distance of it
+        // the number selects the distribution, and then a distance from it
         let number = samples.one();
         let within = lost(extinction, length);
         let flight = |number: f64| free_flight_sample(extinction, number * within);
@@ -100,7 +107,7 @@ impl<const N: usize> MediumOptics<N> {
     }
 }
 
-/// A band, each as likely as its part of the sum.
+/// Selects a band with a probability proportional to its part of the sum.
 fn likely(parts: &[f64], samples: &mut Samples) -> usize {
     if parts.len() == 1 {
         return 0;
@@ -114,7 +121,8 @@ fn likely(parts: &[f64], samples: &mut Samples) -> usize {
     parts.iter().take_while(is_beyond).count().min(last)
 }
 
-/// A segment by the angle that it covers at a luminaire: along the ray from abreast of it, at the height h.
+/// Segment of a ray for equiangular sampling about a light source: distances are measured from the
+/// foot of the perpendicular of length h from the light source to the ray.
 struct Angle {
     height: f64,
     abreast: f64,

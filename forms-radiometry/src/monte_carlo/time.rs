@@ -1,8 +1,8 @@
-//! Time: how long a path is to light.
+//! Time of flight: the optical path length of a path.
 
 use super::optics::MediumOptics;
 
-/// The optical length of a way, ∫ n ds, after a distance more in this medium.
+/// Returns an optical path length, ∫ n ds, after a further distance in this medium.
 pub(super) fn longer<const N: usize>(way: f64, medium: &MediumOptics<N>, distance: f64) -> f64 {
     way + medium.index * distance
 }

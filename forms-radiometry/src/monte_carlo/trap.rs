@@ -1,12 +1,13 @@
-//! Light traps: places that light reaches and never leaves, and where nothing takes it.
+//! Light traps: places that light reaches and never leaves, and where nothing absorbs it.
 //!
 //! ```text
-//! rays from luminaires ─ as long as nothing takes any of them ─▶ some still there after very many turns: a trap of positive measure
-//! two plane mirrors that face each other and reflect everything, and light ─▶ what is normal to both never ends
+//! rays from light sources ─ traced as long as they lose no energy ─▶ some are left after very many
+//!                           events: a trap of positive measure
+//! two plane mirrors that face each other and reflect everything ─▶ light normal to both never ends
 //! ```
-//! Light that is followed from where it is sent, and given up wherever a part of it is lost, is gone after few turns where it can
-//! leave: a glass of water traps nothing that comes from outside. Where some of it is still there after thousands of turns, the sum of all
-//! orders does not exist.
+//! A ray is traced from its light source, and dropped as soon as it loses energy. Where light can
+//! leave, all rays are gone after a few events: a glass of water traps no light from outside. Where
+//! some rays are left after thousands of events, the sum of all orders does not exist.
 
 use super::boundary::Passage;
 use super::luminaires::Front;
@@ -21,17 +22,18 @@ use crate::sampling::{Samples, key};
 use crate::scene::{Filling, LightKind, MaterialKind, SceneError};
 use rayon::prelude::*;
 
-/// How many rays are followed, and for how many turns.
+/// Number of rays, and the number of events for which each is traced.
 const RAYS: u32 = 512;
 const TURNS: u32 = 4096;
-/// As many rays as may stay so long by chance.
+/// Number of rays that are allowed to survive all events by chance.
 const CHANCE: usize = 1;
-/// Unit normals that are opposite but for this are those of parallel planes.
+/// Planes are parallel if the cosine of the angle between their normals differs from ±1 by less
+/// than this.
 const PARALLEL: f64 = 1e-12;
-/// Points of a mirror that are asked whether they see the other one.
+/// Number of points of a mirror that are tested for a view of the other mirror.
 const POINTS: u32 = 64;
 
-/// The trap that light of a world reaches, if there is one.
+/// Returns an error for a trap that light of a world reaches, if there is one.
 pub(crate) fn trap(world: &World) -> Option<SceneError> {
     let scene = world.scene;
     let surface = (0..scene.band_count()).find_map(|band| {
@@ -47,13 +49,13 @@ pub(crate) fn trap(world: &World) -> Option<SceneError> {
     Some(SceneError::new(&surface.place, message, expected))
 }
 
-/// The search in one band.
+/// Search for light traps in one band.
 pub(super) struct Search<'w> {
     pub(super) world: &'w World<'w>,
     pub(super) optics: Optics<1>,
 }
 
-/// A ray from which nothing was taken so far.
+/// A ray that has lost no energy so far.
 pub(super) struct Ray {
     pub(super) start: Start,
     pub(super) direction: Vector,
@@ -67,14 +69,14 @@ impl<'w> Search<'w> {
 }
 
 impl Search<'_> {
-    /// A surface that is met by light which was still there after very many turns.
+    /// Returns a surface that is hit by light that survived very many events.
     fn closed(&self) -> Option<usize> {
         let of_ray = |ray: u32| self.caught(&mut Samples::new(key(17, 0), ray));
         let caught: Vec<usize> = (0..RAYS).into_par_iter().filter_map(of_ray).collect();
         (caught.len() > CHANCE).then(|| caught[0])
     }
 
-    /// The surface that one ray meets in the end, if nothing takes it.
+    /// Returns the surface that one ray hits in the end, if the ray loses no energy.
     fn caught(&self, samples: &mut Samples) -> Option<usize> {
         let mut ray = self.sent(samples)?;
         let mut last = None;
@@ -84,7 +86,7 @@ impl Search<'_> {
         last
     }
 
-    /// A ray as luminaires send it, or as it comes from outside.
+    /// Samples a ray from an emitting surface, or from the first light if that is a point light.
     fn sent(&self, samples: &mut Samples) -> Option<Ray> {
         let world = self.world;
         let scene = world.scene;
@@ -105,7 +107,8 @@ impl Search<'_> {
         Some(Ray { start, direction, filling: world.medium_at(start, direction) })
     }
 
-    /// Follows a ray to the next thing that turns it, and returns the surface; none where any of it is lost.
+    /// Traces a ray to its next event and returns the surface; `None` if the ray loses energy or
+    /// escapes.
     fn turn(&self, ray: &mut Ray, samples: &mut Samples) -> Option<usize> {
         let medium = self.optics.medium(ray.filling);
         let met = self.world.walls.first(ray.start, ray.direction, f64::INFINITY)?;
@@ -123,7 +126,7 @@ impl Search<'_> {
         (self.meets(ray, &met, samples) >= 1.0).then_some(surface)
     }
 
-    /// Turns a ray where the medium scatters it, after this distance.
+    /// Scatters a ray in its medium after this distance.
     pub(super) fn scatter(&self, ray: &mut Ray, distance: f64, samples: &mut Samples) {
         let asymmetry = self.optics.medium(ray.filling).asymmetry;
         let position = ray.start.position + distance * ray.direction;
@@ -131,7 +134,7 @@ impl Search<'_> {
         ray.start = self.world.walls.start_free(position);
     }
 
-    /// What a wall does with a ray; the part of it that goes on.
+    /// Applies the interaction of a wall to a ray; returns the fraction of its energy that remains.
     pub(super) fn meets(&self, ray: &mut Ray, met: &Met, samples: &mut Samples) -> f64 {
         let (world, sheet) = (self.world, &self.world.sheets[met.wall]);
         let normal = if met.is_front { met.normal } else { -met.normal };
@@ -162,7 +165,8 @@ impl Search<'_> {
         left
     }
 
-    /// A plane mirror that reflects everything to another one that faces it, where there is light.
+    /// Finds a plane mirror that reflects everything to another one that faces it, where there is
+    /// light.
     fn mirrors(&self) -> Option<usize> {
         let world = self.world;
         let has_light = self.optics.radiances.iter().chain(&self.optics.beams).any(|[value]| *value > 0.0);
@@ -184,7 +188,8 @@ impl Search<'_> {
         Some(world.sheets[*found].surface)
     }
 
-    /// Whether light that leaves a point of a mirror along its normal comes back along it from another one.
+    /// Whether light that leaves a point of a mirror along its normal returns along the normal from
+    /// another mirror.
     fn comes_back(&self, wall: usize, position: Vector, normal: Vector) -> bool {
         let world = self.world;
         if matches!(world.walls.get(wall), Wall::Sphere(_)) {

@@ -1,12 +1,13 @@
-//! Vertices: where light is spread, and the law by which it is.
+//! Vertices: points where light is scattered into many directions, and the directional density
+//! (law) of the scattering.
 //!
 //! ```text
-//! plane    cos θ/π      a diffuse surface, or a receiver that is one: E = π ∫ L cos θ/π dω
+//! plane    cos θ/π      a diffuse surface, or a flat receiver: E = π ∫ L cos θ/π dω
 //! sphere   1/(4π)       a receiver of light from all sides: φ = 4π ∫ L/(4π) dω
 //! phase    Henyey and Greenstein, of each band: light that a medium scatters
 //! ```
-//! All laws are densities of directions. Of several bands with different laws one is chosen at random to take a direction, and the density of
-//! that is the mean of all.
+//! All laws are densities of directions. If several bands have different laws, one band, selected
+//! at random, gives the direction, whose density is the mean over all bands.
 
 use super::choice::Sought;
 use super::optics::mean;
@@ -17,7 +18,7 @@ use super::warps::{
 use crate::geometry::{Start, Vector};
 use crate::sampling::{Frame, Samples};
 
-/// A place where light is spread.
+/// A point where light is scattered or received.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Vertex<const N: usize> {
     pub(super) start: Start,
@@ -29,7 +30,8 @@ pub(super) enum Law<const N: usize> {
     /// The unit normal of the side that receives.
     Plane(Vector),
     Sphere,
-    /// The direction that light would go on to, seen from the receiver, and for each band the mean cosine.
+    /// The direction of unscattered light, seen from the receiver, and the mean cosine of each
+    /// band.
     Phase {
         forward: Vector,
         asymmetry: [f64; N],
@@ -37,7 +39,7 @@ pub(super) enum Law<const N: usize> {
 }
 
 impl<const N: usize> Vertex<N> {
-    /// Where light is looked for from it.
+    /// Returns the point for which lights are selected at the vertex.
     pub(super) fn sought(&self) -> Sought {
         let normal = if let Law::Plane(normal) = self.law { Some(normal) } else { None };
         Sought::at(self.start.position, normal)
@@ -45,7 +47,7 @@ impl<const N: usize> Vertex<N> {
 }
 
 impl<const N: usize> Law<N> {
-    /// The density of a direction, for each band.
+    /// Returns the density of a direction in each band.
     pub(super) fn density(&self, direction: Vector) -> [f64; N] {
         match self {
             Self::Plane(normal) => {
@@ -61,7 +63,7 @@ impl<const N: usize> Law<N> {
         }
     }
 
-    /// A direction by the law, of so many bands.
+    /// Samples a direction by the law of `count` bands.
     pub(super) fn direction(&self, count: usize, samples: &mut Samples) -> Vector {
         let [u, v] = samples.pair();
         match self {
@@ -73,13 +75,15 @@ impl<const N: usize> Law<N> {
             Self::Phase { forward, asymmetry } => {
                 let g = asymmetry[one_of(count, samples)];
                 let [x, y, z] = henyey_greenstein_direction_sample(g, u, v);
-                // directions that are uniform are about an axis that does not turn with the path, and so depend on these two numbers alone
+                // isotropic directions use a frame that does not turn with the path, and so depend
+                // on these two numbers alone
                 if g == 0.0 { Vector::new(x, y, z) } else { Frame::about(*forward).place([x, y, z]) }
             }
         }
     }
 
-    /// What the density of each band is beside that of the direction which was taken, and that one.
+    /// Returns the density of each band relative to the density of the sampled direction, and the
+    /// latter.
     pub(super) fn weights(&self, direction: Vector, count: usize) -> ([f64; N], f64) {
         let densities = self.density(direction);
         let taken = mean(&densities, count);
@@ -87,7 +91,7 @@ impl<const N: usize> Law<N> {
     }
 }
 
-/// One of so many bands, at random.
+/// Selects one of `count` bands at random.
 pub(super) fn one_of(count: usize, samples: &mut Samples) -> usize {
     if count == 1 { 0 } else { ((samples.one() * count as f64) as usize).min(count - 1) }
 }

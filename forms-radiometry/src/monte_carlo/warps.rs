@@ -1,7 +1,9 @@
-//! The warps and densities of paths, without the guard that holds them to a few units in the last place.
+//! The warps and densities of paths, without the guard that limits their error to a few units in
+//! the last place.
 //!
-//! A sample is one of many: what rounding makes of it is 10⁻¹⁰ of the spread at most, and would be paid for by redoing it in more digits where a
-//! triangle is wide or thin. A slab below a luminaire a thousand times as wide takes 20 times as long with the guard.
+//! A sample is one of many: its rounding error is at most 10⁻¹⁰ of the spread. The guard would
+//! remove it by recomputing the sample in higher precision where a triangle is wide or thin. A slab
+//! below a light source a thousand times as wide takes 20 times as long with the guard.
 
 pub(super) use crate::kernels::cosine_hemisphere_pdf::unguarded as cosine_hemisphere_pdf;
 pub(super) use crate::kernels::cosine_hemisphere_sample::unguarded as cosine_hemisphere_sample;

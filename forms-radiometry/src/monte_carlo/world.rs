@@ -1,4 +1,5 @@
-//! The world: a scene becomes walls with media on both sides, and luminaires.
+//! World: a scene becomes walls, the primitives that rays hit, with media on both sides, and light
+//! sources.
 
 use super::chains::Chains;
 use super::luminaires::{Front, Luminaires};
@@ -6,20 +7,20 @@ use super::question::Seen;
 use crate::geometry::{Met, Start, Vector, Wall, Walls};
 use crate::scene::{FilledSheet, Filling, MaterialKind, Piece, Scene, filled};
 
-/// A scene as paths see it.
+/// A scene prepared for path tracing.
 pub(crate) struct World<'s> {
     pub(crate) scene: &'s Scene,
     pub(super) walls: Walls,
-    /// What each wall belongs to.
+    /// The interface that each wall belongs to.
     pub(super) sheets: Vec<Sheet>,
     pub(super) luminaires: Luminaires,
-    /// The flat mirrors in which luminaires are seen.
+    /// The chains of flat mirrors in which emitters are seen.
     pub(super) chains: Chains,
     /// The front of each surface.
     pub(super) fronts: Vec<Front>,
 }
 
-/// What a wall belongs to.
+/// Interface that a wall belongs to.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sheet {
     pub(super) surface: usize,
@@ -28,7 +29,7 @@ pub(super) struct Sheet {
 }
 
 impl Sheet {
-    /// The medium at one of its sides.
+    /// Returns the medium at one of its sides.
     pub(super) fn filling(&self, is_front: bool) -> Filling {
         self.fillings[usize::from(!is_front)]
     }
@@ -54,12 +55,13 @@ impl<'s> World<'s> {
         Self { scene, walls: Walls::of(walls), sheets, luminaires, chains, fronts }
     }
 
-    /// The largest part of the light of a luminaire that mirrors and boundaries turn in a way in which none is looked for.
+    /// Returns the largest fraction of an emitter's light that mirrors and boundaries turn along a
+    /// specular path that is not sampled.
     pub(crate) fn turned_by_chance(&self) -> f64 {
         self.chains.left_out()
     }
 
-    /// The medium that a ray starts in.
+    /// Returns the medium that a ray starts in.
     pub(super) fn medium_at(&self, start: Start, direction: Vector) -> Filling {
         match self.walls.first(start, direction, f64::INFINITY) {
             Some(Met { wall, is_front, .. }) => self.sheets[wall].filling(is_front),
@@ -67,7 +69,7 @@ impl<'s> World<'s> {
         }
     }
 
-    /// What a ray meets first: where it meets nothing, what emits light is the space around.
+    /// Returns the first hit of a ray. If the ray misses, the surroundings can be the emitter.
     pub(super) fn seen(&self, start: Start, direction: Vector) -> Seen {
         match self.walls.first(start, direction, f64::INFINITY) {
             Some(Met { wall, is_front, .. }) => {
@@ -82,12 +84,13 @@ impl<'s> World<'s> {
         }
     }
 
-    /// Whether light comes from a side of a wall: it is a front, or that of a surface with two sides.
+    /// Whether light leaves a side of a wall: the side is a front, or belongs to a two-sided
+    /// surface.
     pub(super) fn is_bright(&self, wall: usize, is_front: bool) -> bool {
         is_front || self.scene.surfaces[self.sheets[wall].surface].two_sided
     }
 
-    /// The law of reflection of a wall.
+    /// Returns the reflection law of a wall.
     pub(super) fn material(&self, wall: usize) -> &MaterialKind {
         &self.scene.materials[self.scene.surfaces[self.sheets[wall].surface].material].kind
     }

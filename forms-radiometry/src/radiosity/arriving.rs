@@ -1,19 +1,21 @@
-//! What arrives: light of every kind that a scene has, in columns, becomes what each point of a group gathers.
+//! Gathered light: combines the light of all kinds in a scene, given in columns, into the light
+//! that each point of a group gathers.
 //!
 //! ```text
-//! luminaires Σ F L │ surroundings: open, L∞ │ beams │ interreflection Σ ρ F E ─ gathered_light ─▶ π (Σ F L + open L∞) + beams + Σ ρ F E
+//! emitters Σ F L │ surroundings: open, L∞ │ beams │ interreflection Σ ρ F E
+//!     ─ gathered_light ─▶ π (Σ F L + open L∞) + beams + Σ ρ F E
 //! ```
-//! Each kind is an effect of the kernel. Which of them there are is known when a scene is loaded: then the member of the kernel that is
-//! without the others is taken from its table, and nothing is computed for the columns of kinds that are off, which that member does
-//! not read.
+//! Each kind is an effect of the kernel. The kinds of a scene are known when it is loaded: the
+//! specialisation of the kernel without the other kinds is then taken from its table. Nothing is
+//! computed for the columns of absent kinds, which that specialisation does not read.
 
 use crate::kernels::gathered_light::{Effects, With};
 use forms::math::Formula;
 
-/// A member of the kernel, of all rows.
+/// Specialisation of the kernel, applied to all rows.
 type Member = fn(&Arriving, &mut [f64]);
 
-/// The kinds of light that reach a receiver, and the kernel that is made for them.
+/// The kinds of light that reach a receiver, and the kernel that is specialised for them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Kinds {
     effects: Effects,
@@ -21,7 +23,7 @@ pub(crate) struct Kinds {
 }
 
 impl Kinds {
-    /// The kinds that are on.
+    /// Returns these kinds with their kernel.
     pub(crate) fn of(effects: Effects) -> Self {
         Self { effects, member: member(effects) }
     }
@@ -31,7 +33,8 @@ impl Kinds {
     }
 }
 
-/// Columns with a row for each point and, within it, each band; those of kinds that are off are empty.
+/// Columns with a row for each point and, within it, each band. The columns of absent kinds are
+/// empty.
 #[derive(Default)]
 pub(super) struct Arriving {
     pub(super) emitted: Vec<f64>,
@@ -42,7 +45,7 @@ pub(super) struct Arriving {
 }
 
 impl Arriving {
-    /// Nothing has arrived yet, of the kinds that are on, in this many rows.
+    /// Resets the columns of the present kinds to zero, with this number of rows.
     pub(super) fn begin(&mut self, kinds: Kinds, rows: usize) {
         let Effects { luminaires, surroundings, beams, interreflection } = kinds.effects;
         let columns = [
@@ -58,13 +61,13 @@ impl Arriving {
         }
     }
 
-    /// What is gathered of these kinds, for each row.
+    /// Computes the gathered light of these kinds for each row.
     pub(super) fn gather(&self, kinds: Kinds, gathered: &mut [f64]) {
         (kinds.member)(self, gathered);
     }
 }
 
-/// The member of the kernel with these effects.
+/// Returns the specialisation of the kernel for these effects.
 fn member(effects: Effects) -> Member {
     macro_rules! table {
         ($($luminaires:literal $surroundings:literal $beams:literal $interreflection:literal),*) => {
@@ -82,7 +85,8 @@ fn member(effects: Effects) -> Member {
     )
 }
 
-/// What is gathered, row by row. A batch would fill hundreds of rows; groups have few, and one where a path ends.
+/// Gathers light row by row. A batch would fill hundreds of rows; groups have few, and only one
+/// where a path ends.
 fn gathered<const L: bool, const S: bool, const B: bool, const I: bool>(
     arriving: &Arriving,
     gathered: &mut [f64],

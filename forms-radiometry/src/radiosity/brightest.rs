@@ -1,12 +1,14 @@
-//! The brightest place: lights become an irradiance that no place of a face exceeds.
+//! Brightest place: bounds the direct irradiance on a face from above.
 //!
 //! ```text
-//! a face of radiance L, of area A, at the distance r or more   π L min(1, A/(π r²))   if the two face each other
-//! from outside, radiance L                                     π L
-//! a point of intensity I, at the height h, at r or more        I h/r³                 if it reaches some of the face
-//! from far away, irradiance E                                  E cos θ                the same
+//! face: radiance L, area A, at r or more           π L min(1, A/(π r²))  if both face each other
+//! surroundings: radiance L                         π L
+//! point light: intensity I, height h, at r or more I h/r³                if it reaches the face
+//! distant light: irradiance E                      E cos θ               if it reaches the face
 //! ```
-//! Of round surfaces, which bulge beyond their pieces, nothing is said but that a cosine and a form factor are at most 1.
+//! Here r is a distance; a light reaches the face if it reaches any part of it. Disks and spheres
+//! extend beyond their tessellation. For them the only bounds used are that a cosine and a form
+//! factor are at most 1.
 
 use super::gather::Transport;
 use super::shadows::spectrum;
@@ -16,7 +18,7 @@ use crate::geometry::{Face, distance_of_boxes};
 use crate::scene::{Light, LightKind, Scene};
 use std::f64::consts::PI;
 
-/// The most that comes straight from lights to a place of a face that reflects, in any band.
+/// Returns an upper bound on the direct irradiance on any face that reflects, in any band.
 pub(crate) fn most_direct(scene: &Scene, transport: &Transport) -> f64 {
     let on_face = |face: &Face| {
         let mut most = most_of_beams(face, scene, transport);
@@ -34,7 +36,8 @@ pub(crate) fn most_direct(scene: &Scene, transport: &Transport) -> f64 {
     reflecting.map(on_face).fold(0.0, f64::max)
 }
 
-/// The largest radiance that a face reflects of what comes straight from lights without extent, for each band.
+/// Returns for each band the largest radiance that a face reflects of the direct light of point and
+/// distant lights.
 pub(crate) fn most_reflected_of_beams(scene: &Scene, transport: &Transport) -> Vec<f64> {
     let mut largest = vec![0.0_f64; scene.band_count()];
     for face in transport.faces.iter().filter(|face| is_reflecting(scene, face)) {
@@ -48,7 +51,7 @@ pub(crate) fn most_reflected_of_beams(scene: &Scene, transport: &Transport) -> V
     largest
 }
 
-/// The most that comes straight from lights without extent to a place of a face, for each band.
+/// Returns for each band an upper bound on the irradiance of point and distant lights on a face.
 pub(super) fn most_of_beams(face: &Face, scene: &Scene, transport: &Transport) -> Vec<f64> {
     let mut most = vec![0.0; scene.band_count()];
     for light in &scene.lights {
@@ -63,7 +66,7 @@ pub(super) fn most_of_beams(face: &Face, scene: &Scene, transport: &Transport) -
     most
 }
 
-/// The largest form factor of a place of a face to another face.
+/// Returns an upper bound on the form factor from a point of a face to another face.
 fn most_of_face((face, other): (&Face, &Face), scene: &Scene, transport: &Transport) -> f64 {
     if is_round(face, scene) || is_round(other, scene) {
         return 1.0;
@@ -76,7 +79,7 @@ fn most_of_face((face, other): (&Face, &Face), scene: &Scene, transport: &Transp
     (other.area / (PI * distance * distance)).min(1.0)
 }
 
-/// What is multiplied by the intensity, or the irradiance, of a light.
+/// Returns the factor of the intensity, or of the irradiance, of a light in this bound.
 fn most_of_light(face: &Face, light: &Light, scene: &Scene, transport: &Transport) -> f64 {
     let is_round = is_round(face, scene);
     if !is_round && !transport.may_reach(face, light) {

@@ -1,55 +1,61 @@
-//! Changes: how an element differs from the one that it was a part of becomes how much its own parts will differ from it, in each
-//! coordinate.
+//! Convergence: predicts, from the difference between an element and the element that it was split
+//! from, how much its own parts will differ from it in each coordinate.
 //!
 //! ```text
-//! highest terms of the polynomials, h of a part of the size r and H of the whole:   h/H = r^q
-//! light that is smooth:  q = n − 1 with n nodes along a side; the next change is r^n of the one before, its mean r^2n
-//! light like xᵝ, a jump: q = β, 0;                            the next change is r^q of it, and so is its mean
+//! highest terms of the polynomials, h on a part of the size r and H on the whole:   h/H = r^q
+//! smooth light:          q = n − 1 with n nodes along a side; the next change is r^n of the last
+//!                        one, its mean r^2n
+//! light like xᵝ, a jump: q = β, 0; the next change is r^q of the last one, and so is its mean
 //! ```
-//! The mean of a change is what an element sends out differently. With Gauss nodes it settles twice as fast as the change itself, where
-//! light is smooth.
+//! The mean of a change is the difference in the light that an element sends out. With Gauss nodes
+//! it converges twice as fast as the change itself, where light is smooth.
 
 use super::element::Element;
 use super::reference::Shape;
 
-/// The least and the largest part that is expected of an element's change when it is split once more, and the part that is
-/// expected where nothing is known.
+/// Smallest and largest expected ratio between the next change of an element and its last one, and
+/// the ratio that is assumed where nothing is known.
 const EXPECTED: [f64; 2] = [1.0 / 64.0, 1.0];
 const UNKNOWN: f64 = 0.5;
-/// By how much the highest term of a polynomial grows where light has come to an element that was not there before.
+/// Growth of the highest term of a polynomial that indicates light which had not reached the
+/// element before.
 const GROWN: f64 = 4.0;
-/// The largest part that all changes to come are expected to leave: areas with a jump inside halve, and so does what they matter.
+/// Largest ratio of successive changes in the sum of all future changes: the area of the elements
+/// that contain a jump halves with each split, and so does their effect.
 const SLOWEST: f64 = 0.7;
 
-/// How an element differs from the one that it was a part of, in one coordinate.
+/// Difference between an element and the element that it was split from, in one coordinate.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Change {
-    /// By how much, relative to the largest irradiance.
+    /// Measured difference, relative to the largest irradiance.
     measured: f64,
-    /// By how much its own parts are expected to differ from it.
+    /// Expected difference between the element and its own parts.
     pub(super) expected: f64,
-    /// The highest term of its polynomial then, relative to the largest irradiance.
+    /// Highest term of the polynomial when the difference was measured, relative to the largest
+    /// irradiance.
     term: f64,
 }
 
 impl Change {
-    /// Before an element is split.
+    /// Returns the change of an element before it is split.
     pub(super) fn unknown(expected: f64, term: f64) -> Self {
         Self { measured: f64::INFINITY, expected, term }
     }
 
-    /// Whether light has come to the element since, of which what was measured does not tell: as far as its polynomial now shows.
+    /// Whether light has reached the element since, so that the measured change is no longer valid;
+    /// judged by its current polynomial.
     pub(super) fn is_outgrown_by(self, now: Self) -> bool {
         now.term > GROWN * self.term
     }
 
-    /// The sum of the changes that are to come, if each leaves the same part.
+    /// Returns the sum of all future changes, if each is the same fraction of the one before.
     pub(super) fn remaining(self) -> f64 {
         let part = if self.measured.is_finite() { self.expected / self.measured } else { UNKNOWN };
         if self.expected > 0.0 { self.expected / (1.0 - part.min(SLOWEST)) } else { 0.0 }
     }
 
-    /// The change of a part of an element that was split, and what is expected next, but no less than the last two let expect.
+    /// Returns the change of a part of a split element. The expected next change is at least the
+    /// one extrapolated from the last two.
     pub(super) fn followed_by(self, measured: f64, expected: f64, term: f64) -> Self {
         let settled = measured / self.measured;
         let by_last = if settled.is_finite() { settled.min(EXPECTED[1]) * measured } else { 0.0 };
@@ -57,8 +63,8 @@ impl Change {
     }
 }
 
-/// What the mean of a change, and its size, are multiplied by from an element to a part of it, in each coordinate, by the highest terms
-/// of their polynomials.
+/// Returns the factors by which the mean of a change, and its size, shrink from an element to a
+/// part of it, in each coordinate, from the highest terms of their polynomials.
 pub(super) fn decay(whole: &Element, part: &Element, highest: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     let of = |coordinate: usize| {
         let size = match whole.shape {
@@ -70,7 +76,8 @@ pub(super) fn decay(whole: &Element, part: &Element, highest: [[f64; 2]; 2]) -> 
             return [if highest[1][coordinate] == 0.0 { EXPECTED[0] } else { EXPECTED[1] }; 2];
         }
         let (power, degree) = (ratio.ln() / size.ln(), whole.order as f64 - 1.0);
-        // 1 where light is smooth, 0 where it is a power too low for the polynomials to gain by their degree
+        // 1 where light is smooth, 0 where it is a power too low for polynomials to gain from a
+        // higher degree
         let smooth = (power - (degree - 1.0)).clamp(0.0, 1.0);
         let of_size = ratio * size.powf(smooth);
         [of_size.powf(1.0 + smooth), of_size].map(|part| part.clamp(EXPECTED[0], EXPECTED[1]))

@@ -1,12 +1,16 @@
-//! Checks: what comes straight from faces and from outside to random points of elements, beside what their nodes make of it.
+//! Checks: compares the direct light of faces and surroundings at random points of elements with
+//! its interpolation from the nodes.
 //!
 //! ```text
 //! the first elements ─▶ random points, more on larger ones ─▶ E of lights ─┐
-//! nodes ─▶ polynomials of elements at these points ─▶ Eₙ ──────────────────┴─▶ r = E − Eₙ, anew for finer elements
-//! what nodes miss of the flux of a surface   |Σ a r| + 2 √Σ (a r)²      a is the area that a point stands for
+//! nodes ─▶ polynomials of elements at these points ─▶ Eₙ ──────────────────┴─▶ r = E − Eₙ
+//! error of the flux of a surface by its nodes:  |Σ a r| + 2 √Σ (a r)²
 //! ```
-//! Light that comes through a narrow opening falls between nodes that are far apart, and then these do not know of it. Points that are no nodes
-//! find it if it covers so much of a surface as one of them stands for.
+//! r is computed again for finer elements; a is the area that a point represents.
+//!
+//! Light through a narrow opening falls between nodes that are far apart, so that the nodes miss
+//! it. Additional random points find this light if it covers at least the area that one of them
+//! represents.
 
 use super::element::Element;
 use super::gather::{Group, Scratch};
@@ -17,25 +21,26 @@ use crate::kernels::gathered_light::Effects;
 use crate::sampling::{Net, key};
 use rayon::prelude::*;
 
-/// Points on all elements together, where faces are few; and how many operations they may take where these are many.
+/// Number of points on all elements together if faces are few, and maximum number of operations for
+/// them if faces are many.
 const POINTS: f64 = 4096.0;
 const OPERATIONS: f64 = 4e8;
-/// Standard errors that a sum over points may be off by.
+/// Number of standard errors in the error of a sum over points.
 const SURE: f64 = 2.0;
-/// The key of these points beside those of other numbers.
+/// Key that distinguishes the random numbers of these points from others.
 const KEY: u64 = 0x63_6865_636b;
 
-/// What comes straight to a point.
+/// Direct light at a point.
 pub(super) struct Check {
     face: usize,
     position: Vector,
-    /// The area that it stands for.
+    /// The area that the point represents.
     area: f64,
-    /// In each band what comes from faces and from outside.
+    /// Direct light of faces and surroundings in each band.
     straight: Vec<f64>,
 }
 
-/// By how much what comes straight to a point is more than nodes make of it.
+/// Excess of the direct light at a point over its interpolation from the nodes.
 #[derive(Clone, Debug)]
 pub(super) struct Residual {
     element: usize,
@@ -44,7 +49,8 @@ pub(super) struct Residual {
 }
 
 impl Radiosity<'_> {
-    /// Finds what comes straight to random points, where nodes are to tell of light that may be hidden from them.
+    /// Computes the direct light at random points, if nodes represent light that can be occluded at
+    /// them.
     pub(super) fn check(&mut self) {
         let Effects { luminaires, surroundings, .. } = self.lights.kinds();
         let is_told = surroundings || luminaires && self.question.orders != Some(0);
@@ -71,7 +77,7 @@ impl Radiosity<'_> {
         self.checks = self.elements.par_iter().enumerate().flat_map_iter(on_element).collect();
     }
 
-    /// What comes straight from faces and from outside to a place on a face, in each band.
+    /// Returns the direct light of faces and surroundings at a point of a face, in each band.
     fn straight_to(&self, position: Vector, normal: Vector, scratch: &mut Scratch) -> Vec<f64> {
         let points = [position];
         let measure = Measure::Plane(normal);
@@ -85,7 +91,8 @@ impl Radiosity<'_> {
         straight
     }
 
-    /// By how much that is more than nodes make of it, point by point.
+    /// Returns the excess of the direct light over its interpolation from the nodes, point by
+    /// point.
     pub(super) fn residuals(&self) -> Vec<Residual> {
         let mut on_face = vec![Vec::new(); self.transport.faces.len()];
         for (index, element) in self.elements.iter().enumerate() {
@@ -106,7 +113,8 @@ impl Radiosity<'_> {
         self.checks.par_iter().filter_map(of_point).collect()
     }
 
-    /// For each band by how much the mean irradiance of each element is more, or less, than that of its nodes.
+    /// Returns for each band the absolute difference between the mean irradiance of each element
+    /// and the mean of its nodes.
     pub(super) fn missed(&self) -> Vec<Vec<f64>> {
         let mut missed = vec![vec![0.0_f64; self.elements.len()]; self.scene.band_count()];
         for Residual { element, flux } in &self.residuals {
@@ -119,7 +127,7 @@ impl Radiosity<'_> {
         missed
     }
 
-    /// For each band what the nodes of a surface miss of the flux that comes straight to it.
+    /// Returns for each band the error of the direct flux onto a surface that its nodes cause.
     pub(super) fn missed_of(&self, surface: usize) -> Vec<f64> {
         let mut sums = vec![[0.0; 2]; self.scene.band_count()];
         let is_on = |residual: &&Residual| {

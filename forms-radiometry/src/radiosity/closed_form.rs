@@ -1,12 +1,13 @@
-//! Closed forms: what a point gets straight from lights, to the last digit, and what of that is rounding.
+//! Closed forms: the direct light at a point to the last digit, and its rounding error.
 //!
 //! ```text
-//! a sphere or disk that has to be seen ─ nothing before it ─▶ precise: its measure as a whole; else its faces, in f64
-//! each face that has to be seen ─┬─ nothing before it ─▶ precise: its measure in double-double
-//!                                └─ else ──────────────▶ visible: its measure in f64, as a sum over pieces
-//! lights without extent ───────────── seen or not ───────▶ precise: cos θ/r²
+//! sphere or disk to be seen ─ nothing before it ─▶ precise: its measure; else its faces, in f64
+//! each face to be seen ─┬─ nothing before it ─▶ precise: its measure in double-double
+//!                       └─ else ──────────────▶ visible: its measure in f64, as a sum over pieces
+//! point and distant lights ──── seen or not ──▶ precise: cos θ/r²
 //! ```
-//! It takes some hundred times as long as a sum in `f64`, so that few receivers are worth it: answers, and not the cells of maps.
+//! This takes some hundred times as long as a sum in `f64`, so it is used only for few receivers:
+//! for answers, and not for the cells of maps.
 
 use super::direct::{Lights, kinds, sources};
 use super::gather::{Group, Scratch, Transport};
@@ -22,16 +23,18 @@ use forms::math::{DoubleDouble, Real};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
-/// What the corners of a piece of a luminaire and what its edges add are rounded by in `f64`.
+/// Rounding of the corners of a piece of a luminous face, and of the terms of its edges, in `f64`.
 const OF_PIECE: f64 = 16.0 * f64::EPSILON;
-/// The measure of all directions is twice that of a hemisphere, and an edge more may lie in the horizon: it subtends half of what the others do at most.
+/// Factor of the rounding error. The measure of all directions is twice that of a hemisphere, and
+/// one more edge can lie in the horizon: it subtends at most half of the angle that the others do.
 const WITH_HORIZON: f64 = 3.0;
-/// The edges in whose time a round shape is seen as a whole.
+/// Cost of evaluating a disk or sphere as a whole, in edges.
 const OF_ROUND: usize = 6;
-/// The most edges that all answers together see in double-double, each in some 2 µs.
+/// Maximum number of edges that all answers together evaluate in double-double, each in some 2 µs.
 const PRECISE_EDGES: usize = 1024;
 
-/// Whether the direct light of this many answers is computed to the last digit, by [`Lights::precisely`], and not gathered in `f64`.
+/// Whether the direct light of this many answers is computed to the last digit, by
+/// [`Lights::precisely`], and not gathered in `f64`.
 pub(crate) fn is_precise(scene: &Scene, faces: &[Face], answers: usize) -> bool {
     let seen = sources(scene, faces, kinds(scene, faces));
     let (round, flat): (Vec<&Face>, Vec<&Face>) = seen
@@ -43,32 +46,32 @@ pub(crate) fn is_precise(scene: &Scene, faces: &[Face], answers: usize) -> bool 
     edges * answers <= PRECISE_EDGES
 }
 
-/// What a point gets straight from lights.
+/// Direct light at a point.
 pub(crate) struct Straight {
-    /// In each band, and a bound on what rounding changes of it.
+    /// The value in each band, and a bound on its rounding error.
     pub(crate) bands: Vec<[f64; 2]>,
-    /// Whether flat pieces may stand for a round shape in it.
+    /// Whether flat pieces can represent a disk or sphere in it.
     pub(crate) has_pieces: bool,
 }
 
-/// Sums over what a point sees.
+/// Sums over everything that a point sees.
 struct Sums {
-    /// What comes to it in each band, over π.
+    /// The light at the point in each band, over π.
     bands: Vec<Rounded>,
-    /// The measure, over π, of the directions in which nothing stands.
+    /// The measure, over π, of the directions in which there is no face.
     open: Rounded,
 }
 
-/// What a point sees of a face.
+/// The part of a face that a point sees.
 struct Part {
     /// Its measure, over π.
     measure: Rounded,
-    /// Whether nothing can be before any of it.
+    /// Whether its visibility is certain: it cannot be occluded, or all of the face is hidden.
     is_open: bool,
 }
 
 impl Measure {
-    /// The measure, over π, of what a point sees of a convex outline that nothing hides.
+    /// Returns the measure, over π, of a convex outline without occluders, as a point sees it.
     pub(super) fn precisely(self, point: Vector, outline: &[Vector]) -> Rounded {
         match self {
             Self::Plane(normal) => form_factor(point, outline, normal, true),
@@ -77,7 +80,8 @@ impl Measure {
         }
     }
 
-    /// The measure of directions about one, over π, by their solid angle over π; and by how much the rounding of its axis changes it.
+    /// Returns the measure of a small solid angle about a direction, over that solid angle, with
+    /// the error from the rounding of its axis.
     fn precise_factor(self, direction: Precise) -> Rounded {
         let along = |axis: Vector| {
             let (axis, turned) = unit(axis);
@@ -95,12 +99,13 @@ impl Measure {
 }
 
 impl Lights<'_> {
-    /// How many edges there are to see from a point.
+    /// Returns the number of edges that a point has to see.
     pub(crate) fn edges(&self, transport: &Transport) -> usize {
         self.faces().iter().map(|&index| transport.faces[index].vertices.len()).sum()
     }
 
-    /// What a point gets straight from lights. Shapes may be `seen_whole` if nothing that this is compared with is the sum of their pieces.
+    /// Returns the direct light at a point. Disks and spheres can be `seen_whole` only if the
+    /// result is not compared with a sum over their pieces.
     pub(crate) fn precisely(
         &self,
         at: (Vector, Measure),
@@ -135,7 +140,8 @@ impl Lights<'_> {
         Straight { bands: bands.into_iter().map(Rounded::nearest).collect(), has_pieces }
     }
 
-    /// What a point sees of a face. That of a piece of a round shape is not worth more than `f64`.
+    /// Measures the visible part of a face from a point. Faces that tessellate a disk or sphere are
+    /// evaluated in `f64`: their error is larger than rounding.
     fn measured(
         &self,
         (point, measure): (Vector, Measure),
@@ -183,7 +189,8 @@ impl Lights<'_> {
         }
     }
 
-    /// A bound on what rounding changes of what a point gets straight from lights, for each band, where it is summed in `f64`.
+    /// Returns for each band a bound on the rounding error of the direct light at a point, where it
+    /// is summed in `f64`.
     pub(crate) fn rounding(&self, (point, measure): (Vector, Measure), transport: &Transport) -> Vec<f64> {
         let of_face = |face: &Face| {
             WITH_HORIZON * OF_PIECE * rounding(point, &face.vertices)
@@ -194,7 +201,8 @@ impl Lights<'_> {
         sums
     }
 
-    /// The same for all of some points, whatever is measured there; without end where one of them is near to a face.
+    /// Returns the same bound for all of several points and for any measure; infinite if one of
+    /// them is close to the plane of a face.
     pub(crate) fn rounding_of_all(&self, points: &[Vector], transport: &Transport) -> Vec<f64> {
         let whole = Measure::Sphere.whole();
         let of_face = |face: &Face| {
@@ -210,7 +218,8 @@ impl Lights<'_> {
         sums
     }
 
-    /// The same for the cells of a map in a ball. Edges of a convex polygon subtend 2π together at most; what cells beside one of them have more is not in it.
+    /// Returns the same bound for the cells of a map within a ball. The edges of a convex polygon
+    /// subtend at most 2π together; the additional error of cells next to an edge is not included.
     pub(crate) fn rounding_within(&self, (center, radius): (Vector, f64), transport: &Transport) -> Vec<f64> {
         let of_face = |face: &Face| {
             let squared = face.vertices.iter().map(|&corner| nearest(corner, &[center]));
@@ -220,7 +229,7 @@ impl Lights<'_> {
         self.of_faces(OF_PIECE * Measure::Sphere.whole(), of_face, transport)
     }
 
-    /// Adds what rounding changes of lights without extent at the nearest of some points.
+    /// Adds the rounding error of point and distant lights at the nearest of several points.
     fn add_of_beams(&self, points: &[Vector], sums: &mut [f64]) {
         for light in &self.scene().lights {
             let (arriving, squared) = match &light.kind {
@@ -231,7 +240,8 @@ impl Lights<'_> {
         }
     }
 
-    /// The sums over all faces of what the measure, over π, of each changes by, times its radiance; `open` is what the measure of all directions does.
+    /// Returns the sums over all faces of the error of the measure of each, over π, times its
+    /// radiance; `open` is the error of the measure of all directions.
     fn of_faces(&self, mut open: f64, of_face: impl Fn(&Face) -> f64, transport: &Transport) -> Vec<f64> {
         let scene = self.scene();
         let mut sums = vec![0.0; scene.band_count()];
@@ -254,7 +264,7 @@ impl Sums {
         Self { bands: vec![Rounded::exactly(0.0); bands], open: Rounded::exactly(measure.whole()) }
     }
 
-    /// Takes what is seen of a surface.
+    /// Adds the visible measure of a surface.
     fn take(&mut self, seen: Rounded, surface: &Surface, emits: bool) {
         self.open = self.open + seen.times(-1.0);
         if emits {
@@ -265,20 +275,21 @@ impl Sums {
         }
     }
 
-    /// What comes in each band where the rest has these radiances.
+    /// Returns the light in each band where the remaining directions have these radiances.
     fn with_outside(mut self, radiance: &[f64]) -> Vec<Rounded> {
         add(&mut self.bands, self.open, radiance);
         self.bands.into_iter().map(Rounded::times_pi).collect()
     }
 }
 
-/// The square of the distance from a place to the nearest of some points.
+/// Returns the square of the distance from a place to the nearest of several points.
 fn nearest(place: Vector, points: &[Vector]) -> f64 {
     let squared = |&point: &Vector| (place - point).dot(place - point);
     points.iter().map(squared).fold(f64::INFINITY, f64::min)
 }
 
-/// The measure, over π, that a face may have that is taken to have none because the point is so near to its plane.
+/// Returns the largest measure, over π, of a face that is treated as invisible because the point is
+/// so close to its plane.
 fn unseen(point: Vector, measure: Measure, face: &Face, transport: &Transport) -> f64 {
     let height = face.normal.dot(point - face.vertices[0]);
     let looks_away = measure.horizon().is_some_and(|normal| normal.dot(face.normal) >= 0.0);
@@ -293,7 +304,8 @@ fn add(sums: &mut [Rounded], measure: Rounded, radiance: &[f64]) {
     }
 }
 
-/// What a surface of which this is seen sends in each band: the exitance is as the file says, the radiance is rounded from it.
+/// Returns the light of a surface with this visible measure in each band. The exitance has the
+/// value in the scene file; the radiance is rounded from it.
 pub(super) fn emitted(measure: Rounded, surface: &Surface) -> impl Iterator<Item = Rounded> {
     let of_band = move |(band, &radiance): (usize, &f64)| match surface.exitance_of(band) {
         Some(exitance) => measure.times_datum(exitance).over_pi(),
@@ -302,7 +314,8 @@ pub(super) fn emitted(measure: Rounded, surface: &Surface) -> impl Iterator<Item
     surface.radiance.iter().enumerate().map(of_band)
 }
 
-/// The intensity or irradiance of a light without extent in each band, and what of it a point gets.
+/// Returns the intensity or irradiance of a point or distant light in each band, and its factor in
+/// the light at a point.
 fn without_extent<'l>(
     light: &'l Light,
     (point, measure): (Vector, Measure),

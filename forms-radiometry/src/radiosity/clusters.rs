@@ -1,19 +1,20 @@
-//! Clusters: elements that are near each other, look to the same side and have one material share a node, where there are more elements
-//! than a rough solution is worth.
+//! Clusters: where there are more elements than a rough solution is worth, elements that are close
+//! to each other, face the same way and have the same material share a node.
 
 use super::element::Element;
 use crate::geometry::Vector;
 use std::collections::HashMap;
 
-/// By how much cells grow while there are too many clusters, and how often at most.
+/// Growth of the cells while there are too many clusters, and the maximum number of growth steps.
 const GROWTH: f64 = 1.25;
 const MOST_STEPS: usize = 64;
 
-/// What the elements of a cluster have in common: the cell they lie in, the axis that they look along most, and the material.
+/// Common properties of the elements in a cluster: the cell, the dominant axis of the normal, and
+/// the material.
 type Key = ([i64; 3], [i8; 2], usize);
 
-/// For each element its cluster, and for each cluster the largest of its elements, which stands for all of them. There are about as many
-/// clusters as are allowed at most.
+/// Returns for each element its cluster, and for each cluster its largest element, which represents
+/// all of them. The number of clusters is close to the allowed maximum.
 pub(super) fn clusters(
     elements: &[Element],
     material: impl Fn(&Element) -> usize,
@@ -55,7 +56,7 @@ fn of_size(elements: &[Element], material: &impl Fn(&Element) -> usize, size: f6
     (of_element, largest)
 }
 
-/// The axis along which a normal is longest, and its sense.
+/// Returns the axis along which a normal is longest, and its sign.
 fn side(normal: Vector) -> [i8; 2] {
     let components = [normal.x, normal.y, normal.z];
     let axis = (0..3).max_by(|&a, &b| components[a].abs().total_cmp(&components[b].abs())).unwrap_or(0);

@@ -1,27 +1,31 @@
-//! Contacts: where faces touch or pass through a face, and where the shadow of a light without extent ends, irradiance on it jumps; there it is cut, so that no element has the jump
-//! inside, and the sides of its pieces are known from which other faces rise.
+//! Contacts: cuts faces where the irradiance jumps. It jumps where other faces touch or pass
+//! through a face, and at the shadow border of a point or distant light. After the cuts no element
+//! contains the jump, and for each side of a piece it is known whether another face rises from it.
 //!
-//! A cut goes through a whole piece. Where the contact takes only a small part of it, the piece is halved first: so what touches a large
-//! face in a small place is surrounded by small pieces, and no long and narrow ones run across the face.
+//! A cut divides a whole piece. If the contact covers only a small part of the cut, the piece is
+//! halved first. A small contact on a large face is therefore surrounded by small pieces, and no
+//! long and narrow pieces run across the face.
 
 use crate::geometry::{Face, Vector, split};
 
-/// Faces of more than this many are not compared with each other.
+/// Above this number, faces are not compared with each other.
 const MANY: usize = 2_000;
-/// The least part of a cut through a piece that a contact takes.
+/// Minimum fraction of a cut through a piece that a contact has to cover.
 const LEAST_SHARE: f64 = 0.35;
-/// How often pieces are halved at most to come near to a contact.
+/// Maximum number of times that a piece is halved around a contact.
 const MOST_HALVINGS: usize = 16;
 
-/// What another face has in common with the plane of a face, or where a shadow ends on it.
+/// Line that another face has in common with the plane of a face, or shadow border on the face.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Contact {
     ends: [Vector; 2],
-    /// The normal of the other face, or one to the end of the shadow.
+    /// Normal of the other face, or a normal to the shadow border.
     normal: Vector,
-    /// Whether the other face rises above the plane, so that light passes between them right up to the contact.
+    /// Whether the other face rises above the plane, so that light passes between the two faces
+    /// right up to the contact.
     rises: bool,
-    /// Whether a shadow ends there: then no piece may have it inside, however small that is.
+    /// Whether this is a shadow border: no piece is allowed to contain it, however small the piece
+    /// is.
     is_shadow: bool,
 }
 
@@ -29,12 +33,13 @@ pub(super) struct Contact {
 #[derive(Clone, Debug)]
 pub(super) struct ConvexPiece {
     pub(super) outline: Vec<Vector>,
-    /// Whether another face rises from each side, that from the corner of the same number to the next.
+    /// For each side, from the corner of the same index to the next one: whether another face rises
+    /// from it.
     pub(super) creases: Vec<bool>,
 }
 
 impl ConvexPiece {
-    /// A whole face, of whose contacts nothing is asked.
+    /// Returns a whole face as one piece, without regard to its contacts.
     pub(super) fn whole(face: &Face) -> Self {
         Self { outline: face.vertices.clone(), creases: vec![false; face.vertices.len()] }
     }
@@ -49,7 +54,8 @@ impl ConvexPiece {
     }
 }
 
-/// The convex pieces that the others and the ends of shadows leave uncut of each face of which they are wanted.
+/// Returns the convex pieces of each selected face, cut along its contacts with other faces and
+/// along shadow borders.
 pub(super) fn pieces(
     faces: &[Face],
     closeness: f64,
@@ -75,7 +81,8 @@ pub(super) fn pieces(
     faces.iter().enumerate().map(cut).collect()
 }
 
-/// Appends the pieces that contacts cut a piece into. Pieces of less than the least area are not halved.
+/// Appends the pieces that contacts cut a piece into. Pieces of less than the least area are not
+/// halved.
 fn divide(
     piece: Vec<Vector>,
     contacts: &[Contact],
@@ -109,7 +116,7 @@ fn divide(
     }
 }
 
-/// What another face has in common with the plane of a face, if that is a line.
+/// Returns the common line of another face and the plane of a face, if it is a line.
 fn contact(face: &Face, other: &Face, closeness: f64) -> Option<Contact> {
     let origin = face.vertices[0];
     let height = |v: Vector| face.normal.dot(v - origin);
@@ -132,13 +139,13 @@ fn contact(face: &Face, other: &Face, closeness: f64) -> Option<Contact> {
 }
 
 impl Contact {
-    /// Where a shadow ends on a face with this normal.
+    /// Returns a shadow border on a face with this normal.
     pub(super) fn of_shadow(ends: [Vector; 2], normal: Vector) -> Option<Self> {
         let across = normal.cross(ends[1] - ends[0]).unit()?;
         Some(Self { ends, normal: across, rises: false, is_shadow: true })
     }
 
-    /// Whether it takes most of a side.
+    /// Whether the contact covers most of a side.
     fn takes(&self, [from, to]: [Vector; 2], closeness: f64) -> bool {
         let Some(along) = (self.ends[1] - self.ends[0]).unit() else { return false };
         let way = |v: Vector| v - self.ends[0];
@@ -155,7 +162,8 @@ impl Contact {
     }
 }
 
-/// The part that a contact takes of the cut through a piece along it, if it lies inside of the piece.
+/// Returns the fraction of the cut through a piece along a contact that the contact covers, if it
+/// lies inside the piece.
 fn share(piece: &[Vector], Contact { ends: [from, to], normal, .. }: Contact, closeness: f64) -> Option<f64> {
     let side = |v: &Vector| normal.dot(*v - from);
     if !piece.iter().any(|v| side(v) > closeness) || !piece.iter().any(|v| side(v) < -closeness) {
@@ -179,7 +187,7 @@ fn share(piece: &[Vector], Contact { ends: [from, to], normal, .. }: Contact, cl
     (taken * (to - from).length() > closeness).then(|| taken / (high - low))
 }
 
-/// The area of a piece times its normal.
+/// Returns the area of a piece times its normal.
 fn area(piece: &[Vector]) -> Vector {
     let about = piece[0];
     let twice = piece[1..]
@@ -188,8 +196,9 @@ fn area(piece: &[Vector]) -> Vector {
     0.5 * twice
 }
 
-/// A point and a normal of the plane that halves a piece: through the middles of its longest edge and of its corners. It halves a
-/// triangle through a corner and a parallelogram along its shorter edges.
+/// Returns a point and a normal of the plane that halves a piece: through the middle of its longest
+/// edge and the mean of its corners. The plane halves a triangle through a corner and a
+/// parallelogram along its shorter edges.
 fn half(piece: &[Vector]) -> [Vector; 2] {
     let next = piece.iter().cycle().skip(1);
     let edges = piece.iter().zip(next).map(|(&a, &b)| [0.5 * (a + b), b - a]);
@@ -261,7 +270,7 @@ mod tests {
         }
     }
 
-    /// A floor of length 4 and what stands on it.
+    /// Returns the pieces of a floor of length 4 with other faces on it.
     fn floor_with(others: &[Face]) -> Vec<Vec<Vector>> {
         let corner = |x, y| Vector::new(x, y, 0.0);
         let floor = face(vec![corner(0.0, 0.0), corner(4.0, 0.0), corner(4.0, 4.0), corner(0.0, 4.0)]);

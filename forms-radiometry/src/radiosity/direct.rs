@@ -1,13 +1,14 @@
-//! Direct light: lights of all kinds and what stands before them become what a receiver gets straight from them.
+//! Direct light: computes the direct light of all kinds of light sources at a receiver, with
+//! occlusion.
 //!
 //! ```text
-//! a face of radiance L       F L, F = μ(visible part)
-//! from outside, radiance L   open, μ(all directions) − Σ μ(visible parts of all faces)
-//! a point of intensity I     I/r² where it is seen,   times cos θ for a plane
-//! from far away              E where nothing hides it, times cos θ
+//! a face of radiance L               F L, F = μ(visible part)
+//! surroundings of radiance L         open, μ(all directions) − Σ μ(visible parts of all faces)
+//! a point light of intensity I       I/r² where it is visible,   times cos θ for a plane
+//! a distant light of irradiance E    E where nothing occludes it, times cos θ
 //! ```
-//! μ is the measure of the receiver over π. All of it is exact but for rounding. What the receiver makes of it is gathered by
-//! [`arriving`](super::arriving).
+//! μ is the measure of the receiver over π. Everything is exact except for rounding.
+//! [`arriving`](super::arriving) combines it into the gathered light of the receiver.
 
 use super::arriving::{Arriving, Kinds};
 use super::closed_form::emitted;
@@ -22,37 +23,40 @@ use crate::scene::{Light, LightKind, ReceiverKind, Scene};
 use crate::simulation::Watch;
 use std::f64::consts::PI;
 
-/// The relative errors to which faces with nothing in between exchange light where these have so many pairs of edges at most: to the last digit two
-/// quadrilaterals, of 16 pairs, take 1 to 20 ms, to the twelfth, where `f64` has it, some 5 µs, and hardly less to fewer. Beside a map of what comes straight, which takes less, the last
-/// digit is not worth that.
+/// Maximum numbers of edge pairs, each with the relative error to which unoccluded faces exchange
+/// light. To the last digit, two quadrilaterals, with 16 pairs, take 1 to 20 ms; to the twelfth
+/// digit, which `f64` reaches, some 5 µs, and hardly less to fewer. A map of direct light takes
+/// less time than the last digit, which is then not worth its cost.
 const OF_FEW: [(usize, f64); 2] = [(80, LAST_DIGIT), (1024, 1e-12)];
 const LAST_DIGIT: f64 = 1e-15;
-/// Exchange below this part of a surface is computed to the absolute error of this part.
+/// Exchange below this fraction of a surface is computed to the absolute error of this fraction.
 const LEAST: f64 = 1e-3;
 
-/// What shines in a scene.
+/// Light sources of a scene.
 pub(crate) struct Lights<'s> {
     scene: &'s Scene,
-    /// The faces that have to be seen: those that emit, and all of them where light comes from outside.
+    /// The faces that points have to see: those that emit, and all of them if there is light from
+    /// the surroundings.
     faces: Vec<usize>,
-    /// The round surfaces that they are pieces of.
+    /// The disks and spheres whose pieces these faces are.
     round: Vec<usize>,
     kinds: Kinds,
 }
 
-/// The faces that a point has to see for direct light: those that emit, and all of them where light comes from outside.
+/// Returns the faces that a point has to see for direct light: those that emit, and all of them if
+/// there is light from the surroundings.
 pub(super) fn sources(scene: &Scene, faces: &[Face], kinds: Effects) -> Vec<usize> {
     let counts = |&index: &usize| kinds.surroundings || emits(scene, &faces[index]);
     (0..faces.len()).filter(counts).collect()
 }
 
-/// What comes straight to a surface in closed forms and integrals over it.
+/// Direct light onto a surface, by closed forms and by integrals over the surface.
 #[derive(Clone, Debug)]
 pub(super) struct Integral {
-    /// For each band the flux, and what rules of integration leave of it beside rounding.
+    /// For each band the flux, and its quadrature error, without rounding.
     pub(super) flux: Vec<Rounded>,
     pub(super) of_rules: Vec<f64>,
-    /// The kinds of light that it is of; those of other kinds are summed over nodes.
+    /// The kinds of light that it includes; the other kinds are summed over nodes.
     pub(super) kinds: Effects,
 }
 
@@ -76,12 +80,12 @@ impl<'s> Lights<'s> {
         Self { scene, faces, round, kinds: Kinds::of(effects) }
     }
 
-    /// The kinds of light that come straight from lights.
+    /// Returns the kinds of direct light.
     pub(crate) fn kinds(&self) -> Effects {
         self.kinds.effects()
     }
 
-    /// The round surfaces that have to be seen for what comes straight to a point.
+    /// Returns the disks and spheres that a point has to see for direct light.
     pub(super) fn round(&self) -> &[usize] {
         &self.round
     }
@@ -90,18 +94,19 @@ impl<'s> Lights<'s> {
         self.scene
     }
 
-    /// The faces that have to be seen for what comes straight to a point.
+    /// Returns the faces that a point has to see for direct light.
     pub(super) fn faces(&self) -> &[usize] {
         &self.faces
     }
 
-    /// How many operations it takes at most to find what comes straight to so many points. A light without extent counts as an edge.
+    /// Returns the maximum number of operations for the direct light at this number of points. A
+    /// point or distant light counts as an edge.
     pub(crate) fn operations(&self, points: usize, transport: &Transport) -> f64 {
         let of_faces: usize = self.faces.iter().map(|&index| transport.faces[index].vertices.len()).sum();
         transport.operations(points, of_faces + self.scene.lights.len())
     }
 
-    /// What each point of a group gets, for each band.
+    /// Returns the direct light at each point of a group, for each band.
     pub(crate) fn reaching(
         &self,
         group: Group,
@@ -114,7 +119,7 @@ impl<'s> Lights<'s> {
         gathered.chunks_exact(bands).map(<[f64]>::to_vec).collect()
     }
 
-    /// The same, point by point and band by band.
+    /// Gathers the direct light at the points of a group, point by point and band by band.
     pub(crate) fn gather(
         &self,
         group: Group,
@@ -129,7 +134,7 @@ impl<'s> Lights<'s> {
         scratch.arriving = arriving;
     }
 
-    /// Adds what arrives at the points of a group straight from lights.
+    /// Adds the direct light that arrives at the points of a group.
     pub(super) fn add_arriving(
         &self,
         group: Group,
@@ -149,10 +154,11 @@ impl<'s> Lights<'s> {
         }
     }
 
-    /// Adds what faces emit, and what comes from outside beside them.
+    /// Adds the light that faces emit, and the light of the surroundings between them.
     fn add_faces(&self, group: Group, transport: &Transport, scratch: &mut Scratch, arriving: &mut Arriving) {
         let bands = self.scene.band_count();
-        // of each point the form factor of directions in which no face stands, for every band
+        // for each point, the form factor of the directions in which there is no face, repeated for
+        // every band
         arriving.open.fill(group.measure.whole());
         for &index in &self.faces {
             let face = &transport.faces[index];
@@ -174,8 +180,9 @@ impl<'s> Lights<'s> {
         arriving.outside.chunks_exact_mut(bands).for_each(|of_point| of_point.copy_from_slice(outside));
     }
 
-    /// The flux that comes straight to the fronts of a surface, as integrals over it, and not as a sum over points that may miss what is near
-    /// an edge or in a shadow; `is_all` if nothing is reflected. Of no kind of light where the work is stopped.
+    /// Returns the direct flux onto the fronts of a surface as integrals over it. A sum over points
+    /// could miss light near an edge or in a shadow. `is_all` is set if nothing is reflected. No
+    /// kind of light is included if the work is stopped.
     pub(super) fn flux(
         &self,
         (surface, is_all): (usize, bool),
@@ -203,7 +210,8 @@ impl<'s> Lights<'s> {
         integral
     }
 
-    /// For each band the flux of faces that emit, and what rules of integration leave of it; nothing where the work is stopped.
+    /// Returns for each band the flux of emitting faces, and its quadrature error; `None` if the
+    /// work is stopped.
     fn flux_of_faces(
         &self,
         (surface, is_all): (usize, bool),
@@ -237,7 +245,7 @@ impl<'s> Lights<'s> {
         Some(flux)
     }
 
-    /// Adds what comes from lights without extent.
+    /// Adds the light of point and distant lights.
     pub(super) fn add_lights(&self, point: Vector, measure: Measure, transport: &Transport, sum: &mut [f64]) {
         lights_at(self.scene, point, measure, transport, |arriving, factor, _| {
             sum.iter_mut().zip(arriving).for_each(|(sum, arriving)| *sum += factor * arriving);
@@ -245,8 +253,8 @@ impl<'s> Lights<'s> {
     }
 }
 
-/// Calls `each` for the lights without extent that a point sees, with the intensity or irradiance in each band, what that is multiplied by, and
-/// the distance, which may be without end.
+/// Calls `each` for the point and distant lights that a point sees, with the intensity or
+/// irradiance in each band, its factor, and the distance, which can be infinite.
 pub(super) fn lights_at(
     scene: &Scene,
     point: Vector,
@@ -266,7 +274,8 @@ pub(super) fn lights_at(
     }
 }
 
-/// What is multiplied by the intensity, or the irradiance, of a light for what it makes at a point, were nothing in between.
+/// Returns the factor of the intensity, or of the irradiance, of a light in its unoccluded light at
+/// a point.
 pub(super) fn reaching_factor(light: &Light, point: Vector, measure: Measure) -> f64 {
     let (towards, squared) = match light.kind {
         LightKind::Point { position, .. } => {
@@ -278,7 +287,7 @@ pub(super) fn reaching_factor(light: &Light, point: Vector, measure: Measure) ->
     towards.unit().map_or(0.0, |unit| measure.factor(unit) / squared)
 }
 
-/// Whether a point does not see a light without extent.
+/// Whether a point or distant light is hidden from a point.
 pub(super) fn hides(light: &Light, point: Vector, transport: &Transport) -> bool {
     transport.occlusion
         && match light.kind {
@@ -287,7 +296,7 @@ pub(super) fn hides(light: &Light, point: Vector, transport: &Transport) -> bool
         }
 }
 
-/// The kinds of light that come straight from the lights of a scene with these faces.
+/// Returns the kinds of direct light in a scene with these faces.
 pub(super) fn kinds(scene: &Scene, faces: &[Face]) -> Effects {
     Effects {
         luminaires: faces.iter().any(|face| emits(scene, face)),
@@ -297,7 +306,7 @@ pub(super) fn kinds(scene: &Scene, faces: &[Face]) -> Effects {
     }
 }
 
-/// The exchange area of two faces of a scene, and what rules of integration leave of it.
+/// Returns the exchange area of two faces of a scene, and its quadrature error.
 fn exchanged(
     (here, there): (&Face, &Face),
     accuracy: f64,

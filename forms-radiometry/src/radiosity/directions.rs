@@ -1,4 +1,5 @@
-//! Directions: points of the unit square become directions that are spread as a receiver weighs them, by the library's warps.
+//! Directions: points of the unit square become directions distributed like the weight of the
+//! receiver, by the library's warps.
 
 use super::gather::Transport;
 use super::measure::Measure;
@@ -6,8 +7,8 @@ use crate::geometry::Vector;
 use crate::kernels::{cosine_hemisphere_sample, uniform_sphere_sample};
 use crate::sampling::{Frame, Net};
 
-/// A direction for a point of the square, and what light from there counts: the mean of radiosity times this over uniform points is the
-/// measure of all that arrives, over π.
+/// Returns a direction for a point of the square, and the weight of the light from there. The mean
+/// of radiosity times this weight over uniform points is the measure of all arriving light, over π.
 pub(super) fn towards(measure: Measure, [u, v]: [f64; 2]) -> (Vector, f64) {
     match measure {
         Measure::Plane(normal) => (above(normal, [u, v]), 1.0),
@@ -19,13 +20,15 @@ pub(super) fn towards(measure: Measure, [u, v]: [f64; 2]) -> (Vector, f64) {
     }
 }
 
-/// A direction above a plane, with a density like its cosine with the unit normal.
+/// Returns a direction above a plane, with a density proportional to its cosine with the unit
+/// normal.
 pub(super) fn above(normal: Vector, [u, v]: [f64; 2]) -> Vector {
     Frame::about(normal).place(cosine_hemisphere_sample(u, v))
 }
 
 impl Transport {
-    /// The faces that rays from a point above a plane end on, or nothing for those that end nowhere, with a density like their cosine.
+    /// Returns the faces that rays from a point above a plane hit, or `None` for rays that hit
+    /// nothing. The density of the rays is proportional to their cosine.
     pub(crate) fn faces_above(
         &self,
         position: Vector,

@@ -1,5 +1,5 @@
-//! Elements: faces become triangles and parallelograms, with the nodes at which irradiance is known, and these become smaller
-//! ones.
+//! Elements: faces become triangles and parallelograms, with the nodes at which irradiance is
+//! known. Elements are divided into smaller ones.
 
 use super::contact::ConvexPiece;
 use super::reference::{MOST_NODES, Reference, Shape, reference};
@@ -9,20 +9,23 @@ use crate::kernels::uniform_triangle_sample;
 
 /// Polynomials on elements have degrees below this, where memory allows.
 pub(super) const HIGHEST_ORDER: usize = 3;
-/// Elements are at most as many times as long as they are wide, where they can be cut.
+/// Maximum ratio of length to width of an element, where it can be cut.
 const LONGEST: f64 = 2.0;
 
-/// Where a side that another face rises from is divided: irradiance there is like a power xᵝ with 0 < β < 1 of the distance, which
-/// polynomials on parts that shrink fast towards it approach fast.
+/// Position of the cut next to a side from which another face rises. Irradiance there is like a
+/// power xᵝ with 0 < β < 1 of the distance. Polynomials on parts that shrink fast towards the side
+/// converge fast to it.
 ///
-/// Source: W. Gui, I. Babuška, The h, p and h-p versions of the finite element method in one dimension, part II (1986).
+/// Source: W. Gui, I. Babuška, The h, p and h-p versions of the finite element method in one
+/// dimension, part II (1986).
 const CREASE: f64 = 0.2;
-/// The same where other faces rise from both sides.
+/// Position of the cuts where other faces rise from both sides.
 const CREASES: f64 = 0.15;
 
-/// How far beside an element a point may lie that counts as on it, in the element's coordinates.
+/// Maximum distance outside an element at which a point counts as on it, in the element's
+/// coordinates.
 const BESIDE: f64 = 1e-9;
-/// How much the fourth corner of a parallelogram may be off, in the length of its edges.
+/// Tolerance for the fourth corner of a parallelogram, relative to the length of its edges.
 const PARALLEL: f64 = 1e-12;
 
 /// A triangle or a parallelogram of a face: x(u, v) = corner + u along + v across.
@@ -39,9 +42,11 @@ pub(super) struct Element {
     /// The unit normal of its face.
     pub(super) normal: Vector,
     pub(super) area: f64,
-    /// How far a point is along and across, by its way from the corner.
+    /// Vectors whose dot products with the offset of a point from the corner are its coordinates
+    /// along and across.
     dual: [Vector; 2],
-    /// Of a parallelogram: whether another face rises from the side where each coordinate is 0, and where it is 1.
+    /// For a parallelogram: whether another face rises from the side where each coordinate is 0,
+    /// and where it is 1.
     creases: [[bool; 2]; 2],
 }
 
@@ -54,7 +59,8 @@ impl Element {
         Self { face, shape, order: HIGHEST_ORDER, corner, along, across, normal, area, dual, creases }
     }
 
-    /// The elements that a convex piece of a face begins with: parallelograms where it is one, else triangles.
+    /// Returns the initial elements of a convex piece of a face: a parallelogram if the piece is
+    /// one, otherwise triangles.
     pub(super) fn of(index: usize, face: &Face, piece: &ConvexPiece) -> Vec<Self> {
         let element = |shape, corners| Self::new(index, shape, face.normal, corners);
         let mut elements = Vec::new();
@@ -69,7 +75,8 @@ impl Element {
         }
         if elements.is_empty() {
             let fan = v[1..].windows(2).map(|pair| [v[0], pair[0] - v[0], pair[1] - v[0]]);
-            // one that is no more than rounding beside its face has no coordinates
+            // a triangle whose area is no more than rounding relative to its face has no
+            // coordinates
             let is_some = |[_, along, across]: &[Vector; 3]| {
                 face.normal.dot(along.cross(*across)) > f64::EPSILON * face.area
             };
@@ -79,7 +86,7 @@ impl Element {
         elements.into_iter().flat_map(Self::into_compact).collect()
     }
 
-    /// The element itself, or parts of it that are not much longer than wide.
+    /// Splits an element into parts that are not much longer than wide.
     fn into_compact(self) -> Vec<Self> {
         if self.shape == Shape::Triangle {
             return vec![self];
@@ -91,13 +98,15 @@ impl Element {
         self.cut([&equal(columns), &equal(rows)])
     }
 
-    /// The coordinates that it can be divided in: a triangle is divided in both at once.
+    /// Returns the coordinates in which the element can be divided: a triangle is divided in both
+    /// at once.
     pub(super) fn is_divisible(&self) -> [bool; 2] {
         [true, self.shape == Shape::Square]
     }
 
-    /// Its parts where some coordinates are divided: a triangle into four of half the size, a side of a parallelogram in the middle,
-    /// but near to its ends where another face rises there.
+    /// Returns the parts of the element when some coordinates are divided: a triangle into four of
+    /// half the size, a side of a parallelogram in the middle, or near those ends from which
+    /// another face rises.
     pub(super) fn divided(&self, is_divided: [bool; 2]) -> Vec<Self> {
         match self.shape {
             Shape::Triangle => self.quarters().to_vec(),
@@ -105,7 +114,7 @@ impl Element {
         }
     }
 
-    /// How many parts there are then.
+    /// Returns the number of these parts.
     pub(super) fn part_count(&self, is_divided: [bool; 2]) -> usize {
         match self.shape {
             Shape::Triangle if is_divided == [false; 2] => 1,
@@ -114,7 +123,7 @@ impl Element {
         }
     }
 
-    /// Where the sides of a parallelogram are cut, in its coordinates.
+    /// Returns the cuts of the sides of a parallelogram, in its coordinates.
     fn cuts(&self, is_divided: [bool; 2]) -> [&'static [f64]; 2] {
         [0, 1].map(|coordinate| -> &[f64] {
             match (is_divided[coordinate], self.creases[coordinate]) {
@@ -127,7 +136,7 @@ impl Element {
         })
     }
 
-    /// The parts of a parallelogram between these values of its coordinates, row by row.
+    /// Returns the parts of a parallelogram between these values of its coordinates, row by row.
     fn cut(&self, [columns, rows]: [&[f64]; 2]) -> Vec<Self> {
         let mut parts = Vec::with_capacity((columns.len() - 1) * (rows.len() - 1));
         for (j, v) in rows.windows(2).enumerate() {
@@ -146,12 +155,12 @@ impl Element {
         parts
     }
 
-    /// How long it is along each coordinate.
+    /// Returns the length along each coordinate.
     pub(super) fn extent(&self) -> [f64; 2] {
         [self.along.length(), self.across.length()]
     }
 
-    /// The four parts of half the size of a triangle.
+    /// Returns the four parts of half the size of a triangle.
     fn quarters(&self) -> [Self; 4] {
         let [along, across] = [0.5 * self.along, 0.5 * self.across];
         let at = |u: f64, v: f64| self.corner + u * along + v * across;
@@ -167,8 +176,9 @@ impl Element {
         ]
     }
 
-    /// Its n² equal parts where each side is cut into n, with constants on them: row by row, and along a row of a triangle each part
-    /// that stands as the whole does followed by the one beside it that is turned round.
+    /// Returns the n² equal parts when each side is cut into n, with constants on them, row by row.
+    /// Along a row of a triangle, each part with the orientation of the whole is followed by its
+    /// neighbour with the opposite orientation.
     pub(super) fn parts(&self, n: usize) -> Vec<Self> {
         let size = 1.0 / n as f64;
         let [along, across] = [size * self.along, size * self.across];
@@ -192,7 +202,7 @@ impl Element {
         parts
     }
 
-    /// Which of its n² parts a point of it lies on.
+    /// Returns the index of the one of the n² parts that contains a point of the element.
     pub(super) fn part_of(&self, n: usize, point: Vector) -> usize {
         let [u, v] = self.coordinates(point).map(|x| n as f64 * x);
         let cell = |x: f64, count: usize| (x.max(0.0) as usize).min(count - 1);
@@ -207,7 +217,8 @@ impl Element {
         }
     }
 
-    /// The point of it that is the image of a point of the unit square, in proportion to area.
+    /// Returns the image of a point of the unit square on the element; the map preserves area
+    /// ratios.
     pub(super) fn image(&self, [u, v]: [f64; 2]) -> Vector {
         let [u, v] = if self.shape == Shape::Triangle { uniform_triangle_sample(u, v) } else { [u, v] };
         self.corner + u * self.along + v * self.across
@@ -221,33 +232,33 @@ impl Element {
         reference(self.shape, self.order)
     }
 
-    /// How many nodes it has.
+    /// Returns the number of nodes.
     pub(super) fn count(&self) -> usize {
         self.reference().nodes.len()
     }
 
-    /// How many it would have with polynomials of no higher order than this.
+    /// Returns the number of nodes with polynomials of no higher order than this.
     pub(super) fn count_with(&self, order: usize) -> usize {
         reference(self.shape, self.order.min(order)).nodes.len()
     }
 
-    /// Where its nodes are.
+    /// Returns the positions of the nodes.
     pub(super) fn nodes(&self) -> impl Iterator<Item = Vector> {
         self.reference().nodes.iter().map(|&[u, v]| self.corner + u * self.along + v * self.across)
     }
 
-    /// The middle, where the node of a constant is.
+    /// Returns the centre, which is the node of a constant.
     pub(super) fn centre(&self) -> Vector {
         let part = if self.shape == Shape::Triangle { 1.0 / 3.0 } else { 0.5 };
         self.corner + part * (self.along + self.across)
     }
 
-    /// The area of each node.
+    /// Returns the area of each node.
     pub(super) fn areas(&self) -> impl Iterator<Item = f64> {
         self.reference().weights.iter().map(|weight| weight * self.area)
     }
 
-    /// Its corners, counter-clockwise seen from its front.
+    /// Returns the corners, counter-clockwise seen from the front.
     pub(super) fn outline(&self) -> Vec<Vector> {
         let (a, b, d) = (self.corner, self.corner + self.along, self.corner + self.across);
         match self.shape {
@@ -256,12 +267,12 @@ impl Element {
         }
     }
 
-    /// The values of its nodes' polynomials at a point of its plane.
+    /// Returns the values of the nodes' polynomials at a point of the plane of the element.
     pub(super) fn basis(&self, point: Vector) -> [f64; MOST_NODES] {
         self.reference().basis(self.coordinates(point))
     }
 
-    /// Whether a point of its plane lies on it, or hardly beside it.
+    /// Whether a point of its plane lies on the element, or just outside it.
     pub(super) fn contains(&self, point: Vector) -> bool {
         let [u, v] = self.coordinates(point);
         let beyond = match self.shape {

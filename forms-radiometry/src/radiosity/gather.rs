@@ -1,6 +1,6 @@
-//! Gathering: points that receive and a luminous outline become the pieces of it that each point sees.
+//! Light transport: computes the pieces of a luminous outline that each receiving point sees.
 //!
-//! Points that are close to each other share the search for what can come in between.
+//! Points that are close to each other share the search for possible occluders.
 
 use super::arriving::Arriving;
 use super::measure::Measure;
@@ -8,10 +8,11 @@ use super::whole::Whole;
 use crate::geometry::{Between, Borders, Edges, Face, Looking, Screens, Vector, Workspace};
 use crate::kernels::edge_form_factor;
 
-/// How many numbers go into a vector of the widest kind.
+/// Number of values in a vector of the widest kind.
 const LANES: usize = 8;
 
-/// Points that receive, all looking to one side or to all, and a convex outline that holds them.
+/// Receiving points, all of which look to one side or in all directions, and a convex outline that
+/// contains them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Group<'g> {
     pub(crate) points: &'g [Vector],
@@ -23,9 +24,9 @@ pub(crate) struct Group<'g> {
 pub(crate) struct Transport {
     pub(crate) faces: Vec<Face>,
     pub(crate) screens: Screens,
-    /// Whether what stands in between is looked for.
+    /// Whether occluders are searched.
     pub(crate) occlusion: bool,
-    /// The error that rules of integration may leave, relative to what they integrate.
+    /// Allowed quadrature error, relative to the integral.
     pub(crate) accuracy: f64,
 }
 
@@ -33,13 +34,13 @@ pub(crate) struct Transport {
 #[derive(Default)]
 pub(crate) struct Scratch {
     pub(super) between: Vec<u32>,
-    /// What may come in between before any of a face.
+    /// Possible occluders of any part of a face.
     pub(super) before_face: Vec<u32>,
     pub(super) view: Workspace,
-    /// What only screens take.
+    /// Workspace that only occluders need.
     borders: Option<Box<Borders>>,
     edges: Edges,
-    /// Of each point of a group the measure, over π, of what it sees of a luminaire.
+    /// For each point of a group the measure, over π, of the visible part of a luminous outline.
     measures: Vec<f64>,
     pub(super) arriving: Arriving,
     pub(super) whole: Whole,
@@ -47,37 +48,38 @@ pub(crate) struct Scratch {
     pub(super) seeing: Vec<usize>,
 }
 
-/// What a group of points sees of a luminous outline.
+/// Visibility of a luminous outline from a group of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Seen {
     Nothing,
     /// Every point sees all of it.
     Whole,
-    /// Each point has to be asked.
+    /// Visibility has to be computed for each point.
     Parts,
 }
 
 impl Transport {
-    /// The faces of the front of a surface.
+    /// Returns the faces of the front of a surface.
     pub(crate) fn fronts(&self, surface: usize) -> impl Iterator<Item = &Face> + Clone {
         self.faces.iter().filter(move |face| face.is_front_of(surface))
     }
 
-    /// Their area.
+    /// Returns the area of these faces.
     pub(crate) fn front_area(&self, surface: usize) -> f64 {
         self.fronts(surface).map(|face| face.area).sum()
     }
 
-    /// How many operations it takes at most to see so many edges from so many points, in vectors: each edge is computed once, and each screen
-    /// may cut it in single numbers.
+    /// Returns the maximum number of operations to see this number of edges from this number of
+    /// points, with vector instructions: each edge is computed once, and each occluder can cut it
+    /// in scalar operations.
     pub(crate) fn operations(&self, points: usize, edges: usize) -> f64 {
         let screens = if self.occlusion { self.screens.count() } else { 0 };
         let of_edge = edge_form_factor::OPERATIONS * (1 + LANES * screens);
         points as f64 * edges as f64 * of_edge as f64
     }
 
-    /// Calls `each` with the index of a point and a convex piece that it sees of a luminous outline with this normal,
-    /// relative to the point, for all of them.
+    /// Calls `each` for all points and all convex pieces that they see of a luminous outline with
+    /// this normal: with the index of the point, and with the piece relative to the point.
     pub(crate) fn see(
         &self,
         group: Group,
@@ -90,8 +92,8 @@ impl Transport {
         }
     }
 
-    /// What a group sees of a luminous outline, as far as that is the same for all points; what may come in between is remembered, of all
-    /// screens or among some.
+    /// Returns the visibility of a luminous outline from a group, where it is the same for all
+    /// points. Stores the possible occluders, searched among all screens or among some of them.
     pub(super) fn seen(
         &self,
         group: Group,
@@ -113,7 +115,8 @@ impl Transport {
         self.seen_past(group, (outline, normal), between)
     }
 
-    /// The same where this may come in between, and the luminaire is neither behind nor below all points.
+    /// Returns the same visibility for these possible occluders, if the outline is neither behind
+    /// nor below all points.
     pub(super) fn seen_past(
         &self,
         group: Group,
@@ -131,7 +134,8 @@ impl Transport {
         if is_whole { Seen::Whole } else { Seen::Parts }
     }
 
-    /// The pieces that the points of a group see, after what may come in between was looked for.
+    /// Calls `each` with the pieces that the points of a group see, after the search for possible
+    /// occluders.
     pub(super) fn see_parts(
         &self,
         group: Group,
@@ -155,7 +159,8 @@ impl Transport {
         }
     }
 
-    /// The measure, over π, of what each point of a group sees of a luminous outline with this normal; nothing where none sees any of it.
+    /// Returns the measure, over π, of the part of a luminous outline with this normal that each
+    /// point of a group sees; `None` if no point sees any of it.
     pub(crate) fn measured<'s>(
         &self,
         group: Group,
@@ -169,7 +174,7 @@ impl Transport {
         is_seen.then_some(&scratch.measures)
     }
 
-    /// The same where these screens, and no others, may come in between.
+    /// Returns the same measures if these screens are the only possible occluders.
     pub(crate) fn measured_past<'s>(
         &self,
         group: Group,
@@ -183,7 +188,8 @@ impl Transport {
         is_seen.then_some(&scratch.measures)
     }
 
-    /// Measures what is seen like this past these screens; says whether any of it is.
+    /// Measures the visible part of a luminous outline behind these screens; returns whether any
+    /// part is visible.
     fn measure_seen(
         &self,
         seen: Seen,
@@ -221,7 +227,8 @@ impl Transport {
     }
 }
 
-/// Whether all points of a group are behind a luminaire with this normal, or it is below their horizon.
+/// Whether all points of a group are behind a luminous outline with this normal, or the outline is
+/// below their horizon.
 fn is_turned_away(group: Group, (outline, normal): (&[Vector], Vector)) -> bool {
     let behind = |points: &[Vector], normal: Vector, at: Vector| {
         points.iter().all(|&point| normal.dot(point - at) <= 0.0)

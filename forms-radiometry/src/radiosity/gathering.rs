@@ -1,18 +1,24 @@
-//! How light is gathered: by exact pieces of all elements, or by rays, whichever is expected to take less.
+//! Transport method: exact visible pieces of all elements, or rays, whichever is expected to take
+//! less time.
 //!
 //! ```text
-//! pieces   v s (n (1 + k²) + c k)          n nodes, s elements that reflect; k times as many of both at the end
-//! rays     32 m + 16 (r + c) (t σ/ε)²      m elements, r readings, c cells of maps, t of Student, σ the deviation of a path
+//! pieces   v s (n (1 + k²) + c k)       n nodes, s reflecting elements; k times as many at the end
+//! rays     32 m + 16 (r + c) (t σ/ε)²   m elements, r readings, c cells of maps, t of Student,
+//!                                       σ the standard deviation of a path
 //! ```
-//! in rays, with the tolerance ε: the exact view of an element takes as long as v of them. Among surfaces that hide each other the first
-//! elements are exact to about 1, and errors fall like the power 3/2 of the area of elements: k = (1/ε)^(2/3). Where nothing is hidden,
-//! pieces are as exact as polynomials of second degree, whose integrals are off by 1/10 at first and by the third power of the area:
-//! k = (1/10ε)^(1/3). The cost of pieces is that of pairs, and ends where memory does; that of rays hardly depends on the surfaces. What a
-//! path deviates by is hardly known before: so rays are given up when it is seen that they take longer than pieces would. Pieces that
-//! hide each other and could not be split once within the most nodes could not tell their error: then rays it is, however long they take.
+//! These costs are in rays, for the tolerance ε: the exact view of an element costs v rays. Among
+//! surfaces that occlude each other, the error of the first elements is about 1, and errors fall
+//! with the power 3/2 of the area of elements: k = (1/ε)^(2/3). Without occlusion, pieces are as
+//! accurate as polynomials of second degree, whose integrals have an error of 1/10 at first, which
+//! falls with the third power of the area: k = (1/10ε)^(1/3). The cost of pieces is that of pairs,
+//! and is limited by memory; the cost of rays hardly depends on the surfaces. The deviation of a
+//! path is hardly known in advance, so rays are given up as soon as they prove slower than pieces
+//! would be. Pieces that occlude each other and that cannot be split once within the maximum number
+//! of nodes give no error estimate: then rays are used, however long they take.
 //!
-//! Rays always meet what stands in between. So where something does and is not to be simulated, there are none; nor where nothing is hidden
-//! or reflected, and all light has closed forms; nor where there are images.
+//! Rays always account for occlusion. They are therefore not used if there is occlusion that is not
+//! to be simulated. They are not used either if there is neither occlusion nor reflection and all
+//! light has closed forms, or if there are images.
 
 use super::paths::{RAYS, VIEW};
 use super::probe::{FEWEST_PATHS, PATH, STUDENT};
@@ -21,40 +27,42 @@ use super::system::{MOST_NODES, Question, first_order, is_reflecting};
 use crate::geometry::Face;
 use crate::scene::{ReceiverKind, Scene};
 
-/// The deviation of what a path finds, relative to a reading: typical where a third of the light is reflected.
+/// Standard deviation of a path's value, relative to a reading: typical where a third of the light
+/// is reflected.
 const DEVIATION: f64 = 0.2;
-/// The fewest nodes that a rough solution is not too rough with, and the most.
+/// Minimum number of nodes with which a rough solution is not too rough, and the maximum number.
 const FEWEST_NODES: usize = 4_096;
 const MOST_ROUGH_NODES: usize = 1 << 20;
-/// The error of the first elements, and the power of their number by which it falls: among surfaces that hide each other, and where
-/// nothing is hidden.
+/// Error of the first elements, and the power of their number by which it falls: among surfaces
+/// that occlude each other, and without occlusion.
 const HIDDEN: [f64; 2] = [1.0, 1.5];
 const FREE: [f64; 2] = [0.1, 3.0];
-/// Into how many parts elements are split at least.
+/// Minimum number of parts that an element is split into.
 const PARTS: f64 = 4.0;
 
-/// How light is gathered.
+/// Transport method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Gathering {
     /// By the exact pieces that points see of all elements.
     Pieces,
-    /// By rays, and by paths for what these leave out, as long as no more than so many rays are needed.
+    /// By rays, and by paths for the light that rays do not cover, as long as no more than `most`
+    /// rays are needed.
     Rays { most: f64 },
 }
 
-/// What surfaces hide.
+/// Occlusion between surfaces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Hiding {
-    /// They may hide each other, and that is simulated.
+    /// Surfaces can occlude each other, and this is simulated.
     Simulated,
-    /// They may hide each other, and that is left out.
+    /// Surfaces can occlude each other, and this is omitted.
     LeftOut,
-    /// Nothing stands in between.
+    /// No surface occludes another one.
     Nothing,
 }
 
 impl Gathering {
-    /// How light is gathered in a scene with these faces.
+    /// Selects the method for a scene with these faces.
     pub(crate) fn of(scene: &Scene, faces: &[Face], question: &Question, hiding: Hiding) -> Self {
         let is_straight = hiding == Hiding::Nothing && question.orders == Some(0);
         if is_straight || hiding == Hiding::LeftOut || asks_for_images(scene) {
@@ -80,23 +88,23 @@ impl Gathering {
     }
 }
 
-/// Whether there are images, all of whose pixels share what exact pieces take.
+/// Whether there are images, whose pixels all share the cost of exact pieces.
 fn asks_for_images(scene: &Scene) -> bool {
     scene.receivers.iter().any(|receiver| matches!(receiver.kind, ReceiverKind::Camera(_)))
 }
 
-/// How many faces reflect.
+/// Returns the number of faces that reflect.
 fn sources(scene: &Scene, faces: &[Face]) -> usize {
     faces.iter().filter(|face| is_reflecting(scene, face)).count()
 }
 
-/// How many nodes this many elements begin with.
+/// Returns the number of nodes that this many elements begin with.
 fn coarsest_nodes(elements: usize) -> usize {
     let nodes = |order| elements * reference(Shape::Square, order).nodes.len();
     nodes(first_order(nodes))
 }
 
-/// How many readings a scene asks for, and how many cells of maps.
+/// Returns the number of readings that a scene asks for, and the number of cells of maps.
 fn asked(scene: &Scene) -> (usize, usize) {
     let (mut readings, mut cells) = (0, 0);
     for receiver in &scene.receivers {
@@ -113,12 +121,12 @@ fn asked(scene: &Scene) -> (usize, usize) {
     (readings, cells)
 }
 
-/// How many paths it takes to find this many numbers within the tolerance.
+/// Returns the number of paths that this many values need to reach the tolerance.
 fn paths(scene: &Scene, numbers: usize) -> f64 {
     numbers as f64 * (STUDENT * DEVIATION / scene.solve.tolerance).powi(2).max(FEWEST_PATHS)
 }
 
-/// How many nodes of a rough solution take as long as the paths of all readings.
+/// Returns the number of nodes of a rough solution that take as long as the paths of all readings.
 pub(super) fn worthwhile_nodes(scene: &Scene) -> usize {
     let (readings, cells) = asked(scene);
     let nodes = PATH * paths(scene, readings + cells) / (f64::from(RAYS) + PATH);

@@ -1,7 +1,8 @@
-//! Importance: what is asked for becomes how much a uniform irradiance of each element would change it, over all reflections.
+//! Importance: for each element, the change of the goals by a uniform irradiance of the element,
+//! over all reflections (adjoint solution).
 //!
 //! ```text
-//! z = w + Gᵀ z        w what the nodes give to the goals straight
+//! z = w + Gᵀ z        w the direct contributions of the nodes to the goals
 //! ```
 
 use super::gather::{Group, Scratch};
@@ -10,13 +11,13 @@ use super::system::Radiosity;
 use crate::geometry::Vector;
 use rayon::prelude::*;
 
-/// How many reflections importance is followed.
+/// Number of reflections over which importance is propagated.
 const MOST_REFLECTIONS: usize = 24;
 
-/// How many parts goals are divided into, that are followed at the same time.
+/// Number of parts that the goals are divided into for parallel evaluation.
 const PARTS: usize = 32;
 
-/// A number that the solution is asked for, and how much its error matters.
+/// A number requested from the solution, and the weight of its error.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Goal {
     pub(crate) what: GoalKind,
@@ -26,20 +27,21 @@ pub(crate) struct Goal {
 /// Kinds of goals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum GoalKind {
-    /// What reaches a point.
+    /// Light at a point.
     At { position: Vector, measure: Measure },
-    /// The integral of the irradiance of a surface.
+    /// Integral of the irradiance of a surface.
     Mean { surface: usize },
 }
 
 impl Radiosity<'_> {
-    /// What a uniform irradiance of each element would change in the goals, over all reflections; only some of it if the work is stopped.
+    /// Returns the change of the goals by a uniform irradiance of each element, over all
+    /// reflections; only part of it if the work is stopped.
     pub(super) fn importance(&self, goals: &[Goal]) -> Vec<f64> {
         self.importance_and_sums(goals, &vec![[0.0; 2]; self.elements.len()]).0
     }
 
-    /// The importance of each element; and for each goal the sums over elements of pairs of numbers, each times what the element gives to the
-    /// goal straight.
+    /// Returns the importance of each element. Also returns for each goal the sums over elements of
+    /// pairs of numbers, each times the direct contribution of the element to the goal.
     pub(super) fn importance_and_sums(
         &self,
         goals: &[Goal],
@@ -48,7 +50,7 @@ impl Radiosity<'_> {
         let bands = 0..self.scene.band_count();
         let of = |element| bands.clone().map(|band| self.reflectance(element, band)).fold(0.0, f64::max);
         let strongest: Vec<f64> = self.elements.iter().map(of).collect();
-        // sums of the same goals in the same order, whatever the number of threads
+        // the sums are over the same goals in the same order, whatever the number of threads
         let of_some = |goals: &[Goal]| {
             let (mut scratch, mut straight) = (Scratch::default(), vec![0.0; self.size()]);
             let mut sums = |goal: &Goal| {
@@ -88,15 +90,15 @@ impl Radiosity<'_> {
         (importance, sums.concat())
     }
 
-    /// Whether a goal has light of any element. What a point sees is exact; on a surface nodes tell, between which others may see more where
-    /// something is in between.
+    /// Whether any element contributes light to a goal. This is exact for a point. On a surface it
+    /// is judged by the nodes; with occlusion, points between them can see more.
     pub(crate) fn reaches(&self, what: GoalKind) -> bool {
         let goals = [Goal { what, weight: 1.0 }];
         let is_hidden = self.transport.occlusion && matches!(what, GoalKind::Mean { .. });
         is_hidden || self.importance(&goals).iter().any(|&importance| importance > 0.0)
     }
 
-    /// What the nodes of each element give to a goal straight.
+    /// Calls `each` with the direct contributions of the nodes of each element to a goal.
     fn each_straight(
         &self,
         goal: &Goal,

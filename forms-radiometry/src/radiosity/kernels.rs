@@ -1,9 +1,11 @@
-//! The kernels of a scene: what it contains, and what of it is simulated, decide by one table which kernels run.
+//! Kernels of a scene: one table maps the contents of a scene, and the effects that are simulated,
+//! to the kernels that run.
 //!
 //! ```text
-//! scene, faces, question ─▶ what has to be computed ─▶ the rows of the table that compute it
+//! scene, faces, question ─▶ required computations ─▶ the rows of the table that perform them
 //! ```
-//! Where a kernel has effects, it is the member without those that the scene does not call for, as [`arriving`](super::arriving) chooses it.
+//! If a kernel has effects, its specialisation without the effects that the scene does not need is
+//! used, as [`arriving`](super::arriving) selects it.
 
 use super::contact::ConvexPiece;
 use super::direct::kinds;
@@ -24,33 +26,34 @@ use crate::scene::{ReceiverKind, Scene, Shape, Surface};
 pub struct UsedKernel {
     /// Its name in the library.
     pub name: &'static str,
-    /// The effects of the kernel that are not in the code of its member that runs.
+    /// The effects of the kernel that the code of its specialisation does not contain.
     pub without: Vec<&'static str>,
-    /// How many operations a value takes.
+    /// Number of operations for a value.
     pub operations: usize,
-    /// How many it takes with all effects of the kernel.
+    /// Number of operations for a value with all effects of the kernel.
     pub operations_of_all: usize,
-    /// What is computed by it.
+    /// Description of the quantity that it computes.
     pub what: &'static str,
 }
 
-/// What has to be computed for a scene.
+/// Computations that a scene requires.
 struct Computed {
-    /// The kinds of light that receivers gather by exact pieces, if any does.
+    /// The kinds of light that receivers gather by exact pieces, if any receiver does.
     gathered: Option<Effects>,
-    /// The kinds that come straight to the points on surfaces from which light goes on or of which a mean is taken, if there are any.
+    /// The kinds of direct light at the points of surfaces that reflect or whose mean is computed,
+    /// if there are any.
     straight: Option<Effects>,
-    /// Whether points see faces that light comes from.
+    /// Whether points see faces that send light.
     views: bool,
-    /// Whether receivers look into all directions.
+    /// Whether receivers look in all directions.
     spheres: bool,
-    /// Whether light is followed from element to element by exact pieces.
+    /// Whether light is exchanged between elements by exact pieces.
     reflections: bool,
-    /// Whether points may see spheres and disks as a whole.
+    /// Whether points can see spheres and disks as a whole.
     whole: [bool; 2],
     /// Whether the light of faces is integrated over surfaces.
     exchange: bool,
-    /// Whether light is followed along rays.
+    /// Whether light is traced along rays.
     rays: bool,
     /// Whether paths begin on triangles.
     triangles: bool,
@@ -60,7 +63,7 @@ impl Computed {
     fn of(scene: &Scene, faces: &[Face], question: &Question, (hiding, is_precise): (Hiding, bool)) -> Self {
         let straight = kinds(scene, faces);
         let reflected = question.orders != Some(0) && faces.iter().any(|f| is_reflecting(scene, f));
-        // where rays take too long, pieces follow
+        // if rays take too long, pieces follow
         let (rays, pieces) = match Gathering::of(scene, faces, question, hiding) {
             Gathering::Pieces => (false, true),
             Gathering::Rays { most } => (true, most.is_finite()),
@@ -74,7 +77,7 @@ impl Computed {
             ReceiverKind::Ray { .. } | ReceiverKind::Camera(_) => true,
         });
         let at_points = asks_points || asks_elsewhere;
-        // the closed forms of points add up light in double-double, without the kernel
+        // the closed forms for points add up light in double-double, without the kernel
         let gathers = asks_elsewhere || (asks_points && !is_precise);
         let on_surfaces = question.receives.contains(&true);
         let has_points = on_surfaces || reflected || (rays && at_points);
@@ -106,8 +109,9 @@ impl Computed {
     }
 }
 
-/// The kernels that the simulation of a scene with these faces runs, by what surfaces hide and whether direct light at points
-/// [is computed to the last digit](super::is_precise).
+/// Returns the kernels that the simulation of a scene with these faces runs. They depend on the
+/// occlusion between surfaces, and on whether direct light at points [is computed to the last
+/// digit](super::is_precise).
 pub(crate) fn kernels(
     scene: &Scene,
     faces: &[Face],
@@ -146,13 +150,13 @@ pub(crate) fn kernels(
 }
 
 impl UsedKernel {
-    /// A kernel without effects.
+    /// Returns a kernel without effects.
     pub(crate) fn whole(name: &'static str, operations: usize, what: &'static str) -> Self {
         Self { name, without: Vec::new(), operations, operations_of_all: operations, what }
     }
 }
 
-/// The member of the kernel that gathers these kinds of light.
+/// Returns the specialisation of the kernel that gathers these kinds of light.
 fn member(kinds: Effects, what: &'static str) -> UsedKernel {
     let Effects { luminaires, surroundings, beams, interreflection } = kinds;
     let effects = [

@@ -1,17 +1,17 @@
-//! Measures: what a receiver makes of the light that comes from a direction.
+//! Measures: how a receiver weights the light from a direction.
 //!
 //! ```text
-//! plane     F = (1/π) ∫ cos θ dω      irradiance of an element with the normal n:  E = π F L
-//! sphere    Ω = ∫ dω                  fluence rate:                                 φ = Ω L
-//! flow      −∫ ω dω                   vector irradiance along an axis; ω points to where the light comes from
+//! plane     F = (1/π) ∫ cos θ dω   irradiance of an element with the normal n:  E = π F L
+//! sphere    Ω = ∫ dω               fluence rate:                                 φ = Ω L
+//! flow      −∫ ω dω                vector irradiance along an axis; ω points towards the light
 //! ```
-//! All are taken over π, so that a reflected radiance ρE/π and an exitance M/π enter alike.
+//! All measures are over π, so that a reflected radiance ρE/π and an exitance M/π enter alike.
 
 use crate::geometry::{Vector, edge_sum};
 use crate::kernels::solid_angle_triangle;
 use std::f64::consts::PI;
 
-/// What is measured at a point.
+/// Quantity measured at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Measure {
     /// Irradiance of a surface element with this unit normal.
@@ -31,7 +31,7 @@ impl Measure {
         Self::Flow(Vector::new(0.0, 0.0, 1.0)),
     ];
 
-    /// The normal of the horizon below which nothing counts.
+    /// Returns the normal of the horizon below which light does not count.
     pub(crate) fn horizon(self) -> Option<Vector> {
         match self {
             Self::Plane(normal) => Some(normal),
@@ -39,8 +39,8 @@ impl Measure {
         }
     }
 
-    /// The measure, over π, of a convex polygon relative to the receiver, which lies above its horizon and is seen from its
-    /// front.
+    /// Returns the measure, over π, of a convex polygon relative to the receiver. The polygon lies
+    /// above the horizon and its front faces the receiver.
     pub(crate) fn of(self, polygon: &[Vector]) -> f64 {
         match self {
             Self::Plane(normal) => edge_sum(polygon, normal),
@@ -57,7 +57,8 @@ impl Measure {
         }
     }
 
-    /// The direction along which it is ∫ cos θ dω, and the sign; nothing for a measure that is no such integral.
+    /// Returns the axis along which the measure is ∫ cos θ dω, and the sign; `None` for a measure
+    /// that is no such integral.
     pub(crate) fn along(self) -> Option<(Vector, f64)> {
         match self {
             Self::Plane(normal) => Some((normal, 1.0)),
@@ -66,7 +67,7 @@ impl Measure {
         }
     }
 
-    /// The measure of an area there, over π, by the solid angle of that area over π.
+    /// Returns the ratio of the measure of a small area in this direction to its solid angle.
     pub(crate) fn factor(self, direction: Vector) -> f64 {
         match self {
             Self::Plane(normal) => normal.dot(direction).max(0.0),
@@ -75,7 +76,7 @@ impl Measure {
         }
     }
 
-    /// The measure of all directions, over π.
+    /// Returns the measure of all directions, over π.
     pub(crate) fn whole(self) -> f64 {
         match self {
             Self::Plane(_) => 1.0,

@@ -1,14 +1,14 @@
-//! The operator of reflection: rows of form factors from nodes to elements become G, that takes an irradiance to the one after
-//! another reflection.
+//! Transport operator: rows of form factors from nodes to elements become G, which maps an
+//! irradiance to the irradiance after one more reflection.
 //!
 //! ```text
 //! (G E)ᵢ = Σₑ ρₑ Σₖ Wᵢₑₖ Eₑₖ
 //! ```
-//! The rows are geometry alone: all bands share them.
+//! The rows are pure geometry: all bands share them.
 
 use rayon::prelude::*;
 
-/// What one node gets from the elements that it sees.
+/// Weights of one node for the elements that it sees.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Row {
     /// The elements.
@@ -21,7 +21,7 @@ pub(super) struct Row {
 #[derive(Clone, Debug)]
 pub(super) struct Operator {
     rows: Vec<Row>,
-    /// The first node of each element, and at the end the count of all nodes.
+    /// The first node of each element, and at the end the number of all nodes.
     first: Vec<usize>,
 }
 
@@ -30,12 +30,12 @@ impl Operator {
         Self { rows, first }
     }
 
-    /// How many nodes there are.
+    /// Returns the number of nodes.
     pub(super) fn size(&self) -> usize {
         self.first.last().copied().unwrap_or(0)
     }
 
-    /// G E for these reflectances of the elements.
+    /// Returns G E for these reflectances of the elements.
     pub(super) fn apply(&self, reflectances: &[f64], irradiance: &[f64]) -> Vec<f64> {
         self.sums(|element, weights| {
             let nodes = &irradiance[self.first[element]..self.first[element + 1]];
@@ -44,7 +44,8 @@ impl Operator {
         })
     }
 
-    /// For each node the sum over the elements that it sees of what is made of each and the weights of its nodes.
+    /// Returns for each node the sum over the elements that it sees of `of`, applied to the element
+    /// and the weights of its nodes.
     pub(super) fn sums(&self, of: impl Fn(usize, &[f64]) -> f64 + Sync) -> Vec<f64> {
         let of_row = |row: &Row| {
             let mut weights = row.weights.as_slice();
@@ -60,7 +61,7 @@ impl Operator {
         self.rows.par_iter().with_min_len(16).map(of_row).collect()
     }
 
-    /// Gᵀ z for these reflectances.
+    /// Returns Gᵀ z for these reflectances.
     pub(super) fn apply_transposed(&self, reflectances: &[f64], importance: &[f64]) -> Vec<f64> {
         let mut sums = vec![0.0; self.size()];
         for (row, &z) in self.rows.iter().zip(importance) {
@@ -77,8 +78,8 @@ impl Operator {
         sums
     }
 
-    /// An estimate of the norm of the operator by what several reflections leave of a uniform irradiance: ‖Gᵐ‖^(1/m), m = 4,
-    /// never more than ‖G‖ at the nodes.
+    /// Estimates the norm of the operator by the part of a uniform irradiance that several
+    /// reflections leave: the smallest ‖Gᵐ‖^(1/m) with m ≤ 4, never more than ‖G‖ at the nodes.
     pub(super) fn contraction(&self, reflectances: &[f64]) -> f64 {
         const BOUNCES: i32 = 4;
         let mut light = vec![1.0; self.size()];

@@ -1,11 +1,16 @@
-//! Elements that a shadow lies on in part: what their nodes get straight from lights without extent, and how much that may be wrong.
+//! Partially shadowed elements: the direct light of point and distant lights at their nodes, and
+//! its possible error.
 //!
 //! ```text
 //! all of it lit or dark       D at the nodes
-//! the part f of it lit        D = Φ/A at all nodes,   jump = (1/A) ∫ |D(x) − Φ/A| dA ≤ 2 f (1 − f) D of the lit part + its spread
+//! the part f of it lit        D = Φ/A at all nodes,
+//!                             jump = (1/A) ∫ |D(x) − Φ/A| dA
+//!                                  ≤ 2 f (1 − f) D of the lit part + its spread
 //! ```
-//! So its flux Φ is right wherever the nodes are, and no shadow that falls between them is missed. Where it lies is not told by D: answers
-//! may be off by the jump times half of what the weight of irradiance differs by over the element, and by what that makes over all reflections.
+//! The flux Φ of the element is therefore correct wherever the nodes are, and no shadow that falls
+//! between them is missed. D does not say where on the element the shadow lies. The possible error
+//! of an answer is therefore the jump times half of the variation of the irradiance weight over the
+//! element, and the effect of this error over all reflections.
 
 use super::direct::{hides, reaching_factor};
 use super::element::Element;
@@ -22,27 +27,28 @@ use forms::math::Real;
 /// Parts of an element below this are no more than rounding.
 const NOTHING: f64 = 1e-9;
 
-/// What an element gets straight from lights without extent.
+/// Direct light of point and distant lights on an element.
 pub(super) struct OnElement {
-    /// Of each node, in each band.
+    /// For each node, in each band.
     pub(super) nodes: Vec<Vec<f64>>,
-    /// How much that is more than what reaches the node.
+    /// Excess of this light over the light that reaches the node.
     pub(super) more: Vec<Vec<f64>>,
-    /// For each band how far irradiance is from that in the mean.
+    /// For each band the mean deviation of the irradiance from this light.
     pub(super) jump: Vec<f64>,
 }
 
-/// The same of one light, over its intensity or irradiance.
+/// The same for one light, over its intensity or irradiance.
 struct OfLight {
-    /// What reaches each node.
+    /// The light that reaches each node.
     seen: Vec<f64>,
-    /// The mean, and how far irradiance is from it, where that stands for what reaches the nodes.
+    /// The mean, and the deviation of the irradiance from it, if the mean replaces the light at the
+    /// nodes.
     mean: Option<f64>,
     jump: f64,
 }
 
 impl Shadows {
-    /// What an element with this outline gets straight from lights without extent.
+    /// Returns the direct light of point and distant lights on an element with this outline.
     pub(super) fn on_element(
         &self,
         (element, outline): (&Element, &[Vector]),
@@ -103,8 +109,9 @@ fn of_light(
     found
 }
 
-/// Half of what the weight of irradiance differs by over an element, by that of its nodes, times its area; of a single node all of it. Twice
-/// that, as the nodes do not reach the ends.
+/// Returns half of the variation of the irradiance weight over an element, times its area,
+/// estimated from the weights of its nodes; for a single node, the whole weight. The half variation
+/// is doubled, as the nodes do not reach the ends.
 fn spread(weights: &[f64], element: &Element) -> f64 {
     let of_parts = weights.iter().zip(&element.reference().weights).map(|(weight, part)| weight.abs() / part);
     if weights.len() == 1 {
@@ -114,14 +121,15 @@ fn spread(weights: &[f64], element: &Element) -> f64 {
     high - low
 }
 
-/// What there is of an element in a band; nothing where there is of none.
+/// Returns the value of an element in a band; 0 if there are no values.
 fn of_element(all: &[Vec<f64>], element: usize, band: usize) -> f64 {
     all.get(band).and_then(|band| band.get(element)).copied().unwrap_or(0.0)
 }
 
 impl Radiosity<'_> {
-    /// Finds anew what nodes miss of what comes straight, and, for each band, what the irradiance of each node may be off by because of that,
-    /// and of where shadows end on elements, over all reflections; nothing where neither is there.
+    /// Recomputes the direct light that nodes miss. From it, and from the shadow borders on
+    /// elements, computes for each band the possible error of the irradiance of each node over all
+    /// reflections; empty if there is neither.
     pub(super) fn doubt_anew(&mut self) {
         self.residuals = self.residuals();
         self.missed = self.missed();
@@ -137,12 +145,13 @@ impl Radiosity<'_> {
         }
     }
 
-    /// Whether the irradiance of an element is not that of its nodes.
+    /// Whether the irradiance of an element differs from that of its nodes.
     pub(crate) fn is_doubtful(&self) -> bool {
         self.missed.iter().chain(&self.jumps).flatten().any(|&irradiance| irradiance > 0.0)
     }
 
-    /// What comes from an element that its nodes do not tell, where these have such weights: of a reflectance of 1.
+    /// Returns the light of an element that its nodes, with these weights, do not represent, for a
+    /// reflectance of 1.
     fn astray(&self, element: usize, band: usize, weights: &[f64]) -> f64 {
         let [jump, missed] = [&self.jumps, &self.missed].map(|all| of_element(all, element, band));
         if jump == 0.0 && missed == 0.0 {
@@ -152,7 +161,8 @@ impl Radiosity<'_> {
         (jump + missed) * spread(weights, &self.elements[element]) + missed * whole
     }
 
-    /// What an answer may be off by, for each band, because of where shadows end on elements, and of what their nodes miss.
+    /// Returns for each band the possible error of an answer due to shadow borders on elements and
+    /// to light that the nodes miss.
     pub(crate) fn doubt(&self, what: GoalKind, scratch: &mut Scratch) -> Vec<f64> {
         let mut sums = vec![0.0; self.scene.band_count()];
         match what {
@@ -188,7 +198,8 @@ impl Radiosity<'_> {
         sums
     }
 
-    /// How much of an element's irradiance is in doubt itself, relative to the largest, in the band where that is most.
+    /// Returns the uncertain part of an element's irradiance, relative to the largest irradiance,
+    /// in the band where this ratio is largest.
     pub(super) fn jump(&self, element: usize) -> f64 {
         let of_band = |(band, &brightest): (usize, &f64)| {
             let jump: f64 =

@@ -1,15 +1,18 @@
-//! Paths: light followed backwards along rays, where surfaces are too many for the exact pieces of all of them. Here is the rough
-//! solution; how paths go on from a point is in [`walk`](super::walk).
+//! Paths: traces light backwards along rays, if there are too many surfaces for the exact pieces of
+//! all of them. This module computes the rough solution; [`walk`](super::walk) continues paths from
+//! a point.
 //!
 //! ```text
-//! faces ─▶ elements ─ rays from each ─▶ rows ─▶ Ẽ, a rough solution ─┬─ gathered from ───────────────┬─▶ readings
-//!                                                                    └─ E − Ẽ along random paths ────┘
+//! faces ─▶ elements ─ rays from each ─▶ rows ─▶ rough Ẽ ─┬─ gathered ──────────────┬─▶ readings
+//!                                                        └─ E − Ẽ by random paths ─┘
 //! ```
-//! A receiver gets ∫ ρ E dF. It gathers ρ Ẽ by many rays, and adds the mean of ρ (E − Ẽ) where some rays end, so that no error of
-//! Ẽ is left, neither of its elements nor of its rows: they only say how many paths it takes. D is exact where lights are few; where
-//! they are many faces, or outside, rays meet them.
+//! A receiver gets ∫ ρ E dF. It gathers ρ Ẽ by many rays, and adds the mean of ρ (E − Ẽ) where some
+//! rays end. Ẽ is a control variate: errors of its elements and of its rows do not bias the result,
+//! but only determine the number of paths that it takes. D is exact if light sources are few; if
+//! they are many faces, or the surroundings, rays sample them.
 //!
-//! Source: M. Giles, Multilevel Monte Carlo path simulation (2008), for the sum of a cheap mean and a small difference.
+//! Source: M. Giles, Multilevel Monte Carlo path simulation (2008), for the sum of a cheap mean and
+//! a small difference.
 
 use super::brightest::most_of_beams;
 use super::direct::Lights;
@@ -31,18 +34,20 @@ use crate::simulation::Watch;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Rays from each node of the rough solution, and from each point that is asked how much of its sky shines.
+/// Number of rays from each node of the rough solution, and from each point where the emitting part
+/// of the hemisphere is sampled.
 pub(super) const RAYS: u32 = 32;
-/// How many nodes are asked how much of their sky shines.
+/// Number of nodes where the emitting part of the hemisphere is sampled.
 const ASKED: usize = 512;
-/// Of how many lights they are asked what stands before them.
+/// Number of emitters for which occluders are counted at such a node.
 const LIGHTS_ASKED: usize = 4;
-/// What one exact view of a face costs in rays.
+/// Cost of one exact view of a face, in rays.
 pub(super) const VIEW: f64 = 16.0;
-/// The relative deviation below which rays that meet the lights count as good as their exact sum.
+/// Relative standard deviation below which rays that hit the emitters count as equivalent to their
+/// exact sum.
 const DEVIATION: f64 = 0.25;
 
-/// A scene with a rough solution, in which paths are followed.
+/// A scene with a rough solution, in which paths are traced.
 pub(crate) struct Paths<'t> {
     pub(super) scene: &'t Scene,
     pub(super) transport: &'t Transport,
@@ -50,23 +55,24 @@ pub(crate) struct Paths<'t> {
     pub(super) watch: &'t dyn Watch,
     pub(super) question: Question,
     pub(super) subdivision: Subdivision,
-    /// Whether rays meet faces that emit, and what is outside, instead of an exact sum over them.
+    /// Whether rays sample emitting faces and the surroundings, instead of an exact sum over them.
     pub(super) by_rays: bool,
-    /// The rough irradiance of each node, band by band: straight from lights, with all reflections that are asked for, and with all
-    /// but the last of these.
+    /// The rough irradiance of each node, band by band: direct, with all requested reflections, and
+    /// with all but the last of these.
     pub(super) direct: Vec<Vec<f64>>,
     pub(super) irradiance: Vec<Vec<f64>>,
     pub(super) reflected: Vec<Vec<f64>>,
-    /// For each band the largest radiosity of what rays have to meet: lights, nodes, and where lights without extent may reach.
+    /// For each band the largest radiosity that rays have to hit: light sources, nodes, and places
+    /// that point or distant lights can reach.
     pub(super) brightest: Vec<f64>,
-    /// An estimate of how much of the light a reflection leaves.
+    /// Estimated fraction of the light that a reflection leaves.
     pub(super) contraction: f64,
 }
 
-/// What random numbers are for: those of different parts are independent.
+/// Purposes of random numbers; the numbers of different purposes are independent.
 #[derive(Clone, Copy)]
 pub(super) enum Numbers {
-    /// Points that are asked how much of their sky shines.
+    /// Points where the emitting part of the hemisphere is sampled.
     Asked,
     /// Rows of the rough solution.
     Rows,
@@ -81,14 +87,14 @@ pub(super) struct Place {
     pub(super) position: Vector,
 }
 
-/// Where a ray ends: outside, or on a face, which has elements if it reflects or receives.
+/// End of a ray: in the surroundings, or on a face, which has elements if it reflects or receives.
 pub(super) struct End {
     pub(super) face: Option<usize>,
     pub(super) place: Option<Place>,
 }
 
 impl<'t> Paths<'t> {
-    /// The rough solution.
+    /// Computes the rough solution.
     pub(crate) fn new(
         scene: &'t Scene,
         transport: &'t Transport,
@@ -119,8 +125,9 @@ impl<'t> Paths<'t> {
         paths
     }
 
-    /// Whether rays find the lights sooner than their exact sum is taken: M rays, of which the part f ends at lights, deviate by
-    /// √((1 − f)/(f M)) of their sum; an exact view takes the longer the more screens are cut out of it.
+    /// Whether rays find the light sources sooner than their exact sum is computed. M rays, a
+    /// fraction f of which hits emitters, give their sum with the relative standard deviation
+    /// √((1 − f)/(f M)); an exact view takes longer the more occluders are clipped from it.
     fn lights_are_met(&self) -> bool {
         let elements = &self.subdivision.elements;
         let asked = elements.iter().step_by((elements.len() / ASKED).max(1));
@@ -138,7 +145,8 @@ impl<'t> Paths<'t> {
         self.lights.faces().len() as f64 * VIEW * (1.0 + screens) > rays.max(1.0)
     }
 
-    /// How many screens may come between the middle of an element and a light, in the mean over some lights.
+    /// Returns the number of possible occluders between the centre of an element and an emitter, as
+    /// a mean over some emitters.
     fn screens_before_lights(&self, element: &Element) -> f64 {
         if !self.transport.occlusion {
             return 0.0;
@@ -188,14 +196,15 @@ impl<'t> Paths<'t> {
         (self.direct, self.irradiance, self.reflected) = (direct, solved.irradiance, solved.reflected);
     }
 
-    /// For each band the reflectance at each node.
+    /// Returns for each band the reflectance at each node.
     fn reflectances(&self) -> Vec<Vec<f64>> {
         let nodes = &self.subdivision.nodes;
         let of = |band: usize| nodes.iter().map(move |&element| self.reflectance(element as usize)[band]);
         (0..self.scene.band_count()).map(|band| of(band).collect()).collect()
     }
 
-    /// Where the rays from the middle of an element end, each with its part, and the light that comes straight there.
+    /// Returns the row of an element, which holds the ends of the rays from its centre, each with
+    /// its fraction, and the direct light there.
     fn row(&self, element: usize, scratch: &mut Scratch) -> (Row, Vec<f64>) {
         let Element { normal, .. } = self.subdivision.elements[element];
         let place = Place { element, position: self.subdivision.elements[element].centre() };
@@ -225,7 +234,7 @@ impl<'t> Paths<'t> {
         (row, light)
     }
 
-    /// The key of the random numbers of an item of a part, for the seed of the scene.
+    /// Returns the key of the random numbers for an item of a purpose, for the seed of the scene.
     pub(super) fn key(&self, part: Numbers, item: u64) -> u64 {
         key(key(self.scene.solve.seed, part as u64), item)
     }
@@ -244,13 +253,13 @@ impl<'t> Paths<'t> {
         self.subdivision.node_of[place.element] as usize
     }
 
-    /// What comes straight from lights that no ray meets.
+    /// Returns the direct irradiance of the light sources that rays do not sample.
     pub(super) fn direct(&self, place: Place, scratch: &mut Scratch) -> Vec<f64> {
         let normal = self.subdivision.elements[place.element].normal;
         self.straight(place.position, Measure::Plane(normal), scratch)
     }
 
-    /// The same for any measure.
+    /// Returns the same direct light for any measure.
     pub(super) fn straight(&self, position: Vector, measure: Measure, scratch: &mut Scratch) -> Vec<f64> {
         let points = [position];
         let group = Group { points: &points, outline: &points, measure };
@@ -262,7 +271,7 @@ impl<'t> Paths<'t> {
         sum
     }
 
-    /// Where a ray ends.
+    /// Traces a ray to its end.
     pub(super) fn trace(&self, from: Vector, direction: Vector) -> End {
         let Some(hit) = self.transport.screens.first(from, direction) else {
             return End { face: None, place: None };
@@ -272,7 +281,8 @@ impl<'t> Paths<'t> {
         End { face: Some(hit.face), place: element.map(|element| Place { element, position }) }
     }
 
-    /// The radiance that a face emits, or what is outside; an empty list if there is none.
+    /// Returns the radiance that a face emits, or that of the surroundings; an empty slice if it
+    /// does not emit.
     pub(super) fn emitted(&self, face: Option<usize>) -> &[f64] {
         let Some(face) = face.map(|face| &self.transport.faces[face]) else {
             return &self.scene.ambient.radiance;
@@ -280,7 +290,7 @@ impl<'t> Paths<'t> {
         emitted(self.scene, face)
     }
 
-    /// For each band the largest radiosity of lights that rays have to meet.
+    /// Returns for each band the largest radiosity of the light sources that rays have to hit.
     fn brightest_light(&self) -> Vec<f64> {
         let emitting = self.scene.surfaces.iter().filter(|surface| surface.emits());
         let radiances =
@@ -292,7 +302,8 @@ impl<'t> Paths<'t> {
         (0..self.scene.band_count()).map(largest).collect()
     }
 
-    /// Notes the radiosity of nodes, and of places that lights without extent may reach while they reach no node.
+    /// Includes the radiosity of nodes, and of places that point and distant lights can reach even
+    /// if they reach no node.
     fn note_reflected(&mut self) {
         if self.question.orders == Some(0) {
             return;
@@ -313,15 +324,17 @@ impl<'t> Paths<'t> {
         self.brightest = larger(std::mem::take(&mut self.brightest), lit);
     }
 
-    /// For each band the most that lights without extent bring to a place of the front of a surface.
+    /// Returns for each band an upper bound on the irradiance of point and distant lights on the
+    /// front of a surface.
     pub(super) fn most_of_beams_on(&self, surface: usize) -> Vec<f64> {
         let on_faces =
             self.transport.fronts(surface).map(|face| most_of_beams(face, self.scene, self.transport));
         on_faces.fold(vec![0.0; self.scene.band_count()], larger)
     }
 
-    /// The rough value of what a receiver gets from a direction, over the measure of the direction: what is emitted there, if rays meet
-    /// lights, and what is reflected. Adds it times a weight to the sums, and returns where the ray ends.
+    /// Adds the rough value of the light from a direction, over the measure of the direction and
+    /// times a weight, to the sums: the emitted light, if rays sample the light sources, and the
+    /// reflected light. Returns where the ray ends.
     pub(super) fn gather(
         &self,
         from: Vector,
@@ -342,7 +355,7 @@ impl<'t> Paths<'t> {
     }
 }
 
-/// For each band the larger of two values.
+/// Returns for each band the larger of two values.
 pub(super) fn larger(one: Vec<f64>, other: Vec<f64>) -> Vec<f64> {
     one.into_iter().zip(other).map(|(one, other)| f64::max(one, other)).collect()
 }

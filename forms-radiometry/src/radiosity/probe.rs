@@ -1,14 +1,17 @@
-//! Probes: a number that is asked for becomes means over many rays and over some paths, in independent batches, and these its value
-//! with an error.
+//! Probes: an estimand is evaluated as means over many rays and over some paths, in independent
+//! batches, which give its value and error.
 //!
 //! ```text
-//! value = exact part + mean of the rough light + mean of what it lacks          each a mean of the means of 16 batches
+//! value = exact part + mean of the rough light + mean of its correction
 //! error = t √(s₁² + s₂²) + u (m₁/n₁ + m₂/n₂),  s² = Σ (batch − mean)²/(16 · 15)
 //! ```
-//! t is the quantile of Student's distribution with 15 degrees of freedom that 99.99 % lie within. What n points have never met is
-//! rarer than u/n with that certainty, u = −ln 0.0001; where rays have to meet lights, it may be the brightest of them, m.
-//! Batches are independent scramblings of one point set; within a batch points lie more evenly than random ones, which their
-//! spread shows. A spread that is small by chance would end the work too early, so a doubling is not taken to gain more than half.
+//! Each mean is a mean of the means of 16 batches. t is the two-sided 99.99 % quantile of Student's
+//! distribution with 15 degrees of freedom. A feature that n points never hit is rarer than u/n
+//! with that confidence, u = −ln 0.0001; where rays have to hit light sources, it can be the
+//! brightest of them, m. Batches are independent scramblings of one point set (randomized
+//! quasi-Monte Carlo); points within a batch are distributed more evenly than random ones, and the
+//! spread of the batches shows this. A spread that is small by chance would end the sampling too
+//! early, so a doubling is assumed to reduce the error by no more than half.
 
 use super::directions::towards;
 use super::gather::Scratch;
@@ -20,22 +23,22 @@ use crate::geometry::Vector;
 use crate::sampling::{Net, Random, key};
 use rayon::prelude::*;
 
-/// Independent batches.
+/// Number of independent batches.
 const BATCHES: usize = 16;
-/// The quantile of Student's distribution with 15 degrees of freedom that 99.99 % lie within.
+/// The two-sided 99.99 % quantile of Student's distribution with 15 degrees of freedom.
 pub(super) const STUDENT: f64 = 5.239;
-/// What is not met in n trials is rarer than this over n, as certainly.
+/// An event that never occurred in n trials is rarer than this over n, with the same confidence.
 const UNSEEN: f64 = 9.210;
-/// The first rays of a batch, and the first paths.
+/// Initial numbers of rays and of paths of a batch.
 const FIRST: [u32; 2] = [64, 16];
-/// How many paths a number takes at least.
+/// Minimum number of paths of an estimand.
 pub(super) const FEWEST_PATHS: f64 = (BATCHES as u32 * FIRST[1]) as f64;
-/// The most of them.
+/// Maximum numbers of rays and of paths of a batch.
 const MOST: [u32; 2] = [1 << 18, 1 << 16];
-/// What a path costs in rays.
+/// Cost of a path, in rays.
 pub(super) const PATH: f64 = 16.0;
 
-/// After how many points of a batch it is asked whether the work is stopped.
+/// Number of points of a batch between two checks whether the work is stopped.
 const ASKED: u32 = 32;
 
 /// A mean over points, in batches.
@@ -43,25 +46,25 @@ const ASKED: u32 = 32;
 struct Mean {
     /// For each batch and band the sum over its points.
     sums: Vec<Vec<f64>>,
-    /// The points of each batch so far.
+    /// Number of points of each batch so far.
     points: u32,
-    /// For each band the error that their spread tells.
+    /// For each band the error estimated from the spread of the batches.
     spread: Vec<f64>,
-    /// For each band the most that a point can find of lights.
+    /// For each band the largest value that a point can find.
     most: Vec<f64>,
 }
 
-/// A number that is asked for.
+/// An estimand.
 #[derive(Clone, Debug)]
 pub(crate) struct Probe {
     what: GoalKind,
     key: u64,
-    /// For each band what needs no rays.
+    /// For each band the part that needs no rays.
     exact: Vec<f64>,
-    /// The rough light, and what it lacks.
+    /// The rough light, and its correction.
     rough: Mean,
     lack: Mean,
-    /// What paths that were cut off may have missed at most, in a mean over all of them.
+    /// Upper bound on the light that truncated paths have missed, as a mean over all paths.
     cut: f64,
 }
 
@@ -71,7 +74,7 @@ impl Mean {
         Self { sums: vec![vec![0.0; bands]; BATCHES], points: 0, spread: vec![f64::INFINITY; bands], most }
     }
 
-    /// Nothing that has to be sampled.
+    /// Returns a mean of zero that needs no samples.
     fn nothing(bands: usize) -> Self {
         Self { spread: vec![0.0; bands], ..Self::new(vec![0.0; bands]) }
     }
@@ -81,7 +84,7 @@ impl Mean {
         if self.points == 0 { 0.0 } else { sum / (BATCHES as f64 * f64::from(self.points)) }
     }
 
-    /// Adds the sums of more points to each batch, and states the errors anew.
+    /// Adds the sums of more points to each batch, and updates the errors.
     fn add(&mut self, points: u32, sums: Vec<Vec<f64>>) {
         self.points += points;
         for (batch, sums) in self.sums.iter_mut().zip(sums) {
@@ -97,7 +100,7 @@ impl Mean {
         }
     }
 
-    /// What points may have missed because they are few.
+    /// Returns the error due to features that the points can have missed because they are few.
     fn unseen(&self, band: usize) -> f64 {
         UNSEEN * self.most[band] / (BATCHES as f64 * f64::from(self.points.max(1)))
     }
@@ -108,7 +111,8 @@ impl Mean {
 }
 
 impl Paths<'_> {
-    /// A number that is asked for, with its first rays and paths, if the work is not stopped before. Different keys are independent.
+    /// Creates an estimand with its first rays and paths, if the work is not stopped before.
+    /// Different keys are independent.
     pub(crate) fn probe(&self, what: GoalKind, number: u64) -> Probe {
         let bands = self.scene.band_count();
         let mut scratch = Scratch::default();
@@ -142,7 +146,8 @@ impl Paths<'_> {
         probe
     }
 
-    /// Doubles what pays best; false if there is nothing left to double. `scales` tells for each band what errors are relative to.
+    /// Doubles the rays or the paths, whichever pays best; returns `false` if neither can be
+    /// doubled. `scales` holds for each band the value that errors are relative to.
     pub(crate) fn improve(&self, probe: &mut Probe, scales: &[f64]) -> bool {
         let relative = |mean: &Mean| {
             let of_band = |(band, scale): (usize, &f64)| {
@@ -151,7 +156,7 @@ impl Paths<'_> {
             };
             scales.iter().enumerate().map(of_band).fold(0.0, f64::max)
         };
-        // a doubling takes as much time as was taken so far, and halves the square of the error
+        // a doubling takes as much time as all samples so far, and halves the square of the error
         let gain = |mean: &Mean, cost: f64, most: u32| {
             let is_open = mean.points > 0 && mean.points < most;
             if is_open { relative(mean).powi(2) / (cost * f64::from(mean.points)) } else { 0.0 }
@@ -227,7 +232,7 @@ impl Paths<'_> {
         probe.lack.add(count, sums);
     }
 
-    /// Whether the work is stopped, asked now and then.
+    /// Whether the work is stopped; checked only at some points.
     fn is_stopped_at(&self, index: u32) -> bool {
         index.is_multiple_of(ASKED) && self.watch.is_stopped()
     }
@@ -243,7 +248,7 @@ impl Paths<'_> {
         Begins::On { elements, ends }
     }
 
-    /// The elements of the front of a surface.
+    /// Returns the elements of the front of a surface.
     fn front(&self, surface: usize) -> impl Iterator<Item = usize> {
         let is_on = move |element: &usize| {
             self.transport.faces[self.subdivision.elements[*element].face].is_front_of(surface)
@@ -251,7 +256,7 @@ impl Paths<'_> {
         (0..self.subdivision.elements.len()).filter(is_on)
     }
 
-    /// The mean of the rough irradiance over the front of a surface.
+    /// Returns the mean of the rough irradiance over the front of a surface.
     fn rough_mean(&self, surface: usize) -> Vec<f64> {
         let mut sums = vec![0.0; self.scene.band_count()];
         let mut whole = 0.0;
@@ -268,16 +273,16 @@ impl Paths<'_> {
     }
 }
 
-/// Where the paths of a probe begin.
+/// Starting points of the paths of a probe.
 enum Begins {
-    /// At what is seen from a point.
+    /// On the surfaces seen from a point.
     Seen(GoalKind),
-    /// On elements, each with the area up to its end.
+    /// On elements, each with the cumulative area up to its end.
     On { elements: Vec<usize>, ends: Vec<f64> },
 }
 
 impl Begins {
-    /// The begin of a path for a point of the square, and its weight.
+    /// Returns the start of a path for a point of the square, and its weight.
     fn at(&self, paths: &Paths, [u, v]: [f64; 2], unused: &mut [f64]) -> Option<(Place, Begin, f64)> {
         match self {
             Self::Seen(GoalKind::At { position, measure }) => {
@@ -300,24 +305,25 @@ impl Begins {
 }
 
 impl Probe {
-    /// How many rays it took, or would have taken as long.
+    /// Returns the cost so far, in rays.
     pub(crate) fn spent(&self) -> f64 {
         BATCHES as f64 * (f64::from(self.rough.points) + PATH * f64::from(self.lack.points))
     }
 
-    /// Its value in a band.
+    /// Returns the value in a band.
     pub(crate) fn value(&self, band: usize) -> f64 {
         self.exact[band] + self.rough.value(band) + self.lack.value(band)
     }
 
-    /// How far rays and paths may be off in a band, and what reflections may add after which paths were cut off.
+    /// Returns the sampling error of rays and paths in a band, and the bound on the light of
+    /// reflections beyond the end of truncated paths.
     pub(crate) fn errors(&self, band: usize) -> [f64; 2] {
         let (rough, lack) = (&self.rough, &self.lack);
         let sampling = rough.spread[band].hypot(lack.spread[band]) + rough.unseen(band) + lack.unseen(band);
         [sampling, self.cut]
     }
 
-    /// Its value in a band, and its error.
+    /// Returns the value in a band, and its error.
     pub(crate) fn found(&self, band: usize) -> [f64; 2] {
         let [sampling, orders] = self.errors(band);
         [self.value(band), sampling + orders]

@@ -1,13 +1,13 @@
-//! Reference elements: a shape and an order become nodes, weights, and the polynomials that are one at one node and zero at
-//! the others.
+//! Reference elements: a shape and an order determine nodes, weights, and the polynomials that are
+//! one at one node and zero at the others.
 //!
-//! The nodes are those of Gauss rules, so that the residual of collocation is orthogonal to polynomials: what an element sends
-//! out is more exact than the polynomial on it.
+//! The nodes are those of Gauss rules, so that the residual of collocation is orthogonal to
+//! polynomials: the light that an element sends out is more accurate than the polynomial on it.
 
 use crate::geometry::gauss;
 use std::sync::OnceLock;
 
-/// The most nodes an element has.
+/// Maximum number of nodes of an element.
 pub(super) const MOST_NODES: usize = 9;
 
 /// The shape of an element in its own coordinates.
@@ -23,17 +23,18 @@ pub(super) enum Shape {
 pub(super) struct Reference {
     shape: Shape,
     order: usize,
-    /// Where the nodes are, in the element's coordinates.
+    /// Positions of the nodes, in the element's coordinates.
     pub(super) nodes: Vec<[f64; 2]>,
     /// The fraction of the element's area that belongs to each node.
     pub(super) weights: Vec<f64>,
-    /// Of a triangle: row by row the coefficients of each node's polynomial in the monomials.
+    /// For a triangle: row by row the coefficients of each node's polynomial in the monomials.
     coefficients: Vec<Vec<f64>>,
-    /// Of a square: the Gauss points along a side, and what makes their polynomials one there.
+    /// For a square: the Gauss points along a side, and the factors that make their polynomials one
+    /// there.
     points: Vec<[f64; 2]>,
 }
 
-/// The reference element of a shape with polynomials of degree below this order, from 1 to 3.
+/// Returns the reference element of a shape with polynomials of degree below this order (1 to 3).
 pub(super) fn reference(shape: Shape, order: usize) -> &'static Reference {
     static REFERENCES: [OnceLock<Reference>; 6] = [const { OnceLock::new() }; 6];
     let slot = 2 * (order - 1) + usize::from(shape == Shape::Square);
@@ -59,7 +60,7 @@ fn square(order: usize) -> Reference {
 /// The leading coefficients of the Legendre polynomials on [0, 1].
 const LEADING: [f64; 3] = [1.0, 2.0, 6.0];
 
-/// The Legendre polynomials on [0, 1].
+/// Returns a Legendre polynomial on [0, 1].
 fn legendre(degree: usize, x: f64) -> f64 {
     match degree {
         0 => 1.0,
@@ -68,7 +69,8 @@ fn legendre(degree: usize, x: f64) -> f64 {
     }
 }
 
-/// The rules of 1, 3 and 6 points, exact to degrees 1, 2 and 4 (Strang and Fix 1973; Dunavant 1985).
+/// Returns the triangle with the rule of 1, 3 or 6 points, exact to degree 1, 2 or 4 (Strang and
+/// Fix 1973; Dunavant 1985).
 fn triangle(order: usize) -> Reference {
     let orbit = |a: f64| [[a, a], [1.0 - 2.0 * a, a], [a, 1.0 - 2.0 * a]];
     let (nodes, weights) = match order {
@@ -94,12 +96,12 @@ fn triangle(order: usize) -> Reference {
     }
 }
 
-/// 1, u, v, u², uv, v².
+/// Returns 1, u, v, u², uv, v².
 fn monomials(u: f64, v: f64) -> [f64; 6] {
     [1.0, u, v, u * u, u * v, v * v]
 }
 
-/// The inverse of a small regular matrix, transposed, by elimination with pivots.
+/// Returns the inverse of a small regular matrix, transposed, by elimination with pivots.
 fn inverse(mut rows: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     let count = rows.len();
     for (i, row) in rows.iter_mut().enumerate() {
@@ -121,7 +123,7 @@ fn inverse(mut rows: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
 }
 
 impl Reference {
-    /// The values of all nodes' polynomials at a point.
+    /// Returns the values of all nodes' polynomials at a point.
     pub(super) fn basis(&self, [u, v]: [f64; 2]) -> [f64; MOST_NODES] {
         let mut values = [0.0; MOST_NODES];
         match self.shape {
@@ -141,9 +143,10 @@ impl Reference {
         values
     }
 
-    /// How large the terms of highest degree and those of one degree less are in the polynomial with these values at the nodes, in
-    /// each coordinate of a square, as Legendre polynomials on its side; of a triangle those of all directions together come
-    /// first, and nothing after them. A constant is both.
+    /// Returns the sizes of the terms of highest degree, and of one degree less, in the polynomial
+    /// with these values at the nodes. For a square they are Legendre terms on its side, in each
+    /// coordinate. For a triangle the terms of all directions together come first, followed by
+    /// zeros. For a constant, both sizes are that of the constant.
     pub(super) fn highest(&self, values: &[f64]) -> [[f64; 2]; 2] {
         match self.shape {
             Shape::Triangle => {
@@ -172,7 +175,8 @@ impl Reference {
         }
     }
 
-    /// The sizes of the two highest Legendre terms of a polynomial with these values at the Gauss points of a side.
+    /// Returns the sizes of the two highest Legendre terms of a polynomial with these values at the
+    /// Gauss points of a side.
     fn highest_along(&self, value: impl Fn(usize) -> f64) -> [f64; 2] {
         let term = |degree: usize| {
             let rule = gauss(self.order);
@@ -184,7 +188,8 @@ impl Reference {
         [term(highest), term(highest.saturating_sub(1))]
     }
 
-    /// The polynomials on the Gauss points of [0, 1]: ∏ (x − xⱼ)/(xᵢ − xⱼ) over j ≠ i.
+    /// Returns the Lagrange polynomials on the Gauss points of [0, 1]: ∏ (x − xⱼ)/(xᵢ − xⱼ) over
+    /// j ≠ i.
     fn lagrange(&self, x: f64) -> [f64; 3] {
         let mut values = [0.0; 3];
         for (i, &[_, scale]) in self.points.iter().enumerate() {
@@ -199,7 +204,7 @@ impl Reference {
     }
 }
 
-/// 1/∏ (xᵢ − xⱼ) over j ≠ i.
+/// Returns 1/∏ (xᵢ − xⱼ) over j ≠ i.
 fn barycentric(rule: &[[f64; 2]], i: usize) -> f64 {
     let others = rule.iter().enumerate().filter(|(j, _)| *j != i);
     1.0 / others.map(|(_, other)| rule[i][0] - other[0]).product::<f64>()
@@ -234,7 +239,8 @@ mod tests {
 
     #[test]
     fn the_rules_are_exact_to_their_degrees() {
-        // ∫ uᵃ vᵇ over the triangle, divided by its area, is 2 a! b!/(a + b + 2)!; over the square 1/((a + 1)(b + 1))
+        // ∫ uᵃ vᵇ over the triangle, divided by its area, is 2 a! b!/(a + b + 2)!;
+        // over the square it is 1/((a + 1)(b + 1))
         let factorial = |n: usize| (1..=n).product::<usize>() as f64;
         for (shape, order) in ALL {
             let element = reference(shape, order);

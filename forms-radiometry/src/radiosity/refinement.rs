@@ -1,11 +1,13 @@
-//! Refinement: a coarse solution is compared with a finer one, and the elements whose change sends out most are split.
+//! Refinement: compares a coarse solution with a finer one, and splits the elements whose changes
+//! affect the answers most.
 //!
 //! ```text
-//! elements ─▶ rows and direct light at the nodes ─▶ solution ─▶ change of each new element ─▶ the ones that matter are split ─▶ …
+//! elements ─▶ rows and direct light at the nodes ─▶ solution ─▶ change of each new element
+//!          ─▶ the elements with the largest effect are split ─▶ …
 //! ```
-//! What an element matters is its change times its importance: what a uniform irradiance of it would change in the answers,
-//! relative to them, over all reflections. Of a change its mean counts, and its size with a smaller weight, so that changes which
-//! cancel now are not forgotten.
+//! The effect of an element is its change times its importance: the change of the answers, relative
+//! to them, by a uniform irradiance of the element, over all reflections. The mean of a change
+//! counts, and its size with a smaller weight, so that changes which cancel now are not forgotten.
 
 use super::change::{Change, decay};
 use super::element::Element;
@@ -15,48 +17,53 @@ use super::system::{MOST_NODES, Radiosity};
 use crate::geometry::Vector;
 use std::ops::Range;
 
-/// The part of all that matters that the elements have which are split next. It is large because the errors of elements of one size
-/// cancel in great part: on a cube whose faces are all split, 864 nodes are as exact as 7000 where one in ten is not.
+/// Fraction of the total effect that the elements to be split next have. It is large because the
+/// errors of elements of one size cancel to a great extent: on a cube whose faces are all split,
+/// 864 nodes are as accurate as 7000 where one in ten is not split.
 ///
 /// Source: W. Dörfler, A convergent adaptive algorithm for Poisson's equation (1996).
 const BULK: f64 = 0.999;
-/// How much of a change that cancels within its element still counts.
+/// Weight of a change that cancels within its element.
 const CANCELLING: f64 = 0.05;
-/// By how much the parts of an element that is equally bright at all nodes are taken to differ from it, relative to the largest
-/// irradiance.
+/// Assumed difference between an element that is equally bright at all nodes and its parts,
+/// relative to the largest irradiance.
 const LEAST_CHANGE: f64 = 1e-3;
 
-/// What is asked of a refinement.
+/// Requirements of a refinement.
 pub(crate) struct Asking {
     pub(crate) goals: Vec<Goal>,
-    /// Of the relative errors of these goals the sum, infinite before any is known, and that of their squares.
+    /// Sum of the relative errors of these goals, infinite before any is known, and sum of their
+    /// squares.
     pub(crate) errors: [f64; 2],
-    /// The relative error that may come from elements that are spared.
+    /// Relative error that is allowed from elements that are not split.
     pub(crate) sparing: f64,
 }
 
 impl Asking {
-    /// The relative error that all elements together make of a goal, by how much they matter, but no less than what is known of it.
+    /// Returns the relative error of a goal due to all elements together, by their total effect,
+    /// but no less than the known errors imply.
     fn typical(&self, matter: f64) -> f64 {
         let [sum, squares] = self.errors;
         if sum.is_finite() { (matter / sum).max(squares / sum) } else { f64::INFINITY }
     }
 }
 
-/// What a refinement leaves.
+/// Result of a refinement.
 #[derive(Clone, Debug)]
 pub(crate) struct Refined {
-    /// How much what is to come still matters, relative to what this changed.
+    /// Effect of the changes that are still to come, relative to the effect of this refinement.
     pub(crate) left: f64,
-    /// The same for each goal by what it gets of elements straight.
+    /// The same for each goal, by the direct contributions of the elements.
     pub(crate) of_goals: Vec<f64>,
-    /// The relative error by elements that were spared though they are expected to change. All of them count in full: errors that cancel
-    /// among elements of one size no longer do where some of these are split. Nothing before errors are known.
+    /// Relative error due to elements that were not split although they are expected to change. All
+    /// of them count in full: errors that cancel among elements of one size no longer do so once
+    /// some of these are split. Zero before errors are known.
     pub(crate) spared: f64,
 }
 
 impl Radiosity<'_> {
-    /// What is known of the elements before any is split: of an element with one node, that it may be dark as well.
+    /// Returns the changes of the elements before any is split. The expected change of an element
+    /// with one node takes into account that it could as well be dark.
     pub(super) fn unknown_changes(&self) -> Vec<[Change; 2]> {
         let next = |[highest, lower]: [f64; 2]| highest * (highest / highest.max(lower));
         let unknown = |(index, element): (usize, &Element)| {
@@ -73,7 +80,8 @@ impl Radiosity<'_> {
         self.elements.iter().enumerate().map(unknown).collect()
     }
 
-    /// Forgets what is known of elements that light has come to since: it came between nodes before, of them or of what they see.
+    /// Resets the changes of elements that light has reached since. Before, this light fell between
+    /// the nodes of these elements, or of elements that they see.
     fn forget_outgrown(&mut self) {
         for (index, unknown) in self.unknown_changes().into_iter().enumerate() {
             for (change, unknown) in self.changes[index].iter_mut().zip(unknown) {
@@ -84,20 +92,21 @@ impl Radiosity<'_> {
         }
     }
 
-    /// The irradiance at the nodes of an element.
+    /// Returns the irradiance at the nodes of an element.
     fn nodes(&self, index: usize, band: usize) -> &[f64] {
         &self.irradiance[band][self.first[index]..self.first[index + 1]]
     }
 
-    /// The largest of what is found in each band that has light, of which the largest irradiance is said.
+    /// Returns the largest values over all bands that have light; `of_band` gets the largest
+    /// irradiance of its band.
     fn largest(&self, of_band: impl Fn(usize, f64) -> [f64; 2]) -> [f64; 2] {
         let lit = self.brightest.iter().copied().enumerate().filter(|&(_, scale)| scale > 0.0);
         let bands = lit.map(|(band, scale)| of_band(band, scale));
         bands.fold([0.0; 2], |[a, b]: [f64; 2], [c, d]| [a.max(c), b.max(d)])
     }
 
-    /// Splits the elements that matter most, and solves again. Nothing if there is nothing to split, no room for more, or no time: then the
-    /// solution stays what it was.
+    /// Splits the elements with the largest effect, and solves again. Returns `None` if there is
+    /// nothing to split, no room for more nodes, or no time: then the solution is unchanged.
     pub(crate) fn refine(&mut self, asking: &Asking) -> Option<Refined> {
         self.forget_outgrown();
         let matter = self.matter(&asking.goals);
@@ -144,7 +153,7 @@ impl Radiosity<'_> {
         Some(Refined { left: left(sums), of_goals: of_goals.into_iter().map(left).collect(), spared })
     }
 
-    /// How much the changes that are expected of each element matter to the goals.
+    /// Returns the effect of the expected changes of each element on the goals.
     fn matter(&self, goals: &[Goal]) -> Vec<[f64; 2]> {
         let changes = self.changes.iter().zip(self.importance(goals)).enumerate();
         let of_element = |(index, (changes, z)): (usize, (&[Change; 2], f64))| {
@@ -157,7 +166,8 @@ impl Radiosity<'_> {
         changes.map(of_element).collect()
     }
 
-    /// The elements that are split next, in which coordinates, and the relative error by the others.
+    /// Selects the elements to be split next and their coordinates; returns them with the relative
+    /// error due to the others.
     fn chosen(&self, matter: &[[f64; 2]], asking: &Asking) -> (Vec<[bool; 2]>, f64) {
         let pairs = (0..self.elements.len()).flat_map(|index| [(index, 0), (index, 1)]);
         let of = |(index, coordinate): (usize, usize)| matter[index][coordinate];
@@ -184,7 +194,8 @@ impl Radiosity<'_> {
         (chosen, if typical.is_finite() { (whole - sum) / whole * typical } else { 0.0 })
     }
 
-    /// Notes the changes of the parts of an element that was divided in some coordinates, and returns by how much they differ from it.
+    /// Records the changes of the parts of an element that was divided in some coordinates, and
+    /// returns how much they differ from it.
     fn measure(&mut self, parts: Range<usize>, whole: &Element, is_divided: [bool; 2]) -> f64 {
         let of_whole = self.at_nodes(parts.clone(), whole);
         let [flux, size] = self.largest(|band, scale| {
@@ -210,7 +221,7 @@ impl Radiosity<'_> {
         measured
     }
 
-    /// For each band the irradiance on the parts of an element, at the nodes of the whole.
+    /// Returns for each band the irradiance on the parts of an element, at the nodes of the whole.
     fn at_nodes(&self, parts: Range<usize>, whole: &Element) -> Vec<Vec<f64>> {
         let bases: Vec<_> = whole.nodes().map(|node| self.part_at(parts.clone(), node)).collect();
         let of_band = |band: usize| {
@@ -222,8 +233,9 @@ impl Radiosity<'_> {
         (0..self.irradiance.len()).map(of_band).collect()
     }
 
-    /// How much the irradiance on the parts of an element differs from what the whole element would make of it: from the polynomial
-    /// that agrees with it at the nodes of the whole, where it has these values; in the mean over the element.
+    /// Returns how much the irradiance on the parts of an element differs from the interpolation on
+    /// the whole element: from the polynomial that agrees with it at the nodes of the whole, where
+    /// it has the values `of_whole`. The two numbers, mean and size, are means over the element.
     fn difference(&self, parts: Range<usize>, whole: &Element, of_whole: &[f64], band: usize) -> [f64; 2] {
         let (mut flux, mut size) = (0.0_f64, 0.0);
         for part in parts {
@@ -237,7 +249,8 @@ impl Radiosity<'_> {
         [flux.abs() / whole.area, size / whole.area]
     }
 
-    /// The part of an element that a point of it lies in, with the values of its polynomials there.
+    /// Returns the part of an element that contains a point, with the values of its polynomials
+    /// there.
     fn part_at(&self, parts: Range<usize>, point: Vector) -> (usize, [f64; MOST_NODES_OF_ELEMENT]) {
         let first = parts.start;
         let part = parts.into_iter().find(|&part| self.elements[part].contains(point)).unwrap_or(first);
@@ -245,7 +258,8 @@ impl Radiosity<'_> {
     }
 }
 
-/// The share of each coordinate in a change of an element divided in these, by the highest terms of its polynomial.
+/// Returns the share of each coordinate in the change of an element that was divided in these, by
+/// the highest terms of its polynomial.
 fn shares(terms: [f64; 2], is_divided: [bool; 2]) -> [f64; 2] {
     let sum = terms[0] + terms[1];
     match is_divided {
@@ -255,7 +269,7 @@ fn shares(terms: [f64; 2], is_divided: [bool; 2]) -> [f64; 2] {
     }
 }
 
-/// What a change matters.
+/// Returns the effect of a change.
 fn product(change: f64, importance: f64) -> f64 {
     if importance > 0.0 { change * importance } else { 0.0 }
 }

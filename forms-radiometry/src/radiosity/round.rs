@@ -1,9 +1,10 @@
-//! Round surfaces, as points see them: what is seen of one as a whole, and what it hides that the pieces which stand for it do not.
+//! Disks and spheres as points see them: their measure as a whole, and the occlusion that their
+//! tessellation misses.
 //!
 //! ```text
-//! a sphere or disk ─ nothing before it, not even a bulge of another one ─▶ its measure as a whole
-//! a face ─┬─ no piece before it ─▶ a bound of the bulge that a shape has beyond its pieces
-//!         └─ a piece before all of it ─▶ whether the shape itself is
+//! sphere or disk ─ no occluder, nor the gap of another tessellation ─▶ its measure as a whole
+//! a face ─┬─ no piece before it ─▶ a bound on the gap between a shape and its tessellation
+//!         └─ a piece before all of it ─▶ whether the shape itself hides the face
 //! ```
 
 use super::direct::{Lights, hides};
@@ -16,7 +17,7 @@ use crate::scene::{Light, LightKind, Scene, Shape};
 use forms::math::Real;
 
 impl Measure {
-    /// The measure, over π, of a round shape that nothing hides, if it has a closed form.
+    /// Returns the measure, over π, of a disk or sphere without occluders, if it has a closed form.
     fn of_whole(self, point: Vector, shape: &dyn SeenWhole) -> Option<Rounded> {
         match self {
             Self::Plane(normal) => shape.form_factor(point, normal, true),
@@ -25,7 +26,7 @@ impl Measure {
         }
     }
 
-    /// A bound on the measure, over π, of any part of it.
+    /// Returns a bound on the measure, over π, of any part of an outline.
     pub(super) fn at_most(self, point: Vector, outline: &[Vector]) -> f64 {
         let whole = if let Self::Flow(_) = self { Self::Sphere } else { self };
         whole.precisely(point, outline).value.to_f64()
@@ -33,7 +34,8 @@ impl Measure {
 }
 
 impl Lights<'_> {
-    /// The measure, over π, of a round surface that a point sees as a whole, and whether it sees its back.
+    /// Returns the measure, over π, of a disk or sphere that a point sees as a whole, and whether
+    /// it sees the back.
     pub(super) fn whole(
         &self,
         (point, measure): (Vector, Measure),
@@ -64,7 +66,9 @@ impl Lights<'_> {
         Some((measure.of_whole(point, shape)?, !shape.shows_front(point)))
     }
 
-    /// Whether what hides all of a face from a point is no piece of a round shape, or the shape itself hides all of it: each of its corners.
+    /// Whether a face that is fully occluded from a point is certainly hidden: no piece of a disk
+    /// or sphere is among the occluders, or the shape itself hides all of the face, that is each of
+    /// its corners.
     pub(super) fn is_surely_hidden(
         &self,
         point: Vector,
@@ -79,8 +83,9 @@ impl Lights<'_> {
     }
 }
 
-/// A bound on the solid angle, over π, of what round surfaces other than this one hide from a point of an outline that looks to it, where their pieces
-/// hide nothing.
+/// Returns a bound on the solid angle, over π, of the part of an outline that disks and spheres
+/// other than this one hide from a point while their pieces hide nothing. The outline faces the
+/// point.
 pub(crate) fn bulges<'s>(
     round: impl Iterator<Item = (usize, &'s dyn Round)>,
     at: (Vector, Option<Vector>),
@@ -91,7 +96,8 @@ pub(crate) fn bulges<'s>(
     others.map(|(_, shape)| bulge(shape, at, luminaire)).sum()
 }
 
-/// Whether a point sees a light without extent. It is not known where the first that stands before it is a piece of a round shape that does not itself.
+/// Whether a point sees a point or distant light. `None` if that is unknown: the first occluder is
+/// a piece of a disk or sphere that does not itself occlude the light.
 pub(super) fn sees(point: Vector, light: &Light, scene: &Scene, transport: &Transport) -> Option<bool> {
     if !transport.occlusion {
         return Some(true);

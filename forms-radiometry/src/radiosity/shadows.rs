@@ -1,9 +1,9 @@
-//! Shadows of lights without extent: faces and lights become the lit part of each face under each light, its flux in closed form and the
-//! border along which elements are cut.
+//! Shadows of point and distant lights: computes the lit part of each face under each light, its
+//! flux in closed form, and the shadow border along which elements are cut.
 //!
 //! ```text
-//! far away, irradiance E     Φ = E A⊥,  A⊥ the lit area across the direction
-//! a point of intensity I     Φ = I Ω,   Ω the solid angle of the lit part from the point
+//! a distant light of irradiance E    Φ = E A⊥,  A⊥ the lit area across the direction
+//! a point light of intensity I       Φ = I Ω,   Ω the solid angle of the lit part from the light
 //! ```
 
 use super::contact::Contact;
@@ -14,17 +14,17 @@ use crate::scene::{Light, LightKind, Scene};
 use crate::sharing::Sharing;
 use crate::simulation::Watch;
 
-/// A border of more segments cuts no face.
+/// Maximum number of segments of a shadow border; a border with more does not cut the face.
 const MOST_SEGMENTS: usize = 256;
 
 /// The lit parts of faces.
 pub(super) struct Shadows {
-    /// Of each face, under each light, where they are wanted and not too many pieces.
+    /// For each face, under each light, if it was requested and does not have too many pieces.
     lit: Vec<Vec<Option<Lit>>>,
 }
 
 impl Shadows {
-    /// Those on the faces of which they are wanted; none if the work is stopped.
+    /// Computes the lit parts of the selected faces; none if the work is stopped.
     pub(super) fn of(
         scene: &Scene,
         transport: &Transport,
@@ -40,7 +40,8 @@ impl Shadows {
         Self { lit: sharing.map(&transport.faces, of_face) }
     }
 
-    /// For each band the flux that comes straight from lights without extent to a face; nothing where a lit part is not known.
+    /// Returns for each band the direct flux of point and distant lights onto a face; `None` if a
+    /// lit part is not known.
     pub(super) fn flux(&self, index: usize, scene: &Scene, transport: &Transport) -> Option<Vec<Rounded>> {
         let mut flux = vec![Rounded::exactly(0.0); scene.band_count()];
         if self.lit[index].len() < scene.lights.len() {
@@ -54,12 +55,12 @@ impl Shadows {
         Some(flux)
     }
 
-    /// The part of a face that is lit under a light, where that is known.
+    /// Returns the lit part of a face under a light, if it is known.
     pub(super) fn lit(&self, face: usize, light: usize) -> Option<&Lit> {
         self.lit[face].get(light)?.as_ref()
     }
 
-    /// Where shadows end on a face: nowhere if they end in too many places.
+    /// Returns the shadow borders on a face; empty if they have too many segments.
     pub(super) fn borders(&self, index: usize, face: &Face, closeness: f64) -> Vec<Contact> {
         let lit = self.lit[index].iter().flatten();
         let segments: Vec<[Vector; 2]> = lit.flat_map(|lit| lit.border(&face.vertices, closeness)).collect();
@@ -71,12 +72,12 @@ impl Shadows {
 }
 
 impl Transport {
-    /// Whether a light without extent may reach some of a face.
+    /// Whether a point or distant light can reach some of a face.
     pub(super) fn may_reach(&self, face: &Face, light: &Light) -> bool {
         self.lit(face, light).is_none_or(|lit| !lit.pieces.is_empty())
     }
 
-    /// The part of a face that a light without extent reaches.
+    /// Returns the part of a face that a point or distant light reaches.
     fn lit(&self, face: &Face, light: &Light) -> Option<Lit> {
         let beam = beam(light);
         if self.occlusion {
@@ -86,7 +87,8 @@ impl Transport {
         }
     }
 
-    /// The measure of the lit part of a face in the light's own.
+    /// Returns the measure of the lit part of a face: a solid angle or a projected area, depending
+    /// on the light.
     fn measured_by(&self, light: &Light, lit: &Lit, face: &Face) -> Rounded {
         let pieces = lit.pieces.iter().map(|piece| measure(light, piece));
         let mut sum = pieces.fold(Rounded::exactly(0.0), |sum, piece| sum + piece);
@@ -102,7 +104,8 @@ impl Transport {
     }
 }
 
-/// What is multiplied by the intensity, or the irradiance, of a light for its flux to a convex outline that nothing hides.
+/// Returns the factor of the intensity, or of the irradiance, of a light in its flux onto a convex
+/// outline without occluders.
 pub(super) fn measure(light: &Light, outline: &[Vector]) -> Rounded {
     match light.kind {
         LightKind::Point { position, .. } => solid_angle(position, outline),
@@ -110,7 +113,7 @@ pub(super) fn measure(light: &Light, outline: &[Vector]) -> Rounded {
     }
 }
 
-/// The intensity, or the irradiance, of a light in each band.
+/// Returns the intensity, or the irradiance, of a light in each band.
 pub(super) fn spectrum(light: &Light) -> &[f64] {
     match &light.kind {
         LightKind::Point { intensity, .. } => intensity,
@@ -118,7 +121,7 @@ pub(super) fn spectrum(light: &Light) -> &[f64] {
     }
 }
 
-/// The rays of a light without extent.
+/// Returns the rays of a point or distant light.
 fn beam(light: &Light) -> Beam {
     match light.kind {
         LightKind::Point { position, .. } => Beam::From(position),

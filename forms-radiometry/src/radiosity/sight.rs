@@ -1,10 +1,12 @@
-//! Sight: what an eye sees of all faces becomes convex pieces, and points of these send radiance to it.
+//! View: the visible parts of all faces from an eye become convex pieces, and the radiance from
+//! points of these pieces towards the eye is computed.
 //!
 //! ```text
-//! faces, elements ─ visible from the eye ─▶ pieces ─ points of them ─▶ L = Lₑ + ρ/π (D + what is reflected to them)
+//! faces, elements ─ visible from the eye ─▶ pieces ─ points ─▶ L = Lₑ + ρ/π (D + reflected light)
 //! ```
-//! Pieces are exact, and no shadow of a light without extent ends on one. So is D, the light that comes straight to a point. What is reflected to it is either gathered as receivers gather, or
-//! taken from the polynomials of the element that it lies on, which is quick.
+//! Pieces are exact, and contain no shadow border of a point or distant light. D, the direct light
+//! at a point, is exact too. The light reflected to the point is either gathered as for a receiver,
+//! or taken from the polynomials of the element on which the point lies, which is fast.
 
 use super::contact::{self, ConvexPiece};
 use super::element::Element;
@@ -20,32 +22,32 @@ use std::f64::consts::PI;
 /// A convex piece of a face that an eye sees.
 pub(crate) struct SeenPiece {
     face: usize,
-    /// The element that it is a part of, where reflections are simulated.
+    /// The element that it is a part of, if reflections are simulated.
     element: Option<usize>,
     /// The unit normal of its face.
     pub(crate) normal: Vector,
-    /// The ways from the eye to its corners.
+    /// The vectors from the eye to its corners.
     pub(crate) outline: Vec<Vector>,
 }
 
-/// How what is reflected to a point is found.
+/// Method for the light reflected to a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Reflected {
-    /// As receivers gather: from all elements.
+    /// Gathered from all elements, as for receivers.
     Gathered,
-    /// From the polynomials of its own element.
+    /// Interpolated by the polynomials of the point's own element.
     Interpolated,
 }
 
 impl SeenPiece {
-    /// Whether what is reflected to it may be taken from polynomials.
+    /// Whether the light reflected to the piece can be taken from polynomials.
     pub(crate) fn has_polynomials(&self) -> bool {
         self.element.is_some()
     }
 }
 
 impl Transport {
-    /// The pieces that an eye sees of the outline of a face, or of an element of it.
+    /// Returns the pieces that an eye sees of the outline of a face, or of an element of it.
     fn seen_from(
         &self,
         eye: Vector,
@@ -65,8 +67,8 @@ impl Transport {
 }
 
 impl Radiosity<'_> {
-    /// The pieces that an eye sees: all of what stands around it with `all`, else only of what sends light. `sight` is the geometry with all
-    /// that hides.
+    /// Returns the pieces that an eye sees: of all faces with `all`, otherwise only of faces that
+    /// send light. `sight` is the geometry with all occluders.
     pub(crate) fn seen_from(&self, eye: Vector, sight: &Transport, all: bool) -> Vec<SeenPiece> {
         let faces = &self.transport.faces;
         let sends = |index: usize| {
@@ -97,7 +99,8 @@ impl Radiosity<'_> {
         sharing.map(targets, of_target).into_iter().flatten().collect()
     }
 
-    /// By face the parts in which no shadow of a light without extent ends, where there are no elements that are cut so.
+    /// Returns for each face the parts without a shadow border of a point or distant light, if
+    /// there are no elements that are cut so.
     fn parts_in_shadows(&self) -> Vec<Vec<ConvexPiece>> {
         let faces = &self.transport.faces;
         if self.question.orders != Some(0) || self.scene.lights.is_empty() {
@@ -109,12 +112,13 @@ impl Radiosity<'_> {
         contact::pieces(faces, closeness, reflects, |index, face| shadows.borders(index, face, closeness))
     }
 
-    /// The radiance that a piece emits, for each band; nothing if it emits none.
+    /// Returns the radiance that a piece emits in each band; empty if it does not emit.
     pub(crate) fn emitted(&self, piece: &SeenPiece) -> &[f64] {
         emitted(self.scene, &self.transport.faces[piece.face])
     }
 
-    /// The radiance that points of a piece send, point by point and band by band; the outline holds the points.
+    /// Computes the radiance of points of a piece, point by point and band by band; the outline
+    /// contains the points.
     pub(crate) fn radiance(
         &self,
         piece: &SeenPiece,
@@ -147,7 +151,8 @@ impl Radiosity<'_> {
         }
     }
 
-    /// The irradiance of points of an element: D exactly, the rest from its polynomials.
+    /// Computes the irradiance of points of an element: D exactly, the remainder by its
+    /// polynomials.
     fn gather_on(&self, element: usize, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
         let bands = self.scene.band_count();
         gathered.fill(0.0);
@@ -159,7 +164,7 @@ impl Radiosity<'_> {
         }
     }
 
-    /// Adds what is reflected to a point of an element, by its polynomials.
+    /// Adds the light reflected to a point of an element, by its polynomials.
     fn add_reflected_on(&self, element: usize, point: Vector, sums: &mut [f64]) {
         let nodes = self.first[element]..self.first[element + 1];
         let basis = self.elements[element].basis(point);
@@ -169,13 +174,14 @@ impl Radiosity<'_> {
         }
     }
 
-    /// The elements of the front of a surface.
+    /// Returns the elements of the front of a surface.
     pub(crate) fn elements_on(&self, surface: usize) -> Vec<usize> {
         let is_on = |element: &Element| self.transport.faces[element.face].is_front_of(surface);
         (0..self.elements.len()).filter(|&element| is_on(&self.elements[element])).collect()
     }
 
-    /// Adds what is reflected to a point, by the polynomials of the one of these elements that it lies on.
+    /// Adds the light reflected to a point, by the polynomials of the one of these elements on
+    /// which the point lies.
     pub(crate) fn add_polynomial(&self, elements: &[usize], point: Vector, sums: &mut [f64]) {
         if let Some(&element) = elements.iter().find(|&&element| self.elements[element].contains(point)) {
             self.add_reflected_on(element, point, sums);

@@ -1,22 +1,24 @@
-//! The solution of E = D + G E: by the Neumann series, order by order, or for all orders at once.
+//! Solution of E = D + G E: by the Neumann series, order by order, or for all orders at once by
+//! GMRES.
 //!
 //! ```text
 //! E = Σ Gⁿ D        ‖E − Eₙ‖ ≤ k/(1 − k) ‖Eₙ − Eₙ₋₁‖,  k = ‖G‖ < 1
 //! ```
-//! For all orders the residual is made small in the space of the powers (GMRES: Saad and Schultz 1986), which takes a few
-//! steps where the series would take thousands.
+//! For all orders the residual is minimised in the Krylov space, which the powers of G span (GMRES:
+//! Saad and Schultz 1986). It takes a few steps where the series would take thousands.
 
 use super::operator::Operator;
 use crate::simulation::Watch;
 
-/// The most powers before the space is begun again.
+/// Maximum dimension of the Krylov space before a restart.
 const POWERS: usize = 60;
-/// How often it is begun again at most.
+/// Maximum number of restarts.
 const RESTARTS: usize = 20;
-/// The residual that is left, relative to D.
+/// Residual at which the iteration ends, relative to D.
 const RESIDUAL: f64 = 1e-14;
 
-/// How many orders reach this relative tolerance where each is at most k times the one before: the least n with kⁿ ≤ tolerance.
+/// Returns the number of orders that reach this relative tolerance if each is at most k times the
+/// one before: the least n with kⁿ ≤ tolerance.
 pub(crate) fn orders(contraction: f64, tolerance: f64) -> Option<u32> {
     if contraction <= 0.0 {
         return Some(0);
@@ -25,7 +27,7 @@ pub(crate) fn orders(contraction: f64, tolerance: f64) -> Option<u32> {
         return None;
     }
     let mut order = (tolerance.ln() / contraction.ln()).ceil().max(0.0);
-    // the quotient of logarithms may be off by a rounding
+    // the quotient of the logarithms can be off by a rounding error
     while order > 0.0 && contraction.powf(order - 1.0) <= tolerance {
         order -= 1.0;
     }
@@ -35,20 +37,20 @@ pub(crate) fn orders(contraction: f64, tolerance: f64) -> Option<u32> {
     Some(order as u32)
 }
 
-/// What was found for each band.
+/// Solution for each band.
 pub(super) struct Solved {
     /// The irradiance of each node.
     pub(super) irradiance: Vec<Vec<f64>>,
-    /// What of it is reflected once more: all but the highest order.
+    /// The irradiance that is reflected once more: all but the highest order.
     pub(super) reflected: Vec<Vec<f64>>,
-    /// The largest error that the solution of the equations leaves.
+    /// Largest error that the solution of the equations leaves.
     pub(super) tail: Vec<f64>,
-    /// The largest norm of the operator, as it is estimated.
+    /// Largest estimated norm of the operator.
     pub(super) contraction: f64,
 }
 
-/// The solution for each band, of at most this many reflections if a number is said; a rough one if the work is stopped. Reflectances are
-/// those of the elements.
+/// Returns the solution for each band, with at most this number of reflections if one is given; a
+/// rough solution if the work is stopped. `reflectances` are those of the elements.
 pub(super) fn of_bands(
     operator: &Operator,
     reflectances: &[Vec<f64>],
@@ -78,7 +80,7 @@ pub(super) fn of_bands(
     solved
 }
 
-/// The irradiance after at most this many reflections, and after one less.
+/// Returns the irradiance after at most this many reflections, and after one less.
 pub(super) fn neumann(
     operator: &Operator,
     reflectances: &[f64],
@@ -99,7 +101,7 @@ pub(super) fn neumann(
     [sum, before]
 }
 
-/// The irradiance after all reflections, and the largest residual |D + G E − E| that is left.
+/// Returns the irradiance after all reflections, and the largest remaining residual |D + G E − E|.
 pub(super) fn all_orders(
     operator: &Operator,
     reflectances: &[f64],
@@ -129,7 +131,7 @@ pub(super) fn all_orders(
     (found, left)
 }
 
-/// The x in the space of the powers of G applied to b for which |b − (1 − G) x| is least.
+/// Returns the x in the Krylov space of G and b that minimises |b − (1 − G) x|.
 fn minimal_residual(
     operator: &Operator,
     reflectances: &[f64],
@@ -139,7 +141,8 @@ fn minimal_residual(
 ) -> Vec<f64> {
     let scale = norm(b);
     let mut powers = vec![b.iter().map(|value| value / scale).collect::<Vec<f64>>()];
-    // the columns of an upper triangle, made by rotations, and the right-hand side that they turn
+    // the columns of the upper triangular matrix, made by Givens rotations, and the rotated
+    // right-hand side
     let (mut columns, mut rotations, mut right) =
         (Vec::<Vec<f64>>::new(), Vec::<[f64; 2]>::new(), vec![scale]);
     for step in 0..POWERS.min(b.len()) {
@@ -178,7 +181,8 @@ fn minimal_residual(
     combine(&powers, &columns, &right)
 }
 
-/// The sum of the powers with the coefficients that solve the upper triangle.
+/// Returns the combination of the basis vectors whose coefficients solve the upper triangular
+/// system.
 fn combine(powers: &[Vec<f64>], columns: &[Vec<f64>], right: &[f64]) -> Vec<f64> {
     let mut coefficients = right[..columns.len()].to_vec();
     for i in (0..columns.len()).rev() {
@@ -199,7 +203,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
-/// The length, whose square may be beyond the range of numbers.
+/// Returns the Euclidean norm, whose square can be beyond the range of `f64`.
 fn norm(a: &[f64]) -> f64 {
     let length = dot(a, a).sqrt();
     if length.is_normal() {

@@ -1,5 +1,6 @@
-//! Subdivision: the bright faces of a scene become elements, none much larger than the others, with a node each or one for several,
-//! and the place where a ray meets a face becomes the element there.
+//! Subdivision: divides the bright faces of a scene into elements, none much larger than the
+//! others. Elements have a node each, or several share one. The position where a ray hits a face
+//! gives the element there.
 
 use super::clusters::clusters;
 use super::contact::ConvexPiece;
@@ -9,35 +10,37 @@ use crate::faces::is_bright;
 use crate::geometry::{Face, Vector};
 use crate::scene::Scene;
 
-/// Elements are at most this part of the area of all, so that large faces are not taken for uniform.
+/// Maximum area of an element as a fraction of the total area, so that large faces are not treated
+/// as uniform.
 const LARGEST: f64 = 1e-3;
-/// The most parts along a side.
+/// Maximum number of parts along a side.
 const MOST_PARTS: f64 = 256.0;
 
 /// A piece of a face and its parts.
 struct Piece {
     whole: Element,
-    /// The parts along each side.
+    /// Number of parts along each side.
     parts: usize,
     /// The first of its elements.
     first: usize,
 }
 
-/// Elements by place.
+/// Elements by position.
 pub(super) struct Subdivision {
     pub(super) elements: Vec<Element>,
-    /// The node that each element has its rough irradiance from.
+    /// The node that gives each element its rough irradiance.
     pub(super) node_of: Vec<u32>,
-    /// The element in whose middle each node is.
+    /// The element at whose centre each node lies.
     pub(super) nodes: Vec<u32>,
     /// The pieces of all faces, face by face.
     pieces: Vec<Piece>,
-    /// The first piece of each face, and at the end the count of all.
+    /// The first piece of each face, and at the end the number of all pieces.
     first: Vec<usize>,
 }
 
 impl Subdivision {
-    /// The elements of the faces that reflect or receive, with about this many nodes at most.
+    /// Creates the elements of the faces that reflect or receive, with about this number of nodes
+    /// at most.
     pub(super) fn of(scene: &Scene, faces: &[Face], receives: &[bool], most_nodes: usize) -> Self {
         let counts =
             |face: &Face| is_bright(scene, face) && (receives[face.surface] || reflects(scene, face.surface));
@@ -66,7 +69,7 @@ impl Subdivision {
         subdivision
     }
 
-    /// The element at a point of a face, if the face has any.
+    /// Returns the element at a point of a face, if the face has any.
     pub(super) fn at(&self, face: usize, point: Vector) -> Option<usize> {
         let pieces = &self.pieces[self.first[face]..self.first[face + 1]];
         let piece = match pieces {

@@ -1,5 +1,5 @@
-//! The system of equations of a scene: elements become rows of weights and direct light at their nodes, these the irradiance of the
-//! nodes, and from it what any receiver gets.
+//! System of equations of a scene: elements give rows of weights and direct light at their nodes,
+//! these give the irradiance of the nodes, and from it any receiver gathers its light.
 
 use super::arriving::Kinds;
 use super::change::Change;
@@ -24,51 +24,54 @@ use forms::math::{DoubleDouble, Real};
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// The most nodes: the matrix of more does not fit into the memory of a small machine.
+/// Maximum number of nodes: the matrix of more does not fit into the memory of a small machine.
 pub(super) const MOST_NODES: usize = 12_000;
 
-/// Orders for elements that would have more than so many nodes before any is split: linear polynomials as soon as each could not
-/// be split once, constants only where there is hardly room for anything else, for they converge slowly.
+/// Reduced orders of elements, each for more than this number of nodes before any is split: linear
+/// polynomials as soon as each element could not be split once, constants only where there is
+/// hardly room for anything else, because they converge slowly.
 const MOST_OF_ORDERS: [(usize, usize); 2] = [(2, MOST_NODES / 8), (1, MOST_NODES / 2)];
 
-/// Polynomials on the faces of round shapes have degrees below this.
+/// Polynomials on the faces of disks and spheres have degrees below this.
 const ORDER_ON_ROUND: usize = 2;
 
-/// The order of the elements before any is split, by how many nodes they have with each.
+/// Returns the order of the elements before any is split, by the number of nodes that they have
+/// with each order.
 pub(super) fn first_order(nodes: impl Fn(usize) -> usize) -> usize {
     let lower = |order, (lower, most)| if nodes(order) > most { lower } else { order };
     MOST_OF_ORDERS.into_iter().fold(HIGHEST_ORDER, lower)
 }
 
-/// What is asked of the solution.
+/// Requirements for the solution.
 #[derive(Clone, Debug)]
 pub(crate) struct Question {
-    /// Whether light is reflected, and how often at most.
+    /// Maximum number of reflections, if there is one; 0 if light is not reflected.
     pub(crate) orders: Option<u32>,
     /// Whether each surface is a receiver.
     pub(crate) receives: Vec<bool>,
-    /// Whether receivers get what comes straight from lights.
+    /// Whether receivers get direct light.
     pub(crate) direct: bool,
     /// Whether rays or cameras look at surfaces.
     pub(crate) is_seen: bool,
 }
 
 impl Question {
-    /// The kinds of light that receivers gather where these come straight from lights.
+    /// Returns the kinds of light that receivers gather if these are the kinds of direct light.
     pub(super) fn kinds(&self, straight: Effects) -> Effects {
         let straight = if self.direct { straight } else { Effects::NONE };
         Effects { interreflection: self.orders != Some(0), ..straight }
     }
 }
 
-/// What the nodes of an element receive.
+/// Rows and direct light of the nodes of an element.
 #[derive(Default)]
 struct Received {
     rows: Vec<Row>,
-    /// Of each node, in each band, what comes straight from lights, and from those without extent alone.
+    /// For each node, in each band, the direct light, and the direct light of point and distant
+    /// lights alone.
     direct: Vec<Vec<f64>>,
     beams: Vec<Vec<f64>>,
-    /// For each band how far irradiance is from that.
+    /// For each band the mean deviation of the irradiance from this light.
     jump: Vec<f64>,
 }
 
@@ -84,39 +87,43 @@ pub(crate) struct Radiosity<'t> {
     pub(super) elements: Vec<Element>,
     pub(super) outlines: Vec<Vec<Vector>>,
     pub(super) changes: Vec<[Change; 2]>,
-    /// Nothing where reflections are not asked for.
+    /// `None` if reflections are not requested.
     pub(super) operator: Option<Operator>,
-    /// The first node of each element, and at the end the count of all.
+    /// The first node of each element, and at the end the number of all nodes.
     pub(super) first: Vec<usize>,
     /// For each band the irradiance of each node.
     pub(super) irradiance: Vec<Vec<f64>>,
     /// For each band the largest irradiance of a node.
     pub(super) brightest: Vec<f64>,
-    /// For each band the irradiance of each node straight from lights.
+    /// For each band the direct irradiance of each node.
     pub(super) direct: Vec<Vec<f64>>,
-    /// The same of lights without extent alone.
+    /// The same for point and distant lights alone.
     pub(super) beams: Vec<Vec<f64>>,
-    /// The lit parts of faces under these.
+    /// The lit parts of faces under point and distant lights.
     shadows: Shadows,
-    /// For each band how far the irradiance of each element is from that of its nodes where a shadow ends on it; and by how much the
-    /// irradiance of each node may be off for that, over all reflections: empty where no shadow does.
+    /// For each band the deviation of the irradiance of each element from that of its nodes where a
+    /// shadow border lies on it; and the possible error of the irradiance of each node due to that,
+    /// over all reflections. Empty without shadow borders.
     pub(super) jumps: Vec<Vec<f64>>,
     pub(super) doubts: Vec<Vec<f64>>,
-    /// What comes straight to random points, by how much that is more than nodes make of it, and for each band by how much the mean irradiance
-    /// of each element differs by that from the mean of its nodes.
+    /// Direct light at random points; its excess over the interpolation from the nodes; and for
+    /// each band the resulting difference between the mean irradiance of each element and the mean
+    /// of its nodes.
     pub(super) checks: Vec<Check>,
     pub(super) residuals: Vec<Residual>,
     pub(super) missed: Vec<Vec<f64>>,
-    /// Of each surface that receives, what comes straight from lights as an integral.
+    /// For each surface that receives, the direct light as an integral.
     pub(super) straight: Vec<Option<Integral>>,
-    /// For each band what of the irradiance of each node is reflected once more: all but its highest order.
+    /// For each band the part of the irradiance of each node that is reflected once more: all but
+    /// its highest order.
     pub(super) reflected: Vec<Vec<f64>>,
     /// For each band the largest error that the solution of the equations leaves.
     pub(super) tail: Vec<f64>,
 }
 
 impl<'t> Radiosity<'t> {
-    /// The solution on the coarsest elements; none yet if the work is stopped before.
+    /// Computes the solution on the coarsest elements; there is none yet if the work is stopped
+    /// before.
     pub(crate) fn new(
         scene: &'t Scene,
         transport: &'t Transport,
@@ -173,7 +180,8 @@ impl<'t> Radiosity<'t> {
         radiosity
     }
 
-    /// Light at the nodes of the elements that there are; whether it was found before the work was stopped.
+    /// Computes the light at the nodes of the current elements; returns whether this was done
+    /// before the work was stopped.
     pub(super) fn solve(&mut self) -> bool {
         self.outlines = self.elements.iter().map(Element::outline).collect();
         self.first = vec![0];
@@ -216,13 +224,13 @@ impl<'t> Radiosity<'t> {
         true
     }
 
-    /// For each band the reflectance of each element.
+    /// Returns for each band the reflectance of each element.
     pub(super) fn reflectances(&self) -> Vec<Vec<f64>> {
         let of_band = |band| self.elements.iter().map(|element| self.reflectance(element, band)).collect();
         (0..self.scene.band_count()).map(of_band).collect()
     }
 
-    /// The rows of the nodes of each element, and the light that comes straight to them.
+    /// Returns the rows of the nodes of each element, and their direct light.
     fn all_rows(&self) -> Vec<Received> {
         let done = AtomicUsize::new(0);
         let of_element = |scratch: &mut Scratch, index| {
@@ -236,14 +244,15 @@ impl<'t> Radiosity<'t> {
         Sharing::of(self.operations(self.size())).map(0..self.elements.len(), of_element)
     }
 
-    /// Takes the irradiance of the nodes.
+    /// Stores the irradiance of the nodes.
     fn take(&mut self, irradiance: Vec<Vec<f64>>) {
         let largest = |values: &Vec<f64>| values.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
         self.brightest = irradiance.iter().map(largest).collect();
         self.irradiance = irradiance;
     }
 
-    /// The rows of the nodes of an element, and the light that comes straight to them; only some of it if the work is stopped.
+    /// Returns the rows of the nodes of an element, and their direct light; only part of it if the
+    /// work is stopped.
     fn rows(&self, index: usize, scratch: &mut Scratch) -> Received {
         let element = &self.elements[index];
         let points: Vec<Vector> = element.nodes().collect();
@@ -272,14 +281,15 @@ impl<'t> Radiosity<'t> {
         Received { rows, direct, beams, jump }
     }
 
-    /// Whether it is asked for what is reflected to an element. Light that is reflected once leaves from where it came straight: then only
-    /// receivers and what is seen get what is reflected.
+    /// Whether reflected light is needed at an element. Light that is reflected once leaves from
+    /// where direct light arrives: then only receivers and visible surfaces need reflected light.
     fn receives_reflected(&self, element: &Element) -> bool {
         let surface = self.transport.faces[element.face].surface;
         self.question.orders != Some(1) || self.question.is_seen || self.question.receives[surface]
     }
 
-    /// The elements that reflect, with their indices; none where reflections are not asked for.
+    /// Returns the elements that reflect, with their indices; none if reflections are not
+    /// requested.
     pub(super) fn sources(&self) -> impl Iterator<Item = (usize, &Element)> {
         let surface = |element: &Element| self.transport.faces[element.face].surface;
         let is_on = self.question.orders != Some(0);
@@ -291,33 +301,35 @@ impl<'t> Radiosity<'t> {
         reflectance(self.scene, self.transport.faces[element.face].surface)[band]
     }
 
-    /// How many operations it takes at most to gather light at so many points.
+    /// Returns the maximum number of operations to gather light at this number of points.
     pub(crate) fn operations(&self, points: usize) -> f64 {
         let reflected: usize = self.sources().map(|(index, _)| self.outlines[index].len()).sum();
         self.lights.operations(points, self.transport) + self.transport.operations(points, reflected)
     }
 
-    /// How many nodes there are.
+    /// Returns the number of nodes.
     pub(crate) fn size(&self) -> usize {
         self.first.last().copied().unwrap_or(0)
     }
 
-    /// What shines.
+    /// Returns the light sources.
     pub(crate) fn lights(&self) -> &'t Lights<'t> {
         self.lights
     }
 
-    /// The geometry that light passes through.
+    /// Returns the geometry that light passes through.
     pub(crate) fn transport(&self) -> &'t Transport {
         self.transport
     }
 
-    /// What the solution of the equations leaves, as a radiance from everywhere.
+    /// Returns the error that the solution of the equations leaves, as a radiance from all
+    /// directions.
     pub(crate) fn floor(&self, band: usize) -> f64 {
         self.tail[band] / PI
     }
 
-    /// What rules of integration leave, relative to an answer: they are exact for light that is the same everywhere.
+    /// Returns the quadrature error relative to an answer. Quadrature is exact for light that is
+    /// the same everywhere.
     pub(crate) fn rules(&self) -> f64 {
         let variation = |irradiance: &Vec<f64>| {
             let ends = irradiance.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &value| {
@@ -328,7 +340,8 @@ impl<'t> Radiosity<'t> {
         self.transport.accuracy * self.irradiance.iter().map(variation).fold(0.0, f64::max)
     }
 
-    /// What each point of a group gets, for each band, from lights and from surfaces that reflect.
+    /// Returns the light of light sources and reflecting surfaces at each point of a group, for
+    /// each band.
     pub(crate) fn reaching(&self, group: Group, scratch: &mut Scratch) -> Vec<Vec<f64>> {
         let bands = self.scene.band_count();
         let mut gathered = vec![0.0; bands * group.points.len()];
@@ -336,12 +349,12 @@ impl<'t> Radiosity<'t> {
         gathered.chunks_exact(bands).map(<[f64]>::to_vec).collect()
     }
 
-    /// The same of all bands, point by point; only some of it if the work is stopped.
+    /// Gathers the same light of all bands, point by point; only part of it if the work is stopped.
     pub(crate) fn gather(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
         self.gather_kinds(self.kinds, group, scratch, gathered);
     }
 
-    /// What surfaces reflect alone.
+    /// Gathers the light that surfaces reflect, without direct light.
     pub(crate) fn gather_reflected(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
         let effects = Effects { interreflection: self.kinds.effects().interreflection, ..Effects::NONE };
         self.gather_kinds(Kinds::of(effects), group, scratch, gathered);
@@ -366,7 +379,7 @@ impl<'t> Radiosity<'t> {
         self.kinds.effects().interreflection
     }
 
-    /// Adds what surfaces reflect: Σ ρ W E over their nodes.
+    /// Adds the light that surfaces reflect: Σ ρ W E over their nodes.
     fn add_reflected(&self, group: Group, scratch: &mut Scratch, reflected: &mut [f64]) {
         let bands = self.scene.band_count();
         self.weigh(group, None, scratch, |source, point, weights| {
@@ -380,12 +393,12 @@ impl<'t> Radiosity<'t> {
         });
     }
 
-    /// The mean irradiance of the front of a surface, for each band, and its area. What comes straight as an integral is that; the rest is summed
-    /// over nodes.
+    /// Returns the mean irradiance of the front of a surface, for each band, and its area. Direct
+    /// light that is known as an integral is taken from it; the remainder is summed over nodes.
     pub(crate) fn mean(&self, surface: usize) -> (Vec<f64>, f64) {
         let integral = self.straight[surface].as_ref().filter(|_| self.question.direct);
         let left_out = match integral.map(|integral| integral.kinds) {
-            // what comes straight is not asked for
+            // direct light is not requested
             None if !self.question.direct => Some(&self.direct),
             Some(kinds) if kinds == self.lights.kinds() => Some(&self.direct),
             Some(Effects { beams: true, .. }) => Some(&self.beams),
@@ -410,20 +423,21 @@ impl<'t> Radiosity<'t> {
         (sums.into_iter().map(|sum| sum / whole).collect(), whole)
     }
 
-    /// What comes straight to a surface, where all of it is an integral.
+    /// Returns the direct light onto a surface, if all of it is an integral.
     fn integral(&self, surface: usize) -> Option<&Integral> {
         self.straight[surface].as_ref().filter(|integral| integral.kinds == self.lights.kinds())
     }
 
-    /// The errors of what comes straight to a surface in a band, as a flux, by rules of integration and by rounding; nothing where it is summed over
-    /// nodes.
+    /// Returns the errors of the direct light onto a surface in a band, as a flux, by quadrature
+    /// and by rounding; `None` where it is summed over nodes.
     pub(crate) fn straight_error(&self, surface: usize, band: usize) -> Option<[f64; 2]> {
         let Integral { flux, of_rules, .. } = self.integral(surface)?;
         Some([of_rules[band], flux[band].error])
     }
 
-    /// What comes straight to the front of a surface, for each band: its mean, and what of that is rounded as the nearest `f64`; or both as a flux. Nothing where
-    /// it is summed over nodes.
+    /// Returns for each band the mean direct irradiance of the front of a surface as the nearest
+    /// `f64`, and its rounding error; both as a flux with `is_flux`. `None` where it is summed over
+    /// nodes.
     pub(crate) fn precise_mean(&self, surface: usize, is_flux: bool) -> Option<Vec<[f64; 2]>> {
         let flux = &self.integral(surface)?.flux;
         let areas = self.transport.fronts(surface).map(|face| area(&face.vertices));
@@ -436,7 +450,8 @@ impl<'t> Radiosity<'t> {
     }
 }
 
-/// The elements before any is split: of all faces from which light goes on, or of which a mean is asked that is not an integral alone.
+/// Returns the elements before any is split: of all faces that reflect light, or whose mean is
+/// requested and is not an integral alone.
 fn coarsest(
     scene: &Scene,
     transport: &Transport,
@@ -461,7 +476,8 @@ fn coarsest(
     for (index, (face, pieces)) in transport.faces.iter().zip(pieces).enumerate() {
         elements.extend(pieces.iter().flat_map(|piece| Element::of(index, face, piece)));
     }
-    // the faces of a polyhedron are as small as its shape asks for: linear polynomials on them are as exact as the shape
+    // the faces of a polyhedron are as small as its shape requires: linear polynomials on them are
+    // as accurate as the shape
     let is_round_face =
         |element: &&mut Element| scene.surfaces[transport.faces[element.face].surface].shape.is_round();
     elements.iter_mut().filter(is_round_face).for_each(|element| element.order = ORDER_ON_ROUND);
@@ -476,12 +492,12 @@ pub(super) fn reflects(scene: &Scene, surface: usize) -> bool {
     reflectance(scene, surface).iter().any(|&rho| rho > 0.0)
 }
 
-/// Whether a face sends on light that it gets.
+/// Whether a face reflects the light that it receives.
 pub(crate) fn is_reflecting(scene: &Scene, face: &Face) -> bool {
     is_bright(scene, face) && reflects(scene, face.surface)
 }
 
-/// The diffuse reflectance of a surface, for each band.
+/// Returns the diffuse reflectance of a surface, for each band.
 pub(crate) fn reflectance(scene: &Scene, surface: usize) -> &[f64] {
     match &scene.materials[scene.surfaces[surface].material].kind {
         MaterialKind::Diffuse { reflectance } => reflectance,

@@ -1,4 +1,4 @@
-//! Laws of the parts of the solver.
+//! Properties of the parts of the solver.
 
 use super::contact::ConvexPiece;
 use super::element::Element;
@@ -12,7 +12,7 @@ use crate::geometry::{Face, Vector};
 use crate::kernels::irradiance_linear_luminaire;
 use crate::simulation::Unwatched;
 
-/// A triangle above the origin that looks down, and the face that it is.
+/// Returns the face of a triangle above the origin that faces down.
 fn triangle([a, b, c]: [Vector; 3]) -> Face {
     let twice = (b - a).cross(c - a);
     let normal = twice.unit().expect("a triangle");

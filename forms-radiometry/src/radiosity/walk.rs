@@ -1,12 +1,15 @@
-//! Walks: what one random path finds of E − Ẽ at a point, Ẽ being its control variate.
+//! Walks: the contribution of one random path to E − Ẽ at a point, with Ẽ as the control variate.
 //!
 //! ```text
-//! E(y) − Ẽ(y) = D(y) + ⟨ρ(y') Ẽ(y') − Ẽ(y) + ρ(y') (E − Ẽ)(y')⟩        y' where a ray of density cos θ/π from y ends
+//! E(y) − Ẽ(y) = D(y) + ⟨ρ(y') Ẽ(y') − Ẽ(y) + ρ(y') (E − Ẽ)(y')⟩
+//!                                              y' the end of a ray from y with density cos θ/π
 //! ```
-//! A path goes on with the probability ρ, so that no weight exceeds one. In a furnace every term is zero, and so is the spread.
+//! Russian roulette continues a path with the probability ρ, so that no weight exceeds one. In a
+//! furnace every term is zero, and so is the variance.
 //!
-//! Sources: E. Lafortune, Y. Willems, The ambient term as a variance reducing technique for Monte Carlo ray tracing (1994), with
-//! a solution instead of a constant; J. Arvo, D. Kirk, Particle transport and image synthesis (1990), for how paths end.
+//! Sources: E. Lafortune, Y. Willems, The ambient term as a variance reducing technique for Monte
+//! Carlo ray tracing (1994), with a solution instead of a constant; J. Arvo, D. Kirk, Particle
+//! transport and image synthesis (1990), for how paths end.
 
 use super::directions::above;
 use super::gather::Scratch;
@@ -14,33 +17,34 @@ use super::paths::{Paths, Place};
 use crate::kernels::irradiance;
 use crate::sampling::Random;
 
-/// The most reflections that a path is followed; what is left then is part of the error.
+/// Maximum number of reflections of a path; the remaining light is part of the error.
 const MOST_REFLECTIONS: u32 = 512;
 
-/// Which light at the begin of a path is meant.
+/// Kind of light at the start of a path.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Begin {
-    /// What is reflected there to the receiver.
+    /// Light that is reflected there to the receiver.
     Reflecting,
-    /// What arrives there, for it is the receiver.
+    /// Light that arrives there, because the point is the receiver.
     Receiving,
 }
 
-/// Where a path is.
+/// State of a path.
 #[derive(Clone, Copy)]
 struct Step {
     at: Place,
     is_first: bool,
     begin: Begin,
-    /// Whether light straight from lights counts here.
+    /// Whether direct light counts here.
     has_direct: bool,
-    /// How many reflections are asked for between the lights and this point, if a number is.
+    /// Maximum number of reflections between the light sources and this point, if it is limited.
     left: Option<u32>,
 }
 
 impl Paths<'_> {
-    /// What of E − Ẽ at a point one path finds, added to the sums times a weight for each band. Returns how much of it the end of the path
-    /// may have cut off at most, for the band where that is most.
+    /// Adds the contribution of one path to E − Ẽ at a point to the sums, times a weight for each
+    /// band. Returns an upper bound on the contribution that the end of the path truncated, for the
+    /// band where it is largest.
     pub(super) fn correction(
         &self,
         at: Place,
@@ -77,7 +81,8 @@ impl Paths<'_> {
         largest / (1.0 - self.contraction).max(f64::EPSILON)
     }
 
-    /// What a path finds at a point, for each band, and where it meets what is reflected there.
+    /// Returns the contribution of a path at a point in each band, and the next point, from which
+    /// light is reflected.
     fn step(&self, step: Step, random: &mut Random, scratch: &mut Scratch) -> (Vec<f64>, Option<Place>) {
         let mut change = self.local(step, scratch);
         let is_last = step.left == Some(0);
@@ -102,7 +107,8 @@ impl Paths<'_> {
         (change, next)
     }
 
-    /// For each band D − Ẽ at a point of a path. Of a number of orders only the first point has an Ẽ.
+    /// Returns D − Ẽ at a point of a path for each band. If the number of orders is limited, only
+    /// the first point has an Ẽ.
     fn local(&self, step: Step, scratch: &mut Scratch) -> Vec<f64> {
         let mut sum =
             if step.has_direct { self.direct(step.at, scratch) } else { vec![0.0; self.scene.band_count()] };

@@ -1,12 +1,17 @@
-//! Weights: the visible pieces of an element become what a receiver gets from each of the element's nodes.
+//! Weights: computes from the visible pieces of an element the light that a receiver gets from each
+//! of the element's nodes.
 //!
 //! ```text
-//! Wₖ = ∫ φₖ(y) dμ(y)     over the pieces, μ the measure of the receiver (a form factor, say), φₖ the polynomial of node k
+//! Wₖ = ∫ φₖ(y) dμ(y)   over the pieces, φₖ the polynomial of node k, μ the measure of the receiver
 //! ```
-//! A piece is cut until Gauss rules hold what is asked for: on a patch of radius r at the distance d the integrand is
-//! analytic in an ellipse of the size ϱ = d/r + √((d/r)² − 1), and q points leave an error like ϱ^(−2q) of the patch's own light.
-//! All patches are held to the same, for errors of neighbours have one sign. Then the weights of the piece are corrected so that
-//! their sum is its measure exactly, by its closed form: what a uniform element sends is right to rounding, however near it is.
+//! The measure is a form factor, for example.
+//!
+//! A piece is cut until Gauss rules reach the requested accuracy: on a patch of radius r at the
+//! distance d the integrand is analytic in an ellipse of the size ϱ = d/r + √((d/r)² − 1), and q
+//! points leave an error like ϱ^(−2q) of the patch's own light. All patches have the same accuracy,
+//! because errors of neighbours have one sign. Then the weights of the piece are corrected so that
+//! their sum is exactly its measure, by its closed form: the light of a uniform element is correct
+//! to rounding, however close it is.
 
 use super::element::Element;
 use super::gather::{Group, Scratch, Seen, Transport};
@@ -17,32 +22,33 @@ use super::whole::FEWEST;
 use crate::geometry::{Face, Patch, Vector, gauss, patches};
 use crate::kernels::exchange_density;
 
-/// The most points of a rule along one side; patches that would need more are cut.
+/// Maximum number of points of a rule along one side; patches that would need more are cut.
 const MOST_POINTS: usize = 4;
-/// How often a patch is halved at most. What is left then is a millionth of it in area.
+/// Maximum number of times that a patch is halved. A millionth of its area is left then.
 const DEEPEST: u32 = 20;
-/// Pieces whose radius is this fraction of their distance are measured by the rule alone: in the closed form, the sum over
-/// the edges would cancel.
+/// Pieces whose radius is below this fraction of their distance are measured by the rule alone: in
+/// the closed form, the sum over the edges would cancel.
 pub(super) const SMALL: f64 = 1e-3;
 
-/// What a group sees of a face, as far as that tells what it sees of its elements.
+/// Visibility of a face from a group, where it determines the visibility of the elements of the
+/// face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum OfFace {
     Nothing,
     /// Every point sees all of it.
     Whole,
-    /// Nothing comes in between.
+    /// There are no occluders.
     Open,
-    /// Each element has to be asked.
+    /// Visibility has to be computed for each element.
     Parts,
 }
 
-/// What the weights of one piece are made in.
+/// Accumulates the weights of one piece.
 struct Piece<'e> {
     element: &'e Element,
     position: Vector,
     measure: Measure,
-    /// The error that the rules may leave, relative to the light that arrives.
+    /// Allowed quadrature error, relative to the arriving light.
     accuracy: f64,
     weights: [f64; MOST_NODES],
     /// The same with the solid angle as the measure.
@@ -50,8 +56,8 @@ struct Piece<'e> {
 }
 
 impl Transport {
-    /// Calls `each` with the index of a point and what it gets from each node of an element, where it gets any. `of_face` is what the
-    /// group sees of the whole face.
+    /// Calls `each` with the index of a point and its weights for the nodes of an element, for each
+    /// point that sees any of it. `of_face` is the visibility of the whole face from the group.
     pub(super) fn weigh(
         &self,
         group: Group,
@@ -102,7 +108,8 @@ impl Transport {
         }
     }
 
-    /// What a group sees of a whole face, and so of every element of it; what may come in between is kept for those.
+    /// Returns the visibility of a whole face from a group, and so of every element of the face.
+    /// Keeps the possible occluders for the elements.
     pub(super) fn of_face(&self, group: Group, face: usize, scratch: &mut Scratch) -> OfFace {
         let Face { vertices, normal, .. } = &self.faces[face];
         match self.seen(group, (vertices, *normal), None, &mut scratch.before_face) {
@@ -113,7 +120,8 @@ impl Transport {
         }
     }
 
-    /// The same of the points of a group that see no more than parts of an element; those that see all of it are noted.
+    /// Weighs an element for the points of a group that see only parts of it; records the points
+    /// that see all of it.
     fn weigh_parts(
         &self,
         group: Group,
@@ -148,9 +156,10 @@ impl Transport {
 }
 
 impl Radiosity<'_> {
-    /// Calls `each` with an element that reflects, the index of a point and what it gets from each node of the element, for all of them but
-    /// those of one face; only some if the work is stopped. What a group sees of a face is asked before its elements, which follow each
-    /// other.
+    /// Calls `each` with an element that reflects, the index of a point and its weights for the
+    /// nodes of the element, for all such elements except those of one face; only for some if the
+    /// work is stopped. The visibility of a face is computed before that of its elements, which
+    /// follow each other.
     pub(super) fn weigh(
         &self,
         group: Group,
@@ -174,8 +183,8 @@ impl Radiosity<'_> {
     }
 }
 
-/// Adds to `weights` what a receiver gets from each node of an element through this convex piece of it, relative to the
-/// receiver.
+/// Adds to `weights` the light that a receiver gets from each node of an element through this
+/// convex piece of it, relative to the receiver.
 pub(super) fn add(
     piece: &[Vector],
     element: &Element,
@@ -194,7 +203,7 @@ pub(super) fn add(
 }
 
 impl Piece<'_> {
-    /// What has to be added, in parts of the solid angle, to make the sum of the weights exact.
+    /// Returns the fraction of the solid angles to add to the weights so that their sum is exact.
     fn correction(&self, piece: &[Vector]) -> f64 {
         let solid: f64 = self.solid.iter().sum();
         let distance = piece.iter().map(|v| v.length()).fold(f64::INFINITY, f64::min);
@@ -223,7 +232,8 @@ impl Piece<'_> {
     }
 }
 
-/// Calls `each` with the points of a rule on a patch, and the area of each; `nearest` is how near the nearest receiver is to a point.
+/// Calls `each` with the points of a rule on a patch, and the area of each; `nearest` is the
+/// distance of a point from the nearest receiver.
 pub(super) fn rule(
     patch: &Patch,
     nearest: &impl Fn(Vector) -> f64,

@@ -1,10 +1,13 @@
-//! Elements that are seen whole: points of a group that see all of an element share one rule of integration and one batch of the kernel.
+//! Whole elements: points of a group that see all of an element share one quadrature rule and one
+//! batch of the kernel.
 //!
 //! ```text
-//! points, element ─▶ a rule that is fine enough for the nearest point ─▶ rows: point × point of the rule ─ exchange_density ─▶ weights
+//! points, element ─▶ a rule that is fine enough for the nearest point
+//!                 ─▶ rows: point × point of the rule ─ exchange_density ─▶ weights
 //! ```
-//! The points of the rule and the polynomials at them are computed once for all. The weights of each point are scaled so that their sum is
-//! its measure exactly, as in [`weights`](super::weights).
+//! The points of the rule and the polynomials at them are computed once for all points of the
+//! group. The weights of each point are scaled so that their sum is exactly its measure, as in
+//! [`weights`](super::weights).
 
 use super::element::Element;
 use super::reference::MOST_NODES;
@@ -12,8 +15,8 @@ use super::weights::{SMALL, rule};
 use crate::geometry::{Edges, Vector, fill, patches};
 use crate::kernels::exchange_density;
 
-/// Fewer points than this see an element one by one: with the rules that are common, of 4 to 16 points, they have fewer rows than a batch
-/// takes the time of.
+/// Minimum number of points for a batch. Fewer points evaluate an element one by one: with the
+/// usual rules, of 4 to 16 points, they have fewer rows than it takes for a batch to be faster.
 pub(super) const FEWEST: usize = 4;
 
 /// A rule that points share, and the rows of a batch.
@@ -21,11 +24,13 @@ pub(super) const FEWEST: usize = 4;
 pub(super) struct Whole {
     /// The points that see the element.
     seeing: Vec<Vector>,
-    /// The points of the rule relative to the element's first corner, their areas, and the values of the nodes' polynomials there.
+    /// The points of the rule relative to the element's first corner, with their areas, and the
+    /// values of the nodes' polynomials there.
     points: Vec<(Vector, f64)>,
     basis: Vec<[f64; MOST_NODES]>,
     ways: [Vec<f64>; 3],
-    /// The normal of the points that see it, and that of the element, at least as many times as there are rows.
+    /// The normal of the points that see the element, and the normal of the element, repeated at
+    /// least once for each row.
     normals: [Vec<f64>; 6],
     densities: Vec<f64>,
     edges: Edges,
@@ -33,7 +38,8 @@ pub(super) struct Whole {
 }
 
 impl Whole {
-    /// Calls `each` with the index of each of these points and what an element with this normal there gets from each node of the element.
+    /// Calls `each` with the index of each of these points and, for a receiver with this normal
+    /// there, its weights for the nodes of the element.
     pub(super) fn weigh(
         &mut self,
         seeing: impl Iterator<Item = Vector>,
@@ -70,7 +76,7 @@ impl Whole {
         }
     }
 
-    /// The points of a rule that is fine enough for all that see the element.
+    /// Computes the points of a rule that is fine enough for all points that see the element.
     fn take_rule(&mut self, (element, outline): (&Element, &[Vector]), accuracy: f64) {
         let Self { seeing, points, basis, .. } = self;
         let local: Vec<Vector> = outline.iter().map(|&v| v - outline[0]).collect();
@@ -88,7 +94,8 @@ impl Whole {
         }
     }
 
-    /// The densities of exchange of all points that see the element with all points of the rule.
+    /// Computes the exchange densities of all points that see the element with all points of the
+    /// rule.
     fn compute_densities(&mut self, origin: Vector, normals: [Vector; 2]) {
         let Self { seeing, points, ways, densities, .. } = self;
         for (axis, column) in ways.iter_mut().enumerate() {

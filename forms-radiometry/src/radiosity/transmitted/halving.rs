@@ -1,23 +1,26 @@
-//! Halving: pieces of an integral are halved until the bounds of their errors sum to what is allowed.
+//! Halving: pieces of an integral are halved until the bounds of their errors sum to the allowed
+//! error.
 //!
 //! ```text
-//! pieces ─▶ parts: values, bounds, rounding ─ halved where the bound is more than a fair share ─▶ sums
+//! pieces ─▶ parts: values, bounds, rounding ─ halved if the bound exceeds a fair share ─▶ sums
 //! ```
-//! What is allowed is relative to the largest number of a band, for which a part of what is not known yet is taken in the beginning.
+//! The allowed error is relative to the largest value of a band. While the value is not known, a
+//! fraction of its error bound counts as part of it.
 
 use super::{Reached, least};
 
-/// The most pieces; where more would be needed the bound is larger than it was to be.
+/// Maximum number of pieces; if more would be needed, the bound is larger than the goal.
 const MOST: usize = 1 << 14;
-/// The part of what is not known yet that is taken for a part of the result while pieces are halved.
+/// Fraction of the unknown remainder that counts as part of the result while pieces are halved.
 const OPEN: f64 = 0.1;
 
-/// A piece of what is integrated over.
+/// A piece of the domain of integration.
 pub(super) trait Piece: Sized {
     fn halves(&self) -> [Self; 2];
 }
 
-/// A piece with what is found of it: by measure and band values, by band their errors and what rounding may make of them.
+/// A piece with its results: values by measure and band, and by band their errors and rounding
+/// errors.
 pub(super) struct Part<P> {
     pub(super) piece: P,
     pub(super) values: Vec<f64>,
@@ -25,8 +28,9 @@ pub(super) struct Part<P> {
     pub(super) rounding: Vec<f64>,
 }
 
-/// The integrals over all pieces by measure and band, of so many measures in bands of this extinction, with errors below the goal, a part of the
-/// largest number of the band. `part` finds what is to be found of a piece.
+/// Returns the integrals over all pieces by measure and band, for this number of measures in bands
+/// of this extinction. Their errors are below the goal, a fraction of the largest value of the
+/// band. `part` evaluates a piece.
 pub(super) fn halved<P: Piece>(
     pieces: Vec<P>,
     (measures, extinction): (usize, &[f64]),
@@ -49,7 +53,7 @@ pub(super) fn halved<P: Piece>(
     }
 }
 
-/// By band what the errors of all parts may sum to.
+/// Returns for each band the allowed sum of the errors of all parts.
 fn goals(sums: &[Reached], goal: f64, bands: usize) -> Vec<f64> {
     let of_band = |band: usize| {
         let known = |sum: &Reached| sum.value.abs().max(OPEN * sum.quadrature);
@@ -68,7 +72,7 @@ fn sums<P>(parts: &[Part<P>], measures: usize, extinction: &[f64]) -> Vec<Reache
         let terms = 1.0 + parts.len() as f64 / super::ROUNDING[0];
         let lost = if parts.is_empty() { 0.0 } else { least(extinction[band]) };
         Reached {
-            // a sum of nothing is −0
+            // an empty sum is −0
             value: 0.0 + sum(|part| &part.values, place),
             quadrature: sum(|part| &part.errors, band),
             rounding: terms * sum(|part| &part.rounding, band) + lost,

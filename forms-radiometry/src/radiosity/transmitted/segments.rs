@@ -1,13 +1,18 @@
-//! Segments: what a segment of a ray scatters once of the light of a point, to the start of the ray, becomes a sum over the points of a rule, with
-//! a bound of its error that is known before any value is.
+//! Segments: the light of a point light that a segment of a ray scatters once to the start of the
+//! ray. It becomes a sum over the points of a quadrature rule, with an error bound that is known
+//! before any value is.
 //!
 //! ```text
-//! ∫ σₛ p(cos θ) e^(−σ (t + r)) I/r² dt,  r² = h² + (t − s)²,  cos θ = (s − t)/r      h, s where the ray is abreast of the point
+//! ∫ σₛ p(cos θ) e^(−σ (t + r)) I/r² dt,  r² = h² + (t − s)²,  cos θ = (s − t)/r
 //! ```
-//! The bound is that of [`triangles`](super::triangles), of an ellipse about the segment: there Re r² ≥ A, and the cosine differs from
-//! a real one by no more than the imaginary part of t times h²/A^(3/2), so that 1 + g² − 2 g cos θ stays away from 0.
+//! Where the ray is abreast of the light, h is their distance and s the distance along the ray.
 //!
-//! Source: S. Chandrasekhar, Radiative transfer (1950), chapter 1; of the bound, L. N. Trefethen (2008), theorem 4.5.
+//! The bound is that of [`triangles`](super::triangles), for an ellipse about the segment: there
+//! Re r² ≥ A, and the cosine differs from a real one by no more than the imaginary part of t times
+//! h²/A^(3/2), so that 1 + g² − 2 g cos θ stays away from 0.
+//!
+//! Sources: S. Chandrasekhar, Radiative transfer (1950), chapter 1; for the bound, L. N. Trefethen
+//! (2008), theorem 4.5.
 
 use super::halving::{Part, Piece, halved};
 use super::{OF_HEIGHT, Reached, gauss_error, rounding, transmittance};
@@ -17,14 +22,14 @@ use crate::kernels::measure_area_to_solid_angle;
 use crate::scene::Medium;
 use std::f64::consts::PI;
 
-/// The points of the rule.
+/// Number of points of the rule.
 const POINTS: usize = 16;
-/// The sums of half axes of the ellipses.
+/// Sums of the half axes of the ellipses.
 const ELLIPSES: [f64; 9] = [1.2, 1.5, 2.0, 3.0, 4.0, 6.0, 9.0, 14.0, 24.0];
-/// Rounding of a cosine, where 1 + g² − 2 g cos θ may be as small as (1 − |g|)².
+/// Rounding of a cosine, where 1 + g² − 2 g cos θ can be as small as (1 − |g|)².
 const OF_COSINE: f64 = 16.0;
 
-/// Where a ray is abreast of a point light, and how far from it.
+/// The position at which a ray is abreast of a point light, and the distance of the light from it.
 #[derive(Clone, Copy)]
 pub(super) struct Lit<'l> {
     pub(super) abreast: f64,
@@ -48,7 +53,7 @@ impl<'l> Lit<'l> {
         Self { abreast, height: (way - abreast * direction).length(), reach: way.length(), intensity }
     }
 
-    /// The distance of the light from a point of the ray.
+    /// Returns the distance of the light from a point of the ray.
     fn distance(&self, along: f64) -> f64 {
         self.height.hypot(along - self.abreast)
     }
@@ -62,7 +67,7 @@ impl Piece for Segment<'_> {
     }
 }
 
-/// What all segments scatter to the start of the ray in each band.
+/// Returns the light that all segments scatter to the start of the ray in each band.
 pub(super) fn scattered(
     segments: Vec<Segment<'_>>,
     medium: &Medium,
@@ -95,7 +100,7 @@ fn part<'l>(segment: Segment<'l>, medium: &Medium, extinction: &[f64]) -> Part<S
 }
 
 impl Segment<'_> {
-    /// The rule's integral for a scattering coefficient and an intensity of 1.
+    /// Returns the integral by the rule, for a scattering coefficient and an intensity of 1.
     fn integral(&self, extinction: f64, asymmetry: f64) -> f64 {
         let [from, to] = self.ends;
         let value = |&[at, weight]: &[f64; 2]| {
@@ -109,13 +114,14 @@ impl Segment<'_> {
         (to - from) * gauss(POINTS).iter().map(value).sum::<f64>()
     }
 
-    /// The least distance of the light.
+    /// Returns the least distance of the light.
     fn nearest(&self) -> f64 {
         let [from, to] = self.ends;
         self.lit.distance(self.lit.abreast.clamp(from, to))
     }
 
-    /// What the integral is not above, likewise: ∫ dt/r² is no more than the length over r², and than π/h.
+    /// Returns an upper bound on the integral, for a scattering coefficient and an intensity of 1:
+    /// ∫ dt/r² is at most the length over r², and at most π/h.
     fn most(&self, extinction: f64, asymmetry: f64) -> f64 {
         let [from, to] = self.ends;
         let nearest = self.nearest();
@@ -125,7 +131,8 @@ impl Segment<'_> {
             * transmittance(extinction, from + nearest)
     }
 
-    /// The least 1 + g² − 2 g cos θ between two distances along the ray: the cosine falls from one to the other.
+    /// Returns the least 1 + g² − 2 g cos θ between two distances along the ray: the cosine falls
+    /// from one to the other.
     fn least_square(&self, asymmetry: f64, ends: [f64; 2]) -> f64 {
         let along = if asymmetry > 0.0 { ends[0] } else { ends[1] };
         let distance = self.lit.distance(along);
@@ -133,13 +140,14 @@ impl Segment<'_> {
         1.0 + asymmetry * (asymmetry - 2.0 * cosine.clamp(-1.0, 1.0))
     }
 
-    /// The least bound of the rule's error, likewise.
+    /// Returns the least error bound of the rule, for a scattering coefficient and an intensity of
+    /// 1.
     fn error(&self, extinction: f64, asymmetry: f64) -> f64 {
         ELLIPSES.iter().map(|&rho| self.error_in(rho, [extinction, asymmetry])).fold(f64::INFINITY, f64::min)
     }
 
-    /// The bound of the rule's error that an ellipse tells. With its half axes α and β and the half length a: Re t ≥ from − a (α − 1), |Im t| ≤ a β,
-    /// and Re √z ≥ √(Re z).
+    /// Returns the error bound of the rule from one ellipse. With its half axes α and β and the
+    /// half length a: Re t ≥ from − a (α − 1), |Im t| ≤ a β, and Re √z ≥ √(Re z).
     fn error_in(&self, rho: f64, [extinction, asymmetry]: [f64; 2]) -> f64 {
         let [from, to] = self.ends;
         let [alpha, beta] = [0.5 * (rho + 1.0 / rho), 0.5 * (rho - 1.0 / rho)];
@@ -157,13 +165,13 @@ impl Segment<'_> {
         if square <= 0.0 {
             return f64::INFINITY;
         }
-        // the start of the ray may lie within the ellipse, where the exponential is above 1
+        // the start of the ray can lie within the ellipse, where the exponential is above 1
         let left = (-extinction * (ends[0] + distance)).exp();
         let of_rule = gauss_error(rho, POINTS);
         half * of_rule * phase(asymmetry, square) * left / squared
     }
 
-    /// What rounding may make of the integral, relative to what it is not above.
+    /// Returns the rounding error of the integral, relative to its upper bound.
     fn lost(&self, extinction: f64, asymmetry: f64) -> f64 {
         let [_, to] = self.ends;
         rounding(extinction, to + self.lit.distance(to).max(self.nearest()))
@@ -172,7 +180,7 @@ impl Segment<'_> {
     }
 }
 
-/// The phase function where 1 + g² − 2 g cos θ is this.
+/// Returns the phase function at this value of 1 + g² − 2 g cos θ.
 fn phase(asymmetry: f64, square: f64) -> f64 {
     (1.0 - asymmetry * asymmetry) / (4.0 * PI * square * square.sqrt())
 }

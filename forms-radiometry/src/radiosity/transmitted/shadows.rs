@@ -1,15 +1,16 @@
-//! Shadows: what faces leave of a ray in the light of a point.
+//! Shadows: the parts of a ray that faces leave in the light of a point light.
 //!
 //! ```text
 //! ray, light, face ─▶ the interval of the ray behind the face ─▶ the rest of the ray, in segments
 //! ```
-//! A face that is convex hides the light from where a point is in its cone and beyond its plane. Both are half-spaces, and of a ray each is a half
-//! line.
+//! A convex face hides the light from the points that are in its cone and beyond its plane. The
+//! cone and the far side of the plane are intersections of half-spaces, and each half-space
+//! contains a half line of the ray.
 
 use crate::geometry::{Face, Vector};
 
-/// The segments of a ray as far as an end from which a light is seen past faces. A light that is nearer to the plane of a face than the resolution
-/// sees it edge-on.
+/// Returns the segments of a ray, up to an end, from which a light is visible past faces. A light
+/// that is closer to the plane of a face than the resolution sees the face edge-on.
 pub(super) fn lit(
     [origin, direction]: [Vector; 2],
     end: f64,
@@ -26,7 +27,7 @@ pub(super) fn lit(
     segments
 }
 
-/// The interval of a ray from which a face hides a light.
+/// Returns the interval of a ray from which a face hides a light.
 fn shadow([origin, direction]: [Vector; 2], light: Vector, face: &Face, resolution: f64) -> Option<[f64; 2]> {
     let corners = &face.vertices;
     let height = face.normal.dot(light - corners[0]);

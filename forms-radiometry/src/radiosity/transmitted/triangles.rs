@@ -1,14 +1,18 @@
-//! Triangles: what a medium leaves of the light of a luminous triangle becomes a sum over the points of a rule, with a bound of its error
-//! that is known before any value is.
+//! Triangles: the light of an emitting triangle after extinction in a medium becomes a sum over the
+//! points of a quadrature rule, with an error bound that is known before any value is.
 //!
 //! ```text
-//! ∫ m(x/r) e^(−σ r) h/r³ dA,  x = a + s (b − a + t (c − b)),  dA = 2A s ds dt      h the height of the point above the plane
+//! ∫ m(x/r) e^(−σ r) h/r³ dA,  x = a + s (b − a + t (c − b)),  dA = 2A s ds dt
+//!                                                       h the height of the point above the plane
 //! ```
-//! As a function of s, or of t, the integrand is analytic where Re x·x > 0. In the ellipse with the foci at the ends of the interval and the
-//! sum ρ of its half axes let M be above it; then N points of Gauss are off by no more than 32/15 M ρ^(−2N)/(1 − ρ⁻²) on an
-//! interval of length 1. Of several ρ the one with the least bound is taken. Where none tells more than that the integral is not negative and
-//! below its largest integrand times the area, no value is taken, and that is the error. Triangles are halved until the sum
-//! of all bounds is small enough. So no error is an estimate, and no feature that lies between the points is missed.
+//! As a function of s, or of t, the integrand is analytic where Re x·x > 0. Let M be an upper bound
+//! of it in the ellipse with the foci at the ends of the interval and the sum ρ of its half axes.
+//! Then the error of the Gauss rule with N points is at most 32/15 M ρ^(−2N)/(1 − ρ⁻²) on an
+//! interval of length 1. The least bound of several ρ is taken. The trivial bound is that the
+//! integral is not negative and below its largest integrand times the area. If no ρ gives a better
+//! bound than this, no value is computed, and the trivial bound is the error. Triangles are halved
+//! until the sum of all bounds is small enough. So no error is an estimate, and no feature that
+//! lies between the points is missed.
 //!
 //! Source: L. N. Trefethen, Is Gauss quadrature better than Clenshaw–Curtis? (2008), theorem 4.5.
 
@@ -20,14 +24,14 @@ use crate::kernels::measure_area_to_solid_angle;
 use crate::scene::Scene;
 use std::f64::consts::PI;
 
-/// The points of the rule along each side of the square.
+/// Number of points of the rule along each side of the square.
 const POINTS: usize = 8;
-/// The sums of half axes of the ellipses.
+/// Sums of the half axes of the ellipses.
 const ELLIPSES: [f64; 9] = [1.5, 2.0, 3.0, 4.0, 6.0, 9.0, 14.0, 24.0, 50.0];
 
-/// A luminous triangle as a point sees it.
+/// An emitting triangle as a point sees it.
 pub(super) struct Triangle {
-    /// The ways from the point to its corners.
+    /// The vectors from the point to its corners.
     corners: [Vector; 3],
     /// The unit normal of its plane, and the height of the point above it.
     normal: Vector,
@@ -35,7 +39,8 @@ pub(super) struct Triangle {
     surface: usize,
 }
 
-/// The triangles of a convex piece of a face, relative to a point at this height above its plane.
+/// Returns the triangles of a convex piece of a face, relative to a point at this height above its
+/// plane.
 pub(super) fn fan<'f>(
     piece: &'f [Vector],
     face: &'f Face,
@@ -50,14 +55,14 @@ pub(super) fn fan<'f>(
     piece[1..].windows(2).map(triangle)
 }
 
-/// What is integrated.
+/// Integrand.
 pub(super) struct Integrand<'i> {
     pub(super) measures: &'i [Measure],
     pub(super) extinction: &'i [f64],
     pub(super) scene: &'i Scene,
 }
 
-/// How large a triangle is and how far away.
+/// Size and distance of a triangle.
 struct Extent {
     nearest: f64,
     farthest: f64,
@@ -67,12 +72,13 @@ struct Extent {
 }
 
 impl Integrand<'_> {
-    /// The integrals over all triangles, by measure and band, with errors below the goal, a part of the largest number of the band.
+    /// Returns the integrals over all triangles, by measure and band. Their errors are below the
+    /// goal, a fraction of the largest value of the band.
     pub(super) fn integrated(&self, triangles: Vec<Triangle>, goal: f64) -> Vec<Reached> {
         halved(triangles, (self.measures.len(), self.extinction), goal, |triangle| self.part(triangle))
     }
 
-    /// What is found of a triangle.
+    /// Evaluates a triangle.
     fn part(&self, triangle: Triangle) -> Part<Triangle> {
         let extent = triangle.extent();
         let radiances = &self.scene.surfaces[triangle.surface].radiance;
@@ -81,7 +87,7 @@ impl Integrand<'_> {
             let (most, error) = (extent.most(extinction), extent.error(extinction));
             let lost = rounding(extinction, extent.farthest)
                 + OF_HEIGHT * f64::EPSILON * (extent.farthest / extent.height);
-            // a NaN is no error that is small enough
+            // NaN fails this comparison, so that it does not count as a small error
             is_found.push(*radiance > 0.0 && error < most);
             errors.push(radiance * if error < most { error } else { most });
             rounded.push(radiance * lost * most);
@@ -96,7 +102,7 @@ impl Integrand<'_> {
         Part { piece: triangle, values, errors, rounding: rounded }
     }
 
-    /// Adds the rule's integral over a triangle.
+    /// Adds the integral over a triangle by the rule.
     fn add(&self, triangle: &Triangle, area: f64, radiances: &[f64], values: &mut [f64]) {
         let [a, b, c] = triangle.corners;
         let rule = gauss(POINTS);
@@ -127,11 +133,11 @@ impl Integrand<'_> {
 }
 
 impl Piece for Triangle {
-    /// Its halves, on both sides of the middle of its longest edge.
+    /// Returns the halves on both sides of the middle of the longest edge.
     fn halves(&self) -> [Self; 2] {
         let [a, b, c] = self.corners;
         let length = |a: Vector, b: Vector| (b - a).dot(b - a);
-        // turned so that the longest edge is the first
+        // rotated so that the longest edge is the first
         let turned = [[a, b, c], [b, c, a], [c, a, b]];
         let longest = |one: &&[Vector; 3], other: &&[Vector; 3]| {
             length(one[0], one[1]).total_cmp(&length(other[0], other[1]))
@@ -152,7 +158,8 @@ impl Triangle {
         Extent { nearest: self.nearest(edges), farthest, diameter, area, height: self.height }
     }
 
-    /// The least distance of one of its points: that of the foot of the height if this lies within, else that of an edge.
+    /// Returns the least distance of a point of the triangle: that of the foot of the height if the
+    /// foot lies within, otherwise that of an edge.
     fn nearest(&self, edges: [[Vector; 2]; 3]) -> f64 {
         let foot = -self.height * self.normal;
         let sides = edges.map(|[a, b]| self.normal.dot((b - a).cross(foot - a)));
@@ -170,20 +177,21 @@ impl Triangle {
 }
 
 impl Extent {
-    /// What no measure of the triangle is above, at a radiance of 1.
+    /// Returns an upper bound on any measure of the triangle, at a radiance of 1.
     fn most(&self, extinction: f64) -> f64 {
         let ratio = self.height / self.nearest;
         let solid_angle = (self.area * ratio / (self.nearest * self.nearest)).min(2.0 * PI);
         solid_angle * transmittance(extinction, self.nearest)
     }
 
-    /// The least bound of the rule's error, at a radiance of 1.
+    /// Returns the least error bound of the rule, at a radiance of 1.
     fn error(&self, extinction: f64) -> f64 {
         ELLIPSES.iter().map(|&rho| self.error_in(rho, extinction)).fold(f64::INFINITY, f64::min)
     }
 
-    /// The bound of the rule's error that an ellipse tells. With the half axes α and β of the ellipse, and d the diameter, which no line of
-    /// points is longer than: |Re x| ≥ nearest − d/2 (α − 1), |Im x| ≤ d/2 β, |s| ≤ (1 + α)/2; and Re √z ≥ √(Re z).
+    /// Returns the error bound of the rule from one ellipse. With the half axes α and β of the
+    /// ellipse, and with the diameter d, the largest length of a line of points:
+    /// |Re x| ≥ nearest − d/2 (α − 1), |Im x| ≤ d/2 β, |s| ≤ (1 + α)/2; and Re √z ≥ √(Re z).
     fn error_in(&self, rho: f64, extinction: f64) -> f64 {
         let [alpha, beta] = [0.5 * (rho + 1.0 / rho), 0.5 * (rho - 1.0 / rho)];
         let [beyond, across] = [0.5 * self.diameter * (alpha - 1.0), 0.5 * self.diameter * beta];
@@ -196,7 +204,7 @@ impl Extent {
         let largest =
             transmittance(extinction, distance) * (self.height / distance) * (far / distance) / squared;
         let of_rule = 0.5 * gauss_error(rho, POINTS);
-        // (1 + α) for s, and 1 for t, of which the mean of s is one half
+        // (1 + α) for s, and 1 for t, as the mean of s is one half
         self.area * largest * of_rule * (2.0 + alpha)
     }
 }
